@@ -1,0 +1,56 @@
+#include "compiler/base/diagnostics.h"
+
+#include "compiler/base/text.h"
+
+#include <array>
+
+namespace patina {
+namespace {
+
+constexpr std::array kInfos = {
+#define DIAGNOSTIC(name, code, severity, message) CodeInfo{code, Severity::severity, message},
+#include "compiler/base/diagnostics.def"
+#undef DIAGNOSTIC
+};
+
+// A graph that is wrong everywhere should not bury its reader.
+constexpr std::size_t kMaxRecords = 200;
+
+}  // namespace
+
+const CodeInfo& info(Code code) {
+    return kInfos[static_cast<std::size_t>(code)];
+}
+
+std::span<const CodeInfo> all_codes() {
+    return kInfos;
+}
+
+DiagnosticRecord& Diagnostics::add(Code code, Span span, std::string message) {
+    const Severity severity = info(code).severity;
+    if (severity == Severity::Error) ++errors_;
+    // The same words at the same place add nothing (a node that is lowered for two stages, say).
+    for (DiagnosticRecord& record : records_) {
+        if (record.code == code && record.span == span && record.message == message) return overflow_ = record;
+    }
+    DiagnosticRecord record{.code = code,
+                            .severity = severity,
+                            .span = span,
+                            .message = std::move(message),
+                            .node = node_,
+                            .port = port_,
+                            .notes = {}};
+    if (records_.size() >= kMaxRecords) return overflow_ = std::move(record);
+    records_.push_back(std::move(record));
+    return records_.back();
+}
+
+std::string Diagnostics::suggestion(std::string_view word, std::span<const std::string_view> candidates) {
+    if (const std::string_view best = nearest(word, candidates); !best.empty()) {
+        return fmt::format("did you mean '{}'?", best);
+    }
+    if (!candidates.empty() && candidates.size() <= 24) return fmt::format("there is {}", enumerate(candidates));
+    return {};
+}
+
+}  // namespace patina

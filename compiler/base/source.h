@@ -1,0 +1,66 @@
+// Where text came from. A location is one small integer: files are laid end to end in one address space, and line and
+// column are worked out on demand. A SourceMap may extend another (a compilation extends the node library's map), so
+// spans of both can stand in one diagnostic.
+//
+//   SourceMap map;
+//   std::uint32_t base = map.add("rust.graph.json", text);
+//   Position p = map.resolve(base + 17);   // file, line 1.., column 1.. (in bytes)
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <string_view>
+
+namespace patina {
+
+// Half-open range of global offsets. {0, 0} means "nowhere": no file starts at offset 0.
+struct Span {
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+    explicit operator bool() const { return begin != 0; }
+    friend bool operator==(Span, Span) = default;
+};
+
+inline Span join(Span a, Span b) {
+    if (!a) return b;
+    if (!b) return a;
+    return {a.begin < b.begin ? a.begin : b.begin, a.end > b.end ? a.end : b.end};
+}
+
+struct Position {
+    std::string_view file;       // as given to add(); empty if the offset is nowhere
+    int line = 0;                // from 1
+    int column = 0;              // from 1, counted in bytes
+    std::string_view line_text;  // the line without its newline
+};
+
+class SourceMap {
+public:
+    explicit SourceMap(const SourceMap* base = nullptr);
+
+    // Adds a file and returns the global offset of its first byte. The text is kept.
+    std::uint32_t add(std::string path, std::string text);
+
+    Position resolve(std::uint32_t offset) const;
+    // The text under a span; empty if the span is nowhere.
+    std::string_view text(Span span) const;
+    // The path of the file that holds the offset; empty if none does.
+    std::string_view file(std::uint32_t offset) const;
+    // The whole text of the file whose first byte is `begin`.
+    std::string_view file_text(std::uint32_t begin) const;
+
+private:
+    struct File {
+        std::uint32_t begin;
+        std::string path;
+        std::string text;
+    };
+    const File* find(std::uint32_t offset) const;
+
+    const SourceMap* base_;
+    std::uint32_t next_;
+    std::deque<File> files_;
+};
+
+}  // namespace patina

@@ -1,0 +1,130 @@
+// A graph as its file says it: every key read and its shape checked, nothing resolved. Values at ports are already
+// syntax trees of the node language (nodelang/ast.h). Not typed: that happens in lower.h.
+#pragma once
+
+#include "compiler/base/source.h"
+#include "compiler/nodelang/ast.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace patina::graph {
+
+enum class GraphKind { Material, Subgraph, Lighting, Workflow };
+
+// name: value, as in "in": { "uv": "@uv0" }
+struct PortValue {
+    std::string name;
+    Span name_span;
+    Span value_span;                        // the JSON value
+    const nodelang::Expr* value = nullptr;  // null: it could not be read, and that has been reported
+};
+
+enum class Precision { Inherit, Float, Half };
+
+struct Node {
+    std::string id;
+    Span id_span;
+    Span span;         // the whole object
+    std::string type;  // library node, "./x.subgraph.json" or "./x.node.hlsl"; empty for an expression
+    Span type_span;
+    std::vector<PortValue> inputs;
+    const nodelang::Expr* expr = nullptr;
+    Span expr_span;
+    bool is_expression = false;
+    bool vertex_stage = false;  // "stage": "vertex"
+    Precision precision = Precision::Inherit;
+    std::string note;
+};
+
+enum class PropertyType { Float, Float2, Float3, Float4, Color, Int, Bool, Enum, Texture2D };
+std::string_view to_string(PropertyType type);
+enum class TextureUsage { Color, Data, Normal };
+enum class Wrap { Repeat, Clamp, Mirror };
+enum class Filter { Linear, Nearest };
+struct SamplerState {
+    Wrap wrap = Wrap::Repeat;
+    Filter filter = Filter::Linear;
+    int anisotropy = 1;  // 1 to 16
+};
+
+struct Property {
+    std::string name;
+    Span name_span;
+    Span span;
+    PropertyType type = PropertyType::Float;
+    std::array<double, 4> value{};  // default; colours linear; bool 0 or 1; enum: index
+    std::string texture;            // default texture: "white", "black", "gray", "bump", or a file "./x.png" as written
+    Span default_span;
+    std::optional<std::array<double, 2>> range;
+    bool hard = false;  // values outside the range are refused
+    std::vector<std::string> values;  // of an enum
+    std::string label, group, help;
+    TextureUsage usage = TextureUsage::Color;
+    bool tiling = false;
+    SamplerState sampler;
+};
+
+// An input of a sub-graph, a workflow or (declared under "surface") a lighting model.
+struct Input {
+    std::string name;
+    Span name_span;
+    std::string type;  // "float", "float3", "color", "texture2d", ...
+    Span type_span;
+    const nodelang::Expr* value = nullptr;  // default; null: must be given
+    Span default_span;
+    std::optional<std::array<double, 2>> range;
+    bool hard = false;
+    std::string help;
+    // Workflows only: this input is another way to say `gives`, converted by `as` (an expression that reads $name).
+    std::string gives;
+    const nodelang::Expr* as = nullptr;
+};
+
+struct Graph;
+
+// "unity-brdf1", "./toon.lighting.json", { "use": ..., "in": {...} }, or a graph inline.
+struct LightingUse {
+    std::string use;  // name or file; empty if inline or absent
+    Span span;
+    std::vector<PortValue> inputs;
+    std::shared_ptr<Graph> inlined;
+    bool present = false;
+};
+
+enum class SurfaceKind { Opaque, Cutout };
+enum class Cull { Back, Front, Off };
+enum class Compare { Never, Less, Equal, LessEqual, Greater, NotEqual, GreaterEqual, Always };
+struct RenderState {
+    SurfaceKind surface = SurfaceKind::Opaque;
+    Cull cull = Cull::Back;
+    std::optional<bool> depth_write;
+    std::optional<Compare> depth_test;
+    std::optional<int> queue;
+    Span span;
+};
+
+struct Graph {
+    GraphKind kind = GraphKind::Material;
+    std::string path;  // as the file was named; "" for an inline graph
+    std::string name;  // "name", or the file's stem
+    Span span;
+    std::string workflow;
+    Span workflow_span;
+    LightingUse lighting;
+    Precision precision = Precision::Float;
+    std::vector<Property> properties;
+    std::vector<Node> nodes;
+    std::vector<Input> inputs;        // sub-graph, workflow; in a lighting graph: the "surface" declarations
+    std::vector<PortValue> vertex;    // material
+    std::vector<PortValue> surface;   // material: surface inputs; workflow: members of the lighting surface
+    std::vector<PortValue> outputs;   // sub-graph; in a lighting graph: direct, indirect, final
+    std::string preview_input;        // workflow: the input that shows a previewed node ("preview": "color")
+    RenderState render;
+    std::string meta;                 // raw JSON text of "meta"; carried to the reflection
+};
+
+}  // namespace patina::graph

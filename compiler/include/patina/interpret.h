@@ -1,0 +1,66 @@
+// The CPU reference: runs a stage of a compiled material on 2x2 pixel quads, straight from the unoptimised IR, in float
+// or double. It shares no folding, identity or printer with the GPU's path. Slow and exact; not a renderer (the runtime's
+// `--via cpu` puts a rasteriser around it).
+//
+//   Result r = compiler.compile_file(path, {.keep_programs = true});
+//   Interpreter fragment(*r.program, "forward", Stage::Fragment, Precision::Double);
+//   fragment.set_block("Material", bytes);
+//   QuadOutputs out = fragment.run(quad);
+#pragma once
+
+#include "patina/patina.h"
+
+#include <array>
+#include <cstddef>
+
+namespace patina {
+
+enum class Precision { Float, Double };
+
+// A texture that the interpreter reads: linear RGBA texels, level 0 first; rows from the top, as a GPU stores them.
+struct TextureLevel {
+    int width = 0, height = 0;
+    std::vector<float> texels;  // 4 * width * height
+};
+struct TextureData {
+    std::vector<TextureLevel> levels;
+    Sampler sampler;
+};
+
+// Values of all stage inputs for the four pixels of a quad (0 1 / 2 3: right is +x, down is +y), components end to end in
+// the order of inputs(). For a vertex stage all four lanes are independent vertices.
+struct QuadInputs {
+    std::array<std::vector<double>, 4> lanes;
+};
+struct QuadOutputs {
+    std::array<std::vector<double>, 4> lanes;  // components of outputs(), end to end
+    std::array<bool, 4> discarded{};
+};
+
+struct StageValue {
+    std::string name;     // input: position_os, uv0, a varying's name; or front_facing, frag_coord
+    unsigned components = 1;
+    bool is_builtin = false;  // "position" output; "front_facing" (0 or 1) and "frag_coord" inputs
+};
+
+class Interpreter {
+public:
+    Interpreter(const Program& program, std::string_view pass, Stage stage, Precision precision);
+    ~Interpreter();
+    Interpreter(Interpreter&&) noexcept;
+
+    const std::vector<StageValue>& inputs() const;
+    const std::vector<StageValue>& outputs() const;
+
+    // Bytes of a uniform block as the reflection lays it out.
+    void set_block(std::string_view name, std::span<const std::byte> bytes);
+    void set_texture(std::string_view name, std::shared_ptr<const TextureData> texture);
+
+    QuadOutputs run(const QuadInputs& quad);
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace patina

@@ -1,0 +1,201 @@
+// The compiler library: a material graph in, readable shaders and their reflection out. No GPU and no shader compiler is
+// needed here; `patina/validate.h` adds glslang, the runtime adds Vulkan.
+//
+//   patina::Compiler compiler;
+//   patina::Result result = compiler.compile_file("rust.graph.json");
+//   for (const patina::Diagnostic& d : result.diagnostics) std::puts(patina::to_text(d).c_str());
+//   for (const patina::Shader& s : result.shaders) save(s.file_name, s.text);
+//
+// A Compiler loads its node library once and is immutable after that: any number of threads may compile with one.
+#pragma once
+
+#include "patina/reflection.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace patina {
+
+enum class Severity { Error, Warning, Note };
+
+struct Diagnostic {
+    Severity severity = Severity::Error;
+    std::string code;  // "unknown-node"; stable, for tools
+    std::string message;
+    std::string file;  // empty: no place
+    int line = 0;      // from 1
+    int column = 0;    // from 1, in bytes
+    int end_line = 0;
+    int end_column = 0;
+    std::string source_line;
+    std::string node, port;  // where in the graph, when known
+    std::vector<Diagnostic> notes;
+};
+// "file:3:14: error: there is no node 'Lrep' [unknown-node]", the line, a caret, and the notes. Colours are ANSI.
+std::string to_text(const Diagnostic& diagnostic, bool colors = false);
+// One JSON object on one line.
+std::string to_json(const Diagnostic& diagnostic);
+
+enum class Target { Glsl, Hlsl };       // GLSL 450 for Vulkan; HLSL in Shader Model 5.1 style
+enum class Stage { Vertex, Fragment };
+std::string_view to_string(Target target);  // "glsl", "hlsl"
+std::string_view to_string(Stage stage);    // "vertex", "fragment"
+
+// A line of emitted text -> the place in the sources that it came from.
+struct LineOrigin {
+    int line = 0;  // of the shader, from 1
+    std::string node;
+    std::string file;
+    int source_line = 0, source_column = 0, source_end_column = 0;
+    std::string source_text;  // that source line
+};
+
+struct Shader {
+    std::string pass;  // "forward"
+    Stage stage = Stage::Vertex;
+    Target target = Target::Glsl;
+    std::string file_name;  // "rust.forward.frag.glsl"
+    std::string text;       // entry point: main
+    std::vector<LineOrigin> line_map;                 // ascending by line
+    std::vector<Reflection::Shifts> hlsl_shifts;      // what glslang must add to HLSL registers
+};
+
+// Text of a file that the compiler asks for (sub-graphs, lighting graphs, node files), or nothing if there is none.
+using Loader = std::function<std::optional<std::string>(const std::string& path)>;
+
+struct CompileOptions {
+    std::vector<Target> targets = {Target::Glsl, Target::Hlsl};
+    std::vector<std::string> passes;        // empty: every pass that the material takes part in
+    std::vector<std::string> include_dirs;  // searched for files after the graph's own folder
+    Loader loader;                          // default: the file system
+    // "mask" or "rust.amount": compile a material that shows this port, unlit, instead of the graph's surface.
+    std::string preview;
+    // Names of stages whose text goes to Result::dumps: "graph", "ir", "linked", "tidy", "rates".
+    std::vector<std::string> dump;
+    bool keep_programs = false;  // keep what patina/interpret.h runs
+};
+
+struct Dump {
+    std::string stage;  // "ir", "forward.fragment.tidy"
+    std::string text;
+};
+
+struct Program;  // the unoptimised stages, for patina/interpret.h
+
+struct Result {
+    bool ok = false;  // no errors; `shaders` and `reflection` are whole
+    std::vector<Diagnostic> diagnostics;
+    std::vector<Shader> shaders;
+    Reflection reflection;
+    std::vector<std::string> dependencies;  // files that were read, the graph first
+    std::vector<Dump> dumps;
+    std::shared_ptr<const Program> program;  // null unless keep_programs
+};
+
+// --- the node library, for tools
+struct PortInfo {
+    std::string name;
+    std::string type;  // "float", "floatN", "Texture2D", or an enum's name
+    bool is_output = false;
+    std::string default_value;  // as written: "0.5", "@uv0"; empty: must be linked (inputs)
+    std::optional<std::array<double, 2>> range;
+    std::string unit;
+    std::string doc;
+    std::vector<std::string> enumerators;
+};
+struct NodeInfo {
+    std::string name;      // as "node" names it
+    std::string category;  // "Lighting/Distribution"
+    std::string doc;       // paragraphs, plain text
+    std::string formula;
+    std::string source;  // the paper
+    std::vector<PortInfo> ports;  // inputs in order, then outputs, the primary one first
+    std::string file;      // where it is defined
+};
+struct SemanticInfo {
+    std::string name, type, doc, rate;
+};
+struct SurfaceInputInfo {
+    std::string name, type, default_value, doc;
+};
+struct ModelInfo {
+    std::string name, doc;
+    std::vector<SurfaceInputInfo> inputs;
+};
+
+// A `test:` line of a node's comment: `call` should equal `expected` within the tolerances.
+struct NodeTest {
+    std::string node;
+    std::string text;  // the line
+    std::string file;
+    int line = 0;
+    double relative = 0, absolute = 0;
+    struct Argument {
+        std::string name, type;       // "float3", or the enum's name
+        std::vector<double> values;   // its components; enum: index
+        std::string enumerator;       // enum arguments only
+    };
+    std::vector<Argument> arguments;  // given ones only
+    std::string output;               // port
+    std::vector<double> expected;
+    std::vector<double> actual;       // the CPU interpreter, in double
+};
+
+struct EvalOutput {
+    std::string name, type;
+    std::vector<double> values;
+};
+struct EvalResult {
+    bool ok = false;
+    std::vector<Diagnostic> diagnostics;
+    std::vector<EvalOutput> outputs;  // the primary one first
+};
+
+class Compiler {
+public:
+    Compiler();
+    ~Compiler();
+    Compiler(Compiler&&) noexcept;
+    Compiler& operator=(Compiler&&) noexcept;
+
+    Result compile_file(const std::string& path, const CompileOptions& options = {}) const;
+    // `path` names the text in messages and output files; relative files are looked up beside it.
+    Result compile_text(const std::string& path, std::string text, const CompileOptions& options = {}) const;
+
+    // Errors of the built-in library itself; empty in a release.
+    const std::vector<Diagnostic>& library_diagnostics() const;
+    const std::vector<NodeInfo>& nodes() const;  // by category, then name
+    const NodeInfo* node(std::string_view name) const;
+    const std::vector<SemanticInfo>& semantics() const;
+    const std::vector<ModelInfo>& workflows() const;
+    const std::vector<ModelInfo>& lighting_models() const;
+    std::vector<NodeTest> tests(std::string_view node) const;
+
+    // Runs one node on the CPU with arguments in the graph format's value grammar without links ("0.5", "0,0,1",
+    // "Reoriented", "#ff8800"). `single` computes in float rather than double.
+    EvalResult evaluate(std::string_view node, std::span<const std::pair<std::string, std::string>> arguments,
+                        bool single = false) const;
+
+    // JSON Schema (draft 2020-12) of the graph format, with the library's nodes, ports and words.
+    std::string schema() const;
+    // Canonical text of a graph: key order, spacing, comments kept. Not ok if it cannot be read.
+    struct Formatted {
+        bool ok = false;
+        std::string text;
+        std::vector<Diagnostic> diagnostics;
+    };
+    Formatted format(const std::string& path, std::string text) const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+std::string_view version();  // "0.1.0"
+
+}  // namespace patina

@@ -1,0 +1,25 @@
+// Proof by another compiler: glslang turns emitted GLSL or HLSL into SPIR-V and spirv-val checks it. Messages come back
+// as diagnostics at the graph's own lines. Links glslang and SPIRV-Tools; the core library does not.
+#pragma once
+
+#include "patina/patina.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace patina {
+
+struct Validated {
+    bool ok = false;
+    std::vector<std::uint32_t> spirv;  // for Vulkan 1.3; entry point "main"
+    std::vector<Diagnostic> diagnostics;
+    std::string log;  // glslang's and spirv-val's own words
+};
+
+// Thread-safe.
+Validated validate(const Shader& shader);
+
+// Readable SPIR-V.
+std::string disassemble(const std::vector<std::uint32_t>& spirv);
+
+}  // namespace patina

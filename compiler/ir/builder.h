@@ -1,0 +1,109 @@
+// Makes the instructions of one function. Every way into the IR goes through here, so that folding, identities and value
+// numbering happen once, at birth: emit() returns an existing value when it can. With Options::fold off it emits exactly
+// what it is told, which is what the interpreter runs.
+//
+//   Builder b(module, function, {});
+//   Value two = b.constant(kFloat, {2.0});
+//   Value x = b.emit(Op::Mul, kFloat, {a, two});
+//   b.begin_if(cond);  ...  b.begin_else();  ...  b.end_if({x}, {y});   // then b.result(if_value, 0)
+#pragma once
+
+#include "compiler/ir/ir.h"
+
+#include <initializer_list>
+#include <vector>
+
+namespace patina::ir {
+
+struct BuildOptions {
+    bool fold = true;  // constant folding, identities, value numbering
+};
+
+class Builder {
+public:
+    Builder(Module& module, Function& function, BuildOptions options = {});
+
+    Module& module() { return module_; }
+    Function& function() { return function_; }
+    const BuildOptions& options() const { return options_; }
+
+    // --- values. `type` is checked against the op's rule in debug builds.
+    Value emit(Op op, Type type, std::span<const Value> args, std::uint32_t data = 0);
+    Value emit(Op op, Type type, std::initializer_list<Value> args, std::uint32_t data = 0) {
+        return emit(op, type, std::span<const Value>(args.begin(), args.size()), data);
+    }
+    // Result type by the op's rule; operands must fit it.
+    Value emit(Op op, std::initializer_list<Value> args);
+
+    Value constant(Type type, std::span<const double> components);
+    Value constant(Type type, std::initializer_list<double> components) {
+        return constant(type, std::span<const double>(components.begin(), components.size()));
+    }
+    // Every component the same.
+    Value splat_constant(Type type, double value);
+    Value param(std::uint32_t index);
+    Value extract(Value composite, std::uint32_t index);
+    Value construct(Type type, std::span<const Value> parts) { return emit(Op::Construct, type, parts); }
+    Value splat(Value scalar, unsigned width);
+    Value swizzle(Value vector, std::span<const unsigned> components);
+    Value convert(Value value, Scalar to);
+    Value call(FunctionId callee, std::span<const Value> args);
+
+    // --- structure
+    Value begin_if(Value condition);  // now in the then block
+    void begin_else();
+    // Both lists have the same types; returns the If.
+    Value end_if(std::span<const Value> then_values, std::span<const Value> else_values);
+    Value begin_for(Value begin, Value end, std::span<const Value> initial, bool is_light_loop = false);
+    Value loop_index() const;
+    Value loop_carried(std::uint32_t index) const;
+    Value end_for(std::span<const Value> next);
+    Value result(Value structure, std::uint32_t index);
+    void ret(Value value);  // a null value: return nothing
+    std::size_t depth() const { return open_.size(); }  // how many If and For are open
+
+    // --- what new instructions carry
+    void set_origin(OriginId origin) { origin_ = origin; }
+    OriginId origin() const { return origin_; }
+    // Gives the value a name hint unless it has one or is a leaf.
+    void name(Value value, NameId name);
+
+    // --- looking at what is there
+    const Inst& operator[](Value v) const { return function_.insts[v.index]; }
+    Type type(Value v) const { return function_.insts[v.index].type; }
+    std::span<const Value> args(Value v) const { return function_.args(v); }
+    // The constant's components if `v` is a Constant, or an empty span.
+    std::span<const double> constant_of(Value v) const;
+    bool is_constant(Value v, double every_component) const;
+
+private:
+    struct Open {
+        Value structure;
+        BlockId outer;
+        Value loop_index;
+        std::vector<Value> carried;
+        std::size_t scope;  // size of undo_ when the current block was opened
+    };
+    Value append(Inst inst, std::span<const Value> args);
+    void close_scope(std::size_t scope);
+    std::size_t key_hash(const Inst& inst, std::span<const Value> args) const;
+
+    Module& module_;
+    Function& function_;
+    BuildOptions options_;
+    BlockId block_{0};
+    OriginId origin_;
+    std::vector<Open> open_;
+    std::unordered_multimap<std::size_t, Value> numbered_;
+    std::vector<std::size_t> undo_;
+    std::unordered_multimap<std::size_t, std::uint32_t> constants_;
+};
+
+// identities.cpp: constant folding and algebra. An existing or newly made value that equals op(args), or null.
+Value simplify(Builder& b, Op op, Type type, std::span<const Value> args, std::uint32_t data);
+
+// fold.cpp: the components of op applied to constant operands, or false if it cannot be folded (NaN-prone cases, effects).
+bool fold_constant(Op op, Type type, std::span<const Type> operand_types,
+                   std::span<const std::span<const double>> operands, std::uint32_t data, std::vector<double>& out);
+
+}  // namespace patina::ir

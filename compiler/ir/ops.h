@@ -1,0 +1,53 @@
+// The table of ops.def as code: one enumerator and one row per operation.
+#pragma once
+
+#include "compiler/ir/types.h"
+
+#include <string_view>
+
+namespace patina::ir {
+
+enum class Op : std::uint8_t {
+#define OP(name, text, arguments, rule, traits, relative, absolute) name,
+#include "compiler/ir/ops.def"
+#undef OP
+};
+
+// How an op's result type follows from its operands.
+enum class TypeRule : std::uint8_t {
+    Declared,    // the emitter says; the verifier has a rule of its own per op
+    Void,        // no value
+    First,       // type of operand 0
+    Second,      // type of operand 1
+    Same,        // all operands have one type, which is the result's
+    Compare,     // two operands of one scalar or vector type; bool(s) of that width
+    Bools,       // bool(s) of operand 0's width
+    Bool,        // one bool
+    Scalar,      // the scalar of operand 0's scalar kind
+    Product,     // matrix product
+    Transposed,  // rows and columns exchanged
+    Texel,       // float4
+};
+
+enum Traits : std::uint8_t { None = 0, Effect = 1, Derivative = 2, Commutes = 4, Structure = 8 };
+
+struct OpInfo {
+    std::string_view text;
+    int arguments;
+    TypeRule rule;
+    std::uint8_t traits;
+    double relative;  // tolerance of a GPU's result
+    double absolute;
+};
+
+const OpInfo& info(Op op);
+inline bool has(Op op, Traits trait) {
+    return (info(op).traits & trait) != 0;
+}
+inline constexpr std::size_t kOpCount = 0
+#define OP(name, text, arguments, rule, traits, relative, absolute) +1
+#include "compiler/ir/ops.def"
+#undef OP
+    ;
+
+}  // namespace patina::ir

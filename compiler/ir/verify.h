@@ -1,0 +1,15 @@
+// Checks every rule that ir.h and ops.def state: operand dominance, types, block shapes, one Return, callee order.
+#pragma once
+
+#include "compiler/ir/ir.h"
+
+#include <string>
+
+namespace patina::ir {
+
+// Empty if the module is sound; otherwise the module's own text with the first offending line marked and explained.
+std::string verify(const Module& module);
+// Aborts with verify()'s text. Compiled in always, called in debug and test builds.
+void check(const Module& module, std::string_view stage);
+
+}  // namespace patina::ir

@@ -1,0 +1,166 @@
+// The syntax tree of the node language: what the parser makes of a .node.hlsl or .pass.hlsl file, and of every value in a
+// graph ("albedo.rgb", "= 1 - mask", "#f2a38a", [1, 0, 0] all become an Expr). Nothing here has a type yet; types appear
+// when an expression is emitted into the IR (emit.h).
+#pragma once
+
+#include "compiler/base/source.h"
+
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace patina::nodelang {
+
+enum class NumberKind : std::uint8_t { Int, Uint, Float, Half };
+
+struct Expr {
+    enum class Kind : std::uint8_t {
+        Number,    // number, number_kind
+        Bool,      // number is 0 or 1
+        List,      // args: the elements of a JSON array, or of { } in an initialiser
+        Color,     // args: three or four Numbers, already linear; text: as written
+        Name,      // text: a local, a node id, a constant, an enumerator
+        Property,  // text: name without $
+        Semantic,  // text: name without @
+        Member,    // args[0].text: a struct member, swizzle, output port
+        Index,     // args[0][args[1]]
+        Call,      // text(args): a function, intrinsic or type constructor
+        Method,    // args[0].text(args[1..])
+        Unary,     // text: - ! ~ +
+        Binary,    // text: + - * / % < <= > >= == != && || & | ^ << >>
+        Ternary,   // args[0] ? args[1] : args[2]
+        File,      // text: "./rust.png"
+    };
+    Kind kind = Kind::Number;
+    NumberKind number_kind = NumberKind::Int;
+    Span span;       // the whole expression
+    Span name_span;  // the word `text` alone (member, callee, operator)
+    std::string_view text;
+    double number = 0;
+    std::vector<const Expr*> args;
+};
+
+struct TypeName {
+    std::string_view name;  // "float3", "floatN", "Surface", "BlendMode"
+    Span span;
+    const Expr* array_size = nullptr;  // float k[4]
+};
+
+struct Stmt;
+using Statements = std::vector<const Stmt*>;
+
+struct Stmt {
+    enum class Kind : std::uint8_t {
+        Declare,   // type name = value;       value may be null
+        Assign,    // target op= value;        op: "=", "+=", ...
+        If,        // if (value) body else alternative
+        For,       // for (int name = value; name < limit; name++) body
+        Return,    // value may be null
+        Discard,   // discard_if(value);
+        Block,     // body
+    };
+    Kind kind = Kind::Block;
+    Span span;
+    TypeName type;
+    std::string_view name;
+    Span name_span;
+    std::string_view op;
+    bool is_const = false;
+    bool is_light_loop = false;  // [light] for
+    const Expr* target = nullptr;
+    const Expr* value = nullptr;
+    const Expr* limit = nullptr;
+    Statements body;
+    Statements alternative;
+};
+
+// [name(arguments)]; arguments are expressions, or strings (kind File with the text).
+struct Attribute {
+    std::string_view name;
+    Span span;
+    std::vector<const Expr*> args;
+};
+
+struct ParamDecl {
+    TypeName type;
+    std::string_view name;
+    Span span;
+    bool is_const = false;
+    bool is_out = false;
+    const Expr* initial = nullptr;  // a constant expression, a semantic (Name), or an earlier parameter's .sampler
+    std::vector<Attribute> attributes;
+    std::string_view doc;  // text of the trailing `///<` or of the @-lines of the function's comment
+};
+
+struct FunctionDecl {
+    std::string_view name;
+    Span name_span;
+    Span span;
+    TypeName result;
+    std::vector<ParamDecl> params;
+    std::vector<Attribute> attributes;
+    std::string_view doc;  // the /// lines, with the slashes
+    std::uint32_t doc_begin = 0;  // global offset of doc's first byte
+    bool has_body = false;
+    Statements body;
+
+    const Attribute* attribute(std::string_view attribute_name) const {
+        for (const Attribute& a : attributes) {
+            if (a.name == attribute_name) return &a;
+        }
+        return nullptr;
+    }
+};
+
+struct MemberDecl {
+    TypeName type;
+    std::string_view name;
+    Span span;
+    std::string_view doc;
+};
+struct StructDecl {
+    std::string_view name;
+    Span span;
+    std::vector<MemberDecl> members;
+    std::vector<Attribute> attributes;
+    std::string_view doc;
+};
+struct EnumDecl {
+    std::string_view name;
+    Span span;
+    std::vector<std::string_view> values;
+    std::vector<std::string_view> docs;
+    std::string_view doc;
+};
+// `const float PI = 3.14;` at file level, or a [extern]/[attribute]/[builtin] variable.
+struct VariableDecl {
+    TypeName type;
+    std::string_view name;
+    Span span;
+    bool is_const = false;
+    const Expr* value = nullptr;
+    std::vector<Attribute> attributes;
+    std::string_view doc;
+
+    const Attribute* attribute(std::string_view attribute_name) const {
+        for (const Attribute& a : attributes) {
+            if (a.name == attribute_name) return &a;
+        }
+        return nullptr;
+    }
+};
+
+// Owns what the parser made of one or more texts. Addresses are stable.
+struct Ast {
+    std::deque<Expr> exprs;
+    std::deque<Stmt> stmts;
+    std::deque<FunctionDecl> functions;
+    std::deque<StructDecl> structs;
+    std::deque<EnumDecl> enums;
+    std::deque<VariableDecl> variables;
+    std::deque<std::string> texts;  // decoded JSON strings that views point into
+};
+
+}  // namespace patina::nodelang

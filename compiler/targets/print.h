@@ -1,0 +1,47 @@
+// A linked, tidied and legalized stage -> text in one target language, with a map from its lines back to the graph.
+// Sees the IR and nothing else. A target is a row of targets.cpp: a spelling table, a few functions and its legalize.
+#pragma once
+
+#include "compiler/ir/ir.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace patina::targets {
+
+struct PrintedLine {
+    int line = 0;  // from 1
+    ir::OriginId origin;
+};
+struct Printed {
+    std::string text;
+    std::vector<PrintedLine> lines;  // ascending; a line without an entry belongs to the one before it
+};
+
+// Binding numbers of a set: HLSL registers count from 0 per kind, Vulkan bindings are one row. binding = slot + shift.
+struct SetShifts {
+    std::uint32_t set = 0, buffers = 0, textures = 0, samplers = 0;
+};
+
+struct PrintOptions {
+    std::string header;             // lines for a comment at the top, without comment marks
+    std::vector<SetShifts> shifts;  // GLSL writes slot + shift; HLSL writes registers
+};
+
+struct TargetInfo {
+    std::string_view name;       // "glsl"
+    std::string_view extension;  // "glsl"
+    void (*legalize)(ir::Module& module);  // rewrites what the language cannot say; the result still verifies
+    Printed (*print)(const ir::Module& module, const PrintOptions& options);
+};
+
+std::span<const TargetInfo> all_targets();
+const TargetInfo* find_target(std::string_view name);
+
+// True if the word cannot be an identifier in every target language: keywords, reserved words, intrinsics.
+bool is_reserved_word(std::string_view word);
+// The word itself, or the name that a target gets instead of a reserved word or one with __ or gl_ in it.
+std::string safe_identifier(std::string_view word);
+
+}  // namespace patina::targets
