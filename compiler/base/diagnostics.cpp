@@ -8,7 +8,7 @@ namespace patina {
 namespace {
 
 constexpr std::array kInfos = {
-#define DIAGNOSTIC(name, code, severity, message) CodeInfo{code, Severity::severity, message},
+#define DIAGNOSTIC(name, code, severity, message) CodeInfo{code, Level::severity, message},
 #include "compiler/base/diagnostics.def"
 #undef DIAGNOSTIC
 };
@@ -27,8 +27,8 @@ std::span<const CodeInfo> all_codes() {
 }
 
 DiagnosticRecord& Diagnostics::add(Code code, Span span, std::string message) {
-    const Severity severity = info(code).severity;
-    if (severity == Severity::Error) ++errors_;
+    const Level severity = info(code).severity;
+    if (severity == Level::Error) ++errors_;
     // The same words at the same place add nothing (a node that is lowered for two stages, say).
     for (DiagnosticRecord& record : records_) {
         if (record.code == code && record.span == span && record.message == message) return overflow_ = record;

@@ -9,13 +9,14 @@
 
 #include <fmt/format.h>
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace patina {
 
-enum class Severity { Error, Warning };
+enum class Level { Error, Warning };
 
 enum class Code {
 #define DIAGNOSTIC(name, code, severity, message) name,
@@ -25,7 +26,7 @@ enum class Code {
 
 struct CodeInfo {
     std::string_view name;  // "unknown-node"
-    Severity severity;
+    Level severity;
     std::string_view message;  // fmt pattern
 };
 const CodeInfo& info(Code code);
@@ -39,7 +40,7 @@ struct DiagnosticNote {
 
 struct DiagnosticRecord {
     Code code;
-    Severity severity;
+    Level severity;
     Span span;
     std::string message;
     std::string node;  // graph node id, when known

@@ -111,6 +111,7 @@ struct Graph {
     GraphKind kind = GraphKind::Material;
     std::string path;  // as the file was named; "" for an inline graph
     std::string name;  // "name", or the file's stem
+    std::string help;  // what a lighting model, a workflow or a sub-graph is for
     Span span;
     std::string workflow;
     Span workflow_span;

@@ -2,29 +2,34 @@
 // Wraps RapidJSON's iterative SAX parser; a deep or huge file is refused, never a crash. Comments are kept for `fmt`.
 #pragma once
 
-#include "compiler/base/diagnostics.h"
-
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "compiler/base/diagnostics.h"
+
 namespace patina::graph {
 
 struct JsonMember;
 
+struct JsonComments {
+    // On lines of their own before the value (before its key, for a member); an empty string is a blank line.
+    std::vector<std::string> before;
+    std::string trailing;          // on the same line, after it; of the root: all that follows, line by line
+    std::vector<std::string> end;  // before the closing bracket
+};
+
 struct Json {
     enum class Kind { Null, Bool, Number, String, Array, Object };
     Kind kind = Kind::Null;
-    Span span;
     bool boolean = false;
+    Span span;
     double number = 0;
-    std::string string;               // decoded
-    std::vector<Json> elements;       // array
-    std::vector<JsonMember> members;  // object, in file order
-    std::vector<std::string> comments;      // whole-line comments before the value (before its key, for a member)
-    std::string trailing_comment;           // on the same line, after it
-    std::vector<std::string> end_comments;  // before the closing bracket
+    std::string string;                      // decoded
+    std::vector<Json> elements;              // array
+    std::vector<JsonMember> members;         // object, in file order
+    std::unique_ptr<JsonComments> comments;  // null: none
 
     const Json* find(std::string_view key) const;
 };
@@ -44,8 +49,10 @@ std::vector<std::uint32_t> string_offsets(const Json& string, const SourceMap& s
 
 inline constexpr std::size_t kMaxJsonDepth = 128;
 inline constexpr std::size_t kMaxJsonBytes = 64u << 20;
+inline constexpr std::size_t kMaxJsonItems = 1'000'000;  // values and comments
 
-// The file whose text starts at `base` in the map. Null after an error, which has been reported.
+// The file whose text starts at `base` in the map. Null if there is no reading it, which has been reported; a duplicate
+// key is reported too, but the tree (with the first of the two) is returned, so that one run finds several errors.
 std::unique_ptr<Json> parse_json(const SourceMap& sources, std::uint32_t base, Diagnostics& diagnostics);
 
 }  // namespace patina::graph

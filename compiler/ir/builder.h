@@ -1,6 +1,6 @@
-// Makes the instructions of one function. Every way into the IR goes through here, so that folding, identities and value
-// numbering happen once, at birth: emit() returns an existing value when it can. With Options::fold off it emits exactly
-// what it is told, which is what the interpreter runs.
+// Makes the instructions of one function. Every way into the IR goes through here, so that folding, identities and
+// value numbering happen once, at birth: emit() returns an existing value when it can. With Options::fold off it emits
+// exactly what it is told, which is what the interpreter runs.
 //
 //   Builder b(module, function, {});
 //   Value two = b.constant(kFloat, {2.0});
@@ -8,10 +8,11 @@
 //   b.begin_if(cond);  ...  b.begin_else();  ...  b.end_if({x}, {y});   // then b.result(if_value, 0)
 #pragma once
 
-#include "compiler/ir/ir.h"
-
 #include <initializer_list>
 #include <vector>
+
+#include "compiler/ir/ir.h"
+#include "compiler/ir/value_table.h"
 
 namespace patina::ir {
 
@@ -59,7 +60,7 @@ public:
     Value loop_carried(std::uint32_t index) const;
     Value end_for(std::span<const Value> next);
     Value result(Value structure, std::uint32_t index);
-    void ret(Value value);  // a null value: return nothing
+    void ret(Value value);                              // a null value: return nothing
     std::size_t depth() const { return open_.size(); }  // how many If and For are open
 
     // --- what new instructions carry
@@ -80,13 +81,19 @@ private:
     struct Open {
         Value structure;
         BlockId outer;
-        Value loop_index;
+        Value loop_index;  // of a For
         std::vector<Value> carried;
-        std::size_t scope;  // size of undo_ when the current block was opened
+        std::size_t scope;  // size of numbered_ when it was opened
     };
-    Value append(Inst inst, std::span<const Value> args);
-    void close_scope(std::size_t scope);
-    std::size_t key_hash(const Inst& inst, std::span<const Value> args) const;
+    Value emit_numbered(Op op, Type type, std::span<const Value> args, std::uint32_t data);
+    Value emit_leaf(Op op, Type type, std::uint32_t data);
+    Value emit_constant(Type type, std::span<const double> components, std::uint32_t data);
+    Value append(Inst inst, std::span<const Value> args, std::vector<Value>& where);
+    std::vector<Value>& current() { return function_.blocks[block_.index].insts; }
+    BlockId add_block();
+    void yield(BlockId block, std::span<const Value> values);
+    const Open& innermost_loop() const;
+    void check_rule(Op op, Type type, std::span<const Value> args) const;
 
     Module& module_;
     Function& function_;
@@ -94,15 +101,17 @@ private:
     BlockId block_{0};
     OriginId origin_;
     std::vector<Open> open_;
-    std::unordered_multimap<std::size_t, Value> numbered_;
-    std::vector<std::size_t> undo_;
-    std::unordered_multimap<std::size_t, std::uint32_t> constants_;
+    ValueTable numbered_;  // what the current block can see
+    ValueTable leaves_;    // constants, params, globals, semantics: once in a function
+    // While folding, leaves gather here and go to the head of the body in ret(), where every block sees them.
+    std::vector<Value> head_;
 };
 
 // identities.cpp: constant folding and algebra. An existing or newly made value that equals op(args), or null.
 Value simplify(Builder& b, Op op, Type type, std::span<const Value> args, std::uint32_t data);
 
-// fold.cpp: the components of op applied to constant operands, or false if it cannot be folded (NaN-prone cases, effects).
+// fold.cpp: the components of op applied to constant operands, or false if it cannot be folded (NaN-prone cases,
+// effects).
 bool fold_constant(Op op, Type type, std::span<const Type> operand_types,
                    std::span<const std::span<const double>> operands, std::uint32_t data, std::vector<double>& out);
 

@@ -1,13 +1,20 @@
 // The IR as text, for --dump, for the verifier's messages and for tests. Deterministic; names no addresses.
 #pragma once
 
-#include "compiler/ir/ir.h"
-
 #include <string>
+
+#include "compiler/ir/ir.h"
 
 namespace patina::ir {
 
 std::string dump(const Module& module);
 std::string dump(const Module& module, const Function& function, bool with_rates = false);
+
+// A remark on one instruction, or on the whole function if there is no value. Copes with a function that is not sound.
+struct Mark {
+    Value value;
+    std::string_view reason;
+};
+std::string dump(const Module& module, const Function& function, const Mark& mark);
 
 }  // namespace patina::ir

@@ -2,9 +2,9 @@
 //
 // A Module holds functions. A Function is one structured block of instructions in SSA form: an instruction is a value,
 // computed once, used by those after it in its own block or in blocks nested in it. There are no jumps: `If` and `For`
-// own blocks, and their blocks end in a Yield whose operands become the Results of the If or For. Everything is pure but
-// Yield, Return and DiscardIf; derivatives and samples that need them are pure but may not be moved into control flow.
-// Types are values (types.h); what each op means and takes is ops.def. The textual dump (dump.h) reads like this:
+// own blocks, and their blocks end in a Yield whose operands become the Results of the If or For. Everything is pure
+// but Yield, Return and DiscardIf; derivatives and samples that need them are pure but may not be moved into control
+// flow. Types are values (types.h); what each op means and takes is ops.def. The textual dump (dump.h) reads like this:
 //
 //   func tint(uv0: float2 pixel) -> float4 {
 //     %0 = param float2 uv0
@@ -14,14 +14,9 @@
 //     return (%3)
 //   }
 //
-// Lifetime is the Module's: everything is an index into one of its vectors. Passes do not edit a function in place, they
-// rebuild it through a Builder (builder.h).
+// Lifetime is the Module's: everything is an index into one of its vectors. Passes do not edit a function in place,
+// they rebuild it through a Builder (builder.h).
 #pragma once
-
-#include "compiler/base/ids.h"
-#include "compiler/base/source.h"
-#include "compiler/ir/ops.h"
-#include "compiler/ir/types.h"
 
 #include <cstdint>
 #include <span>
@@ -30,50 +25,56 @@
 #include <unordered_map>
 #include <vector>
 
+#include "compiler/base/ids.h"
+#include "compiler/base/source.h"
+#include "compiler/ir/ops.h"
+#include "compiler/ir/types.h"
+
 namespace patina::ir {
 
-using Value = Id<struct ValueTag>;        // into Function::insts
-using BlockId = Id<struct BlockTag>;      // into Function::blocks
+using Value = Id<struct ValueTag>;    // into Function::insts
+using BlockId = Id<struct BlockTag>;  // into Function::blocks
 using FunctionId = Id<struct FunctionTag>;
 using GlobalId = Id<struct GlobalTag>;
 using SemanticId = Id<struct SemanticTag>;
 using OriginId = Id<struct OriginTag>;
-using NameId = Id<struct NameTag>;        // into Module::names
+using NameId = Id<struct NameTag>;  // into Module::names
 
-// How often a value changes; decides where it is computed. Ordered: an instruction's rate is the highest of its operands'.
+// How often a value changes; decides where it is computed. Ordered: an instruction's rate is the highest of its
+// operands'.
 enum class Rate : std::uint8_t { Constant, Uniform, Vertex, Pixel, Light };
 std::string_view to_string(Rate rate);
 
 struct Inst {
     Op op = Op::Constant;
     bool is_light_loop = false;  // on For: each iteration is one light, so LoopIndex has rate Light
-    Type type;
+    Type type{};
     std::uint32_t first_operand = 0;  // into Function::operands
     std::uint32_t operand_count = 0;
     std::uint32_t data = 0;  // meaning is the op's; see ops.def
-    OriginId origin;         // the graph node that it comes from
-    NameId name;             // hint; a value with a name hint is printed as a statement of its own
+    OriginId origin{};       // the graph node that it comes from
+    NameId name{};           // hint; a value with a name hint is printed as a statement of its own
 };
 
 struct Block {
-    std::vector<Value> insts;
+    std::vector<Value> insts{};
 };
 
 struct Param {
-    std::string name;
-    Type type;
+    std::string name{};
+    Type type{};
     Rate rate = Rate::Pixel;
 };
 
 struct Function {
-    std::string name;
-    std::vector<Param> params;
-    Type result;
-    std::vector<Inst> insts;
-    std::vector<Value> operands;
-    std::vector<Block> blocks;  // blocks[0] is the body
-    OriginId origin;
-    std::string comment;      // one line, printed above the function
+    std::string name{};
+    std::vector<Param> params{};
+    Type result{};
+    std::vector<Inst> insts{};
+    std::vector<Value> operands{};
+    std::vector<Block> blocks{};  // blocks[0] is the body
+    OriginId origin{};
+    std::string comment{};       // one line, printed above the function
     bool always_inline = false;  // recipes and pass bodies: they are spelled out where they are called
 
     const Inst& operator[](Value v) const { return insts[v.index]; }
@@ -84,15 +85,15 @@ struct Function {
 };
 
 struct Member {
-    std::string name;
-    Type type;
+    std::string name{};
+    Type type{};
 };
 struct Struct {
-    std::string name;
-    std::vector<Member> members;
+    std::string name{};
+    std::vector<Member> members{};
 };
 struct Array {
-    Type element;
+    Type element{};
     std::uint32_t count = 0;
     friend bool operator==(const Array&, const Array&) = default;
 };
@@ -100,67 +101,68 @@ struct Array {
 // A constant's components in order (columns of a matrix are not reordered: row by row), each exact in a double.
 // Structs and arrays of constants are Constructs, so a constant is always numeric.
 struct Constant {
-    Type type;
+    Type type{};
     std::uint32_t first = 0;  // into Module::numbers; type.components() of them
 };
 
 // Where a global lives. The printers place it, the runtime and the interpreter fill it.
 struct Global {
-    std::string name;
-    Type type;
+    std::string name{};
+    Type type{};
     // For a member of a uniform block: the block and the member in it. For a texture or sampler: neither.
     std::uint32_t block = 0xffffffffu;
     std::uint32_t member = 0;
     std::uint32_t slot = 0;  // texture or sampler: number of its binding (t0.., s0..) within the set
     std::uint32_t set = 0;   // texture or sampler: descriptor set
-    Span span;
+    Span span{};
     bool in_block() const { return block != 0xffffffffu; }
 };
 
 struct BlockMember {
-    std::string name;
-    Type type;
-    std::uint32_t offset = 0;  // bytes; equal in std140 and in an HLSL cbuffer, with `padding` members printed before it
+    std::string name{};
+    Type type{};
+    std::uint32_t offset =
+        0;  // bytes; equal in std140 and in an HLSL cbuffer, with `padding` members printed before it
     std::uint32_t padding = 0;  // number of floats of padding before it
 };
 struct UniformBlock {
-    std::string name;
+    std::string name{};
     std::uint32_t set = 0;
     std::uint32_t slot = 0;  // b0.. within the set
     std::uint32_t size = 0;  // bytes, a multiple of 16
-    std::vector<BlockMember> members;
+    std::vector<BlockMember> members{};
 };
 
 // A value of the mesh, camera or engine that a graph reads by name, before link() gives it a recipe.
 struct Semantic {
-    std::string name;
-    Type type;
+    std::string name{};
+    Type type{};
     Rate rate = Rate::Pixel;
 };
 
 // The graph node (or library function) that an instruction comes from.
 struct Origin {
-    std::string label;  // "SampleTexture2D"; empty: no comment is printed
-    std::string id;     // "albedo"
-    Span span;          // where it stands in the graph's JSON
+    std::string label{};  // "SampleTexture2D"; empty: no comment is printed
+    std::string id{};     // "albedo"
+    Span span{};          // where it stands in the graph's JSON
 };
 
 // Stage inputs are the entry function's params; stage outputs are the members of the struct that it returns.
 enum class Builtin : std::uint8_t { None, Position, FragCoord, FrontFacing, VertexIndex, InstanceIndex };
 struct StageVariable {
-    std::string name;
-    Type type;
+    std::string name{};
+    Type type{};
     std::uint32_t location = 0;
     Builtin builtin = Builtin::None;
-    std::string semantic;  // HLSL semantic: "POSITION", "TEXCOORD0", "SV_Target0", "SV_Position"
+    std::string semantic{};  // HLSL semantic: "POSITION", "TEXCOORD0", "SV_Target0", "SV_Position"
     bool flat = false;
 };
 enum class StageKind : std::uint8_t { Vertex, Fragment };
 struct StageInterface {
     StageKind kind = StageKind::Fragment;
-    FunctionId entry;
-    std::vector<StageVariable> inputs;   // one per param of entry
-    std::vector<StageVariable> outputs;  // one per member of entry's result struct
+    FunctionId entry{};
+    std::vector<StageVariable> inputs{};   // one per param of entry
+    std::vector<StageVariable> outputs{};  // one per member of entry's result struct
 };
 
 struct Module {
@@ -178,7 +180,9 @@ struct Module {
 
     Function& operator[](FunctionId id) { return functions[id.index]; }
     const Function& operator[](FunctionId id) const { return functions[id.index]; }
-    std::span<const double> numbers_of(const Constant& c) const { return {numbers.data() + c.first, c.type.components()}; }
+    std::span<const double> numbers_of(const Constant& c) const {
+        return {numbers.data() + c.first, c.type.components()};
+    }
 
     NameId intern(std::string_view name);
     Type array_of(Type element, std::uint32_t count);

@@ -1,9 +1,9 @@
 // The table of ops.def as code: one enumerator and one row per operation.
 #pragma once
 
-#include "compiler/ir/types.h"
-
 #include <string_view>
+
+#include "compiler/ir/types.h"
 
 namespace patina::ir {
 

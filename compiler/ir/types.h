@@ -5,10 +5,10 @@
 //   Type::scalar_of(Scalar::Bool)       bool
 #pragma once
 
-#include "compiler/base/ids.h"
-
 #include <cstdint>
 #include <functional>
+
+#include "compiler/base/ids.h"
 
 namespace patina::ir {
 

@@ -1,9 +1,9 @@
 // Checks every rule that ir.h and ops.def state: operand dominance, types, block shapes, one Return, callee order.
 #pragma once
 
-#include "compiler/ir/ir.h"
-
 #include <string>
+
+#include "compiler/ir/ir.h"
 
 namespace patina::ir {
 

@@ -35,16 +35,16 @@ struct Expr {
     };
     Kind kind = Kind::Number;
     NumberKind number_kind = NumberKind::Int;
-    Span span;       // the whole expression
-    Span name_span;  // the word `text` alone (member, callee, operator)
-    std::string_view text;
+    Span span{};       // the whole expression
+    Span name_span{};  // the word `text` alone (member, callee, operator)
+    std::string_view text{};
     double number = 0;
-    std::vector<const Expr*> args;
+    std::vector<const Expr*> args{};
 };
 
 struct TypeName {
-    std::string_view name;  // "float3", "floatN", "Surface", "BlendMode"
-    Span span;
+    std::string_view name{};  // "float3", "floatN", "Surface", "BlendMode"
+    Span span{};
     const Expr* array_size = nullptr;  // float k[4]
 };
 
@@ -62,49 +62,49 @@ struct Stmt {
         Block,     // body
     };
     Kind kind = Kind::Block;
-    Span span;
-    TypeName type;
-    std::string_view name;
-    Span name_span;
-    std::string_view op;
+    Span span{};
+    TypeName type{};
+    std::string_view name{};
+    Span name_span{};
+    std::string_view op{};
     bool is_const = false;
     bool is_light_loop = false;  // [light] for
     const Expr* target = nullptr;
     const Expr* value = nullptr;
     const Expr* limit = nullptr;
-    Statements body;
-    Statements alternative;
+    Statements body{};
+    Statements alternative{};
 };
 
 // [name(arguments)]; arguments are expressions, or strings (kind File with the text).
 struct Attribute {
-    std::string_view name;
-    Span span;
-    std::vector<const Expr*> args;
+    std::string_view name{};
+    Span span{};
+    std::vector<const Expr*> args{};
 };
 
 struct ParamDecl {
-    TypeName type;
-    std::string_view name;
-    Span span;
+    TypeName type{};
+    std::string_view name{};
+    Span span{};
     bool is_const = false;
     bool is_out = false;
     const Expr* initial = nullptr;  // a constant expression, a semantic (Name), or an earlier parameter's .sampler
-    std::vector<Attribute> attributes;
-    std::string_view doc;  // text of the trailing `///<` or of the @-lines of the function's comment
+    std::vector<Attribute> attributes{};
+    std::string_view doc{};  // text of the trailing `///<` or of the @-lines of the function's comment
 };
 
 struct FunctionDecl {
-    std::string_view name;
-    Span name_span;
-    Span span;
-    TypeName result;
-    std::vector<ParamDecl> params;
-    std::vector<Attribute> attributes;
-    std::string_view doc;  // the /// lines, with the slashes
+    std::string_view name{};
+    Span name_span{};
+    Span span{};
+    TypeName result{};
+    std::vector<ParamDecl> params{};
+    std::vector<Attribute> attributes{};
+    std::string_view doc{};  // the /// lines, with the slashes
     std::uint32_t doc_begin = 0;  // global offset of doc's first byte
     bool has_body = false;
-    Statements body;
+    Statements body{};
 
     const Attribute* attribute(std::string_view attribute_name) const {
         for (const Attribute& a : attributes) {
@@ -115,34 +115,34 @@ struct FunctionDecl {
 };
 
 struct MemberDecl {
-    TypeName type;
-    std::string_view name;
-    Span span;
-    std::string_view doc;
+    TypeName type{};
+    std::string_view name{};
+    Span span{};
+    std::string_view doc{};
 };
 struct StructDecl {
-    std::string_view name;
-    Span span;
-    std::vector<MemberDecl> members;
-    std::vector<Attribute> attributes;
-    std::string_view doc;
+    std::string_view name{};
+    Span span{};
+    std::vector<MemberDecl> members{};
+    std::vector<Attribute> attributes{};
+    std::string_view doc{};
 };
 struct EnumDecl {
-    std::string_view name;
-    Span span;
-    std::vector<std::string_view> values;
-    std::vector<std::string_view> docs;
-    std::string_view doc;
+    std::string_view name{};
+    Span span{};
+    std::vector<std::string_view> values{};
+    std::vector<std::string_view> docs{};
+    std::string_view doc{};
 };
 // `const float PI = 3.14;` at file level, or a [extern]/[attribute]/[builtin] variable.
 struct VariableDecl {
-    TypeName type;
-    std::string_view name;
-    Span span;
+    TypeName type{};
+    std::string_view name{};
+    Span span{};
     bool is_const = false;
     const Expr* value = nullptr;
-    std::vector<Attribute> attributes;
-    std::string_view doc;
+    std::vector<Attribute> attributes{};
+    std::string_view doc{};
 
     const Attribute* attribute(std::string_view attribute_name) const {
         for (const Attribute& a : attributes) {

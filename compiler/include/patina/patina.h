@@ -146,6 +146,15 @@ struct NodeTest {
     std::vector<double> actual;       // the CPU interpreter, in double
 };
 
+// What became of a user's .node.hlsl file: is it sound, and do its test lines hold?
+struct NodeFileResult {
+    bool ok = false;  // it could be read; tests may still have failed
+    std::vector<Diagnostic> diagnostics;
+    std::vector<NodeTest> tests;
+};
+// True if `actual` is within the test's tolerances of `expected`, NaN matching NaN.
+bool passed(const NodeTest& test);
+
 struct EvalOutput {
     std::string name, type;
     std::vector<double> values;
@@ -175,6 +184,9 @@ public:
     const std::vector<ModelInfo>& workflows() const;
     const std::vector<ModelInfo>& lighting_models() const;
     std::vector<NodeTest> tests(std::string_view node) const;
+
+    // Reads a node file and runs its test lines on the CPU.
+    NodeFileResult check_node_file(const std::string& path, const CompileOptions& options = {}) const;
 
     // Runs one node on the CPU with arguments in the graph format's value grammar without links ("0.5", "0,0,1",
     // "Reoriented", "#ff8800"). `single` computes in float rather than double.

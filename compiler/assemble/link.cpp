@@ -1,0 +1,235 @@
+#include "compiler/assemble/link.h"
+
+#include <algorithm>
+
+namespace patina::assemble {
+
+using graph::Source;
+using ir::Op;
+using ir::SemanticId;
+using ir::Type;
+using ir::Value;
+
+namespace {
+
+// --- semantics to parameters
+
+// Gives the instruction new operands; the old ones stay in the pool, unused.
+void set_operands(ir::Function& function, ir::Inst& inst, std::span<const Value> operands) {
+    inst.first_operand = static_cast<std::uint32_t>(function.operands.size());
+    inst.operand_count = static_cast<std::uint32_t>(operands.size());
+    function.operands.insert(function.operands.end(), operands.begin(), operands.end());
+}
+
+// What a function needs: its own semantics and those of the functions that it calls, in order of semantic.
+std::vector<SemanticId> needs_of(const ir::Function& function, const std::vector<std::vector<SemanticId>>& known) {
+    std::vector<SemanticId> needs;
+    for (const ir::Inst& inst : function.insts) {
+        if (inst.op == Op::Semantic) needs.push_back({inst.data});
+        if (inst.op == Op::Call) needs.insert(needs.end(), known[inst.data].begin(), known[inst.data].end());
+    }
+    std::sort(needs.begin(), needs.end());
+    needs.erase(std::unique(needs.begin(), needs.end()), needs.end());
+    return needs;
+}
+
+void thread_function(ir::Module& module, std::uint32_t index, const std::vector<std::vector<SemanticId>>& needs) {
+    ir::Function& function = module.functions[index];
+    const std::vector<SemanticId>& own = needs[index];
+    if (own.empty()) return;
+    // One Param instruction a semantic, at the very front, so that it dominates every use.
+    std::vector<Value> params;
+    for (SemanticId semantic : own) {
+        const ir::Semantic& info = module.semantics[semantic.index];
+        ir::Inst inst{};
+        inst.op = Op::Param;
+        inst.type = info.type;
+        inst.data = static_cast<std::uint32_t>(function.params.size());
+        function.params.push_back({info.name, info.type, info.rate});
+        function.insts.push_back(inst);
+        params.push_back({static_cast<std::uint32_t>(function.insts.size() - 1)});
+    }
+    const auto param_of = [&](SemanticId semantic) {
+        const auto at = std::lower_bound(own.begin(), own.end(), semantic) - own.begin();
+        return static_cast<std::uint32_t>(at);
+    };
+    const std::size_t original = function.insts.size() - params.size();
+    for (std::size_t i = 0; i < original; ++i) {
+        ir::Inst& inst = function.insts[i];
+        if (inst.op == Op::Semantic) {
+            inst.data = function.insts[params[param_of({inst.data})].index].data;
+            inst.op = Op::Param;
+        } else if (inst.op == Op::Call && !needs[inst.data].empty()) {
+            const std::span<const Value> before = function.args(inst);
+            std::vector<Value> operands(before.begin(), before.end());
+            for (SemanticId semantic : needs[inst.data]) operands.push_back(params[param_of(semantic)]);
+            set_operands(function, inst, operands);
+        }
+    }
+    std::vector<Value>& body = function.blocks[0].insts;
+    body.insert(body.begin(), params.begin(), params.end());
+}
+
+// --- entry functions
+
+class EntryBuilder {
+public:
+    EntryBuilder(const Linked& linked, const graph::Lowered& lowered, ir::StageKind stage, ir::BuildOptions options)
+        : linked_(linked), lowered_(lowered), module_(linked.module), builder_(module_, entry_, options) {
+        module_.stage.kind = stage;
+        entry_.name = "main";
+    }
+
+    ir::Builder& builder() { return builder_; }
+    ir::Module& module() { return module_; }
+
+    // Calls a function whose parameters are all semantics. `original`: attributes as the mesh has them.
+    Value call(ir::FunctionId function, bool original = false) {
+        std::vector<Value> arguments;
+        for (SemanticId semantic : linked_.needs[function.index]) arguments.push_back(value(semantic, original));
+        return builder_.call(function, arguments);
+    }
+
+    Value value(SemanticId semantic, bool original = false) {
+        std::vector<Value>& known = original ? originals_ : values_;
+        known.resize(module_.semantics.size());
+        if (!known[semantic.index]) {
+            const Value made = make(semantic, original);
+            known[semantic.index] = made;
+            if (builder_[made].op != Op::Param) {
+                builder_.name(made, module_.intern(module_.semantics[semantic.index].name));
+            }
+        }
+        return known[semantic.index];
+    }
+
+    // Ends the entry: the outputs are the stage's, in order.
+    ir::Module finish(std::string struct_name, std::vector<ir::StageVariable> outputs, std::span<const Value> values) {
+        ir::Struct made{.name = std::move(struct_name), .members = {}};
+        for (const ir::StageVariable& output : outputs) made.members.push_back({output.name, output.type});
+        module_.structs.push_back(std::move(made));
+        entry_.result = Type::structure(static_cast<std::uint32_t>(module_.structs.size() - 1));
+        builder_.ret(builder_.construct(entry_.result, values));
+        module_.stage.outputs = std::move(outputs);
+        module_.functions.push_back(std::move(entry_));
+        module_.stage.entry = {static_cast<std::uint32_t>(module_.functions.size() - 1)};
+        return std::move(module_);
+    }
+
+private:
+    bool in_vertex_stage() const { return module_.stage.kind == ir::StageKind::Vertex; }
+
+    Value make(SemanticId semantic, bool original) {
+        const graph::SemanticRecipe& recipe = lowered_.semantics[semantic.index];
+        switch (recipe.source) {
+            case Source::Attribute:
+                if (!in_vertex_stage()) return varying(semantic);
+                if (recipe.override && !original) return call(recipe.override, true);
+                return attribute(semantic);
+            case Source::Builtin: return builtin(semantic);
+            case Source::Vertex: return in_vertex_stage() ? call(recipe.recipe, original) : varying(semantic);
+            case Source::Pixel:
+            case Source::Uniform: return call(recipe.recipe, original);
+            case Source::Extern:
+            case Source::Given: break;  // globals and parameters: never a semantic instruction
+        }
+        return {};
+    }
+
+    Value input(ir::StageVariable variable, ir::Rate rate) {
+        entry_.params.push_back({variable.name, variable.type, rate});
+        module_.stage.inputs.push_back(std::move(variable));
+        return builder_.param(static_cast<std::uint32_t>(entry_.params.size() - 1));
+    }
+
+    Value attribute(SemanticId semantic) {
+        // The mesh's own value is one input, however it is asked for.
+        originals_.resize(module_.semantics.size());
+        if (originals_[semantic.index]) return originals_[semantic.index];
+        const nodelang::Attribute& declared =
+            *lowered_.semantics[semantic.index].declaration->variable->attribute("attribute");
+        const ir::Semantic& info = module_.semantics[semantic.index];
+        const Value made = input({.name = info.name,
+                                  .type = info.type,
+                                  .location = static_cast<std::uint32_t>(declared.args[0]->number),
+                                  .semantic = std::string(nodelang::attribute_text(declared, 1))},
+                                 ir::Rate::Vertex);
+        originals_[semantic.index] = made;
+        return made;
+    }
+
+    Value varying(SemanticId semantic) {
+        const ir::Semantic& info = module_.semantics[semantic.index];
+        return input({.name = info.name, .type = info.type, .semantic = {}}, ir::Rate::Pixel);
+    }
+
+    Value builtin(SemanticId semantic) {
+        static constexpr std::pair<std::string_view, ir::Builtin> kWords[] = {
+            {"front_facing", ir::Builtin::FrontFacing},
+            {"frag_coord", ir::Builtin::FragCoord},
+            {"vertex_index", ir::Builtin::VertexIndex},
+            {"instance_index", ir::Builtin::InstanceIndex}};
+        const auto& declared = *lowered_.semantics[semantic.index].declaration->variable->attribute("builtin");
+        const ir::Semantic& info = module_.semantics[semantic.index];
+        ir::StageVariable variable{.name = info.name, .type = info.type, .semantic = {}};
+        for (const auto& [word, which] : kWords) {
+            if (word == nodelang::attribute_text(declared)) variable.builtin = which;
+        }
+        return input(std::move(variable), ir::Rate::Pixel);
+    }
+
+    const Linked& linked_;
+    const graph::Lowered& lowered_;
+    ir::Module module_;
+    ir::Function entry_{};
+    ir::Builder builder_;
+    std::vector<Value> values_, originals_;
+};
+
+}  // namespace
+
+Linked link(const graph::Lowered& lowered) {
+    Linked linked{.module = lowered.module, .needs = {}};
+    linked.needs.resize(linked.module.functions.size());
+    for (std::uint32_t i = 0; i < linked.module.functions.size(); ++i) {
+        linked.needs[i] = needs_of(linked.module.functions[i], linked.needs);
+        thread_function(linked.module, i, linked.needs);
+    }
+    return linked;
+}
+
+ir::Module link_fragment(const Linked& linked, const graph::Lowered& lowered, const graph::LoweredPass& pass,
+                         ir::BuildOptions options) {
+    EntryBuilder entry(linked, lowered, ir::StageKind::Fragment, options);
+    const Value color = entry.call(pass.fragment);
+    const Type type = entry.builder().type(color);
+    return entry.finish("Targets", {{.name = "color", .type = type, .location = 0, .semantic = "SV_Target0"}},
+                        {&color, 1});
+}
+
+ir::Module link_vertex(const Linked& linked, const graph::Lowered& lowered, const graph::LoweredPass& pass,
+                       ir::Module& fragment, ir::BuildOptions options) {
+    EntryBuilder entry(linked, lowered, ir::StageKind::Vertex, options);
+    std::vector<ir::StageVariable> outputs;
+    std::vector<Value> values;
+    std::uint32_t location = 0;
+    const Value position = entry.call(pass.vertex);
+    for (ir::StageVariable& input : fragment.stage.inputs) {
+        if (input.builtin != ir::Builtin::None) continue;
+        const auto& semantics = linked.module.semantics;
+        const auto found = std::find_if(semantics.begin(), semantics.end(),
+                                        [&](const ir::Semantic& s) { return s.name == input.name; });
+        input.location = location++;
+        input.semantic = "TEXCOORD" + std::to_string(input.location);
+        outputs.push_back(input);
+        values.push_back(entry.value({static_cast<std::uint32_t>(found - semantics.begin())}));
+    }
+    outputs.push_back({.name = "position",
+                       .type = entry.builder().type(position),
+                       .builtin = ir::Builtin::Position,
+                       .semantic = "SV_Position"});
+    values.push_back(position);
+    return entry.finish("Varyings", std::move(outputs), values);
+}
+
+}  // namespace patina::assemble

@@ -1,0 +1,226 @@
+#include "compiler/assemble/reflect.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace patina::assemble {
+
+using graph::Property;
+using graph::PropertyType;
+
+namespace {
+
+std::string hlsl_register(char kind, std::uint32_t slot, std::uint32_t set) {
+    return fmt::format("{}{}, space{}", kind, slot, set);
+}
+
+std::uint32_t buffers_of(const ir::Module& module, std::uint32_t set) {
+    return static_cast<std::uint32_t>(std::count_if(module.blocks.begin(), module.blocks.end(),
+                                                    [&](const ir::UniformBlock& b) { return b.set == set; }));
+}
+
+std::uint32_t textures_of(const ir::Module& module, std::uint32_t set) {
+    return static_cast<std::uint32_t>(
+        std::count_if(module.globals.begin(), module.globals.end(),
+                      [&](const ir::Global& g) { return g.set == set && g.type.kind == ir::Kind::Texture2D; }));
+}
+
+Block reflect_block(const ir::Module& module, const ir::UniformBlock& block) {
+    Block made{.name = block.name,
+               .is_material = block.set == graph::kMaterialSet,
+               .set = block.set,
+               .binding = block.slot,
+               .hlsl_register = hlsl_register('b', block.slot, block.set),
+               .size = block.size,
+               .members = {}};
+    for (const ir::BlockMember& member : block.members) {
+        const bool is_array = member.type.kind == ir::Kind::Array;
+        const graph::Extent extent = graph::extent(module, member.type);
+        const ir::Type element = is_array ? module.arrays[member.type.ref].element : member.type;
+        made.members.push_back({.name = member.name,
+                                .type = module.type_name(element),
+                                .offset = member.offset,
+                                .size = extent.size,
+                                .array_count = is_array ? module.arrays[member.type.ref].count : 0,
+                                .array_stride = extent.stride});
+    }
+    return made;
+}
+
+std::string_view word(graph::Wrap wrap) {
+    switch (wrap) {
+        case graph::Wrap::Repeat: return "repeat";
+        case graph::Wrap::Clamp: return "clamp";
+        case graph::Wrap::Mirror: return "mirror";
+    }
+    return {};
+}
+
+std::string_view word(graph::TextureUsage usage) {
+    switch (usage) {
+        case graph::TextureUsage::Color: return "color";
+        case graph::TextureUsage::Data: return "data";
+        case graph::TextureUsage::Normal: return "normal";
+    }
+    return {};
+}
+
+std::string_view word(graph::Cull cull) {
+    switch (cull) {
+        case graph::Cull::Back: return "back";
+        case graph::Cull::Front: return "front";
+        case graph::Cull::Off: return "off";
+    }
+    return {};
+}
+
+std::string_view word(graph::Compare compare) {
+    static constexpr std::string_view kWords[] = {"never",   "less",      "equal",         "less_equal",
+                                                  "greater", "not_equal", "greater_equal", "always"};
+    return kWords[static_cast<std::size_t>(compare)];
+}
+
+Texture reflect_texture(const ir::Module& module, const graph::MaterialProperty& entry,
+                        const graph::PropertyGlobals& globals) {
+    const Property& property = *entry.property;
+    const ir::Global& texture = module.globals[globals.texture.index];
+    const ir::Global& sampler = module.globals[globals.sampler.index];
+    const std::uint32_t buffers = buffers_of(module, texture.set), textures = textures_of(module, texture.set);
+    return {.name = property.name,
+            .dimension = "2d",
+            .usage = std::string(word(property.usage)),
+            .default_value = entry.texture_path.empty() ? "white" : entry.texture_path,
+            .set = texture.set,
+            .binding = buffers + texture.slot,
+            .hlsl_register = hlsl_register('t', texture.slot, texture.set),
+            .sampler_name = sampler.name,
+            .sampler_binding = buffers + textures + sampler.slot,
+            .sampler_register = hlsl_register('s', sampler.slot, sampler.set),
+            .sampler = {.wrap = std::string(word(property.sampler.wrap)),
+                        .filter = property.sampler.filter == graph::Filter::Linear ? "linear" : "nearest",
+                        .anisotropy = property.sampler.anisotropy}};
+}
+
+patina::Property reflect_property(const ir::Module& module, const Property& property,
+                                  const graph::PropertyGlobals& globals) {
+    patina::Property made{.name = property.name,
+                          .type = std::string(graph::to_string(property.type)),
+                          .value = property.value,
+                          .range = property.range,
+                          .values = property.values,
+                          .label = property.label,
+                          .group = property.group,
+                          .help = property.help,
+                          .block = {},
+                          .offset = 0,
+                          .size = 0};
+    if (globals.value) {
+        const ir::Global& global = module.globals[globals.value.index];
+        const ir::BlockMember& member = module.blocks[global.block].members[global.member];
+        made.block = module.blocks[global.block].name;
+        made.offset = member.offset;
+        made.size = graph::extent(module, member.type).size;
+    }
+    return made;
+}
+
+// Globals that a stage still reads after tidying.
+void mark_used(const ir::Module& stage, std::vector<bool>& used) {
+    for (const ir::Function& function : stage.functions) {
+        for (const ir::Inst& inst : function.insts) {
+            if (inst.op == ir::Op::Global) used[inst.data] = true;
+        }
+    }
+}
+
+Pass reflect_pass(const graph::Material& material, const graph::Lowered& lowered, const LinkedPass& linked) {
+    const graph::RenderState& render = material.graph->graph->render;
+    Pass pass;
+    pass.name = linked.pass->declaration->name;
+    pass.cull = word(render.cull);
+    pass.depth_write = render.depth_write.value_or(true);
+    pass.depth_test = word(render.depth_test.value_or(graph::Compare::LessEqual));
+    pass.queue = render.queue.value_or(render.surface == graph::SurfaceKind::Cutout ? 2450 : 2000);
+    for (const ir::StageVariable& output : linked.fragment.stage.outputs) {
+        pass.targets.push_back({.name = output.name, .location = output.location});
+    }
+    for (const ir::StageVariable& input : linked.vertex.stage.inputs) {
+        if (input.builtin != ir::Builtin::None) continue;
+        pass.vertex_inputs.push_back({.name = input.name,
+                                      .type = linked.vertex.type_name(input.type),
+                                      .location = input.location,
+                                      .hlsl_semantic = input.semantic});
+    }
+    std::vector<bool> used(lowered.module.globals.size(), false);
+    mark_used(linked.vertex, used);
+    mark_used(linked.fragment, used);
+    for (std::uint32_t block = 0; block < lowered.module.blocks.size(); ++block) {
+        for (std::size_t i = 0; i < used.size(); ++i) {
+            if (!used[i] || lowered.module.globals[i].block != block) continue;
+            pass.blocks.push_back(lowered.module.blocks[block].name);
+            break;
+        }
+    }
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        const ir::Global& global = lowered.module.globals[i];
+        if (used[i] && global.type.kind == ir::Kind::Texture2D) pass.textures.push_back(global.name);
+    }
+    return pass;
+}
+
+// 64-bit FNV-1a of everything that a buffer or a descriptor set depends on.
+std::string layout_hash(const Reflection& reflection) {
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    const auto add = [&](const std::string& text) {
+        for (unsigned char c : text + "\n") hash = (hash ^ c) * 0x100000001b3u;
+    };
+    for (const Block& block : reflection.blocks) {
+        add(fmt::format("{} {} {} {}", block.name, block.set, block.binding, block.size));
+        for (const BlockMember& m : block.members) add(fmt::format("{} {} {} {}", m.name, m.type, m.offset, m.size));
+    }
+    for (const Texture& t : reflection.textures) {
+        add(fmt::format("{} {} {} {} {}", t.name, t.dimension, t.set, t.binding, t.sampler_binding));
+    }
+    return fmt::format("{:016x}", hash);
+}
+
+}  // namespace
+
+std::vector<targets::SetShifts> binding_shifts(const ir::Module& module) {
+    std::vector<targets::SetShifts> shifts;
+    for (const std::uint32_t set : {graph::kEngineSet, graph::kMaterialSet}) {
+        const std::uint32_t buffers = buffers_of(module, set);
+        shifts.push_back(
+            {.set = set, .buffers = 0, .textures = buffers, .samplers = buffers + textures_of(module, set)});
+    }
+    return shifts;
+}
+
+Reflection reflect(const graph::Material& material, const graph::Lowered& lowered, std::span<const LinkedPass> passes) {
+    const graph::Graph& graph = *material.graph->graph;
+    Reflection made;
+    made.name = graph.name;
+    made.workflow = graph.workflow;
+    made.lighting = material.lighting_name;
+    made.surface = graph.render.surface == graph::SurfaceKind::Cutout ? "cutout" : "opaque";
+    made.meta = graph.meta;
+    for (const ir::UniformBlock& block : lowered.module.blocks)
+        made.blocks.push_back(reflect_block(lowered.module, block));
+    for (std::size_t i = 0; i < material.properties.size(); ++i) {
+        const graph::MaterialProperty& entry = material.properties[i];
+        made.properties.push_back(reflect_property(lowered.module, *entry.property, lowered.property_globals[i]));
+        if (entry.property->type == PropertyType::Texture2D) {
+            made.textures.push_back(reflect_texture(lowered.module, entry, lowered.property_globals[i]));
+        }
+    }
+    for (const LinkedPass& pass : passes) made.passes.push_back(reflect_pass(material, lowered, pass));
+    for (const targets::SetShifts& shift : binding_shifts(lowered.module)) {
+        made.hlsl_shifts.push_back(
+            {.set = shift.set, .textures = shift.textures, .samplers = shift.samplers, .buffers = shift.buffers});
+    }
+    made.layout_hash = layout_hash(made);
+    return made;
+}
+
+}  // namespace patina::assemble

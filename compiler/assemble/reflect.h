@@ -1,0 +1,21 @@
+// What a runtime must know of a compiled material: the public Reflection, from the material's properties and the linked
+// stages. Layout and bindings are the same whatever passes and targets were asked for.
+#pragma once
+
+#include "compiler/assemble/link.h"
+#include "compiler/targets/print.h"
+#include "patina/reflection.h"
+
+namespace patina::assemble {
+
+struct LinkedPass {
+    const graph::LoweredPass* pass = nullptr;
+    ir::Module vertex, fragment;
+};
+
+Reflection reflect(const graph::Material& material, const graph::Lowered& lowered, std::span<const LinkedPass> passes);
+
+// Vulkan bindings of a set are buffers, then textures, then samplers; HLSL counts each from 0.
+std::vector<targets::SetShifts> binding_shifts(const ir::Module& module);
+
+}  // namespace patina::assemble

@@ -1,0 +1,193 @@
+// Reflection::to_json: NAME.reflect.json, pretty-printed, keys in a fixed order.
+#include <rapidjson/prettywriter.h>
+#include <rapidjson/stringbuffer.h>
+
+#include "compiler/base/text.h"
+#include "patina/reflection.h"
+
+namespace patina {
+namespace {
+
+using Writer = rapidjson::PrettyWriter<rapidjson::StringBuffer>;
+
+class Json {
+public:
+    explicit Json(Writer& writer) : writer_(writer) { writer_.StartObject(); }
+    ~Json() { writer_.EndObject(); }
+    Json(const Json&) = delete;
+    Json& operator=(const Json&) = delete;
+
+    void text(const char* key, const std::string& value) {
+        writer_.Key(key);
+        writer_.String(value.data(), static_cast<rapidjson::SizeType>(value.size()));
+    }
+    void text_if(const char* key, const std::string& value) {
+        if (!value.empty()) text(key, value);
+    }
+    void number(const char* key, double value) {
+        writer_.Key(key);
+        raw(shortest(value));
+    }
+    void flag(const char* key, bool value) {
+        writer_.Key(key);
+        writer_.Bool(value);
+    }
+    void raw(const std::string& json) { writer_.RawValue(json.data(), json.size(), rapidjson::kObjectType); }
+    void raw(const char* key, const std::string& json) {
+        writer_.Key(key);
+        raw(json);
+    }
+    template <class Items, class Write>
+    void list(const char* key, const Items& items, Write write) {
+        writer_.Key(key);
+        writer_.StartArray();
+        for (const auto& item : items) write(item);
+        writer_.EndArray();
+    }
+    void words(const char* key, const std::vector<std::string>& items) {
+        list(key, items,
+             [&](const std::string& s) { writer_.String(s.data(), static_cast<rapidjson::SizeType>(s.size())); });
+    }
+
+private:
+    Writer& writer_;
+};
+
+std::size_t value_count(const Property& property) {
+    if (property.type == "color" || property.type == "float4") return 4;
+    if (property.type == "float3") return 3;
+    return property.type == "float2" ? 2 : 1;
+}
+
+void write_default(Json& json, const Property& property, const Reflection& reflection) {
+    if (property.type == "texture2d") {
+        for (const Texture& texture : reflection.textures) {
+            if (texture.name == property.name) json.text("default", texture.default_value);
+        }
+    } else if (property.type == "bool") {
+        json.flag("default", property.value[0] != 0);
+    } else if (property.type == "enum") {
+        const auto index = static_cast<std::size_t>(property.value[0]);
+        if (index < property.values.size()) json.text("default", property.values[index]);
+    } else if (const std::size_t count = value_count(property); count == 1) {
+        json.number("default", property.value[0]);
+    } else {
+        json.list(
+            "default",
+            std::vector<double>(property.value.begin(), property.value.begin() + static_cast<std::ptrdiff_t>(count)),
+            [&](double v) { json.raw(shortest(v)); });
+    }
+}
+
+void write_property(Writer& writer, const Property& property, const Reflection& reflection) {
+    Json json(writer);
+    json.text("name", property.name);
+    json.text("type", property.type);
+    write_default(json, property, reflection);
+    if (property.range) json.list("range", *property.range, [&](double v) { json.raw(shortest(v)); });
+    if (!property.values.empty()) json.words("values", property.values);
+    json.text_if("label", property.label);
+    json.text_if("group", property.group);
+    json.text_if("help", property.help);
+    if (property.block.empty()) return;
+    json.text("block", property.block);
+    json.number("offset", property.offset);
+    json.number("size", property.size);
+}
+
+void write_block(Writer& writer, const Block& block) {
+    Json json(writer);
+    json.text("name", block.name);
+    json.flag("material", block.is_material);
+    json.number("set", block.set);
+    json.number("binding", block.binding);
+    json.text("register", block.hlsl_register);
+    json.number("size", block.size);
+    json.list("members", block.members, [&](const BlockMember& member) {
+        Json m(writer);
+        m.text("name", member.name);
+        m.text("type", member.type);
+        m.number("offset", member.offset);
+        m.number("size", member.size);
+        if (member.array_count > 0) {
+            m.number("count", member.array_count);
+            m.number("stride", member.array_stride);
+        }
+    });
+}
+
+void write_texture(Writer& writer, const Texture& texture) {
+    Json json(writer);
+    json.text("name", texture.name);
+    json.text("dimension", texture.dimension);
+    json.text("usage", texture.usage);
+    json.text("default", texture.default_value);
+    json.number("set", texture.set);
+    json.number("binding", texture.binding);
+    json.text("register", texture.hlsl_register);
+    json.text("sampler", texture.sampler_name);
+    json.number("samplerBinding", texture.sampler_binding);
+    json.text("samplerRegister", texture.sampler_register);
+    json.text("wrap", texture.sampler.wrap);
+    json.text("filter", texture.sampler.filter);
+    json.number("anisotropy", texture.sampler.anisotropy);
+}
+
+void write_pass(Writer& writer, const Pass& pass) {
+    Json json(writer);
+    json.text("name", pass.name);
+    json.text("draws", pass.draws);
+    json.text("cull", pass.cull);
+    json.flag("depthWrite", pass.depth_write);
+    json.text("depthTest", pass.depth_test);
+    json.number("queue", pass.queue);
+    json.list("targets", pass.targets, [&](const RenderTarget& target) {
+        Json t(writer);
+        t.text("name", target.name);
+        t.number("location", target.location);
+        t.text("blendSource", target.blend_source);
+        t.text("blendDestination", target.blend_destination);
+    });
+    json.list("vertexInputs", pass.vertex_inputs, [&](const VertexInput& input) {
+        Json v(writer);
+        v.text("name", input.name);
+        v.text("type", input.type);
+        v.number("location", input.location);
+        v.text("semantic", input.hlsl_semantic);
+    });
+    json.words("blocks", pass.blocks);
+    json.words("textures", pass.textures);
+}
+
+}  // namespace
+
+std::string Reflection::to_json() const {
+    rapidjson::StringBuffer buffer;
+    Writer writer(buffer);
+    writer.SetIndent(' ', 2);
+    writer.SetFormatOptions(rapidjson::kFormatSingleLineArray);
+    {
+        Json json(writer);
+        json.number("patina", 1);
+        json.text("name", name);
+        json.text("workflow", workflow);
+        json.text("lighting", lighting);
+        json.text("surface", surface);
+        json.text("layoutHash", layout_hash);
+        json.list("properties", properties, [&](const Property& p) { write_property(writer, p, *this); });
+        json.list("blocks", blocks, [&](const Block& b) { write_block(writer, b); });
+        json.list("textures", textures, [&](const Texture& t) { write_texture(writer, t); });
+        json.list("passes", passes, [&](const Pass& p) { write_pass(writer, p); });
+        json.list("hlslShifts", hlsl_shifts, [&](const Shifts& s) {
+            Json shift(writer);
+            shift.number("set", s.set);
+            shift.number("buffers", s.buffers);
+            shift.number("textures", s.textures);
+            shift.number("samplers", s.samplers);
+        });
+        if (!meta.empty()) json.raw("meta", meta);
+    }
+    return std::string(buffer.GetString(), buffer.GetSize()) + "\n";
+}
+
+}  // namespace patina

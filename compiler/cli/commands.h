@@ -1,0 +1,28 @@
+// The subcommands, one function and one file each. `patina` holds those that need no GPU; `render` and `snapshot` live
+// in a second program, `patina-render`, which `patina` turns into when they are asked for: the image library that they
+// load takes longer to start than a whole compilation.
+#pragma once
+
+#include "compiler/cli/program.h"
+
+namespace patina::cli {
+
+void add_compile(Program& program);
+void add_check(Program& program);
+void add_new(Program& program);
+void add_fmt(Program& program);
+void add_eval(Program& program);
+void add_nodes(Program& program);
+void add_node(Program& program);
+void add_schema(Program& program);
+
+void add_render(Program& program);
+void add_snapshot(Program& program);
+
+inline constexpr const char* kSummary =
+    "Patina compiles material node graphs to readable GLSL and HLSL.\n"
+    "Exit codes: 0 done, 1 the input is wrong, 2 the command line is wrong, 3 the machine lacks something.";
+inline constexpr const char* kRenderSummary = "Render graphs to pictures";
+inline constexpr const char* kSnapshotSummary = "Compare renders with reference pictures";
+
+}  // namespace patina::cli

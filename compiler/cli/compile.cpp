@@ -1,0 +1,141 @@
+// patina compile: graphs to shader files and their reflection.
+#include <algorithm>
+#include <map>
+#include <memory>
+
+#include "compiler/base/text.h"
+#include "compiler/cli/commands.h"
+#include "compiler/cli/files.h"
+#include "patina/validate.h"
+
+namespace patina::cli {
+namespace {
+
+struct Arguments {
+    std::vector<std::string> graphs;
+    std::vector<std::string> targets = {"glsl", "hlsl"};
+    std::vector<std::string> include_dirs;
+    std::vector<std::string> dump;
+    std::string folder;
+    bool validate = false;
+    bool depfile = false;
+
+    bool wants(std::string_view target) const { return std::ranges::find(targets, target) != targets.end(); }
+    // --dump alone is for looking, not for writing.
+    bool writes() const { return dump.empty() || !folder.empty(); }
+};
+
+CompileOptions options_of(const Arguments& arguments) {
+    CompileOptions options;
+    options.targets.clear();
+    // SPIR-V is made from the GLSL.
+    if (arguments.wants("glsl") || arguments.wants("spirv")) options.targets.push_back(Target::Glsl);
+    if (arguments.wants("hlsl")) options.targets.push_back(Target::Hlsl);
+    options.include_dirs = arguments.include_dirs;
+    options.dump = arguments.dump;
+    return options;
+}
+
+std::string as_bytes(const std::vector<std::uint32_t>& words) {
+    return std::string(reinterpret_cast<const char*>(words.data()), words.size() * sizeof(std::uint32_t));
+}
+
+// "rust.forward.vert.glsl" -> "rust.forward.vert.spv"
+std::string spirv_name(const Shader& shader) {
+    return shader.file_name.substr(0, shader.file_name.rfind('.')) + ".spv";
+}
+
+// Adds the shader's files; false if another compiler refuses it, which has been reported.
+bool add_shader(const Console& console, const Arguments& arguments, const Shader& shader, OutputFiles& files) {
+    if (arguments.wants(to_string(shader.target))) {
+        files.add(join_path(arguments.folder, shader.file_name), shader.text);
+    }
+    const bool wants_spirv = arguments.wants("spirv") && shader.target == Target::Glsl;
+    if (!arguments.validate && !wants_spirv) return true;
+    const Validated validated = validate(shader);
+    report(console, validated.diagnostics);
+    if (wants_spirv) files.add(join_path(arguments.folder, spirv_name(shader)), as_bytes(validated.spirv));
+    return validated.ok;
+}
+
+Exit compile_graph(const Console& console, const Arguments& arguments, const Compiler& compiler,
+                   const std::string& graph) {
+    const Result result = compiler.compile_file(graph, options_of(arguments));
+    report(console, result.diagnostics);
+    for (const Dump& dump : result.dumps) {
+        print("// " + graph + ": " + dump.stage + "\n" + dump.text + (dump.text.ends_with('\n') ? "" : "\n"));
+    }
+    if (!result.ok) return Exit::Wrong;
+
+    OutputFiles files;
+    bool ok = true;
+    for (const Shader& shader : result.shaders) ok &= add_shader(console, arguments, shader, files);
+    if (!ok) return Exit::Wrong;
+    if (!arguments.writes()) return Exit::Ok;
+
+    const std::string name = join_path(arguments.folder, stem(graph));
+    const std::string reflection = name + ".reflect.json";
+    files.add(reflection, result.reflection.to_json());
+    if (arguments.depfile) files.add(name + ".d", make_rule(reflection, result.dependencies));
+    if (std::string error = commit(files); !error.empty()) {
+        complain(console, "cannot-write", error);
+        return Exit::Wrong;
+    }
+    for (const OutputFile& file : files.files) say(console, file.path);
+    return Exit::Ok;
+}
+
+// Two graphs of one name would overwrite each other's files.
+void refuse_equal_names(const Arguments& arguments) {
+    std::map<std::string, std::string> seen;
+    for (const std::string& graph : arguments.graphs) {
+        const auto [other, is_new] = seen.emplace(stem(graph), graph);
+        if (is_new) continue;
+        throw CLI::ValidationError("GRAPH", "'" + other->second + "' and '" + graph + "' would both write " +
+                                                stem(graph) + ".*: compile them into different folders");
+    }
+}
+
+}  // namespace
+
+void add_compile(Program& program) {
+    CLI::App& command = add_command(
+        program, "compile", "Compile graphs to shaders",
+        {"patina compile rust.graph.json -o out", "patina compile *.graph.json -t glsl --validate -o out",
+         "patina compile rust.graph.json -t spirv -o out --depfile", "patina compile rust.graph.json --dump tidy"});
+    auto arguments = std::make_shared<Arguments>();
+    command.add_option("GRAPH", arguments->graphs, "Material graphs (JSON)")->required()->type_name(" ");
+    command.add_option("-t,--target", arguments->targets, "glsl, hlsl, spirv, with commas between (glsl,hlsl)")
+        ->type_name("TARGETS")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(one_of("a target", {"glsl", "hlsl", "spirv"}));
+    command.add_option("-o,--output", arguments->folder, "Folder to write to, made if missing (.)")->type_name("DIR");
+    command.add_flag("--validate", arguments->validate, "Prove the shaders with glslang and spirv-val");
+    command.add_flag("--depfile", arguments->depfile, "Write NAME.d: what NAME.reflect.json was made from, for ninja");
+    command
+        .add_option("--dump", arguments->dump,
+                    "Print a stage: graph, ir, linked, tidy, rates; writes files only with -o")
+        ->type_name("STAGE")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(one_of("a stage", {"graph", "ir", "linked", "tidy", "rates"}));
+    add_include_option(command, arguments->include_dirs);
+    command.parse_complete_callback([arguments] { refuse_equal_names(*arguments); });
+
+    set_work(program, command, [arguments](const Console& console) {
+        if (console.json && !arguments->dump.empty()) {
+            complain(console, "usage", "--dump and --diagnostics=json would mix their texts on standard output");
+            return Exit::Usage;
+        }
+        const Compiler compiler;
+        Exit exit = Exit::Ok;
+        for (std::size_t i = 0; i < arguments->graphs.size(); ++i) {
+            show_progress(console, i, arguments->graphs.size(), arguments->graphs[i]);
+            exit = worse(exit, compile_graph(console, *arguments, compiler, arguments->graphs[i]));
+        }
+        return exit;
+    });
+}
+
+}  // namespace patina::cli

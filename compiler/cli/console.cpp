@@ -1,0 +1,103 @@
+#include "compiler/cli/console.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+namespace patina::cli {
+namespace {
+
+constexpr std::string_view kClearLine = "\r\033[K";
+
+bool is_terminal(int descriptor) {
+    const char* terminal = std::getenv("TERM");
+    return isatty(descriptor) && terminal && std::string_view(terminal) != "dumb";
+}
+
+bool shows_colors(int descriptor) {
+    const char* no_color = std::getenv("NO_COLOR");
+    return is_terminal(descriptor) && !(no_color && *no_color);
+}
+
+void write(std::FILE* stream, std::string_view text) {
+    std::fwrite(text.data(), 1, text.size(), stream);
+}
+
+}  // namespace
+
+Exit worse(Exit a, Exit b) {
+    return static_cast<Exit>(std::max(static_cast<int>(a), static_cast<int>(b)));
+}
+
+Console open_console() {
+    return {.error_colors = shows_colors(STDERR_FILENO),
+            .output_colors = shows_colors(STDOUT_FILENO),
+            .progress = is_terminal(STDERR_FILENO)};
+}
+
+bool report(const Console& console, std::span<const Diagnostic> diagnostics) {
+    bool any_error = false;
+    for (const Diagnostic& diagnostic : diagnostics) {
+        const bool is_error = diagnostic.severity == Severity::Error;
+        any_error |= is_error;
+        if (console.quiet && !is_error) continue;
+        if (console.json) {
+            print(to_json(diagnostic));
+            print("\n");
+            continue;
+        }
+        end_progress(console);
+        std::string text = to_text(diagnostic, console.error_colors);
+        if (!text.ends_with('\n')) text += '\n';
+        write(stderr, text);
+    }
+    return any_error;
+}
+
+void complain(const Console& console, std::string_view code, std::string message, std::string file) {
+    Diagnostic diagnostic;
+    diagnostic.code = code;
+    diagnostic.message = std::move(message);
+    diagnostic.file = std::move(file);
+    report(console, {&diagnostic, 1});
+}
+
+void say(const Console& console, std::string_view line) {
+    if (console.quiet || console.json) return;
+    end_progress(console);
+    print(line);
+    print("\n");
+}
+
+void print(std::string_view text) {
+    write(stdout, text);
+}
+
+bool output_failed() {
+    return std::fflush(stdout) != 0 || std::ferror(stdout);
+}
+
+std::string heading(const Console& console, std::string_view text) {
+    if (!console.output_colors) return std::string(text);
+    return "\033[1m" + std::string(text) + "\033[0m";
+}
+
+void show_progress(const Console& console, std::size_t index, std::size_t count, std::string_view item) {
+    if (!console.progress || console.quiet || console.json || count < 2) return;
+    std::string line(kClearLine);
+    line += '[' + std::to_string(index + 1) + '/' + std::to_string(count) + "] " + std::string(item);
+    write(stderr, line);
+    std::fflush(stderr);
+}
+
+void end_progress(const Console& console) {
+    if (!console.progress || console.quiet || console.json) return;
+    // What stands on stdout so far comes first on a shared terminal.
+    std::fflush(stdout);
+    write(stderr, kClearLine);
+    std::fflush(stderr);
+}
+
+}  // namespace patina::cli

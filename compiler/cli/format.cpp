@@ -1,0 +1,80 @@
+// patina fmt: the canonical text of graphs.
+#include <algorithm>
+#include <memory>
+
+#include "compiler/cli/commands.h"
+#include "compiler/cli/files.h"
+
+namespace patina::cli {
+namespace {
+
+struct Arguments {
+    std::vector<std::string> files;
+    bool check = false;
+};
+
+Exit format_standard_input(const Console& console, const Compiler& compiler) {
+    const Compiler::Formatted formatted = compiler.format("<stdin>", read_standard_input());
+    if (!formatted.ok) {
+        report(console, formatted.diagnostics);
+        return Exit::Wrong;
+    }
+    print(formatted.text);
+    return Exit::Ok;
+}
+
+Exit format_file(const Console& console, const Compiler& compiler, const Arguments& arguments,
+                 const std::string& path) {
+    std::string error;
+    const std::optional<std::string> text = read_file(path, error);
+    if (!text) {
+        complain(console, "cannot-read", "cannot read '" + path + "': " + error);
+        return Exit::Wrong;
+    }
+    const Compiler::Formatted formatted = compiler.format(path, *text);
+    report(console, formatted.diagnostics);
+    if (!formatted.ok) return Exit::Wrong;
+    if (formatted.text == *text) return Exit::Ok;
+    if (arguments.check) {
+        complain(console, "not-formatted", "the file is not in canonical form: run 'patina fmt' on it", path);
+        return Exit::Wrong;
+    }
+    if (error = replace_file(path, formatted.text); !error.empty()) {
+        complain(console, "cannot-write", error);
+        return Exit::Wrong;
+    }
+    say(console, path);
+    return Exit::Ok;
+}
+
+}  // namespace
+
+void add_fmt(Program& program) {
+    CLI::App& command = add_command(program, "fmt", "Rewrite graphs in canonical form, for diffs and merges",
+                                    {"patina fmt art/*.json", "patina fmt --check art/*.json",
+                                     "patina fmt - < rust.graph.json | diff rust.graph.json -"});
+    auto arguments = std::make_shared<Arguments>();
+    command.add_option("FILE", arguments->files, "Graphs; - reads standard input and prints")
+        ->required()
+        ->type_name(" ");
+    command.add_flag("--check", arguments->check, "Change nothing; exit 1 if a file is not in canonical form");
+    command.parse_complete_callback([arguments] {
+        const bool standard_input = std::ranges::find(arguments->files, "-") != arguments->files.end();
+        if (standard_input && (arguments->files.size() > 1 || arguments->check)) {
+            throw CLI::ValidationError("FILE", "- stands alone: without other files and without --check");
+        }
+    });
+
+    set_work(program, command, [arguments](const Console& console) {
+        const Compiler compiler;
+        if (arguments->files.front() == "-") return format_standard_input(console, compiler);
+        Exit exit = Exit::Ok;
+        for (std::size_t i = 0; i < arguments->files.size(); ++i) {
+            show_progress(console, i, arguments->files.size(), arguments->files[i]);
+            exit = worse(exit, format_file(console, compiler, *arguments, arguments->files[i]));
+        }
+        return exit;
+    });
+}
+
+}  // namespace patina::cli

@@ -1,0 +1,70 @@
+// patina new: a graph to start from.
+#include <filesystem>
+#include <memory>
+
+#include "compiler/cli/commands.h"
+#include "compiler/cli/files.h"
+#include "compiler/cli/templates.h"
+
+namespace patina::cli {
+namespace {
+
+struct Arguments {
+    std::string kind;
+    std::string output;
+};
+
+std::vector<std::string> kinds() {
+    std::vector<std::string> names;
+    for (const Template& each : templates()) names.emplace_back(each.kind);
+    return names;
+}
+
+std::string kind_help() {
+    std::string help = "What to start with:";
+    for (const Template& each : templates()) {
+        help += "\n  " + std::string(each.kind) + ": " + std::string(each.summary);
+    }
+    return help;
+}
+
+Exit write_template(const Console& console, const Arguments& arguments) {
+    std::string_view text;
+    for (const Template& each : templates()) {
+        if (each.kind == arguments.kind) text = each.text;
+    }
+    if (arguments.output.empty()) {
+        print(text);
+        return Exit::Ok;
+    }
+    if (std::filesystem::exists(arguments.output)) {
+        complain(console, "file-exists", "'" + arguments.output + "' is there already and is not overwritten");
+        return Exit::Wrong;
+    }
+    OutputFiles files;
+    files.add(arguments.output, std::string(text));
+    if (std::string error = commit(files); !error.empty()) {
+        complain(console, "cannot-write", error);
+        return Exit::Wrong;
+    }
+    say(console, arguments.output);
+    return Exit::Ok;
+}
+
+}  // namespace
+
+void add_new(Program& program) {
+    CLI::App& command = add_command(program, "new", "Start a graph, with comments",
+                                    {"patina new metal -o pipe.graph.json", "patina new toon -o hero.graph.json",
+                                     "patina new lighting -o soft.lighting.json", "patina new unlit    # prints it"});
+    auto arguments = std::make_shared<Arguments>();
+    command.add_option("KIND", arguments->kind, kind_help())
+        ->required()
+        ->type_name(" ")
+        ->check(one_of("a kind of graph", kinds()));
+    command.add_option("-o,--output", arguments->output, "File to write, which must not exist; default: print")
+        ->type_name("FILE");
+    set_work(program, command, [arguments](const Console& console) { return write_template(console, *arguments); });
+}
+
+}  // namespace patina::cli

@@ -1,0 +1,109 @@
+// patina node NAME: the manual page of one node.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "compiler/base/text.h"
+#include "compiler/cli/commands.h"
+#include "compiler/cli/node_json.h"
+
+namespace patina::cli {
+namespace {
+
+struct Arguments {
+    std::string name;
+    bool json = false;
+};
+
+// "0 to 1, metres; default 0.5. Roughness squared"
+std::string describe(const PortInfo& port) {
+    std::vector<std::string> facts;
+    if (port.range) facts.push_back(shortest((*port.range)[0]) + " to " + shortest((*port.range)[1]));
+    if (!port.unit.empty()) facts.push_back("in " + port.unit);
+    if (!port.enumerators.empty()) {
+        const std::vector<std::string_view> words(port.enumerators.begin(), port.enumerators.end());
+        facts.push_back(enumerate(words));
+    }
+    if (!port.is_output)
+        facts.push_back(port.default_value.empty() ? "needs a value" : "default " + port.default_value);
+    return fmt::format("{}", fmt::join(facts, "; "));
+}
+
+void print_ports(const Console& console, const NodeInfo& node, bool outputs) {
+    bool any = false;
+    for (const PortInfo& port : node.ports) {
+        if (port.is_output != outputs) continue;
+        if (!any) print("\n" + heading(console, outputs ? "OUTPUTS" : "INPUTS") + "\n");
+        any = true;
+        const std::string facts = describe(port);
+        print("  " + heading(console, port.name) + "  " + port.type + (facts.empty() ? "" : "  (" + facts + ")") +
+              "\n");
+        if (!port.doc.empty()) print("      " + port.doc + "\n");
+    }
+}
+
+void print_section(const Console& console, std::string_view title, std::string_view text) {
+    if (text.empty()) return;
+    print("\n" + heading(console, title) + "\n");
+    while (!text.empty()) {
+        const std::size_t end = text.find('\n');
+        const std::string_view line = text.substr(0, end);
+        print(line.empty() ? std::string("\n") : "  " + std::string(line) + "\n");
+        text = end == text.npos ? std::string_view() : text.substr(end + 1);
+    }
+}
+
+// The node with every input at its default, ready to paste into "nodes".
+std::string example(const NodeInfo& node) {
+    std::string inputs;
+    for (const PortInfo& port : node.ports) {
+        if (port.is_output) continue;
+        const bool is_number =
+            !port.default_value.empty() && port.default_value.find_first_not_of("0123456789.-+e") == std::string::npos;
+        const std::string value = port.default_value.empty() ? "..." : port.default_value;
+        inputs += fmt::format("{}\"{}\": {}", inputs.empty() ? "" : ", ", port.name,
+                              is_number || value == "true" || value == "false" ? value : '"' + value + '"');
+    }
+    const std::string id = fmt::format("{{ \"id\": \"my_node\", \"node\": \"{}\"", node.name);
+    return inputs.empty() ? id + " }" : id + ", \"in\": { " + inputs + " } }";
+}
+
+Exit show_node(const Console& console, const Arguments& arguments) {
+    const Compiler compiler;
+    const NodeInfo* node = compiler.node(arguments.name);
+    if (!node) {
+        std::vector<std::string_view> names;
+        for (const NodeInfo& known : compiler.nodes()) names.push_back(known.name);
+        const std::string_view near = nearest(arguments.name, names);
+        complain(console, "unknown-node",
+                 "there is no node '" + arguments.name + "'" +
+                     (near.empty() ? "; 'patina nodes' lists them" : "; did you mean '" + std::string(near) + "'?"));
+        return Exit::Wrong;
+    }
+    if (arguments.json) {
+        print(to_json(*node));
+        return Exit::Ok;
+    }
+    print(heading(console, node->name) + "  " + node->category + "\n");
+    print_section(console, "DESCRIPTION", node->doc);
+    print_section(console, "FORMULA", node->formula);
+    print_section(console, "SOURCE", node->source);
+    print_ports(console, *node, false);
+    print_ports(console, *node, true);
+    print_section(console, "IN A GRAPH", example(*node));
+    print_section(console, "FILE", node->file);
+    return Exit::Ok;
+}
+
+}  // namespace
+
+void add_node(Program& program) {
+    CLI::App& command = add_command(program, "node", "Show the manual page of a node",
+                                    {"patina node Lerp", "patina node DistributionGGX --json"});
+    auto arguments = std::make_shared<Arguments>();
+    command.add_option("NAME", arguments->name, "A node of the library")->required()->type_name(" ");
+    command.add_flag("--json", arguments->json, "Print it as JSON");
+    set_work(program, command, [arguments](const Console& console) { return show_node(console, *arguments); });
+}
+
+}  // namespace patina::cli

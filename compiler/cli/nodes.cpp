@@ -1,0 +1,97 @@
+// patina nodes: what the library holds, as a table by category.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "compiler/base/text.h"
+#include "compiler/cli/commands.h"
+#include "compiler/cli/node_json.h"
+
+namespace patina::cli {
+namespace {
+
+struct Arguments {
+    std::string category;
+    bool json = false;
+};
+
+std::string lower(std::string_view text) {
+    std::string result(text);
+    for (char& c : result) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return result;
+}
+
+// "lighting" holds "Lighting/Distribution" too.
+bool is_within(std::string_view category, std::string_view wanted) {
+    const std::string whole = lower(category) + '/', part = lower(wanted) + (wanted.ends_with('/') ? "" : "/");
+    return wanted.empty() || whole.starts_with(part);
+}
+
+std::string_view first_sentence(std::string_view doc) {
+    const std::size_t line = doc.find('\n'), stop = doc.find(". ");
+    std::string_view sentence = doc.substr(0, std::min(line, stop));
+    if (sentence.ends_with('.')) sentence.remove_suffix(1);
+    return sentence;
+}
+
+Exit unknown_category(const Console& console, const Compiler& compiler, const std::string& wanted) {
+    std::vector<std::string_view> categories;
+    for (const NodeInfo& node : compiler.nodes()) {
+        const std::string_view whole = node.category;
+        for (std::string_view name : {whole, whole.substr(0, whole.find('/'))}) {
+            if (std::ranges::find(categories, name) == categories.end()) categories.push_back(name);
+        }
+    }
+    std::ranges::sort(categories);
+    const std::string_view near = nearest(wanted, categories);
+    complain(
+        console, "unknown-category",
+        "there is no category '" + wanted + "'" +
+            (near.empty() ? ": there are " + enumerate(categories) : "; did you mean '" + std::string(near) + "'?"));
+    return Exit::Wrong;
+}
+
+void print_table(const Console& console, std::span<const NodeInfo* const> nodes) {
+    std::size_t width = 0;
+    for (const NodeInfo* node : nodes) width = std::max(width, node->name.size());
+    const std::string* category = nullptr;
+    for (const NodeInfo* node : nodes) {
+        if (!category || *category != node->category) {
+            print((category ? "\n" : "") + heading(console, node->category) + "\n");
+            category = &node->category;
+        }
+        print(fmt::format("  {:<{}}  {}\n", node->name, width, first_sentence(node->doc)));
+    }
+}
+
+Exit list_nodes(const Console& console, const Arguments& arguments) {
+    const Compiler compiler;
+    std::vector<const NodeInfo*> nodes;
+    for (const NodeInfo& node : compiler.nodes()) {
+        if (is_within(node.category, arguments.category)) nodes.push_back(&node);
+    }
+    if (nodes.empty()) return unknown_category(console, compiler, arguments.category);
+    if (arguments.json) {
+        print(to_json(nodes));
+    } else {
+        print_table(console, nodes);
+    }
+    return Exit::Ok;
+}
+
+}  // namespace
+
+void add_nodes(Program& program) {
+    CLI::App& command = add_command(program, "nodes", "List the nodes of the library",
+                                    {"patina nodes", "patina nodes --category lighting", "patina nodes --json"});
+    auto arguments = std::make_shared<Arguments>();
+    command.add_option("-c,--category", arguments->category, "Only this category and those below it")
+        ->type_name("CATEGORY");
+    command.add_flag("--json", arguments->json, "Print everything about each node as JSON");
+    set_work(program, command, [arguments](const Console& console) { return list_nodes(console, *arguments); });
+}
+
+}  // namespace patina::cli

@@ -1,0 +1,127 @@
+#include "compiler/cli/program.h"
+
+#include <cstdio>
+
+#include "compiler/base/text.h"
+
+namespace patina::cli {
+namespace {
+
+std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) {
+    const std::vector<std::string_view> views(candidates.begin(), candidates.end());
+    const std::string_view near = nearest(word, views);
+    return near.empty() ? std::string() : "; did you mean '" + std::string(near) + "'?";
+}
+
+std::vector<std::string> command_names(CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+    return names;
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options()) {
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    return names;
+}
+
+// The words that nothing took, in our words rather than CLI11's.
+std::string explain_extras(CLI::App& app, const CLI::App* command) {
+    const std::vector<std::string> words = app.remaining(true);
+    const std::string word = words.empty() ? std::string() : words.front();
+    if (word.starts_with("-")) {
+        const std::string name = word.substr(0, word.find('='));
+        return "unknown option '" + name + "'" + suggestion(name, option_names(command ? *command : app));
+    }
+    if (!command) return "there is no command '" + word + "'" + suggestion(word, command_names(app));
+    return "unexpected argument '" + word + "'";
+}
+
+int complain_of_usage(const CLI::App* command, std::string_view message) {
+    const std::string name = command ? "patina " + command->get_name() : "patina";
+    std::fprintf(stderr, "%s: %.*s\ntry '%s --help'\n", name.c_str(), static_cast<int>(message.size()), message.data(),
+                 name.c_str());
+    return static_cast<int>(Exit::Usage);
+}
+
+}  // namespace
+
+Program::Program(std::string description) : app(std::move(description), "patina"), console(open_console()) {
+    app.set_version_flag("--version", "patina " + std::string(version()), "Print the version and exit");
+    app.get_formatter()->column_width(32);
+    app.get_formatter()->label("OPTIONS", "options");
+    app.get_formatter()->label("SUBCOMMAND", "COMMAND");
+    app.get_formatter()->label("REQUIRED", "");
+    app.set_help_flag("-h,--help", "Print this help and exit");
+}
+
+CLI::App& add_command(Program& program, std::string name, std::string summary,
+                      std::initializer_list<std::string_view> examples) {
+    CLI::App& command = *program.app.add_subcommand(std::move(name), std::move(summary));
+    std::string footer = "Examples:";
+    for (std::string_view example : examples) footer += "\n  " + std::string(example);
+    command.footer(footer);
+    command.add_flag("-q,--quiet", program.console.quiet, "Print errors only")->group("Common");
+    command
+        .add_option_function<std::string>(
+            "--diagnostics", [&program](const std::string& form) { program.console.json = form == "json"; },
+            "text on stderr, or json: one object a line on stdout")
+        ->type_name("text|json")
+        ->check(one_of("a form of diagnostics", {"text", "json"}))
+        ->group("Common");
+    return command;
+}
+
+void set_work(Program& program, CLI::App& command, std::function<Exit(const Console&)> work) {
+    program.commands.push_back({&command, std::move(work)});
+}
+
+void add_include_option(CLI::App& command, std::vector<std::string>& folders) {
+    command.add_option("-I,--include", folders, "Look here too for sub-graphs, lighting graphs, nodes and textures")
+        ->type_name("DIR")
+        ->allow_extra_args(false);
+}
+
+std::function<std::string(std::string)> one_of(std::string what, std::vector<std::string> words) {
+    return [what = std::move(what), words = std::move(words)](const std::string& word) -> std::string {
+        for (const std::string& known : words) {
+            if (word == known) return {};
+        }
+        const std::vector<std::string_view> views(words.begin(), words.end());
+        std::string message = "'" + word + "' is not " + what;
+        const std::string hint = suggestion(word, words);
+        return message + (hint.empty() ? ": use one of " + enumerate(views) : hint);
+    };
+}
+
+int run(Program& program, int argc, char** argv) {
+    CLI::App& app = program.app;
+    auto chosen = [&]() -> const CLI::App* {
+        const std::vector<CLI::App*> parsed = app.get_subcommands();
+        return parsed.empty() ? nullptr : parsed.front();
+    };
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ExtrasError&) {
+        return complain_of_usage(chosen(), explain_extras(app, chosen()));
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
+        return complain_of_usage(chosen(), error.what());
+    }
+    for (const Program::Command& command : program.commands) {
+        if (command.app != chosen()) continue;
+        Exit exit = command.work(program.console);
+        end_progress(program.console);
+        if (output_failed()) {
+            std::fputs("patina: cannot write to standard output\n", stderr);
+            exit = worse(exit, Exit::Wrong);
+        }
+        return static_cast<int>(exit);
+    }
+    std::fputs(app.help().c_str(), stderr);
+    return static_cast<int>(Exit::Usage);
+}
+
+}  // namespace patina::cli

@@ -1,0 +1,47 @@
+// The command line as a whole: a list of subcommands, each with its options and the function that does its work.
+// Parsing is CLI11's; what this adds is one way to complain ("did you mean ...?", exit code 2) and the options that all
+// have.
+//
+//   Program program("Compiles material graphs.");
+//   add_compile(program);
+//   return run(program, argc, argv);
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/cli/console.h"
+
+namespace patina::cli {
+
+struct Program {
+    explicit Program(std::string description);
+
+    CLI::App app;
+    Console console;
+    struct Command {
+        CLI::App* app;
+        std::function<Exit(const Console&)> work;
+    };
+    std::vector<Command> commands;
+};
+
+// A new subcommand with --help, --quiet and --diagnostics. `examples` are shown below its help, one a line.
+CLI::App& add_command(Program& program, std::string name, std::string summary,
+                      std::initializer_list<std::string_view> examples);
+void set_work(Program& program, CLI::App& command, std::function<Exit(const Console&)> work);
+
+// -I, repeatable, the same wherever graphs are read.
+void add_include_option(CLI::App& command, std::vector<std::string>& folders);
+
+// A check for an option whose value is one of a few words; complains with a suggestion.
+std::function<std::string(std::string)> one_of(std::string what, std::vector<std::string> words);
+
+// Parses, runs the chosen subcommand and returns its exit code.
+int run(Program& program, int argc, char** argv);
+
+}  // namespace patina::cli

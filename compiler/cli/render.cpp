@@ -1,0 +1,134 @@
+// patina render: graphs to pictures, by Vulkan or on the CPU.
+#include <filesystem>
+#include <memory>
+
+#include "compiler/cli/commands.h"
+#include "compiler/cli/files.h"
+#include "runtime/mesh.h"
+#include "runtime/render_request.h"
+
+namespace patina::cli {
+namespace {
+
+struct Arguments {
+    std::vector<std::string> graphs;
+    std::vector<std::string> set;
+    std::string output;
+    runtime::RenderRequest request;
+};
+
+bool is_picture(std::string_view path) {
+    return path.ends_with(".png") || path.ends_with(".exr");
+}
+
+// -o names a picture, or a folder in which each graph gets one.
+std::string output_of(const Arguments& arguments, const std::string& graph) {
+    if (is_picture(arguments.output)) return arguments.output;
+    return join_path(arguments.output, stem(graph) + ".png");
+}
+
+Exit render_graph(const Console& console, const Arguments& arguments, const Compiler& compiler,
+                  const std::string& graph, runtime::RenderMachine& machine) {
+    runtime::RenderRequest request = arguments.request;
+    request.graph = graph;
+    const runtime::RenderOutcome outcome = runtime::render(compiler, request, machine);
+    report(console, outcome.diagnostics);
+    if (!outcome.error.empty()) complain(console, "cannot-render", outcome.error);
+    if (outcome.missing_machine) return Exit::Machine;
+    if (!outcome.ok) return Exit::Wrong;
+
+    const std::string path = output_of(arguments, graph);
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    std::error_code ignored;  // save_image says why it cannot write
+    if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
+    if (std::string error = runtime::save_image(path, outcome.image); !error.empty()) {
+        complain(console, "cannot-write", error);
+        return Exit::Wrong;
+    }
+    say(console, path);
+    return Exit::Ok;
+}
+
+void add_scene_options(CLI::App& command, runtime::RenderRequest& request) {
+    std::vector<std::string> meshes;
+    for (std::string_view name : runtime::mesh_names()) meshes.emplace_back(name);
+    std::string list;
+    for (const std::string& mesh : meshes) list += (list.empty() ? "" : "|") + mesh;
+    command.add_option("--mesh", request.mesh, "What to look at (sphere)")
+        ->type_name(list)
+        ->check(one_of("a mesh", std::move(meshes)));
+    command.add_option("--size", request.size, "Width and height in pixels (512)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 8192));
+    command.add_option("--samples", request.samples, "Along each axis of a pixel (4: 16 in all)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 16));
+    command.add_option("--time", request.time, "Seconds (0)")->type_name("T");
+    command
+        .add_option("--light", request.lights, "Replaces the lights, e.g. 'point position=1,2,0 color=#f80'; or none")
+        ->type_name("LIGHT")
+        ->allow_extra_args(false);
+    command.add_option("--ambient", request.ambient, "A colour, or 'sky=#9ab horizon=0.2 ground=0.05'")
+        ->type_name("LIGHT");
+    command.add_option("--camera", request.camera, "'position=2,1,3 target=0,0,0 fov=35'")->type_name("CAMERA");
+}
+
+// Everything that can be known to be wrong before the first graph is read.
+void complete(Arguments& arguments) {
+    for (const std::string& text : arguments.set) {
+        const std::size_t equals = text.find('=');
+        if (equals == text.npos || equals == 0) {
+            throw CLI::ValidationError("--set", "'" + text + "' is not of the form NAME=VALUE");
+        }
+        arguments.request.overrides[text.substr(0, equals)] = text.substr(equals + 1);
+    }
+    const std::string ending = std::filesystem::path(arguments.output).extension().string();
+    if (!ending.empty() && !is_picture(arguments.output) && !std::filesystem::is_directory(arguments.output)) {
+        throw CLI::ValidationError("--output",
+                                   "'" + arguments.output + "' is neither a .png nor an .exr file nor a folder");
+    }
+    if (arguments.graphs.size() > 1 && is_picture(arguments.output)) {
+        throw CLI::ValidationError("--output", "several graphs need a folder, not one picture");
+    }
+}
+
+}  // namespace
+
+void add_render(Program& program) {
+    CLI::App& command = add_command(
+        program, "render", kRenderSummary,
+        {"patina render rust.graph.json -o rust.png --mesh torus --size 256",
+         "patina render rust.graph.json --set _Roughness=0.2 --set _MainTex=other.png",
+         "patina render rust.graph.json --node mask -o mask.png", "patina render *.graph.json -o pictures",
+         "patina render rust.graph.json --light 'directional direction=1,1,1 intensity=2' --ambient 0.1 --via cpu"});
+    auto arguments = std::make_shared<Arguments>();
+    runtime::RenderRequest& request = arguments->request;
+    command.add_option("GRAPH", arguments->graphs, "Material graphs (JSON)")->required()->type_name(" ");
+    command.add_option("-o,--output", arguments->output, "A .png or .exr file, or a folder (NAME.png)")
+        ->type_name("OUT");
+    command.add_option("--node", request.preview, "Show this port, unlit: mask, rust.amount")->type_name("PORT");
+    command.add_option("--set", arguments->set, "Give a property a value: _Roughness=0.2, _MainTex=rust.png")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
+    add_scene_options(command, request);
+    command.add_option("--via", request.via, "Which shaders to run (glsl)")
+        ->type_name("glsl|hlsl|cpu")
+        ->check(one_of("a way to render", {"glsl", "hlsl", "cpu"}));
+    command.add_option("--device", request.device, "Part of a GPU's name (the software renderer)")->type_name("NAME");
+    command.add_flag("--vulkan-validation", request.validation, "Turn on the Khronos validation layer");
+    add_include_option(command, request.include_dirs);
+    command.parse_complete_callback([arguments] { complete(*arguments); });
+
+    set_work(program, command, [arguments](const Console& console) {
+        const Compiler compiler;
+        runtime::RenderMachine machine;
+        Exit exit = Exit::Ok;
+        for (std::size_t i = 0; i < arguments->graphs.size() && exit != Exit::Machine; ++i) {
+            show_progress(console, i, arguments->graphs.size(), arguments->graphs[i]);
+            exit = worse(exit, render_graph(console, *arguments, compiler, arguments->graphs[i], machine));
+        }
+        return exit;
+    });
+}
+
+}  // namespace patina::cli

@@ -1,0 +1,10 @@
+// The subcommands of `patina` that need Vulkan and OpenImageIO; `patina` becomes this program when they are asked for.
+#include "compiler/cli/commands.h"
+
+int main(int argc, char** argv) {
+    using namespace patina::cli;
+    Program program(kSummary);
+    add_render(program);
+    add_snapshot(program);
+    return run(program, argc, argv);
+}

@@ -1,0 +1,35 @@
+// patina schema: the JSON Schema of the graph format, from the node library.
+#include <memory>
+
+#include "compiler/cli/commands.h"
+#include "compiler/cli/files.h"
+
+namespace patina::cli {
+
+void add_schema(Program& program) {
+    CLI::App& command =
+        add_command(program, "schema", "Print the JSON Schema of graphs, for editors",
+                    {"patina schema > patina.schema.json", "patina schema -o .vscode/patina.schema.json"});
+    auto output = std::make_shared<std::string>();
+    command.add_option("-o,--output", *output, "File to write instead of printing")->type_name("FILE");
+
+    set_work(program, command, [output](const Console& console) {
+        const Compiler compiler;
+        std::string schema = compiler.schema();
+        if (!schema.ends_with('\n')) schema += '\n';
+        if (output->empty()) {
+            print(schema);
+            return Exit::Ok;
+        }
+        OutputFiles files;
+        files.add(*output, std::move(schema));
+        if (std::string error = commit(files); !error.empty()) {
+            complain(console, "cannot-write", error);
+            return Exit::Wrong;
+        }
+        say(console, *output);
+        return Exit::Ok;
+    });
+}
+
+}  // namespace patina::cli

@@ -1,0 +1,83 @@
+// patina snapshot: renders of a folder's graphs, compared with the pictures beside them.
+#include "runtime/snapshot.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "compiler/cli/commands.h"
+
+namespace patina::cli {
+namespace {
+
+struct Arguments {
+    std::string folder;
+    std::vector<std::string> update;  // absent, empty (all), or one case
+    runtime::SnapshotOptions options;
+};
+
+void print_case(const Console& console, const runtime::SnapshotCase& result) {
+    report(console, result.diagnostics);
+    say(console, fmt::format("{:<8} {}  ({:.3g} % of pixels, average {:.2g})", runtime::to_string(result.state),
+                             result.name, 100 * result.comparison.share, result.comparison.average));
+    switch (result.state) {
+        case runtime::SnapshotState::Passed:
+        case runtime::SnapshotState::Updated: return;
+        case runtime::SnapshotState::Failed:
+        case runtime::SnapshotState::Missing: break;
+    }
+    std::string message = result.name + ": " + result.message;
+    if (!result.received.empty()) message += "\n  received:   " + result.received;
+    if (!result.reference.empty()) message += "\n  reference:  " + result.reference;
+    if (!result.difference.empty()) message += "\n  difference: " + result.difference;
+    complain(console, "snapshot", message);
+}
+
+Exit compare(const Console& console, const Arguments& arguments) {
+    const Compiler compiler;
+    runtime::RenderMachine machine;
+    const runtime::SnapshotReport result =
+        runtime::run_snapshots(compiler, arguments.folder, arguments.options, machine);
+    if (!result.error.empty()) complain(console, "snapshot", result.error, arguments.folder);
+    Exit exit = result.ok() ? Exit::Ok : Exit::Wrong;
+    for (const runtime::SnapshotCase& each : result.cases) {
+        print_case(console, each);
+        if (each.missing_machine) exit = Exit::Machine;
+    }
+    return exit;
+}
+
+}  // namespace
+
+void add_snapshot(Program& program) {
+    CLI::App& command = add_command(
+        program, "snapshot", kSnapshotSummary,
+        {"patina snapshot tests/graphs", "patina snapshot tests/graphs --only metal/rust --received build/received",
+         "patina snapshot tests/graphs --update metal/rust    # accept what metal/rust looks like now"});
+    auto arguments = std::make_shared<Arguments>();
+    runtime::SnapshotOptions& options = arguments->options;
+    command.add_option("DIR", arguments->folder, "Folder with *.snapshot.json files, searched with what is below it")
+        ->required()
+        ->type_name(" ");
+    CLI::Option* update =
+        command.add_option("--update", arguments->update, "Write the references that differ: all, or one case")
+            ->type_name("[CASE]")
+            ->expected(0, 1);
+    command.add_option("--only", options.only, "Run one case")->type_name("CASE");
+    command.add_option("--received", options.received_dir, "Where received and difference pictures go (received)")
+        ->type_name("DIR");
+    command.add_option("--via", options.via, "glsl, hlsl or cpu, whatever the files say")
+        ->type_name("glsl|hlsl|cpu")
+        ->check(one_of("a way to render", {"glsl", "hlsl", "cpu"}));
+    command.add_option("--device", options.device, "Part of a GPU's name (the software renderer)")->type_name("NAME");
+    command.add_flag("--vulkan-validation", options.validation, "Turn on the Khronos validation layer");
+    add_include_option(command, options.include_dirs);
+    command.parse_complete_callback([arguments, update] {
+        arguments->options.update = update->count() > 0;
+        if (!arguments->update.empty()) arguments->options.only = arguments->update.front();
+    });
+
+    set_work(program, command, [arguments](const Console& console) { return compare(console, *arguments); });
+}
+
+}  // namespace patina::cli

@@ -1,0 +1,16 @@
+// The starting graphs of `patina new`: templates/*.json, embedded when Patina is configured.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace patina::cli {
+
+struct Template {
+    std::string_view kind;     // "metal"
+    std::string_view summary;  // one line for --help
+    std::string_view text;
+};
+std::span<const Template> templates();
+
+}  // namespace patina::cli

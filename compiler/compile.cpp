@@ -1,0 +1,214 @@
+// READ FIRST. The stages of a compilation, in order; each is a free function from value to value.
+//
+//   text -> Json -> Graph -> Material (resolved, checked) -> Lowered (IR functions) -> stages (linked) -> tidied
+//        -> legalized and printed per target, and the reflection beside them
+//
+// Beside it, with keep_programs, the same material is lowered once more without any folding: what the CPU reference
+// runs.
+#include <algorithm>
+
+#include "compiler/assemble/program.h"
+#include "compiler/assemble/reflect.h"
+#include "compiler/graph/json.h"
+#include "compiler/graph/lower.h"
+#include "compiler/graph/read_graph.h"
+#include "compiler/impl.h"
+#include "compiler/ir/dump.h"
+#include "compiler/ir/passes/passes.h"
+#include "compiler/ir/verify.h"
+#include "compiler/report.h"
+#include "compiler/targets/print.h"
+
+namespace patina {
+namespace {
+
+using assemble::LinkedPass;
+
+std::shared_ptr<graph::Graph> read(graph::Session& session, std::uint32_t base, const std::string& path) {
+    const std::unique_ptr<graph::Json> json = graph::parse_json(session.sources, base, session.diagnostics);
+    if (!json) return nullptr;
+    return graph::read_graph(*json, path, session.sources, session.ast, session.diagnostics,
+                             graph::GraphKind::Material);
+}
+
+bool wants_dump(const CompileOptions& options, std::string_view stage) {
+    return std::find(options.dump.begin(), options.dump.end(), stage) != options.dump.end();
+}
+
+void verified(const ir::Module& module, std::string_view stage) {
+#ifdef PATINA_VERIFY
+    ir::check(module, stage);
+#else
+    (void)module, (void)stage;
+#endif
+}
+
+void dump_stage(Result& result, const CompileOptions& options, std::string_view name, const std::string& label,
+                const ir::Module& module) {
+    verified(module, label);
+    if (wants_dump(options, name)) result.dumps.push_back({.stage = label, .text = ir::dump(module)});
+}
+
+void dump_rates(Result& result, const CompileOptions& options, const std::string& label, const ir::Module& module) {
+    if (!wants_dump(options, "rates")) return;
+    std::string text;
+    for (const ir::Function& function : module.functions) text += ir::dump(module, function, true) + "\n";
+    result.dumps.push_back({.stage = label, .text = std::move(text)});
+}
+
+void dump_graph(Result& result, const CompileOptions& options, const graph::Material& material) {
+    if (!wants_dump(options, "graph")) return;
+    std::string text;
+    for (const std::uint32_t index : material.graph->order) {
+        const graph::Node& node = material.graph->graph->nodes[index];
+        text += fmt::format("{} = {}", node.id, node.is_expression ? "expression" : node.type);
+        for (const std::uint32_t read : material.graph->nodes[index].reads) {
+            text += " <- " + material.graph->graph->nodes[read].id;
+        }
+        text += "\n";
+    }
+    result.dumps.push_back({.stage = "graph", .text = std::move(text)});
+}
+
+// The two stages of a pass. The fragment stage is finished first: the vertex stage computes what is left of its inputs.
+LinkedPass link_pass(const assemble::Linked& linked, const graph::Lowered& lowered, const graph::LoweredPass& pass,
+                     bool optimise, Result& result, const CompileOptions& options) {
+    const std::string name(pass.declaration->name);
+    const ir::BuildOptions build{.fold = optimise};
+    LinkedPass made{.pass = &pass, .vertex = {}, .fragment = {}};
+    made.fragment = assemble::link_fragment(linked, lowered, pass, build);
+    if (optimise) {
+        dump_stage(result, options, "linked", name + ".fragment.linked", made.fragment);
+        made.fragment = ir::tidy(made.fragment);
+    }
+    made.vertex = assemble::link_vertex(linked, lowered, pass, made.fragment, build);
+    if (optimise) {
+        dump_stage(result, options, "linked", name + ".vertex.linked", made.vertex);
+        made.vertex = ir::tidy(made.vertex);
+        dump_stage(result, options, "tidy", name + ".vertex.tidy", made.vertex);
+        dump_stage(result, options, "tidy", name + ".fragment.tidy", made.fragment);
+        dump_rates(result, options, name + ".fragment.rates", made.fragment);
+    }
+    verified(made.vertex, "vertex");
+    verified(made.fragment, "fragment");
+    return made;
+}
+
+std::vector<LineOrigin> line_map(const targets::Printed& printed, const ir::Module& module, const SourceMap& sources) {
+    std::vector<LineOrigin> map;
+    for (const targets::PrintedLine& line : printed.lines) {
+        LineOrigin& made = map.emplace_back();
+        made.line = line.line;
+        if (!line.origin) continue;
+        const ir::Origin& origin = module.origins[line.origin.index];
+        made.node = origin.id;
+        const Position position = sources.resolve(origin.span.begin);
+        const Position end = sources.resolve(origin.span.end);
+        made.file = position.file;
+        made.source_line = position.line;
+        made.source_column = position.column;
+        made.source_end_column = end.line == position.line ? end.column : 0;
+        made.source_text = position.line_text;
+    }
+    return map;
+}
+
+Shader print_stage(const ir::Module& tidied, Stage stage, Target target, const std::string& pass,
+                   const std::string& graph_name, const Reflection& reflection, const SourceMap& sources) {
+    const targets::TargetInfo& info = *targets::find_target(to_string(target));
+    ir::Module module = tidied;
+    info.legalize(module);
+    verified(module, "legalized");
+    const targets::PrintOptions options{.header = fmt::format("{}, pass '{}', {} stage\nGenerated by Patina {}",
+                                                              reflection.name, pass, to_string(stage), version()),
+                                        .shifts = assemble::binding_shifts(module)};
+    targets::Printed printed = info.print(module, options);
+    return {.pass = pass,
+            .stage = stage,
+            .target = target,
+            .file_name =
+                fmt::format("{}.{}.{}.{}", graph_name, pass, stage == Stage::Vertex ? "vert" : "frag", info.extension),
+            .text = std::move(printed.text),
+            .line_map = line_map(printed, module, sources),
+            .hlsl_shifts = reflection.hlsl_shifts};
+}
+
+// The interpreter's stages: lowered and linked without folding, and never tidied.
+std::shared_ptr<const Program> keep_program(graph::Session& session, const graph::Material& material) {
+    const graph::Lowered lowered = graph::lower(session, material, {.fold = false});
+    if (session.diagnostics.has_errors()) return nullptr;
+    const assemble::Linked linked = assemble::link(lowered);
+    auto program = std::make_shared<Program>();
+    Result unused;
+    for (const graph::LoweredPass& pass : lowered.passes) {
+        LinkedPass made = link_pass(linked, lowered, pass, false, unused, session.options);
+        const std::string name(pass.declaration->name);
+        program->stages.push_back({.pass = name, .stage = Stage::Vertex, .module = std::move(made.vertex)});
+        program->stages.push_back({.pass = name, .stage = Stage::Fragment, .module = std::move(made.fragment)});
+    }
+    return program;
+}
+
+void compile_graph(graph::Session& session, std::uint32_t base, const std::string& path, Result& result) {
+    const CompileOptions& options = session.options;
+    const std::shared_ptr<graph::Graph> graph = read(session, base, path);
+    if (!graph) return;
+    const std::unique_ptr<graph::Material> material = graph::resolve_material(session, graph, options.preview);
+    if (!material) return;
+    dump_graph(result, options, *material);
+    // Types are checked by lowering: do it even after errors, to report as many as there are.
+    const graph::Lowered lowered = graph::lower(session, *material, {.fold = true});
+    if (session.diagnostics.has_errors()) return;
+    dump_stage(result, options, "ir", "ir", lowered.module);
+
+    const assemble::Linked linked = assemble::link(lowered);
+    verified(linked.module, "linked");
+    std::vector<LinkedPass> passes;
+    for (const graph::LoweredPass& pass : lowered.passes) {
+        passes.push_back(link_pass(linked, lowered, pass, true, result, options));
+    }
+    result.reflection = assemble::reflect(*material, lowered, passes);
+    const std::string name = graph::file_stem(path);
+    for (const LinkedPass& pass : passes) {
+        for (const Target target : options.targets) {
+            const std::string pass_name(pass.pass->declaration->name);
+            result.shaders.push_back(
+                print_stage(pass.vertex, Stage::Vertex, target, pass_name, name, result.reflection, session.sources));
+            result.shaders.push_back(print_stage(pass.fragment, Stage::Fragment, target, pass_name, name,
+                                                 result.reflection, session.sources));
+        }
+    }
+    if (options.keep_programs) result.program = keep_program(session, *material);
+}
+
+Result finish(graph::Session& session, Result result) {
+    result.diagnostics = to_public(session.diagnostics, session.sources);
+    result.dependencies = std::move(session.dependencies);
+    result.ok = !session.diagnostics.has_errors();
+    if (!result.ok) {
+        result.shaders.clear();
+        result.program = nullptr;
+    }
+    return result;
+}
+
+}  // namespace
+
+Result Compiler::compile_file(const std::string& path, const CompileOptions& options) const {
+    graph::Session session(*impl_->library, options);
+    Result result;
+    if (const std::optional<std::uint32_t> base = graph::load_source(session, path, {})) {
+        compile_graph(session, *base, path, result);
+    }
+    return finish(session, std::move(result));
+}
+
+Result Compiler::compile_text(const std::string& path, std::string text, const CompileOptions& options) const {
+    graph::Session session(*impl_->library, options);
+    Result result;
+    session.dependencies.push_back(path);
+    compile_graph(session, session.sources.add(path, std::move(text)), path, result);
+    return finish(session, std::move(result));
+}
+
+}  // namespace patina

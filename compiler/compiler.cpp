@@ -1,0 +1,221 @@
+// The Compiler class but for compiling itself (compile.cpp): the library, its descriptions, single nodes, fmt and
+// schema.
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/base/text.h"
+#include "compiler/describe.h"
+#include "compiler/evaluate.h"
+#include "compiler/graph/check.h"
+#include "compiler/graph/format.h"
+#include "compiler/graph/json.h"
+#include "compiler/graph/read_graph.h"
+#include "compiler/graph/schema.h"
+#include "compiler/impl.h"
+#include "compiler/nodelang/parse.h"
+#include "compiler/report.h"
+
+namespace patina {
+namespace {
+
+// "0.5", "0,0,1", "Reoriented", "#ff8800": the graph format's values, as a command line spells them.
+const nodelang::Expr* read_argument(const std::string& text, SourceMap& sources, nodelang::Ast& ast,
+                                    Diagnostics& diagnostics) {
+    const std::uint32_t base = sources.add("argument", text);
+    const std::string_view stored = sources.file_text(base);
+    const Span span{base, base + static_cast<std::uint32_t>(text.size())};
+    if (text.starts_with('#')) {
+        graph::Json json;
+        json.kind = graph::Json::Kind::String;
+        // read_value expects the span of a JSON string, with its quotes.
+        json.span = {span.begin - 1, span.end + 1};
+        json.string = text;
+        return graph::read_value(json, sources, ast, diagnostics);
+    }
+    if (text.find(',') == std::string::npos || text.find('(') != std::string::npos) {
+        return nodelang::parse_expression({.text = stored, .base = base}, ast, diagnostics);
+    }
+    nodelang::Expr list{.kind = nodelang::Expr::Kind::List, .span = span, .name_span = span, .text = {}, .args = {}};
+    for (std::size_t at = 0; at <= stored.size();) {
+        const std::size_t comma = std::min(stored.find(',', at), stored.size());
+        const nodelang::Expr* element = nodelang::parse_expression(
+            {.text = stored.substr(at, comma - at), .base = base + static_cast<std::uint32_t>(at)}, ast, diagnostics);
+        if (!element) return nullptr;
+        list.args.push_back(element);
+        at = comma + 1;
+    }
+    return &ast.exprs.emplace_back(std::move(list));
+}
+
+}  // namespace
+
+std::string_view version() {
+    return "0.1.0";
+}
+
+std::string_view to_string(Target target) {
+    switch (target) {
+        case Target::Glsl: return "glsl";
+        case Target::Hlsl: return "hlsl";
+    }
+    return {};
+}
+
+std::string_view to_string(Stage stage) {
+    switch (stage) {
+        case Stage::Vertex: return "vertex";
+        case Stage::Fragment: return "fragment";
+    }
+    return {};
+}
+
+Compiler::Compiler() : impl_(std::make_unique<Impl>()) {
+    impl_->library = graph::load_library(nodelang::embedded_files());
+    impl_->library_diagnostics = to_public(impl_->library->diagnostics, impl_->library->sources);
+}
+Compiler::~Compiler() = default;
+Compiler::Compiler(Compiler&&) noexcept = default;
+Compiler& Compiler::operator=(Compiler&&) noexcept = default;
+
+void Compiler::Impl::describe() const {
+    std::call_once(once, [&] {
+        for (const nodelang::FunctionDecl& function : library->ast.functions) {
+            if (function.attribute("node")) nodes.push_back(describe_node(function, *library));
+        }
+        std::sort(nodes.begin(), nodes.end(), [](const NodeInfo& a, const NodeInfo& b) {
+            return std::pair(a.category, a.name) < std::pair(b.category, b.name);
+        });
+        semantics = describe_semantics(*library);
+        for (const auto& [name, graph] : library->workflows) {
+            workflows.push_back(describe_model(*graph, name, library->sources));
+        }
+        for (const auto& [name, graph] : library->lighting_models) {
+            lighting_models.push_back(describe_model(*graph, name, library->sources));
+        }
+    });
+}
+
+const std::vector<Diagnostic>& Compiler::library_diagnostics() const {
+    return impl_->library_diagnostics;
+}
+const std::vector<NodeInfo>& Compiler::nodes() const {
+    impl_->describe();
+    return impl_->nodes;
+}
+const NodeInfo* Compiler::node(std::string_view name) const {
+    const auto& all = nodes();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const NodeInfo& n) { return n.name == name; });
+    return found == all.end() ? nullptr : &*found;
+}
+const std::vector<SemanticInfo>& Compiler::semantics() const {
+    impl_->describe();
+    return impl_->semantics;
+}
+const std::vector<ModelInfo>& Compiler::workflows() const {
+    impl_->describe();
+    return impl_->workflows;
+}
+const std::vector<ModelInfo>& Compiler::lighting_models() const {
+    impl_->describe();
+    return impl_->lighting_models;
+}
+
+bool passed(const NodeTest& test) {
+    if (test.actual.size() != test.expected.size()) return false;
+    for (std::size_t i = 0; i < test.actual.size(); ++i) {
+        const double actual = test.actual[i], expected = test.expected[i];
+        if (actual == expected || (std::isnan(actual) && std::isnan(expected))) continue;
+        // Written so that a lone NaN fails.
+        if (!(std::abs(actual - expected) <= test.absolute + test.relative * std::abs(expected))) return false;
+    }
+    return true;
+}
+
+std::vector<NodeTest> Compiler::tests(std::string_view node) const {
+    const nodelang::FunctionDecl* function = impl_->library->declarations.function(node);
+    if (!function) return {};
+    Diagnostics diagnostics;
+    const graph::Library& library = *impl_->library;
+    std::vector<NodeTest> tests = node_tests({library, library.declarations, library.sources}, *function, diagnostics);
+    // A line that cannot be run is a test that fails, not one that is missing.
+    for (const DiagnosticRecord& record : diagnostics.records()) {
+        const Position position = impl_->library->sources.resolve(record.span.begin);
+        NodeTest& broken = tests.emplace_back();
+        broken.node = node;
+        broken.text = record.message;
+        broken.file = position.file;
+        broken.line = position.line;
+        broken.expected = {0};
+    }
+    return tests;
+}
+
+NodeFileResult Compiler::check_node_file(const std::string& path, const CompileOptions& options) const {
+    NodeFileResult result;
+    graph::Session session(*impl_->library, options);
+    if (const graph::NodeFile* file = graph::load_node_file(session, path, {})) {
+        result.tests =
+            node_tests({session.library, file->declarations, session.sources}, *file->node, session.diagnostics);
+    }
+    result.diagnostics = to_public(session.diagnostics, session.sources);
+    result.ok = !session.diagnostics.has_errors();
+    return result;
+}
+
+EvalResult Compiler::evaluate(std::string_view node, std::span<const std::pair<std::string, std::string>> arguments,
+                              bool single) const {
+    EvalResult result;
+    const graph::Library& library = *impl_->library;
+    SourceMap sources(&library.sources);
+    nodelang::Ast ast;
+    Diagnostics diagnostics;
+    const nodelang::FunctionDecl* function = library.declarations.function(node);
+    if (!function || !function->attribute("node")) {
+        const std::vector<std::string_view> names = library.declarations.function_names();
+        const std::string_view near = nearest(node, names);
+        DiagnosticRecord& record = diagnostics.report(Code::UnknownNode, {}, node);
+        if (!near.empty()) record.note(fmt::format("did you mean '{}'?", near));
+        result.diagnostics = to_public(diagnostics, sources);
+        return result;
+    }
+    std::vector<const nodelang::Expr*> values(function->params.size(), nullptr);
+    for (const auto& [name, text] : arguments) {
+        const auto param = std::find_if(function->params.begin(), function->params.end(),
+                                        [&](const nodelang::ParamDecl& p) { return !p.is_out && p.name == name; });
+        if (param == function->params.end()) {
+            std::vector<std::string_view> known;
+            for (const nodelang::ParamDecl& p : function->params) {
+                if (!p.is_out) known.push_back(p.name);
+            }
+            diagnostics.report(Code::UnknownPort, {}, node, "input", name).note(Diagnostics::suggestion(name, known));
+            continue;
+        }
+        diagnostics.set_context(node, name);
+        values[static_cast<std::size_t>(param - function->params.begin())] =
+            read_argument(text, sources, ast, diagnostics);
+    }
+    diagnostics.set_context(node, {});
+    if (!diagnostics.has_errors()) {
+        Evaluation evaluation = evaluate_call({library, library.declarations, library.sources}, *function, values,
+                                              single ? Precision::Float : Precision::Double, diagnostics, {});
+        result.outputs = std::move(evaluation.outputs);
+    }
+    result.ok = !diagnostics.has_errors();
+    result.diagnostics = to_public(diagnostics, sources);
+    return result;
+}
+
+std::string Compiler::schema() const {
+    return graph::make_schema(
+        {.nodes = nodes(), .semantics = semantics(), .workflows = workflows(), .lighting_models = lighting_models()});
+}
+
+Compiler::Formatted Compiler::format(const std::string& path, std::string text) const {
+    SourceMap sources;
+    Diagnostics diagnostics;
+    const std::uint32_t base = sources.add(path, std::move(text));
+    graph::FormattedText formatted = graph::format_graph(sources, base, diagnostics);
+    return {.ok = formatted.ok, .text = std::move(formatted.text), .diagnostics = to_public(diagnostics, sources)};
+}
+
+}  // namespace patina

@@ -1,0 +1,176 @@
+#include "compiler/describe.h"
+
+#include <algorithm>
+
+namespace patina {
+
+using nodelang::Expr;
+
+namespace {
+
+std::string_view trim(std::string_view text) {
+    while (!text.empty() && (text.front() == ' ' || text.front() == '\t' || text.front() == '\r'))
+        text.remove_prefix(1);
+    while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r')) text.remove_suffix(1);
+    return text;
+}
+
+// "@uv0" for a semantic default, the source text for a constant.
+std::string default_text(const Expr& expr, const graph::Library& library, const nodelang::Declarations& scope) {
+    const Expr* root = &expr;
+    while (root->kind == Expr::Kind::Member) root = root->args[0];
+    const bool semantic = root->kind == Expr::Kind::Name && library.semantic_index.contains(root->text) &&
+                          !scope.variables.contains(root->text);
+    const bool by_name = root->kind == Expr::Kind::Name && library.semantic_index.contains(root->text);
+    std::string text(library.sources.text(expr.span));
+    return semantic || by_name ? "@" + text : text;
+}
+
+double bound(const Expr& expr) {
+    return expr.kind == Expr::Kind::Unary ? -expr.args[0]->number : expr.number;
+}
+
+std::string doc_line(std::string_view doc) {
+    doc = trim(doc);
+    while (doc.starts_with('/') || doc.starts_with('<')) doc.remove_prefix(1);
+    return std::string(trim(doc));
+}
+
+PortInfo describe_param(const nodelang::ParamDecl& param, const graph::Library& library) {
+    PortInfo port{.name = std::string(param.name),
+                  .type = std::string(param.type.name),
+                  .is_output = param.is_out,
+                  .default_value = {},
+                  .range = {},
+                  .unit = {},
+                  .doc = doc_line(param.doc),
+                  .enumerators = {}};
+    if (param.initial) port.default_value = default_text(*param.initial, library, library.declarations);
+    for (const nodelang::Attribute& attribute : param.attributes) {
+        if (attribute.name == "range" && attribute.args.size() == 2) {
+            port.range = {bound(*attribute.args[0]), bound(*attribute.args[1])};
+        }
+        if (attribute.name == "unit") port.unit = nodelang::attribute_text(attribute);
+    }
+    if (const nodelang::EnumDecl* enumeration = library.declarations.enumeration(param.type.name)) {
+        port.enumerators.assign(enumeration->values.begin(), enumeration->values.end());
+    }
+    return port;
+}
+
+std::string_view rate(graph::Source source) {
+    switch (source) {
+        case graph::Source::Attribute:
+        case graph::Source::Vertex: return "vertex";
+        case graph::Source::Builtin:
+        case graph::Source::Pixel: return "pixel";
+        case graph::Source::Extern:
+        case graph::Source::Uniform: return "uniform";
+        case graph::Source::Given: return "lighting";
+    }
+    return {};
+}
+
+}  // namespace
+
+Doc read_doc(std::string_view comment) {
+    Doc doc;
+    std::size_t at = 0;
+    while (at < comment.size()) {
+        const std::size_t end = std::min(comment.find('\n', at), comment.size());
+        std::string_view line = comment.substr(at, end - at);
+        at = end + 1;
+        line = trim(line);
+        if (line.starts_with("///")) line.remove_prefix(3);
+        line = trim(line);
+        const auto keyword = [&](std::string_view word, std::string& into) {
+            if (!line.starts_with(word)) return false;
+            if (!into.empty()) into += "\n";
+            into += trim(line.substr(word.size()));
+            return true;
+        };
+        if (line.starts_with("test:")) {
+            const std::string_view text = trim(line.substr(5));
+            doc.tests.push_back({.text = text, .offset = static_cast<std::uint32_t>(text.data() - comment.data())});
+        } else if (!keyword("formula:", doc.formula) && !keyword("source:", doc.source)) {
+            doc.text += line;
+            doc.text += '\n';
+        }
+    }
+    while (!doc.text.empty() && doc.text.back() == '\n') doc.text.pop_back();
+    return doc;
+}
+
+NodeInfo describe_node(const nodelang::FunctionDecl& function, const graph::Library& library) {
+    NodeInfo node;
+    node.name = function.name;
+    const std::string_view path = nodelang::attribute_text(*function.attribute("node"));
+    node.category = path.substr(0, path.rfind('/') == std::string_view::npos ? path.size() : path.rfind('/'));
+    Doc doc = read_doc(function.doc);
+    node.doc = std::move(doc.text);
+    node.formula = std::move(doc.formula);
+    node.source = std::move(doc.source);
+    node.file = library.sources.file(function.name_span.begin);
+    for (const nodelang::ParamDecl& param : function.params) {
+        const bool hidden = std::any_of(param.attributes.begin(), param.attributes.end(),
+                                        [](const nodelang::Attribute& a) { return a.name == "hidden"; });
+        if (!param.is_out && !hidden) node.ports.push_back(describe_param(param, library));
+    }
+    if (function.result.name != "void") {
+        node.ports.push_back({.name = "out",
+                              .type = std::string(function.result.name),
+                              .is_output = true,
+                              .default_value = {},
+                              .range = {},
+                              .unit = {},
+                              .doc = {},
+                              .enumerators = {}});
+    }
+    for (const nodelang::ParamDecl& param : function.params) {
+        if (param.is_out) node.ports.push_back(describe_param(param, library));
+    }
+    return node;
+}
+
+std::vector<SemanticInfo> describe_semantics(const graph::Library& library) {
+    std::vector<SemanticInfo> all;
+    for (const graph::SemanticDecl& semantic : library.semantics) {
+        const std::string_view type = semantic.function ? semantic.function->result.name : semantic.variable->type.name;
+        const std::string_view doc = semantic.function ? semantic.function->doc : semantic.variable->doc;
+        all.push_back({.name = std::string(semantic.name),
+                       .type = std::string(type),
+                       .doc = read_doc(doc).text,
+                       .rate = std::string(rate(semantic.source))});
+        // Members of a given struct are what a lighting graph reads: @surface.roughness.
+        const nodelang::StructDecl* structure = library.declarations.structure(type);
+        if (!structure) continue;
+        for (const nodelang::MemberDecl& member : structure->members) {
+            all.push_back({.name = fmt::format("{}.{}", semantic.name, member.name),
+                           .type = std::string(member.type.name),
+                           .doc = doc_line(member.doc),
+                           .rate = std::string(rate(semantic.source))});
+        }
+        for (const nodelang::FunctionDecl& function : library.ast.functions) {
+            if (!function.attribute("member") || function.params.empty() || function.params[0].type.name != type)
+                continue;
+            all.push_back({.name = fmt::format("{}.{}", semantic.name, function.name),
+                           .type = std::string(function.result.name),
+                           .doc = read_doc(function.doc).text,
+                           .rate = std::string(rate(semantic.source))});
+        }
+    }
+    return all;
+}
+
+ModelInfo describe_model(const graph::Graph& graph, const std::string& name, const SourceMap& sources) {
+    ModelInfo model{.name = name, .doc = graph.name, .inputs = {}};
+    for (const graph::Input& input : graph.inputs) {
+        model.inputs.push_back({.name = input.name,
+                                .type = input.type,
+                                .default_value = std::string(sources.text(input.default_span)),
+                                .doc = input.help});
+    }
+    return model;
+}
+
+}  // namespace patina

@@ -1,0 +1,45 @@
+// Graph -> CheckedGraph: files loaded, every node's meaning found (a function, a sub-graph, an expression), ports and
+// links resolved, circles found, and the nodes put in an order in which each stands behind what it reads. Types are
+// checked when the graph is lowered (lower.h), where they are known.
+#pragma once
+
+#include "compiler/graph/session.h"
+
+namespace patina::graph {
+
+struct ResolvedNode {
+    const nodelang::FunctionDecl* function = nullptr;
+    const nodelang::Declarations* home = nullptr;
+    const CheckedGraph* subgraph = nullptr;
+    std::vector<std::uint32_t> reads;  // nodes, each once
+    bool ok = true;                    // false: its meaning was not found, and that has been reported
+};
+
+struct CheckedGraph {
+    std::shared_ptr<const Graph> graph;
+    std::vector<ResolvedNode> nodes;
+    std::unordered_map<std::string_view, std::uint32_t> by_id;
+    std::vector<std::uint32_t> order;  // all nodes
+    bool ok = true;
+
+    // Marks what the expressions read, directly or not.
+    std::vector<bool> reachable(std::span<const PortValue> roots) const;
+    std::vector<bool> reachable(std::uint32_t node) const;
+};
+
+const CheckedGraph* check_graph(Session& session, std::shared_ptr<const Graph> graph);
+
+// Reads and checks a graph file of the given kind; each file once. Null after an error.
+const CheckedGraph* load_graph(Session& session, const std::string& path, GraphKind kind, Span where);
+
+// Reads a .node.hlsl file; each file once. Null after an error.
+const NodeFile* load_node_file(Session& session, const std::string& path, Span where);
+
+// Nodes of `graph` that an expression names.
+void collect_reads(const nodelang::Expr& expr, const CheckedGraph& graph, std::vector<std::uint32_t>& reads);
+
+// Complains about a literal outside a range.
+void check_range(Session& session, const nodelang::Expr& value, std::array<double, 2> range, bool hard,
+                 std::string_view name);
+
+}  // namespace patina::graph

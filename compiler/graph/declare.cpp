@@ -1,0 +1,124 @@
+#include "compiler/graph/declare.h"
+
+#include <algorithm>
+
+namespace patina::graph {
+
+using ir::Type;
+
+namespace {
+
+constexpr std::uint32_t round_up(std::uint32_t value, std::uint32_t to) {
+    return (value + to - 1) / to * to;
+}
+
+Type property_type(PropertyType type) {
+    switch (type) {
+        case PropertyType::Float: return ir::kFloat;
+        case PropertyType::Float2: return ir::kFloat2;
+        case PropertyType::Float3: return ir::kFloat3;
+        case PropertyType::Float4:
+        case PropertyType::Color: return ir::kFloat4;
+        case PropertyType::Int:
+        case PropertyType::Bool:
+        case PropertyType::Enum: return ir::kInt;
+        case PropertyType::Texture2D: return Type::of(ir::Kind::Texture2D);
+    }
+    return Type::error();
+}
+
+ir::GlobalId add_block_global(ir::Module& module, std::uint32_t block, const std::string& name, Type type, Span span) {
+    add_member(module.blocks[block], module, name, type);
+    module.globals.push_back({.name = name,
+                              .type = type,
+                              .block = block,
+                              .member = static_cast<std::uint32_t>(module.blocks[block].members.size() - 1),
+                              .slot = 0,
+                              .set = module.blocks[block].set,
+                              .span = span});
+    return {static_cast<std::uint32_t>(module.globals.size() - 1)};
+}
+
+ir::GlobalId add_resource(ir::Module& module, std::string name, ir::Kind kind, std::uint32_t slot, Span span) {
+    module.globals.push_back(
+        {.name = std::move(name), .type = Type::of(kind), .slot = slot, .set = kMaterialSet, .span = span});
+    return {static_cast<std::uint32_t>(module.globals.size() - 1)};
+}
+
+}  // namespace
+
+Extent extent(const ir::Module& module, Type type) {
+    if (type.kind == ir::Kind::Array) {
+        const ir::Array& array = module.arrays[type.ref];
+        const std::uint32_t stride = round_up(extent(module, array.element).size, 16);
+        return {.size = stride * array.count, .alignment = 16, .stride = stride};
+    }
+    if (type.is_matrix()) return {.size = 16u * type.cols, .alignment = 16, .stride = 0};
+    const std::uint32_t size = 4 * type.components();
+    return {.size = size, .alignment = type.components() == 3 ? 16 : size, .stride = 0};
+}
+
+void add_member(ir::UniformBlock& block, const ir::Module& module, std::string name, Type type) {
+    const Extent e = extent(module, type);
+    std::uint32_t end = 0;
+    if (!block.members.empty()) {
+        const ir::BlockMember& last = block.members.back();
+        const Extent before = extent(module, last.type);
+        end = last.offset + before.size;
+        // Compilers differ on what may follow an array or a matrix in its last 16 bytes: nothing does here.
+        if (before.alignment == 16 && last.type.kind == ir::Kind::Array) end = round_up(end, 16);
+        if (last.type.is_matrix()) end = round_up(end, 16);
+    }
+    const std::uint32_t offset = round_up(end, e.alignment);
+    block.members.push_back({.name = std::move(name), .type = type, .offset = offset, .padding = (offset - end) / 4});
+    block.size = round_up(offset + e.size, 16);
+}
+
+void declare_engine(const Library& library, nodelang::Emitter& emitter) {
+    ir::Module& module = emitter.module();
+    const nodelang::Scope scope{.declarations = &library.declarations};
+    for (const nodelang::VariableDecl& variable : library.ast.variables) {
+        const nodelang::Attribute* attribute = variable.attribute("extern");
+        if (!attribute) continue;
+        const std::string_view name = nodelang::attribute_text(*attribute);
+        auto block = std::find_if(module.blocks.begin(), module.blocks.end(),
+                                  [&](const ir::UniformBlock& b) { return b.name == name; });
+        if (block == module.blocks.end()) {
+            module.blocks.push_back({.name = std::string(name),
+                                     .set = kEngineSet,
+                                     .slot = static_cast<std::uint32_t>(module.blocks.size()),
+                                     .size = 0,
+                                     .members = {}});
+            block = module.blocks.end() - 1;
+        }
+        const Type type = emitter.type(variable.type, scope);
+        const auto index = static_cast<std::uint32_t>(block - module.blocks.begin());
+        emitter.set_extern(&variable, add_block_global(module, index, std::string(variable.name), type, variable.span));
+    }
+}
+
+std::vector<PropertyGlobals> declare_material(const Material& material, ir::Module& module) {
+    std::vector<PropertyGlobals> globals;
+    module.blocks.push_back({.name = "Material", .set = kMaterialSet, .slot = 0, .size = 0, .members = {}});
+    const auto block = static_cast<std::uint32_t>(module.blocks.size() - 1);
+    std::uint32_t slot = 0;
+    for (const MaterialProperty& entry : material.properties) {
+        const Property& property = *entry.property;
+        PropertyGlobals& made = globals.emplace_back();
+        if (property.type != PropertyType::Texture2D) {
+            made.value = add_block_global(module, block, property.name, property_type(property.type), property.span);
+            continue;
+        }
+        made.texture = add_resource(module, property.name, ir::Kind::Texture2D, slot, property.span);
+        made.sampler = add_resource(module, "sampler" + property.name, ir::Kind::Sampler, slot, property.span);
+        if (property.tiling) {
+            made.tiling = add_block_global(module, block, property.name + "_ST", ir::kFloat4, property.span);
+        }
+        ++slot;
+    }
+    // A material without numeric properties has no block.
+    if (module.blocks[block].members.empty()) module.blocks.pop_back();
+    return globals;
+}
+
+}  // namespace patina::graph

@@ -1,0 +1,34 @@
+// The globals of a module: the engine's uniform blocks (from the [extern] variables), and the material's block,
+// textures and samplers (from its properties), laid out so that GLSL's std140 and an HLSL cbuffer agree on every byte.
+#pragma once
+
+#include "compiler/graph/material.h"
+#include "compiler/ir/ir.h"
+#include "compiler/nodelang/emit.h"
+
+namespace patina::graph {
+
+inline constexpr std::uint32_t kEngineSet = 0;
+inline constexpr std::uint32_t kMaterialSet = 1;
+
+struct PropertyGlobals {
+    ir::GlobalId value;    // numeric properties
+    ir::GlobalId texture;  // texture properties
+    ir::GlobalId sampler;
+    ir::GlobalId tiling;  // float4 scale and offset, when the property has "tiling"
+};
+
+// Declares every [extern] variable of the library; one block per name, in order of appearance.
+void declare_engine(const Library& library, nodelang::Emitter& emitter);
+// One entry per Material::properties.
+std::vector<PropertyGlobals> declare_material(const Material& material, ir::Module& module);
+
+// Appends a member at the next offset that both layouts accept.
+void add_member(ir::UniformBlock& block, const ir::Module& module, std::string name, ir::Type type);
+// Bytes that a member of this type takes, and its alignment in std140.
+struct Extent {
+    std::uint32_t size = 0, alignment = 0, stride = 0;  // stride: of an array's elements
+};
+Extent extent(const ir::Module& module, ir::Type type);
+
+}  // namespace patina::graph

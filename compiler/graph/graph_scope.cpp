@@ -1,0 +1,376 @@
+#include "compiler/graph/graph_scope.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "compiler/base/text.h"
+
+namespace patina::graph {
+
+using ir::Op;
+using ir::Type;
+using ir::Value;
+using nodelang::Expr;
+using nodelang::Typed;
+
+GraphScope::GraphScope(Lowering& lowering, const CheckedGraph& graph, ir::Builder& builder, bool in_vertex_stage)
+    : lowering_(lowering), graph_(graph), values_(graph.nodes.size()), emitted_(graph.nodes.size(), false) {
+    scope_.builder = &builder;
+    scope_.declarations = &lowering.session.library.declarations;
+    scope_.environment = this;
+    scope_.needs_quad = &needs_quad_;
+    scope_.in_vertex_stage = in_vertex_stage;
+}
+
+std::string GraphScope::id_path(std::string_view id) const {
+    if (!outer_) return std::string(id);
+    return outer_->id_path(outer_->graph_.graph->nodes[outer_node_].id) + "/" + std::string(id);
+}
+
+std::string_view GraphScope::what_graph() const {
+    switch (graph_.graph->kind) {
+        case GraphKind::Material: return "a material";
+        case GraphKind::Subgraph: return "a sub-graph";
+        case GraphKind::Lighting: return "this output of a lighting graph";
+        case GraphKind::Workflow: return "a workflow";
+    }
+    return {};
+}
+
+bool GraphScope::uses_half(const Node& node) const {
+    if (node.precision != Precision::Inherit) return node.precision == Precision::Half;
+    return graph_.graph->precision == Precision::Half;
+}
+
+// --- nodes
+
+void GraphScope::emit_nodes(const std::vector<bool>& wanted) {
+    for (std::uint32_t index : graph_.order) {
+        if (wanted[index] && !emitted_[index]) emit_node(index);
+    }
+}
+
+void GraphScope::emit_node(std::uint32_t index) {
+    emitted_[index] = true;
+    const Node& node = graph_.graph->nodes[index];
+    const ResolvedNode& resolved = graph_.nodes[index];
+    if (!resolved.ok) return;
+    if (node.vertex_stage && !scope_.in_vertex_stage) {
+        values_[index] = interpolated(index);
+        return;
+    }
+    ir::Module& module = lowering_.out.module;
+    ir::Builder& b = *scope_.builder;
+    const std::string path = id_path(node.id);
+    const ir::OriginId outer_origin = b.origin();
+    module.origins.push_back({.label = node.is_expression  ? "Expression"
+                                       : resolved.function ? std::string(resolved.function->name)
+                                                           : node.type,
+                              .id = path,
+                              .span = node.span});
+    b.set_origin({static_cast<std::uint32_t>(module.origins.size() - 1)});
+    lowering_.session.diagnostics.set_context(path, {});
+    Typed value;
+    if (node.is_expression) {
+        const bool outer_half = std::exchange(scope_.half, uses_half(node));
+        value = lowering_.emitter.expression(*node.expr, scope_);
+        scope_.half = outer_half;
+        value.literal = false;
+        // A whole number in a graph is a number: only the node language itself counts in ints.
+        if (value.ok() && node.expr->kind == Expr::Kind::Number && value.type.is_integer()) {
+            value = lowering_.emitter.convert({.value = value.value, .type = value.type, .literal = true}, ir::kFloat,
+                                              scope_, node.expr_span, "the value");
+        }
+    } else if (resolved.subgraph) {
+        value = subgraph_node(index);
+    } else {
+        value = call_node(node, resolved);
+    }
+    if (value.ok() && !resolved.subgraph) b.name(value.value, module.intern(node.id));
+    values_[index] = value;
+    lowering_.session.diagnostics.set_context({}, {});
+    b.set_origin(outer_origin);
+}
+
+Typed GraphScope::call_node(const Node& node, const ResolvedNode& resolved) {
+    const nodelang::FunctionDecl& function = *resolved.function;
+    std::vector<const Expr*> arguments(function.params.size(), nullptr);
+    for (const PortValue& port : node.inputs) {
+        if (!port.value) return {};
+        for (std::size_t i = 0; i < function.params.size(); ++i) {
+            if (function.params[i].name == port.name) arguments[i] = port.value;
+        }
+    }
+    return lowering_.emitter.call(function, *resolved.home, arguments, scope_, node.type_span, uses_half(node));
+}
+
+void GraphScope::fill_inputs(GraphScope& inner, const Node& node, const Graph& subgraph) {
+    nodelang::Emitter& emitter = lowering_.emitter;
+    for (const Input& input : subgraph.inputs) {
+        const auto port = std::find_if(node.inputs.begin(), node.inputs.end(),
+                                       [&](const PortValue& p) { return p.name == input.name; });
+        const std::string_view type_name = input.type == "color"       ? "float4"
+                                           : input.type == "texture2d" ? "Texture2D"
+                                                                       : std::string_view(input.type);
+        const Type type = emitter.type({.name = type_name, .span = input.type_span}, scope_);
+        if (type.is_error()) continue;
+        const std::string what = fmt::format("the input '{}'", input.name);
+        if (port != node.inputs.end()) {
+            if (port->value) inner.set_input(input.name, value_as(*port, type, what));
+        } else if (input.value) {
+            inner.set_input(input.name, inner.value_as(*input.value, type, what));
+        } else {
+            lowering_.session.diagnostics.report(Code::MissingInput, node.type_span, node.type, input.name);
+        }
+    }
+}
+
+Typed GraphScope::subgraph_node(std::uint32_t index) {
+    const CheckedGraph& subgraph = *graph_.nodes[index].subgraph;
+    GraphScope inner(lowering_, subgraph, *scope_.builder, scope_.in_vertex_stage);
+    inner.outer_ = this;
+    inner.outer_node_ = index;
+    fill_inputs(inner, graph_.graph->nodes[index], *subgraph.graph);
+    inner.emit_nodes(subgraph.reachable(subgraph.graph->outputs));
+    needs_quad_ = needs_quad_ || inner.needs_quad_;
+    std::vector<Value> values;
+    ir::Struct made{.name = file_stem(subgraph.graph->path) + "Outputs", .members = {}};
+    nodelang::Outputs outputs{.names = {}, .has_primary = subgraph.graph->outputs.size() == 1};
+    for (const PortValue& port : subgraph.graph->outputs) {
+        if (!port.value) return {};
+        Typed value = lowering_.emitter.primary(inner.value(*port.value), inner.scope_, port.value_span);
+        if (value.literal) value = lowering_.emitter.convert(value, ir::kFloat, scope_, port.value_span, "the output");
+        if (!value.ok()) return {};
+        values.push_back(value.value);
+        made.members.push_back({port.name, value.type});
+        outputs.names.push_back(port.name);
+    }
+    ir::Module& module = lowering_.out.module;
+    module.structs.push_back(std::move(made));
+    const Type type = Type::structure(static_cast<std::uint32_t>(module.structs.size() - 1));
+    return {.value = scope_.builder->construct(type, values),
+            .type = type,
+            .outputs = lowering_.emitter.intern(std::move(outputs))};
+}
+
+// --- interpolators: "stage": "vertex"
+
+std::unique_ptr<GraphScope> GraphScope::vertex_twin(ir::Builder& builder,
+                                                    std::deque<std::unique_ptr<GraphScope>>& keep) {
+    auto twin = std::make_unique<GraphScope>(lowering_, graph_, builder, true);
+    if (!outer_) return twin;
+    keep.push_back(outer_->vertex_twin(builder, keep));
+    GraphScope& outer = *keep.back();
+    std::vector<bool> wanted(graph_.nodes.size(), false);
+    std::vector<bool> reads = outer.graph_.reachable(outer_node_);
+    reads[outer_node_] = false;
+    outer.emit_nodes(reads);
+    twin->outer_ = &outer;
+    twin->outer_node_ = outer_node_;
+    outer.fill_inputs(*twin, outer.graph_.graph->nodes[outer_node_], *graph_.graph);
+    return twin;
+}
+
+Typed GraphScope::interpolated(std::uint32_t index) {
+    const Node& node = graph_.graph->nodes[index];
+    const std::string path = id_path(node.id);
+    ir::Module& module = lowering_.out.module;
+    nodelang::Emitter& emitter = lowering_.emitter;
+    if (!lowering_.interpolators.contains(path)) {
+        Lowering::Interpolator& made = lowering_.interpolators[path];
+        std::size_t count = 1;
+        for (std::size_t output = 0; output < count; ++output) {
+            ir::Function function{};
+            function.always_inline = true;
+            std::string name = path;
+            std::replace(name.begin(), name.end(), '/', '_');
+            ir::Builder builder(module, function, emitter.options());
+            std::deque<std::unique_ptr<GraphScope>> keep;
+            const std::unique_ptr<GraphScope> twin = vertex_twin(builder, keep);
+            twin->emit_nodes(graph_.reachable(index));
+            Typed value = twin->values_[index];
+            if (!value.ok()) return {};
+            if (value.outputs) {
+                made.outputs = value.outputs;
+                count = value.outputs->names.size();
+                if (output > 0 || !value.outputs->has_primary) name += "_" + value.outputs->names[output];
+                const Value part = builder.extract(value.value, static_cast<std::uint32_t>(output));
+                value = {.value = part, .type = builder.type(part)};
+            }
+            if (!value.type.is_numeric() || value.type.is_matrix()) {
+                lowering_.session.diagnostics.report(Code::TypeMismatch, node.id_span, fmt::format("'{}'", node.id),
+                                                     module.type_name(value.type),
+                                                     "a number or vector, to be interpolated");
+                return {};
+            }
+            // A varying is a float: half varyings do not exist everywhere, and whole numbers do not interpolate.
+            if (value.type.scalar != ir::Scalar::Float) {
+                value.value = builder.convert(value.value, ir::Scalar::Float);
+                value.type = value.type.with_scalar(ir::Scalar::Float);
+            }
+            function.name = "vertex_" + name;
+            function.result = value.type;
+            builder.ret(value.value);
+            module.functions.push_back(std::move(function));
+            module.semantics.push_back({.name = name, .type = value.type, .rate = ir::Rate::Pixel});
+            lowering_.out.semantics.push_back(
+                {.source = Source::Vertex, .recipe = {static_cast<std::uint32_t>(module.functions.size() - 1)}});
+            made.semantics.push_back({static_cast<std::uint32_t>(module.semantics.size() - 1)});
+        }
+    }
+    const Lowering::Interpolator& made = lowering_.interpolators[path];
+    if (made.semantics.empty()) return {};
+    std::vector<Value> values;
+    ir::Struct structure{.name = node.id + "Outputs", .members = {}};
+    for (std::size_t i = 0; i < made.semantics.size(); ++i) {
+        const Type type = module.semantics[made.semantics[i].index].type;
+        values.push_back(scope_.builder->emit(Op::Semantic, type, {}, made.semantics[i].index));
+        structure.members.push_back({made.outputs ? made.outputs->names[i] : node.id, type});
+    }
+    if (!made.outputs) return {.value = values[0], .type = structure.members[0].type};
+    module.structs.push_back(std::move(structure));
+    const Type type = Type::structure(static_cast<std::uint32_t>(module.structs.size() - 1));
+    return {.value = scope_.builder->construct(type, values), .type = type, .outputs = made.outputs};
+}
+
+// --- values
+
+Typed GraphScope::value(const Expr& expr) {
+    return lowering_.emitter.expression(expr, scope_);
+}
+
+Typed GraphScope::value_as(const Expr& expr, Type type, std::string_view what) {
+    return lowering_.emitter.expression_as(expr, type, scope_, what);
+}
+
+Typed GraphScope::value_as(const PortValue& port, Type type, std::string_view what) {
+    if (!port.value) return {};
+    return value_as(*port.value, type, what);
+}
+
+// --- Environment
+
+Typed GraphScope::name(const Expr& expr, nodelang::Scope&) {
+    const auto found = graph_.by_id.find(expr.text);
+    if (found != graph_.by_id.end()) return values_[found->second];
+    std::vector<std::string_view> known;
+    for (const Node& node : graph_.graph->nodes) known.push_back(node.id);
+    DiagnosticRecord& record = lowering_.session.diagnostics.report(Code::DanglingLink, expr.span, expr.text);
+    if (inputs_.contains(expr.text) || lowering_.material.property_index.contains(expr.text)) {
+        record.note(fmt::format("an input or property is read as '${}'", expr.text));
+    } else if (lowering_.session.library.semantic_index.contains(expr.text)) {
+        record.note(fmt::format("a semantic is read as '@{}'", expr.text));
+    } else {
+        const std::string_view near = nearest(expr.text, known);
+        if (!near.empty()) record.note(fmt::format("did you mean '{}'?", near));
+    }
+    return {};
+}
+
+Typed GraphScope::property(const Expr& expr, nodelang::Scope&) {
+    if (const auto input = inputs_.find(expr.text); input != inputs_.end()) return input->second;
+    for (const PortValue& port : property_values_) {
+        if (port.name != expr.text || !port.value) continue;
+        const auto index = lowering_.material.property_index.find(expr.text);
+        const Property& property = *lowering_.material.properties[index->second].property;
+        if (property.type == PropertyType::Enum && port.value->kind == Expr::Kind::Name) {
+            const auto found = std::find(property.values.begin(), property.values.end(), port.value->text);
+            if (found == property.values.end()) {
+                std::vector<std::string_view> known(property.values.begin(), property.values.end());
+                lowering_.session.diagnostics
+                    .report(Code::UnknownEnumerator, port.value_span, port.value->text, fmt::format("'{}'", port.name))
+                    .note(Diagnostics::suggestion(port.value->text, known));
+                return {};
+            }
+            Typed value = material_property(index->second);
+            value.value = scope_.builder->constant(ir::kInt, {static_cast<double>(found - property.values.begin())});
+            return value;
+        }
+        const Type type = material_property(index->second).type;
+        // The material's own scope reads it, but into this function.
+        GraphScope reader(lowering_, property_scope_->graph_, *scope_.builder, false);
+        reader.emit_nodes(reader.graph_.reachable(std::span(&port, 1)));
+        return reader.value_as(port, type, fmt::format("the property '{}'", port.name));
+    }
+    const auto& own = graph_.graph->properties;
+    const bool is_own = graph_.graph->kind == GraphKind::Material ||
+                        std::any_of(own.begin(), own.end(), [&](const Property& p) { return p.name == expr.text; });
+    const auto index = lowering_.material.property_index.find(expr.text);
+    if (is_own && index != lowering_.material.property_index.end()) return material_property(index->second);
+    std::vector<std::string_view> known;
+    for (const Property& property : own) known.push_back(property.name);
+    for (const auto& [name, value] : inputs_) known.push_back(name);
+    lowering_.session.diagnostics.report(Code::UnknownProperty, expr.span, expr.text)
+        .note(known.empty() ? "the graph has no properties" : Diagnostics::suggestion(expr.text, known));
+    return {};
+}
+
+Typed GraphScope::material_property(std::size_t index) {
+    const PropertyGlobals& globals = lowering_.out.property_globals[index];
+    const Property& property = *lowering_.material.properties[index].property;
+    ir::Module& module = lowering_.out.module;
+    ir::Builder& b = *scope_.builder;
+    const auto read = [&](ir::GlobalId id) { return b.emit(Op::Global, module.globals[id.index].type, {}, id.index); };
+    if (property.type == PropertyType::Texture2D) {
+        const Value tiling = globals.tiling ? read(globals.tiling) : b.constant(ir::kFloat4, {1, 1, 0, 0});
+        return lowering_.emitter.make_texture(read(globals.texture), read(globals.sampler), tiling, scope_);
+    }
+    const Value value = read(globals.value);
+    if (property.type == PropertyType::Bool) {
+        return {.value = b.emit(Op::NotEqual, ir::kBool, {value, b.constant(ir::kInt, {0})}), .type = ir::kBool};
+    }
+    Typed typed{.value = value, .type = b.type(value)};
+    if (property.type == PropertyType::Enum) {
+        lowering_.enumerators.emplace_back(property.values.begin(), property.values.end());
+        typed.enumerators = &lowering_.enumerators.back();
+    }
+    return typed;
+}
+
+Typed GraphScope::semantic(std::string_view name, Span span, nodelang::Scope& scope) {
+    if (const auto given = given_.find(name); given != given_.end()) return given->second;
+    const Library& library = lowering_.session.library;
+    const auto found = library.semantic_index.find(name);
+    if (shadow_.ok()) {
+        const auto& members = lowering_.out.module.structs[shadow_.type.ref].members;
+        for (std::uint32_t i = 0; i < members.size(); ++i) {
+            if (members[i].name == name)
+                return {.value = scope.builder->extract(shadow_.value, i), .type = members[i].type};
+        }
+    }
+    if (found == library.semantic_index.end()) {
+        std::vector<std::string_view> known;
+        for (const SemanticDecl& semantic : library.semantics) known.push_back(semantic.name);
+        DiagnosticRecord& record = lowering_.session.diagnostics.report(Code::UnknownSemantic, span, name);
+        const std::string_view near = nearest(name, known);
+        if (!near.empty())
+            record.note(fmt::format("did you mean '@{}'?", near));
+        else
+            record.note("docs/graph-format.md lists them");
+        return {};
+    }
+    const SemanticDecl& semantic = library.semantics[found->second];
+    const bool per_light = graph_.graph->kind == GraphKind::Lighting && name == "light";
+    if (semantic.source == Source::Given || per_light) {
+        lowering_.session.diagnostics.report(Code::SemanticNotHere, span, name, what_graph())
+            .note(per_light ? "only 'direct' is evaluated for each light" : "only a lighting graph has it");
+        return {};
+    }
+    if (semantic.source == Source::Extern) return lowering_.emitter.extern_value(*semantic.variable, scope);
+    const Type type = lowering_.out.module.semantics[found->second].type;
+    if (type.is_error()) return {};
+    if (scope_.in_vertex_stage && semantic.source == Source::Builtin) {
+        lowering_.session.diagnostics.report(Code::NoSuchStageValue, span, name, "vertex");
+        return {};
+    }
+    return {.value = scope.builder->emit(Op::Semantic, type, {}, found->second), .type = type};
+}
+
+Typed GraphScope::file(const Expr& expr, nodelang::Scope&) {
+    const auto index = lowering_.material.property_index.find(file_texture_name(expr.text));
+    if (index == lowering_.material.property_index.end()) return {};  // not found on disk: reported already
+    return material_property(index->second);
+}
+
+}  // namespace patina::graph

@@ -1,0 +1,89 @@
+// One graph being emitted into one IR function: what its nodes are worth so far, and what $, @ and names mean in it.
+// A sub-graph is a scope inside the scope of the graph that uses it.
+#pragma once
+
+#include <deque>
+
+#include "compiler/graph/lower.h"
+
+namespace patina::graph {
+
+// Shared by all scopes of one lowering.
+struct Lowering {
+    Session& session;
+    const Material& material;
+    Lowered& out;
+    nodelang::Emitter emitter;
+    std::deque<std::vector<std::string_view>> enumerators;  // of enum properties, by material property
+    // Interpolators already made: id path -> first semantic and what the node's outputs are called.
+    struct Interpolator {
+        std::vector<ir::SemanticId> semantics;
+        const nodelang::Outputs* outputs = nullptr;
+    };
+    std::map<std::string, Interpolator> interpolators;
+    std::vector<std::string> active_interpolators;
+};
+
+class GraphScope : public nodelang::Environment {
+public:
+    using Typed = nodelang::Typed;
+
+    GraphScope(Lowering& lowering, const CheckedGraph& graph, ir::Builder& builder, bool in_vertex_stage);
+
+    // --- what the place adds
+    void give(std::string_view semantic, Typed value) { given_[std::string(semantic)] = value; }
+    void set_input(std::string_view name, Typed value) { inputs_[std::string(name)] = value; }
+    // In a lighting graph: semantics that the lighting surface has, too, mean the surface's.
+    void shadow_by(Typed surface) { shadow_ = surface; }
+    // Values that the material gives to a lighting graph's properties, read in the material's own scope.
+    void set_property_values(std::span<const PortValue> values, GraphScope& scope) {
+        property_values_ = values;
+        property_scope_ = &scope;
+    }
+    bool needs_quad() const { return needs_quad_; }
+
+    // --- emitting
+    // Emits the marked nodes in order.
+    void emit_nodes(const std::vector<bool>& wanted);
+    // A port's value, converted; nodes that it reads must have been emitted.
+    Typed value_as(const PortValue& port, ir::Type type, std::string_view what);
+    Typed value_as(const nodelang::Expr& expr, ir::Type type, std::string_view what);
+    Typed value(const nodelang::Expr& expr);
+    nodelang::Scope& scope() { return scope_; }
+
+    // --- Environment
+    Typed name(const nodelang::Expr& expr, nodelang::Scope& scope) override;
+    Typed property(const nodelang::Expr& expr, nodelang::Scope& scope) override;
+    Typed semantic(std::string_view name, Span span, nodelang::Scope& scope) override;
+    Typed file(const nodelang::Expr& expr, nodelang::Scope& scope) override;
+    bool hides(std::string_view name) const override { return graph_.by_id.contains(name); }
+
+private:
+    void emit_node(std::uint32_t index);
+    Typed call_node(const Node& node, const ResolvedNode& resolved);
+    Typed subgraph_node(std::uint32_t index);
+    // Fills a sub-graph scope's inputs from the node that uses it.
+    void fill_inputs(GraphScope& inner, const Node& node, const Graph& subgraph);
+    Typed interpolated(std::uint32_t index);
+    // The same graph in another function of the vertex stage, with only what `node` needs emitted.
+    std::unique_ptr<GraphScope> vertex_twin(ir::Builder& builder, std::deque<std::unique_ptr<GraphScope>>& keep);
+    Typed material_property(std::size_t index);
+    bool uses_half(const Node& node) const;
+    std::string id_path(std::string_view id) const;
+    std::string_view what_graph() const;
+
+    Lowering& lowering_;
+    const CheckedGraph& graph_;
+    nodelang::Scope scope_;
+    bool needs_quad_ = false;
+    std::vector<Typed> values_;
+    std::vector<bool> emitted_;
+    std::map<std::string, Typed, std::less<>> given_, inputs_;
+    Typed shadow_;
+    std::span<const PortValue> property_values_;
+    GraphScope* property_scope_ = nullptr;
+    GraphScope* outer_ = nullptr;
+    std::uint32_t outer_node_ = 0;
+};
+
+}  // namespace patina::graph

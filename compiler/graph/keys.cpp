@@ -1,0 +1,194 @@
+#include "compiler/graph/keys.h"
+
+#include <array>
+
+namespace patina::graph {
+namespace {
+
+constexpr KeyInfo kSchema{"$schema", "where an editor finds the JSON Schema of this format"};
+constexpr KeyInfo kVersion{"patina", "the version of the graph format: 1"};
+constexpr KeyInfo kKind{"kind", "what the file is: material, subgraph, lighting or workflow"};
+constexpr KeyInfo kName{"name", "what people call it; otherwise the name of the file"};
+constexpr KeyInfo kHelp{"help", "what it is for, in a sentence or two"};
+constexpr KeyInfo kPrecision{"precision", "float or half: what the nodes compute in"};
+constexpr KeyInfo kProperties{"properties", "values that can be set without compiling again", ObjectKind::Property};
+constexpr KeyInfo kNodes{"nodes", "the nodes, each with an id of its own", ObjectKind::Node};
+constexpr KeyInfo kMeta{"meta", "anything; carried through to the reflection"};
+constexpr KeyInfo kUi{"ui", "anything; for an editor, ignored by the compiler"};
+
+constexpr std::array kMaterial = {
+    kSchema,
+    kVersion,
+    kKind,
+    kName,
+    kHelp,
+    KeyInfo{"workflow", "which surface inputs the material has", ObjectKind::Free, true},
+    KeyInfo{"lighting", "the lighting model: a name, a file, or a lighting graph", ObjectKind::LightingUse},
+    kPrecision,
+    kProperties,
+    kNodes,
+    KeyInfo{"vertex", "what the vertex stage moves: position_os, normal_os, tangent_os"},
+    KeyInfo{"surface", "the surface inputs of the workflow and of the lighting model"},
+    KeyInfo{"render", "how the surface is drawn: opaque or cutout, culling, depth", ObjectKind::Render},
+    KeyInfo{"passes", "reserved for passes of a material's own"},
+    kMeta,
+    kUi,
+};
+
+constexpr std::array kSubgraph = {
+    kSchema,     kVersion,
+    kKind,       kName,
+    kHelp,       kPrecision,
+    kProperties, KeyInfo{"inputs", "what the sub-graph takes, read as $name", ObjectKind::Input},
+    kNodes,      KeyInfo{"outputs", "what the sub-graph gives, by port name", ObjectKind::Free, true},
+    kMeta,       kUi,
+};
+
+constexpr std::array kLighting = {
+    kSchema,
+    kVersion,
+    kKind,
+    kName,
+    kHelp,
+    kPrecision,
+    KeyInfo{"surface", "surface inputs that the model adds, read as @surface.name", ObjectKind::Input},
+    kProperties,
+    kNodes,
+    KeyInfo{"direct", "what one light adds, evaluated for each light", ObjectKind::Free, true},
+    KeyInfo{"indirect", "what ambient light and reflections add, evaluated once"},
+    KeyInfo{"final", "the colour that leaves the surface; otherwise both sums and the emission"},
+    kMeta,
+    kUi,
+};
+
+constexpr std::array kWorkflow = {
+    kSchema,
+    kVersion,
+    kKind,
+    kName,
+    kHelp,
+    KeyInfo{"lighting", "the lighting model of a material that names none", ObjectKind::LightingUse},
+    KeyInfo{"preview", "the input that shows a previewed node"},
+    KeyInfo{"inputs", "the surface inputs that a material may set", ObjectKind::Input, true},
+    kNodes,
+    KeyInfo{"surface", "the members of the lighting surface, computed from the inputs", ObjectKind::Free, true},
+    kMeta,
+    kUi,
+};
+
+constexpr std::array kProperty = {
+    KeyInfo{"name", "the name in the shader; a graph reads it as $name", ObjectKind::Free, true},
+    KeyInfo{"type", "float, float2, float3, float4, color, int, bool, enum or texture2d", ObjectKind::Free, true},
+    KeyInfo{"usage", "of a texture: color (sRGB), data (linear) or normal (a tangent-space normal map)"},
+    KeyInfo{"values", "of an enum: its words"},
+    KeyInfo{"default", "the value until somebody sets another"},
+    KeyInfo{"range", "[low, high]: beyond it is a warning"},
+    KeyInfo{"hard", "true: beyond the range is an error"},
+    KeyInfo{"as", "when it is bound: uniform, specialization or variant"},
+    KeyInfo{"tiling", "of a texture: true gives it a scale and an offset"},
+    KeyInfo{"sampler", "of a texture: how it is read", ObjectKind::Sampler},
+    KeyInfo{"label", "what an inspector shows"},
+    KeyInfo{"group", "the heading that an inspector shows it under"},
+    KeyInfo{"help", "what it does, in a sentence"},
+};
+
+constexpr std::array kNode = {
+    KeyInfo{"id", "the name that links use; an identifier", ObjectKind::Free, true},
+    KeyInfo{"node", "a library node, ./x.subgraph.json or ./x.node.hlsl"},
+    KeyInfo{"in", "the values at its input ports"},
+    KeyInfo{"expr", "an expression, in place of a node"},
+    KeyInfo{"stage", "vertex: computed there, and its readers get it interpolated"},
+    kPrecision,
+    KeyInfo{"note", "a remark, copied into the shader"},
+};
+
+constexpr std::array kInput = {
+    KeyInfo{"name", "an identifier", ObjectKind::Free, true},
+    KeyInfo{"type", "float, float2, float3, float4, color, int, bool or texture2d", ObjectKind::Free, true},
+    KeyInfo{"default", "the value if it is left open; without one it must be given"},
+    KeyInfo{"range", "[low, high]: beyond it is a warning"},
+    KeyInfo{"hard", "true: beyond the range is an error"},
+    KeyInfo{"help", "what it does, in a sentence"},
+    KeyInfo{"gives", "of a workflow: the input that this one is another way to say"},
+    KeyInfo{"as", "of a workflow: an expression that converts it to the one it gives"},
+};
+
+constexpr std::array kSampler = {
+    KeyInfo{"wrap", "beyond the edges: repeat, clamp or mirror"},
+    KeyInfo{"filter", "between the texels: linear or nearest"},
+    KeyInfo{"anisotropy", "1 to 16 samples along a slanted surface"},
+};
+
+constexpr std::array kRender = {
+    KeyInfo{"surface", "opaque, or cutout with alphaClip"},
+    KeyInfo{"cull", "the faces that are not drawn: back, front or off"},
+    KeyInfo{"depthWrite", "whether it hides what is behind it"},
+    KeyInfo{"depthTest", "how its depth compares to what is there: lessEqual, ..."},
+    KeyInfo{"stencil", "reserved for the stencil state"},
+    KeyInfo{"queue", "the order of drawing, 0 to 5000; opaque surfaces are at 2000"},
+    KeyInfo{"bounds", "reserved for how far the vertex stage moves it"},
+};
+
+constexpr std::array kLightingUse = {
+    KeyInfo{"use", "the lighting model: a name or a file", ObjectKind::Free, true},
+    KeyInfo{"in", "values at the model's inputs"},
+};
+
+}  // namespace
+
+std::span<const KeyInfo> keys_of(ObjectKind kind) {
+    switch (kind) {
+        case ObjectKind::Free: return {};
+        case ObjectKind::Material: return kMaterial;
+        case ObjectKind::Subgraph: return kSubgraph;
+        case ObjectKind::Lighting: return kLighting;
+        case ObjectKind::Workflow: return kWorkflow;
+        case ObjectKind::Property: return kProperty;
+        case ObjectKind::Node: return kNode;
+        case ObjectKind::Input: return kInput;
+        case ObjectKind::Sampler: return kSampler;
+        case ObjectKind::Render: return kRender;
+        case ObjectKind::LightingUse: return kLightingUse;
+    }
+    return {};
+}
+
+const KeyInfo* find_key(ObjectKind kind, std::string_view name) {
+    for (const KeyInfo& key : keys_of(kind)) {
+        if (key.name == name) return &key;
+    }
+    return nullptr;
+}
+
+std::string_view describe(ObjectKind kind) {
+    switch (kind) {
+        case ObjectKind::Free: return "an object";
+        case ObjectKind::Material: return "a material";
+        case ObjectKind::Subgraph: return "a sub-graph";
+        case ObjectKind::Lighting: return "a lighting graph";
+        case ObjectKind::Workflow: return "a workflow";
+        case ObjectKind::Property: return "a property";
+        case ObjectKind::Node: return "a node";
+        case ObjectKind::Input: return "an input";
+        case ObjectKind::Sampler: return "a sampler";
+        case ObjectKind::Render: return "the render state";
+        case ObjectKind::LightingUse: return "a use of a lighting model";
+    }
+    return {};
+}
+
+ObjectKind top_level_kind(const Json& root) {
+    const Json* kind = root.find("kind");
+    if (!kind) return ObjectKind::Material;
+    if (kind->string == "subgraph") return ObjectKind::Subgraph;
+    if (kind->string == "lighting") return ObjectKind::Lighting;
+    if (kind->string == "workflow") return ObjectKind::Workflow;
+    return ObjectKind::Material;
+}
+
+ObjectKind value_kind(const KeyInfo& key, const Json& value) {
+    if (key.holds == ObjectKind::LightingUse && !value.find("use")) return ObjectKind::Lighting;
+    return key.holds;
+}
+
+}  // namespace patina::graph

@@ -1,0 +1,33 @@
+// Checked material -> IR functions: one each for the surface, the workflow's set-up, the three outputs of the lighting
+// graph, each vertex output and each interpolator, and the bodies of the passes. Types are checked here, as they become
+// known. What the functions read of mesh and camera stays `semantic` instructions until a pass is linked (assemble/).
+#pragma once
+
+#include "compiler/graph/declare.h"
+
+namespace patina::graph {
+
+// How a semantic (an index into Module::semantics) is had.
+struct SemanticRecipe {
+    Source source = Source::Pixel;
+    ir::FunctionId recipe{};                    // Vertex, Pixel, Uniform: a function whose body reads other semantics
+    ir::FunctionId override{};                  // what the material's "vertex" block writes instead of the attribute
+    const SemanticDecl* declaration = nullptr;  // null: an interpolator of the graph
+};
+
+struct LoweredPass {
+    const PassDecl* declaration = nullptr;
+    ir::FunctionId vertex, fragment;
+};
+
+struct Lowered {
+    ir::Module module;
+    std::vector<SemanticRecipe> semantics;
+    std::vector<LoweredPass> passes;
+    std::vector<PropertyGlobals> property_globals;  // one per Material::properties
+};
+
+// Reports what is wrong; the result may be used only if the session has no errors.
+Lowered lower(Session& session, const Material& material, ir::BuildOptions options);
+
+}  // namespace patina::graph

@@ -1,0 +1,34 @@
+// A material and everything that it stands on, found and checked: its workflow, its lighting, and all the properties
+// that end up in its block (its own, its lighting graph's, its sub-graphs', and files named at ports).
+#pragma once
+
+#include "compiler/graph/check.h"
+
+namespace patina::graph {
+
+struct MaterialProperty {
+    const Property* property = nullptr;
+    std::string texture_path;  // a texture's default, found on disk; or white, black, gray, bump
+};
+
+struct Material {
+    const CheckedGraph* graph = nullptr;
+    const CheckedGraph* workflow = nullptr;
+    const CheckedGraph* lighting = nullptr;
+    std::string lighting_name;
+    std::vector<PortValue> lighting_inputs;    // values for the lighting graph's properties
+    std::vector<MaterialProperty> properties;  // in binding order
+    std::map<std::string, std::size_t, std::less<>> property_index;
+    bool is_preview = false;
+
+    // What the surface may set: the workflow's inputs and those that the lighting model declares.
+    std::vector<const Input*> surface_inputs() const;
+};
+
+// `preview`: "mask" or "rust.amount", or empty. Null after errors that leave nothing to go on with.
+std::unique_ptr<Material> resolve_material(Session& session, std::shared_ptr<Graph> graph, std::string_view preview);
+
+// The name of the texture property that stands for a file at a port.
+std::string file_texture_name(std::string_view path);
+
+}  // namespace patina::graph

@@ -1,0 +1,252 @@
+#include "compiler/graph/read_graph.h"
+
+#include <algorithm>
+
+#include "compiler/base/text.h"
+#include "compiler/graph/json_text.h"
+#include "compiler/graph/read_fields.h"
+
+namespace patina::graph {
+namespace {
+
+void read_lighting_graph(Reading& reading, const Json& json, Graph& graph);
+
+ObjectKind object_kind(GraphKind kind) {
+    switch (kind) {
+        case GraphKind::Material: return ObjectKind::Material;
+        case GraphKind::Subgraph: return ObjectKind::Subgraph;
+        case GraphKind::Lighting: return ObjectKind::Lighting;
+        case GraphKind::Workflow: return ObjectKind::Workflow;
+    }
+    return ObjectKind::Free;
+}
+
+// "textures/rust.graph.json" -> "rust"
+std::string stem(std::string_view path) {
+    if (const std::size_t slash = path.find_last_of("/\\"); slash != std::string_view::npos)
+        path.remove_prefix(slash + 1);
+    for (const std::string_view ending :
+         {".graph.json", ".subgraph.json", ".lighting.json", ".workflow.json", ".json"}) {
+        if (path.ends_with(ending)) return std::string(path.substr(0, path.size() - ending.size()));
+    }
+    return std::string(path);
+}
+
+// --- keys that every kind of graph has
+
+void read_common(Reading& reading, const Json& json, Graph& graph, UniqueNames& names) {
+    if (std::string name = read_text(reading, json, "name"); !name.empty()) graph.name = std::move(name);
+    graph.help = read_text(reading, json, "help");
+    if (const Json* schema = json.find("$schema")) (void)read_string(reading, *schema, "'$schema'");
+    if (const Json* precision = json.find("precision")) {
+        graph.precision =
+            read_word(reading, *precision, "precision", "a precision", kPrecisions).value_or(Precision::Float);
+    }
+    if (const Json* properties = json.find("properties")) {
+        graph.properties = read_properties(reading, *properties, names);
+    }
+    if (const Json* nodes = json.find("nodes")) graph.nodes = read_nodes(reading, *nodes);
+    if (const Json* meta = json.find("meta")) append_one_line(graph.meta, *meta, reading.sources);
+}
+
+// An output is declared by the key that holds its value.
+void read_declared_outputs(Reading& reading, const Json& json, std::vector<PortValue>& outputs) {
+    outputs = read_ports(reading, json, "'outputs'", {});
+    for (const PortValue& output : outputs) {
+        if (!is_identifier(output.name)) {
+            reading.diagnostics.report(Code::BadIdentifier, output.name_span, shown(output.name));
+        }
+    }
+}
+
+// --- materials
+
+void report_not_yet(Reading& reading, const Json& object, std::string_view key) {
+    if (const JsonMember* member = find_member(object, key)) {
+        reading.diagnostics.report(Code::NotYet, member->key_span, fmt::format("\"{}\"", key));
+    }
+}
+
+void read_render(Reading& reading, const Json& json, RenderState& render) {
+    render.span = json.span;
+    if (!expect(reading, json, Json::Kind::Object, "'render'")) return;
+    check_keys(reading, json, ObjectKind::Render);
+    report_not_yet(reading, json, "stencil");
+    report_not_yet(reading, json, "bounds");
+    if (const Json* surface = json.find("surface")) {
+        render.surface =
+            read_word(reading, *surface, "surface", "a surface kind", kSurfaceKinds).value_or(SurfaceKind::Opaque);
+    }
+    if (const Json* cull = json.find("cull")) {
+        render.cull = read_word(reading, *cull, "cull", "a cull mode", kCulls).value_or(Cull::Back);
+    }
+    if (const Json* write = json.find("depthWrite")) render.depth_write = read_bool(reading, *write, "'depthWrite'");
+    if (const Json* test = json.find("depthTest")) {
+        render.depth_test = read_word(reading, *test, "depthTest", "a depth test", kCompares);
+    }
+    constexpr int kLastQueue = 5000;
+    if (const Json* queue = json.find("queue")) render.queue = read_int(reading, *queue, "'queue'", 0, kLastQueue);
+}
+
+void read_lighting_use(Reading& reading, const Json& json, LightingUse& lighting) {
+    lighting.present = true;
+    lighting.span = json.span;
+    if (json.kind == Json::Kind::String) {
+        lighting.use = json.string;
+        if (json.string.empty()) {
+            reading.diagnostics.report(Code::Syntax, json.span, "a lighting model", "an empty string");
+        }
+    } else if (json.kind != Json::Kind::Object) {
+        report_type(reading, json, "'lighting'", "a name, a file or a lighting graph");
+    } else if (const Json* use = json.find("use")) {
+        check_keys(reading, json, ObjectKind::LightingUse);
+        lighting.use = read_text(reading, json, "use");
+        lighting.span = use->span;
+        if (const Json* in = json.find("in")) lighting.inputs = read_ports(reading, *in, "'in'", {});
+    } else {
+        lighting.inlined = std::make_shared<Graph>();
+        lighting.inlined->kind = GraphKind::Lighting;
+        lighting.inlined->name = "inline";
+        lighting.inlined->span = json.span;
+        read_lighting_graph(reading, json, *lighting.inlined);
+    }
+}
+
+void read_material(Reading& reading, const Json& json, Graph& graph) {
+    UniqueNames names;
+    check_keys(reading, json, ObjectKind::Material);
+    if (const Json* workflow = json.find("workflow")) {
+        if (const std::string* text = read_string(reading, *workflow, "'workflow'")) graph.workflow = *text;
+        graph.workflow_span = workflow->span;
+    }
+    if (const Json* lighting = json.find("lighting")) read_lighting_use(reading, *lighting, graph.lighting);
+    read_common(reading, json, graph, names);
+    if (const Json* vertex = json.find("vertex")) graph.vertex = read_ports(reading, *vertex, "'vertex'", {});
+    if (const Json* surface = json.find("surface")) graph.surface = read_ports(reading, *surface, "'surface'", {});
+    if (const Json* render = json.find("render")) read_render(reading, *render, graph.render);
+    report_not_yet(reading, json, "passes");
+}
+
+// --- the other kinds
+
+void read_subgraph(Reading& reading, const Json& json, Graph& graph) {
+    UniqueNames names;
+    check_keys(reading, json, ObjectKind::Subgraph);
+    if (const Json* inputs = json.find("inputs")) graph.inputs = read_inputs(reading, *inputs, names, false);
+    read_common(reading, json, graph, names);
+    if (const Json* outputs = json.find("outputs")) read_declared_outputs(reading, *outputs, graph.outputs);
+}
+
+void read_lighting_graph(Reading& reading, const Json& json, Graph& graph) {
+    UniqueNames surface_names, names;  // @surface.name and $name: two worlds
+    check_keys(reading, json, ObjectKind::Lighting);
+    if (const Json* surface = json.find("surface")) graph.inputs = read_inputs(reading, *surface, surface_names, false);
+    read_common(reading, json, graph, names);
+    for (const std::string_view key : {"direct", "indirect", "final"}) {
+        const JsonMember* output = find_member(json, key);
+        if (!output) continue;
+        reading.diagnostics.set_context({}, key);
+        graph.outputs.push_back(
+            {.name = std::string(key),
+             .name_span = output->key_span,
+             .value_span = output->value.span,
+             .value = read_value(output->value, reading.sources, reading.ast, reading.diagnostics)});
+        reading.diagnostics.set_context({}, {});
+    }
+}
+
+// The name of another input of the same workflow.
+void check_input_name(Reading& reading, const Graph& graph, std::string_view name, Span span) {
+    std::vector<std::string_view> inputs;
+    for (const Input& input : graph.inputs) inputs.push_back(input.name);
+    if (std::find(inputs.begin(), inputs.end(), name) != inputs.end()) return;
+    suggest(reading, reading.diagnostics.report(Code::UnknownWord, span, shown(name), "an input of this workflow"),
+            name, inputs);
+}
+
+void read_workflow(Reading& reading, const Json& json, Graph& graph) {
+    UniqueNames names;
+    check_keys(reading, json, ObjectKind::Workflow);
+    if (const Json* inputs = json.find("inputs")) graph.inputs = read_inputs(reading, *inputs, names, true);
+    for (const Input& input : graph.inputs) {
+        if (!input.gives.empty()) check_input_name(reading, graph, input.gives, input.name_span);
+    }
+    if (const Json* preview = json.find("preview")) {
+        graph.preview_input = read_text(reading, json, "preview");
+        if (preview->kind == Json::Kind::String) {
+            check_input_name(reading, graph, graph.preview_input, inside(preview->span));
+        }
+    }
+    if (const Json* lighting = json.find("lighting")) read_lighting_use(reading, *lighting, graph.lighting);
+    read_common(reading, json, graph, names);
+    if (const Json* surface = json.find("surface")) graph.surface = read_ports(reading, *surface, "'surface'", {});
+}
+
+// --- the file
+
+bool check_version(Reading& reading, const Json& json) {
+    const Json* version = json.find("patina");
+    if (!version) {
+        reading.diagnostics.report(Code::MissingKey, opening(json), "a graph", "patina")
+            .note("\"patina\": 1 says that the file is in version 1 of the graph format");
+        return true;  // the rest is read all the same
+    }
+    if (version->kind != Json::Kind::Number) {
+        report_type(reading, *version, "'patina'", "the number 1");
+        return true;
+    }
+    if (version->number == 1) return true;
+    reading.diagnostics.report(Code::UnknownVersion, version->span, shown(reading.sources.text(version->span)));
+    return false;
+}
+
+// Nothing after an error.
+std::optional<GraphKind> check_kind(Reading& reading, const Json& json, std::optional<GraphKind> expected) {
+    const Json* word = json.find("kind");
+    GraphKind kind = GraphKind::Material;
+    if (word) {
+        const std::optional<GraphKind> known = read_word(reading, *word, "kind", "a kind of graph", kGraphKinds);
+        if (!known) return std::nullopt;
+        kind = *known;
+    }
+    if (!expected || kind == *expected) return kind;
+    DiagnosticRecord& record =
+        reading.diagnostics.report(Code::WrongJsonType, word ? word->span : opening(json), "this file",
+                                   describe(object_kind(*expected)), describe(object_kind(kind)));
+    if (!word) record.note(fmt::format("\"kind\": \"{}\" is missing", text_of(kGraphKinds, *expected)));
+    return std::nullopt;
+}
+
+void read_kind(Reading& reading, const Json& json, Graph& graph) {
+    switch (graph.kind) {
+        case GraphKind::Material: return read_material(reading, json, graph);
+        case GraphKind::Subgraph: return read_subgraph(reading, json, graph);
+        case GraphKind::Lighting: return read_lighting_graph(reading, json, graph);
+        case GraphKind::Workflow: return read_workflow(reading, json, graph);
+    }
+}
+
+}  // namespace
+
+std::shared_ptr<Graph> read_graph(const Json& json, std::string path, const SourceMap& sources, nodelang::Ast& ast,
+                                  Diagnostics& diagnostics, std::optional<GraphKind> expected) {
+    Reading reading{sources, ast, diagnostics};
+    auto graph = std::make_shared<Graph>();
+    graph->kind = expected.value_or(GraphKind::Material);
+    graph->name = stem(path);
+    graph->path = std::move(path);
+    graph->span = json.span;
+    if (!expect(reading, json, Json::Kind::Object, "a graph") || !check_version(reading, json)) return graph;
+
+    const std::optional<GraphKind> kind = check_kind(reading, json, expected);
+    if (!kind) return graph;
+    graph->kind = *kind;
+    // A sub-graph is read while a node of its parent is at work: that one's name does not belong on messages from here.
+    const std::string outer_node(diagnostics.context_node());
+    diagnostics.set_context({}, {});
+    read_kind(reading, json, *graph);
+    diagnostics.set_context(outer_node, {});
+    return graph;
+}
+
+}  // namespace patina::graph

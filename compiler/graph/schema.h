@@ -1,0 +1,24 @@
+// The JSON Schema (draft 2020-12) of the graph format, so that an editor completes and explains keys, nodes, ports and
+// words. Made from the tables that the reader uses and from what the library holds; it does not know links and types,
+// which only compiling checks.
+//
+//   std::string text = make_schema({.nodes = compiler.nodes(), .semantics = compiler.semantics(), ...});
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "patina/patina.h"
+
+namespace patina::graph {
+
+struct SchemaInput {
+    std::span<const NodeInfo> nodes;
+    std::span<const SemanticInfo> semantics;
+    std::span<const ModelInfo> workflows;
+    std::span<const ModelInfo> lighting_models;
+};
+
+std::string make_schema(const SchemaInput& input);
+
+}  // namespace patina::graph

@@ -1,0 +1,76 @@
+#include "compiler/graph/session.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "compiler/graph/check.h"
+#include "compiler/graph/json.h"
+
+namespace patina::graph {
+namespace {
+
+std::optional<std::string> read_text(const std::string& path, std::string& why) {
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) {
+        why = "it is a folder";
+        return {};
+    }
+    std::ifstream file(path, std::ios::binary);
+    if (!file) {
+        why = std::strerror(errno);
+        return {};
+    }
+    std::ostringstream text;
+    text << file.rdbuf();
+    return std::move(text).str();
+}
+
+bool exists(const Session& session, const std::string& path) {
+    if (session.options.loader) return session.options.loader(path).has_value();
+    std::error_code error;
+    return std::filesystem::is_regular_file(path, error);
+}
+
+}  // namespace
+
+Session::Session(const Library& the_library, const CompileOptions& the_options)
+    : library(the_library), options(the_options), sources(&the_library.sources) {}
+
+std::string find_file(Session& session, const std::string& name, const std::string& from) {
+    namespace fs = std::filesystem;
+    const auto join = [&](const fs::path& folder) { return (folder / name).lexically_normal().generic_string(); };
+    if (fs::path(name).is_absolute()) return exists(session, name) ? name : std::string();
+    if (const std::string beside = join(fs::path(from).parent_path()); exists(session, beside)) return beside;
+    for (const std::string& folder : session.options.include_dirs) {
+        if (const std::string found = join(folder); exists(session, found)) return found;
+    }
+    return {};
+}
+
+std::optional<std::uint32_t> load_source(Session& session, const std::string& path, Span where) {
+    std::string why = "there is no such file";
+    std::optional<std::string> text = session.options.loader ? session.options.loader(path) : read_text(path, why);
+    if (!text) {
+        session.diagnostics.report(Code::CannotRead, where, path, why);
+        return {};
+    }
+    if (text->size() > kMaxJsonBytes) {
+        session.diagnostics.report(Code::TooLarge, where, text->size(), kMaxJsonBytes);
+        return {};
+    }
+    session.dependencies.push_back(path);
+    return session.sources.add(path, std::move(*text));
+}
+
+std::string file_stem(std::string_view path) {
+    const std::size_t slash = path.find_last_of("/\\");
+    std::string_view name = slash == std::string_view::npos ? path : path.substr(slash + 1);
+    const std::size_t dot = name.find('.', 1);
+    return std::string(name.substr(0, dot));
+}
+
+}  // namespace patina::graph

@@ -1,0 +1,112 @@
+// The words that may stand at keys with a fixed choice, and what each means. The reader looks them up, and the JSON
+// Schema and the messages list them.
+//
+//   "wrap": "mirror"  ->  Wrap::Mirror
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "compiler/graph/graph.h"
+
+namespace patina::graph {
+
+template <class E>
+struct Word {
+    std::string_view text;
+    E value;
+    bool later = false;  // part of the format, and not compiled yet
+};
+
+template <class E, std::size_t N>
+constexpr std::string_view text_of(const std::array<Word<E>, N>& words, E value) {
+    for (const Word<E>& word : words) {
+        if (word.value == value && !word.later) return word.text;
+    }
+    return {};
+}
+
+inline constexpr std::array kGraphKinds = {
+    Word<GraphKind>{"material", GraphKind::Material},    Word<GraphKind>{"subgraph", GraphKind::Subgraph},
+    Word<GraphKind>{"lighting", GraphKind::Lighting},    Word<GraphKind>{"workflow", GraphKind::Workflow},
+    Word<GraphKind>{"scene", GraphKind::Material, true},
+};
+
+inline constexpr std::array kPrecisions = {
+    Word<Precision>{"float", Precision::Float},
+    Word<Precision>{"half", Precision::Half},
+};
+
+inline constexpr std::array kPropertyTypes = {
+    Word<PropertyType>{"float", PropertyType::Float},         Word<PropertyType>{"float2", PropertyType::Float2},
+    Word<PropertyType>{"float3", PropertyType::Float3},       Word<PropertyType>{"float4", PropertyType::Float4},
+    Word<PropertyType>{"color", PropertyType::Color},         Word<PropertyType>{"int", PropertyType::Int},
+    Word<PropertyType>{"bool", PropertyType::Bool},           Word<PropertyType>{"enum", PropertyType::Enum},
+    Word<PropertyType>{"texture2d", PropertyType::Texture2D},
+};
+
+inline constexpr std::array kTextureUsages = {
+    Word<TextureUsage>{"color", TextureUsage::Color},
+    Word<TextureUsage>{"data", TextureUsage::Data},
+    Word<TextureUsage>{"normal", TextureUsage::Normal},
+};
+
+inline constexpr std::array<std::string_view, 4> kDefaultTextures = {"white", "black", "gray", "bump"};
+
+// When a property gets its value.
+enum class Binding { Uniform, Specialization, Variant };
+inline constexpr std::array kBindings = {
+    Word<Binding>{"uniform", Binding::Uniform},
+    Word<Binding>{"specialization", Binding::Specialization, true},
+    Word<Binding>{"variant", Binding::Variant, true},
+};
+
+inline constexpr std::array kWraps = {
+    Word<Wrap>{"repeat", Wrap::Repeat},
+    Word<Wrap>{"clamp", Wrap::Clamp},
+    Word<Wrap>{"mirror", Wrap::Mirror},
+};
+
+inline constexpr std::array kFilters = {
+    Word<Filter>{"linear", Filter::Linear},
+    Word<Filter>{"nearest", Filter::Nearest},
+};
+
+enum class NodeStage { Fragment, Vertex };
+inline constexpr std::array kNodeStages = {
+    Word<NodeStage>{"fragment", NodeStage::Fragment},
+    Word<NodeStage>{"pixel", NodeStage::Fragment},
+    Word<NodeStage>{"vertex", NodeStage::Vertex},
+};
+
+inline constexpr std::array kSurfaceKinds = {
+    Word<SurfaceKind>{"opaque", SurfaceKind::Opaque},
+    Word<SurfaceKind>{"cutout", SurfaceKind::Cutout},
+    Word<SurfaceKind>{"fade", SurfaceKind::Opaque, true},
+    Word<SurfaceKind>{"transparent", SurfaceKind::Opaque, true},
+    Word<SurfaceKind>{"additive", SurfaceKind::Opaque, true},
+    Word<SurfaceKind>{"multiply", SurfaceKind::Opaque, true},
+};
+
+inline constexpr std::array kCulls = {
+    Word<Cull>{"back", Cull::Back},
+    Word<Cull>{"front", Cull::Front},
+    Word<Cull>{"off", Cull::Off},
+};
+
+inline constexpr std::array kCompares = {
+    Word<Compare>{"never", Compare::Never},
+    Word<Compare>{"less", Compare::Less},
+    Word<Compare>{"equal", Compare::Equal},
+    Word<Compare>{"lessEqual", Compare::LessEqual},
+    Word<Compare>{"greater", Compare::Greater},
+    Word<Compare>{"notEqual", Compare::NotEqual},
+    Word<Compare>{"greaterEqual", Compare::GreaterEqual},
+    Word<Compare>{"always", Compare::Always},
+};
+
+// What an input of a sub-graph, a workflow or a lighting model may be.
+inline constexpr std::array<std::string_view, 8> kInputTypes = {"float", "float2", "float3", "float4",
+                                                                "color", "int",    "bool",   "texture2d"};
+
+}  // namespace patina::graph

@@ -1,0 +1,24 @@
+// What a Compiler holds: the library, and descriptions of it that are made when first asked for.
+#pragma once
+
+#include <mutex>
+
+#include "compiler/graph/library.h"
+#include "patina/patina.h"
+
+namespace patina {
+
+struct Compiler::Impl {
+    std::unique_ptr<graph::Library> library;
+    std::vector<Diagnostic> library_diagnostics;
+
+    // Filled by describe() under `once`.
+    mutable std::once_flag once;
+    mutable std::vector<NodeInfo> nodes;
+    mutable std::vector<SemanticInfo> semantics;
+    mutable std::vector<ModelInfo> workflows, lighting_models;
+
+    void describe() const;
+};
+
+}  // namespace patina

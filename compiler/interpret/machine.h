@@ -1,0 +1,117 @@
+// A function of the IR made ready to run: every value has a fixed place in one memory, and blocks are lists of steps
+// that read and write places. Functions do not recurse, so each has one frame for good. Nothing is allocated while it
+// runs. Taking a part of a value, a parameter or a result is no step: it has the place of what it is a part of.
+//
+//   Machine machine = make_machine(module, entry, Precision::Float);
+//   machine.argument(0, 0) = 0.5;   // component 0, lane 0
+//   execute(machine);
+//   machine.result(0, 0);
+#pragma once
+
+#include "compiler/ir/ir.h"
+#include "patina/interpret.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace patina::interpret {
+
+inline constexpr unsigned kLanes = 4;
+// One bit a lane.
+using Mask = unsigned;
+inline constexpr Mask kAllLanes = (1u << kLanes) - 1;
+
+// Number of a component in the memory; its four lanes stand side by side.
+using Slot = std::uint32_t;
+inline constexpr Slot kNowhere = 0xffffffffu;
+
+struct Step;
+struct Machine;
+// Computes all four lanes; what a lane that is switched off gets is never looked at.
+using Kernel = void (*)(const Step&, Machine&);
+
+struct Shape {
+    std::uint8_t rows = 1;
+    std::uint8_t cols = 1;
+};
+
+struct Step {
+    enum class Kind : std::uint8_t { Compute, Copy, Branch, Loop, Call, Discard };
+    Kind kind = Kind::Compute;
+    bool rounds_to_half = false;
+    std::array<Shape, 2> shapes{};  // of the first two operands
+    Kernel kernel = nullptr;
+    Slot to = kNowhere;
+    std::uint32_t count = 0;  // components of the result
+    std::array<Slot, 5> from{};
+    std::uint32_t data = 0;  // Branch, Loop, Call: which; an op's kernel says what else
+};
+
+struct Move {
+    Slot to = kNowhere;
+    Slot from = kNowhere;
+    std::uint32_t count = 0;
+};
+
+struct Branch {
+    Slot condition = kNowhere;
+    std::array<std::uint32_t, 2> blocks{};  // if true, if false
+    std::array<std::vector<Move>, 2> yields;
+};
+
+struct Loop {
+    Slot begin = kNowhere;
+    Slot end = kNowhere;
+    Slot index = kNowhere;
+    std::uint32_t block = 0;
+    std::vector<Move> initial;
+    std::vector<Move> next;
+    // Where a carried value becomes another carried value, all of them go through a place in between.
+    std::vector<Move> staged;
+};
+
+struct CallSite {
+    std::uint32_t block = 0;
+    std::vector<Move> arguments;
+    Move result;
+};
+
+struct Machine {
+    Precision precision = Precision::Float;
+    std::vector<std::vector<Step>> blocks;
+    std::vector<Branch> branches;
+    std::vector<Loop> loops;
+    std::vector<CallSite> calls;
+    std::uint32_t entry = 0;  // a block
+    Slot first_argument = 0;
+    std::vector<ir::Type> argument_types;    // scalar or opaque, one per component, end to end
+    Move output;                             // from, count
+    std::vector<Slot> globals;               // by Module::globals; kNowhere if nothing reads it
+
+    std::vector<double> memory;
+    std::vector<std::shared_ptr<const TextureData>> textures;  // by Module::globals; null: not bound
+    Mask discarded = 0;
+
+    double* at(Slot slot) { return memory.data() + std::size_t{slot} * kLanes; }
+    const double* at(Slot slot) const { return memory.data() + std::size_t{slot} * kLanes; }
+    // In Float precision a double is rounded to what the parameter can hold.
+    void set_argument(std::size_t component, unsigned lane, double value);
+    double result(std::size_t component, unsigned lane) const {
+        return at(output.from + static_cast<Slot>(component))[lane];
+    }
+};
+
+Machine make_machine(const ir::Module& module, ir::FunctionId entry, Precision precision);
+
+// Components of a uniform, as in Resources::uniforms; missing ones are 0.
+void set_uniform(Machine& machine, const ir::Module& module, ir::GlobalId global, std::span<const double> components);
+// A texture that has no texels is as good as none.
+void set_texture(Machine& machine, ir::GlobalId global, std::shared_ptr<const TextureData> texture);
+
+void execute(Machine& machine);
+
+// The scalar (or opaque) type of each slot of a value of this type, end to end.
+void append_slot_types(const ir::Module& module, ir::Type type, std::vector<ir::Type>& into);
+
+}  // namespace patina::interpret

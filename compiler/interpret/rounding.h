@@ -1,0 +1,25 @@
+// What a value of each scalar kind can hold. Every value of the interpreter is a double; these functions bring a result
+// back to its type. Written apart from the compiler's own folding: the two are witnesses of each other.
+//
+//   to_half(0.1) == 0.0999755859375      wrap(Scalar::Int, 1LL << 31) == -2147483648.0
+#pragma once
+
+#include "compiler/ir/types.h"
+#include "patina/interpret.h"
+
+#include <cstdint>
+
+namespace patina::interpret {
+
+// IEEE 754 binary16 and binary32, to nearest, ties to even; too large becomes infinite.
+double to_half(double value);
+double to_float(double value);
+
+// The low 32 bits, read as an int or a uint.
+double wrap(ir::Scalar scalar, std::int64_t value);
+
+// The nearest value that the type holds. A float that no integer is near enough to saturates, and NaN becomes 0, as
+// Direct3D defines the conversion (Vulkan leaves it open).
+double fit(ir::Scalar scalar, Precision precision, double value);
+
+}  // namespace patina::interpret

@@ -1,0 +1,296 @@
+// simplify(): what the builder makes of op(args) instead of a new instruction. Constants fold (fold.cpp), composites
+// are taken apart (composites.cpp), and the algebra is the table below.
+//
+// What may change: the sign of a zero, and nothing else. A GPU need not keep NaN, but users debug with it and no target
+// promises to lose it, so x * 0 and x - x stay as they are for floats: they are NaN where x is NaN or infinite. Rounded
+// identities are the exception, each for a reason given beside it.
+#include <algorithm>
+#include <array>
+
+#include "compiler/ir/builder.h"
+#include "compiler/ir/composites.h"
+#include "compiler/ir/pattern.h"
+
+namespace patina::ir {
+namespace {
+
+using namespace pattern;
+
+constexpr auto kRounded = Identity::Holds::Rounded;
+
+constexpr Identity kIdentities[] = {
+    {x + 0, x},
+    {x + -y, x - y},
+
+    {x - 0, x},
+    {0 - x, -x},
+    {x - -y, x + y},
+    {i - i, 0},
+
+    {x * 1, x},
+    {x * -1, -x},
+    {-x * -y, x* y},
+    {i * 0, 0},
+
+    {x / 1, x},
+    {x / -1, -x},
+
+    {-(-x), x},
+    {-(x - y), y - x},
+
+    {!!c, c},
+    {!(x == y), x != y},
+    {!(x != y), x == y},
+    // !(x < y) is not x >= y: both are false for NaN. For whole numbers it is.
+    {!(i < j), i >= j},
+    {!(i <= j), i > j},
+    {!(i > j), i <= j},
+    {!(i >= j), i < j},
+
+    {c && true, c},
+    {c && false, false},
+    {c && c, c},
+    {c && !c, false},
+
+    {c || false, c},
+    {c || true, true},
+    {c || c, c},
+    {c || !c, true},
+
+    {i & 0, 0},
+    {i & -1, i},
+    {i & i, i},
+
+    {i | 0, i},
+    {i | i, i},
+
+    {i ^ 0, i},
+    {i ^ i, 0},
+
+    {~~i, i},
+
+    {i << 0, i},
+
+    {i >> 0, i},
+
+    {x < x, false},
+
+    {x > x, false},
+
+    {i <= i, true},
+
+    {i >= i, true},
+
+    {i == i, true},
+    {c == c, true},
+    {c == true, c},
+    {c == false, !c},
+
+    {i != i, false},
+    {c != c, false},
+    {c != false, c},
+    {c != true, !c},
+
+    {select(true, x, y), x},
+    {select(false, x, y), y},
+    {select(c, x, x), x},
+    {select(!c, x, y), select(c, y, x)},
+    {select(c, true, false), c},
+    {select(c, false, true), !c},
+    {select(c, select(c, x, y), z), select(c, x, z)},
+    {select(c, x, select(c, y, z)), select(c, x, z)},
+
+    {abs(abs(x)), abs(x)},
+    {abs(-x), abs(x)},
+    {abs(saturate(x)), saturate(x)},
+
+    {sign(sign(x)), sign(x)},
+
+    {floor(floor(x)), floor(x)},
+
+    {ceil(ceil(x)), ceil(x)},
+
+    {round(round(x)), round(x)},
+
+    {trunc(trunc(x)), trunc(x)},
+
+    {saturate(saturate(x)), saturate(x)},
+    {saturate(max(x, 0)), saturate(x)},
+    {saturate(clamp(x, 0, 1)), saturate(x)},
+
+    {min(x, x), x},
+    {min(max(x, 0), 1), saturate(x)},
+    {min(saturate(x), 1), saturate(x)},
+
+    {max(x, x), x},
+    {max(saturate(x), 0), saturate(x)},
+    {max(abs(x), 0), abs(x)},
+
+    {clamp(x, 0, 1), saturate(x)},
+    {clamp(clamp(x, y, z), y, z), clamp(x, y, z)},
+
+    // Languages differ in how lerp rounds (a + (b - a) t, a (1 - t) + b t); its ends are meant to be a and b.
+    {lerp(x, y, 0), x, kRounded},
+    {lerp(x, y, 1), y, kRounded},
+    {lerp(x, x, y), x, kRounded},
+
+    // A GPU computes exp2(y log2(x)), which loses some digits that x has.
+    {pow(x, 1), x, kRounded},
+
+    {any(c), c},  // of a scalar; a vector's type does not fit
+
+    {all(c), c},
+
+    {dot(x, y), x* y},  // of scalars
+
+    // A unit vector's length is 1 but for rounding.
+    {normalize(normalize(x)), normalize(x), kRounded},
+
+    {transpose(transpose(x)), x},
+};
+
+constexpr std::size_t root(const Identity& identity) {
+    return static_cast<std::size_t>(identity.left.nodes[0].op);
+}
+
+// First and last + 1 identity of each op.
+constexpr auto kRanges = [] {
+    std::array<std::array<std::uint16_t, 2>, kOpCount> ranges{};
+    for (std::size_t k = 0; k < std::size(kIdentities); k++) {
+        auto& [begin, end] = ranges[root(kIdentities[k])];
+        if (end == 0) begin = static_cast<std::uint16_t>(k);
+        end = static_cast<std::uint16_t>(k + 1);
+    }
+    return ranges;
+}();
+
+constexpr bool is_grouped_by_op() {
+    for (std::size_t k = 0; k < std::size(kIdentities); k++) {
+        const auto [begin, end] = kRanges[root(kIdentities[k])];
+        for (std::size_t other = begin; other < end; other++) {
+            if (root(kIdentities[other]) != root(kIdentities[k])) return false;
+        }
+    }
+    return true;
+}
+static_assert(is_grouped_by_op());
+
+// --- matching
+
+using Node = Pattern::Node;
+using Bindings = std::array<Value, kVariables>;
+
+const Node* behind(const Node* node) {
+    const int operands = node->kind == Pattern::Kind::Operation ? info(node->op).arguments : 0;
+    node++;
+    for (int k = 0; k < operands; k++) node = behind(node);
+    return node;
+}
+
+bool match_operands(const Builder& b, const Node* node, Op op, std::span<const Value> args, Bindings& bound);
+
+bool match(const Builder& b, const Node* node, Value value, Bindings& bound) {
+    if (node->kind == Pattern::Kind::Number) return b.is_constant(value, node->number);
+    if (node->kind == Pattern::Kind::Operation) {
+        const Op op = b[value].op;
+        return op == node->op && match_operands(b, node + 1, op, b.args(value), bound);
+    }
+    if (node->kind == Pattern::Kind::Integer && !b.type(value).is_integer()) return false;
+    if (node->kind == Pattern::Kind::Bool && !b.type(value).is_bool()) return false;
+    Value& variable = bound[static_cast<std::size_t>(node->number)];
+    if (variable) return variable == value;
+    variable = value;
+    return true;
+}
+
+bool match_operands(const Builder& b, const Node* node, Op op, std::span<const Value> args, Bindings& bound) {
+    const Bindings before = bound;
+    const auto in_order = [&](std::span<const Value> values) {
+        const Node* operand = node;
+        for (const Value value : values) {
+            if (!match(b, operand, value, bound)) return false;
+            operand = behind(operand);
+        }
+        return true;
+    };
+    if (in_order(args)) return true;
+    bound = before;
+    if (!has(op, Commutes)) return false;
+    const std::array<Value, 2> swapped = {args[1], args[0]};
+    return in_order(swapped);
+}
+
+// --- rewriting
+
+Type type_of(const Builder& b, const Node*& node, const Bindings& bound) {
+    const Node& head = *node++;
+    if (head.kind != Pattern::Kind::Operation) {
+        return head.kind == Pattern::Kind::Number ? Type::error()
+                                                  : b.type(bound[static_cast<std::size_t>(head.number)]);
+    }
+    std::array<Type, 3> types;
+    const auto count = static_cast<std::size_t>(info(head.op).arguments);
+    for (std::size_t k = 0; k < count; k++) types[k] = type_of(b, node, bound);
+    return result_type(head.op, {types.data(), count});
+}
+
+// The right side is of operations and variables, or one number.
+Value build(Builder& b, Type type, const Node*& node, const Bindings& bound) {
+    const Node& head = *node++;
+    if (head.kind == Pattern::Kind::Number) return b.splat_constant(type, head.number);
+    if (head.kind != Pattern::Kind::Operation) return bound[static_cast<std::size_t>(head.number)];
+    std::array<Value, 3> args;
+    std::array<Type, 3> types;
+    const auto count = static_cast<std::size_t>(info(head.op).arguments);
+    for (std::size_t k = 0; k < count; k++) {
+        args[k] = build(b, type, node, bound);
+        types[k] = b.type(args[k]);
+    }
+    return b.emit(head.op, result_type(head.op, {types.data(), count}), std::span<const Value>(args.data(), count));
+}
+
+Value rewrite(Builder& b, Op op, Type type, std::span<const Value> args) {
+    const auto [begin, end] = kRanges[static_cast<std::size_t>(op)];
+    for (std::size_t k = begin; k < end; k++) {
+        const Identity& identity = kIdentities[k];
+        Bindings bound;
+        if (!match_operands(b, identity.left.nodes.data() + 1, op, args, bound)) continue;
+        // select(c, true, false) = c only where the select is as wide as its condition, and so on.
+        const Node* node = identity.right.nodes.data();
+        if (node->kind != Pattern::Kind::Number && type_of(b, node, bound) != type) continue;
+        node = identity.right.nodes.data();
+        return build(b, type, node, bound);
+    }
+    return {};
+}
+
+Value fold(Builder& b, Op op, Type type, std::span<const Value> args, std::uint32_t data) {
+    constexpr std::size_t kMost = 16;
+    if (args.empty() || args.size() > kMost || !type.is_numeric()) return {};
+    const auto is_constant = [&](Value v) { return b[v].op == Op::Constant; };
+    if (!std::all_of(args.begin(), args.end(), is_constant)) return {};
+    std::array<Type, kMost> types;
+    std::array<std::span<const double>, kMost> numbers;
+    for (std::size_t k = 0; k < args.size(); k++) {
+        numbers[k] = b.constant_of(args[k]);
+        types[k] = b.type(args[k]);
+    }
+    std::vector<double> folded;
+    const bool is_known =
+        fold_constant(op, type, {types.data(), args.size()}, {numbers.data(), args.size()}, data, folded);
+    return is_known ? b.constant(type, folded) : Value();
+}
+
+}  // namespace
+
+std::span<const Identity> all_identities() {
+    return kIdentities;
+}
+
+Value simplify(Builder& b, Op op, Type type, std::span<const Value> args, std::uint32_t data) {
+    if (const Value folded = fold(b, op, type, args, data)) return folded;
+    if (const Value whole = simplify_composite(b, op, type, args, data)) return whole;
+    return rewrite(b, op, type, args);
+}
+
+}  // namespace patina::ir

@@ -1,0 +1,86 @@
+#include "compiler/ir/ir.h"
+
+#include <algorithm>
+#include <array>
+
+namespace patina::ir {
+namespace {
+
+constexpr std::array<std::string_view, 5> kScalarNames = {"bool", "int", "uint", "half", "float"};
+
+std::string numeric_name(Type type) {
+    std::string name(kScalarNames[static_cast<std::size_t>(type.scalar)]);
+    if (type.is_matrix()) return name + std::to_string(type.rows) + "x" + std::to_string(type.cols);
+    if (type.is_vector()) return name + std::to_string(type.rows);
+    return name;
+}
+
+}  // namespace
+
+std::string_view to_string(Rate rate) {
+    switch (rate) {
+        case Rate::Constant: return "constant";
+        case Rate::Uniform: return "uniform";
+        case Rate::Vertex: return "vertex";
+        case Rate::Pixel: return "pixel";
+        case Rate::Light: return "light";
+    }
+    return "";
+}
+
+NameId Module::intern(std::string_view name) {
+    if (name.empty()) return {};
+    const auto [entry, is_new] = name_index_.try_emplace(std::string(name), static_cast<std::uint32_t>(names.size()));
+    if (is_new) names.emplace_back(name);
+    return {entry->second};
+}
+
+Type Module::array_of(Type element, std::uint32_t count) {
+    const Array wanted{element, count};
+    const auto found = std::find(arrays.begin(), arrays.end(), wanted);
+    const auto index = static_cast<std::uint32_t>(found - arrays.begin());
+    if (found == arrays.end()) arrays.push_back(wanted);
+    return Type::array(index);
+}
+
+std::string Module::type_name(Type type) const {
+    switch (type.kind) {
+        case Kind::Void: return "void";
+        case Kind::Numeric: return numeric_name(type);
+        case Kind::Array: {
+            if (type.ref >= arrays.size()) return "<no array " + std::to_string(type.ref) + ">";
+            const Array& array = arrays[type.ref];
+            // An array's element may be an array declared before it, never itself: anything else is not printed.
+            if (array.element.kind == Kind::Array && array.element.ref >= type.ref) return "<array of itself>";
+            return type_name(array.element) + "[" + std::to_string(array.count) + "]";
+        }
+        case Kind::Struct:
+            if (type.ref >= structs.size()) return "<no struct " + std::to_string(type.ref) + ">";
+            return structs[type.ref].name;
+        case Kind::Texture2D: return "Texture2D";
+        case Kind::TextureCube: return "TextureCube";
+        case Kind::Sampler: return "SamplerState";
+        case Kind::Error: return "<error>";
+    }
+    return "";
+}
+
+std::uint32_t part_count(const Module& module, Type composite) {
+    if (composite.is_vector() || composite.is_matrix()) return composite.rows;
+    if (composite.kind == Kind::Struct && composite.ref < module.structs.size()) {
+        return static_cast<std::uint32_t>(module.structs[composite.ref].members.size());
+    }
+    if (composite.kind == Kind::Array && composite.ref < module.arrays.size())
+        return module.arrays[composite.ref].count;
+    return 0;
+}
+
+Type part_type(const Module& module, Type composite, std::uint32_t index) {
+    if (index >= part_count(module, composite)) return Type::error();
+    if (composite.is_vector()) return composite.with_width(1);
+    if (composite.is_matrix()) return composite.with_width(composite.cols);
+    if (composite.kind == Kind::Struct) return module.structs[composite.ref].members[index].type;
+    return module.arrays[composite.ref].element;
+}
+
+}  // namespace patina::ir

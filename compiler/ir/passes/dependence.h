@@ -1,0 +1,22 @@
+// Which of a function's instructions are settled once some of its parameters are: by constants (specialise) or by what
+// does not change from light to light (inline_calls). A forecast for deciding; it changes nothing.
+//
+//   auto known = settled(callee, 1u << 2, Globals::Vary);   // what follows from its third argument
+#pragma once
+
+#include "compiler/ir/ir.h"
+
+namespace patina::ir {
+
+// Parameters from 64 on are never settled.
+inline constexpr std::uint32_t kMaxSettledParams = 64;
+
+enum class Globals : std::uint8_t { Settled, Vary };
+
+// By Value: 1 if all that it depends on is a constant, a parameter in the mask, or a global if those are settled.
+std::vector<std::uint8_t> settled(const Function& function, std::uint64_t params, Globals globals);
+
+// True for ops that cost something: not leaves, nor mere rearrangement of values, nor structure.
+bool is_work(Op op);
+
+}  // namespace patina::ir

@@ -1,0 +1,176 @@
+#include <algorithm>
+#include <utility>
+
+#include "compiler/ir/passes/dependence.h"
+#include "compiler/ir/passes/passes.h"
+#include "compiler/ir/rebuild.h"
+
+namespace patina::ir {
+namespace {
+
+// A function of so few operations reads as well, or better, where it is called.
+constexpr std::uint32_t kSmall = 3;
+// Bodies that call each other twice and must all be spelled out could double at each step. A function that has grown
+// beyond this keeps its calls.
+constexpr std::size_t kMaxInstructions = 1u << 18;
+constexpr int kMaxDepth = 32;
+
+bool holds_opaque(const Module& module, Type type, int depth = 0) {
+    if (type.is_opaque()) return true;
+    if (type.kind != Kind::Struct || depth > 8) return false;
+    const std::vector<Member>& members = module.structs[type.ref].members;
+    return std::any_of(members.begin(), members.end(),
+                       [&](const Member& m) { return holds_opaque(module, m.type, depth + 1); });
+}
+
+// What a finished function is like as a callee.
+struct Callee {
+    bool always = false;
+    std::vector<std::pair<std::uint64_t, bool>> verdicts;  // by settled parameters: does anything become hoistable
+};
+
+Callee describe(const Module& module, const Function& function) {
+    const bool takes_opaque = std::any_of(function.params.begin(), function.params.end(),
+                                          [&](const Param& p) { return holds_opaque(module, p.type); });
+    const auto work =
+        std::count_if(function.insts.begin(), function.insts.end(), [](const Inst& i) { return is_work(i.op); });
+    return {.always = function.always_inline || takes_opaque || work <= kSmall, .verdicts = {}};
+}
+
+bool has_settled_work(const Function& callee, std::uint64_t params) {
+    const std::vector<std::uint8_t> now = settled(callee, params, Globals::Settled);
+    for (std::size_t i = 0; i < callee.insts.size(); i++) {
+        if (now[i] != 0 && is_work(callee.insts[i].op)) return true;
+    }
+    return false;
+}
+
+// What of the function being made changes from light to light, while a light loop is open.
+class LightRate {
+public:
+    void enter() { depth_++; }
+    void leave() { depth_--; }
+    bool in_loop() const { return depth_ > 0; }
+
+    bool varies(const Function& function, Value value) {
+        look_at_new(function);
+        return varies_[value.index] != 0;
+    }
+
+    // Before a loop is entered too, so that what came before it counts as such.
+    void look_at_new(const Function& function) {
+        while (varies_.size() < function.insts.size()) {
+            const Inst& inst = function.insts[varies_.size()];
+            const auto args = function.args(inst);
+            // Instructions are made in order, so operands are known; what a structure yields may depend on anything in
+            // it.
+            const bool by_itself = inst.op == Op::LoopIndex || inst.op == Op::LoopCarried || inst.op == Op::Result;
+            const bool by_operand =
+                std::any_of(args.begin(), args.end(), [&](Value v) { return varies_[v.index] != 0; });
+            varies_.push_back((in_loop() && by_itself) || by_operand ? 1 : 0);
+        }
+    }
+
+private:
+    int depth_ = 0;
+    std::vector<std::uint8_t> varies_;
+};
+
+class Inliner {
+public:
+    explicit Inliner(Module& module) : module_(module), old_(std::move(module.functions)) {
+        module_.functions.clear();
+        module_.functions.reserve(old_.size());
+    }
+
+    // Callees come first, so a body that is copied has its own calls decided already.
+    void run() {
+        for (const Function& old : old_) {
+            Function made = shell(old);
+            Builder builder(module_, made);
+            light_ = {};
+            Copy copy{.from = old, .to = builder, .rewrite = [&](Copy& c, Value v) { return rewrite(c, v, 0); }};
+            copy_body(copy);
+            callees_.push_back(describe(module_, made));
+            module_.functions.push_back(std::move(made));
+        }
+    }
+
+private:
+    bool rewrite(Copy& copy, Value value, int depth) {
+        const Inst& inst = copy.from[value];
+        if (inst.op == Op::For && inst.is_light_loop) {
+            light_.look_at_new(copy.to.function());
+            light_.enter();
+            copy_plain(copy, value);
+            light_.leave();
+            return true;
+        }
+        if (inst.op != Op::Call || !wants_inlining(copy, inst) || depth >= kMaxDepth) return false;
+        if (copy.to.function().insts.size() > kMaxInstructions) return false;
+        copy.map[value.index] = inline_call(copy, inst, depth);
+        return true;
+    }
+
+    bool wants_inlining(Copy& copy, const Inst& call) {
+        Callee& callee = callees_[call.data];
+        if (callee.always) return true;
+        if (!light_.in_loop()) return false;
+        std::uint64_t steady = 0;
+        const auto args = copy.from.args(call);
+        for (std::size_t i = 0; i < args.size() && i < kMaxSettledParams; i++) {
+            if (!light_.varies(copy.to.function(), copy.map[args[i].index])) steady |= std::uint64_t{1} << i;
+        }
+        for (const auto& [params, verdict] : callee.verdicts) {
+            if (params == steady) return verdict;
+        }
+        callee.verdicts.emplace_back(steady, has_settled_work(module_.functions[call.data], steady));
+        return callee.verdicts.back().second;
+    }
+
+    Value inline_call(Copy& outer, const Inst& call, int depth) {
+        const Function& callee = module_.functions[call.data];
+        const auto args = outer.from.args(call);
+        const std::size_t before = outer.to.function().insts.size();
+        Value result;
+        Copy copy{.from = callee,
+                  .to = outer.to,
+                  .origin = call.origin ? call.origin : outer.origin,
+                  .rewrite = [&](Copy& c, Value v) {
+                      const Inst& inst = c.from[v];
+                      if (inst.op == Op::Param) {
+                          c.map[v.index] = outer.map[args[inst.data].index];
+                          return true;
+                      }
+                      if (inst.op == Op::Return) {
+                          if (inst.operand_count == 1) result = c.map[c.from.args(inst)[0].index];
+                          return true;
+                      }
+                      return rewrite(c, v, depth + 1);
+                  }};
+        copy_body(copy);
+        name_result(outer.to, result, call.name, before);
+        return result;
+    }
+
+    // The call's name says what the value is to its reader; the callee's own name for it gives way.
+    static void name_result(Builder& to, Value result, NameId name, std::size_t before) {
+        if (!result || !name) return;
+        if (result.index >= before && to[result].name) to.function().insts[result.index].name = {};
+        to.name(result, name);
+    }
+
+    Module& module_;
+    std::vector<Function> old_;
+    std::vector<Callee> callees_;
+    LightRate light_;
+};
+
+}  // namespace
+
+Module inline_calls(Module module) {
+    Inliner(module).run();
+    return module;
+}
+
+}  // namespace patina::ir

@@ -1,0 +1,359 @@
+#include <algorithm>
+#include <utility>
+
+#include "compiler/ir/passes/passes.h"
+#include "compiler/ir/rebuild.h"
+
+namespace patina::ir {
+namespace {
+
+struct Site {
+    std::uint32_t function;
+    Value call;
+};
+
+// What is needed of one function. Everything only ever grows.
+struct Need {
+    Liveness live;
+    std::vector<std::uint8_t> params;
+    std::vector<std::uint8_t> members;  // of the result struct
+    bool is_called = false;
+    bool whole_result = false;
+    Value return_value;
+    std::vector<Site> sites;
+    std::vector<Value> owners;  // of LoopIndex and LoopCarried: the For
+};
+
+bool returns_struct(const Function& function) {
+    return function.result.kind == Kind::Struct;
+}
+
+// One member of a struct value, looked up through the constructs and inserts that made it: the value itself, or the
+// struct that it must be extracted from.
+struct MemberSource {
+    Value value;
+    bool is_member = false;
+};
+MemberSource member_source(const Function& function, Value whole, std::uint32_t member) {
+    while (function[whole].op == Op::Insert) {
+        if (function[whole].data == member) return {function.args(whole)[1], true};
+        whole = function.args(whole)[0];
+    }
+    if (function[whole].op == Op::Construct) return {function.args(whole)[member], true};
+    return {whole, false};
+}
+
+// Finds what is needed, over all functions at once: a parameter that a callee reads makes arguments needed, a member
+// that a caller takes makes a part of the callee's result needed. Each instruction is looked at once.
+class Analysis {
+public:
+    explicit Analysis(const Module& module) : module_(module), needs_(module.functions.size()) {}
+
+    std::vector<Need> run() {
+        std::vector<std::uint8_t> is_root(module_.functions.size(), module_.stage.entry ? 0 : 1);
+        if (module_.stage.entry) is_root[module_.stage.entry.index] = 1;
+        for (const Function& function : module_.functions) {
+            if (module_.stage.entry) break;
+            for (const Inst& inst : function.insts) {
+                if (inst.op == Op::Call) is_root[inst.data] = 0;
+            }
+        }
+        for (std::uint32_t f = 0; f < is_root.size(); f++) {
+            if (is_root[f] == 0) continue;
+            call(f);
+            need_result(f);
+            // Functions that are called from outside keep their signature; only a stage's entry may lose inputs.
+            if (!module_.stage.entry) std::fill(needs_[f].params.begin(), needs_[f].params.end(), 1);
+        }
+        while (!work_.empty()) {
+            const Site next = work_.back();
+            work_.pop_back();
+            visit(next.function, next.call);
+        }
+        return std::move(needs_);
+    }
+
+private:
+    void need(std::uint32_t f, Value value) {
+        std::uint8_t& live = needs_[f].live.values[value.index];
+        if (live != 0) return;
+        live = 1;
+        work_.push_back({f, value});
+    }
+
+    // A value that is read as a whole.
+    void need_all(std::uint32_t f, Value value) {
+        need(f, value);
+        const Inst& inst = module_.functions[f][value];
+        if (inst.op == Op::Call) need_result(inst.data);
+    }
+
+    void need_member(std::uint32_t f, Value value, std::uint32_t member) {
+        need(f, value);
+        const Inst& inst = module_.functions[f][value];
+        if (inst.op == Op::Call) need_result_member(inst.data, member);
+    }
+
+    // The function runs at all.
+    void call(std::uint32_t f) {
+        Need& need = needs_[f];
+        if (need.is_called) return;
+        const Function& function = module_.functions[f];
+        need.is_called = true;
+        need.live.values.resize(function.insts.size());
+        need.live.operands.resize(function.operands.size());
+        need.params.resize(function.params.size());
+        need.members.resize(part_count(module_, function.result));
+        need.owners.resize(function.insts.size());
+        for (std::uint32_t i = 0; i < function.insts.size(); i++) {
+            if (function.insts[i].op != Op::For) continue;
+            const std::vector<Value>& body = function.blocks[function.insts[i].data].insts;
+            for (std::uint32_t k = 0; k + 1 < function.insts[i].operand_count; k++) need.owners[body[k].index] = {i};
+        }
+        for (const Value value : function.blocks[0].insts) {
+            if (function[value].op == Op::DiscardIf) this->need(f, value);
+        }
+        const Value end = function.blocks[0].insts.back();
+        need.live.values[end.index] = 1;
+        if (function[end].operand_count > 0) need.return_value = function.args(end)[0];
+    }
+
+    void need_result(std::uint32_t f) {
+        call(f);
+        if (std::exchange(needs_[f].whole_result, true) || !needs_[f].return_value) return;
+        need_all(f, needs_[f].return_value);
+    }
+
+    void need_result_member(std::uint32_t f, std::uint32_t member) {
+        call(f);
+        if (!returns_struct(module_.functions[f])) return need_result(f);
+        if (std::exchange(needs_[f].members[member], 1) != 0) return;
+        const MemberSource source = member_source(module_.functions[f], needs_[f].return_value, member);
+        if (source.is_member) {
+            need_all(f, source.value);
+        } else {
+            need_member(f, source.value, member);
+        }
+    }
+
+    void need_param(std::uint32_t f, std::uint32_t param) {
+        if (std::exchange(needs_[f].params[param], 1) != 0) return;
+        for (const Site site : needs_[f].sites) {
+            need_all(site.function, module_.functions[site.function].args(site.call)[param]);
+        }
+    }
+
+    void visit_call(std::uint32_t f, Value value) {
+        const std::uint32_t callee = module_.functions[f][value].data;
+        call(callee);
+        needs_[callee].sites.push_back({f, value});
+        const auto args = module_.functions[f].args(value);
+        for (std::size_t i = 0; i < args.size(); i++) {
+            if (needs_[callee].params[i] != 0) need_all(f, args[i]);
+        }
+    }
+
+    void need_yielded(std::uint32_t f, std::uint32_t block, std::uint32_t index) {
+        const Function& function = module_.functions[f];
+        const Inst& yield = function[function.blocks[block].insts.back()];
+        std::uint8_t& live = needs_[f].live.operands[yield.first_operand + index];
+        if (std::exchange(live, 1) == 0) need_all(f, function.args(yield)[index]);
+    }
+
+    void need_carried(std::uint32_t f, const Inst& loop, std::uint32_t index) {
+        const Function& function = module_.functions[f];
+        need_all(f, function.args(loop)[index + 2]);
+        need_yielded(f, loop.data, index);
+    }
+
+    void visit(std::uint32_t f, Value value) {
+        const Function& function = module_.functions[f];
+        const Inst& inst = function[value];
+        const auto args = function.args(inst);
+        if (inst.op == Op::Call) return visit_call(f, value);
+        if (inst.op == Op::Param) return need_param(f, inst.data);
+        if (inst.op == Op::Extract) return need_member(f, args[0], inst.data);
+        if (inst.op == Op::LoopIndex) return need(f, needs_[f].owners[value.index]);
+        if (inst.op == Op::LoopCarried) return need_carried(f, function[needs_[f].owners[value.index]], inst.data);
+        if (inst.op == Op::Result) {
+            need(f, args[0]);
+            const Inst& structure = function[args[0]];
+            if (structure.op == Op::For) return need_carried(f, structure, inst.data);
+            need_yielded(f, structure.data, inst.data);
+            return need_yielded(f, structure.data + 1, inst.data);
+        }
+        // A loop's initial values are needed by what is carried.
+        const std::size_t count = inst.op == Op::For ? 2 : args.size();
+        for (std::size_t i = 0; i < count; i++) need_all(f, args[i]);
+    }
+
+    const Module& module_;
+    std::vector<Need> needs_;
+    std::vector<Site> work_;
+};
+
+// How a function looks to its callers afterwards.
+struct Signature {
+    FunctionId id;
+    std::vector<std::uint32_t> params;   // new index of each parameter that stays
+    std::vector<std::uint32_t> members;  // of the result, if it loses any: those that stay
+    bool is_narrowed() const { return !members.empty(); }
+    // Of one member nothing is left to wrap.
+    bool is_bare() const { return members.size() == 1; }
+};
+
+class Rebuild {
+public:
+    explicit Rebuild(Module& module) : module_(module), old_(std::move(module.functions)) {
+        module_.functions.clear();
+        module_.functions.reserve(old_.size());
+    }
+
+    void run(const std::vector<Need>& needs) {
+        signatures_.resize(old_.size());
+        for (std::uint32_t f = 0; f < old_.size(); f++) {
+            if (needs[f].is_called) function(f, needs[f]);
+        }
+        if (module_.stage.entry) entry(needs[module_.stage.entry.index]);
+    }
+
+private:
+    void function(std::uint32_t f, const Need& need) {
+        const Function& old = old_[f];
+        Function made = shell(old);
+        signatures_[f] = signature(old, need, made);
+        const Signature& mine = signatures_[f];
+        Builder builder(module_, made);
+        Copy copy{.from = old, .to = builder, .live = &need.live, .rewrite = [&](Copy& c, Value v) {
+                      return rewrite(c, v, mine);
+                  }};
+        copy_body(copy);
+        module_.functions.push_back(std::move(made));
+    }
+
+    Signature signature(const Function& old, const Need& need, Function& made) {
+        Signature signature{.id = {static_cast<std::uint32_t>(module_.functions.size())}, .params = {}, .members = {}};
+        made.params.clear();
+        for (std::uint32_t i = 0; i < old.params.size(); i++) {
+            signature.params.push_back(static_cast<std::uint32_t>(made.params.size()));
+            if (need.params[i] != 0) made.params.push_back(old.params[i]);
+        }
+        if (need.whole_result || !returns_struct(old)) return signature;
+        for (std::uint32_t i = 0; i < need.members.size(); i++) {
+            if (need.members[i] != 0) signature.members.push_back(i);
+        }
+        if (signature.members.size() == need.members.size()) signature.members.clear();
+        if (signature.is_narrowed()) made.result = narrowed(old.result, signature);
+        return signature;
+    }
+
+    Type narrowed(Type type, const Signature& signature) {
+        if (signature.is_bare()) return part_type(module_, type, signature.members[0]);
+        const Struct& whole = module_.structs[type.ref];
+        Struct part{.name = whole.name, .members = {}};
+        for (const std::uint32_t member : signature.members) part.members.push_back(whole.members[member]);
+        for (std::uint32_t i = 0; i < module_.structs.size(); i++) {
+            if (is_same(module_.structs[i], part)) return Type::structure(i);
+        }
+        module_.structs.push_back(std::move(part));
+        return Type::structure(static_cast<std::uint32_t>(module_.structs.size() - 1));
+    }
+
+    static bool is_same(const Struct& a, const Struct& b) {
+        return a.name == b.name &&
+               std::equal(a.members.begin(), a.members.end(), b.members.begin(), b.members.end(),
+                          [](const Member& x, const Member& y) { return x.name == y.name && x.type == y.type; });
+    }
+
+    bool rewrite(Copy& copy, Value value, const Signature& mine) {
+        const Inst& inst = copy.from[value];
+        if (inst.op == Op::Param) {
+            copy.map[value.index] = copy.to.param(mine.params[inst.data]);
+            return true;
+        }
+        if (inst.op == Op::Call) return call(copy, value);
+        if (inst.op == Op::Extract) return extract(copy, value);
+        if (inst.op == Op::Return && mine.is_narrowed()) return narrowed_return(copy, value, mine);
+        return false;
+    }
+
+    bool call(Copy& copy, Value value) {
+        const Inst& inst = copy.from[value];
+        const Signature& callee = signatures_[inst.data];
+        const auto args = copy.from.args(inst);
+        std::vector<Value>& kept = copy.scratch;
+        kept.clear();
+        for (std::size_t i = 0; i < args.size(); i++) {
+            const bool stays = callee.params[i] < (i + 1 < args.size() ? callee.params[i + 1] : param_count(callee));
+            if (stays) kept.push_back(copy.map[args[i].index]);
+        }
+        copy.to.set_origin(inst.origin ? inst.origin : copy.origin);
+        const Value made = copy.to.call(callee.id, kept);
+        copy.to.name(made, inst.name);
+        copy.map[value.index] = made;
+        return true;
+    }
+
+    std::uint32_t param_count(const Signature& callee) const {
+        return static_cast<std::uint32_t>(module_[callee.id].params.size());
+    }
+
+    // A member of a call's result, which may have fewer of them now.
+    Value member(Copy& copy, Value whole, std::uint32_t index) {
+        const Value now = copy.map[whole.index];
+        const Inst& inst = copy.from[whole];
+        if (inst.op != Op::Call || !signatures_[inst.data].is_narrowed()) return copy.to.extract(now, index);
+        const Signature& callee = signatures_[inst.data];
+        if (callee.is_bare()) return now;
+        const auto at = std::lower_bound(callee.members.begin(), callee.members.end(), index) - callee.members.begin();
+        return copy.to.extract(now, static_cast<std::uint32_t>(at));
+    }
+
+    bool extract(Copy& copy, Value value) {
+        const Inst& inst = copy.from[value];
+        const Value whole = copy.from.args(inst)[0];
+        if (copy.from[whole].op != Op::Call) return false;
+        copy.to.set_origin(inst.origin ? inst.origin : copy.origin);
+        const Value made = member(copy, whole, inst.data);
+        copy.to.name(made, inst.name);
+        copy.map[value.index] = made;
+        return true;
+    }
+
+    bool narrowed_return(Copy& copy, Value value, const Signature& mine) {
+        const Value whole = copy.from.args(value)[0];
+        copy.to.set_origin(copy.from[value].origin);
+        std::vector<Value> parts;
+        for (const std::uint32_t index : mine.members) {
+            const MemberSource source = member_source(copy.from, whole, index);
+            parts.push_back(source.is_member ? copy.map[source.value.index] : member(copy, source.value, index));
+        }
+        const Type result = copy.to.function().result;
+        copy.to.ret(mine.is_bare() ? parts[0] : copy.to.construct(result, parts));
+        return true;
+    }
+
+    void entry(const Need& need) {
+        StageInterface& stage = module_.stage;
+        stage.entry = signatures_[stage.entry.index].id;
+        std::vector<StageVariable> inputs;
+        for (std::size_t i = 0; i < stage.inputs.size(); i++) {
+            if (need.params[i] != 0) inputs.push_back(std::move(stage.inputs[i]));
+        }
+        stage.inputs = std::move(inputs);
+    }
+
+    Module& module_;
+    std::vector<Function> old_;
+    std::vector<Signature> signatures_;
+};
+
+}  // namespace
+
+Module prune(Module module) {
+    const std::vector<Need> needs = Analysis(module).run();
+    Rebuild(module).run(needs);
+    return module;
+}
+
+}  // namespace patina::ir

@@ -1,0 +1,208 @@
+// Syntax trees -> IR, checking types on the way. One Emitter per IR module; it keeps the functions that it has already
+// made, one per combination of width, precision and constant arguments ("instances"). Names that are not the language's
+// own (nodes, properties, semantics) are asked of an Environment, so that function bodies and graph expressions are
+// emitted by the same code.
+//
+//   Emitter emitter(module, sources, diagnostics, {});
+//   Scope scope{.builder = &b, .declarations = &library, .environment = &graph};
+//   Typed mask = emitter.expression(*expr, scope);
+//
+// Not here: what a graph is (graph/lower.h), how stages are put together (assemble/).
+#pragma once
+
+#include <deque>
+#include <map>
+#include <optional>
+
+#include "compiler/base/diagnostics.h"
+#include "compiler/ir/builder.h"
+#include "compiler/nodelang/library.h"
+
+namespace patina::nodelang {
+
+// The outputs of a call or node with more than one, as members of one struct value.
+struct Outputs {
+    std::vector<std::string> names;  // in member order
+    bool has_primary = true;         // member 0 is what the bare name means
+};
+
+// A value while it is being emitted.
+struct Typed {
+    ir::Value value;
+    ir::Type type = ir::Type::error();
+    bool literal = false;  // a literal (or arithmetic of literals): becomes whatever number is needed
+    const Outputs* outputs = nullptr;
+    const std::vector<std::string_view>* enumerators = nullptr;  // an enum's value: what == may compare it with
+
+    bool ok() const { return !type.is_error(); }
+};
+
+struct Scope;
+
+// What a name means beyond the language itself.
+class Environment {
+public:
+    virtual ~Environment() = default;
+    // Each reports its own error and returns a Typed that is not ok() when there is no such thing.
+    virtual Typed name(const Expr& expr, Scope& scope) = 0;
+    virtual Typed property(const Expr& expr, Scope& scope) = 0;
+    virtual Typed semantic(std::string_view name, Span span, Scope& scope) = 0;
+    virtual Typed file(const Expr& expr, Scope& scope) = 0;
+    // True if a bare name is the environment's own (a node's id) and hides a constant of the library.
+    virtual bool hides(std::string_view) const { return false; }
+};
+
+struct Local {
+    std::string_view name;
+    Typed value;
+    bool is_const = false;
+    std::optional<double> constant;  // a const parameter's value
+};
+
+// Where an expression or statement is being emitted.
+struct Scope {
+    ir::Builder* builder = nullptr;
+    const Declarations* declarations = nullptr;
+    Environment* environment = nullptr;  // null in function bodies
+    std::vector<Local> locals{};
+    unsigned generic_width = 0;  // of floatN; 0 outside generic functions
+    bool half = false;           // `float` means half
+    // The function being emitted, for returns.
+    const FunctionDecl* function = nullptr;
+    ir::Type result{};
+    bool* needs_quad = nullptr;  // set when something needs neighbouring pixels
+    std::string_view flow{};     // "if" or "for" when inside one
+    bool in_vertex_stage = false;
+};
+
+// What a pass function may call that the graph provides.
+struct Slot {
+    ir::FunctionId function;
+    ir::Type result{};
+    bool needs_quad = false;
+};
+
+class Emitter {
+public:
+    Emitter(ir::Module& module, Diagnostics& diagnostics, ir::BuildOptions options);
+
+    ir::Module& module() { return module_; }
+    Diagnostics& diagnostics() { return diagnostics_; }
+    const ir::BuildOptions& options() const { return options_; }
+
+    // --- expressions
+    Typed expression(const Expr& expr, Scope& scope);
+    // Converted to `type` by the implicit conversions, or reported. `what` opens the message: "the input 'uv'".
+    Typed expression_as(const Expr& expr, ir::Type type, Scope& scope, std::string_view what);
+    Typed convert(Typed value, ir::Type type, Scope& scope, Span span, std::string_view what);
+    // A call's or node's primary output; anything else is itself.
+    Typed primary(Typed value, Scope& scope, Span span);
+    Typed member(Typed object, std::string_view name, Span span, Scope& scope);
+    // Calls a function of the language with one expression per parameter (null: its default).
+    Typed call(const FunctionDecl& function, const Declarations& home, std::span<const Expr* const> arguments,
+               Scope& scope, Span span, bool half);
+    // The value of an expression that is known without running anything: literals, const parameters, enumerators.
+    std::optional<double> constant_value(const Expr& expr, const Scope& scope);
+
+    // --- types
+    ir::Type type(const TypeName& name, const Scope& scope);  // reports unknown types
+    ir::Type structure(const StructDecl& decl, const Declarations& home);
+    ir::Type texture2d();  // the struct {texture, sampler, texelSize, tiling}
+    // Makes a texture's value from its parts.
+    Typed make_texture(ir::Value texture, ir::Value sampler, ir::Value tiling, Scope& scope);
+    bool is_texture(ir::Type type) const;
+    const Outputs* intern(Outputs outputs);
+
+    // --- functions
+    // Emits a function whose parameters are all semantics (a recipe or a pass entry). `always_inline` is set on it.
+    ir::FunctionId semantic_function(const FunctionDecl& function, const Declarations& home, Environment& environment,
+                                     bool in_vertex_stage, bool* needs_quad = nullptr);
+    // A function that is not generic and takes only plain parameters, as it stands.
+    ir::FunctionId plain_function(const FunctionDecl& function, const Declarations& home);
+    void set_slot(std::string_view name, Slot slot) { slots_[std::string(name)] = slot; }
+    // extern variables and functions are known by their declaration.
+    void set_extern(const VariableDecl* variable, ir::GlobalId global) { externs_[variable] = global; }
+
+    Typed extern_value(const VariableDecl& variable, Scope& scope);
+    // A [static] variable: a constant of the material's render block.
+    void set_static(const VariableDecl* variable, double value) { statics_[variable] = value; }
+
+    // Adds members to a struct that has not been emitted yet (what a lighting model declares).
+    void extend_structure(const StructDecl& decl, std::vector<ir::Member> members) {
+        extensions_[&decl] = std::move(members);
+    }
+
+private:
+    struct Instance {
+        ir::FunctionId id;
+        ir::Type result{};
+        const Outputs* outputs = nullptr;
+        bool needs_quad = false;
+    };
+    struct Argument {
+        Typed value;
+        std::optional<double> constant;  // of a const parameter
+    };
+
+    // expressions (emit_expression.cpp)
+    Typed number(const Expr& expr, Scope& scope);
+    Typed list(const Expr& expr, Scope& scope);
+    Typed name(const Expr& expr, Scope& scope);
+    Typed file_constant(const VariableDecl& variable, Scope& scope);
+    Typed unary(const Expr& expr, Scope& scope);
+    Typed binary(const Expr& expr, Scope& scope);
+    Typed ternary(const Expr& expr, Scope& scope);
+    Typed index(const Expr& expr, Scope& scope);
+    Typed swizzle(Typed object, std::string_view letters, Scope& scope);
+    Typed enum_operand(const Expr& expr, const std::vector<std::string_view>& enumerators, Scope& scope);
+    Typed literal_as(Typed value, ir::Scalar scalar, Scope& scope);
+    bool unify(std::span<Typed> operands, Scope& scope, Span span, std::string_view op);
+
+    // calls (emit_call.cpp)
+    Typed call_expression(const Expr& expr, Scope& scope);
+    Typed method(const Expr& expr, Scope& scope);
+    Typed constructor(ir::Type type, const Expr& expr, Scope& scope);
+    Typed intrinsic(std::string_view name, const Expr& expr, Scope& scope, bool& found);
+    bool gather_arguments(const FunctionDecl& function, const Declarations& home,
+                          std::span<const Expr* const> arguments, Scope& scope, Span span,
+                          std::vector<Argument>& gathered);
+    Argument const_argument(const ParamDecl& param, const Declarations& home, const Expr& expr, Scope& scope);
+    Typed default_value(const Expr& expr, const Declarations& home, Scope& scope, ir::Type wanted);
+    unsigned deduce_width(const FunctionDecl& function, std::span<const Argument> arguments);
+    Typed call_slot(const FunctionDecl& function, const Expr& expr, Scope& scope);
+    void need_quad(Scope& scope, Span span, std::string_view what);
+
+    // functions and statements (emit_function.cpp, emit_statement.cpp)
+    const Instance& instantiate(const FunctionDecl& function, const Declarations& home,
+                                std::span<const Argument> arguments, unsigned width, bool half, Span call_span);
+    Instance emit_function(const FunctionDecl& function, const Declarations& home, std::span<const Argument> arguments,
+                           unsigned width, bool half, std::string name);
+    // Emits statements[first..]; returns true if they always return (the value is then in `returned`).
+    bool statements(const Statements& list, std::size_t first, Scope& scope, ir::Value& returned);
+    bool if_statement(const Stmt& stmt, const Statements& list, std::size_t next, Scope& scope, ir::Value& returned);
+    void for_statement(const Stmt& stmt, Scope& scope);
+    void declare(const Stmt& stmt, Scope& scope);
+    void assign(const Stmt& stmt, Scope& scope);
+    bool store(const Expr& target, Typed value, Scope& scope);
+    ir::Value return_value(const Stmt* stmt, Scope& scope);
+    ir::Value zero(ir::Type type, Scope& scope);
+
+    ir::Module& module_;
+    Diagnostics& diagnostics_;
+    ir::BuildOptions options_;
+    std::map<std::string, Instance> instances_;
+    std::map<const StructDecl*, ir::Type> structs_;
+    std::map<const StructDecl*, std::vector<ir::Member>> extensions_;
+    std::map<std::string, Slot> slots_;
+    std::map<const VariableDecl*, ir::GlobalId> externs_;
+    std::map<const VariableDecl*, double> statics_;
+    std::optional<ir::Type> texture2d_;
+    std::deque<Outputs> outputs_;
+    std::vector<const FunctionDecl*> active_;  // for recursion
+    std::deque<std::vector<std::string_view>> enumerator_lists_;
+};
+
+// Names of all intrinsic functions, for suggestions.
+std::vector<std::string_view> intrinsic_names();
+
+}  // namespace patina::nodelang

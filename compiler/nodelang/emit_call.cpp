@@ -1,0 +1,495 @@
+// Calls: library functions, built-in functions, constructors, texture methods and slots; and what happens at a
+// function's border: defaults, constant arguments, the width of floatN.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "compiler/base/text.h"
+#include "compiler/nodelang/emit.h"
+
+namespace patina::nodelang {
+
+using ir::Op;
+using ir::Scalar;
+using ir::Type;
+using ir::Value;
+
+namespace {
+
+// What operands an intrinsic takes.
+enum class Takes {
+    Floats,    // any width, one type
+    Numbers,   // integers too
+    Vectors,   // floats of at least two components
+    Vectors3,  // float3
+    Unlike,    // refract: two vectors and a scalar
+    Bools,     // any, all
+    Product,   // mul
+    Matrix,    // transpose, determinant
+    Floating,  // isnan, isinf: result is bool
+    Pixels,    // derivatives
+};
+struct Intrinsic {
+    std::string_view name;
+    Op op;
+    std::size_t arguments;
+    Takes takes;
+};
+constexpr Intrinsic kIntrinsics[] = {
+    {"abs", Op::Abs, 1, Takes::Numbers},
+    {"acos", Op::Acos, 1, Takes::Floats},
+    {"all", Op::All, 1, Takes::Bools},
+    {"any", Op::Any, 1, Takes::Bools},
+    {"asin", Op::Asin, 1, Takes::Floats},
+    {"atan", Op::Atan, 1, Takes::Floats},
+    {"atan2", Op::Atan2, 2, Takes::Floats},
+    {"ceil", Op::Ceil, 1, Takes::Floats},
+    {"clamp", Op::Clamp, 3, Takes::Numbers},
+    {"cos", Op::Cos, 1, Takes::Floats},
+    {"cosh", Op::Cosh, 1, Takes::Floats},
+    {"cross", Op::Cross, 2, Takes::Vectors3},
+    {"ddx", Op::Ddx, 1, Takes::Pixels},
+    {"ddy", Op::Ddy, 1, Takes::Pixels},
+    {"degrees", Op::Degrees, 1, Takes::Floats},
+    {"determinant", Op::Determinant, 1, Takes::Matrix},
+    {"distance", Op::Distance, 2, Takes::Vectors},
+    {"dot", Op::Dot, 2, Takes::Vectors},
+    {"exp", Op::Exp, 1, Takes::Floats},
+    {"exp2", Op::Exp2, 1, Takes::Floats},
+    {"floor", Op::Floor, 1, Takes::Floats},
+    {"fmod", Op::Mod, 2, Takes::Floats},
+    {"frac", Op::Frac, 1, Takes::Floats},
+    {"fwidth", Op::Fwidth, 1, Takes::Pixels},
+    {"isinf", Op::IsInf, 1, Takes::Floating},
+    {"isnan", Op::IsNan, 1, Takes::Floating},
+    {"length", Op::Length, 1, Takes::Vectors},
+    {"lerp", Op::Lerp, 3, Takes::Floats},
+    {"log", Op::Log, 1, Takes::Floats},
+    {"log2", Op::Log2, 1, Takes::Floats},
+    {"max", Op::Max, 2, Takes::Numbers},
+    {"min", Op::Min, 2, Takes::Numbers},
+    {"mul", Op::MatMul, 2, Takes::Product},
+    {"normalize", Op::Normalize, 1, Takes::Vectors},
+    {"pow", Op::Pow, 2, Takes::Floats},
+    {"radians", Op::Radians, 1, Takes::Floats},
+    {"reflect", Op::Reflect, 2, Takes::Vectors},
+    {"refract", Op::Refract, 3, Takes::Unlike},
+    {"round", Op::Round, 1, Takes::Floats},
+    {"rsqrt", Op::Rsqrt, 1, Takes::Floats},
+    {"saturate", Op::Saturate, 1, Takes::Floats},
+    {"sign", Op::Sign, 1, Takes::Floats},
+    {"sin", Op::Sin, 1, Takes::Floats},
+    {"sinh", Op::Sinh, 1, Takes::Floats},
+    {"smoothstep", Op::Smoothstep, 3, Takes::Floats},
+    {"sqrt", Op::Sqrt, 1, Takes::Floats},
+    {"step", Op::Step, 2, Takes::Floats},
+    {"tan", Op::Tan, 1, Takes::Floats},
+    {"tanh", Op::Tanh, 1, Takes::Floats},
+    {"transpose", Op::Transpose, 1, Takes::Matrix},
+    {"trunc", Op::Trunc, 1, Takes::Floats},
+};
+constexpr std::pair<std::string_view, Scalar> kBitcasts[] = {
+    {"asfloat", Scalar::Float}, {"asint", Scalar::Int}, {"asuint", Scalar::Uint}};
+
+// In a parameter's default a bare name is a semantic.
+class DefaultEnvironment : public Environment {
+public:
+    explicit DefaultEnvironment(Environment& outer) : outer_(outer) {}
+    Typed name(const Expr& expr, Scope& scope) override { return outer_.semantic(expr.text, expr.span, scope); }
+    Typed property(const Expr& expr, Scope& scope) override { return outer_.property(expr, scope); }
+    Typed semantic(std::string_view name, Span span, Scope& scope) override {
+        return outer_.semantic(name, span, scope);
+    }
+    Typed file(const Expr& expr, Scope& scope) override { return outer_.file(expr, scope); }
+
+private:
+    Environment& outer_;
+};
+
+const Intrinsic* find_intrinsic(std::string_view name) {
+    const auto found = std::lower_bound(std::begin(kIntrinsics), std::end(kIntrinsics), name,
+                                        [](const Intrinsic& row, std::string_view n) { return row.name < n; });
+    return found != std::end(kIntrinsics) && found->name == name ? found : nullptr;
+}
+
+}  // namespace
+
+std::vector<std::string_view> intrinsic_names() {
+    std::vector<std::string_view> names;
+    for (const Intrinsic& row : kIntrinsics) names.push_back(row.name);
+    return names;
+}
+
+void Emitter::need_quad(Scope& scope, Span span, std::string_view what) {
+    if (scope.in_vertex_stage) {
+        diagnostics_.report(Code::WrongStage, span, what, diagnostics_.context_node())
+            .note("use a sample with an explicit level (SampleLevel) in the vertex stage");
+    } else if (!scope.flow.empty()) {
+        diagnostics_.report(Code::DerivativeInFlow, span, what, scope.flow)
+            .note("compute it before, or sample with SampleLevel or SampleGrad");
+    }
+    if (scope.needs_quad) *scope.needs_quad = true;
+}
+
+Typed Emitter::call_expression(const Expr& expr, Scope& scope) {
+    bool found = false;
+    const Typed built_in = intrinsic(expr.text, expr, scope, found);
+    if (found) return built_in;
+    const TypeName type_name{.name = expr.text, .span = expr.name_span};
+    if (const FunctionDecl* function = scope.declarations->function(expr.text)) {
+        if (function->attribute("slot")) return call_slot(*function, expr, scope);
+        const auto inputs = static_cast<std::size_t>(std::count_if(function->params.begin(), function->params.end(),
+                                                                   [](const ParamDecl& p) { return !p.is_out; }));
+        if (expr.args.size() > inputs) {
+            diagnostics_.report(Code::ArgumentCount, expr.name_span, expr.text, inputs, expr.args.size());
+            return {};
+        }
+        std::vector<const Expr*> arguments(function->params.size(), nullptr);
+        std::size_t next = 0;
+        for (std::size_t i = 0; i < function->params.size() && next < expr.args.size(); ++i) {
+            if (!function->params[i].is_out) arguments[i] = expr.args[next++];
+        }
+        return call(*function, scope.declarations->home_of(expr.text), arguments, scope, expr.span, scope.half);
+    }
+    if (expr.text == "floatN" || expr.text.find_first_of("1234") != std::string_view::npos || expr.text == "float" ||
+        expr.text == "half" || expr.text == "int" || expr.text == "uint" || expr.text == "bool") {
+        const Type wanted = type(type_name, scope);
+        return wanted.is_error() ? Typed{} : constructor(wanted, expr, scope);
+    }
+    std::vector<std::string_view> known = intrinsic_names();
+    for (std::string_view name : scope.declarations->function_names()) known.push_back(name);
+    DiagnosticRecord& record = diagnostics_.report(Code::UnknownName, expr.name_span, "function", expr.text);
+    const std::string_view near = nearest(expr.text, known);
+    if (!near.empty()) record.note(fmt::format("did you mean '{}'?", near));
+    return {};
+}
+
+// --- functions of the language
+
+Typed Emitter::call(const FunctionDecl& function, const Declarations& home, std::span<const Expr* const> arguments,
+                    Scope& scope, Span span, bool half) {
+    std::vector<Argument> gathered;
+    if (!gather_arguments(function, home, arguments, scope, span, gathered)) return {};
+    const unsigned width = deduce_width(function, gathered);
+    Scope border{.builder = scope.builder, .declarations = &home, .generic_width = width, .half = half};
+    std::vector<Value> values;
+    for (std::size_t i = 0; i < function.params.size(); ++i) {
+        const ParamDecl& param = function.params[i];
+        if (param.is_out || param.is_const) continue;
+        const Span at = arguments[i] ? arguments[i]->span : span;
+        const std::string what = fmt::format("the input '{}' of {}", param.name, function.name);
+        const Typed value = convert(gathered[i].value, type(param.type, border), scope, at, what);
+        if (!value.ok()) return {};
+        values.push_back(value.value);
+    }
+    const Instance& instance = instantiate(function, home, gathered, width, half, span);
+    if (instance.result.is_error()) return {};
+    if (instance.needs_quad) need_quad(scope, span, function.name);
+    return {.value = scope.builder->call(instance.id, values), .type = instance.result, .outputs = instance.outputs};
+}
+
+bool Emitter::gather_arguments(const FunctionDecl& function, const Declarations& home,
+                               std::span<const Expr* const> arguments, Scope& scope, Span span,
+                               std::vector<Argument>& gathered) {
+    bool good = true;
+    for (std::size_t i = 0; i < function.params.size(); ++i) {
+        const ParamDecl& param = function.params[i];
+        Argument& argument = gathered.emplace_back();
+        if (param.is_out) continue;
+        const Expr* given = arguments[i];
+        if (!given && !param.initial) {
+            diagnostics_.report(Code::MissingInput, span, function.name, param.name);
+            good = false;
+            continue;
+        }
+        Scope outside{.builder = scope.builder, .declarations = &home, .half = scope.half};
+        if (param.is_const) {
+            argument = const_argument(param, home, given ? *given : *param.initial, given ? scope : outside);
+            good = good && argument.constant.has_value();
+        } else if (given) {
+            argument.value = primary(expression(*given, scope), scope, given->span);
+        } else {
+            const bool generic = param.type.name == "floatN";
+            argument.value =
+                default_value(*param.initial, home, scope, generic ? ir::kFloat : type(param.type, outside));
+            if (generic) argument.value.literal = true;
+        }
+        good = good && (param.is_const || argument.value.ok());
+    }
+    return good;
+}
+
+Emitter::Argument Emitter::const_argument(const ParamDecl& param, const Declarations& home, const Expr& expr,
+                                          Scope& scope) {
+    if (const EnumDecl* enumeration = home.enumeration(param.type.name)) {
+        const auto found = std::find(enumeration->values.begin(), enumeration->values.end(), expr.text);
+        if (expr.kind == Expr::Kind::Name && found != enumeration->values.end()) {
+            return {.value = {}, .constant = static_cast<double>(found - enumeration->values.begin())};
+        }
+        // A const parameter of the same enumeration may be handed on.
+        for (const Local& local : scope.locals) {
+            if (expr.kind == Expr::Kind::Name && local.name == expr.text && local.constant) {
+                return {.value = {}, .constant = local.constant};
+            }
+        }
+        if (expr.kind == Expr::Kind::Name) {
+            diagnostics_.report(Code::UnknownEnumerator, expr.span, expr.text, fmt::format("'{}'", param.name))
+                .note(Diagnostics::suggestion(expr.text, enumeration->values));
+        } else {
+            diagnostics_.report(Code::NotConstant, expr.span, fmt::format("'{}'", param.name))
+                .note(fmt::format("write one of {}", enumerate(enumeration->values)));
+        }
+        return {};
+    }
+    const std::optional<double> value = constant_value(expr, scope);
+    if (!value) diagnostics_.report(Code::NotConstant, expr.span, fmt::format("'{}'", param.name));
+    return {.value = {}, .constant = value};
+}
+
+Typed Emitter::default_value(const Expr& expr, const Declarations& home, Scope& scope, Type wanted) {
+    Scope outside{.builder = scope.builder, .declarations = &home, .half = scope.half};
+    if (!scope.environment) return expression_as(expr, wanted, outside, "the default");
+    DefaultEnvironment environment(*scope.environment);
+    outside.environment = &environment;
+    outside.in_vertex_stage = scope.in_vertex_stage;
+    return convert(primary(expression(expr, outside), outside, expr.span), wanted, outside, expr.span, "the default");
+}
+
+// floatN: the widest vector, but float3 where a float4 and a float3 meet.
+unsigned Emitter::deduce_width(const FunctionDecl& function, std::span<const Argument> arguments) {
+    unsigned widest = 1, narrowest = 4;
+    bool generic = false;
+    for (std::size_t i = 0; i < function.params.size(); ++i) {
+        if (function.params[i].type.name != "floatN" || function.params[i].is_out) continue;
+        generic = true;
+        const Type type = arguments[i].value.type;
+        if (!type.is_vector()) continue;
+        widest = std::max(widest, type.width());
+        narrowest = std::min(narrowest, type.width());
+    }
+    if (!generic) return 0;
+    return widest == 4 && narrowest == 3 ? 3 : widest;
+}
+
+Typed Emitter::call_slot(const FunctionDecl& function, const Expr& expr, Scope& scope) {
+    const auto slot = slots_.find(std::string(function.name));
+    if (slot == slots_.end() || expr.args.size() != function.params.size()) {
+        diagnostics_.report(Code::Internal, expr.span, fmt::format("the slot '{}' is empty", function.name));
+        return {};
+    }
+    std::vector<Value> values;
+    for (std::size_t i = 0; i < expr.args.size(); ++i) {
+        const Typed value = expression_as(*expr.args[i], type(function.params[i].type, scope), scope, function.name);
+        if (!value.ok()) return {};
+        values.push_back(value.value);
+    }
+    if (slot->second.needs_quad && scope.needs_quad) *scope.needs_quad = true;
+    return {.value = scope.builder->call(slot->second.function, values), .type = slot->second.result};
+}
+
+// --- what the language itself offers
+
+Typed Emitter::intrinsic(std::string_view name, const Expr& expr, Scope& scope, bool& found) {
+    const auto bitcast =
+        std::find_if(std::begin(kBitcasts), std::end(kBitcasts), [&](const auto& row) { return row.first == name; });
+    const Intrinsic* row = find_intrinsic(name);
+    found = row || bitcast != std::end(kBitcasts);
+    if (!found) return {};
+    const std::size_t wanted = row ? row->arguments : 1;
+    if (expr.args.size() != wanted) {
+        diagnostics_.report(Code::ArgumentCount, expr.name_span, name, wanted, expr.args.size());
+        return {};
+    }
+    std::vector<Typed> operands;
+    bool good = true;
+    for (const Expr* argument : expr.args) {
+        operands.push_back(primary(expression(*argument, scope), scope, argument->span));
+        good = good && operands.back().ok();
+    }
+    if (!good) return {};
+    ir::Builder& b = *scope.builder;
+    const auto refuse = [&](const Typed& operand) {
+        diagnostics_.report(Code::BadOperand, expr.span, name, module_.type_name(operand.type));
+        return Typed{};
+    };
+    for (const Typed& operand : operands) {
+        if (!operand.type.is_numeric()) return refuse(operand);
+    }
+    const Scalar floating = scope.half ? Scalar::Half : Scalar::Float;
+    if (!row) {
+        if (operands[0].literal && operands[0].type.is_integer() && bitcast->second != Scalar::Float)
+            return operands[0];
+        const Type type = operands[0].type.with_scalar(bitcast->second);
+        if (operands[0].type.is_bool() || operands[0].type.scalar == Scalar::Half) return refuse(operands[0]);
+        return {.value = b.emit(Op::Bitcast, type, {operands[0].value}), .type = type};
+    }
+    if (row->takes == Takes::Product) {
+        const Type left = operands[0].type, right = operands[1].type;
+        const std::array types{left, right};
+        if (left.is_matrix() || right.is_matrix()) {
+            const Type type = ir::result_type(Op::MatMul, types);
+            if (type.is_error()) {
+                diagnostics_.report(Code::BadOperands, expr.span, name, module_.type_name(left),
+                                    module_.type_name(right));
+                return {};
+            }
+            return {.value = b.emit(Op::MatMul, type, {operands[0].value, operands[1].value}), .type = type};
+        }
+        return refuse(operands[0]);
+    }
+    if (row->takes == Takes::Matrix) {
+        if (!operands[0].type.is_matrix()) return refuse(operands[0]);
+        const Value value = b.emit(row->op, {operands[0].value});
+        return {.value = value, .type = b.type(value)};
+    }
+    if (row->takes == Takes::Bools) {
+        if (!operands[0].type.is_bool()) return refuse(operands[0]);
+        if (operands[0].type.is_scalar()) return operands[0];
+        return {.value = b.emit(row->op, ir::kBool, {operands[0].value}), .type = ir::kBool};
+    }
+    // Whole literals are floats here, unless they meet an integer.
+    const bool integers =
+        row->takes == Takes::Numbers &&
+        std::any_of(operands.begin(), operands.end(), [](const Typed& t) { return t.type.is_integer() && !t.literal; });
+    for (Typed& operand : operands) {
+        if (!integers && operand.literal && operand.type.is_integer()) operand = literal_as(operand, floating, scope);
+        if (operand.type.is_bool() || (operand.type.is_integer() && !integers) || operand.type.is_matrix()) {
+            return refuse(operand);
+        }
+    }
+    const std::size_t joined = row->takes == Takes::Unlike ? 2 : operands.size();
+    if (joined > 1 && !unify(std::span(operands).subspan(0, joined), scope, expr.span, name)) return {};
+    const Type type = operands[0].type;
+    // A vector of one component: what floatN may come to.
+    if (row->takes == Takes::Vectors && type.is_scalar() && ir::info(row->op).rule == ir::TypeRule::Scalar) {
+        const Value first = operands[0].value;
+        if (row->op == Op::Dot) return {.value = b.emit(Op::Mul, type, {first, operands[1].value}), .type = type};
+        const Value difference = row->op == Op::Distance ? b.emit(Op::Sub, type, {first, operands[1].value}) : first;
+        return {.value = b.emit(Op::Abs, type, {difference}), .type = type};
+    }
+    if (row->takes == Takes::Vectors || row->takes == Takes::Vectors3 || row->takes == Takes::Unlike) {
+        if (!type.is_vector() || (row->takes == Takes::Vectors3 && type.width() != 3)) return refuse(operands[0]);
+    }
+    if (row->takes == Takes::Unlike) {
+        operands[2] = convert(operands[2], Type::scalar_of(type.scalar), scope, expr.args[2]->span, "the ratio");
+        if (!operands[2].ok()) return {};
+    }
+    if (row->takes == Takes::Pixels) need_quad(scope, expr.span, name);
+    std::vector<Value> values;
+    for (const Typed& operand : operands) values.push_back(operand.value);
+    const ir::TypeRule rule = ir::info(row->op).rule;
+    const Type result = rule == ir::TypeRule::Scalar  ? Type::scalar_of(type.scalar)
+                        : rule == ir::TypeRule::Bools ? Type::vector(Scalar::Bool, type.width())
+                                                      : type;
+    return {.value = b.emit(row->op, result, values), .type = result};
+}
+
+Typed Emitter::constructor(Type wanted, const Expr& expr, Scope& scope) {
+    ir::Builder& b = *scope.builder;
+    std::vector<Value> parts;
+    unsigned count = 0;
+    for (const Expr* argument : expr.args) {
+        Typed part = primary(expression(*argument, scope), scope, argument->span);
+        if (!part.ok()) return {};
+        if (!part.type.is_numeric() || part.type.is_matrix()) {
+            diagnostics_.report(Code::BadOperand, argument->span, expr.text, module_.type_name(part.type));
+            return {};
+        }
+        if (part.literal && !wanted.is_bool()) part = literal_as(part, wanted.scalar, scope);
+        if (part.type.scalar != wanted.scalar) part.value = b.convert(part.value, wanted.scalar);
+        parts.push_back(part.value);
+        count += part.type.width();
+    }
+    const unsigned needed = wanted.components();
+    if (wanted.is_matrix()) {
+        // Rows, as in HLSL: one vector a row, or every component.
+        std::vector<Value> rows;
+        if (parts.size() == wanted.rows && count == needed) {
+            rows = parts;
+        } else if (parts.size() == needed) {
+            for (unsigned r = 0; r < wanted.rows; ++r) {
+                rows.push_back(b.construct(Type::vector(wanted.scalar, wanted.cols),
+                                           std::span(parts).subspan(r * wanted.cols, wanted.cols)));
+            }
+        } else {
+            diagnostics_.report(Code::ArgumentCount, expr.name_span, expr.text, needed, count);
+            return {};
+        }
+        return {.value = b.construct(wanted, rows), .type = wanted};
+    }
+    if (parts.size() == 1 && count == needed) return {.value = parts[0], .type = wanted};
+    if (parts.size() == 1 && count == 1) return {.value = b.splat(parts[0], needed), .type = wanted};
+    if (count != needed) {
+        DiagnosticRecord& record = diagnostics_.report(Code::ArgumentCount, expr.name_span, expr.text, needed, count);
+        if (count > needed && parts.size() == 1) {
+            record.note(fmt::format("take a part: .{}", std::string_view("xyzw").substr(0, needed)));
+        }
+        return {};
+    }
+    return {.value = b.construct(wanted, parts), .type = wanted};
+}
+
+// texture.Sample(uv), texture.Sample(sampler, uv), ...
+Typed Emitter::method(const Expr& expr, Scope& scope) {
+    struct Method {
+        std::string_view name;
+        Op op;
+        std::array<Type, 3> params;
+        std::size_t count;
+        bool sampler;
+    };
+    static constexpr Method kMethods[] = {
+        {"Sample", Op::Sample, {ir::kFloat2}, 1, true},
+        {"SampleBias", Op::SampleBias, {ir::kFloat2, ir::kFloat}, 2, true},
+        {"SampleLevel", Op::SampleLevel, {ir::kFloat2, ir::kFloat}, 2, true},
+        {"SampleGrad", Op::SampleGrad, {ir::kFloat2, ir::kFloat2, ir::kFloat2}, 3, true},
+        {"Load", Op::TexelLoad, {Type::vector(Scalar::Int, 2), ir::kInt}, 2, false},
+        {"Size", Op::TextureSize, {ir::kInt}, 1, false},
+    };
+    const Typed object = primary(expression(*expr.args[0], scope), scope, expr.args[0]->span);
+    if (!object.ok()) return {};
+    const auto row =
+        std::find_if(std::begin(kMethods), std::end(kMethods), [&](const Method& m) { return m.name == expr.text; });
+    if (!is_texture(object.type) || row == std::end(kMethods)) {
+        DiagnosticRecord& record = diagnostics_.report(Code::UnknownName, expr.name_span, "method", expr.text);
+        if (is_texture(object.type)) {
+            std::vector<std::string_view> names;
+            for (const Method& m : kMethods) names.push_back(m.name);
+            record.note(Diagnostics::suggestion(expr.text, names));
+        } else {
+            record.note(fmt::format("{} has no methods", module_.type_name(object.type)));
+        }
+        return {};
+    }
+    ir::Builder& b = *scope.builder;
+    std::span<const Expr* const> arguments = std::span(expr.args).subspan(1);
+    std::vector<Value> operands{b.extract(object.value, 0)};
+    Value sampler = b.extract(object.value, 1);
+    if (row->sampler && arguments.size() == row->count + 1) {
+        const Typed given = expression(*arguments[0], scope);
+        if (!given.ok()) return {};
+        if (given.type.kind != ir::Kind::Sampler) {
+            diagnostics_.report(Code::TypeMismatch, arguments[0]->span, "the first argument",
+                                module_.type_name(given.type), "SamplerState");
+            return {};
+        }
+        sampler = given.value;
+        arguments = arguments.subspan(1);
+    }
+    if (arguments.size() != row->count) {
+        diagnostics_.report(Code::ArgumentCount, expr.name_span, expr.text, row->count, arguments.size());
+        return {};
+    }
+    if (row->op != Op::TextureSize && row->op != Op::TexelLoad) operands.push_back(sampler);
+    for (std::size_t i = 0; i < row->count; ++i) {
+        const Typed value =
+            expression_as(*arguments[i], row->params[i], scope, fmt::format("an argument of {}", expr.text));
+        if (!value.ok()) return {};
+        operands.push_back(value.value);
+    }
+    if (ir::has(row->op, ir::Derivative)) need_quad(scope, expr.span, expr.text);
+    const Type result = row->op == Op::TextureSize ? Type::vector(Scalar::Int, 2) : ir::kFloat4;
+    return {.value = b.emit(row->op, result, operands), .type = result};
+}
+
+}  // namespace patina::nodelang

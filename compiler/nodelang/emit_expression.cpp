@@ -1,0 +1,593 @@
+// Expressions other than calls: literals, names, members, operators, and the implicit conversions between types.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "compiler/base/text.h"
+#include "compiler/nodelang/emit.h"
+
+namespace patina::nodelang {
+
+using ir::Op;
+using ir::Scalar;
+using ir::Type;
+using ir::Value;
+
+namespace {
+
+struct BinaryOperator {
+    std::string_view text;
+    Op op;
+    enum class On { Numbers, Ordered, Bools, Integers } on;
+};
+constexpr BinaryOperator kBinaryOperators[] = {
+    {"+", Op::Add, BinaryOperator::On::Numbers},
+    {"-", Op::Sub, BinaryOperator::On::Numbers},
+    {"*", Op::Mul, BinaryOperator::On::Numbers},
+    {"/", Op::Div, BinaryOperator::On::Numbers},
+    {"%", Op::Mod, BinaryOperator::On::Numbers},
+    {"<", Op::Less, BinaryOperator::On::Ordered},
+    {"<=", Op::LessEqual, BinaryOperator::On::Ordered},
+    {">", Op::Greater, BinaryOperator::On::Ordered},
+    {">=", Op::GreaterEqual, BinaryOperator::On::Ordered},
+    {"==", Op::Equal, BinaryOperator::On::Ordered},
+    {"!=", Op::NotEqual, BinaryOperator::On::Ordered},
+    {"&&", Op::And, BinaryOperator::On::Bools},
+    {"||", Op::Or, BinaryOperator::On::Bools},
+    {"&", Op::BitAnd, BinaryOperator::On::Integers},
+    {"|", Op::BitOr, BinaryOperator::On::Integers},
+    {"^", Op::BitXor, BinaryOperator::On::Integers},
+    {"<<", Op::ShiftLeft, BinaryOperator::On::Integers},
+    {">>", Op::ShiftRight, BinaryOperator::On::Integers},
+};
+
+// Rank of the scalar kinds that convert to each other in an operator: half joins float as float.
+bool joins(Scalar a, Scalar b) {
+    return a == b || (a == Scalar::Half && b == Scalar::Float) || (a == Scalar::Float && b == Scalar::Half);
+}
+
+std::string_view swizzle_prefix(unsigned width) {
+    return std::string_view("xyzw").substr(0, width);
+}
+
+}  // namespace
+
+Typed Emitter::expression(const Expr& expr, Scope& scope) {
+    switch (expr.kind) {
+        case Expr::Kind::Number: return number(expr, scope);
+        case Expr::Kind::Bool: {
+            return {.value = scope.builder->constant(ir::kBool, {expr.number}), .type = ir::kBool};
+        }
+        case Expr::Kind::List:
+        case Expr::Kind::Color: return list(expr, scope);
+        case Expr::Kind::Name: return name(expr, scope);
+        case Expr::Kind::Property:
+            if (scope.environment) return scope.environment->property(expr, scope);
+            diagnostics_.report(Code::UnknownName, expr.span, "name", expr.text);
+            return {};
+        case Expr::Kind::Semantic:
+            if (scope.environment) return scope.environment->semantic(expr.text, expr.span, scope);
+            diagnostics_.report(Code::UnknownName, expr.span, "name", expr.text);
+            return {};
+        case Expr::Kind::Member: return member(expression(*expr.args[0], scope), expr.text, expr.name_span, scope);
+        case Expr::Kind::Index: return index(expr, scope);
+        case Expr::Kind::Call: return call_expression(expr, scope);
+        case Expr::Kind::Method: return method(expr, scope);
+        case Expr::Kind::Unary: return unary(expr, scope);
+        case Expr::Kind::Binary: return binary(expr, scope);
+        case Expr::Kind::Ternary: return ternary(expr, scope);
+        case Expr::Kind::File:
+            if (scope.environment) return scope.environment->file(expr, scope);
+            diagnostics_.report(Code::UnknownName, expr.span, "file", expr.text);
+            return {};
+    }
+    return {};
+}
+
+Typed Emitter::number(const Expr& expr, Scope& scope) {
+    const std::array<Type, 4> types = {ir::kInt, ir::kUint, scope.half ? ir::kHalf : ir::kFloat, ir::kHalf};
+    const Type type = types[static_cast<std::size_t>(expr.number_kind)];
+    const bool literal = expr.number_kind == NumberKind::Int || expr.number_kind == NumberKind::Float;
+    const double limit = type.scalar == Scalar::Int    ? 2147483648.0
+                         : type.scalar == Scalar::Uint ? 4294967296.0
+                                                       : 3.4028235677973366e38;
+    if (!std::isfinite(expr.number) || std::abs(expr.number) >= limit) {
+        // A whole number beyond int's range still makes a good float literal.
+        if (type == ir::kInt && std::abs(expr.number) < 3.4028235677973366e38) {
+            return {.value = scope.builder->constant(ir::kFloat, {expr.number}), .type = ir::kFloat, .literal = true};
+        }
+        diagnostics_.report(Code::BadNumber, expr.span, shortest(expr.number), module_.type_name(type));
+        return {};
+    }
+    return {.value = scope.builder->constant(type, {expr.number}), .type = type, .literal = literal};
+}
+
+// A JSON array or colour: a vector of two to four floats. ({...} for arrays is read where the array is declared.)
+Typed Emitter::list(const Expr& expr, Scope& scope) {
+    std::vector<double> components;
+    bool good = expr.args.size() >= 2 && expr.args.size() <= 4;
+    for (const Expr* element : expr.args) {
+        const std::optional<double> value = constant_value(*element, scope);
+        if (!value) {
+            diagnostics_.report(Code::NotConstant, element->span, "an element of a list");
+            return {};
+        }
+        if (!(std::abs(*value) < 3.4028235677973366e38)) {
+            diagnostics_.report(Code::BadNumber, element->span, shortest(*value), "float");
+            return {};
+        }
+        components.push_back(*value);
+    }
+    if (!good) {
+        diagnostics_.report(Code::TypeMismatch, expr.span, fmt::format("a list of {}", expr.args.size()), "no vector",
+                            "a list of two to four numbers");
+        return {};
+    }
+    const Type type = Type::vector(Scalar::Float, static_cast<unsigned>(components.size()));
+    return {.value = scope.builder->constant(type, components), .type = type};
+}
+
+Typed Emitter::name(const Expr& expr, Scope& scope) {
+    for (auto local = scope.locals.rbegin(); local != scope.locals.rend(); ++local) {
+        if (local->name == expr.text) return local->value;
+    }
+    const VariableDecl* variable = scope.declarations->variable(expr.text);
+    if (variable && !(scope.environment && scope.environment->hides(expr.text))) {
+        if (variable->is_const) return file_constant(*variable, scope);
+        if (const auto known = statics_.find(variable); known != statics_.end()) {
+            return {.value = scope.builder->constant(ir::kBool, {known->second}), .type = ir::kBool};
+        }
+        if (externs_.contains(variable) && !scope.environment) return extern_value(*variable, scope);
+    }
+    if (scope.environment) return scope.environment->name(expr, scope);
+    std::vector<std::string_view> known;
+    for (const Local& local : scope.locals) known.push_back(local.name);
+    diagnostics_.report(Code::UnknownName, expr.span, "variable", expr.text)
+        .note(Diagnostics::suggestion(expr.text, known));
+    return {};
+}
+
+Typed Emitter::extern_value(const VariableDecl& variable, Scope& scope) {
+    const auto global = externs_.find(&variable);
+    if (global == externs_.end()) return {};
+    const Type type = module_.globals[global->second.index].type;
+    return {.value = scope.builder->emit(Op::Global, type, {}, global->second.index), .type = type};
+}
+
+Typed Emitter::file_constant(const VariableDecl& variable, Scope& scope) {
+    Scope file{.builder = scope.builder, .declarations = scope.declarations, .half = scope.half};
+    if (!variable.value) return {};
+    return expression_as(*variable.value, type(variable.type, file), file, fmt::format("'{}'", variable.name));
+}
+
+// --- members
+
+Typed Emitter::primary(Typed value, Scope& scope, Span span) {
+    if (!value.outputs || !value.ok()) return value;
+    if (!value.outputs->has_primary) {
+        std::vector<std::string_view> names(value.outputs->names.begin(), value.outputs->names.end());
+        diagnostics_.report(Code::AmbiguousOutput, span, diagnostics_.context_node())
+            .note(fmt::format("its outputs are {}", enumerate(names)));
+        return {};
+    }
+    const Value part = scope.builder->extract(value.value, 0);
+    return {.value = part, .type = scope.builder->type(part)};
+}
+
+Typed Emitter::member(Typed object, std::string_view name, Span span, Scope& scope) {
+    if (!object.ok()) return {};
+    if (object.outputs) {
+        const auto& names = object.outputs->names;
+        const auto found = std::find(names.begin(), names.end(), name);
+        if (found != names.end()) {
+            const Value part = scope.builder->extract(object.value, static_cast<std::uint32_t>(found - names.begin()));
+            return {.value = part, .type = scope.builder->type(part)};
+        }
+        if (!object.outputs->has_primary) {
+            std::vector<std::string_view> known(names.begin(), names.end());
+            diagnostics_.report(Code::UnknownPort, span, "this node", "output", name)
+                .note(Diagnostics::suggestion(name, known));
+            return {};
+        }
+        object = primary(object, scope, span);
+    } else if (name == "out" && !(object.type.kind == ir::Kind::Struct)) {
+        return object;
+    }
+    if (object.type.kind == ir::Kind::Struct) {
+        const ir::Struct& structure = module_.structs[object.type.ref];
+        for (std::uint32_t i = 0; i < structure.members.size(); ++i) {
+            if (structure.members[i].name != name) continue;
+            const Value part = scope.builder->extract(object.value, i);
+            return {.value = part, .type = structure.members[i].type};
+        }
+        const FunctionDecl* function = scope.declarations->function(name);
+        if (function && function->attribute("member") && !function->params.empty() &&
+            function->params[0].type.name == structure.name) {
+            const Declarations& home = scope.declarations->home_of(name);
+            const Argument self{.value = object, .constant = {}};
+            const Instance& instance = instantiate(*function, home, std::span(&self, 1), 0, false, span);
+            if (instance.result.is_error()) return {};
+            return {.value = scope.builder->call(instance.id, std::array{object.value}), .type = instance.result};
+        }
+        std::vector<std::string_view> known;
+        for (const ir::Member& m : structure.members) known.push_back(m.name);
+        diagnostics_.report(Code::UnknownSwizzle, span, name, structure.name)
+            .note(Diagnostics::suggestion(name, known));
+        return {};
+    }
+    Typed part = swizzle(object, name, scope);
+    if (!part.ok()) {
+        DiagnosticRecord& record =
+            diagnostics_.report(Code::UnknownSwizzle, span, name, module_.type_name(object.type));
+        if (object.type.is_scalar()) record.note("a scalar has no members");
+        if (object.type.is_vector()) {
+            record.note(fmt::format("its members are {} and {}", swizzle_prefix(object.type.width()),
+                                    std::string_view("rgba").substr(0, object.type.width())));
+        }
+    }
+    return part;
+}
+
+Typed Emitter::swizzle(Typed object, std::string_view letters, Scope& scope) {
+    if (!(object.type.is_vector() || object.type.is_scalar()) || letters.empty() || letters.size() > 4) return {};
+    std::array<unsigned, 4> components{};
+    for (const std::string_view set : {std::string_view("xyzw"), std::string_view("rgba")}) {
+        bool good = true;
+        for (std::size_t i = 0; good && i < letters.size(); ++i) {
+            const std::size_t at = set.find(letters[i]);
+            good = at < object.type.width();
+            if (good) components[i] = static_cast<unsigned>(at);
+        }
+        if (!good) continue;
+        if (object.type.is_scalar()) {
+            if (letters.size() == 1) return object;
+            return {.value = scope.builder->splat(object.value, static_cast<unsigned>(letters.size())),
+                    .type = object.type.with_width(static_cast<unsigned>(letters.size()))};
+        }
+        const Value value = letters.size() == 1
+                                ? scope.builder->extract(object.value, components[0])
+                                : scope.builder->swizzle(object.value, std::span(components.data(), letters.size()));
+        return {.value = value, .type = object.type.with_width(static_cast<unsigned>(letters.size()))};
+    }
+    return {};
+}
+
+Typed Emitter::index(const Expr& expr, Scope& scope) {
+    const Typed object = primary(expression(*expr.args[0], scope), scope, expr.args[0]->span);
+    Typed at = primary(expression(*expr.args[1], scope), scope, expr.args[1]->span);
+    if (!object.ok() || !at.ok()) return {};
+    if (!at.type.is_scalar() || !at.type.is_integer()) {
+        diagnostics_.report(Code::TypeMismatch, expr.args[1]->span, "the index", module_.type_name(at.type), "int");
+        return {};
+    }
+    const bool indexable = object.type.kind == ir::Kind::Array || object.type.is_vector() || object.type.is_matrix();
+    if (!indexable) {
+        diagnostics_.report(Code::BadOperand, expr.span, "[]", module_.type_name(object.type));
+        return {};
+    }
+    const std::uint32_t count = ir::part_count(module_, object.type);
+    const Type part = ir::part_type(module_, object.type, 0);
+    if (const std::optional<double> constant = constant_value(*expr.args[1], scope)) {
+        if (*constant < 0 || *constant >= count) {
+            diagnostics_.report(Code::OutOfRange, expr.args[1]->span, shortest(*constant), 0, count - 1, "the index");
+            return {};
+        }
+        return {.value = scope.builder->extract(object.value, static_cast<std::uint32_t>(*constant)), .type = part};
+    }
+    return {.value = scope.builder->emit(Op::Index, part, {object.value, at.value}), .type = part};
+}
+
+// --- operators
+
+Typed Emitter::literal_as(Typed value, Scalar scalar, Scope& scope) {
+    const std::span<const double> number = scope.builder->constant_of(value.value);
+    const Type type = value.type.with_scalar(scalar);
+    if (number.empty()) return {.value = scope.builder->convert(value.value, scalar), .type = type, .literal = true};
+    return {.value = scope.builder->constant(type, number), .type = type, .literal = true};
+}
+
+// Brings operands to one type: literals adapt, half joins float, scalars splat. Reports what cannot be joined.
+bool Emitter::unify(std::span<Typed> operands, Scope& scope, Span span, std::string_view op) {
+    for (const Typed& operand : operands) {
+        if (!operand.ok()) return false;
+        if (!operand.type.is_numeric()) {
+            diagnostics_.report(Code::BadOperand, span, op, module_.type_name(operand.type));
+            return false;
+        }
+    }
+    const auto firm = std::find_if(operands.begin(), operands.end(), [](const Typed& t) { return !t.literal; });
+    Scalar scalar = firm != operands.end() ? firm->type.scalar : operands[0].type.scalar;
+    bool any_matrix = false;
+    for (const Typed& operand : operands) {
+        if (operand.type.scalar == Scalar::Float &&
+            (joins(scalar, Scalar::Float) ? !operand.literal : firm == operands.end())) {
+            scalar = Scalar::Float;
+        }
+        // A fraction cannot become an int: let the clash below name the types.
+        any_matrix = any_matrix || operand.type.is_matrix();
+    }
+    unsigned width = 1;
+    for (Typed& operand : operands) {
+        if (operand.literal && operand.type.scalar != scalar && scalar != Scalar::Bool) {
+            const std::span<const double> number = scope.builder->constant_of(operand.value);
+            const bool whole = !number.empty() && number[0] == std::floor(number[0]);
+            if (operand.type.scalar == Scalar::Int || scalar == Scalar::Half || scalar == Scalar::Float ||
+                (whole && operand.type.scalar == Scalar::Int)) {
+                operand = literal_as(operand, scalar, scope);
+            }
+        }
+        width = std::max(width, operand.type.is_matrix() ? 1 : operand.type.width());
+    }
+    for (Typed& operand : operands) {
+        const bool same_kind = joins(operand.type.scalar, scalar);
+        const bool same_shape =
+            any_matrix ? operand.type == operands[0].type : operand.type.is_scalar() || operand.type.width() == width;
+        if (same_kind && same_shape) {
+            if (operand.type.scalar != scalar) {
+                operand.value = scope.builder->convert(operand.value, scalar);
+                operand.type = operand.type.with_scalar(scalar);
+            }
+            if (operand.type.is_scalar() && width > 1) {
+                operand.value = scope.builder->splat(operand.value, width);
+                operand.type = operand.type.with_width(width);
+            }
+            continue;
+        }
+        const Typed& other = &operand == &operands[0] ? operands[1] : operands[0];
+        DiagnosticRecord& record =
+            diagnostics_.report(Code::BadOperands, span, op, module_.type_name(operands[0].type),
+                                module_.type_name((&operand == &operands[0] ? other : operand).type));
+        if (!same_kind && operand.type.is_integer() != other.type.is_integer()) {
+            record.note("write float(...) around the whole number, or int(...) around the other");
+        } else if (!same_shape && !any_matrix) {
+            unsigned narrow = width;
+            for (const Typed& t : operands) {
+                if (!t.type.is_scalar()) narrow = std::min(narrow, t.type.width());
+            }
+            record.note(fmt::format("write .{} on the wider one", swizzle_prefix(narrow)));
+        }
+        return false;
+    }
+    return true;
+}
+
+Typed Emitter::unary(const Expr& expr, Scope& scope) {
+    Typed operand = primary(expression(*expr.args[0], scope), scope, expr.args[0]->span);
+    if (!operand.ok() || expr.text == "+") return operand;
+    const bool good = expr.text == "!"   ? operand.type.is_bool()
+                      : expr.text == "~" ? operand.type.is_integer()
+                                         : operand.type.is_numeric() && !operand.type.is_bool();
+    if (!good) {
+        diagnostics_.report(Code::BadOperand, expr.name_span, expr.text, module_.type_name(operand.type));
+        return {};
+    }
+    if (operand.literal && expr.text == "-") {
+        std::vector<double> negated(1, -scope.builder->constant_of(operand.value)[0]);
+        return {.value = scope.builder->constant(operand.type, negated), .type = operand.type, .literal = true};
+    }
+    const Op op = expr.text == "!" ? Op::Not : expr.text == "~" ? Op::BitNot : Op::Neg;
+    return {.value = scope.builder->emit(op, operand.type, {operand.value}), .type = operand.type};
+}
+
+// One side of == whose other side is an enum: a bare word is one of its values.
+Typed Emitter::enum_operand(const Expr& expr, const std::vector<std::string_view>& enumerators, Scope& scope) {
+    if (expr.kind == Expr::Kind::Name) {
+        const auto found = std::find(enumerators.begin(), enumerators.end(), expr.text);
+        if (found == enumerators.end()) {
+            diagnostics_.report(Code::UnknownEnumerator, expr.span, expr.text, "this enumeration")
+                .note(Diagnostics::suggestion(expr.text, enumerators));
+            return {};
+        }
+        return {.value = scope.builder->constant(ir::kInt, {static_cast<double>(found - enumerators.begin())}),
+                .type = ir::kInt};
+    }
+    return primary(expression(expr, scope), scope, expr.span);
+}
+
+Typed Emitter::binary(const Expr& expr, Scope& scope) {
+    const auto row = std::find_if(std::begin(kBinaryOperators), std::end(kBinaryOperators),
+                                  [&](const BinaryOperator& o) { return o.text == expr.text; });
+    std::array<Typed, 2> sides;
+    const bool equality = row->op == Op::Equal || row->op == Op::NotEqual;
+    // The left side first, unless only the right one says which enumeration is meant.
+    if (equality) {
+        const auto is_enum_local = [&](const Expr& e) {
+            return e.kind == Expr::Kind::Property ||
+                   (e.kind == Expr::Kind::Name &&
+                    std::any_of(scope.locals.begin(), scope.locals.end(),
+                                [&](const Local& l) { return l.name == e.text && l.value.enumerators; }));
+        };
+        const std::size_t lead = !is_enum_local(*expr.args[0]) && is_enum_local(*expr.args[1]) ? 1 : 0;
+        sides[lead] = primary(expression(*expr.args[lead], scope), scope, expr.args[lead]->span);
+        const Expr& other = *expr.args[1 - lead];
+        sides[1 - lead] = sides[lead].enumerators ? enum_operand(other, *sides[lead].enumerators, scope)
+                                                  : primary(expression(other, scope), scope, other.span);
+    } else {
+        for (std::size_t i : {0u, 1u}) {
+            sides[i] = primary(expression(*expr.args[i], scope), scope, expr.args[i]->span);
+        }
+    }
+    const bool literal = sides[0].literal && sides[1].literal;
+    // Whole literals divide exactly: 1 / 2 is a half, as an artist means it.
+    if (literal && row->op == Op::Div) {
+        for (Typed& side : sides) {
+            if (side.type.is_integer()) side = literal_as(side, scope.half ? Scalar::Half : Scalar::Float, scope);
+        }
+    }
+    if (!unify(sides, scope, expr.name_span, expr.text)) return {};
+    const Type type = sides[0].type;
+    const bool good = row->on == BinaryOperator::On::Bools      ? type.is_bool()
+                      : row->on == BinaryOperator::On::Integers ? type.is_integer()
+                      : equality                                ? true
+                                                                : !type.is_bool();
+    if (!good || (type.is_matrix() && row->op != Op::Add && row->op != Op::Sub)) {
+        DiagnosticRecord& record = diagnostics_.report(Code::BadOperands, expr.name_span, expr.text,
+                                                       module_.type_name(type), module_.type_name(type));
+        if (type.is_matrix()) record.note("matrices are multiplied by mul(a, b)");
+        if (type.is_bool()) record.note("write 'condition ? 1 : 0' to make a number of a bool");
+        return {};
+    }
+    if (row->op == Op::Div && scope.builder->is_constant(sides[1].value, 0)) {
+        diagnostics_.report(Code::DivisionByZero, expr.args[1]->span);
+    }
+    const bool compares = ir::info(row->op).rule == ir::TypeRule::Compare;
+    // Arithmetic of literals is a literal: it still becomes whatever number is needed.
+    if (const std::optional<double> known = constant_value(expr, scope); known && literal && !compares) {
+        return {.value = scope.builder->constant(type, {*known}), .type = type, .literal = true};
+    }
+    const Type result = compares ? Type::vector(Scalar::Bool, type.width()) : type;
+    return {.value = scope.builder->emit(row->op, result, {sides[0].value, sides[1].value}), .type = result};
+}
+
+Typed Emitter::ternary(const Expr& expr, Scope& scope) {
+    if (const std::optional<double> known = constant_value(*expr.args[0], scope)) {
+        return expression(*expr.args[*known != 0 ? 1 : 2], scope);
+    }
+    const Typed condition = primary(expression(*expr.args[0], scope), scope, expr.args[0]->span);
+    std::array<Typed, 2> branches;
+    for (std::size_t i : {0u, 1u}) {
+        branches[i] = primary(expression(*expr.args[i + 1], scope), scope, expr.args[i + 1]->span);
+    }
+    if (!condition.ok()) return {};
+    if (branches[0].ok() && branches[0].type == branches[1].type && branches[0].type.kind == ir::Kind::Struct) {
+        return {.value = scope.builder->emit(Op::Select, branches[0].type,
+                                             {condition.value, branches[0].value, branches[1].value}),
+                .type = branches[0].type};
+    }
+    if (!unify(branches, scope, expr.span, "?:")) return {};
+    Type type = branches[0].type;
+    if (!condition.type.is_bool() || (condition.type.is_vector() && condition.type.width() != type.width())) {
+        diagnostics_.report(Code::TypeMismatch, expr.args[0]->span, "the condition", module_.type_name(condition.type),
+                            "bool");
+        return {};
+    }
+    // Two whole literals have no context to adapt to; a select between them is a float, as a branch of a graph means.
+    if (branches[0].literal && type.is_integer()) {
+        for (Typed& branch : branches) branch = literal_as(branch, scope.half ? Scalar::Half : Scalar::Float, scope);
+        type = branches[0].type;
+    }
+    return {.value = scope.builder->emit(Op::Select, type, {condition.value, branches[0].value, branches[1].value}),
+            .type = type};
+}
+
+// --- conversions
+
+Typed Emitter::expression_as(const Expr& expr, Type wanted, Scope& scope, std::string_view what) {
+    return convert(primary(expression(expr, scope), scope, expr.span), wanted, scope, expr.span, what);
+}
+
+Typed Emitter::convert(Typed value, Type wanted, Scope& scope, Span span, std::string_view what) {
+    if (!value.ok() || wanted.is_error()) return {};
+    if (value.type == wanted) return {.value = value.value, .type = wanted};
+    ir::Builder& b = *scope.builder;
+    if (value.literal && value.type.scalar == Scalar::Int && wanted.is_numeric() && !wanted.is_bool()) {
+        value = literal_as(value, wanted.scalar, scope);
+    }
+    const bool plain = value.type.is_numeric() && !value.type.is_matrix() && wanted.is_numeric() && !wanted.is_matrix();
+    if (plain && joins(value.type.scalar, wanted.scalar)) {
+        const unsigned have = value.type.width();
+        const bool shape = have == wanted.width() || have == 1 || (have == 4 && wanted.width() == 3);
+        if (shape) {
+            Value v = value.value;
+            if (have == 4 && wanted.width() == 3) v = b.swizzle(v, std::array{0u, 1u, 2u});
+            if (value.type.scalar != wanted.scalar) v = b.convert(v, wanted.scalar);
+            if (have == 1 && wanted.width() > 1) v = b.splat(v, wanted.width());
+            return {.value = v, .type = wanted};
+        }
+    }
+    DiagnosticRecord& record =
+        diagnostics_.report(Code::TypeMismatch, span, what, module_.type_name(value.type), module_.type_name(wanted));
+    if (plain && value.type.width() > wanted.width()) {
+        record.note(fmt::format("take a part of it: .{}", swizzle_prefix(wanted.width())));
+    } else if (plain && value.type.width() < wanted.width() && value.type.width() > 1) {
+        record.note(fmt::format("fill it up: {}(..., 0)", module_.type_name(wanted)));
+    } else if (plain && value.type.is_bool()) {
+        record.note("write '... ? 1 : 0' to make a number of a bool");
+    } else if (plain && wanted.is_bool()) {
+        record.note("compare it: '... > 0.5'");
+    } else if (plain) {
+        record.note(fmt::format("convert it: {}(...)", module_.type_name(wanted)));
+    }
+    return {};
+}
+
+// --- what is known without running anything
+
+std::optional<double> Emitter::constant_value(const Expr& expr, const Scope& scope) {
+    const auto of = [&](std::size_t i) { return constant_value(*expr.args[i], scope); };
+    switch (expr.kind) {
+        case Expr::Kind::Number:
+        case Expr::Kind::Bool: return expr.number;
+        case Expr::Kind::Name: {
+            for (auto local = scope.locals.rbegin(); local != scope.locals.rend(); ++local) {
+                if (local->name == expr.text) return local->constant;
+            }
+            const VariableDecl* variable = scope.declarations->variable(expr.text);
+            if (variable && variable->is_const && variable->value && !variable->type.array_size) {
+                return constant_value(*variable->value, scope);
+            }
+            if (const auto known = statics_.find(variable); known != statics_.end()) return known->second;
+            return {};
+        }
+        case Expr::Kind::Unary: {
+            const std::optional<double> a = of(0);
+            if (!a) return {};
+            if (expr.text == "-") return -*a;
+            if (expr.text == "!") return *a == 0 ? 1 : 0;
+            return expr.text == "+" ? a : std::nullopt;
+        }
+        case Expr::Kind::Ternary: {
+            const std::optional<double> condition = of(0);
+            if (!condition) return {};
+            return of(*condition != 0 ? 1 : 2);
+        }
+        case Expr::Kind::Binary: {
+            // An enumeration's value against a word: the word is looked up in that enumeration.
+            if (expr.text == "==" || expr.text == "!=") {
+                for (std::size_t side : {0u, 1u}) {
+                    if (expr.args[side]->kind != Expr::Kind::Name) continue;
+                    for (const Local& local : scope.locals) {
+                        if (local.name != expr.args[side]->text || !local.value.enumerators || !local.constant)
+                            continue;
+                        const Expr& word = *expr.args[1 - side];
+                        const auto& words = *local.value.enumerators;
+                        const auto found = std::find(words.begin(), words.end(), word.text);
+                        if (word.kind != Expr::Kind::Name || found == words.end()) continue;
+                        const bool same = *local.constant == static_cast<double>(found - words.begin());
+                        return same == (expr.text == "==") ? 1 : 0;
+                    }
+                }
+            }
+            const std::optional<double> a = of(0), b = of(1);
+            // One side may decide alone.
+            if (expr.text == "&&" && ((a && *a == 0) || (b && *b == 0))) return 0;
+            if (expr.text == "||" && ((a && *a != 0) || (b && *b != 0))) return 1;
+            if (!a || !b) return {};
+            if (expr.text == "+") return *a + *b;
+            if (expr.text == "-") return *a - *b;
+            if (expr.text == "*") return *a * *b;
+            if (expr.text == "/" && *b != 0) return *a / *b;
+            if (expr.text == "<") return *a < *b;
+            if (expr.text == "<=") return *a <= *b;
+            if (expr.text == ">") return *a > *b;
+            if (expr.text == ">=") return *a >= *b;
+            if (expr.text == "==") return *a == *b;
+            if (expr.text == "!=") return *a != *b;
+            if (expr.text == "&&") return *a != 0 && *b != 0;
+            if (expr.text == "||") return *a != 0 || *b != 0;
+            return {};
+        }
+        case Expr::Kind::List:
+        case Expr::Kind::Color:
+        case Expr::Kind::Property:
+        case Expr::Kind::Semantic:
+        case Expr::Kind::Member:
+        case Expr::Kind::Index:
+        case Expr::Kind::Call:
+        case Expr::Kind::Method:
+        case Expr::Kind::File: return {};
+    }
+    return {};
+}
+
+}  // namespace patina::nodelang

@@ -1,0 +1,182 @@
+// Function bodies: one IR function per combination of width, precision and constant arguments.
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "compiler/nodelang/emit.h"
+
+namespace patina::nodelang {
+
+using ir::Type;
+using ir::Value;
+
+namespace {
+
+// Sub-graphs and functions may be written deep, but not endlessly so.
+constexpr std::size_t kMaxCallDepth = 64;
+
+std::string first_sentence(std::string_view doc) {
+    std::string line;
+    for (std::size_t at = 0; at < doc.size(); ++at) {
+        if (doc.substr(at).starts_with("///")) {
+            at += 2;
+            continue;
+        }
+        if (doc[at] == '\n') {
+            if (!line.empty() && line.back() == '.') break;
+            if (line.find_first_not_of(' ') == std::string::npos) line.clear();
+            continue;
+        }
+        line += doc[at];
+        if (doc[at] == '.' && (at + 1 == doc.size() || doc[at + 1] == '\n')) break;
+    }
+    const std::size_t start = line.find_first_not_of(' ');
+    return start == std::string::npos ? std::string() : line.substr(start);
+}
+
+}  // namespace
+
+const Emitter::Instance& Emitter::instantiate(const FunctionDecl& function, const Declarations& home,
+                                              std::span<const Argument> arguments, unsigned width, bool half,
+                                              Span call_span) {
+    std::string key =
+        fmt::format("{}@{}.{}{}", function.name, static_cast<const void*>(&function), width, half ? "h" : "");
+    std::string name(function.name);
+    for (std::size_t i = 0; i < function.params.size(); ++i) {
+        const ParamDecl& param = function.params[i];
+        if (!param.is_const) continue;
+        key += fmt::format(",{}", *arguments[i].constant);
+        if (const EnumDecl* enumeration = home.enumeration(param.type.name)) {
+            name += enumeration->values[static_cast<std::size_t>(*arguments[i].constant)];
+        }
+    }
+    if (half) name += "_half";
+    if (const auto found = instances_.find(key); found != instances_.end()) return found->second;
+    if (std::find(active_.begin(), active_.end(), &function) != active_.end() || active_.size() >= kMaxCallDepth) {
+        std::string chain;
+        for (const FunctionDecl* caller : active_) chain += fmt::format("{} > ", caller->name);
+        diagnostics_.report(Code::Recursion, call_span, chain + std::string(function.name));
+        return instances_[key] = {.id = {}, .result = Type::error()};
+    }
+    active_.push_back(&function);
+    Instance made = emit_function(function, home, arguments, width, half, std::move(name));
+    active_.pop_back();
+    return instances_[key] = made;
+}
+
+Emitter::Instance Emitter::emit_function(const FunctionDecl& function, const Declarations& home,
+                                         std::span<const Argument> arguments, unsigned width, bool half,
+                                         std::string name) {
+    Instance instance;
+    const std::size_t errors = diagnostics_.error_count();
+    ir::Function made{};
+    made.name = std::move(name);
+    made.comment = first_sentence(function.doc);
+    ir::Builder builder(module_, made, options_);
+    Scope scope{.builder = &builder,
+                .declarations = &home,
+                .generic_width = width,
+                .half = half,
+                .function = &function,
+                .needs_quad = &instance.needs_quad};
+    Outputs outputs{.names = {}, .has_primary = function.result.name != "void"};
+    std::vector<ir::Member> members;
+    const Type primary_type = type(function.result, scope);
+    if (outputs.has_primary) {
+        outputs.names.push_back("out");
+        members.push_back({"value", primary_type});
+    }
+    for (std::size_t i = 0; i < function.params.size(); ++i) {
+        const ParamDecl& param = function.params[i];
+        const Type param_type = type(param.type, scope);
+        if (param_type.is_error()) return {.id = {}, .result = Type::error()};
+        Local local{.name = param.name, .value = {}, .is_const = param.is_const, .constant = {}};
+        if (param.is_out) {
+            outputs.names.emplace_back(param.name);
+            members.push_back({std::string(param.name), param_type});
+            local.value = {.value = zero(param_type, scope), .type = param_type};
+        } else if (param.is_const) {
+            local.constant = arguments[i].constant;
+            local.value = {.value = builder.constant(param_type, {*local.constant}), .type = param_type};
+            if (const EnumDecl* enumeration = home.enumeration(param.type.name))
+                local.value.enumerators = &enumeration->values;
+        } else {
+            made.params.push_back({std::string(param.name), param_type, ir::Rate::Pixel});
+            local.value = {.value = builder.param(static_cast<std::uint32_t>(made.params.size() - 1)),
+                           .type = param_type};
+        }
+        scope.locals.push_back(std::move(local));
+    }
+    if (members.size() == 1 && outputs.has_primary) {
+        instance.result = primary_type;
+    } else {
+        module_.structs.push_back({.name = made.name + "Result", .members = std::move(members)});
+        instance.result = Type::structure(static_cast<std::uint32_t>(module_.structs.size() - 1));
+        instance.outputs = intern(std::move(outputs));
+    }
+    scope.result = instance.result;
+    made.result = instance.result;
+    Value returned;
+    const bool returns = statements(function.body, 0, scope, returned);
+    if (diagnostics_.error_count() != errors) return {.id = {}, .result = Type::error()};
+    if (!returns) {
+        if (function.result.name != "void") {
+            diagnostics_.report(Code::MissingReturn, function.name_span, function.name);
+            return {.id = {}, .result = Type::error()};
+        }
+        returned = return_value(nullptr, scope);
+    }
+    builder.ret(returned);
+    module_.functions.push_back(std::move(made));
+    instance.id = {static_cast<std::uint32_t>(module_.functions.size() - 1)};
+    return instance;
+}
+
+ir::FunctionId Emitter::plain_function(const FunctionDecl& function, const Declarations& home) {
+    const std::vector<Argument> arguments(function.params.size());
+    const Instance made = emit_function(function, home, arguments, 0, false, std::string(function.name));
+    if (made.id) module_[made.id].always_inline = true;
+    return made.id;
+}
+
+ir::FunctionId Emitter::semantic_function(const FunctionDecl& function, const Declarations& home,
+                                          Environment& environment, bool in_vertex_stage, bool* needs_quad) {
+    ir::Function made{};
+    made.name = function.name;
+    made.always_inline = true;
+    ir::Builder builder(module_, made, options_);
+    bool quad = false;
+    Scope scope{.builder = &builder, .declarations = &home, .function = &function, .needs_quad = &quad};
+    scope.in_vertex_stage = in_vertex_stage;
+    for (const ParamDecl& param : function.params) {
+        const Type param_type = type(param.type, scope);
+        if (!param.initial) {
+            diagnostics_.report(Code::MissingInput, param.span, function.name, param.name);
+            return {};
+        }
+        Scope outside{.builder = &builder, .declarations = &home, .environment = &environment};
+        outside.in_vertex_stage = in_vertex_stage;
+        const Typed value = convert(default_value(*param.initial, home, outside, param_type), param_type, outside,
+                                    param.initial->span, "the default");
+        if (!value.ok()) return {};
+        scope.locals.push_back({.name = param.name, .value = value, .is_const = false, .constant = {}});
+        if (param.is_const) scope.locals.back().constant = constant_value(*param.initial, outside);
+    }
+    made.result = scope.result = type(function.result, scope);
+    Value returned;
+    const std::size_t errors = diagnostics_.error_count();
+    active_.push_back(&function);
+    const bool returns = statements(function.body, 0, scope, returned);
+    active_.pop_back();
+    if (diagnostics_.error_count() != errors) return {};
+    if (!returns) {
+        diagnostics_.report(Code::MissingReturn, function.name_span, function.name);
+        return {};
+    }
+    builder.ret(returned);
+    if (needs_quad) *needs_quad = quad;
+    module_.functions.push_back(std::move(made));
+    return {static_cast<std::uint32_t>(module_.functions.size() - 1)};
+}
+
+}  // namespace patina::nodelang

@@ -1,0 +1,261 @@
+#include "compiler/nodelang/lex.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace patina::nodelang {
+namespace {
+
+constexpr std::string_view kNoBreakSpace = "\xc2\xa0";
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
+// Longest first: the first that fits is the token.
+constexpr std::string_view kPunctuation[] = {"<<", ">>", "<=", ">=", "==", "!=", "&&", "||", "++", "--", "+=",
+                                             "-=", "*=", "/=", "%=", "&=", "|=", "^=", "+",  "-",  "*",  "/",
+                                             "%",  "<",  ">",  "=",  "!",  "&",  "|",  "^",  "~",  "?",  ":",
+                                             ";",  ",",  ".",  "(",  ")",  "[",  "]",  "{",  "}"};
+
+// Not <cctype>: the language does not change with the locale.
+constexpr bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+constexpr bool is_hex_digit(char c) {
+    return is_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
+}
+constexpr bool is_word_start(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+constexpr bool is_word_part(char c) {
+    return is_word_start(c) || is_digit(c);
+}
+constexpr bool is_space(char c) {
+    return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+    while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
+    return text;
+}
+
+// Bytes of the UTF-8 sequence that begins with `first`, as far as the first byte tells.
+constexpr std::size_t sequence_length(char first) {
+    const auto byte = static_cast<unsigned char>(first);
+    return byte >= 0xf0 ? 4 : byte >= 0xe0 ? 3 : byte >= 0xc0 ? 2 : 1;
+}
+
+// A literal without its sign: digits, then a suffix. False if it is malformed or too large.
+bool read_number(std::string_view literal, Token& token) {
+    const bool is_hex = literal.starts_with("0x") || literal.starts_with("0X");
+    std::string_view digits = literal;
+    char suffix = '\0';
+    const char last = literal.back();
+    const bool has_suffix = is_hex ? last == 'u' || last == 'U' : is_word_start(last) || last == '_';
+    if (has_suffix) {
+        suffix = static_cast<char>(last | 0x20);
+        digits.remove_suffix(1);
+    }
+    const char* end = digits.data() + digits.size();
+    if (is_hex) {
+        std::uint32_t value = 0;
+        const auto [stop, error] = std::from_chars(digits.data() + 2, end, value, 16);
+        if (error != std::errc() || stop != end) return false;
+        token.number = value;
+        // As in HLSL and GLSL: a hexadecimal that does not fit in an int is a uint.
+        token.number_kind = suffix == 'u' || value > 0x7fffffffu ? NumberKind::Uint : NumberKind::Int;
+        return true;
+    }
+    const auto [stop, error] = std::from_chars(digits.data(), end, token.number);
+    if (error != std::errc() || stop != end || !std::isfinite(token.number)) return false;
+    const bool is_whole = digits.find_first_not_of("0123456789") == std::string_view::npos;
+    switch (suffix) {
+        case '\0': token.number_kind = is_whole ? NumberKind::Int : NumberKind::Float; break;
+        case 'u': token.number_kind = NumberKind::Uint; break;
+        case 'f': token.number_kind = NumberKind::Float; break;
+        case 'h': token.number_kind = NumberKind::Half; break;
+        default: return false;
+    }
+    if (suffix == 'u' && (!is_whole || token.number > 4294967295.0)) return false;
+    // 010 is eight in C and ten to everybody else.
+    return !(is_whole && digits.size() > 1 && digits.front() == '0');
+}
+
+}  // namespace
+
+Lexer::Lexer(Text text, Place place, Diagnostics& diagnostics) : text_(text), place_(place), diagnostics_(diagnostics) {
+    if (place == Place::File && looking_at(kByteOrderMark)) here_ = kByteOrderMark.size();
+}
+
+Token Lexer::next() {
+    Token token;
+    skip_space(token);
+    token.begin = here_;
+    const char c = at(here_);
+    if (here_ >= text_.text.size()) {
+        token.kind = Token::Kind::End;
+    } else if (is_word_start(c)) {
+        word(token);
+    } else if (is_digit(c) || (c == '.' && is_digit(at(here_ + 1)))) {
+        number(token);
+    } else if (c == '"') {
+        string(token);
+    } else if ((c == '$' || c == '@') && is_word_start(at(here_ + 1))) {
+        graph_name(token);
+    } else {
+        punctuation(token);
+    }
+    token.end = here_;
+    return token;
+}
+
+std::size_t Lexer::end_of_word(std::size_t from) const {
+    while (is_word_part(at(from))) ++from;
+    return from;
+}
+
+// --- what stands between tokens
+
+void Lexer::skip_space(Token& token) {
+    bool same_line_as_token = here_ > 0;
+    int newlines = 0;           // since the last comment
+    bool in_doc_block = false;  // the last thing was a /// line
+    while (here_ < text_.text.size()) {
+        if (is_space(at(here_))) {
+            if (at(here_) == '\n') {
+                same_line_as_token = false;
+                ++newlines;
+            }
+            ++here_;
+        } else if (looking_at(kNoBreakSpace)) {
+            here_ += kNoBreakSpace.size();
+        } else if (looking_at("//")) {
+            const bool is_doc = looking_at("///") && !looking_at("////") && !looking_at("///<");
+            // A blank line or another comment between two blocks: only the nearer one describes what follows.
+            if (is_doc && !(in_doc_block && newlines <= 1)) token.doc = {};
+            line_comment(token, same_line_as_token);
+            in_doc_block = is_doc;
+            newlines = 0;
+        } else if (looking_at("/*")) {
+            skip_block_comment();
+            in_doc_block = false;
+            newlines = 0;
+        } else {
+            return;
+        }
+    }
+}
+
+void Lexer::skip_block_comment() {
+    const std::size_t close = text_.text.find("*/", here_ + 2);
+    if (close == std::string_view::npos) {
+        diagnostics_.report(Code::Syntax, span(here_, here_ + 2), "'*/' after this", "the end of the text");
+        here_ = text_.text.size();
+        return;
+    }
+    here_ = close + 2;
+}
+
+void Lexer::line_comment(Token& token, bool same_line_as_token) {
+    const std::size_t begin = here_;
+    here_ = std::min(text_.text.find('\n', begin), text_.text.size());
+    std::string_view line = text_.text.substr(begin, here_ - begin);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (line.starts_with("///<")) {
+        if (same_line_as_token) token.trailing_doc = trimmed(line.substr(4));
+    } else if (line.starts_with("///") && !line.starts_with("////")) {
+        const std::size_t doc_begin =
+            token.doc.empty() ? begin : static_cast<std::size_t>(token.doc.data() - text_.text.data());
+        token.doc = text_.text.substr(doc_begin, begin + line.size() - doc_begin);
+    }
+}
+
+// --- tokens
+
+void Lexer::word(Token& token) {
+    const std::size_t begin = here_;
+    here_ = end_of_word(begin);
+    token.kind = Token::Kind::Word;
+    token.text = text_.text.substr(begin, here_ - begin);
+}
+
+void Lexer::number(Token& token) {
+    const std::size_t begin = here_;
+    const bool is_hex = at(begin) == '0' && (at(begin + 1) == 'x' || at(begin + 1) == 'X');
+    std::size_t end = begin;
+    if (is_hex) {
+        end += 2;
+        while (is_hex_digit(at(end))) ++end;
+    } else {
+        while (is_digit(at(end))) ++end;
+        if (at(end) == '.') {
+            ++end;
+            while (is_digit(at(end))) ++end;
+        }
+        const bool has_exponent = at(end) == 'e' || at(end) == 'E';
+        if (has_exponent && (at(end + 1) == '+' || at(end + 1) == '-')) end += 2;
+    }
+    // Whatever word sticks to the digits belongs to the literal, be it a suffix, an exponent or a slip of the pen.
+    here_ = end_of_word(end);
+    token.text = text_.text.substr(begin, here_ - begin);
+    token.kind = Token::Kind::Number;
+    if (read_number(token.text, token)) return;
+    token.kind = Token::Kind::Bad;
+    diagnostics_.report(Code::BadLiteral, span(begin, here_), token.text);
+}
+
+void Lexer::string(Token& token) {
+    const std::size_t begin = here_ + 1;
+    const std::size_t end = text_.text.find_first_of("\"\n", begin);
+    if (end == std::string_view::npos || text_.text[end] == '\n') {
+        token.kind = Token::Kind::Bad;
+        diagnostics_.report(Code::Syntax, span(here_, begin), "another '\"' after this", "the end of the line");
+        here_ = std::min(end, text_.text.size());
+        return;
+    }
+    token.kind = Token::Kind::String;
+    token.text = text_.text.substr(begin, end - begin);
+    here_ = end + 1;
+}
+
+void Lexer::graph_name(Token& token) {
+    const std::size_t begin = here_;
+    here_ = end_of_word(begin + 1);
+    const bool is_property = at(begin) == '$';
+    token.kind = is_property ? Token::Kind::Property : Token::Kind::Semantic;
+    token.text = text_.text.substr(begin + 1, here_ - begin - 1);
+    if (place_ == Place::Graph) return;
+    token.kind = Token::Kind::Bad;
+    diagnostics_
+        .report(Code::BadCharacter, span(begin, here_), fmt::format("'{}'", text_.text.substr(begin, here_ - begin)))
+        .note(is_property
+                  ? "only a graph reads properties: give the function a parameter"
+                  : fmt::format("only a graph writes semantics so: give the function a parameter with the default '{}'",
+                                token.text));
+}
+
+void Lexer::punctuation(Token& token) {
+    const auto found = std::find_if(std::begin(kPunctuation), std::end(kPunctuation),
+                                    [&](std::string_view candidate) { return looking_at(candidate); });
+    if (found == std::end(kPunctuation)) return bad_character(token);
+    token.kind = Token::Kind::Punctuation;
+    token.text = *found;
+    here_ += found->size();
+}
+
+void Lexer::bad_character(Token& token) {
+    const std::size_t begin = here_;
+    const char c = at(begin);
+    here_ = std::min(begin + sequence_length(c), text_.text.size());
+    token.kind = Token::Kind::Bad;
+    token.text = text_.text.substr(begin, here_ - begin);
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_printable = (byte > 0x20 && byte < 0x7f) || token.text.size() > 1;
+    const std::string what =
+        is_printable ? fmt::format("'{}'", token.text) : fmt::format("the character 0x{:02x}", unsigned{byte});
+    DiagnosticRecord& record = diagnostics_.report(Code::BadCharacter, span(begin, here_), what);
+    if (c == '#') record.note("there is no preprocessor: a constant is written 'const float NAME = 1;'");
+    if (c == '$' || c == '@') record.note(fmt::format("'{}' begins a name: put the name right behind it", c));
+}
+
+}  // namespace patina::nodelang

@@ -1,0 +1,72 @@
+// Text of the node language -> tokens, one at a time, so that a huge file costs no more memory than a small one. A bad
+// character or number is reported here, once; the parser stays silent about a Bad token. Comments are not tokens: a
+// token carries the `///` lines before it and the `///<` text between it and the token before.
+//
+//   Lexer lexer({text, base}, Lexer::Place::File, diagnostics);
+//   for (Token t = lexer.next(); t.kind != Token::Kind::End; t = lexer.next()) ...
+#pragma once
+
+#include "compiler/base/diagnostics.h"
+#include "compiler/nodelang/ast.h"
+#include "compiler/nodelang/parse.h"
+
+namespace patina::nodelang {
+
+struct Token {
+    enum class Kind : std::uint8_t {
+        End,
+        Word,         // identifiers and keywords alike
+        Number,       // number, number_kind
+        String,       // text: between the quotes
+        Property,     // $name; text: without the $
+        Semantic,     // @name; text: without the @
+        Punctuation,  // text: the longest of the language's operators and brackets
+        Bad,          // has been reported
+    };
+    Kind kind = Kind::End;
+    NumberKind number_kind = NumberKind::Int;
+    std::size_t begin = 0;  // offsets into Text::text
+    std::size_t end = 0;
+    std::string_view text;
+    double number = 0;
+    std::string_view doc;           // whole lines, slashes included; empty if there are none
+    std::string_view trailing_doc;  // what follows `///<` on the line of the token before, without the spaces around it
+
+    bool is(std::string_view punctuation) const { return kind == Kind::Punctuation && text == punctuation; }
+    bool is_word(std::string_view word) const { return kind == Kind::Word && text == word; }
+};
+
+class Lexer {
+public:
+    // $properties and @semantics are words of graphs only.
+    enum class Place { File, Graph };
+
+    Lexer(Text text, Place place, Diagnostics& diagnostics);
+
+    // The next token; at the end of the text End, again and again.
+    Token next();
+
+    Span span(std::size_t begin, std::size_t end) const { return {text_.at(begin), text_.at(end)}; }
+
+private:
+    char at(std::size_t offset) const { return offset < text_.text.size() ? text_.text[offset] : '\0'; }
+    bool looking_at(std::string_view word) const { return text_.text.substr(here_).starts_with(word); }
+    std::size_t end_of_word(std::size_t from) const;
+
+    void skip_space(Token& token);
+    void skip_block_comment();
+    void line_comment(Token& token, bool same_line_as_token);
+    void word(Token& token);
+    void number(Token& token);
+    void string(Token& token);
+    void graph_name(Token& token);
+    void punctuation(Token& token);
+    void bad_character(Token& token);
+
+    Text text_;
+    Place place_;
+    Diagnostics& diagnostics_;
+    std::size_t here_ = 0;
+};
+
+}  // namespace patina::nodelang

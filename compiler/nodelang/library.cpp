@@ -1,0 +1,66 @@
+#include "compiler/nodelang/library.h"
+
+#include <algorithm>
+
+namespace patina::nodelang {
+namespace {
+
+template <class Decl>
+const Decl* find(const std::unordered_map<std::string_view, const Decl*>& map, std::string_view name) {
+    const auto found = map.find(name);
+    return found == map.end() ? nullptr : found->second;
+}
+
+template <class Decl>
+void add(std::unordered_map<std::string_view, const Decl*>& map, const Decl& decl, Span span,
+         Diagnostics& diagnostics) {
+    const auto [existing, is_new] = map.emplace(decl.name, &decl);
+    if (!is_new) diagnostics.report(Code::Redefinition, span, decl.name);
+}
+
+}  // namespace
+
+const FunctionDecl* Declarations::function(std::string_view name) const {
+    const FunctionDecl* own = find(functions, name);
+    return own || !parent ? own : parent->function(name);
+}
+const StructDecl* Declarations::structure(std::string_view name) const {
+    const StructDecl* own = find(structs, name);
+    return own || !parent ? own : parent->structure(name);
+}
+const EnumDecl* Declarations::enumeration(std::string_view name) const {
+    const EnumDecl* own = find(enums, name);
+    return own || !parent ? own : parent->enumeration(name);
+}
+const VariableDecl* Declarations::variable(std::string_view name) const {
+    const VariableDecl* own = find(variables, name);
+    return own || !parent ? own : parent->variable(name);
+}
+const Declarations& Declarations::home_of(std::string_view function_name) const {
+    return functions.contains(function_name) || !parent ? *this : parent->home_of(function_name);
+}
+
+std::vector<std::string_view> Declarations::function_names() const {
+    std::vector<std::string_view> names;
+    for (const Declarations* scope = this; scope; scope = scope->parent) {
+        for (const auto& [name, decl] : scope->functions) {
+            if (decl->attribute("node")) names.push_back(name);
+        }
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+void index_declarations(const Ast& ast, Declarations& into, Diagnostics& diagnostics) {
+    for (const FunctionDecl& f : ast.functions) add(into.functions, f, f.name_span, diagnostics);
+    for (const StructDecl& s : ast.structs) add(into.structs, s, s.span, diagnostics);
+    for (const EnumDecl& e : ast.enums) add(into.enums, e, e.span, diagnostics);
+    for (const VariableDecl& v : ast.variables) add(into.variables, v, v.span, diagnostics);
+}
+
+std::string_view attribute_text(const Attribute& attribute, std::size_t index) {
+    if (index >= attribute.args.size()) return {};
+    return attribute.args[index]->text;
+}
+
+}  // namespace patina::nodelang

@@ -1,0 +1,38 @@
+// Index of declarations by name: the built-in library (nodes/**), or a user's .node.hlsl file on top of it. Owns
+// nothing but the maps; the declarations live in an Ast. Reports names that are declared twice.
+//
+//   Declarations library;  index_declarations(ast, library, diagnostics);
+//   const FunctionDecl* ggx = library.function("DistributionGGX");
+#pragma once
+
+#include <unordered_map>
+
+#include "compiler/base/diagnostics.h"
+#include "compiler/nodelang/ast.h"
+
+namespace patina::nodelang {
+
+struct Declarations {
+    const Declarations* parent = nullptr;
+    std::unordered_map<std::string_view, const FunctionDecl*> functions;
+    std::unordered_map<std::string_view, const StructDecl*> structs;
+    std::unordered_map<std::string_view, const EnumDecl*> enums;
+    std::unordered_map<std::string_view, const VariableDecl*> variables;
+
+    const FunctionDecl* function(std::string_view name) const;
+    const StructDecl* structure(std::string_view name) const;
+    const EnumDecl* enumeration(std::string_view name) const;
+    const VariableDecl* variable(std::string_view name) const;
+    // The scope that declares the function: its body's names are looked up there.
+    const Declarations& home_of(std::string_view function_name) const;
+    // Names of all library nodes and helpers that can be called, sorted.
+    std::vector<std::string_view> function_names() const;
+};
+
+// Adds every declaration of `ast` to `into`.
+void index_declarations(const Ast& ast, Declarations& into, Diagnostics& diagnostics);
+
+// The text of attribute argument `index` (a string or a bare word), or empty.
+std::string_view attribute_text(const Attribute& attribute, std::size_t index = 0);
+
+}  // namespace patina::nodelang

@@ -1,0 +1,200 @@
+// The ways into the parser, its hold on the tokens, and how it goes on after an error.
+#include "compiler/nodelang/parse.h"
+
+#include <algorithm>
+
+#include "compiler/base/text.h"
+#include "compiler/nodelang/parser.h"
+
+namespace patina::nodelang {
+namespace {
+
+// What a declaration cannot be called. A graph may call its nodes as it likes: there these are words like any other.
+constexpr std::string_view kReserved[] = {"break",  "const",  "continue", "discard_if", "do",  "else",
+                                          "enum",   "false",  "for",      "if",         "out", "return",
+                                          "struct", "switch", "true",     "while"};
+
+bool is_too_large(Text text, Diagnostics& diagnostics) {
+    if (text.text.size() <= kMaxTextBytes) return false;
+    diagnostics.report(Code::TooLarge, {text.at(0), text.at(0)}, text.text.size(), kMaxTextBytes);
+    return true;
+}
+
+}  // namespace
+
+void parse_file(Text text, Ast& ast, Diagnostics& diagnostics) {
+    if (is_too_large(text, diagnostics)) return;
+    // Comments become documentation, so they must be text too.
+    if (std::size_t bad = 0; !is_utf8(text.text, bad)) {
+        const auto byte = static_cast<unsigned char>(text.text[bad]);
+        diagnostics.report(Code::NotUtf8, {text.at(bad), text.at(bad + 1)}, bad, unsigned{byte});
+        return;
+    }
+    Parser(text, Lexer::Place::File, ast, diagnostics).file();
+}
+
+const Expr* parse_expression(Text text, Ast& ast, Diagnostics& diagnostics) {
+    if (is_too_large(text, diagnostics)) return nullptr;
+    return Parser(text, Lexer::Place::Graph, ast, diagnostics).whole_expression();
+}
+
+const Expr* parse_link(Text text, Ast& ast, Diagnostics& diagnostics) {
+    if (is_too_large(text, diagnostics)) return nullptr;
+    return Parser(text, Lexer::Place::Graph, ast, diagnostics).link();
+}
+
+Parser::Parser(Text text, Lexer::Place place, Ast& ast, Diagnostics& diagnostics)
+    : text_(text),
+      place_(place),
+      ast_(ast),
+      diagnostics_(diagnostics),
+      errors_before_(diagnostics.error_count()),
+      lexer_(text, place, diagnostics) {
+    now_ = lexer_.next();
+    after_ = lexer_.next();
+}
+
+const Expr* Parser::whole_expression() {
+    const Node node = expression();
+    if (node && now().kind != Token::Kind::End) expected("an operator or the end of the expression");
+    // The lexer may have complained about a comment that hurts no expression.
+    return diagnostics_.error_count() == errors_before_ ? node.expr : nullptr;
+}
+
+const Expr* Parser::link() {
+    Node path;
+    switch (now().kind) {
+        case Token::Kind::Word: path = leaf(Expr::Kind::Name, take()); break;
+        case Token::Kind::Property: path = leaf(Expr::Kind::Property, take()); break;
+        case Token::Kind::Semantic: path = leaf(Expr::Kind::Semantic, take()); break;
+        case Token::Kind::Number:
+        case Token::Kind::String:
+        case Token::Kind::Punctuation:
+        case Token::Kind::End:
+        case Token::Kind::Bad:
+            expected("a node, a $property or a @semantic").note("a formula begins with '=': \"= 1 - mask\"");
+            return nullptr;
+    }
+    while (path && now().kind != Token::Kind::End) {
+        // "a . b" and "a/**/.b" are no paths.
+        if (!now().is(".") || now().begin != last_end_ || after().begin != now().end) {
+            expected("'.' or the end of the link").note("a formula begins with '=': \"= 1 - mask\"");
+            return nullptr;
+        }
+        take();
+        if (now().kind != Token::Kind::Word) {
+            expected("the name of an output, member or swizzle");
+            return nullptr;
+        }
+        path = member_of(path);
+    }
+    return diagnostics_.error_count() == errors_before_ ? path.expr : nullptr;
+}
+
+// --- tokens
+
+Token Parser::take() {
+    if (now_.is("{")) ++braces_;
+    if (now_.is("}") && braces_ > 0) --braces_;
+    last_end_ = now_.end;
+    const Token taken = now_;
+    now_ = after_;
+    after_ = lexer_.next();
+    return taken;
+}
+
+bool Parser::take_if(std::string_view punctuation) {
+    if (!now().is(punctuation)) return false;
+    take();
+    return true;
+}
+
+bool Parser::take_word(std::string_view word) {
+    if (!now().is_word(word)) return false;
+    take();
+    return true;
+}
+
+std::string Parser::describe(const Token& token) const {
+    switch (token.kind) {
+        case Token::Kind::End:
+            return place_ == Lexer::Place::File ? "the end of the file" : "the end of the expression";
+        case Token::Kind::String: return "a string";
+        case Token::Kind::Property: return fmt::format("'${}'", token.text);
+        case Token::Kind::Semantic: return fmt::format("'@{}'", token.text);
+        case Token::Kind::Word:
+        case Token::Kind::Number:
+        case Token::Kind::Punctuation:
+        case Token::Kind::Bad: return fmt::format("'{}'", token.text);
+    }
+    return {};
+}
+
+DiagnosticRecord& Parser::expected(std::string_view what) {
+    if (now().kind == Token::Kind::Bad) return silent_ = {};
+    return diagnostics_.report(Code::Syntax, span(now()), what, describe(now()));
+}
+
+bool Parser::expect(std::string_view punctuation, std::string_view what) {
+    if (take_if(punctuation)) return true;
+    expected(what);
+    return false;
+}
+
+// `or_else` is what might have gone on instead: "','".
+bool Parser::expect_close(std::string_view punctuation, const Token& open, std::string_view or_else) {
+    if (take_if(punctuation)) return true;
+    expected(fmt::format("{}{}'{}'", or_else, or_else.empty() ? "" : " or ", punctuation))
+        .note(span(open), fmt::format("to close this '{}'", open.text));
+    return false;
+}
+
+bool Parser::name(std::string_view what, Token& into) {
+    const bool is_free = std::find(std::begin(kReserved), std::end(kReserved), now().text) == std::end(kReserved);
+    if (now().kind != Token::Kind::Word || !is_free) {
+        expected(what);
+        return false;
+    }
+    into = take();
+    return true;
+}
+
+// A ';' that is missing at the end of a line is missed there, not at the word that begins the next one; and then
+// nothing needs to be skipped.
+bool Parser::end_of_statement() {
+    if (take_if(";")) return true;
+    const bool at_line_end = text_.text.substr(last_end_, now().begin - last_end_).find('\n') != std::string_view::npos;
+    if (!at_line_end || now().kind == Token::Kind::Bad) {
+        expected("';'");
+        return false;
+    }
+    diagnostics_.report(Code::Syntax, lexer_.span(last_end_, last_end_), "';' here", describe(now()));
+    return true;
+}
+
+// --- after an error
+
+// Goes behind the statement that begins in a block with `depth` open braces: behind its ';' or its last '}', but never
+// out of the block.
+void Parser::skip_statement(int depth) {
+    while (now().kind != Token::Kind::End) {
+        if (now().is("}") && braces_ <= depth) return;
+        const Token skipped = take();
+        if (braces_ <= depth && (skipped.is(";") || skipped.is("}"))) return;
+    }
+}
+
+void Parser::skip_declaration() {
+    while (now().kind != Token::Kind::End) {
+        const Token skipped = take();
+        if (braces_ == 0 && (skipped.is(";") || skipped.is("}"))) return;
+    }
+}
+
+bool Parser::Nested::allowed() const {
+    if (parser_.nesting_ <= kMaxNesting) return true;
+    parser_.diagnostics_.report(Code::TooDeep, parser_.span(parser_.now()), kMaxNesting);
+    return false;
+}
+
+}  // namespace patina::nodelang

@@ -1,0 +1,211 @@
+// Declarations: what stands in a file outside functions, and the types, attributes and parameters that they are made
+// of.
+#include "compiler/nodelang/parser.h"
+
+namespace patina::nodelang {
+
+void Parser::file() {
+    while (now().kind != Token::Kind::End) {
+        if (take_if(";")) continue;
+        if (!declaration()) skip_declaration();
+    }
+}
+
+bool Parser::declaration() {
+    std::string_view doc = now().doc;
+    std::vector<Attribute> marks;
+    if (!attributes(marks)) return false;
+    if (doc.empty()) doc = now().doc;
+    if (now().is_word("struct")) return structure(std::move(marks), doc);
+    if (now().is_word("enum")) {
+        for (const Attribute& mark : marks) {
+            diagnostics_.report(Code::BadAttribute, mark.span, mark.name, "cannot stand before an enum");
+        }
+        return enumeration(doc);
+    }
+    const std::size_t begin = now().begin;
+    const bool is_const = take_word("const");
+    TypeName type;
+    Token word;
+    if (!type_name(type, "a declaration") || !name("a name", word)) return false;
+    if (!is_const && now().is("(")) {
+        FunctionDecl decl{.name = word.text,
+                          .name_span = span(word),
+                          .result = type,
+                          .attributes = std::move(marks),
+                          .doc = doc,
+                          .doc_begin = doc.empty() ? 0 : text_.at(offset_of(doc))};
+        return function(std::move(decl), begin);
+    }
+    return variable({.type = type,
+                     .name = word.text,
+                     .span = span(word),
+                     .is_const = is_const,
+                     .attributes = std::move(marks),
+                     .doc = doc});
+}
+
+// --- types and attributes
+
+bool Parser::type_name(TypeName& into, std::string_view what) {
+    Token word;
+    if (!name(what, word)) return false;
+    into.name = word.text;
+    into.span = span(word);
+    return true;
+}
+
+// The [4] behind the name of an array.
+bool Parser::array_size(TypeName& into) {
+    if (!now().is("[")) return true;
+    const Token open = take();
+    const Node size = expression();
+    if (!size || !expect_close("]", open)) return false;
+    into.array_size = size.expr;
+    return true;
+}
+
+bool Parser::attributes(std::vector<Attribute>& into) {
+    while (now().is("[")) {
+        const Token open = take();
+        if (!attribute(into.emplace_back()) || !expect_close("]", open)) return false;
+    }
+    return true;
+}
+
+bool Parser::attribute(Attribute& into) {
+    if (now().kind != Token::Kind::Word) {
+        expected("the name of an attribute");
+        return false;
+    }
+    const Token word = take();
+    into.name = word.text;
+    const Token open = now();
+    if (take_if("(") && !take_if(")")) {
+        do {
+            const Node argument = now().kind == Token::Kind::String ? leaf(Expr::Kind::File, take()) : expression();
+            if (!argument) return false;
+            into.args.push_back(argument.expr);
+        } while (take_if(","));
+        if (!expect_close(")", open, "','")) return false;
+    }
+    into.span = span_from(word.begin);
+    return true;
+}
+
+// A `///<` stands behind the ',' or ';', or behind the last of a list.
+std::string_view Parser::trailing_doc_and(std::string_view separator, bool& found) {
+    const std::string_view doc = now().trailing_doc;
+    found = take_if(separator);
+    return doc.empty() && found ? now().trailing_doc : doc;
+}
+
+// --- struct, enum, variable
+
+bool Parser::structure(std::vector<Attribute> marks, std::string_view doc) {
+    take();
+    Token word;
+    if (!name("a name for the struct", word)) return false;
+    StructDecl decl{.name = word.text, .span = span(word), .attributes = std::move(marks), .doc = doc};
+    const Token open = now();
+    if (!expect("{", "'{'")) return false;
+    while (!now().is("}")) {
+        MemberDecl& member = decl.members.emplace_back();
+        Token member_name;
+        if (!type_name(member.type, "a member or '}'") || !name("a name for the member", member_name)) return false;
+        member.name = member_name.text;
+        member.span = span(member_name);
+        if (!array_size(member.type)) return false;
+        bool found = false;
+        member.doc = trailing_doc_and(";", found);
+        if (!found && !end_of_statement()) return false;
+    }
+    if (!expect_close("}", open)) return false;
+    ast_.structs.push_back(std::move(decl));
+    return end_of_statement();
+}
+
+bool Parser::enumeration(std::string_view doc) {
+    take();
+    Token word;
+    if (!name("a name for the enum", word)) return false;
+    EnumDecl decl{.name = word.text, .span = span(word), .doc = doc};
+    const Token open = now();
+    if (!expect("{", "'{'")) return false;
+    for (bool more = true; more && !(now().is("}") && !decl.values.empty());) {
+        Token value;
+        if (!name("a name for a value of the enum", value)) return false;
+        decl.values.push_back(value.text);
+        decl.docs.push_back(trailing_doc_and(",", more));
+    }
+    if (!expect_close("}", open, "','")) return false;
+    ast_.enums.push_back(std::move(decl));
+    return end_of_statement();
+}
+
+bool Parser::variable(VariableDecl decl) {
+    if (!array_size(decl.type)) return false;
+    if (!decl.is_const && decl.attributes.empty()) {
+        diagnostics_.report(Code::Syntax, decl.type.span, "'const' or an attribute before a variable of the file",
+                            fmt::format("'{}'", decl.type.name));
+    }
+    if (take_if("=")) {
+        const Node value = initializer();
+        if (!value) return false;
+        decl.value = value.expr;
+    } else if (decl.is_const) {
+        expected("'=' and the value of the constant");
+        return false;
+    }
+    if (decl.doc.empty()) decl.doc = now().trailing_doc;
+    const bool ended = end_of_statement();
+    if (decl.doc.empty()) decl.doc = now().trailing_doc;
+    ast_.variables.push_back(std::move(decl));
+    return ended;
+}
+
+// --- functions
+
+bool Parser::function(FunctionDecl decl, std::size_t begin) {
+    if (!parameters(decl)) return false;
+    if (now().is("{")) {
+        decl.has_body = true;
+        if (!block(decl.body)) return false;
+    } else if (!end_of_statement()) {
+        return false;
+    }
+    decl.span = span_from(begin);
+    ast_.functions.push_back(std::move(decl));
+    return true;
+}
+
+bool Parser::parameters(FunctionDecl& function) {
+    const Token open = take();
+    for (bool more = !now().is(")"); more;) {
+        ParamDecl& param = function.params.emplace_back();
+        if (!parameter(param)) return false;
+        param.doc = trailing_doc_and(",", more);
+    }
+    return expect_close(")", open, "','");
+}
+
+bool Parser::parameter(ParamDecl& into) {
+    if (!attributes(into.attributes)) return false;
+    into.is_const = take_word("const");
+    into.is_out = !into.is_const && take_word("out");
+    if ((now().is_word("in") || now().is_word("inout")) && after().kind == Token::Kind::Word) {
+        expected("a type").note("a parameter is read; 'out' before its type makes it an output");
+        return false;
+    }
+    Token word;
+    if (!type_name(into.type, "a parameter") || !name("a name for the parameter", word)) return false;
+    into.name = word.text;
+    into.span = span(word);
+    if (!array_size(into.type)) return false;
+    if (into.is_out || !take_if("=")) return true;
+    const Node initial = expression();
+    into.initial = initial.expr;
+    return into.initial != nullptr;
+}
+
+}  // namespace patina::nodelang

@@ -1,0 +1,209 @@
+// Expressions, by precedence climbing.
+#include <algorithm>
+
+#include "compiler/nodelang/parser.h"
+
+namespace patina::nodelang {
+namespace {
+
+struct Precedence {
+    std::string_view op;
+    int level;
+};
+// As in HLSL; all of them group to the left.
+constexpr Precedence kPrecedence[] = {{"||", 1}, {"&&", 2}, {"|", 3}, {"^", 4},  {"&", 5},  {"==", 6},
+                                      {"!=", 6}, {"<", 7},  {">", 7}, {"<=", 7}, {">=", 7}, {"<<", 8},
+                                      {">>", 8}, {"+", 9},  {"-", 9}, {"*", 10}, {"/", 10}, {"%", 10}};
+
+// 0: not a binary operator.
+int precedence(const Token& token) {
+    if (token.kind != Token::Kind::Punctuation) return 0;
+    for (const Precedence& row : kPrecedence) {
+        if (token.text == row.op) return row.level;
+    }
+    return 0;
+}
+
+}  // namespace
+
+// Every expression that is not a leaf is born here: its height is known, so a chain of operators that would be too deep
+// to walk is refused.
+Node Parser::make(Expr expr, std::size_t begin, std::span<const Node> operands) {
+    Node node{.begin = begin};
+    for (const Node& operand : operands) {
+        expr.args.push_back(operand.expr);
+        node.height = std::max(node.height, operand.height + 1);
+    }
+    expr.span = span_from(begin);
+    if (node.height > kMaxExpressionHeight) {
+        diagnostics_.report(Code::TooDeep, expr.name_span, kMaxExpressionHeight)
+            .note("operators in one chain count too: give a part of it a name");
+        return {};
+    }
+    node.expr = &ast_.exprs.emplace_back(std::move(expr));
+    return node;
+}
+
+Node Parser::leaf(Expr::Kind kind, const Token& token) {
+    return make({.kind = kind,
+                 .number_kind = token.number_kind,
+                 .name_span = span(token),
+                 .text = token.text,
+                 .number = token.number},
+                token.begin, {});
+}
+
+// condition ? value : value; groups to the right.
+Node Parser::expression() {
+    const Nested nested(*this);
+    if (!nested.allowed()) return {};
+    const Node condition = binary(1);
+    if (!condition || !now().is("?")) return condition;
+    const Token question = take();
+    const Node if_true = expression();
+    if (!if_true) return {};
+    if (!take_if(":")) {
+        expected("':'").note(span(question), "to go with this '?'");
+        return {};
+    }
+    const Node if_false = expression();
+    if (!if_false) return {};
+    return make({.kind = Expr::Kind::Ternary, .name_span = span(question), .text = question.text}, condition.begin,
+                {condition, if_true, if_false});
+}
+
+Node Parser::binary(int lowest_precedence) {
+    Node left = unary();
+    while (left) {
+        const int level = precedence(now());
+        if (level == 0 || level < lowest_precedence) return left;
+        const Token op = take();
+        const Node right = binary(level + 1);
+        if (!right) return {};
+        left = make({.kind = Expr::Kind::Binary, .name_span = span(op), .text = op.text}, left.begin, {left, right});
+    }
+    return left;
+}
+
+Node Parser::unary() {
+    if (!now().is("-") && !now().is("!") && !now().is("~") && !now().is("+")) return postfix();
+    const Nested nested(*this);
+    if (!nested.allowed()) return {};
+    const Token op = take();
+    const Node operand = unary();
+    if (!operand) return {};
+    return make({.kind = Expr::Kind::Unary, .name_span = span(op), .text = op.text}, op.begin, {operand});
+}
+
+Node Parser::postfix() {
+    Node node = primary();
+    while (node) {
+        if (now().is(".")) {
+            take();
+            if (now().kind != Token::Kind::Word) {
+                expected("the name of a member");
+                return {};
+            }
+            node = after().is("(") ? method_of(node) : member_of(node);
+        } else if (now().is("[")) {
+            node = index_of(node);
+        } else {
+            return node;
+        }
+    }
+    return node;
+}
+
+// The current token is the word behind the dot.
+Node Parser::member_of(const Node& object) {
+    const Token word = take();
+    return make({.kind = Expr::Kind::Member, .name_span = span(word), .text = word.text}, object.begin, {object});
+}
+
+Node Parser::method_of(const Node& object) {
+    const Token word = take();
+    std::vector<Node> operands{object};
+    if (!arguments(take(), operands)) return {};
+    return make({.kind = Expr::Kind::Method, .name_span = span(word), .text = word.text}, object.begin, operands);
+}
+
+Node Parser::index_of(const Node& object) {
+    const Token open = take();
+    const Node at = expression();
+    if (!at || !expect_close("]", open)) return {};
+    return make({.kind = Expr::Kind::Index, .name_span = span(open)}, object.begin, {object, at});
+}
+
+Node Parser::primary() {
+    switch (now().kind) {
+        case Token::Kind::Number: return leaf(Expr::Kind::Number, take());
+        case Token::Kind::Property: return leaf(Expr::Kind::Property, take());
+        case Token::Kind::Semantic: return leaf(Expr::Kind::Semantic, take());
+        case Token::Kind::Word: {
+            if (now().text == "true" || now().text == "false") {
+                Token word = take();
+                word.number = word.text == "true" ? 1 : 0;
+                return leaf(Expr::Kind::Bool, word);
+            }
+            Token word;
+            if (place_ == Lexer::Place::Graph) {
+                word = take();
+            } else if (!name("a value", word)) {
+                return {};
+            }
+            return now().is("(") ? call(word) : leaf(Expr::Kind::Name, word);
+        }
+        case Token::Kind::Punctuation: {
+            if (!now().is("(")) break;
+            const Token open = take();
+            Node inner = expression();
+            if (!inner || !expect_close(")", open)) return {};
+            inner.begin = open.begin;
+            return inner;
+        }
+        case Token::Kind::String:
+        case Token::Kind::End:
+        case Token::Kind::Bad: break;
+    }
+    expected("a value");
+    return {};
+}
+
+// The current token is the bracket behind the callee.
+Node Parser::call(const Token& callee) {
+    std::vector<Node> operands;
+    if (!arguments(take(), operands)) return {};
+    return make({.kind = Expr::Kind::Call, .name_span = span(callee), .text = callee.text}, callee.begin, operands);
+}
+
+bool Parser::arguments(const Token& open, std::vector<Node>& into) {
+    if (take_if(")")) return true;
+    do {
+        const Node argument = expression();
+        if (!argument) return false;
+        into.push_back(argument);
+    } while (take_if(","));
+    return expect_close(")", open, "','");
+}
+
+// What may follow the '=' of a declaration.
+Node Parser::initializer() {
+    return now().is("{") ? list() : expression();
+}
+
+Node Parser::list() {
+    const Nested nested(*this);
+    if (!nested.allowed()) return {};
+    const Token open = take();
+    std::vector<Node> elements;
+    while (!now().is("}")) {
+        const Node element = initializer();
+        if (!element) return {};
+        elements.push_back(element);
+        if (!take_if(",")) break;
+    }
+    if (!expect_close("}", open, "','")) return {};
+    return make({.kind = Expr::Kind::List, .name_span = span(open)}, open.begin, elements);
+}
+
+}  // namespace patina::nodelang

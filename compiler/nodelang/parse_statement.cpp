@@ -1,0 +1,233 @@
+// Statements: what stands in a function's body.
+#include <algorithm>
+
+#include "compiler/nodelang/parser.h"
+
+namespace patina::nodelang {
+namespace {
+
+constexpr std::string_view kAssignments[] = {"=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^="};
+constexpr std::string_view kLoopShape = "a loop is written: for (int i = 0; i < 8; i++)";
+
+bool is_assignment(const Token& token) {
+    return token.kind == Token::Kind::Punctuation &&
+           std::find(std::begin(kAssignments), std::end(kAssignments), token.text) != std::end(kAssignments);
+}
+
+// Statements of the C family that the language leaves out.
+bool is_left_out(const Token& token) {
+    return token.is_word("while") || token.is_word("do") || token.is_word("break") || token.is_word("continue") ||
+           token.is_word("switch");
+}
+
+}  // namespace
+
+// A span without the ';': that is never what is wrong.
+const Stmt* Parser::finish(Stmt stmt, std::size_t begin) {
+    stmt.span = span_from(begin);
+    return &ast_.stmts.emplace_back(std::move(stmt));
+}
+
+bool Parser::block(Statements& into) {
+    const Token open = take();
+    statements(into);
+    return expect_close("}", open);
+}
+
+void Parser::statements(Statements& into) {
+    const int depth = braces_;
+    while (now().kind != Token::Kind::End && !now().is("}")) {
+        if (take_if(";")) continue;
+        if (const Stmt* stmt = statement()) {
+            into.push_back(stmt);
+        } else {
+            skip_statement(depth);
+        }
+    }
+}
+
+const Stmt* Parser::statement() {
+    const Nested nested(*this);
+    if (!nested.allowed()) return nullptr;
+    const std::size_t begin = now().begin;
+    if (now().is("{")) {
+        Stmt inner{.kind = Stmt::Kind::Block};
+        return block(inner.body) ? finish(std::move(inner), begin) : nullptr;
+    }
+    if (now().is("[") || now().is_word("for")) return for_statement();
+    if (now().is_word("if")) return if_statement();
+    if (now().is_word("return")) return return_statement();
+    if (now().is_word("discard_if")) return discard_statement();
+    if (now().is_word("const")) return declaration_statement();
+    if (is_left_out(now())) {
+        expected("a statement").note(std::string(kLoopShape));
+        return nullptr;
+    }
+    const bool two_words = now().kind == Token::Kind::Word && after().kind == Token::Kind::Word;
+    return two_words ? declaration_statement() : assignment();
+}
+
+const Stmt* Parser::declaration_statement() {
+    const std::size_t begin = now().begin;
+    Stmt stmt{.kind = Stmt::Kind::Declare, .is_const = take_word("const")};
+    Token word;
+    if (!type_name(stmt.type, "a statement") || !name("a name for the variable", word)) return nullptr;
+    stmt.name = word.text;
+    stmt.name_span = span(word);
+    if (!array_size(stmt.type)) return nullptr;
+    if (take_if("=")) {
+        const Node value = initializer();
+        if (!value) return nullptr;
+        stmt.value = value.expr;
+    } else if (stmt.is_const) {
+        expected("'=' and the value of the constant");
+        return nullptr;
+    }
+    const Stmt* made = finish(std::move(stmt), begin);
+    if (now().is(",")) {
+        expected("';'").note("each variable has a declaration of its own");
+        return nullptr;
+    }
+    return end_of_statement() ? made : nullptr;
+}
+
+const Stmt* Parser::assignment() {
+    Stmt stmt{.kind = Stmt::Kind::Assign};
+    const Node target = postfix();
+    if (!target) return nullptr;
+    if (!is_assignment(now())) {
+        DiagnosticRecord& record = expected("an assignment");
+        if (target.expr->kind == Expr::Kind::Call) record.note("a call alone does nothing: nothing has side effects");
+        if (now().is("++") || now().is("--")) record.note(fmt::format("write '{}= 1'", now().text[0]));
+        return nullptr;
+    }
+    const Token op = take();
+    const Node value = expression();
+    if (!value) return nullptr;
+    stmt.op = op.text;
+    stmt.name_span = span(op);
+    stmt.target = target.expr;
+    stmt.value = value.expr;
+    const Stmt* made = finish(std::move(stmt), target.begin);
+    return end_of_statement() ? made : nullptr;
+}
+
+const Stmt* Parser::if_statement() {
+    const Token word = take();
+    Stmt stmt{.kind = Stmt::Kind::If, .name_span = span(word)};
+    const Token open = now();
+    if (!expect("(", "'(' and a condition")) return nullptr;
+    const Node condition = expression();
+    if (!condition || !expect_close(")", open) || !body(stmt.body)) return nullptr;
+    stmt.value = condition.expr;
+    if (take_word("else") && !body(stmt.alternative)) return nullptr;
+    return finish(std::move(stmt), word.begin);
+}
+
+// One statement or a block.
+bool Parser::body(Statements& into) {
+    if (now().is("{")) return block(into);
+    if (now().is(";")) {
+        expected("a statement or '{'");
+        return false;
+    }
+    const Stmt* stmt = statement();
+    if (stmt) into.push_back(stmt);
+    return stmt != nullptr;
+}
+
+const Stmt* Parser::for_statement() {
+    const std::size_t begin = now().begin;
+    Stmt loop{.kind = Stmt::Kind::For};
+    std::vector<Attribute> marks;
+    if (!attributes(marks)) return nullptr;
+    for (const Attribute& mark : marks) {
+        if (mark.name == "light" && mark.args.empty()) {
+            loop.is_light_loop = true;
+        } else {
+            diagnostics_.report(Code::BadAttribute, mark.span, mark.name, "cannot stand before a statement");
+        }
+    }
+    if (!take_word("for")) {
+        expected("'for' after the attribute");
+        return nullptr;
+    }
+    const Token open = now();
+    if (!expect("(", "'('")) return nullptr;
+    const bool is_sound = for_header(loop) && expect_close(")", open);
+    if (!is_sound) skip_header();
+    if (!body(loop.body)) return nullptr;
+    // A loop without a header is no loop; but its body has been read, so the errors in it are known.
+    if (!is_sound) return finish({.kind = Stmt::Kind::Block}, begin);
+    return finish(std::move(loop), begin);
+}
+
+bool Parser::for_header(Stmt& loop) {
+    const auto refuse = [&](std::string_view what) {
+        expected(what).note(std::string(kLoopShape));
+        return false;
+    };
+    if (!now().is_word("int")) return refuse("'int'");
+    if (!type_name(loop.type, "'int'")) return false;
+    Token index;
+    if (!name("a name for the index", index)) return false;
+    loop.name = index.text;
+    loop.name_span = span(index);
+    if (!take_if("=")) return refuse("'='");
+    const Node first = expression();
+    if (!first) return false;
+    if (!take_if(";")) return refuse("';'");
+    if (!take_word(index.text)) return refuse(fmt::format("'{}'", index.text));
+    if (!take_if("<")) return refuse("'<'");
+    const Node limit = expression();
+    if (!limit) return false;
+    if (!take_if(";")) return refuse("';'");
+    loop.value = first.expr;
+    loop.limit = limit.expr;
+    return for_step(index.text) || refuse(fmt::format("'{}++'", index.text));
+}
+
+// i++, ++i or i += 1
+bool Parser::for_step(std::string_view index) {
+    if (take_if("++")) return take_word(index);
+    if (!take_word(index)) return false;
+    if (take_if("++")) return true;
+    if (!take_if("+=")) return false;
+    const bool is_one = now().kind == Token::Kind::Number && now().number == 1;
+    if (is_one) take();
+    return is_one;
+}
+
+// From the middle of a header to behind its ')'.
+void Parser::skip_header() {
+    for (int open = 1; open > 0 && now().kind != Token::Kind::End && !now().is("{") && !now().is("}");) {
+        const Token skipped = take();
+        if (skipped.is("(")) ++open;
+        if (skipped.is(")")) --open;
+    }
+}
+
+const Stmt* Parser::return_statement() {
+    const Token word = take();
+    Stmt stmt{.kind = Stmt::Kind::Return, .name_span = span(word)};
+    if (!now().is(";")) {
+        const Node value = expression();
+        if (!value) return nullptr;
+        stmt.value = value.expr;
+    }
+    const Stmt* made = finish(std::move(stmt), word.begin);
+    return end_of_statement() ? made : nullptr;
+}
+
+const Stmt* Parser::discard_statement() {
+    const Token word = take();
+    const Token open = now();
+    if (!expect("(", "'(' and a condition")) return nullptr;
+    const Node condition = expression();
+    if (!condition || !expect_close(")", open)) return nullptr;
+    const Stmt* made =
+        finish({.kind = Stmt::Kind::Discard, .name_span = span(word), .value = condition.expr}, word.begin);
+    return end_of_statement() ? made : nullptr;
+}
+
+}  // namespace patina::nodelang

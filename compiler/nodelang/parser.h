@@ -1,0 +1,135 @@
+// The recursive-descent parser behind parse.h. Private to parse*.cpp: expressions, statements and declarations are one
+// grammar in three files. A function that cannot read what it should reports once and returns a null Node, Stmt or
+// false; whoever can go on (a statement list, a file) then skips to a safe place.
+//
+//   Parser parser(text, Lexer::Place::File, ast, diagnostics);
+//   parser.file();
+#pragma once
+
+#include <initializer_list>
+
+#include "compiler/nodelang/lex.h"
+
+namespace patina::nodelang {
+
+// Operators and members chained without brackets make a tree as deep as the chain is long, and what follows recurses.
+inline constexpr int kMaxExpressionHeight = 1000;
+inline constexpr std::size_t kMaxTextBytes = 1u << 20;
+
+// An expression and what the parser needs to know besides: its brackets belong to the expression around it, not to it.
+struct Node {
+    const Expr* expr = nullptr;
+    int height = 0;
+    std::size_t begin = 0;  // offset into the text, brackets included
+
+    explicit operator bool() const { return expr != nullptr; }
+};
+
+class Parser {
+public:
+    Parser(Text text, Lexer::Place place, Ast& ast, Diagnostics& diagnostics);
+
+    void file();
+    const Expr* whole_expression();
+    const Expr* link();
+
+private:
+    // Counts one level of brackets, blocks or prefix operators while it lives.
+    class Nested {
+    public:
+        explicit Nested(Parser& parser) : parser_(parser) { ++parser_.nesting_; }
+        ~Nested() { --parser_.nesting_; }
+        Nested(const Nested&) = delete;
+        Nested& operator=(const Nested&) = delete;
+        // False, and reported, beyond kMaxNesting.
+        bool allowed() const;
+
+    private:
+        Parser& parser_;
+    };
+
+    // --- tokens (parse.cpp)
+    const Token& now() const { return now_; }
+    const Token& after() const { return after_; }
+    Token take();  // the current token; the next one becomes current
+    bool take_if(std::string_view punctuation);
+    bool take_word(std::string_view word);
+    Span span(const Token& token) const { return lexer_.span(token.begin, token.end); }
+    Span span_from(std::size_t begin) const { return lexer_.span(begin, last_end_); }
+    std::string describe(const Token& token) const;
+    // "expected {what}, not {the current token}". The result may be given notes.
+    DiagnosticRecord& expected(std::string_view what);
+    bool expect(std::string_view punctuation, std::string_view what);
+    bool expect_close(std::string_view punctuation, const Token& open, std::string_view or_else = {});
+    bool name(std::string_view what, Token& into);
+    bool end_of_statement();
+    std::size_t offset_of(std::string_view part) const {
+        return static_cast<std::size_t>(part.data() - text_.text.data());
+    }
+    void skip_statement(int depth);
+    void skip_declaration();
+
+    // --- expressions (parse_expression.cpp)
+    Node expression();
+    Node binary(int lowest_precedence);
+    Node unary();
+    Node postfix();
+    Node member_of(const Node& object);
+    Node method_of(const Node& object);
+    Node index_of(const Node& object);
+    Node primary();
+    Node call(const Token& callee);
+    Node initializer();
+    Node list();
+    bool arguments(const Token& open, std::vector<Node>& into);
+    Node leaf(Expr::Kind kind, const Token& token);
+    Node make(Expr expr, std::size_t begin, std::span<const Node> operands);
+    Node make(Expr expr, std::size_t begin, std::initializer_list<Node> operands) {
+        return make(std::move(expr), begin, std::span<const Node>(operands.begin(), operands.size()));
+    }
+
+    // --- statements (parse_statement.cpp)
+    bool block(Statements& into);
+    void statements(Statements& into);
+    const Stmt* statement();
+    const Stmt* declaration_statement();
+    const Stmt* assignment();
+    const Stmt* if_statement();
+    const Stmt* for_statement();
+    bool for_header(Stmt& loop);
+    bool for_step(std::string_view index);
+    void skip_header();
+    const Stmt* return_statement();
+    const Stmt* discard_statement();
+    bool body(Statements& into);
+    const Stmt* finish(Stmt stmt, std::size_t begin);
+
+    // --- declarations (parse_declaration.cpp)
+    bool declaration();
+    bool attributes(std::vector<Attribute>& into);
+    bool attribute(Attribute& into);
+    bool type_name(TypeName& into, std::string_view what);
+    bool array_size(TypeName& into);
+    std::string_view trailing_doc_and(std::string_view separator, bool& found);
+    bool structure(std::vector<Attribute> marks, std::string_view doc);
+    bool enumeration(std::string_view doc);
+    bool variable(VariableDecl decl);
+    bool function(FunctionDecl decl, std::size_t begin);
+    bool parameters(FunctionDecl& function);
+    bool parameter(ParamDecl& into);
+
+    Text text_;
+    Lexer::Place place_;
+    Ast& ast_;
+    Diagnostics& diagnostics_;
+    std::size_t errors_before_;  // what had been reported before this text was read
+    Lexer lexer_;
+    Token now_;
+    Token after_;               // the one behind now_
+    std::size_t last_end_ = 0;  // where the last taken token ended
+    int nesting_ = 0;
+    int braces_ = 0;             // how many { are open
+    DiagnosticRecord silent_{};  // where notes about a Bad token go: it has been reported
+};
+
+}  // namespace patina::nodelang

@@ -1,0 +1,267 @@
+#include "compiler/targets/body.h"
+#include "compiler/targets/literals.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+
+namespace patina::targets {
+
+using namespace ir;
+
+namespace {
+
+constexpr std::string_view kComponents = "xyzw";
+
+std::string join(const std::vector<std::string>& parts) {
+    std::string text;
+    for (const std::string& part : parts) {
+        if (!text.empty()) text += ", ";
+        text += part;
+    }
+    return text;
+}
+
+bool is_identity(std::string_view letters, Type of) {
+    return letters.size() == of.width() && letters == kComponents.substr(0, of.width());
+}
+
+}  // namespace
+
+Text Body::expression(Value value) const {
+    const Value v = plan_.resolve(value);
+    const std::uint32_t variable = plan_.variable[v.index];
+    return variable == Plan::kNone ? formula(v) : Text{names_[variable]};
+}
+
+Text Body::formula(Value v) const {
+    const Spelling& spelling = (*writer_.language.spellings)[static_cast<std::size_t>(function_[v].op)];
+    switch (spelling.form) {
+        case Form::Prefix: return prefix(v, spelling);
+        case Form::Infix: return infix(v, spelling);
+        case Form::Function: return call(v, spelling);
+        case Form::Shared: return shared(v);
+        case Form::Own: return writer_.language.expression(*this, v);
+        case Form::Statement: return {};
+    }
+    return {};
+}
+
+std::string Body::arguments(Value v, std::uint32_t from) const {
+    std::vector<std::string> texts;
+    for (std::uint32_t i = from; i < args(v); ++i) texts.push_back(argument(v, i));
+    return join(texts);
+}
+
+// --- operators and functions
+
+// The scalar that a vector repeats, if that can be seen in its expression.
+std::optional<Text> Body::scalar_of(Value v) const {
+    const Inst& inst = function_[v];
+    if (is_variable(v) || !inst.type.is_vector()) return {};
+    if (is_splat(function_, v)) return expression(arg(v, 0));
+    if (inst.op != Op::Constant) return {};
+    const auto numbers = module().numbers_of(module().constants[inst.data]);
+    const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
+    const bool same = std::all_of(numbers.begin(), numbers.end(), [&](double n) { return bits(n) == bits(numbers[0]); });
+    if (!same) return {};
+    return literal(writer_.language, inst.type.scalar, numbers[0]);
+}
+
+Text Body::operand(Value v, std::uint32_t i, bool as_scalar) const {
+    if (as_scalar) {
+        if (const std::optional<Text> scalar = scalar_of(arg(v, i))) return *scalar;
+    }
+    return expression(arg(v, i));
+}
+
+Text Body::prefix(Value v, const Spelling& spelling) const {
+    if (!spelling.of_vectors.empty() && function_[v].type.is_vector()) return call(v, spelling);
+    std::string text = at_least(Precedence::Unary, expression(arg(v, 0)));
+    if (text.starts_with(spelling.text)) text = "(" + text + ")";  // not --x
+    return {std::string(spelling.text) + text, Precedence::Unary};
+}
+
+Text Body::infix(Value v, const Spelling& spelling) const {
+    if (!spelling.of_vectors.empty() && function_[arg(v, 0)].type.is_vector()) return call(v, spelling);
+    const bool right_may = (spelling.scalars & (kEither | kSecond)) != 0, left_may = (spelling.scalars & kEither) != 0;
+    const bool right_is_scalar = right_may && scalar_of(arg(v, 1)).has_value();
+    const Text left = operand(v, 0, left_may && !right_is_scalar), right = operand(v, 1, right_is_scalar);
+
+    std::string_view sign = spelling.text;
+    std::string right_text = at_least(above(spelling.precedence), right);
+    // a + -1.0 is a - 1.0, and a - -1.0 is a + 1.0, to the bit.
+    const bool is_sum = sign == "+" || sign == "-";
+    if (is_sum && right.precedence == Precedence::Unary && right_text.starts_with('-') &&
+        right_text.find_first_of("0123456789") == 1) {
+        sign = sign == "+" ? "-" : "+";
+        right_text.erase(0, 1);
+    }
+    return {fmt::format("{} {} {}", at_least(spelling.precedence, left), sign, right_text), spelling.precedence};
+}
+
+Text Body::call(Value v, const Spelling& spelling) const {
+    const Inst& inst = function_[v];
+    std::vector<Value> operands;
+    for (std::uint32_t i = 0; i < args(v); ++i) operands.push_back(arg(v, i));
+    const auto may_be_scalar = [&](std::size_t i) { return (spelling.scalars >> i & 1) != 0; };
+    if (has(inst.op, Commutes) && operands.size() == 2 && may_be_scalar(1) && scalar_of(operands[0])) {
+        std::swap(operands[0], operands[1]);
+    }
+    bool scalars = inst.type.is_vector();
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+        if (may_be_scalar(i) && !scalar_of(operands[i])) scalars = false;
+    }
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+        texts.push_back(scalars && may_be_scalar(i) ? scalar_of(operands[i])->text : expression(operands[i]).text);
+    }
+    const bool of_vectors = !spelling.of_vectors.empty() && function_[operands[0]].type.is_vector();
+    return {fmt::format("{}({})", of_vectors ? spelling.of_vectors : spelling.text, join(texts)), Precedence::Postfix};
+}
+
+Text Body::ternary(Value v) const {
+    const auto part = [&](std::uint32_t i) { return at_least(Precedence::LogicalOr, expression(arg(v, i))); };
+    return {fmt::format("{} ? {} : {}", part(0), part(1), part(2)), Precedence::Ternary};
+}
+
+// --- leaves, composites, conversions, calls: the same in every language but for names
+
+Text Body::shared(Value v) const {
+    const Inst& inst = function_[v];
+    const auto function_call = [&](std::string_view name) {
+        return Text{fmt::format("{}({})", name, arguments(v)), Precedence::Postfix};
+    };
+    if (is_leaf(inst.op)) return leaf(v);
+    if (inst.op == Op::Construct) return construct(v);
+    if (inst.op == Op::Extract) return extract(v);
+    if (inst.op == Op::Swizzle) return swizzle(v);
+    if (inst.op == Op::Select) return ternary(v);
+    if (inst.op == Op::Call) return function_call(writer_.functions[inst.data]);
+    const Value from = arg(v, 0);
+    const Type old = function_[from].type;
+    if (inst.op == Op::Convert) return old == inst.type ? expression(from) : function_call(writer_.type(inst.type));
+    if (inst.op == Op::Bitcast) {
+        const std::string_view name = writer_.language.bitcast(inst.type.scalar, old.scalar);
+        return function_call(name.empty() ? writer_.type(inst.type) : std::string(name));
+    }
+    // Index
+    const std::string index = argument(v, 1);
+    if (old.is_matrix()) return row(from, index);
+    return {fmt::format("{}[{}]", at_least(Precedence::Postfix, expression(from)), index), Precedence::Postfix};
+}
+
+Text Body::leaf(Value v) const {
+    const Inst& inst = function_[v];
+    if (inst.op == Op::Constant) return constant(v);
+    if (inst.op == Op::Param) return entry_ ? entry_->inputs[inst.data] : Text{params_[inst.data]};
+    const std::string& name = writer_.globals[inst.data];
+    const bool is_stored_as_such = !module().globals[inst.data].in_block() || Writer::stored(inst.type) == inst.type;
+    if (is_stored_as_such) return {name};
+    return {fmt::format("{}({})", writer_.type(inst.type), name), Precedence::Postfix};
+}
+
+Text Body::constant(Value v) const {
+    const Type type = function_[v].type;
+    const auto numbers = module().numbers_of(module().constants[function_[v].data]);
+    const auto number = [&](std::size_t i) { return literal(writer_.language, type.scalar, numbers[i]); };
+    if (type.is_scalar()) return number(0);
+    if (const std::optional<Text> scalar = scalar_of(v)) return writer_.language.splat(type, *scalar);
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < type.components(); ++i) {
+        const bool by_columns = type.is_matrix() && writer_.language.matrices_by_columns;
+        const std::size_t place = by_columns ? i % type.rows * type.cols + i / type.rows : i;
+        texts.push_back(number(place).text);
+    }
+    return {fmt::format("{}({})", writer_.type(type), join(texts)), Precedence::Postfix};
+}
+
+Text Body::construct(Value v) const {
+    const Type type = function_[v].type;
+    if (is_splat(function_, v)) return writer_.language.splat(type, expression(arg(v, 0)));
+    if (type.is_matrix()) return matrix_of_rows(v);
+    if (type.is_scalar() && args(v) == 1) return expression(arg(v, 0));
+    return vector_of_parts(v);
+}
+
+// (v.x, v.y, s) becomes (v.xy, s).
+Text Body::vector_of_parts(Value v) const {
+    const Type type = function_[v].type;
+    std::vector<std::string> texts;
+    for (std::uint32_t i = 0; i < args(v);) {
+        const Value first = arg(v, i);
+        const auto is_component = [&](Value part) {
+            return function_[part].op == Op::Extract && !is_variable(part) && function_[arg(part, 0)].type.is_vector();
+        };
+        std::string letters;
+        const Value from = is_component(first) ? arg(first, 0) : Value{};
+        for (std::uint32_t next = i; from && next < args(v) && letters.size() < 4; ++next) {
+            const Value part = arg(v, next);
+            if (!is_component(part) || arg(part, 0) != from) break;
+            letters += kComponents[function_[part].data];
+        }
+        if (letters.size() < 2) {
+            texts.push_back(expression(first).text);
+            ++i;
+            continue;
+        }
+        i += static_cast<std::uint32_t>(letters.size());
+        const Text source = expression(from);
+        const bool whole = is_identity(letters, function_[from].type);
+        const Text run = whole ? source : Text{at_least(Precedence::Postfix, source) + "." + letters, Precedence::Postfix};
+        if (letters.size() == type.width()) return run;
+        texts.push_back(run.text);
+    }
+    return {fmt::format("{}({})", writer_.type(type), join(texts)), Precedence::Postfix};
+}
+
+Text Body::matrix_of_rows(Value v) const {
+    const Type type = function_[v].type;
+    if (!writer_.language.matrices_by_columns) {
+        return {fmt::format("{}({})", writer_.type(type), arguments(v)), Precedence::Postfix};
+    }
+    const Type transposed = Type::matrix(type.scalar, type.cols, type.rows);
+    return {fmt::format("transpose({}({}))", writer_.type(transposed), arguments(v)), Precedence::Postfix};
+}
+
+Text Body::row(Value matrix, const std::string& index) const {
+    const Text text = expression(matrix);
+    if (writer_.language.matrices_by_columns) {
+        return {fmt::format("transpose({})[{}]", text.text, index), Precedence::Postfix};
+    }
+    return {fmt::format("{}[{}]", at_least(Precedence::Postfix, text), index), Precedence::Postfix};
+}
+
+std::string Body::part(Type type, std::uint32_t index) const {
+    if (type.kind == Kind::Struct) return "." + writer_.members[type.ref][index];
+    if (type.is_vector()) return std::string(".") + kComponents[index];
+    return fmt::format("[{}]", index);
+}
+
+Text Body::extract(Value v) const {
+    const Value from = arg(v, 0);
+    const Type type = function_[from].type;
+    const std::uint32_t index = function_[v].data;
+    if (type.is_matrix()) return row(from, fmt::format("{}", index));
+    // One element of a matrix, without making its row.
+    const bool is_row = function_[from].op == Op::Extract && !is_variable(from) && function_[arg(from, 0)].type.is_matrix();
+    if (is_row && writer_.language.matrices_by_columns) {
+        const std::string matrix = at_least(Precedence::Postfix, expression(arg(from, 0)));
+        return {fmt::format("{}[{}][{}]", matrix, index, function_[from].data), Precedence::Postfix};
+    }
+    return {at_least(Precedence::Postfix, expression(from)) + part(type, index), Precedence::Postfix};
+}
+
+Text Body::swizzle(Value v) const {
+    const Inst& inst = function_[v];
+    const Value from = arg(v, 0);
+    const Text source = expression(from);
+    if (function_[from].type.is_scalar()) return writer_.language.splat(inst.type, source);
+    std::string letters;
+    for (unsigned i = 0; i < inst.type.width(); ++i) letters += kComponents[inst.data >> (2 * i) & 3];
+    if (is_identity(letters, function_[from].type)) return source;
+    return {at_least(Precedence::Postfix, source) + "." + letters, Precedence::Postfix};
+}
+
+}  // namespace patina::targets

@@ -1,0 +1,15 @@
+// HLSL in the style of Shader Model 5.1: cbuffers, separate textures and samplers, registers with spaces. Keeps away from
+// what glslang's HLSL front end accepts and gets wrong (fmod, % of floats and ints, component-wise products of matrices).
+#pragma once
+
+#include "compiler/targets/language.h"
+#include "compiler/targets/print.h"
+
+namespace patina::targets::hlsl {
+
+extern const SpellingTable kSpellings;  // spelling.cpp
+
+void legalize(ir::Module& module);
+Printed print(const ir::Module& module, const PrintOptions& options);
+
+}  // namespace patina::targets::hlsl

@@ -1,0 +1,204 @@
+#include "compiler/targets/legalize.h"
+
+#include "compiler/ir/passes/passes.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace patina::targets {
+
+using namespace ir;
+
+namespace {
+
+const Type& type_of_operand(const Function& function, Value v, std::uint32_t index) {
+    return function[function.args(v)[index]].type;
+}
+
+// --- x mod y has the sign of x. GLSL's mod and glslang's % have the sign of y, for ints too.
+
+Value remainder(Builder& b, Value x, Value y) {
+    const Type type = b.type(x);
+    Value quotient = b.emit(Op::Div, type, {x, y});
+    if (type.is_floating()) quotient = b.emit(Op::Trunc, type, {quotient});
+    return b.emit(Op::Sub, type, {x, b.emit(Op::Mul, type, {y, quotient})});
+}
+
+bool is_signed_mod(const Module&, const Function& function, Value v) {
+    return function[v].op == Op::Mod && function[v].type.scalar != Scalar::Uint && !function[v].type.is_matrix();
+}
+Value expand_mod(Copy& copy, Value v) {
+    return remainder(copy.to, operand(copy, v, 0), operand(copy, v, 1));
+}
+
+// --- component-wise operations on matrices: * multiplies matrices in GLSL, functions take none
+
+bool is_matrix_op(const Module&, const Function& function, Value v) {
+    const Inst& inst = function[v];
+    const bool is_operator = inst.op == Op::Add || inst.op == Op::Sub || inst.op == Op::Div || inst.op == Op::Neg;
+    return inst.type.is_matrix() && info(inst.op).rule == TypeRule::Same && !is_operator;
+}
+Value split_rows(Copy& copy, Value v) {
+    Builder& b = copy.to;
+    const Inst& inst = copy.from[v];
+    const Type row_type = inst.type.with_width(inst.type.cols);
+    std::vector<Value> rows;
+    for (std::uint32_t i = 0; i < inst.type.rows; ++i) {
+        std::vector<Value> parts;
+        for (std::uint32_t n = 0; n < inst.operand_count; ++n) parts.push_back(b.extract(operand(copy, v, n), i));
+        rows.push_back(inst.op == Op::Mod ? remainder(b, parts[0], parts[1]) : b.emit(inst.op, row_type, parts));
+    }
+    return b.construct(inst.type, rows);
+}
+
+// --- an index out of range is clamped; the languages leave it undefined
+
+struct Range {
+    double low, high;
+};
+
+std::optional<Range> range_of(const Module& module, const Function& function, Value v, int depth = 0);
+
+// A loop's index, from its limits.
+std::optional<Range> range_of_loop(const Module& module, const Function& function, Value index, int depth) {
+    for (std::uint32_t i = 0; i < function.insts.size(); ++i) {
+        const Inst& loop = function.insts[i];
+        if (loop.op != Op::For || function.blocks[loop.data].insts.front() != index) continue;
+        const auto begin = range_of(module, function, function.args(loop)[0], depth);
+        const auto end = range_of(module, function, function.args(loop)[1], depth);
+        if (!begin || !end) return {};
+        return Range{begin->low, end->high - 1};
+    }
+    return {};
+}
+
+std::optional<Range> range_of(const Module& module, const Function& function, Value v, int depth) {
+    const Inst& inst = function[v];
+    if (depth > 4 || !inst.type.is_integer() || !inst.type.is_scalar()) return {};
+    constexpr Range kAnything{-4294967296.0, 4294967296.0};
+    const auto of = [&](std::uint32_t i) {
+        return range_of(module, function, function.args(v)[i], depth + 1).value_or(kAnything);
+    };
+    if (inst.op == Op::Constant) {
+        const double number = module.numbers_of(module.constants[inst.data])[0];
+        return Range{number, number};
+    }
+    if (inst.op == Op::LoopIndex) return range_of_loop(module, function, v, depth + 1);
+    if (inst.op == Op::Min) return Range{std::min(of(0).low, of(1).low), std::min(of(0).high, of(1).high)};
+    if (inst.op == Op::Max) return Range{std::max(of(0).low, of(1).low), std::max(of(0).high, of(1).high)};
+    if (inst.op == Op::Clamp) {
+        return Range{std::max(of(0).low, of(1).low), std::min(std::max(of(0).high, of(1).high), of(2).high)};
+    }
+    if (inst.type.scalar == Scalar::Uint) return Range{0, kAnything.high};
+    return {};
+}
+
+bool may_leave_range(const Module& module, const Function& function, Value v) {
+    if (function[v].op != Op::Index) return false;
+    const auto range = range_of(module, function, function.args(v)[1]);
+    return !range || range->low < 0 || range->high > part_count(module, type_of_operand(function, v, 0)) - 1.0;
+}
+Value clamp_index(Copy& copy, Value v) {
+    Builder& b = copy.to;
+    const Value composite = operand(copy, v, 0), index = operand(copy, v, 1);
+    const Type type = b.type(index);
+    const Value last = b.constant(type, {part_count(b.module(), b.type(composite)) - 1.0});
+    const bool is_signed = type.scalar == Scalar::Int;
+    const Value clamped = is_signed ? b.emit(Op::Clamp, type, {index, b.constant(type, {0}), last})
+                                    : b.emit(Op::Min, type, {index, last});
+    return b.emit(Op::Index, copy.from[v].type, {composite, clamped});
+}
+
+// --- SPIR-V differentiates 32-bit floats only
+
+bool is_half_derivative(const Module&, const Function& function, Value v) {
+    const Op op = function[v].op;
+    return (op == Op::Ddx || op == Op::Ddy || op == Op::Fwidth) && function[v].type.scalar == Scalar::Half;
+}
+Value differentiate_as_float(Copy& copy, Value v) {
+    Builder& b = copy.to;
+    const Type type = copy.from[v].type.with_scalar(Scalar::Float);
+    return b.convert(b.emit(copy.from[v].op, type, {b.convert(operand(copy, v, 0), Scalar::Float)}), Scalar::Half);
+}
+
+// --- there are no neighbouring pixels in the vertex stage, so a sample there has level 0
+
+bool samples_in_vertex_stage(const Module& module, const Function& function, Value v) {
+    const Op op = function[v].op;
+    return (op == Op::Sample || op == Op::SampleBias) && module.stage.entry && module.stage.kind == StageKind::Vertex;
+}
+Value sample_at_level(Copy& copy, Value v) {
+    Builder& b = copy.to;
+    const Value level = copy.from[v].op == Op::SampleBias ? operand(copy, v, 3) : b.constant(kFloat, {0});
+    return b.emit(Op::SampleLevel, kFloat4, {operand(copy, v, 0), operand(copy, v, 1), operand(copy, v, 2), level});
+}
+
+// --- functions of vectors that the IR allows on scalars
+
+bool is_scalar_geometry(const Module&, const Function& function, Value v) {
+    const Op op = function[v].op;
+    const bool is_geometry = op == Op::Dot || op == Op::Length || op == Op::Distance || op == Op::Reflect ||
+                             op == Op::Any || op == Op::All;
+    return is_geometry && type_of_operand(function, v, 0).is_scalar();
+}
+Value scalar_geometry(Copy& copy, Value v) {
+    Builder& b = copy.to;
+    const Op op = copy.from[v].op;
+    const Value x = operand(copy, v, 0);
+    if (op == Op::Any || op == Op::All) return x;
+    const Type type = b.type(x);
+    if (op == Op::Length) return b.emit(Op::Abs, type, {x});
+    const Value y = operand(copy, v, 1);
+    if (op == Op::Dot) return b.emit(Op::Mul, type, {x, y});
+    if (op == Op::Distance) return b.emit(Op::Abs, type, {b.emit(Op::Sub, type, {x, y})});
+    // reflect(x, y) = x - 2 (y . x) y
+    const Value twice = b.emit(Op::Mul, type, {b.constant(type, {2}), b.emit(Op::Mul, type, {y, x})});
+    return b.emit(Op::Sub, type, {x, b.emit(Op::Mul, type, {twice, y})});
+}
+
+constexpr Rule kShared[] = {
+    {is_signed_mod, expand_mod},
+    {is_matrix_op, split_rows},
+    {may_leave_range, clamp_index},
+    {is_half_derivative, differentiate_as_float},
+    {samples_in_vertex_stage, sample_at_level},
+    {is_scalar_geometry, scalar_geometry},
+};
+
+const Rule* rule_for(std::span<const Rule> rules, const Module& module, const Function& function, Value v) {
+    const auto applies = [&](const Rule& rule) { return rule.applies(module, function, v); };
+    const auto found = std::find_if(rules.begin(), rules.end(), applies);
+    return found == rules.end() ? nullptr : &*found;
+}
+
+void legalize_function(Module& module, Function& function, std::span<const Rule> rules) {
+    std::vector<const Rule*> applying(function.insts.size());
+    for (std::uint32_t i = 0; i < applying.size(); ++i) applying[i] = rule_for(rules, module, function, {i});
+    if (std::all_of(applying.begin(), applying.end(), [](const Rule* rule) { return rule == nullptr; })) return;
+
+    Function made = shell(function);
+    Builder builder(module, made, {.fold = false});  // folding would undo some of it
+    Copy copy{.from = function, .to = builder};
+    copy.rewrite = [&](Copy& c, Value v) {
+        if (applying[v.index] == nullptr) return false;
+        c.to.set_origin(c.from[v].origin);
+        const Value value = applying[v.index]->rewrite(c, v);
+        c.to.name(value, c.from[v].name);
+        c.map[v.index] = value;
+        return true;
+    };
+    copy_body(copy);
+    function = std::move(made);
+}
+
+}  // namespace
+
+void legalize(Module& module, std::span<const Rule> rules) {
+    // Both languages end a pixel where it is discarded, and its neighbours still need it for their derivatives.
+    module = legalize_discard(std::move(module));
+    std::vector<Rule> all(std::begin(kShared), std::end(kShared));
+    all.insert(all.end(), rules.begin(), rules.end());
+    for (Function& function : module.functions) legalize_function(module, function, all);
+}
+
+}  // namespace patina::targets

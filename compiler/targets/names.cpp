@@ -1,0 +1,74 @@
+#include "compiler/targets/names.h"
+
+#include "compiler/targets/print.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+namespace patina::targets {
+namespace {
+
+bool is_letter_or_digit(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
+// Only letters, digits and single underscores, no digit first.
+std::string plain_identifier(std::string_view word) {
+    std::string plain;
+    for (char c : word) {
+        const char next = is_letter_or_digit(c) ? c : '_';
+        if (next == '_' && !plain.empty() && plain.back() == '_') continue;
+        plain += next;
+    }
+    if (plain.empty() || plain == "_") return "value";
+    if (plain[0] >= '0' && plain[0] <= '9') plain.insert(plain.begin(), '_');
+    return plain;
+}
+
+}  // namespace
+
+std::string safe_identifier(std::string_view word) {
+    std::string name = plain_identifier(word);
+    if (name.starts_with("gl_")) name.erase(2, 1);
+    if (is_reserved_word(name)) name += '_';
+    return name;
+}
+
+std::string Names::declare(std::string_view wanted) {
+    const std::string base = safe_identifier(wanted);
+    std::string name = base;
+    if (const auto taken = next_.find(base); taken != next_.end()) {
+        // "k_" and a number would hold two underscores in a row.
+        const char* joint = base.ends_with('_') ? "" : "_";
+        do {
+            name = fmt::format("{}{}{}", base, joint, taken->second++);
+        } while (next_.contains(name));
+    }
+    next_.emplace(name, 2);
+    scopes_.back().push_back({name, base});
+    return name;
+}
+
+void Names::close() {
+    for (const Taken& taken : scopes_.back()) {
+        next_.erase(taken.name);
+        if (const auto base = next_.find(taken.wanted); base != next_.end()) base->second = 2;
+    }
+    scopes_.pop_back();
+}
+
+std::string snake_case(std::string_view name) {
+    const auto upper = [&](std::size_t i) { return i < name.size() && std::isupper(static_cast<unsigned char>(name[i])); };
+    const auto lower = [&](std::size_t i) { return i < name.size() && std::islower(static_cast<unsigned char>(name[i])); };
+    std::string snake;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        // A word begins at a capital after a small letter, and at the last capital of a row of them ("GGXTerm").
+        const bool begins = upper(i) && i > 0 && (!upper(i - 1) || lower(i + 1)) && name[i - 1] != '_';
+        if (begins) snake += '_';
+        snake += static_cast<char>(std::tolower(static_cast<unsigned char>(name[i])));
+    }
+    return snake;
+}
+
+}  // namespace patina::targets

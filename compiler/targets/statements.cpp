@@ -1,0 +1,318 @@
+#include "compiler/targets/body.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace patina::targets {
+
+using namespace ir;
+
+namespace {
+
+struct Fallback {
+    Op op;
+    std::string_view name;
+};
+constexpr Fallback kFallbacks[] = {
+    {Op::Add, "sum"},           {Op::Sub, "difference"},    {Op::Mul, "product"},        {Op::MatMul, "product"},
+    {Op::Div, "ratio"},         {Op::Mod, "remainder"},     {Op::Neg, "opposite"},       {Op::Dot, "projection"},
+    {Op::Length, "size"},       {Op::Distance, "size"},     {Op::Normalize, "direction"}, {Op::Cross, "perpendicular"},
+    {Op::Reflect, "reflected"}, {Op::Refract, "refracted"}, {Op::Lerp, "blend"},         {Op::Select, "choice"},
+    {Op::Sample, "texel"},      {Op::SampleBias, "texel"},  {Op::SampleLevel, "texel"},  {Op::SampleGrad, "texel"},
+    {Op::TexelLoad, "texel"},   {Op::TextureSize, "size"},  {Op::Ddx, "slope_x"},        {Op::Ddy, "slope_y"},
+    {Op::Fwidth, "slope"},      {Op::Pow, "power"},         {Op::Exp, "power"},          {Op::Exp2, "power"},
+    {Op::Sqrt, "root"},         {Op::Less, "test"},         {Op::LessEqual, "test"},     {Op::Greater, "test"},
+    {Op::GreaterEqual, "test"}, {Op::Equal, "test"},        {Op::NotEqual, "test"},      {Op::And, "test"},
+    {Op::Or, "test"},           {Op::Not, "test"},          {Op::Index, "element"},      {Op::Saturate, "limited"},
+    {Op::Min, "limited"},       {Op::Max, "limited"},       {Op::Clamp, "limited"},      {Op::Transpose, "transposed"},
+};
+
+// "lighting_surface" -> "ls"
+std::string initials(std::string_view name) {
+    std::string letters;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        if (name[i] != '_' && (i == 0 || name[i - 1] == '_')) letters += name[i];
+    }
+    return letters;
+}
+
+constexpr std::string_view kLoopIndices[] = {"i", "j", "k", "l"};
+
+}  // namespace
+
+std::string_view fallback_name(Op op) {
+    const auto found = std::find_if(std::begin(kFallbacks), std::end(kFallbacks), [&](const Fallback& f) { return f.op == op; });
+    return found == std::end(kFallbacks) ? "value" : found->name;
+}
+
+Body::Body(Writer& writer, FunctionId id, const EntryPoint* entry)
+    : writer_(writer), function_(writer.module[id]), entry_(entry), plan_(make_plan(writer.module, function_, entry)) {
+    names_.resize(plan_.variables.size());
+    commented_.resize(writer.module.origins.size());
+}
+
+void Body::print() {
+    writer_.names.open();
+    if (!entry_) {
+        for (const Param& param : function_.params) params_.push_back(writer_.names.declare(param.name));
+    }
+    std::string signature = entry_ ? entry_->signature : "";
+    if (!entry_) {
+        std::string list;
+        for (std::size_t i = 0; i < params_.size(); ++i) {
+            list += (i == 0 ? "" : ", ") + writer_.declaration(function_.params[i].type, params_[i]);
+        }
+        const auto index = static_cast<std::size_t>(&function_ - writer_.module.functions.data());
+        signature = fmt::format("{} {}({})", writer_.type(function_.result), writer_.functions[index], list);
+    }
+    writer_.line(0, signature, function_.origin);
+    writer_.line(0, "{");
+    print_block({0});
+    writer_.line(0, "}");
+    writer_.names.close();
+}
+
+// --- names
+
+std::string Body::name_without_hint(Value v) const {
+    const Inst& inst = function_[v];
+    if (inst.type.kind == Kind::Struct) {
+        const std::string name = snake_case(writer_.module.structs[inst.type.ref].name);
+        return writer_.names.is_free(name) ? name : initials(name);
+    }
+    if (inst.op == Op::Construct && inst.type.is_matrix()) return "basis";
+    if (inst.op == Op::Call) return snake_case(writer_.module.functions[inst.data].name);
+    return std::string(fallback_name(inst.op));
+}
+
+std::string Body::target(std::uint32_t id) {
+    if (is_declared(id)) return names_[id];
+    const Variable& variable = plan_.variables[id];
+    const std::string_view hint = writer_.module.name_of(variable.hint);
+    names_[id] = writer_.names.declare(hint.empty() ? name_without_hint(variable.like) : hint);
+    return writer_.declaration(variable.type, names_[id]);
+}
+
+std::string Body::target(Value v) {
+    return target(plan_.variable[v.index]);
+}
+
+// --- lines
+
+// A comment above the first statement of each node, and a gap where one node's statements end.
+void Body::enter(OriginId origin) {
+    const auto is_labelled = [&](OriginId id) { return id && !writer_.module.origins[id.index].label.empty(); };
+    if (origin != origin_ && (is_labelled(origin) || is_labelled(origin_)) && !at_block_start_) writer_.gap();
+    if (is_labelled(origin) && !commented_[origin.index]) {
+        commented_[origin.index] = true;
+        const Origin& o = writer_.module.origins[origin.index];
+        writer_.comment(indent_, o.id.empty() ? o.label : fmt::format("{} \"{}\"", o.label, o.id), origin);
+    }
+    origin_ = origin;
+    at_block_start_ = false;
+}
+
+void Body::statement(Value v, std::string_view text) {
+    enter(function_[v].origin);
+    writer_.line(indent_, text, function_[v].origin);
+}
+
+void Body::assign(std::uint32_t variable, Value from, std::string_view text) {
+    statement(from, fmt::format("{} = {};", target(variable), text));
+}
+
+void Body::print_block(BlockId block) {
+    for (Value v : function_.blocks[block.index].insts) print_statement(v);
+}
+
+void Body::print_statement(Value v) {
+    if (!plan_.is_printed(function_, v)) return;
+    const Op op = function_[v].op;
+    if (op == Op::If) return print_if(v);
+    if (op == Op::For) return print_for(v);
+    if (op == Op::Return) return print_return(v);
+    if (op == Op::DiscardIf) return statement(v, fmt::format("if ({}) discard;", argument(v, 0)));
+    const bool is_bound_elsewhere = op == Op::LoopIndex || op == Op::LoopCarried || op == Op::Result || op == Op::Yield;
+    if (!is_bound_elsewhere && is_variable(v)) print_assignment(v);
+}
+
+// --- assignments
+
+void Body::print_assignment(Value v) {
+    const Inst& inst = function_[v];
+    if (writer_.language.statement(*this, v)) return;
+    if (inst.op == Op::Construct && inst.type.kind == Kind::Struct) return print_struct(v);
+    if (inst.op == Op::Construct && inst.type.kind == Kind::Array) return print_array(v);
+    if (inst.op == Op::Insert) return print_insert(v);
+    if (inst.op == Op::Select && is_aggregate(inst.type)) return print_select(v);
+    const std::string text = formula(v).text;  // before its own name exists
+    statement(v, fmt::format("{} = {};", target(v), text));
+}
+
+void Body::print_struct(Value v) {
+    const std::uint32_t id = plan_.variable[v.index];
+    if (!is_declared(id)) statement(v, target(v) + ";");
+    for (std::uint32_t i = 0; i < args(v); ++i) {
+        statement(v, fmt::format("{}{} = {};", names_[id], part(function_[v].type, i), argument(v, i)));
+    }
+}
+
+void Body::print_array(Value v) {
+    const std::uint32_t id = plan_.variable[v.index];
+    const Array& array = writer_.module.arrays[function_[v].type.ref];
+    if (array.element.is_numeric() && !is_declared(id)) {
+        bool is_constant = plan_.variables[id].writes == 1;
+        for (std::uint32_t i = 0; i < args(v); ++i) is_constant &= function_[arg(v, i)].op == Op::Constant;
+        const Language& language = writer_.language;
+        const std::string value = language.array_value(writer_.type(array.element), array.count, arguments(v));
+        const std::string qualifier = is_constant ? std::string(language.constant_array) + " " : "";
+        return statement(v, fmt::format("{}{} = {};", qualifier, target(v), value));
+    }
+    if (!is_declared(id)) statement(v, target(v) + ";");
+    for (std::uint32_t i = 0; i < args(v); ++i) {
+        statement(v, fmt::format("{}[{}] = {};", names_[id], i, argument(v, i)));
+    }
+}
+
+void Body::print_insert(Value v) {
+    const std::uint32_t id = plan_.variable[v.index];
+    const Value old = arg(v, 0);
+    if (plan_.variable[old.index] != id) {
+        const std::string text = argument(v, 0);
+        statement(v, fmt::format("{} = {};", target(v), text));
+    }
+    statement(v, fmt::format("{}{} = {};", names_[id], part(function_[v].type, function_[v].data), argument(v, 1)));
+}
+
+// HLSL's ?: does not take structs.
+void Body::print_select(Value v) {
+    const std::string condition = argument(v, 0), if_true = argument(v, 1), if_false = argument(v, 2);
+    statement(v, fmt::format("{} = {};", target(v), if_false));
+    statement(v, fmt::format("if ({}) {} = {};", condition, names_[plan_.variable[v.index]], if_true));
+}
+
+// --- control flow
+
+void Body::print_if(Value v) {
+    const BlockId then_block{function_[v].data}, else_block{function_[v].data + 1};
+    const Value otherwise = function_.blocks[else_block.index].insts.back();
+    const bool is_plain = has_plain_else(plan_, function_, v);
+    const std::string condition = argument(v, 0);
+    for (std::uint32_t i = 0; i < slot_count(function_, v); ++i) {
+        const std::uint32_t id = slot(v, i);
+        if (id == Plan::kNone) continue;
+        if (is_plain && plan_.variable[arg(otherwise, i).index] != id) {
+            const std::string text = argument(otherwise, i);
+            assign(id, v, text);
+        } else if (!is_plain && !is_declared(id)) {
+            statement(v, target(id) + ";");
+        }
+    }
+    statement(v, fmt::format("if ({}) {{", condition));
+    print_branch(then_block, v);
+    if (!is_plain) {
+        writer_.line(indent_, "} else {", function_[v].origin);
+        print_branch(else_block, v);
+    }
+    writer_.line(indent_, "}", function_[v].origin);
+}
+
+void Body::print_branch(BlockId block, Value structure) {
+    writer_.names.open();
+    ++indent_;
+    at_block_start_ = true;
+    print_block(block);
+    print_yields(function_.blocks[block.index].insts.back(), structure);
+    at_block_start_ = false;
+    --indent_;
+    writer_.names.close();
+}
+
+void Body::print_for(Value v) {
+    const Inst& inst = function_[v];
+    for (std::uint32_t i = 0; i < slot_count(function_, v); ++i) {
+        const Value initial = arg(v, 2 + i);
+        if (plan_.variable[initial.index] == slot(v, i)) continue;
+        const std::string text = expression(initial).text;
+        assign(slot(v, i), v, text);
+    }
+    const std::string begin = argument(v, 0), end = at_least(above(Precedence::Relational), expression(arg(v, 1)));
+    writer_.names.open();
+    std::string index;
+    const std::string fallback(kLoopIndices[std::min<std::size_t>(loops_, std::size(kLoopIndices) - 1)]);
+    for (Value inside : function_.blocks[inst.data].insts) {
+        if (function_[inside].op != Op::LoopIndex) continue;
+        const std::string_view hint = writer_.module.name_of(function_[inside].name);
+        index = writer_.names.declare(hint.empty() ? fallback : hint);
+        if (is_variable(inside)) names_[plan_.variable[inside.index]] = index;
+    }
+    if (index.empty()) index = writer_.names.declare(fallback);
+    statement(v, fmt::format("for ({3} {0} = {1}; {0} < {2}; ++{0}) {{", index, begin, end,
+                             writer_.type(function_[arg(v, 0)].type)));
+    ++loops_;
+    print_branch({inst.data}, v);
+    --loops_;
+    writer_.names.close();
+    writer_.line(indent_, "}", inst.origin);
+}
+
+// All variables change at once: each is assigned when no other value still reads it, and a circle is broken by computing
+// one value ahead.
+void Body::print_yields(Value yield, Value structure) {
+    struct Pending {
+        std::uint32_t variable;
+        Value value;
+        std::string ready;  // computed ahead, in this variable
+    };
+    std::vector<Pending> pending;
+    for (std::uint32_t i = 0; i < args(yield); ++i) {
+        const std::uint32_t id = slot(structure, i);
+        const Value value = arg(yield, i);
+        if (id != Plan::kNone && plan_.variable[value.index] != id) pending.push_back({id, value, {}});
+    }
+    const auto reads = [&](const Pending& p, std::uint32_t variable) {
+        if (!p.ready.empty()) return false;
+        if (is_variable(p.value)) return plan_.variable[p.value.index] == variable;
+        bool found = false;
+        for_each_read(plan_, function_, p.value, [&](Value v) { found |= plan_.variable[v.index] == variable; });
+        return found;
+    };
+    const auto origin_of = [&](const Pending& p) { return is_leaf(function_[p.value].op) ? yield : p.value; };
+    while (!pending.empty()) {
+        const auto is_free = [&](const Pending& p) {
+            return std::none_of(pending.begin(), pending.end(),
+                                [&](const Pending& other) { return &other != &p && reads(other, p.variable); });
+        };
+        const auto next = std::find_if(pending.begin(), pending.end(), is_free);
+        if (next == pending.end()) {
+            const auto waiting = std::find_if(pending.begin(), pending.end(), [](const Pending& p) { return p.ready.empty(); });
+            waiting->ready = writer_.names.declare("next_" + names_[waiting->variable]);
+            const std::string target = writer_.declaration(function_[waiting->value].type, waiting->ready);
+            statement(origin_of(*waiting), fmt::format("{} = {};", target, expression(waiting->value).text));
+            continue;
+        }
+        assign(next->variable, origin_of(*next), next->ready.empty() ? expression(next->value).text : next->ready);
+        pending.erase(next);
+    }
+}
+
+void Body::print_return(Value v) {
+    if (!entry_) {
+        if (args(v) > 0) statement(v, fmt::format("return {};", argument(v, 0)));
+        return;
+    }
+    const Value result = args(v) > 0 ? arg(v, 0) : Value{};
+    if (!entry_->before_return.empty()) statement(v, entry_->before_return);
+    for (std::uint32_t i = 0; result && i < entry_->outputs.size(); ++i) {
+        const bool is_direct = result == plan_.outputs;
+        const Value member = is_direct ? arg(result, i) : result;
+        const std::string text =
+            is_direct ? expression(member).text
+                      : at_least(Precedence::Postfix, expression(result)) + part(function_[result].type, i);
+        statement(v, fmt::format("{} = {};", entry_->outputs[i], text));
+    }
+    if (!entry_->at_return.empty()) statement(v, entry_->at_return);
+}
+
+}  // namespace patina::targets

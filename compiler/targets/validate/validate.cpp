@@ -1,0 +1,184 @@
+#include "patina/validate.h"
+
+#include <fmt/format.h>
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
+#include <spirv-tools/libspirv.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <memory>
+
+namespace patina {
+namespace {
+
+// glslang's tables are built once in a process; building and using them is safe from any thread after that.
+void initialise_glslang() {
+    static const bool done = glslang::InitializeProcess();
+    static_cast<void>(done);
+}
+
+// Registers of t, s and b count from 0 each; the reflection says what separates them in a set's one row of bindings.
+void shift_bindings(glslang::TShader& shader, const std::vector<Reflection::Shifts>& shifts) {
+    for (const Reflection::Shifts& s : shifts) {
+        shader.setShiftBindingForSet(glslang::EResTexture, s.textures, s.set);
+        shader.setShiftBindingForSet(glslang::EResSampler, s.samplers, s.set);
+        shader.setShiftBindingForSet(glslang::EResUbo, s.buffers, s.set);
+    }
+}
+
+std::string_view language_of(const Shader& shader) {
+    return shader.target == Target::Hlsl ? "HLSL" : "GLSL";
+}
+
+Diagnostic diagnostic(const Shader& shader, std::string_view message) {
+    Diagnostic d;
+    d.code = "downstream-error";
+    d.message = fmt::format("the generated {} does not compile: {}", language_of(shader), message);
+    return d;
+}
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view kSpace = " \t\r\n\0";
+    const std::size_t begin = std::min(text.find_first_not_of(kSpace), text.size());
+    text.remove_prefix(begin);
+    return text.substr(0, text.find_last_not_of(kSpace) + 1);
+}
+
+std::string_view line_of(std::string_view text, int line) {
+    for (int i = 1; i < line && !text.empty(); ++i) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    return text.substr(0, text.find('\n'));
+}
+
+// The place in the graph that an emitted line comes from, and the emitted line itself as a note.
+void locate(Diagnostic& d, const Shader& shader, int line) {
+    const auto after = std::upper_bound(shader.line_map.begin(), shader.line_map.end(), line,
+                                        [](int l, const LineOrigin& origin) { return l < origin.line; });
+    if (after != shader.line_map.begin()) {
+        const LineOrigin& origin = *std::prev(after);
+        d.file = origin.file;
+        d.line = origin.source_line;
+        d.column = origin.source_column;
+        d.end_line = origin.source_line;
+        d.end_column = origin.source_end_column;
+        d.source_line = origin.source_text;
+        d.node = origin.node;
+    }
+    Diagnostic note;
+    note.severity = Severity::Note;
+    note.code = d.code;
+    note.message = fmt::format("line {} of {}: {}", line, shader.file_name, trimmed(line_of(shader.text, line)));
+    d.notes.push_back(std::move(note));
+}
+
+// "ERROR: 0:12: 'x' : undeclared identifier", "ERROR: name:12: ...", "(12): error at column 3, ...": the line, if there
+// is one, and the rest.
+int take_line(std::string_view& message) {
+    std::string_view digits = message;
+    if (message.starts_with('(')) {
+        digits.remove_prefix(1);
+    } else {
+        const std::size_t colon = message.find(':');
+        if (colon == std::string_view::npos) return 0;
+        digits.remove_prefix(colon + 1);
+    }
+    int line = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), line);
+    if (error != std::errc()) return 0;
+    digits.remove_prefix(static_cast<std::size_t>(end - digits.data()));
+    message = trimmed(digits.substr(std::min(digits.find_first_not_of("):"), digits.size())));
+    return line;
+}
+
+// What glslang says after the last real message.
+bool is_summary(std::string_view message) {
+    return message.find("compilation terminated") != std::string_view::npos ||
+           message.find("compilation errors") != std::string_view::npos || message.starts_with("Linking ");
+}
+
+void add_messages(Validated& result, const Shader& shader, std::string_view log) {
+    constexpr std::string_view kError = "ERROR: ";
+    const std::size_t before = result.diagnostics.size();
+    for (std::string_view rest = log; !rest.empty();) {
+        const std::size_t end = std::min(rest.find('\n'), rest.size() - 1) + 1;
+        std::string_view message = trimmed(rest.substr(0, end));
+        rest.remove_prefix(end);
+        const bool is_error = message.starts_with(kError);
+        if (is_error) message.remove_prefix(kError.size());
+        if ((!is_error && !message.starts_with('(')) || is_summary(message)) continue;
+        const int line = take_line(message);
+        Diagnostic d = diagnostic(shader, message);
+        if (line > 0) locate(d, shader, line);
+        result.diagnostics.push_back(std::move(d));
+    }
+    if (result.diagnostics.size() == before) result.diagnostics.push_back(diagnostic(shader, trimmed(log)));
+}
+
+bool compile(const Shader& shader, Validated& result) {
+    const EShLanguage stage = shader.stage == Stage::Vertex ? EShLangVertex : EShLangFragment;
+    const bool is_hlsl = shader.target == Target::Hlsl;
+    auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
+    if (is_hlsl) messages = static_cast<EShMessages>(messages | EShMsgReadHlsl | EShMsgHlslLegalization);
+
+    glslang::TShader unit(stage);
+    const char* text = shader.text.data();
+    const int length = static_cast<int>(shader.text.size());
+    unit.setStringsWithLengths(&text, &length, 1);
+    unit.setEntryPoint("main");
+    unit.setSourceEntryPoint("main");
+    unit.setEnvInput(is_hlsl ? glslang::EShSourceHlsl : glslang::EShSourceGlsl, stage, glslang::EShClientVulkan, 100);
+    unit.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_3);
+    unit.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_6);
+    if (is_hlsl) shift_bindings(unit, shader.hlsl_shifts);
+
+    glslang::TProgram program;
+    bool ok = unit.parse(GetDefaultResources(), 450, false, messages);
+    std::string log = unit.getInfoLog();
+    if (ok) {
+        program.addShader(&unit);
+        ok = program.link(messages) && program.mapIO();
+        log += program.getInfoLog();
+    }
+    result.log += log;
+    if (!ok) {
+        add_messages(result, shader, log);
+        return false;
+    }
+    glslang::SpvOptions options;
+    options.disableOptimizer = true;
+    spv::SpvBuildLogger logger;
+    glslang::GlslangToSpv(*program.getIntermediate(stage), result.spirv, &logger, &options);
+    result.log += logger.getAllMessages();
+    return true;
+}
+
+bool check_spirv(const Shader& shader, Validated& result) {
+    spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_3);
+    std::string words;
+    tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t& position, const char* message) {
+        words += fmt::format("spirv-val: {} (at {})\n", message, position.index);
+    });
+    const bool ok = tools.Validate(result.spirv);
+    result.log += words;
+    if (!ok) result.diagnostics.push_back(diagnostic(shader, trimmed(words)));
+    return ok;
+}
+
+}  // namespace
+
+Validated validate(const Shader& shader) {
+    initialise_glslang();
+    Validated result;
+    result.ok = compile(shader, result) && check_spirv(shader, result);
+    return result;
+}
+
+std::string disassemble(const std::vector<std::uint32_t>& spirv) {
+    const spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_3);
+    std::string text;
+    const auto options = SPV_BINARY_TO_TEXT_OPTION_INDENT | SPV_BINARY_TO_TEXT_OPTION_FRIENDLY_NAMES;
+    return tools.Disassemble(spirv, &text, options) ? text : std::string();
+}
+
+}  // namespace patina

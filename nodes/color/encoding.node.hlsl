@@ -1,0 +1,49 @@
+// What a colour's numbers mean. Lighting is computed on linear ones; pictures and colour pickers hold sRGB.
+
+/// How bright a colour looks: the light of its Rec. 709 primaries, weighted by the eye.
+///
+/// formula: 0.2126 r + 0.7152 g + 0.0722 b
+/// source: ITU-R BT.709-6, section 3.2
+/// test: Luminance(float3(1, 1, 1)) == 1
+/// test: Luminance(float3(0, 1, 0)) == 0.7152
+/// test: Luminance(float3(0.5, 0, 2)) == 0.2507
+[node("Color/Luminance")]
+float Luminance(
+    [color] float3 color = 1  ///< linear colour
+) {
+    return dot(color, float3(0.2126, 0.7152, 0.0722));
+}
+
+/// Linear colour to sRGB.
+///
+/// A material seldom needs it: colours are encoded once, after everything else.
+///
+/// formula: 12.92 c up to 0.0031308, else 1.055 c^(1 / 2.4) - 0.055
+/// source: IEC 61966-2-1:1999
+/// test: LinearToSrgb(0.002) == float3(0.02584, 0.02584, 0.02584)
+/// test: LinearToSrgb(float3(0, 0.5, 1)) == float3(0, 0.7353569830524495, 1)
+[node("Color/Linear to sRGB")]
+float3 LinearToSrgb(
+    float3 color = 0  ///< linear colour; below zero counts as zero
+) {
+    float3 dark = max(color, 0) * 12.92;
+    float3 light = 1.055 * pow(max(color, 0.0031308), 1 / 2.4) - 0.055;
+    return color <= 0.0031308 ? dark : light;
+}
+
+/// sRGB colour to linear.
+///
+/// Textures whose usage is "color" and hexadecimal colours are decoded already; this is for the rest.
+///
+/// formula: c / 12.92 up to 0.04045, else ((c + 0.055) / 1.055)^2.4
+/// source: IEC 61966-2-1:1999
+/// test: SrgbToLinear(0.02) == float3(0.0015479876160990713, 0.0015479876160990713, 0.0015479876160990713)
+/// test: SrgbToLinear(float3(0, 0.735, 1)) == float3(0, 0.4994581635400763, 1)
+[node("Color/sRGB to Linear")]
+float3 SrgbToLinear(
+    float3 color = 0  ///< sRGB colour; below zero counts as zero
+) {
+    float3 dark = max(color, 0) / 12.92;
+    float3 light = pow((max(color, 0.04045) + 0.055) / 1.055, 2.4);
+    return color <= 0.04045 ? dark : light;
+}

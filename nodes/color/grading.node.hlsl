@@ -1,0 +1,82 @@
+// Changing colours, and laying one on another. All of it on linear colour.
+
+/// How BlendColors combines two colours.
+enum BlendMode {
+    Mix,       ///< the upper colour covers the lower one
+    Multiply,  ///< the product: never brighter, as with a coloured glass
+    Screen,    ///< the opposite of Multiply: never darker
+    Overlay,   ///< Multiply where the lower colour is dark, Screen where it is bright
+    Add        ///< the sum, as of two lights
+};
+
+/// A colour made greyer or more vivid, with the same luminance.
+///
+/// formula: lerp(luminance, color, amount)
+/// test: Saturation(float3(0, 1, 0), 0) == float3(0.7152, 0.7152, 0.7152)
+/// test: Saturation(float3(0.2, 0.4, 0.8), 1) == float3(0.2, 0.4, 0.8)
+/// test: Saturation(float3(0, 1, 0), 2) == float3(-0.7152, 1.2848, -0.7152)
+[node("Color/Saturation")]
+float3 Saturation(
+    [color] float3 color = 1,       ///< linear colour
+    [range(0, 2)] float amount = 1  ///< 0 is grey, 1 leaves it as it is, 2 doubles the distance from grey
+) {
+    return lerp(Luminance(color), color, amount);
+}
+
+/// A colour moved away from a middle grey, or towards it.
+///
+/// formula: midpoint + (color - midpoint) amount
+/// test: Contrast(float3(0.18, 0.28, 0.08), 2) == float3(0.18, 0.38, -0.02)
+/// test: Contrast(float3(0, 0.5, 1), 0, 0.25) == float3(0.25, 0.25, 0.25)
+[node("Color/Contrast")]
+float3 Contrast(
+    [color] float3 color = 1,            ///< linear colour
+    [range(0, 2)] float amount = 1,      ///< 0 is flat, 1 leaves it as it is
+    [range(0, 1)] float midpoint = 0.18  ///< what stays; 18 % is a photographer's grey card
+) {
+    return midpoint + (color - midpoint) * amount;
+}
+
+/// A colour turned around the grey axis: a third of a turn makes green of red and blue of green.
+///
+/// formula: c cos + (k x c) sin + k (k.c) (1 - cos), k = (1, 1, 1) / sqrt(3)
+/// source: Rodrigues, 1840: rotation about an axis
+/// test: HueRotate(float3(1, 0, 0), 2.0943951023931953) == float3(0, 1, 0)
+/// test: HueRotate(float3(0.2, 0.5, 0.9), 0) == float3(0.2, 0.5, 0.9)
+/// test: HueRotate(float3(1, 0, 0), 3.141592653589793) == float3(-1 / 3, 2 / 3, 2 / 3)
+[node("Color/Hue Rotate")]
+float3 HueRotate(
+    [color] float3 color = 1,      ///< linear colour
+    [unit("rad")] float angle = 0  ///< how far
+) {
+    const float axis = 0.57735026918962576;  // each component of the unit vector along grey
+    float3 crossed = axis * (color.brg - color.gbr);
+    float grey = (color.r + color.g + color.b) / 3;
+    return lerp(grey, color, cos(angle)) + crossed * sin(angle);
+}
+
+/// Lays one colour on another.
+///
+/// formula: lerp(a, f(a, b), opacity); mix: f = b; multiply: f = a b; add: f = a + b
+/// formula: screen: f = 1 - (1 - a)(1 - b); overlay: f = 2 a b where a < 0.5, else 1 - 2 (1 - a)(1 - b)
+/// source: W3C, "Compositing and Blending Level 1", section 10
+/// test: BlendColors(float3(0.2, 0.4, 0.6), float3(1, 0, 0.5), 0.5, Mix) == float3(0.6, 0.2, 0.55)
+/// test: BlendColors(float3(0.2, 0.4, 0.6), float3(0.5, 1, 0), 1, Multiply) == float3(0.1, 0.4, 0)
+/// test: BlendColors(float3(0.2, 0.4, 0.6), float3(0.5, 1, 0), 1, Screen) == float3(0.6, 1, 0.6)
+/// test: BlendColors(float3(0.2, 0.4, 0.75), float3(0.5, 1, 0.5), 1, Overlay) == float3(0.2, 0.8, 0.75)
+/// test: BlendColors(float3(0.2, 0.4, 0.6), float3(0.5, 1, 0), 0.5, Add) == float3(0.45, 0.9, 0.6)
+[node("Color/Blend")]
+float3 BlendColors(
+    [color] float3 base = 0,          ///< the lower colour
+    [color] float3 blend = 1,         ///< the upper colour
+    [range(0, 1)] float opacity = 1,  ///< how much of the upper colour shows
+    const BlendMode mode = Mix        ///< how they are combined
+) {
+    float3 screen = 1 - (1 - base) * (1 - blend);
+    float3 combined = blend;
+    if (mode == Multiply) { combined = base * blend; }
+    if (mode == Screen) { combined = screen; }
+    if (mode == Overlay) { combined = base < 0.5 ? 2 * base * blend : 2 * screen - 1; }
+    if (mode == Add) { combined = base + blend; }
+    return lerp(base, combined, opacity);
+}

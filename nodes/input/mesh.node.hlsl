@@ -1,0 +1,91 @@
+// What the mesh and the camera bring to a pixel. A link such as "@normal_ws" reads the same values; as nodes they offer
+// a choice of space and show up in an editor.
+
+/// The coordinate system of a position or a direction.
+enum Space {
+    Object,  ///< the mesh's own
+    World,   ///< the scene's: metres, y up
+    View     ///< the camera's: x right, y up
+};
+
+/// The coordinate system of a direction that belongs to the surface.
+enum SurfaceSpace {
+    World,   ///< the scene's
+    Tangent  ///< the surface's: x along u, y up in the texture's picture, z along the normal
+};
+
+/// The sets of texture coordinates.
+enum UvChannel {
+    UV0,  ///< the first set
+    UV1   ///< the second set: often the one of baked light
+};
+
+/// Where this point of the surface is.
+///
+/// test: Position(Object, float3(1, 0, 0), float3(0, 1, 0), float3(0, 0, 1)) == float3(1, 0, 0)
+/// test: Position(World, float3(1, 0, 0), float3(0, 1, 0), float3(0, 0, 1)) == float3(0, 1, 0)
+/// test: Position(View, float3(1, 0, 0), float3(0, 1, 0), float3(0, 0, 1)) == float3(0, 0, 1)
+[node("Input/Position")]
+float3 Position(
+    const Space space = World,                ///< the coordinate system
+    [hidden] float3 in_object = position_os,  ///< read in object space
+    [hidden] float3 in_world = position_ws,   ///< read in world space
+    [hidden] float3 in_view = position_vs     ///< read in view space
+) {
+    return space == Object ? in_object : space == World ? in_world : in_view;
+}
+
+/// The direction that points out of the surface: the mesh's interpolated normal, unit length.
+///
+/// In a lighting graph the world-space normal is the shaded one, with the normal map in it.
+///
+/// test: Normal(Object, float3(1, 0, 0), float3(0, 1, 0), float3(0, 0, 1)) == float3(1, 0, 0)
+/// test: Normal(World, float3(1, 0, 0), float3(0, 1, 0), float3(0, 0, 1)) == float3(0, 1, 0)
+/// test: Normal(View, float3(1, 0, 0), float3(0, 1, 0), float3(0, 0, 1)) == float3(0, 0, 1)
+[node("Input/Normal")]
+float3 Normal(
+    const Space space = World,              ///< the coordinate system
+    [hidden] float3 in_object = normal_os,  ///< read in object space
+    [hidden] float3 in_world = normal_ws,   ///< read in world space
+    [hidden] float3 in_view = normal_vs     ///< read in view space
+) {
+    return space == Object ? in_object : space == World ? in_world : in_view;
+}
+
+/// The unit direction from the surface to the camera.
+///
+/// test: ViewDirection(World, float3(0, 1, 0), float3(0, 1, 0), float3(1, 0, 0), float3(0, 0, 1)) == float3(0, 1, 0)
+/// test: ViewDirection(Tangent, float3(0, 1, 0), float3(0, 1, 0), float3(1, 0, 0), float3(0, 0, 1)) == float3(0, 0, 1)
+[node("Input/View Direction")]
+float3 ViewDirection(
+    const SurfaceSpace space = World,             ///< the coordinate system
+    [hidden] float3 in_world = view_dir_ws,       ///< read in world space
+    [hidden] float3 normal = geometry_normal_ws,  ///< the frame, for tangent space
+    [hidden] float3 tangent = tangent_ws,         ///< the frame, for tangent space
+    [hidden] float3 bitangent = bitangent_ws      ///< the frame, for tangent space
+) {
+    return space == World ? in_world : WorldToTangent(in_world, normal, tangent, bitangent);
+}
+
+/// The mesh's texture coordinates: (0, 0) is a picture's upper left corner.
+///
+/// test: UV(UV0, float2(1, 2), float2(3, 4)) == float2(1, 2)
+/// test: UV(UV1, float2(1, 2), float2(3, 4)) == float2(3, 4)
+[node("Input/UV")]
+float2 UV(
+    const UvChannel channel = UV0,  ///< which set
+    [hidden] float2 first = uv0,    ///< the first set
+    [hidden] float2 second = uv1    ///< the second set
+) {
+    return channel == UV0 ? first : second;
+}
+
+/// The colour painted on the mesh, linear; white where there is none.
+///
+/// test: VertexColor(float4(0.1, 0.2, 0.3, 0.4)) == float4(0.1, 0.2, 0.3, 0.4)
+[node("Input/Vertex Color")]
+float4 VertexColor(
+    [hidden] float4 color = vertex_color  ///< the attribute
+) {
+    return color;
+}

@@ -1,0 +1,51 @@
+// Powers, roots and logarithms.
+
+/// The base raised to a power.
+///
+/// A base below zero counts as zero, as a fractional power of it does not exist. Zero to the power of zero is not
+/// defined.
+///
+/// test: Power(3, 2) == 9
+/// test: Power(4, -0.5) == 0.5
+/// test: Power(float2(2, 9), float2(10, 0.5)) == float2(1024, 3)
+/// test: Power(-2, 2) == 0
+[node("Math/Power")]
+floatN Power(
+    floatN base = 1,     ///< what is raised, 0 or more
+    floatN exponent = 2  ///< the power
+) {
+    return pow(max(base, 0), exponent);
+}
+
+/// The square root; of a value below zero it is zero.
+///
+/// test: SquareRoot(2.25) == 1.5
+/// test: SquareRoot(float2(16, -4)) == float2(4, 0)
+[node("Math/Square Root")]
+floatN SquareRoot(
+    floatN value = 1  ///< 0 or more
+) {
+    return sqrt(max(value, 0));
+}
+
+/// Euler's number raised to a power: growth, or with a negative power decay.
+///
+/// test: Exponential(1) == 2.718281828459045
+/// test: Exponential(float2(0, -0.6931471805599453)) == float2(1, 0.5)
+[node("Math/Exponential")]
+floatN Exponential(
+    floatN exponent = 0  ///< the power
+) {
+    return exp(exponent);
+}
+
+/// The logarithm to base two: how often a value can be halved until it is 1.
+///
+/// test: Log2(8) == 3
+/// test: Log2(float2(0.25, 1)) == float2(-2, 0)
+[node("Math/Log2")]
+floatN Log2(
+    floatN value = 1  ///< above 0
+) {
+    return log2(value);
+}

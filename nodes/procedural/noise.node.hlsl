@@ -1,0 +1,127 @@
+// Noise without textures. All of it stands on one integer hash, so every machine gets the same picture: the hash is
+// arithmetic of unsigned integers, which wraps in the same way everywhere, and its result is a fraction that a float
+// holds exactly. Coordinates must stay within what an int holds, about two thousand million cells.
+
+/// Two independent random numbers for a cell of the integer lattice, 0 or more and less than 1.
+///
+/// formula: pcg2d: two rounds of v.x += v.y m, v.y += v.x m, v ^= v >> 16 on m v + c, m = 1664525, c = 1013904223
+/// source: Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020
+float2 RandomAt(int2 cell) {
+    const uint multiplier = 1664525u;
+    uint2 v = uint2(cell) * multiplier + 1013904223u;
+    v.x += v.y * multiplier;
+    v.y += v.x * multiplier;
+    v = v ^ (v >> 16u);
+    v.x += v.y * multiplier;
+    v.y += v.x * multiplier;
+    v = v ^ (v >> 16u);
+    // The upper 24 bits are what a float holds.
+    return float2(v >> 8u) / 16777216.0;
+}
+
+/// The curve that leads from one lattice point to the next with no slope and no curvature at either.
+///
+/// formula: t^3 (6 t^2 - 15 t + 10)
+/// source: Perlin, "Improving Noise", SIGGRAPH 2002
+float2 LatticeFade(float2 t) {
+    return t * t * t * (t * (t * 6 - 15) + 10);
+}
+
+/// A random number for each cell: the same in the whole of it, unrelated to its neighbours.
+///
+/// source: Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020
+/// test: Random(float2(0, 0)) == 0.097231924533844
+/// test: Random(float2(3.5, 7.25)) == 0.2815369963645935
+/// test: Random(float2(-0.5, -1.5)) == 0.7766901254653931
+[node("Procedural/Random")]
+float Random(
+    float2 position = uv0,  ///< anywhere in the cell; cells are one unit wide and begin at whole numbers
+    out float second        ///< another random number of the same cell
+) {
+    float2 random = RandomAt(int2(floor(position)));
+    second = random.y;
+    return random.x;
+}
+
+/// Soft blotches: random values at the points of a lattice, smoothly joined.
+///
+/// At a lattice point it is Random's value there; half-way between four points it is their mean.
+///
+/// source: Perlin, "Improving Noise", SIGGRAPH 2002 (the curve); Jarzynski and Olano, JCGT 9(3), 2020 (the values)
+/// test: ValueNoise(float2(0.5, 0.25), 8) == 0.27105700969696045
+/// test: ValueNoise(float2(3.5, 7.5), 1) == 0.550646960735321
+/// test: ValueNoise(float2(-1.25, 2.75), 1) == 0.7191152535576748
+[node("Procedural/Value Noise")]
+float ValueNoise(
+    float2 uv = uv0,                 ///< where
+    [range(0, 100)] float scale = 8  ///< lattice cells in one unit of uv
+) {
+    float2 position = uv * scale;
+    float2 corner = floor(position);
+    int2 cell = int2(corner);
+    float2 t = LatticeFade(position - corner);
+    float upper = lerp(RandomAt(cell).x, RandomAt(cell + int2(1, 0)).x, t.x);
+    float lower = lerp(RandomAt(cell + int2(0, 1)).x, RandomAt(cell + int2(1, 1)).x, t.x);
+    return lerp(upper, lower, t.y);
+}
+
+/// The height over a point of the slope that a lattice point was given: random in the square from -1 to 1.
+float SlopeAt(int2 cell, float2 from_corner) {
+    return dot(RandomAt(cell) * 2 - 1, from_corner);
+}
+
+/// Gradient noise between -1 and 1; GradientNoise and FractalNoise are made of it.
+float SignedGradientNoise(float2 position) {
+    float2 corner = floor(position);
+    int2 cell = int2(corner);
+    float2 d = position - corner;
+    float2 t = LatticeFade(d);
+    float upper = lerp(SlopeAt(cell, d), SlopeAt(cell + int2(1, 0), d - float2(1, 0)), t.x);
+    float lower = lerp(SlopeAt(cell + int2(0, 1), d - float2(0, 1)), SlopeAt(cell + int2(1, 1), d - 1), t.x);
+    return lerp(upper, lower, t.y);
+}
+
+/// Soft waves: random slopes at the points of a lattice, smoothly joined; from 0 to 1, around 0.5.
+///
+/// It has less of a grid than ValueNoise. At every lattice point it is 0.5.
+///
+/// source: Perlin, "An Image Synthesizer", SIGGRAPH 1985, with the curve of "Improving Noise", SIGGRAPH 2002
+/// test: GradientNoise(float2(0.375, 0.625), 8) == 0.5
+/// test: GradientNoise(float2(3.5, 7.5), 1) == 0.3744928613305092
+/// test: GradientNoise(float2(-1.25, 2.75), 1) == 0.500304522816009
+[node("Procedural/Gradient Noise")]
+float GradientNoise(
+    float2 uv = uv0,                 ///< where
+    [range(0, 100)] float scale = 8  ///< lattice cells in one unit of uv
+) {
+    return SignedGradientNoise(uv * scale) * 0.5 + 0.5;
+}
+
+/// Gradient noise with ever finer noise on top of it, as in clouds, rust and mountains; from 0 to 1, around 0.5.
+///
+/// formula: sum of gain^i noise(lacunarity^i p), divided by the sum of gain^i
+/// source: Musgrave, in Ebert et al., "Texturing and Modeling: A Procedural Approach", 2003, chapter 16 (fBm)
+/// test: FractalNoise(float2(0.375, 0.625), 8, 5) == 0.5
+/// test: FractalNoise(float2(3.5, 7.5), 1, 1) == 0.3744928613305092
+/// test: FractalNoise(float2(0.3, 0.45), 2, 3, 2, 0.5) == 0.4788152412317103
+[node("Procedural/Fractal Noise")]
+float FractalNoise(
+    float2 uv = uv0,                       ///< where
+    [range(0, 100)] float scale = 4,       ///< lattice cells of the coarsest octave in one unit of uv
+    [range(1, 12)] const int octaves = 4,  ///< how many layers of noise; each costs as much as the first
+    [range(1, 4)] float lacunarity = 2,    ///< how much finer each layer is than the one before
+    [range(0, 1)] float gain = 0.5         ///< how much of the height of the one before each layer has
+) {
+    float2 position = uv * scale;
+    float height = 0;
+    float total = 0;
+    float amplitude = 1;
+    for (int i = 0; i < min(octaves, 12); i++) {
+        height += SignedGradientNoise(position) * amplitude;
+        total += amplitude;
+        amplitude *= gain;
+        // The offset keeps the layers' lattices from meeting at the origin.
+        position = position * lacunarity + float2(37, 17);
+    }
+    return height / total * 0.5 + 0.5;
+}

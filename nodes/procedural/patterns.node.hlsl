@@ -1,0 +1,82 @@
+// Patterns of cells: boards, walls and Voronoi cells.
+
+/// Squares of 0 and 1 in turn, as on a chess board.
+///
+/// test: Checker(float2(0.1, 0.1), 4) == 0
+/// test: Checker(float2(0.3, 0.1), 4) == 1
+/// test: Checker(float2(-0.1, 0.1), 4) == 1
+/// test: Checker(float2(0.9, 0.6), float2(2, 4)) == 1
+[node("Procedural/Checker")]
+float Checker(
+    float2 uv = uv0,      ///< where
+    float2 frequency = 4  ///< squares in one unit of u and v
+) {
+    int2 cell = int2(floor(uv * frequency));
+    return float((cell.x + cell.y) & 1);
+}
+
+/// A wall of bricks: 1 on a brick, 0 in the mortar between.
+///
+/// test: Bricks(float2(0.125, 0.0625), float2(4, 8)) == 1
+/// test: Bricks(float2(0.25, 0.0625), float2(4, 8)) == 0
+/// test: Bricks(float2(0.25, 0.1875), float2(4, 8)) == 1
+/// test: Bricks(float2(0.265, 0.0625), float2(4, 8), 0.5, 0.01, 0.01) == 0.5
+/// test: Bricks(float2(0.25, 0.1875), float2(4, 8)).local == float2(0.5, 0.5)
+/// test: Bricks(float2(0.125, 0.0625), float2(4, 8)).random == 0.097231924533844
+[node("Procedural/Bricks")]
+float Bricks(
+    float2 uv = uv0,                      ///< where
+    float2 count = float2(4, 8),          ///< bricks in one unit of u and v
+    [range(0, 1)] float shift = 0.5,      ///< how far every second row is moved, in bricks
+    [range(0, 0.1)] float mortar = 0.01,  ///< half the width of a joint, in units of uv
+    [range(0, 0.1)] float bevel = 0.005,  ///< width of the brick's soft edge, in units of uv; not zero
+    out float2 local,                     ///< position in the brick, from 0 to 1
+    out float random                      ///< a random number for each brick, from 0 to 1
+) {
+    float2 position = uv * count;
+    float row = floor(position.y);
+    position.x += shift * (row - 2 * floor(row / 2));
+    float2 corner = floor(position);
+    local = position - corner;
+    random = RandomAt(int2(corner)).x;
+    float2 to_edge = min(local, 1 - local) / count;
+    return smoothstep(mortar, mortar + bevel, min(to_edge.x, to_edge.y));
+}
+
+/// The distance to the nearest of points strewn about, one in each cell: cells as of skin, stones or foam.
+///
+/// The nine cells around are searched. Above a jitter of 0.65 a nearer point may, rarely, lie beyond them.
+///
+/// source: Worley, "A Cellular Texture Basis Function", SIGGRAPH 1996
+/// test: Voronoi(float2(0.5, 0.25), 1, 0) == 0.25
+/// test: Voronoi(float2(0, 0), 1, 0) == 0.7071067811865476
+/// test: Voronoi(float2(0.25, -0.25), 2, 0) == 0
+/// test: Voronoi(float2(0.25, 0.25), 2, 0).random == 0.097231924533844
+/// test: Voronoi(float2(0.3, 0.6), 4, 1) == 0.3980660311555204
+[node("Procedural/Voronoi")]
+float Voronoi(
+    float2 uv = uv0,                  ///< where
+    [range(0, 100)] float scale = 8,  ///< cells in one unit of uv
+    [range(0, 1)] float jitter = 1,   ///< how far the points are from their cell's centre: 0 makes a grid
+    out float random,                 ///< a random number for each point, from 0 to 1
+    out float2 to_point               ///< from here to the nearest point, in cells
+) {
+    float2 position = uv * scale;
+    float2 corner = floor(position);
+    int2 cell = int2(corner);
+    float nearest = 8;  // squared; more than any distance within nine cells
+    for (int j = -1; j < 2; j++) {
+        for (int i = -1; i < 2; i++) {
+            int2 step_to = int2(i, j);
+            float2 hash = RandomAt(cell + step_to);
+            float2 away = float2(step_to) + 0.5 + (hash - 0.5) * jitter - (position - corner);
+            float squared = dot(away, away);
+            if (squared < nearest) {
+                nearest = squared;
+                random = hash.x;
+                to_point = away;
+            }
+        }
+    }
+    return sqrt(nearest);
+}

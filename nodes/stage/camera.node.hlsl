@@ -1,0 +1,38 @@
+// The camera and the frame. Clip space is y up, depth 0 to 1; view space looks along -z.
+
+/// Seconds since the start.
+[extern("Frame")] [semantic("uniform")] float time;
+/// Size of the picture in pixels.
+[extern("Frame")] [semantic("uniform")] float2 screen_size;
+
+[extern("Camera")] float4x4 world_to_clip;
+[extern("Camera")] float4x4 world_to_view;
+/// Camera position in world space.
+[extern("Camera")] [semantic("uniform")] float3 camera_position_ws;
+[extern("Camera")] float view_is_orthographic;  // 1 or 0
+/// Direction that the camera looks along in world space, unit.
+[extern("Camera")] [semantic("uniform")] float3 camera_forward_ws;
+
+/// Direction from the surface to the camera in world space, unit.
+[semantic("pixel")]
+float3 view_dir_ws(float3 position = position_ws) {
+    return normalize(lerp(camera_position_ws - position, -camera_forward_ws, view_is_orthographic));
+}
+
+/// Position in view space: the camera looks along -z.
+[semantic("pixel")]
+float3 position_vs(float3 position = position_ws) {
+    return mul(world_to_view, float4(position, 1)).xyz;
+}
+
+/// Normal in view space, unit.
+[semantic("pixel")]
+float3 normal_vs(float3 normal = normal_ws) {
+    return normalize(mul(world_to_view, float4(normal, 0)).xyz);
+}
+
+/// Position on the screen, 0 to 1 from the top left.
+[semantic("pixel")]
+float2 screen_uv(float4 pixel = frag_coord) {
+    return pixel.xy / screen_size;
+}

@@ -1,0 +1,97 @@
+// Lights and ambient light: the engine seam. An engine may replace the [extern] functions; their bodies are what the
+// runtime and the CPU reference use.
+// Units: a light's colour and the ambient irradiance are E/pi, what a white Lambert surface sends out.
+
+/// One light, as seen from a point.
+struct Light {
+    float3 direction;   ///< to the light, unit
+    float3 color;       ///< linear colour times intensity
+    float attenuation;  ///< of distance and cone, 0 to 1 at one metre or more
+    float shadow;       ///< 1: lit, 0: in shadow
+    int index;          ///< which light of the list
+    int type;           ///< 0 directional, 1 point, 2 spot
+};
+
+/// What lights add up to; only `final` reads it.
+struct LightSum {
+    float3 direct;    ///< sum of `direct` over all lights
+    float3 indirect;  ///< `indirect`
+};
+
+const int MAX_LIGHTS = 16;
+
+[extern("Lights")] int light_count;
+[extern("Lights")] float4 light_position[16];  // xyz: direction to a directional light, else position; w: type
+[extern("Lights")] float4 light_color[16];     // rgb: colour times intensity; w: range in metres
+[extern("Lights")] float4 light_axis[16];      // xyz: direction that a spot shines along
+[extern("Lights")] float4 light_cone[16];      // cosines of a spot's half angles: x inner, y outer
+
+[extern("Ambient")] float4 ambient_sh[9];  // radiance coefficients, order l(l+1)+m, z up as in Ramamoorthi & Hanrahan 2001
+
+/// Colour times attenuation times shadow.
+[member]
+float3 radiance(Light light) {
+    return light.color * (light.attenuation * light.shadow);
+}
+
+/// How much of a light reaches a point: 1 lit, 0 in shadow.
+[extern]
+float shadow(int index, float3 position) {
+    return 1;
+}
+
+/// The inverse square law, with a window that ends it smoothly at the light's range.
+/// source: Karis, "Real Shading in Unreal Engine 4", SIGGRAPH 2013, eq. 9
+float distance_attenuation(float distance_squared, float range) {
+    float ratio = distance_squared / (range * range);
+    float window = saturate(1 - ratio * ratio);
+    return window * window / max(distance_squared, 0.0001);
+}
+
+/// Light number `index` as seen from `position` (world space).
+[extern]
+Light light_at(int index, float3 position) {
+    float4 place = light_position[index];
+    float4 color = light_color[index];
+    float3 to_light = place.xyz - (place.w > 0.5 ? position : float3(0));
+    float distance_squared = dot(to_light, to_light);
+    Light light;
+    light.direction = to_light * rsqrt(max(distance_squared, 1e-12));
+    light.color = color.rgb;
+    light.attenuation = place.w > 0.5 ? distance_attenuation(distance_squared, color.w) : 1;
+    float cosine = -dot(light_axis[index].xyz, light.direction);
+    float4 cone = light_cone[index];
+    float spot = saturate((cosine - cone.y) / max(cone.x - cone.y, 0.001));
+    light.attenuation *= place.w > 1.5 ? spot * spot : 1;
+    light.shadow = shadow(index, position);
+    light.index = index;
+    light.type = int(place.w);
+    return light;
+}
+
+/// In a material: the main directional light. In a lighting graph: the light being evaluated.
+[semantic("pixel")]
+Light light(float3 position = position_ws) {
+    return light_at(0, position);
+}
+
+/// Light that arrives at a surface from all around, divided by pi: a colour times it is radiance.
+///
+/// source: Ramamoorthi & Hanrahan, "An Efficient Representation for Irradiance Environment Maps", SIGGRAPH 2001
+[node("Lighting/Ambient/Ambient Irradiance")] [extern]
+float3 AmbientIrradiance(
+    float3 normal = normal_ws  ///< unit normal in world space
+) {
+    return EvaluateSH9(normal, ambient_sh[0].rgb, ambient_sh[1].rgb, ambient_sh[2].rgb, ambient_sh[3].rgb,
+                       ambient_sh[4].rgb, ambient_sh[5].rgb, ambient_sh[6].rgb, ambient_sh[7].rgb, ambient_sh[8].rgb);
+}
+
+/// Radiance that arrives from a direction, as a surface of that roughness reflects it. Without an environment map it is
+/// the ambient light of that direction, which is right for a rough surface and soft for a smooth one.
+[node("Lighting/Ambient/Environment Radiance")] [extern]
+float3 EnvironmentRadiance(
+    float3 direction = normal_ws,              ///< unit direction in world space
+    [range(0, 1)] float roughness = 0.5  ///< perceptual roughness
+) {
+    return AmbientIrradiance(direction);
+}

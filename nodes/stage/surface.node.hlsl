@@ -1,0 +1,37 @@
+// The lighting surface: what stands between a material and its lighting. A workflow fills it, lighting graphs read it,
+// a G-buffer will store it. A lighting model's own inputs are added to it by the compiler.
+
+/// What lighting knows about a point of a surface.
+struct LightingSurface {
+    float3 diffuseColor;  ///< diffuse albedo, linear
+    float3 f0;            ///< specular reflectance at normal incidence, linear
+    float roughness;      ///< perceptual roughness, 0 to 1
+    float3 normal_ws;     ///< shaded normal in world space, unit
+    float occlusion;      ///< ambient occlusion: 1 open, 0 closed
+    float3 emission;      ///< radiance that the surface sends out by itself
+    float alpha;          ///< coverage
+    float alphaClip;      ///< a cutout surface is cut where alpha is below it
+};
+
+/// The surface that is being lit.
+[given] LightingSurface surface;
+/// What the lights and the surroundings add up to; only in `final`.
+[given] LightSum sum;
+
+/// Roughness squared: the alpha of the microfacet terms.
+[member]
+float alphaRoughness(LightingSurface surface) {
+    return surface.roughness * surface.roughness;
+}
+
+/// 1 - perceptual roughness.
+[member]
+float smoothness(LightingSurface surface) {
+    return 1 - surface.roughness;
+}
+
+/// What the specular reflection leaves to the diffuse one.
+[member]
+float oneMinusReflectivity(LightingSurface surface) {
+    return 1 - max(max(surface.f0.r, surface.f0.g), surface.f0.b);
+}

@@ -1,0 +1,57 @@
+// Reading textures. `texture.tiling` is what the material's user has set as the texture's scale (xy) and offset (zw).
+
+/// A texture's colour, filtered.
+///
+/// The level of detail comes from the neighbouring pixels. Where these are not known (in the vertex stage, per light,
+/// inside a branch) use SampleTexture2DLevel.
+[node("Texture/Sample Texture 2D")]
+float4 SampleTexture2D(
+    Texture2D texture,  ///< what is read
+    float2 uv = uv0     ///< where, before the texture's own tiling
+) {
+    return texture.Sample(uv * texture.tiling.xy + texture.tiling.zw);
+}
+
+/// A texture's colour at a given level of detail.
+[node("Texture/Sample Texture 2D Level")]
+float4 SampleTexture2DLevel(
+    Texture2D texture,  ///< what is read
+    float2 uv = uv0,    ///< where, before the texture's own tiling
+    float level = 0     ///< level of detail: 0 is the full size, each next one half of it
+) {
+    return texture.SampleLevel(uv * texture.tiling.xy + texture.tiling.zw, level);
+}
+
+/// The normal that a normal map holds, in tangent space.
+///
+/// Give the texture the usage "normal", so that it is not decoded as a colour.
+[node("Texture/Sample Normal Map")]
+float3 SampleNormalMap(
+    Texture2D texture,              ///< a normal map, y up
+    float2 uv = uv0,                ///< where, before the texture's own tiling
+    [range(-2, 2)] float scale = 1  ///< how strong the bumps are
+) {
+    return UnpackNormal(SampleTexture2D(texture, uv), scale);
+}
+
+/// One texel, not filtered.
+///
+/// Neither tiling nor wrapping applies: keep the texel inside the texture.
+[node("Texture/Load Texture 2D")]
+float4 LoadTexture2D(
+    Texture2D texture,            ///< what is read
+    float2 texel = 0,             ///< column and row, counted from 0 at the upper left; a fraction is dropped
+    [range(0, 14)] int level = 0  ///< level of detail
+) {
+    return texture.Load(int2(floor(texel)), level);
+}
+
+/// How large a texel of a texture is, and how many there are.
+[node("Texture/Texel Size")]
+float2 TexelSize(
+    Texture2D texture,  ///< any texture
+    out float2 size     ///< width and height in texels
+) {
+    size = texture.texelSize.zw;
+    return texture.texelSize.xy;
+}

@@ -1,0 +1,40 @@
+// Taking vectors apart and putting them together. A link can also do it in passing: "albedo.rgb", "albedo.a".
+
+/// The components of a vector, each at its own output.
+///
+/// test: Split(float4(1, 2, 3, 4)).b == 3
+/// test: Split(float4(1, 2, 3, 4)).a == 4
+/// test: Split(float4(1, 2, 3, 4)) == float4(1, 2, 3, 4)
+[node("Vector/Split")]
+float4 Split(
+    float4 value,  ///< colour or vector
+    out float r,   ///< red, or x
+    out float g,   ///< green, or y
+    out float b,   ///< blue, or z
+    out float a    ///< alpha, or w
+) {
+    r = value.r;
+    g = value.g;
+    b = value.b;
+    a = value.a;
+    return value;
+}
+
+/// A vector made of components.
+///
+/// test: Combine(1, 2, 3, 4) == float4(1, 2, 3, 4)
+/// test: Combine(1, 2, 3).rgb == float3(1, 2, 3)
+/// test: Combine(1, 2).rg == float2(1, 2)
+[node("Vector/Combine")]
+float4 Combine(
+    float x = 0,     ///< x, or red
+    float y = 0,     ///< y, or green
+    float z = 0,     ///< z, or blue
+    float w = 0,     ///< w, or alpha
+    out float3 rgb,  ///< the first three
+    out float2 rg    ///< the first two
+) {
+    rgb = float3(x, y, z);
+    rg = float2(x, y);
+    return float4(x, y, z, w);
+}

@@ -1,0 +1,108 @@
+// Normals: as a normal map holds them, scaled, layered, and turned from the map's space to the world and back. In
+// tangent space x follows the texture's u, y points up in the picture and z out of the surface; the flat normal is
+// (0, 0, 1).
+
+/// How NormalBlend lays one normal on another.
+enum NormalBlendMode {
+    Whiteout,   ///< adds the slopes: cheap, and the same with the layers exchanged
+    Reoriented  ///< turns the detail onto the base: keeps all of both
+};
+
+/// The z of a unit normal, from its x and y.
+///
+/// formula: z = sqrt(1 - x^2 - y^2)
+/// test: NormalReconstructZ(float2(0.6, 0)) == float3(0.6, 0, 0.8)
+/// test: NormalReconstructZ(float2(2 / 7, 3 / 7)) == float3(2 / 7, 3 / 7, 6 / 7)
+/// test: NormalReconstructZ(float2(1, 1)) == float3(1, 1, 0)
+[node("Vector/Normal/Reconstruct Z")]
+float3 NormalReconstructZ(
+    float2 xy = 0  ///< inside the unit circle; outside it z is 0
+) {
+    return float3(xy, sqrt(saturate(1 - dot(xy, xy))));
+}
+
+/// A tangent-space normal from the texel of a normal map.
+///
+/// Red and green hold x and y, 0.5 being zero; z is computed, so two-channel formats serve as well as three.
+///
+/// formula: xy = (2 rg - 1) scale, z = sqrt(1 - x^2 - y^2)
+/// test: UnpackNormal(float4(0.5, 0.5, 1, 1)) == float3(0, 0, 1)
+/// test: UnpackNormal(float4(0.8, 0.7, 0, 1)) == float3(0.6, 0.4, 0.6928203230275509)
+/// test: UnpackNormal(float4(0.8, 0.7, 1, 1), 0.5) == float3(0.3, 0.2, 0.9327379053088815)
+[node("Vector/Normal/Unpack")]
+float3 UnpackNormal(
+    float4 encoded = float4(0.5, 0.5, 1, 1),  ///< the texel, not decoded from sRGB
+    [range(-2, 2)] float scale = 1            ///< how strong the bumps are; below zero they turn into dents
+) {
+    return NormalReconstructZ((encoded.rg * 2 - 1) * scale);
+}
+
+/// A tangent-space normal with its slope made weaker or stronger.
+///
+/// formula: normalize(strength x, strength y, z)
+/// test: NormalStrength(float3(0.6, 0, 0.8), 0) == float3(0, 0, 1)
+/// test: NormalStrength(float3(0.6, 0, 0.8), 1) == float3(0.6, 0, 0.8)
+/// test: NormalStrength(float3(0.6, 0, 0.8), 2) == float3(0.8320502943378437, 0, 0.5547001962252291)
+[node("Vector/Normal/Strength")]
+float3 NormalStrength(
+    float3 normal = float3(0, 0, 1),  ///< unit normal in tangent space
+    [range(0, 2)] float strength = 1  ///< 0 is flat, 1 leaves it as it is
+) {
+    // A normal in the surface's plane has no slope that could be scaled: it counts as almost there.
+    return normalize(float3(normal.xy * strength, max(normal.z, 0.001)));
+}
+
+/// Lays a detail normal on a base normal, both in tangent space.
+///
+/// formula: reoriented: t (t . u) / t.z - u, t = base + (0, 0, 1), u = detail (-1, -1, 1)
+/// formula: whiteout: normalize(base.xy + detail.xy, base.z detail.z)
+/// source: Barré-Brisebois and Hill, "Blending in Detail", 2012
+/// test: NormalBlend(float3(0.6, 0, 0.8), float3(0.6, 0, 0.8), Reoriented) == float3(0.96, 0, 0.28)
+/// test: NormalBlend(float3(0, 0, 1), float3(0.48, 0.6, 0.64), Reoriented) == float3(0.48, 0.6, 0.64)
+/// test: NormalBlend(float3(0.48, 0.6, 0.64), float3(0, 0, 1), Reoriented) == float3(0.48, 0.6, 0.64)
+/// test: NormalBlend(float3(0.6, 0, 0.8), float3(0, 0, 1), Whiteout) == float3(0.6, 0, 0.8)
+/// test: NormalBlend(float3(2, 3, 6) / 7, float3(-2, 3, 6) / 7, Whiteout) == float3(0, 7, 6) / 9.219544457292887
+[node("Vector/Normal/Blend")]
+float3 NormalBlend(
+    float3 base = float3(0, 0, 1),           ///< unit normal of the layer below
+    float3 detail = float3(0, 0, 1),         ///< unit normal of the layer above
+    const NormalBlendMode mode = Reoriented  ///< how they are combined
+) {
+    if (mode == Whiteout) { return normalize(float3(base.xy + detail.xy, base.z * detail.z)); }
+    float3 tilted = base + float3(0, 0, 1);
+    float3 mirrored = detail * float3(-1, -1, 1);
+    return tilted * (dot(tilted, mirrored) / tilted.z) - mirrored;
+}
+
+/// A normal from tangent space, in the world.
+///
+/// The frame may be interpolated and slightly skewed; the result is unit length.
+///
+/// formula: normalize(tangent x + bitangent y + normal z)
+/// test: NormalTangentToWorld(float3(3, 0, 4), float3(0, 0, 1), float3(1, 0, 0), 0) == float3(0.6, 0, 0.8)
+/// test: NormalTangentToWorld(float3(0, 3, 4), float3(0, 0, 1), 0, float3(0, 1, 0)) == float3(0, 0.6, 0.8)
+/// test: NormalTangentToWorld(float3(0, 2, 0), float3(0, 1, 0), float3(0, 0, 1), float3(1, 0, 0)) == float3(1, 0, 0)
+[node("Vector/Normal/Tangent to World")]
+float3 NormalTangentToWorld(
+    float3 normal_ts = float3(0, 0, 1),  ///< unit normal in tangent space
+    float3 normal = geometry_normal_ws,  ///< unit normal of the mesh, in the world
+    float3 tangent = tangent_ws,         ///< unit direction of growing u
+    float3 bitangent = bitangent_ws      ///< unit direction that is up in the texture's picture
+) {
+    return normalize(tangent * normal_ts.x + bitangent * normal_ts.y + normal * normal_ts.z);
+}
+
+/// A direction of the world, in tangent space: its parts along the surface and away from it.
+///
+/// formula: (tangent . d, bitangent . d, normal . d)
+/// test: WorldToTangent(float3(0, 1, 0), float3(0, 1, 0), float3(1, 0, 0), float3(0, 0, -1)) == float3(0, 0, 1)
+/// test: WorldToTangent(float3(1, 2, 3), float3(-1, 2, 2), float3(2, -1, 2), float3(2, 2, -1)) == float3(6, 3, 9)
+[node("Vector/Normal/World to Tangent")]
+float3 WorldToTangent(
+    float3 direction = view_dir_ws,      ///< any vector in the world
+    float3 normal = geometry_normal_ws,  ///< unit normal of the mesh, in the world
+    float3 tangent = tangent_ws,         ///< unit direction of growing u
+    float3 bitangent = bitangent_ws      ///< unit direction that is up in the texture's picture
+) {
+    return float3(dot(tangent, direction), dot(bitangent, direction), dot(normal, direction));
+}

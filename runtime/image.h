@@ -1,0 +1,58 @@
+// Pictures in memory as float RGBA, and the files they come from and go to (OpenImageIO). Colour encoding is explicit:
+// load_image and save_exr keep the numbers as they are, save_png encodes linear light to sRGB. Not a texture: see
+// textures.h for mip levels and GPU formats.
+//
+//   Outcome<Image> image = load_image("rust.png");           // the file's own numbers, 8 bits as n / 255
+//   if (image) decode_srgb(image.value);                     // now linear
+//   std::string error = save_png("out.png", image.value);    // encodes once; empty: written
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "runtime/outcome.h"
+
+namespace patina::runtime {
+
+// Rows from the top, four floats a pixel, straight (unassociated) alpha.
+struct Image {
+    int width = 0, height = 0;
+    int bits = 32;  // per channel in the file it came from: 8 or less says that it fits an 8-bit texture exactly
+    std::vector<float> pixels{};
+
+    std::span<float> at(int x, int y) { return {pixels.data() + 4 * (std::size_t(y) * width + x), 4}; }
+    std::span<const float> at(int x, int y) const { return {pixels.data() + 4 * (std::size_t(y) * width + x), 4}; }
+};
+
+inline constexpr int kLargestImage = 16384;  // pixels on a side
+
+Image make_image(int width, int height, float red = 0, float green = 0, float blue = 0, float alpha = 1);
+
+// The transfer function of IEC 61966-2-1, and its inverse. Odd about zero, so values below it survive a round trip.
+float srgb_encode(float linear);
+float srgb_decode(float encoded);
+// Colour channels in place; alpha is always linear.
+void encode_srgb(Image& image);
+void decode_srgb(Image& image);
+
+// What an 8-bit file keeps of encoded values: clamped to 0..1 and rounded to n / 255; NaN becomes 0.
+Image quantized(const Image& encoded);
+
+// Any format that OpenImageIO reads. One channel is a grey, two a grey and alpha; without alpha it is 1.
+Outcome<Image> load_image(const std::string& path);
+
+// Both write beside the target and rename, so that no half-written file is ever seen; the result is empty or what went
+// wrong. PNG: 8 bits, sRGB-encoded here, from linear values. EXR: 32-bit float, the values as they are.
+std::string save_png(const std::string& path, const Image& linear);
+std::string save_exr(const std::string& path, const Image& linear);
+// By the ending of the name: .png or .exr.
+std::string save_image(const std::string& path, const Image& linear);
+// For pictures whose numbers are meant as they stand, such as differences: no encoding.
+std::string save_png_as_is(const std::string& path, const Image& encoded);
+
+// Averages blocks of `factor` x `factor` pixels. Colours count by their alpha, so that a transparent background does
+// not darken an edge.
+Image box_filtered(const Image& image, int factor);
+
+}  // namespace patina::runtime

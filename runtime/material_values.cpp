@@ -1,0 +1,196 @@
+#include "runtime/material_values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <optional>
+
+#include "runtime/engine_values.h"
+#include "runtime/scene_text.h"
+
+namespace patina::runtime {
+namespace {
+
+using Numbers = std::array<double, 4>;
+
+template <class Range, class Name>
+std::string list(const Range& range, Name name) {
+    std::string text;
+    for (const auto& item : range) text += (text.empty() ? "" : ", ") + name(item);
+    return text.empty() ? "none" : text;
+}
+
+int components(const std::string& type) {
+    if (type == "float2") return 2;
+    if (type == "float3") return 3;
+    if (type == "float4" || type == "color") return 4;
+    return 1;
+}
+
+Outcome<Numbers> parse_vector(const Property& property, const std::string& text) {
+    int wanted = components(property.type);
+    std::string words = wanted == 1 ? "one number" : std::to_string(wanted) + " numbers with commas";
+    if (property.type == "color") words = "#rrggbb, or three or four numbers with commas";
+    Failure wrong{property.name + " must be " + words + ", not '" + text + "'"};
+
+    if (text.starts_with('#')) {
+        if (wanted < 3) return wrong;
+        Outcome<glm::vec4> color = parse_hex_color(text);
+        if (!color) return Failure{property.name + ": " + color.error};
+        return Numbers{color.value.x, color.value.y, color.value.z, color.value.w};
+    }
+    int count = 0;
+    Outcome<glm::vec4> value = parse_numbers(text, count);
+    if (!value) return wrong;
+    bool is_opaque_color = property.type == "color" && count == 3;
+    if (count != wanted && count != 1 && !is_opaque_color) return wrong;
+    if (count == 1 && wanted > 1) value.value = glm::vec4(value.value.x);  // a scalar splats, as in a graph
+    if (property.type == "color" && count != 4) value.value.w = 1;
+    return Numbers{value.value.x, value.value.y, value.value.z, value.value.w};
+}
+
+Outcome<Numbers> parse_value(const Property& property, const std::string& text) {
+    if (property.type == "bool") {
+        if (text == "true" || text == "1") return Numbers{1};
+        if (text == "false" || text == "0") return Numbers{0};
+        return Failure{property.name + " must be true or false, not '" + text + "'"};
+    }
+    if (property.type == "enum") {
+        auto found = std::find(property.values.begin(), property.values.end(), text);
+        if (found != property.values.end()) return Numbers{double(found - property.values.begin())};
+        return Failure{property.name + " must be one of " + list(property.values, [](const auto& v) { return v; }) +
+                       ", not '" + text + "'"};
+    }
+    Outcome<Numbers> value = parse_vector(property, text);
+    if (value && property.type == "int" && value.value[0] != std::floor(value.value[0]))
+        return Failure{property.name + " must be a whole number, not '" + text + "'"};
+    return value;
+}
+
+// The texture whose tiling this word names ("_MainTex_ST"), or null.
+const Property* tiled_texture(const Reflection& reflection, const std::string& word) {
+    for (const Property& property : reflection.properties)
+        if (property.type == "texture2d" && word == property.name + "_ST") return &property;
+    return nullptr;
+}
+
+// How a member is stored: vectors one after the other, `stride` bytes apart, of `rows` 32-bit numbers each.
+struct Storage {
+    bool is_float = true;
+    unsigned rows = 1;
+    unsigned vectors = 1;  // columns of a matrix, times elements of an array
+    unsigned stride = 0;
+};
+
+Storage storage(const BlockMember& member) {
+    Storage result;
+    std::size_t digits = member.type.find_first_of("0123456789");
+    std::string base = member.type.substr(0, digits);
+    result.is_float = base == "float" || base == "half";
+    unsigned columns = 1;
+    if (digits != std::string::npos) {
+        result.rows = unsigned(member.type[digits] - '0');
+        // "float3x4" has three rows and four columns, and std140 keeps a column in 16 bytes.
+        if (digits + 2 < member.type.size()) columns = unsigned(member.type[digits + 2] - '0');
+    }
+    result.stride = columns > 1 ? 16 : member.array_stride;
+    result.vectors = columns * std::max(member.array_count, 1u);
+    return result;
+}
+
+// `numbers` hold `per_vector` of them for each vector of the member; both are cut to what the other has.
+void write(std::vector<std::byte>& bytes, const BlockMember& member, std::span<const double> numbers,
+           unsigned per_vector) {
+    Storage shape = storage(member);
+    for (unsigned v = 0; v < shape.vectors; v++) {
+        for (unsigned r = 0; r < std::min(shape.rows, per_vector); r++) {
+            std::size_t index = std::size_t(v) * per_vector + r;
+            std::size_t offset = member.offset + std::size_t(v) * shape.stride + 4 * r;
+            if (index >= numbers.size() || offset + 4 > bytes.size()) return;
+            if (shape.is_float) {
+                auto value = float(numbers[index]);
+                std::memcpy(&bytes[offset], &value, sizeof value);
+            } else {
+                auto value = std::int32_t(numbers[index]);
+                std::memcpy(&bytes[offset], &value, sizeof value);
+            }
+        }
+    }
+}
+
+// What the graph's own block holds at a member: a property, or a texture's tiling or size.
+std::optional<Numbers> material_number(const BlockMember& member, const std::string& block,
+                                       const Reflection& reflection, const MaterialValues& values,
+                                       std::span<const LoadedTexture> textures) {
+    for (const Property& property : reflection.properties) {
+        if (property.type == "texture2d" || property.block != block || property.offset != member.offset) continue;
+        auto found = values.numbers.find(property.name);
+        return found == values.numbers.end() ? property.value : found->second;
+    }
+    for (const LoadedTexture& texture : textures) {
+        if (member.name == texture.name + "_ST") {
+            auto found = values.tilings.find(texture.name);
+            return found == values.tilings.end() ? Numbers{1, 1, 0, 0} : found->second;
+        }
+        if (member.name == texture.name + "_TexelSize") {
+            const TextureLevel& level = texture.data->levels.front();
+            return Numbers{1.0 / level.width, 1.0 / level.height, double(level.width), double(level.height)};
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Outcome<MaterialValues> material_values(const Reflection& reflection, const std::map<std::string, std::string>& words) {
+    MaterialValues result;
+    for (const Property& property : reflection.properties)
+        if (property.type != "texture2d") result.numbers[property.name] = property.value;
+    for (const Texture& texture : reflection.textures) result.textures[texture.name] = texture.default_value;
+
+    for (const auto& [name, text] : words) {
+        if (const Property* texture = tiled_texture(reflection, name)) {
+            int count = 0;
+            Outcome<glm::vec4> value = parse_numbers(text, count);
+            if (!value || count != 4)
+                return Failure{name + " must be scale x, scale y, offset x, offset y, like 2,2,0,0, not '" + text +
+                               "'"};
+            result.tilings[texture->name] = {value.value.x, value.value.y, value.value.z, value.value.w};
+            continue;
+        }
+        auto found = std::find_if(reflection.properties.begin(), reflection.properties.end(),
+                                  [&](const Property& property) { return property.name == name; });
+        if (found == reflection.properties.end())
+            return Failure{"the material has no property '" + name + "'; its properties are: " +
+                           list(reflection.properties, [](const Property& property) { return property.name; })};
+        if (found->type == "texture2d") {
+            result.textures[name] = text;
+            continue;
+        }
+        Outcome<Numbers> value = parse_value(*found, text);
+        if (!value) return Failure{value.error};
+        result.numbers[name] = value.value;
+    }
+    return result;
+}
+
+std::vector<BlockBytes> fill_blocks(const Reflection& reflection, const MaterialValues& values, const Scene& scene,
+                                    const std::vector<LoadedTexture>& textures) {
+    std::map<std::string, EngineValue> engine = engine_values(scene);
+    std::vector<BlockBytes> result;
+    for (const Block& block : reflection.blocks) {
+        BlockBytes filled{.name = block.name, .bytes = std::vector<std::byte>(block.size)};
+        for (const BlockMember& member : block.members) {
+            if (block.is_material) {
+                std::optional<Numbers> numbers = material_number(member, block.name, reflection, values, textures);
+                if (numbers) write(filled.bytes, member, *numbers, 4);
+            } else if (auto found = engine.find(member.name); found != engine.end()) {
+                write(filled.bytes, member, found->second.numbers, found->second.per_vector);
+            }
+        }
+        result.push_back(std::move(filled));
+    }
+    return result;
+}
+
+}  // namespace patina::runtime

@@ -1,0 +1,41 @@
+// Gives a material's properties their values: the defaults of the reflection, changed by the user's words. And fills
+// the uniform blocks, its own and the engine's, through the reflection alone: members are found by name and written at
+// their offsets. Shared by the GPU and the CPU renderer, so both see the same bytes.
+//
+//   Outcome<MaterialValues> values = material_values(reflection, {{"_Roughness", "0.2"}, {"_MainTex", "rust.png"}});
+//   std::vector<BlockBytes> blocks = fill_blocks(reflection, values.value, scene, textures);
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "patina/reflection.h"
+#include "runtime/outcome.h"
+#include "runtime/scene.h"
+#include "runtime/textures.h"
+
+namespace patina::runtime {
+
+struct MaterialValues {
+    std::map<std::string, std::array<double, 4>> numbers;  // every property that is not a texture
+    std::map<std::string, std::string> textures;           // every texture -> white | black | gray | bump | a file
+    std::map<std::string, std::array<double, 4>> tilings;  // texture -> scale x, y, offset x, y
+};
+
+// Words: "0.2", "1,0,0" (linear), "#ff8800", "true", "Wet" (an enumerator), a file name, or "NAME_ST" = "2,2,0,0" for a
+// texture's tiling. A bad one is an error that lists what there is.
+Outcome<MaterialValues> material_values(const Reflection& reflection, const std::map<std::string, std::string>& words);
+
+struct BlockBytes {
+    std::string name;
+    std::vector<std::byte> bytes;
+};
+
+// One entry for each block of the reflection, in its order. Members that nobody has a value for stay zero.
+std::vector<BlockBytes> fill_blocks(const Reflection& reflection, const MaterialValues& values, const Scene& scene,
+                                    const std::vector<LoadedTexture>& textures);
+
+}  // namespace patina::runtime

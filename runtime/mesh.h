@@ -1,0 +1,46 @@
+// The preview meshes, made in code: sphere, plane, cube, capsule, torus, and the quad that covers the screen. World
+// space is right-handed with y up; front faces are counter-clockwise seen from outside. uv has its origin at the top
+// left of the picture, v down. The tangent follows +u, and cross(normal, tangent) * w follows -v: up in the picture, so
+// normal maps with y up (OpenGL style) are right. Not a mesh file reader.
+//
+//   std::optional<Mesh> mesh = make_mesh("torus");
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace patina::runtime {
+
+struct Vertex {
+    glm::vec3 position;
+    glm::vec3 normal;   // unit
+    glm::vec4 tangent;  // unit xyz; w is the bitangent's sign, 1 or -1
+    glm::vec2 uv0;
+    glm::vec4 color = glm::vec4(1);
+};
+
+struct Mesh {
+    std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> indices;  // three a triangle
+};
+
+// All are centred on the origin. Lengths are world units.
+Mesh make_sphere(float radius = 1, int segments = 96, int rings = 48);
+Mesh make_plane(float size = 2, int segments = 32);  // faces +z
+Mesh make_cube(float size = 1.5f, int segments = 16);
+Mesh make_capsule(float radius = 0.6f, float length = 1, int segments = 96, int rings = 24);    // along y
+Mesh make_torus(float radius = 0.75f, float tube = 0.32f, int segments = 128, int sides = 48);  // its axis is z
+// Positions are clip space: with Camera::clip_space it covers every pixel, uv0 at pixel centres is (x + 0.5) / width.
+Mesh make_fullscreen();
+
+std::span<const std::string_view> mesh_names();
+std::optional<Mesh> make_mesh(std::string_view name);
+
+// Radius about the origin of the sphere that holds every vertex.
+float bounding_radius(const Mesh& mesh);
+
+}  // namespace patina::runtime

@@ -1,0 +1,51 @@
+// Triangles to pixels by Vulkan's rules, with no idea of what a pixel is for: clips, snaps to 1/256 pixel, applies the
+// top-left rule, and hands out 2 x 2 quads with the weights of the three corners in each lane. Used by cpu_render.cpp.
+//
+//   for (const ScreenTriangle& t : clip_to_screen(a, b, c, width, height))
+//       for_each_quad(t, width, height, [&](const Quad& quad) { ... });
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <glm/glm.hpp>
+#include <glm/gtc/type_precision.hpp>
+#include <vector>
+
+namespace patina::runtime {
+
+// A corner after the vertex stage: clip-space position, and varyings end to end.
+struct ClipVertex {
+    glm::dvec4 position{};
+    std::vector<double> varyings{};
+};
+
+// Corners are clockwise on the screen (y down) whatever the triangle's facing was. Which pixels it covers is decided in
+// snapped coordinates, so that neighbours share an edge without gaps; varyings follow the exact ones, as on most
+// devices.
+struct ScreenTriangle {
+    std::array<ClipVertex, 3> corners{};
+    std::array<glm::i64vec2, 3> snapped{};  // 1/256 pixel
+    std::array<glm::dvec2, 3> exact{};      // pixels
+    double area = 0;                        // twice, of the exact one; above 0
+    bool is_front = false;                  // it was counter-clockwise
+};
+
+// Cuts at the near plane and far outside the screen, divides, snaps; leaves out what has no area.
+std::vector<ScreenTriangle> clip_to_screen(const ClipVertex& a, const ClipVertex& b, const ClipVertex& c, int width,
+                                           int height);
+
+struct Quad {
+    int x = 0, y = 0;               // of lane 0: even; lanes are 0 1 / 2 3, right and down
+    std::array<bool, 4> covered{};  // by the triangle and inside the picture
+    // Per lane. Outside the triangle (helper lanes) the same planes go on.
+    std::array<std::array<double, 3>, 4> weights{};  // of the corners, perspective-correct
+    std::array<double, 4> depth{};                   // 0 near to 1 far
+    std::array<double, 4> inverse_w{};
+};
+
+// Quads with at least one covered lane, in rows `first_row`, `first_row` + `row_step` ... of quads from the top.
+void for_each_quad(const ScreenTriangle& triangle, int width, int height, int first_row, int row_step,
+                   const std::function<void(const Quad&)>& visit);
+
+}  // namespace patina::runtime

@@ -1,0 +1,162 @@
+#include "runtime/render_request.h"
+
+#include <algorithm>
+
+#include "patina/validate.h"
+#include "runtime/cpu_render.h"
+#include "runtime/scene_text.h"
+
+namespace patina::runtime {
+namespace {
+
+RenderOutcome failed(RenderOutcome outcome, std::string error) {
+    outcome.ok = false;
+    outcome.error = std::move(error);
+    return outcome;
+}
+
+// The scene that the request's words describe.
+Outcome<Scene> read_scene(const RenderRequest& request) {
+    std::optional<Mesh> mesh = make_mesh(request.mesh);
+    if (!mesh) {
+        std::string names;
+        for (std::string_view name : mesh_names()) names += (names.empty() ? "" : ", ") + std::string(name);
+        return Failure{"there is no mesh '" + request.mesh + "'; there are: " + names};
+    }
+    Scene scene{.mesh = std::move(*mesh),
+                .camera = default_camera(request.mesh),
+                .lights = default_lights(),
+                .ambient = default_ambient(),
+                .time = float(request.time),
+                .width = request.size,
+                .height = request.size,
+                .samples = request.samples};
+    if (!request.lights.empty()) scene.lights.clear();
+    for (const std::string& text : request.lights) {
+        if (text == "none") continue;
+        Outcome<Light> light = parse_light(text);
+        if (!light) return Failure{light.error};
+        scene.lights.push_back(light.value);
+    }
+    if (scene.lights.size() > kMostLights)
+        return Failure{"there are " + std::to_string(scene.lights.size()) + " lights, more than the limit of " +
+                       std::to_string(kMostLights)};
+    if (!request.ambient.empty()) {
+        Outcome<SphericalHarmonics> ambient = parse_ambient(request.ambient);
+        if (!ambient) return Failure{ambient.error};
+        scene.ambient = ambient.value;
+    }
+    if (!request.camera.empty()) {
+        Outcome<Camera> camera = parse_camera(request.camera, scene.camera);
+        if (!camera) return Failure{camera.error};
+        scene.camera = camera.value;
+    }
+    return scene;
+}
+
+// "forward" if there is one, else the first that draws meshes.
+std::string choose_pass(const Reflection& reflection, const std::string& wanted) {
+    if (!wanted.empty()) return wanted;
+    const Pass* first = nullptr;
+    for (const Pass& pass : reflection.passes) {
+        if (pass.name == "forward") return pass.name;
+        if (!first && pass.draws == "objects") first = &pass;
+    }
+    return first ? first->name : "forward";
+}
+
+// SPIR-V of a stage of the pass; what glslang says goes to `diagnostics`. Empty on an error.
+std::vector<std::uint32_t> spirv_of(const Result& result, const std::string& pass, Stage stage, Target target,
+                                    std::vector<Diagnostic>& diagnostics) {
+    for (const Shader& shader : result.shaders) {
+        if (shader.pass != pass || shader.stage != stage || shader.target != target) continue;
+        Validated validated = validate(shader);
+        diagnostics.insert(diagnostics.end(), validated.diagnostics.begin(), validated.diagnostics.end());
+        if (validated.ok) return validated.spirv;
+    }
+    return {};
+}
+
+// Opens the device that the request wants, unless it is open already. Empty: done.
+std::string open_machine(const RenderRequest& request, RenderMachine& machine) {
+    DeviceOptions wanted{.validation = request.validation, .device = request.device};
+    if (machine.renderer && machine.options == wanted) return "";
+    machine.renderer.reset();
+    Outcome<std::unique_ptr<Renderer>> opened = Renderer::open(wanted);
+    if (!opened) return opened.error;
+    machine.renderer = std::move(opened.value);
+    machine.options = wanted;
+    return "";
+}
+
+RenderOutcome draw_on_gpu(const RenderRequest& request, const Result& compiled, Draw draw, RenderMachine& machine,
+                          RenderOutcome outcome) {
+    Target target = request.via == "hlsl" ? Target::Hlsl : Target::Glsl;
+    auto vertex = spirv_of(compiled, draw.pass, Stage::Vertex, target, outcome.diagnostics);
+    auto fragment = spirv_of(compiled, draw.pass, Stage::Fragment, target, outcome.diagnostics);
+    if (vertex.empty() || fragment.empty()) {
+        bool explained = std::any_of(outcome.diagnostics.begin(), outcome.diagnostics.end(),
+                                     [](const Diagnostic& d) { return d.severity == Severity::Error; });
+        return failed(std::move(outcome), explained ? "" : "the pass '" + draw.pass + "' has no shaders to run");
+    }
+    if (std::string error = open_machine(request, machine); !error.empty()) {
+        outcome.missing_machine = true;
+        return failed(std::move(outcome), error);
+    }
+    draw.vertex_spirv = vertex;
+    draw.fragment_spirv = fragment;
+    std::size_t messages_before = machine.renderer->messages().size();
+    Outcome<Image> image = machine.renderer->draw(draw);
+    if (!image) return failed(std::move(outcome), image.error);
+    const std::vector<std::string>& messages = machine.renderer->messages();
+    if (messages.size() > messages_before)
+        return failed(std::move(outcome), "the Vulkan validation layer says: " + messages[messages_before]);
+    outcome.image = std::move(image.value);
+    outcome.ok = true;
+    return outcome;
+}
+
+}  // namespace
+
+RenderOutcome render(const Compiler& compiler, const RenderRequest& request, RenderMachine& machine) {
+    RenderOutcome outcome;
+    if (request.via != "glsl" && request.via != "hlsl" && request.via != "cpu")
+        return failed({}, "there is no way to render via '" + request.via + "'; there are: glsl, hlsl, cpu");
+    Outcome<Scene> scene = read_scene(request);
+    if (!scene) return failed({}, scene.error);
+
+    bool on_cpu = request.via == "cpu";
+    Result compiled =
+        compiler.compile_file(request.graph, {.targets = {request.via == "hlsl" ? Target::Hlsl : Target::Glsl},
+                                              .passes = {},
+                                              .include_dirs = request.include_dirs,
+                                              .loader = {},
+                                              .preview = request.preview,
+                                              .dump = {},
+                                              .keep_programs = on_cpu});
+    outcome.diagnostics = compiled.diagnostics;
+    if (!compiled.ok) return outcome;
+
+    const Reflection& reflection = compiled.reflection;
+    Outcome<MaterialValues> values = material_values(reflection, request.overrides);
+    if (!values) return failed(std::move(outcome), values.error);
+    Outcome<std::vector<LoadedTexture>> textures =
+        load_textures(reflection, values.value.textures, request.exact_textures);
+    if (!textures) return failed(std::move(outcome), textures.error);
+    std::vector<BlockBytes> blocks = fill_blocks(reflection, values.value, scene.value, textures.value);
+
+    Draw draw{.reflection = &reflection,
+              .pass = choose_pass(reflection, request.pass),
+              .scene = &scene.value,
+              .blocks = blocks,
+              .textures = textures.value,
+              .program = compiled.program.get()};
+    if (!on_cpu) return draw_on_gpu(request, compiled, draw, machine, std::move(outcome));
+    Outcome<Image> image = cpu_draw(draw);
+    if (!image) return failed(std::move(outcome), image.error);
+    outcome.image = std::move(image.value);
+    outcome.ok = true;
+    return outcome;
+}
+
+}  // namespace patina::runtime

@@ -1,0 +1,55 @@
+// The whole way from a graph file to a picture, as one call: what `patina render` and snapshots use. The words in it
+// are the user's own (scene_text.h, material_values.h); everything wrong with them comes back as text or diagnostics.
+//
+//   RenderMachine machine;                      // keeps the GPU between calls; opened when first needed
+//   RenderOutcome outcome = render(compiler, {.graph = "rust.graph.json", .overrides = {{"_Roughness", "0.2"}}},
+//   machine); if (outcome.ok) save_png("rust.png", outcome.image);
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "patina/patina.h"
+#include "runtime/image.h"
+#include "runtime/renderer.h"
+
+namespace patina::runtime {
+
+struct RenderRequest {
+    std::string graph{};                             // a file
+    std::string preview{};                           // a port to look at: "mask", "rust.amount"; empty: the material
+    std::string pass{};                              // empty: "forward", or the only one
+    std::string mesh = "sphere";                     // mesh_names()
+    int size = 512;                                  // pixels, width and height
+    int samples = 4;                                 // along each axis of a pixel: 4 averages 16
+    std::map<std::string, std::string> overrides{};  // property -> "0.2", "1,0,0", "#ff8800", "true", "Wet", "rust.png"
+    double time = 0;                                 // seconds
+    std::vector<std::string> lights{};               // empty: the default three; {"none"}: none
+    std::string ambient{};                           // empty: the default sky
+    std::string camera{};                            // empty: frames the mesh
+    std::string via = "glsl";                        // glsl | hlsl | cpu
+    std::string device{};                            // part of a GPU's name; empty: the software renderer
+    bool validation = false;                         // Khronos validation layer; its messages become errors
+    bool exact_textures = false;                     // float texels on the GPU, to compare it with the CPU
+    std::vector<std::string> include_dirs{};
+};
+
+struct RenderOutcome {
+    bool ok = false;
+    Image image;                          // linear
+    std::vector<Diagnostic> diagnostics;  // of the compiler and of glslang; warnings too
+    std::string error;                    // what else went wrong: a word of the request, a file, the device
+    bool missing_machine = false;         // `error` is about this machine: no Vulkan device or driver
+};
+
+// The GPU that renders share. Reopened when a request asks for another device.
+struct RenderMachine {
+    std::unique_ptr<Renderer> renderer;
+    DeviceOptions options;
+};
+
+RenderOutcome render(const Compiler& compiler, const RenderRequest& request, RenderMachine& machine);
+
+}  // namespace patina::runtime

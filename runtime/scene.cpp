@@ -1,0 +1,109 @@
+#include "runtime/scene.h"
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
+
+namespace patina::runtime {
+namespace {
+
+// Normalisation of the basis: sqrt(1 / 4pi), sqrt(3 / 4pi), sqrt(15 / 4pi), sqrt(5 / 16pi), sqrt(15 / 16pi).
+constexpr float kK0 = 0.28209479177387814f;
+constexpr float kK1 = 0.48860251190291992f;
+constexpr float kK2 = 1.0925484305920792f;
+constexpr float kK3 = 0.31539156525252005f;
+constexpr float kK4 = 0.5462742152960396f;
+
+}  // namespace
+
+std::array<float, 9> spherical_harmonics_basis(glm::vec3 d) {
+    return {kK0,
+            kK1 * d.y,
+            kK1 * d.z,
+            kK1 * d.x,
+            kK2 * d.x * d.y,
+            kK2 * d.y * d.z,
+            kK3 * (3 * d.z * d.z - 1),
+            kK2 * d.x * d.z,
+            kK4 * (d.x * d.x - d.y * d.y)};
+}
+
+SphericalHarmonics constant_ambient(glm::vec3 radiance) {
+    SphericalHarmonics result;
+    result.coefficients[0] = radiance / kK0;
+    return result;
+}
+
+SphericalHarmonics gradient_ambient(glm::vec3 sky, glm::vec3 horizon, glm::vec3 ground) {
+    // On the unit sphere y^2 = 1/3 - (3z^2 - 1)/6 - (x^2 - y^2)/2: each term is one basis function.
+    glm::vec3 linear = (sky - ground) / 2.0f;
+    glm::vec3 square = (sky + ground) / 2.0f - horizon;
+    SphericalHarmonics result;
+    result.coefficients[0] = (horizon + square / 3.0f) / kK0;
+    result.coefficients[1] = linear / kK1;
+    result.coefficients[6] = square * (-1.0f / 6) / kK3;
+    result.coefficients[8] = square * (-1.0f / 2) / kK4;
+    return result;
+}
+
+std::vector<Light> default_lights() {
+    return {
+        {.direction = {-0.6f, 0.8f, 0.8f}, .color = glm::vec3(0.95f, 0.92f, 0.88f)},
+        {.direction = {0.9f, 0.1f, 0.5f}, .color = glm::vec3(0.10f, 0.12f, 0.16f)},
+        {.direction = {0.5f, 0.5f, -0.8f}, .color = glm::vec3(0.35f)},
+    };
+}
+
+SphericalHarmonics default_ambient() {
+    return gradient_ambient({0.30f, 0.34f, 0.40f}, {0.17f, 0.17f, 0.18f}, {0.07f, 0.065f, 0.06f});
+}
+
+Camera default_camera(std::string_view mesh) {
+    // A cube shows three faces and a torus its roundness; the others are met head-on, so that pictures compare easily.
+    glm::vec3 towards_camera(0, 0, 1);
+    if (mesh == "cube") towards_camera = {0.65f, 0.55f, 1};
+    if (mesh == "torus") towards_camera = {0.25f, 0.45f, 1};
+    std::optional<Mesh> made = make_mesh(mesh);
+    float radius = made ? bounding_radius(*made) : 1;
+    // A square that faces the camera is framed by its sides: a circle around it would leave room to spare.
+    if (mesh == "plane") radius /= std::numbers::sqrt2_v<float>;
+
+    Camera camera;
+    float margin = 1.12f;
+    camera.position = glm::normalize(towards_camera) * (margin * radius / std::sin(glm::radians(camera.fov) / 2));
+    return camera;
+}
+
+Scene default_scene(std::string_view mesh) {
+    return {.mesh = make_mesh(mesh).value_or(Mesh{}),
+            .camera = default_camera(mesh),
+            .lights = default_lights(),
+            .ambient = default_ambient()};
+}
+
+Scene fullscreen_scene(int width, int height) {
+    return {.mesh = make_fullscreen(),
+            .camera = {.clip_space = true},
+            .width = width,
+            .height = height,
+            .background = glm::vec4(0)};
+}
+
+glm::mat4 world_to_view(const Camera& camera) {
+    if (camera.clip_space) return glm::mat4(1);
+    glm::vec3 forward = camera.target - camera.position;
+    // Straight up or down, "up" is the way that was forward.
+    bool vertical = forward.x == 0 && forward.z == 0;
+    return glm::lookAtRH(camera.position, camera.target, vertical ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0));
+}
+
+glm::mat4 view_to_clip(const Camera& camera, float aspect) {
+    if (camera.clip_space) return glm::mat4(1);
+    if (camera.orthographic_height) {
+        float half = *camera.orthographic_height / 2;
+        return glm::orthoRH_ZO(-half * aspect, half * aspect, -half, half, camera.near_plane, camera.far_plane);
+    }
+    return glm::perspectiveRH_ZO(glm::radians(camera.fov), aspect, camera.near_plane, camera.far_plane);
+}
+
+}  // namespace patina::runtime

@@ -1,0 +1,78 @@
+// What a material is looked at with: mesh, camera, lights, ambient light, time and the size of the picture. Plain data
+// with good defaults; it knows no material. scene_text.h reads its parts from the words of the command line.
+//
+//   Scene scene = default_scene("sphere");
+//   scene.lights = {{.color = glm::vec3(2)}};
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "runtime/mesh.h"
+
+namespace patina::runtime {
+
+struct Camera {
+    glm::vec3 position{0, 0, 4};
+    glm::vec3 target{0};
+    float fov = 30;                              // degrees, vertical
+    std::optional<float> orthographic_height{};  // world units; set: parallel projection
+    bool clip_space = false;                     // positions are clip space already; all matrices are identity
+    float near_plane = 0.05f, far_plane = 100;
+};
+
+enum class LightKind { Directional, Point, Spot };
+
+struct Light {
+    LightKind kind = LightKind::Directional;
+    glm::vec3 position{0, 2, 2};        // point and spot
+    glm::vec3 direction{-0.5, 0.7, 1};  // directional: towards the light. Spot: where it points. Any length but 0
+    glm::vec3 color{1};                 // linear, times intensity; E / pi: what a white Lambert surface sends out
+    float range = 10;                   // metres; no light beyond
+    float inner_angle = 20, outer_angle = 30;  // degrees from a spot's axis: full light within, none outside
+};
+
+inline constexpr std::size_t kMostLights = 16;
+
+// Radiance in nine coefficients, order l(l+1)+m, of the real basis without the Condon-Shortley sign, evaluated on world
+// x, y and z directly: Y1 = 0.4886 y, Y2 = 0.4886 z, Y3 = 0.4886 x ... (Ramamoorthi and Hanrahan 2001).
+struct SphericalHarmonics {
+    std::array<glm::vec3, 9> coefficients{};
+};
+SphericalHarmonics constant_ambient(glm::vec3 radiance);
+// The radiance horizon + (sky - ground) / 2 * y + ((sky + ground) / 2 - horizon) * y^2: exactly the three colours at
+// up, horizontal and down, with no ringing.
+SphericalHarmonics gradient_ambient(glm::vec3 sky, glm::vec3 horizon, glm::vec3 ground);
+// The basis at a unit direction.
+std::array<float, 9> spherical_harmonics_basis(glm::vec3 direction);
+
+struct Scene {
+    Mesh mesh{};
+    glm::mat4 object_to_world{1};
+    Camera camera{};
+    std::vector<Light> lights{};  // at most kMostLights
+    SphericalHarmonics ambient{};
+    float time = 0;  // seconds
+    int width = 512, height = 512;
+    int samples = 1;                                // per pixel along each axis: 4 averages 16
+    glm::vec4 background{0.03f, 0.03f, 0.032f, 1};  // linear
+};
+
+// The studio that `patina render` uses: a key light from the upper left front, a weak cool fill, a rim, a soft sky, and
+// a camera that frames the mesh. An unknown mesh name gives a scene without triangles: ask mesh_names() first.
+Scene default_scene(std::string_view mesh);
+std::vector<Light> default_lights();
+SphericalHarmonics default_ambient();
+Camera default_camera(std::string_view mesh);
+
+// Width by height pixels of one quad, straight from clip space, unlit, one sample a pixel, on transparent black.
+Scene fullscreen_scene(int width, int height);
+
+glm::mat4 world_to_view(const Camera& camera);
+// Right-handed view space, clip space with y up and depth 0 (near) to 1 (far).
+glm::mat4 view_to_clip(const Camera& camera, float aspect);
+
+}  // namespace patina::runtime

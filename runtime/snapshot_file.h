@@ -1,0 +1,33 @@
+// Reads NAME.snapshot.json: which graph, in which scene, and how near its picture has to be. Running it is snapshot.h.
+//
+//   { "patina": 1, "graph": "rust.graph.json", "mesh": "torus", "size": 128, "samples": 2, "time": 0, "node": "mask",
+//     "camera": "fov=40", "lights": ["directional direction=0,1,1"], "ambient": "0.2", "via": "glsl", "pass":
+//     "forward", "set": { "_Roughness": 0.2, "_Tint": [1, 0, 0], "_MainTex": "rust.png" }, "tolerance": { "pixel":
+//     0.0118, "share": 0.001, "average": 0.002 } }
+//
+// All but "patina" may be left out; the graph is then NAME.graph.json. // comments and trailing commas are accepted.
+#pragma once
+
+#include <string>
+
+#include "runtime/outcome.h"
+#include "runtime/render_request.h"
+
+namespace patina::runtime {
+
+struct Tolerance {
+    double pixel = 3.01 / 255;  // a pixel differs if any channel, sRGB-encoded, is off by more
+    double share = 0.001;       // of pixels that may differ
+    double average = 0.002;     // mean absolute error over all channels
+};
+
+struct SnapshotFile {
+    RenderRequest
+        request{};  // files in it are resolved against the snapshot's folder; 128 pixels and 2 samples if unsaid
+    Tolerance tolerance{};
+};
+
+// Errors read "file:line:column: what is wrong".
+Outcome<SnapshotFile> read_snapshot(const std::string& path);
+
+}  // namespace patina::runtime

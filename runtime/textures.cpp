@@ -1,0 +1,89 @@
+#include "runtime/textures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace patina::runtime {
+namespace {
+
+// Averages runs of `from` samples down to `to`: sample i covers from i * from / to to (i + 1) * from / to, and parts of
+// a source sample count as such. `stride` is the distance of neighbours in floats.
+void shrink_line(const float* source, int from, float* target, int to, std::size_t stride, std::size_t target_stride) {
+    for (int i = 0; i < to; i++) {
+        double begin = double(i) * from / to, end = double(i + 1) * from / to;
+        std::array<double, 4> sum{};
+        for (int k = int(begin); k < from && k < end; k++) {
+            double weight = std::min(end, k + 1.0) - std::max(begin, double(k));
+            for (int c = 0; c < 4; c++) sum[c] += source[k * stride + c] * weight;
+        }
+        for (int c = 0; c < 4; c++) target[i * target_stride + c] = float(sum[c] / (end - begin));
+    }
+}
+
+TextureLevel half_size(const TextureLevel& level) {
+    int width = std::max(level.width / 2, 1), height = std::max(level.height / 2, 1);
+    std::size_t row = 4 * std::size_t(level.width), half_row = 4 * std::size_t(width);
+    std::vector<float> narrow(half_row * level.height);
+    for (int y = 0; y < level.height; y++)
+        shrink_line(&level.texels[y * row], level.width, &narrow[y * half_row], width, 4, 4);
+
+    TextureLevel result{.width = width, .height = height, .texels = std::vector<float>(half_row * height)};
+    for (int x = 0; x < width; x++)
+        shrink_line(&narrow[4 * x], level.height, &result.texels[4 * x], height, half_row, half_row);
+    return result;
+}
+
+Outcome<LoadedTexture> load_texture(const Texture& texture, const std::string& source, bool exact) {
+    if (texture.dimension != "2d")
+        return Failure{"the texture '" + texture.name + "' is a " + texture.dimension +
+                       " texture; only 2d ones can be drawn"};
+    Image image = default_texture(source);
+    if (image.pixels.empty()) {
+        Outcome<Image> loaded = load_image(source);
+        if (!loaded) return Failure{"texture '" + texture.name + "': " + loaded.error};
+        image = std::move(loaded.value);
+    }
+    bool is_color = texture.usage == "color";
+    bool fits_8_bits = image.bits <= 8;
+    if (is_color && fits_8_bits) decode_srgb(image);  // pictures with more bits are taken as linear already
+
+    TextureData data{.levels = mip_chain(image), .sampler = texture.sampler};
+    TexelFormat format = exact || !fits_8_bits ? TexelFormat::Float32
+                         : is_color            ? TexelFormat::Srgb8
+                                               : TexelFormat::Unorm8;
+    return LoadedTexture{
+        .name = texture.name, .data = std::make_shared<const TextureData>(std::move(data)), .format = format};
+}
+
+}  // namespace
+
+std::vector<TextureLevel> mip_chain(const Image& linear) {
+    std::vector<TextureLevel> levels = {{.width = linear.width, .height = linear.height, .texels = linear.pixels}};
+    while (levels.back().width > 1 || levels.back().height > 1) levels.push_back(half_size(levels.back()));
+    return levels;
+}
+
+Image default_texture(const std::string& name) {
+    Image image;
+    if (name == "white") image = make_image(1, 1, 1, 1, 1);
+    if (name == "black") image = make_image(1, 1, 0, 0, 0);
+    if (name == "gray") image = make_image(1, 1, 0.5f, 0.5f, 0.5f);
+    if (name == "bump") image = make_image(1, 1, 0.5f, 0.5f, 1);
+    return image;
+}
+
+Outcome<std::vector<LoadedTexture>> load_textures(const Reflection& reflection,
+                                                  const std::map<std::string, std::string>& files, bool exact) {
+    std::vector<LoadedTexture> result;
+    for (const Texture& texture : reflection.textures) {
+        auto chosen = files.find(texture.name);
+        Outcome<LoadedTexture> loaded =
+            load_texture(texture, chosen == files.end() ? texture.default_value : chosen->second, exact);
+        if (!loaded) return Failure{loaded.error};
+        result.push_back(std::move(loaded.value));
+    }
+    return result;
+}
+
+}  // namespace patina::runtime

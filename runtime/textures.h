@@ -1,0 +1,44 @@
+// Textures as both renderers take them: mip levels of linear texels, made from a file or a named default, plus the
+// format that a GPU should store them in. Mip levels are box-filtered in linear light.
+//
+//   Outcome<std::vector<LoadedTexture>> textures = load_textures(reflection, {{"_MainTex", "rust.png"}}, false);
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "patina/interpret.h"
+#include "patina/reflection.h"
+#include "runtime/image.h"
+#include "runtime/outcome.h"
+
+namespace patina::runtime {
+
+enum class TexelFormat {
+    Srgb8,   // colour from an 8-bit file: R8G8B8A8_SRGB
+    Unorm8,  // data from an 8-bit file: R8G8B8A8_UNORM
+    Float32  // everything else, and everything in a comparison of witnesses
+};
+
+struct LoadedTexture {
+    std::string name{};  // Texture::name
+    std::shared_ptr<const TextureData> data{};
+    TexelFormat format = TexelFormat::Float32;
+};
+
+// Linear image -> all levels down to 1 x 1. A level is half the one before, rounded down; each texel averages the area
+// that it covers, so odd sizes keep the mean too.
+std::vector<TextureLevel> mip_chain(const Image& linear);
+
+// white | black | gray (0.5) | bump (0.5, 0.5, 1): one texel of what a shader then samples, with nothing to decode. No
+// such name: an empty image.
+Image default_texture(const std::string& name);
+
+// One for each texture of the reflection, in its order. `files` maps texture names to a default's name or a file and
+// wins over the reflection's own default.
+Outcome<std::vector<LoadedTexture>> load_textures(const Reflection& reflection,
+                                                  const std::map<std::string, std::string>& files, bool exact);
+
+}  // namespace patina::runtime

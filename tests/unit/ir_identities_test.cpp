@@ -1,0 +1,466 @@
+// Each identity of the builder alone: both sides are evaluated on random and on awkward numbers (NaN, infinity, -0),
+// and must agree; and the builder must make of the left side what the right side says.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "compiler/ir/builder.h"
+#include "compiler/ir/dump.h"
+#include "compiler/ir/fold.h"
+#include "compiler/ir/pattern.h"
+
+namespace patina::ir {
+namespace {
+
+using Node = Pattern::Node;
+using Kind = Pattern::Kind;
+using Numbers = std::vector<double>;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct Operand {
+    Type type;
+    Numbers numbers;
+};
+
+// One type per variable. x, y, z share a type, or x is a scalar beside them (the t of a lerp has the type of the
+// others).
+struct Typing {
+    Type any, integer, boolean;
+    Type of(const Node& variable) const {
+        if (variable.kind == Kind::Integer) return integer;
+        return variable.kind == Kind::Bool ? boolean : any;
+    }
+};
+
+std::vector<Typing> typings() {
+    std::vector<Typing> all;
+    for (const unsigned width : {1u, 3u}) {
+        for (const Scalar any : {Scalar::Float, Scalar::Half, Scalar::Int, Scalar::Uint, Scalar::Bool}) {
+            for (const Scalar integer : {Scalar::Int, Scalar::Uint}) {
+                for (const unsigned bool_width : {1u, width}) {
+                    all.push_back({Type::vector(any, width), Type::vector(integer, width),
+                                   Type::vector(Scalar::Bool, bool_width)});
+                }
+            }
+        }
+    }
+    all.push_back({Type::matrix(Scalar::Float, 3, 2), kInt, kBool});
+    all.push_back({Type::matrix(Scalar::Float, 2, 2), kInt, kBool});
+    return all;
+}
+
+// Type of a side, or Error if it has none. A number has the type of what it stands beside, which `wanted` says.
+Type type_of(const Node*& node, const Typing& typing, Type wanted) {
+    const Node head = *node++;
+    if (head.kind == Kind::Number) return wanted;
+    if (head.kind != Kind::Operation) return typing.of(head);
+    // A select's condition is a bool whatever the rest is; elsewhere a number is of its neighbours' type.
+    const int count = info(head.op).arguments;
+    std::vector<Type> types;
+    std::vector<bool> is_number;
+    Type neighbour = wanted;
+    for (int k = 0; k < count; k++) {
+        is_number.push_back(node->kind == Kind::Number);
+        types.push_back(type_of(node, typing, wanted));
+        const bool is_condition = head.op == Op::Select && k == 0;
+        if (!is_number.back() && !is_condition) neighbour = types.back();
+    }
+    for (int k = 0; k < count; k++) {
+        if (is_number[static_cast<std::size_t>(k)])
+            types[static_cast<std::size_t>(k)] = head.op == Op::Select && k == 0 ? kBool : neighbour;
+    }
+    return result_type(head.op, types);
+}
+
+bool fits(Scalar scalar, int number) {
+    return scalar == Scalar::Bool ? number == 0 || number == 1 : scalar != Scalar::Uint || number >= 0;
+}
+
+Operand evaluate_side(const Node*& node, std::span<const Operand> variables, Type wanted);
+
+// Numbers take the type of the first operand that is none; a select's condition is apart.
+std::vector<Operand> evaluate_operands(const Node*& node, Op op, std::span<const Operand> variables, Type wanted) {
+    const auto count = static_cast<std::size_t>(info(op).arguments);
+    std::vector<const Node*> numbers(count);
+    std::vector<Operand> operands(count);
+    Type neighbour = wanted;
+    for (std::size_t k = 0; k < count; k++) {
+        if (node->kind == Kind::Number) {
+            numbers[k] = node++;
+            continue;
+        }
+        operands[k] = evaluate_side(node, variables, wanted);
+        if (!(op == Op::Select && k == 0)) neighbour = operands[k].type;
+    }
+    for (std::size_t k = 0; k < count; k++) {
+        if (!numbers[k]) continue;
+        const Type type = op == Op::Select && k == 0 ? kBool : neighbour;
+        operands[k] = {type, Numbers(type.components(), numbers[k]->number)};
+    }
+    return operands;
+}
+
+Operand evaluate_side(const Node*& node, std::span<const Operand> variables, Type wanted) {
+    const Node head = *node++;
+    if (head.kind == Kind::Number) return {wanted, Numbers(wanted.components(), head.number)};
+    if (head.kind != Kind::Operation) return variables[static_cast<std::size_t>(head.number)];
+    const std::vector<Operand> operands = evaluate_operands(node, head.op, variables, wanted);
+    std::vector<Type> types;
+    std::vector<std::span<const double>> numbers;
+    for (const Operand& operand : operands) {
+        types.push_back(operand.type);
+        numbers.push_back(operand.numbers);
+    }
+    Operand result{result_type(head.op, types), {}};
+    EXPECT_TRUE(evaluate(head.op, result.type, types, numbers, 0, result.numbers)) << info(head.op).text;
+    return result;
+}
+
+Numbers random_numbers(Type type, std::mt19937& random, bool finite) {
+    static constexpr std::array kAwkward = {0.0, -0.0, 1.0, -1.0, 0.5, 2.0, kNan, kInfinity, -kInfinity, 1e-30};
+    std::uniform_real_distribution<double> real(-4, 4);
+    std::uniform_int_distribution<std::int64_t> whole(0, 0xffffffff);
+    Numbers numbers;
+    for (unsigned i = 0; i < type.components(); i++) {
+        double number = real(random);
+        if (type.is_integer()) {
+            number = random() % 2 == 0 ? std::trunc(number) : static_cast<double>(whole(random));
+        } else if (type.is_bool()) {
+            number = static_cast<double>(random() % 2);
+        } else if (!finite && random() % 2 == 0) {
+            number = kAwkward[random() % kAwkward.size()];
+        }
+        numbers.push_back(round_to(type.scalar, number));
+    }
+    return numbers;
+}
+
+std::string text(const Pattern& pattern) {
+    std::string words;
+    for (std::size_t k = 0; k < pattern.size; k++) {
+        const Node& node = pattern.nodes[k];
+        words += k == 0 ? "" : " ";
+        words += node.kind == Kind::Operation ? std::string(info(node.op).text)
+                 : node.kind == Kind::Number  ? std::to_string(node.number)
+                                              : std::string(1, "xyzijcd"[node.number]);
+    }
+    return words;
+}
+
+bool same(double a, double b) {
+    return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+// The types for which the left side has a type and the right side has the same.
+std::vector<Typing> typings_of(const Identity& identity) {
+    std::vector<Typing> fitting;
+    for (const Typing& typing : typings()) {
+        for (const Type wanted : {typing.any, typing.integer, typing.boolean}) {
+            const Node* left = identity.left.nodes.data();
+            const Node* right = identity.right.nodes.data();
+            const Type type = type_of(left, typing, wanted);
+            if (type.is_error() || type_of(right, typing, type) != type) continue;
+            // -1 is no uint, and no bool.
+            bool has_numbers = true;
+            const Scalar number_scalar =
+                info(identity.left.nodes[0].op).rule == TypeRule::Compare ? typing.boolean.scalar : type.scalar;
+            for (std::size_t k = 0; k < identity.left.size; k++) {
+                const Node& node = identity.left.nodes[k];
+                const bool is_condition = identity.left.nodes[0].op == Op::Select && k == 1;
+                if (node.kind == Kind::Number && !is_condition)
+                    has_numbers = has_numbers && fits(number_scalar, node.number);
+            }
+            if (identity.right.nodes[0].kind == Kind::Number)
+                has_numbers = has_numbers && fits(type.scalar, identity.right.nodes[0].number);
+            if (!has_numbers) continue;
+            fitting.push_back(typing);
+            break;
+        }
+    }
+    return fitting;
+}
+
+Type left_type(const Identity& identity, const Typing& typing) {
+    for (const Type wanted : {typing.any, typing.integer, typing.boolean}) {
+        const Node* left = identity.left.nodes.data();
+        const Type type = type_of(left, typing, wanted);
+        if (!type.is_error()) return type;
+    }
+    return Type::error();
+}
+
+std::vector<Operand> random_variables(const Typing& typing, std::mt19937& random, bool finite) {
+    std::vector<Operand> variables;
+    for (const Pattern& variable :
+         {pattern::x, pattern::y, pattern::z, pattern::i, pattern::j, pattern::c, pattern::d}) {
+        const Type type = typing.of(variable.nodes[0]);
+        variables.push_back({type, random_numbers(type, random, finite)});
+    }
+    return variables;
+}
+
+void expect_equal(const Identity& identity, const Typing& typing, std::mt19937& random) {
+    const bool is_exact = identity.holds == Identity::Holds::Exact;
+    const std::vector<Operand> variables = random_variables(typing, random, !is_exact);
+    const Type type = left_type(identity, typing);
+    const Node* left = identity.left.nodes.data();
+    const Node* right = identity.right.nodes.data();
+    const Operand a = evaluate_side(left, variables, type);
+    const Operand b = evaluate_side(right, variables, type);
+    ASSERT_EQ(a.type, b.type);
+    // Operands lie within -4 and 4: a few units in the last place of those.
+    const double tolerance = type.scalar == Scalar::Half ? 1e-2 : 4e-6;
+    for (std::size_t k = 0; k < a.numbers.size(); k++) {
+        const bool is_equal =
+            is_exact ? same(a.numbers[k], b.numbers[k]) : std::fabs(a.numbers[k] - b.numbers[k]) <= tolerance;
+        EXPECT_TRUE(is_equal) << a.numbers[k] << " is not " << b.numbers[k];
+    }
+}
+
+TEST(Identities, BothSidesAreEqual) {
+    std::mt19937 random(1);
+    for (const Identity& identity : all_identities()) {
+        SCOPED_TRACE(text(identity.left) + " = " + text(identity.right));
+        const std::vector<Typing> fitting = typings_of(identity);
+        EXPECT_FALSE(fitting.empty());
+        for (const Typing& typing : fitting) {
+            for (int k = 0; k < 200; k++) expect_equal(identity, typing, random);
+        }
+    }
+}
+
+// --- what the builder makes
+
+struct Emitted {
+    Value value;
+    Type type;
+};
+
+Emitted emit_side(Builder& b, const Node*& node, std::span<const Value> variables, Type wanted) {
+    const Node head = *node++;
+    if (head.kind == Kind::Number) return {b.splat_constant(wanted, head.number), wanted};
+    if (head.kind != Kind::Operation) {
+        const Value value = variables[static_cast<std::size_t>(head.number)];
+        return {value, b.type(value)};
+    }
+    const auto count = static_cast<std::size_t>(info(head.op).arguments);
+    std::vector<Value> args(count);
+    std::vector<const Node*> numbers(count);
+    Type neighbour = wanted;
+    for (std::size_t k = 0; k < count; k++) {
+        if (node->kind == Kind::Number) {
+            numbers[k] = node++;
+            continue;
+        }
+        const Emitted operand = emit_side(b, node, variables, wanted);
+        args[k] = operand.value;
+        if (!(head.op == Op::Select && k == 0)) neighbour = operand.type;
+    }
+    std::vector<Type> types;
+    for (std::size_t k = 0; k < count; k++) {
+        if (numbers[k])
+            args[k] = b.splat_constant(head.op == Op::Select && k == 0 ? kBool : neighbour, numbers[k]->number);
+        types.push_back(b.type(args[k]));
+    }
+    const Type type = result_type(head.op, types);
+    return {b.emit(head.op, type, args), type};
+}
+
+TEST(Identities, TheBuilderAppliesEach) {
+    for (const Identity& identity : all_identities()) {
+        SCOPED_TRACE(text(identity.left) + " = " + text(identity.right));
+        for (const Typing& typing : typings_of(identity)) {
+            Module module;
+            Function function;
+            const std::vector<Pattern> all = {pattern::x, pattern::y, pattern::z, pattern::i,
+                                              pattern::j, pattern::c, pattern::d};
+            for (const Pattern& variable : all)
+                function.params.push_back({"v", typing.of(variable.nodes[0]), Rate::Pixel});
+            Builder b(module, function);
+            std::vector<Value> variables;
+            for (std::uint32_t k = 0; k < all.size(); k++) variables.push_back(b.param(k));
+            const Type type = left_type(identity, typing);
+            const Node* right = identity.right.nodes.data();
+            const Value expected = emit_side(b, right, variables, type).value;
+            const Node* left = identity.left.nodes.data();
+            const Value made = emit_side(b, left, variables, type).value;
+            EXPECT_EQ(made, expected) << dump(module, function);
+        }
+    }
+}
+
+TEST(Identities, CommutingOperandsMatchInEitherOrder) {
+    Module module;
+    Function function{.name = "f", .params = {{"x", kFloat, Rate::Pixel}, {"y", kFloat, Rate::Pixel}}};
+    Builder b(module, function);
+    const Value x = b.param(0), y = b.param(1), zero = b.constant(kFloat, {0}), one = b.constant(kFloat, {1});
+    EXPECT_EQ(b.emit(Op::Add, {zero, x}), x);
+    EXPECT_EQ(b.emit(Op::Mul, {one, x}), x);
+    EXPECT_EQ(b.emit(Op::Add, {b.emit(Op::Neg, {y}), x}), b.emit(Op::Sub, {x, y}));
+}
+
+// What must not be simplified, because NaN or infinity would be lost.
+TEST(Identities, KeepsWhatNanWouldChange) {
+    Module module;
+    Function function{.name = "f", .params = {{"x", kFloat, Rate::Pixel}}};
+    Builder b(module, function);
+    const Value x = b.param(0), zero = b.constant(kFloat, {0});
+    EXPECT_EQ(b[b.emit(Op::Mul, {x, zero})].op, Op::Mul);
+    EXPECT_EQ(b[b.emit(Op::Sub, {x, x})].op, Op::Sub);
+    EXPECT_EQ(b[b.emit(Op::Div, {x, x})].op, Op::Div);
+    EXPECT_EQ(b[b.emit(Op::Equal, {x, x})].op, Op::Equal);
+    EXPECT_EQ(b[b.emit(Op::Not, {b.emit(Op::Less, {x, zero})})].op, Op::Not);
+}
+
+// --- folding
+
+Numbers folded(Op op, Type type, std::vector<Operand> operands, std::uint32_t data = 0) {
+    std::vector<Type> types;
+    std::vector<std::span<const double>> numbers;
+    for (const Operand& operand : operands) {
+        types.push_back(operand.type);
+        numbers.push_back(operand.numbers);
+    }
+    Numbers out;
+    return fold_constant(op, type, types, numbers, data, out) ? out : Numbers();
+}
+
+TEST(Fold, ComputesInThePrecisionOfTheType) {
+    // 1 + 2^-24 is halfway between two floats and goes to the even one; 2^-23 is a step.
+    EXPECT_EQ(folded(Op::Add, kFloat, {{kFloat, {1}}, {kFloat, {0x1p-24}}}), Numbers{1});
+    EXPECT_EQ(folded(Op::Add, kFloat, {{kFloat, {1}}, {kFloat, {0x1p-23}}}), Numbers{1 + 0x1p-23});
+    // A half has 11 bits of significand, and 2049 lies between 2048 and 2050.
+    EXPECT_EQ(folded(Op::Add, kHalf, {{kHalf, {2048}}, {kHalf, {1}}}), Numbers{2048});
+    EXPECT_EQ(folded(Op::Add, kHalf, {{kHalf, {2048}}, {kHalf, {3}}}), Numbers{2052});
+    EXPECT_EQ(round_to(Scalar::Half, 0.1), 0.0999755859375);
+    EXPECT_EQ(round_to(Scalar::Half, 0x1p-24 * 1.4), 0x1p-24);
+}
+
+TEST(Fold, WrapsIntegersTo32Bits) {
+    EXPECT_EQ(folded(Op::Add, kInt, {{kInt, {2147483647}}, {kInt, {1}}}), Numbers{-2147483648.0});
+    EXPECT_EQ(folded(Op::Sub, kUint, {{kUint, {0}}, {kUint, {1}}}), Numbers{4294967295.0});
+    EXPECT_EQ(folded(Op::Mul, kInt, {{kInt, {65537}}, {kInt, {65537}}}), Numbers{131073});
+    EXPECT_EQ(folded(Op::Mul, kUint, {{kUint, {4294967295.0}}, {kUint, {4294967295.0}}}), Numbers{1});
+    EXPECT_EQ(folded(Op::Div, kInt, {{kInt, {-7}}, {kInt, {2}}}), Numbers{-3});
+    EXPECT_EQ(folded(Op::Mod, kInt, {{kInt, {-7}}, {kInt, {2}}}), Numbers{-1});
+    EXPECT_EQ(folded(Op::BitNot, kUint, {{kUint, {0}}}), Numbers{4294967295.0});
+    EXPECT_EQ(folded(Op::ShiftRight, kInt, {{kInt, {-8}}, {kInt, {1}}}), Numbers{-4});
+    EXPECT_EQ(folded(Op::ShiftLeft, kInt, {{kInt, {1}}, {kInt, {31}}}), Numbers{-2147483648.0});
+}
+
+TEST(Fold, LeavesWhatIsNotANumberToTheGpu) {
+    EXPECT_EQ(folded(Op::Div, kFloat, {{kFloat, {1}}, {kFloat, {0}}}), Numbers{});
+    EXPECT_EQ(folded(Op::Sqrt, kFloat, {{kFloat, {-1}}}), Numbers{});
+    EXPECT_EQ(folded(Op::Exp, kFloat, {{kFloat, {100}}}), Numbers{});
+    EXPECT_EQ(folded(Op::Mul, kHalf, {{kHalf, {300}}, {kHalf, {300}}}), Numbers{});
+    EXPECT_EQ(folded(Op::Div, kInt, {{kInt, {1}}, {kInt, {0}}}), Numbers{});
+    EXPECT_EQ(folded(Op::Mod, kInt, {{kInt, {1}}, {kInt, {0}}}), Numbers{});
+    EXPECT_EQ(folded(Op::ShiftLeft, kInt, {{kInt, {1}}, {kInt, {32}}}), Numbers{});
+    EXPECT_EQ(folded(Op::Convert, kInt, {{kFloat, {3e9}}}), Numbers{});
+    EXPECT_EQ(folded(Op::Convert, kUint, {{kFloat, {-1}}}), Numbers{});
+    EXPECT_EQ(folded(Op::Normalize, kFloat3, {{kFloat3, {0, 0, 0}}}), Numbers{});
+}
+
+TEST(Fold, KnowsVectorsAndMatrices) {
+    const Type kMatrix = Type::matrix(Scalar::Float, 3, 3);
+    const Operand m{kMatrix, {1, 2, 3, 4, 5, 6, 7, 8, 9}};
+    const Operand v{kFloat3, {1, 2, 3}};
+    EXPECT_EQ(folded(Op::MatMul, kFloat3, {m, v}), (Numbers{14, 32, 50}));
+    EXPECT_EQ(folded(Op::MatMul, kFloat3, {v, m}), (Numbers{30, 36, 42}));
+    EXPECT_EQ(folded(Op::Transpose, kMatrix, {m}), (Numbers{1, 4, 7, 2, 5, 8, 3, 6, 9}));
+    EXPECT_EQ(folded(Op::Extract, kFloat3, {m}, 1), (Numbers{4, 5, 6}));
+    EXPECT_EQ(folded(Op::Determinant, kFloat, {{kMatrix, {2, 0, 1, 1, 3, 2, 1, 1, 4}}}), Numbers{18});
+    EXPECT_EQ(folded(Op::Cross, kFloat3, {{kFloat3, {1, 0, 0}}, {kFloat3, {0, 1, 0}}}), (Numbers{0, 0, 1}));
+    EXPECT_EQ(folded(Op::Reflect, kFloat3, {{kFloat3, {1, -1, 0}}, {kFloat3, {0, 1, 0}}}), (Numbers{1, 1, 0}));
+    EXPECT_EQ(folded(Op::Refract, kFloat3, {{kFloat3, {0, -1, 0}}, {kFloat3, {0, 1, 0}}, {kFloat, {0.5}}}),
+              (Numbers{0, -1, 0}));
+    EXPECT_EQ(folded(Op::Length, kFloat, {{kFloat2, {3, 4}}}), Numbers{5});
+    EXPECT_EQ(folded(Op::Distance, kFloat, {{kFloat2, {3, 4}}, {kFloat2, {0, 0}}}), Numbers{5});
+    EXPECT_EQ(folded(Op::Swizzle, kFloat2, {v}, 2 | 0 << 2), (Numbers{3, 1}));
+    EXPECT_EQ(folded(Op::Index, kFloat, {v, {kInt, {7}}}), Numbers{3});
+    EXPECT_EQ(folded(Op::Insert, kFloat3, {v, {kFloat, {9}}}, 1), (Numbers{1, 9, 3}));
+    EXPECT_EQ(folded(Op::Bitcast, kUint, {{kFloat, {1}}}), Numbers{0x3f800000});
+    EXPECT_EQ(folded(Op::Round, kFloat, {{kFloat, {2.5}}}), Numbers{2});
+    EXPECT_EQ(folded(Op::Mod, kFloat, {{kFloat, {-7.5}}, {kFloat, {2}}}), Numbers{-1.5});
+}
+
+// --- composites
+
+class Composites : public testing::Test {
+protected:
+    Composites() {
+        module_.structs.push_back({"Pair", {{"first", kFloat3}, {"second", kFloat}}});
+        for (const Type type : {kFloat3, kFloat4, kFloat, kFloat, Type::structure(0)}) {
+            function_.params.push_back({"v", type, Rate::Pixel});
+        }
+        for (std::uint32_t i = 0; i < 5; i++) values_[i] = b_.param(i);
+    }
+    Value swizzle(Value v, std::vector<unsigned> components) { return b_.swizzle(v, components); }
+    Value construct(Type type, std::vector<Value> parts) { return b_.construct(type, parts); }
+
+    Module module_;
+    Function function_;
+    Builder b_{module_, function_};
+    std::array<Value, 5> values_;
+    Value &v3_ = values_[0], &v4_ = values_[1], &s_ = values_[2], &t_ = values_[3], &pair_ = values_[4];
+};
+
+TEST_F(Composites, ExtractOfWhatWasPutTogether) {
+    const Value made = construct(kFloat4, {s_, v3_});
+    EXPECT_EQ(b_.extract(made, 0), s_);
+    EXPECT_EQ(b_.extract(made, 2), b_.extract(v3_, 1));
+    EXPECT_EQ(b_.extract(construct(kFloat3, {s_}), 2), s_);
+    EXPECT_EQ(b_.extract(construct(Type::structure(0), {v3_, t_}), 1), t_);
+    EXPECT_EQ(b_.extract(swizzle(v4_, {3, 1}), 0), b_.extract(v4_, 3));
+    const Value changed = b_.emit(Op::Insert, kFloat4, {v4_, s_}, 1);
+    EXPECT_EQ(b_.extract(changed, 1), s_);
+    EXPECT_EQ(b_.extract(changed, 2), b_.extract(v4_, 2));
+}
+
+TEST_F(Composites, InsertIntoWhatWasPutTogether) {
+    const Value whole = construct(Type::structure(0), {v3_, t_});
+    EXPECT_EQ(b_.emit(Op::Insert, Type::structure(0), {whole, s_}, 1), construct(Type::structure(0), {v3_, s_}));
+    const Value once = b_.emit(Op::Insert, kFloat4, {v4_, s_}, 1);
+    EXPECT_EQ(b_.emit(Op::Insert, kFloat4, {once, t_}, 1), b_.emit(Op::Insert, kFloat4, {v4_, t_}, 1));
+    EXPECT_EQ(b_.emit(Op::Insert, kFloat4, {v4_, b_.extract(v4_, 2)}, 2), v4_);
+}
+
+TEST_F(Composites, PuttingTogetherWhatWasTakenApart) {
+    EXPECT_EQ(construct(kFloat3, {b_.extract(v3_, 0), b_.extract(v3_, 1), b_.extract(v3_, 2)}), v3_);
+    EXPECT_EQ(construct(kFloat2, {b_.extract(v3_, 2), b_.extract(v3_, 0)}), swizzle(v3_, {2, 0}));
+    EXPECT_EQ(construct(kFloat4, {swizzle(v4_, {0, 1}), swizzle(v4_, {2, 3})}), v4_);
+    EXPECT_EQ(construct(Type::structure(0), {b_.extract(pair_, 0), b_.extract(pair_, 1)}), pair_);
+    EXPECT_EQ(construct(kFloat3, {s_, s_, s_}), b_.splat(s_, 3));
+    EXPECT_EQ(b_[construct(kFloat2, {b_.extract(v3_, 0), b_.extract(v4_, 1)})].op, Op::Construct);
+    EXPECT_EQ(b_[construct(kFloat2, {s_, b_.extract(v3_, 0)})].op, Op::Construct);
+}
+
+TEST_F(Composites, Swizzles) {
+    EXPECT_EQ(swizzle(v3_, {0, 1, 2}), v3_);
+    EXPECT_EQ(swizzle(swizzle(v4_, {3, 2, 1}), {1, 0}), swizzle(v4_, {2, 3}));
+    EXPECT_EQ(swizzle(swizzle(v4_, {3, 2, 1, 0}), {3, 2, 1, 0}), v4_);
+    EXPECT_EQ(swizzle(construct(kFloat4, {s_, v3_}), {1, 2, 3}), v3_);
+    EXPECT_EQ(swizzle(construct(kFloat3, {s_, t_, s_}), {1, 0}), construct(kFloat2, {t_, s_}));
+    EXPECT_EQ(swizzle(construct(kFloat3, {s_}), {2, 2}), b_.splat(s_, 2));
+    EXPECT_EQ(b_[swizzle(v3_, {2, 1, 0})].op, Op::Swizzle);
+    EXPECT_EQ(b_[swizzle(construct(kFloat4, {s_, v3_}), {0, 1})].op, Op::Swizzle);
+}
+
+TEST_F(Composites, Conversions) {
+    EXPECT_EQ(b_.convert(s_, Scalar::Float), s_);
+    const Value half = b_.convert(s_, Scalar::Half);
+    EXPECT_EQ(b_.convert(b_.convert(half, Scalar::Float), Scalar::Half), half);
+    // A half does not hold every float.
+    EXPECT_NE(b_.convert(half, Scalar::Float), s_);
+    const Value bits = b_.emit(Op::Bitcast, kUint, {s_});
+    EXPECT_EQ(b_.emit(Op::Bitcast, kFloat, {b_.emit(Op::Bitcast, kInt, {bits})}), s_);
+    EXPECT_EQ(b_.emit(Op::Index, kFloat, {v3_, b_.constant(kInt, {9})}), b_.extract(v3_, 2));
+}
+
+}  // namespace
+}  // namespace patina::ir
