@@ -70,15 +70,10 @@ Outcome<State> pass_state(const Pass& pass) {
                  .destination = *destination};
 }
 
-Interpreter make_interpreter(const Draw& draw, const Pass& pass, Stage stage, Precision precision) {
-    Interpreter interpreter(*draw.program, pass.name, stage, precision);
-    auto is_read = [](const std::vector<std::string>& names, const std::string& name) {
-        return std::find(names.begin(), names.end(), name) != names.end();
-    };
-    for (const BlockBytes& block : draw.blocks)
-        if (is_read(pass.blocks, block.name)) interpreter.set_block(block.name, block.bytes);
-    for (const LoadedTexture& texture : draw.textures)
-        if (is_read(pass.textures, texture.name)) interpreter.set_texture(texture.name, texture.data);
+Interpreter make_interpreter(const Draw& draw, Stage stage, Precision precision) {
+    Interpreter interpreter(*draw.program, draw.pass, stage, precision);
+    for (const BlockBytes& block : draw.blocks) interpreter.set_block(block.name, block.bytes);
+    for (const LoadedTexture& texture : draw.textures) interpreter.set_texture(texture.name, texture.data);
     return interpreter;
 }
 
@@ -168,7 +163,6 @@ struct Canvas {
 // Everything that the threads share and only read, and the canvas, in which each has rows of its own.
 struct Job {
     const Draw* draw = nullptr;
-    const Pass* pass = nullptr;
     State state{};
     Precision precision = Precision::Float;
     std::vector<InputSource> sources{};
@@ -212,7 +206,7 @@ void write_pixel(const State& state, std::span<float> pixel, const std::vector<d
 }
 
 void shade_rows(const Job& job, int first_row, int row_step) {
-    Interpreter fragment = make_interpreter(*job.draw, *job.pass, Stage::Fragment, job.precision);
+    Interpreter fragment = make_interpreter(*job.draw, Stage::Fragment, job.precision);
     Canvas& canvas = *job.canvas;
     int width = canvas.color.width, height = canvas.color.height;
     QuadInputs inputs;
@@ -248,8 +242,10 @@ Outcome<Image> cpu_draw(const Draw& draw, Precision precision) {
     Outcome<State> state = pass_state(*pass.value);
     if (!state) return Failure{state.error};
 
-    Interpreter vertex = make_interpreter(draw, *pass.value, Stage::Vertex, precision);
-    Interpreter fragment = make_interpreter(draw, *pass.value, Stage::Fragment, precision);
+    Interpreter vertex = make_interpreter(draw, Stage::Vertex, precision);
+    Interpreter fragment = make_interpreter(draw, Stage::Fragment, precision);
+    if (vertex.outputs().empty() || fragment.outputs().empty())
+        return Failure{"the program has no stages for the pass '" + draw.pass + "'"};
     Outcome<std::vector<InputSource>> sources = fragment_sources(vertex, fragment);
     if (!sources) return Failure{sources.error};
     const Scene& scene = *draw.scene;
@@ -261,7 +257,6 @@ Outcome<Image> cpu_draw(const Draw& draw, Precision precision) {
     Canvas canvas{.color = make_image(width, height, back.r, back.g, back.b, back.a),
                   .depth = std::vector<float>(std::size_t(width) * height, 1.0f)};
     Job job{.draw = &draw,
-            .pass = pass.value,
             .state = state.value,
             .precision = precision,
             .sources = std::move(sources.value),

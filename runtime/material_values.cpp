@@ -67,8 +67,14 @@ Outcome<Numbers> parse_value(const Property& property, const std::string& text) 
     return value;
 }
 
-// The texture whose tiling this word names ("_MainTex_ST"), or null.
+// The texture whose tiling this word names ("_MainTex_ST"), or null. Only a texture that was declared with a tiling has
+// one.
 const Property* tiled_texture(const Reflection& reflection, const std::string& word) {
+    auto is_word = [&](const BlockMember& member) { return member.name == word; };
+    bool has_member = std::any_of(reflection.blocks.begin(), reflection.blocks.end(), [&](const Block& block) {
+        return block.is_material && std::any_of(block.members.begin(), block.members.end(), is_word);
+    });
+    if (!has_member) return nullptr;
     for (const Property& property : reflection.properties)
         if (property.type == "texture2d" && word == property.name + "_ST") return &property;
     return nullptr;

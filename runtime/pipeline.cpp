@@ -57,26 +57,23 @@ auto* find_named(Range&& range, const std::string& name) {
     return found == range.end() ? nullptr : &*found;
 }
 
-Outcome<Slots> find_slots(const Reflection& reflection, const Pass& pass, VkBuffer uniforms,
-                          std::span<const BoundBlock> blocks, std::span<const BoundTexture> textures) {
+// Everything that the reflection has, whether this pass reads it or not: the places are the same in every pass.
+Outcome<Slots> find_slots(const Reflection& reflection, VkBuffer uniforms, std::span<const BoundBlock> blocks,
+                          std::span<const BoundTexture> textures) {
     Slots slots;
-    for (const std::string& name : pass.blocks) {
-        const Block* block = find_named(reflection.blocks, name);
-        const BoundBlock* bound = find_named(blocks, name);
-        if (!block || !bound)
-            return Failure{"the pass '" + pass.name + "' reads a block '" + name + "' that nobody filled"};
-        slots[{block->set, block->binding}] = {.buffer = {uniforms, bound->offset, bound->size}};
+    for (const Block& block : reflection.blocks) {
+        const BoundBlock* bound = find_named(blocks, block.name);
+        if (!bound) return Failure{"nobody filled the block '" + block.name + "'"};
+        slots[{block.set, block.binding}] = {.buffer = {uniforms, bound->offset, bound->size}};
     }
-    for (const std::string& name : pass.textures) {
-        const Texture* texture = find_named(reflection.textures, name);
-        const BoundTexture* bound = find_named(textures, name);
-        if (!texture || !bound)
-            return Failure{"the pass '" + pass.name + "' reads a texture '" + name + "' that nobody loaded"};
-        slots[{texture->set, texture->binding}] = {
+    for (const Texture& texture : reflection.textures) {
+        const BoundTexture* bound = find_named(textures, texture.name);
+        if (!bound) return Failure{"nobody loaded the texture '" + texture.name + "'"};
+        slots[{texture.set, texture.binding}] = {
             .type = VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE,
             .image = {VK_NULL_HANDLE, bound->view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL}};
-        slots[{texture->set, texture->sampler_binding}] = {.type = VK_DESCRIPTOR_TYPE_SAMPLER,
-                                                           .image = {bound->sampler, VK_NULL_HANDLE, {}}};
+        slots[{texture.set, texture.sampler_binding}] = {.type = VK_DESCRIPTOR_TYPE_SAMPLER,
+                                                         .image = {bound->sampler, VK_NULL_HANDLE, {}}};
     }
     return slots;
 }
@@ -257,9 +254,9 @@ VkPipelineShaderStageCreateInfo shader_stage(VkShaderStageFlagBits stage, const 
 
 }  // namespace
 
-Outcome<Bindings> make_bindings(Gpu& gpu, const Reflection& reflection, const Pass& pass, VkBuffer uniforms,
+Outcome<Bindings> make_bindings(Gpu& gpu, const Reflection& reflection, VkBuffer uniforms,
                                 std::span<const BoundBlock> blocks, std::span<const BoundTexture> textures) {
-    Outcome<Slots> slots = find_slots(reflection, pass, uniforms, blocks, textures);
+    Outcome<Slots> slots = find_slots(reflection, uniforms, blocks, textures);
     if (!slots) return Failure{slots.error};
     Bindings bindings;
     make_layouts(gpu, slots.value, bindings);

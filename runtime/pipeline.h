@@ -1,5 +1,8 @@
-// A reflection's words turned into Vulkan's objects: descriptor sets with the blocks and textures that a pass reads,
-// and the graphics pipeline with its vertex inputs and state. Drawing itself is renderer.cpp.
+// A reflection's words turned into Vulkan's objects: descriptor sets with all its blocks and textures, and the graphics
+// pipeline of a pass with its vertex inputs and state. Drawing itself is renderer.cpp.
+//
+//   Outcome<Bindings> bindings = make_bindings(gpu, reflection, uniform_buffer, blocks, textures);
+//   Outcome<PipelineHandle> pipeline = make_pipeline(gpu, {.pass = &pass, .layout = bindings.value.layout.get(), ...});
 #pragma once
 
 #include <cstdint>
@@ -24,14 +27,14 @@ struct BoundTexture {
     VkSampler sampler = VK_NULL_HANDLE;
 };
 
-// Sets 0 to the highest that the pass uses; sets between that it does not use are empty.
+// Sets 0 to the highest that the reflection uses; sets between that it does not use are empty.
 struct Bindings {
     std::vector<SetLayoutHandle> set_layouts;
     LayoutHandle layout;
     PoolHandle pool;
     std::vector<VkDescriptorSet> sets;
 };
-Outcome<Bindings> make_bindings(Gpu& gpu, const Reflection& reflection, const Pass& pass, VkBuffer uniforms,
+Outcome<Bindings> make_bindings(Gpu& gpu, const Reflection& reflection, VkBuffer uniforms,
                                 std::span<const BoundBlock> blocks, std::span<const BoundTexture> textures);
 
 struct PipelineInfo {

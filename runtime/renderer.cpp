@@ -303,8 +303,7 @@ Outcome<Image> Renderer::draw(const Draw& draw) {
     DrawData data = make_draw_data(gpu, draw);
     if (!gpu.error.empty()) return Failure{gpu.error};
 
-    auto bindings =
-        make_bindings(gpu, *draw.reflection, *pass.value, data.buffer.handle.get(), data.blocks, textures.value);
+    auto bindings = make_bindings(gpu, *draw.reflection, data.buffer.handle.get(), data.blocks, textures.value);
     if (!bindings) return Failure{bindings.error};
     auto pipeline = make_pipeline(gpu, {.pass = pass.value,
                                         .layout = bindings.value.layout.get(),

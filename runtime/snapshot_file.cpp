@@ -36,7 +36,6 @@ struct Flattener : rapidjson::BaseReaderHandler<rapidjson::UTF8<>, Flattener> {
         bool is_array = false;
     };
     const rapidjson::StringStream& stream;
-    std::string_view text;
     std::vector<Level> levels{};
     std::vector<Entry> entries{};
     std::string path{};
@@ -44,7 +43,7 @@ struct Flattener : rapidjson::BaseReaderHandler<rapidjson::UTF8<>, Flattener> {
     std::set<std::string> seen{};
     std::string error{};  // stops the parser, at `key`
 
-    Flattener(const rapidjson::StringStream& from, std::string_view all) : stream(from), text(all) {}
+    explicit Flattener(const rapidjson::StringStream& from) : stream(from) {}
 
     bool fail(std::string why) {
         error = std::move(why);
@@ -66,10 +65,7 @@ struct Flattener : rapidjson::BaseReaderHandler<rapidjson::UTF8<>, Flattener> {
         return add(Entry::Kind::Text, std::string(characters, length));
     }
     bool Key(const char* characters, rapidjson::SizeType length, bool) {
-        // The stream stands behind the key's closing quote; its start is the quote before that which is not escaped.
-        key = stream.Tell() - 1;
-        do key--;
-        while (key > 0 && (text[key] != '"' || text[key - 1] == '\\'));
+        key = stream.Tell();  // of the opening quote: the reader parses strings in a copy of the stream
         path = levels.back().prefix + std::string(characters, length);
         return seen.insert(path).second || fail("'" + path + "' is here twice");
     }
@@ -218,7 +214,7 @@ Outcome<SnapshotFile> read_snapshot(const std::string& path) {
     Outcome<std::string> text = read_text(path);
     if (!text) return Failure{text.error};
     rapidjson::StringStream stream(text.value.c_str());
-    Flattener flat(stream, text.value);
+    Flattener flat(stream);
     // Iterative, so that nesting cannot overflow the stack.
     constexpr unsigned kFlags = rapidjson::kParseIterativeFlag | rapidjson::kParseCommentsFlag |
                                 rapidjson::kParseTrailingCommasFlag | rapidjson::kParseNumbersAsStringsFlag |

@@ -56,11 +56,10 @@ bool report(const Console& console, std::span<const Diagnostic> diagnostics) {
     return any_error;
 }
 
-void complain(const Console& console, std::string_view code, std::string message, std::string file) {
+void complain(const Console& console, std::string_view code, std::string message) {
     Diagnostic diagnostic;
     diagnostic.code = code;
     diagnostic.message = std::move(message);
-    diagnostic.file = std::move(file);
     report(console, {&diagnostic, 1});
 }
 

@@ -36,8 +36,8 @@ Console open_console();
 
 // Warnings are left out when quiet. Returns true if there was an error among them.
 bool report(const Console& console, std::span<const Diagnostic> diagnostics);
-// A complaint of the command itself, with a place if `file` is given.
-void complain(const Console& console, std::string_view code, std::string message, std::string file = {});
+// A complaint of the command itself, which has no place in a file.
+void complain(const Console& console, std::string_view code, std::string message);
 
 // A line on stdout about what was done: not when quiet, nor among JSON diagnostics.
 void say(const Console& console, std::string_view line);

@@ -36,7 +36,7 @@ Exit format_file(const Console& console, const Compiler& compiler, const Argumen
     if (!formatted.ok) return Exit::Wrong;
     if (formatted.text == *text) return Exit::Ok;
     if (arguments.check) {
-        complain(console, "not-formatted", "the file is not in canonical form: run 'patina fmt' on it", path);
+        complain(console, "not-formatted", "'" + path + "' is not in canonical form: run 'patina fmt' on it");
         return Exit::Wrong;
     }
     if (error = replace_file(path, formatted.text); !error.empty()) {

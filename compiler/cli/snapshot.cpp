@@ -18,13 +18,14 @@ struct Arguments {
 
 void print_case(const Console& console, const runtime::SnapshotCase& result) {
     report(console, result.diagnostics);
-    say(console, fmt::format("{:<8} {}  ({:.3g} % of pixels, average {:.2g})", runtime::to_string(result.state),
-                             result.name, 100 * result.comparison.share, result.comparison.average));
+    const std::string line = fmt::format("{:<8} {}", runtime::to_string(result.state), result.name);
+    const std::string numbers = fmt::format("  ({:.3g} % of pixels differ, average error {:.2g})",
+                                            100 * result.comparison.share, result.comparison.average);
     switch (result.state) {
-        case runtime::SnapshotState::Passed:
-        case runtime::SnapshotState::Updated: return;
-        case runtime::SnapshotState::Failed:
-        case runtime::SnapshotState::Missing: break;
+        case runtime::SnapshotState::Updated: return say(console, line);
+        case runtime::SnapshotState::Passed: return say(console, line + numbers);
+        case runtime::SnapshotState::Failed: say(console, line + numbers); break;
+        case runtime::SnapshotState::Missing: say(console, line); break;
     }
     std::string message = result.name + ": " + result.message;
     if (!result.received.empty()) message += "\n  received:   " + result.received;
@@ -38,7 +39,7 @@ Exit compare(const Console& console, const Arguments& arguments) {
     runtime::RenderMachine machine;
     const runtime::SnapshotReport result =
         runtime::run_snapshots(compiler, arguments.folder, arguments.options, machine);
-    if (!result.error.empty()) complain(console, "snapshot", result.error, arguments.folder);
+    if (!result.error.empty()) complain(console, "snapshot", arguments.folder + ": " + result.error);
     Exit exit = result.ok() ? Exit::Ok : Exit::Wrong;
     for (const runtime::SnapshotCase& each : result.cases) {
         print_case(console, each);

@@ -102,12 +102,13 @@ public:
         Frame& frame = frames_.back();
         frame.key.assign(value, size);
         frame.key_span = {global(last_begin_) + 1, global(last_end_) - 1};
-        after_value_ = false;
+        last_ = Token::Key;
         if (!check_decoded(frame.key)) return false;
         const Span first = frame.seen.find_or_add(frame.json.members, frame.key, frame.key_span);
         frame.drop = static_cast<bool>(first);
         if (first) {
-            diagnostics_.report(Code::DuplicateKey, frame.key_span, frame.key).note(first, "the first one is here");
+            diagnostics_.report(Code::DuplicateKey, frame.key_span, shown(frame.key))
+                .note(first, "the first one is here");
         }
         return true;
     }
@@ -143,6 +144,8 @@ public:
     }
 
 private:
+    enum class Token { Opening, Key, Value };  // Value: a scalar or a closing bracket
+
     struct Frame {
         Json json;
         std::string key;  // of the member that is being read
@@ -155,7 +158,7 @@ private:
 
     // The value that the last token ended, null after a key or an opening bracket.
     Json* last_value() {
-        if (!after_value_) return nullptr;
+        if (last_ != Token::Value) return nullptr;
         if (frames_.empty()) return root_.get();
         Frame& frame = frames_.back();
         if (frame.drop) return &dropped_;
@@ -188,7 +191,7 @@ private:
     std::uint32_t base_;
     const Cursor& cursor_;
     std::size_t last_begin_, last_end_;
-    bool after_value_ = false;
+    Token last_ = Token::Opening;
     std::vector<Frame> frames_;
     std::unique_ptr<Json> root_;
     Json dropped_;
@@ -228,7 +231,7 @@ void Builder::read_comment(std::size_t& i, Gap& gap) {
     while (line && (comment.back() == ' ' || comment.back() == '\t')) comment.pop_back();
     if (comment.find('\n') != std::string::npos) gap.same_line = false;
 
-    Json* value = last_value();
+    Json* value = frames_.empty() ? nullptr : last_value();  // what follows the root is listed line by line
     bool trails = gap.same_line && value;
     if (trails && gap.comma) {
         if (!gap.comments_end_line) gap.comments_end_line = ends_line(i);
@@ -255,9 +258,9 @@ void Builder::begin_token() {
         }
         if (c == '\n') {
             gap.same_line = false;
-            // One blank line is kept, but not at the start of an object.
-            const bool first = pending_.empty() && !after_value_;
-            if (++gap.newlines == 2 && !first) pending_.emplace_back();
+            // One blank line is kept, but none at the start of an object, nor behind a key.
+            const bool separates = pending_.empty() ? last_ == Token::Value : !pending_.back().empty();
+            if (++gap.newlines == 2 && separates && last_ != Token::Key) pending_.emplace_back();
         } else if (c == ',') {
             gap.comma = true;
         } else if (c != ' ' && c != '\t' && c != '\r' && c != ':') {
@@ -295,7 +298,7 @@ bool Builder::check_decoded(const std::string& text) {
 }
 
 void Builder::place(Json json) {
-    after_value_ = true;
+    last_ = Token::Value;
     if (frames_.empty()) {
         root_ = std::make_unique<Json>(std::move(json));
         return;
@@ -335,7 +338,7 @@ bool Builder::open(Json::Kind kind) {
     frame.json.kind = kind;
     frame.json.span = bracket;
     if (!pending_.empty()) comments_of(frame.json).before.swap(pending_);
-    after_value_ = false;
+    last_ = Token::Opening;
     return true;
 }
 
@@ -418,6 +421,14 @@ std::string_view describe(Json::Kind kind) {
         case Json::Kind::Object: return "an object";
     }
     return {};
+}
+
+std::string shown(std::string_view text) {
+    constexpr std::size_t kMaxShown = 80;
+    if (text.size() <= kMaxShown) return std::string(text);
+    std::size_t cut = kMaxShown;
+    while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0u) == 0x80u) --cut;
+    return std::string(text.substr(0, cut)) + "...";
 }
 
 std::vector<std::uint32_t> string_offsets(const Json& string, const SourceMap& sources) {

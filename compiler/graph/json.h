@@ -43,6 +43,9 @@ struct JsonMember {
 // "an object", "a string", ...
 std::string_view describe(Json::Kind kind);
 
+// Text of the user's as a message shows it: a long one is cut.
+std::string shown(std::string_view text);
+
 // Global offset of each byte of the decoded string, and of its end; empty when there are no escapes (then byte i is at
 // span.begin + 1 + i).
 std::vector<std::uint32_t> string_offsets(const Json& string, const SourceMap& sources);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "compiler/base/text.h"
+#include "compiler/graph/json.h"
 
 namespace patina::graph {
 namespace {
@@ -16,9 +17,6 @@ bool is_word_byte(char c) {
 bool is_space(char c) {
     return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
-
-// A message about a foreign file should not carry kilobytes of it.
-constexpr std::size_t kMaxQuoted = 40;
 
 class Breaker {
 public:
@@ -37,13 +35,6 @@ private:
         if (end == begin) end = std::min(begin + 1, text_.size());
         return text_.substr(begin, end - begin);
     }
-    static std::string quoted(std::string_view word) {
-        if (word.size() <= kMaxQuoted) return std::string(word);
-        std::size_t cut = kMaxQuoted;
-        while (cut > 0 && (static_cast<unsigned char>(word[cut]) & 0xC0u) == 0x80u) --cut;
-        return std::string(word.substr(0, cut)) + "...";
-    }
-
     DiagnosticRecord& say(std::size_t begin, std::size_t end, const std::string& words) {
         const auto at = [&](std::size_t i) { return base_ + static_cast<std::uint32_t>(std::min(i, text_.size())); };
         return diagnostics_.report(Code::BadJson, Span{at(begin), at(end)}, words);
@@ -85,17 +76,17 @@ void Breaker::bad_word(std::size_t begin, std::string_view word) {
     const std::size_t end = begin + word.size();
     std::string_view unsigned_word = word;
     if (!word.empty() && (word[0] == '-' || word[0] == '+')) unsigned_word.remove_prefix(1);
-    const std::string shown = quoted(word);
+    const std::string text = shown(word);
     if (std::find(kNotNumbers.begin(), kNotNumbers.end(), unsigned_word) != kNotNumbers.end()) {
-        say(begin, end, fmt::format("'{}' is not a number of JSON: write a finite number", shown));
+        say(begin, end, fmt::format("'{}' is not a number of JSON: write a finite number", text));
     } else if (!word.empty() && word[0] == '+') {
-        say(begin, end, fmt::format("'{}' has a plus sign: leave it out", shown));
+        say(begin, end, fmt::format("'{}' has a plus sign: leave it out", text));
     } else if (word.starts_with('.') || word.starts_with("-.")) {
-        say(begin, end, fmt::format("'{}' needs a digit before its point", shown));
+        say(begin, end, fmt::format("'{}' needs a digit before its point", text));
     } else if (const std::string_view literal = nearest(word, kLiterals); !literal.empty()) {
-        say(begin, end, fmt::format("'{}' is not a value: write {}", shown, literal));
+        say(begin, end, fmt::format("'{}' is not a value: write {}", text, literal));
     } else {
-        say(begin, end, fmt::format("'{}' is not a value: text stands in double quotes", shown));
+        say(begin, end, fmt::format("'{}' is not a value: text stands in double quotes", text));
     }
 }
 
@@ -130,7 +121,7 @@ void Breaker::bad_key() {
     } else if (c == ':') {
         say(at_.offset, end, "a key is missing before this ':'");
     } else {
-        say(at_.offset, end, fmt::format("a key in double quotes is needed here, not '{}'", quoted(found)));
+        say(at_.offset, end, fmt::format("a key in double quotes is needed here, not '{}'", shown(found)));
     }
 }
 
@@ -152,7 +143,7 @@ void Breaker::missing_comma() {
         const std::string_view found = word(at_.last_begin);
         const bool zero = (last == '0' && at_.last_end - at_.last_begin == 1) && c >= '0' && c <= '9';
         say(at_.last_begin, at_.last_begin + found.size(),
-            fmt::format("'{}' is not a number of JSON{}", quoted(found), zero ? ": leave out the leading zero" : ""));
+            fmt::format("'{}' is not a number of JSON{}", shown(found), zero ? ": leave out the leading zero" : ""));
     } else if (c == '}' || c == ']') {
         const std::uint32_t bracket = base_ + static_cast<std::uint32_t>(at_.bracket_offset);
         say(at_.offset, at_.offset + 1, fmt::format("a '{}' cannot close a '{}'", c, at_.bracket))
@@ -205,7 +196,7 @@ void Breaker::bad_comment() {
 void Breaker::report() {
     const std::size_t token = skip_between_tokens(text_, at_.last_end);
     const std::size_t token_end = token + (token < text_.size() ? word(token).size() : 0);
-    const std::string shown = token < text_.size() ? quoted(word(token)) : std::string();
+    const std::string text = token < text_.size() ? shown(word(token)) : std::string();
     switch (at_.code) {
         case rapidjson::kParseErrorNone:
         case rapidjson::kParseErrorTermination: return;  // the builder has spoken
@@ -229,13 +220,13 @@ void Breaker::report() {
         case rapidjson::kParseErrorStringEscapeInvalid: return bad_escape();
         case rapidjson::kParseErrorStringMissQuotationMark: return open_string();
         case rapidjson::kParseErrorNumberTooBig:
-            say(token, token_end, fmt::format("the number '{}' is too large", shown));
+            say(token, token_end, fmt::format("the number '{}' is too large", text));
             return;
         case rapidjson::kParseErrorNumberMissFraction:
-            say(token, token_end, fmt::format("'{}' needs a digit after its point", shown));
+            say(token, token_end, fmt::format("'{}' needs a digit after its point", text));
             return;
         case rapidjson::kParseErrorNumberMissExponent:
-            say(token, token_end, fmt::format("'{}' needs a digit in its exponent", shown));
+            say(token, token_end, fmt::format("'{}' needs a digit in its exponent", text));
             return;
         case rapidjson::kParseErrorUnspecificSyntaxError: return bad_comment();
         case rapidjson::kParseErrorStringInvalidEncoding:

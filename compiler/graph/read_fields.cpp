@@ -16,14 +16,6 @@ constexpr std::size_t kEnough = 100;
 
 }  // namespace
 
-std::string shown(std::string_view text) {
-    constexpr std::size_t kMaxShown = 80;
-    if (text.size() <= kMaxShown) return std::string(text);
-    std::size_t cut = kMaxShown;
-    while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0u) == 0x80u) --cut;
-    return std::string(text.substr(0, cut)) + "...";
-}
-
 const JsonMember* find_member(const Json& object, std::string_view key) {
     for (const JsonMember& member : object.members) {
         if (member.key == key) return &member;

@@ -1,7 +1,7 @@
 // What the readers of a graph's parts share: one look at a JSON value that also says what is wrong with it. Private to
 // compiler/graph/read_*.cpp.
 //
-//   if (const Json* json = find(object, "wrap")) {
+//   if (const Json* json = object.find("wrap")) {
 //       sampler.wrap = read_word(reading, *json, "wrap", "a wrap mode", kWraps).value_or(Wrap::Repeat);
 //   }
 #pragma once
@@ -34,8 +34,6 @@ private:
     std::unordered_map<std::string_view, Span> first_;
 };
 
-// Text of the user's in a message: a long one is cut.
-std::string shown(std::string_view text);
 // The text between the quotes.
 inline Span inside(Span quoted) {
     return {quoted.begin + 1, quoted.end - 1};

@@ -104,6 +104,7 @@ void add_port_definitions(Members& definitions, std::span<const NodeInfo> nodes)
 }
 
 std::string model_name_schema(std::span<const ModelInfo> models) {
+    if (models.empty()) return R"({"type":"string"})";
     std::vector<std::string> names;
     for (const ModelInfo& model : models) names.push_back(described_word(model.name, first_paragraph(model.doc)));
     return object({{"anyOf", list(names)}});

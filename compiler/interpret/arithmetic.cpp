@@ -1,12 +1,12 @@
 // Ops that work component by component, and conversions: tables from op to what it means, one line each.
-#include "compiler/interpret/kernels.h"
-#include "compiler/interpret/rounding.h"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+
+#include "compiler/interpret/kernels.h"
+#include "compiler/interpret/rounding.h"
 
 namespace patina::interpret {
 namespace {
@@ -63,15 +63,14 @@ constexpr Meaning whole(Op op, F) {
 }
 
 // Of a NaN and a number, min and max give the number, as IEEE 754's minNum does and GPUs commonly do; so clamp and
-// saturate of NaN give the lower limit.
-constexpr auto minimum = [](auto x, auto y) { return std::fmin(x, y); };
-constexpr auto maximum = [](auto x, auto y) { return std::fmax(x, y); };
-
-template <class Real>
-Real smoothstep(Real edge0, Real edge1, Real x) {
-    const Real t = std::fmin(std::fmax((x - edge0) / (edge1 - edge0), Real(0)), Real(1));
+// saturate of NaN give the lower limit. Not std::fmin: the call costs ten times the comparison.
+constexpr auto minimum = [](auto x, auto y) { return y < x || x != x ? y : x; };
+constexpr auto maximum = [](auto x, auto y) { return x < y || x != x ? y : x; };
+constexpr auto saturate = [](auto x) { return minimum(maximum(x, decltype(x)(0)), decltype(x)(1)); };
+constexpr auto smoothstep = [](auto edge0, auto edge1, auto x) {
+    const auto t = saturate((x - edge0) / (edge1 - edge0));
     return t * t * (3 - 2 * t);
-}
+};
 
 // --- floats; also what integers and bools share with them: comparisons, and choosing one of the operands
 
@@ -98,7 +97,7 @@ constexpr Meaning kReals[] = {
     real(Op::Round, [](auto x) { return std::nearbyint(x); }),  // in the default mode: halves to even
     real(Op::Trunc, [](auto x) { return std::trunc(x); }),
     real(Op::Frac, [](auto x) { return x - std::floor(x); }),
-    real(Op::Saturate, [](auto x) { return minimum(maximum(x, decltype(x)(0)), decltype(x)(1)); }),
+    real(Op::Saturate, saturate),
     real(Op::Sqrt, [](auto x) { return std::sqrt(x); }),
     real(Op::Rsqrt, [](auto x) { return 1 / std::sqrt(x); }),
     real(Op::Exp, [](auto x) { return std::exp(x); }),
@@ -124,7 +123,7 @@ constexpr Meaning kReals[] = {
     real(Op::Step, [](auto edge, auto x) { return x >= edge; }),
     real(Op::Clamp, [](auto x, auto low, auto high) { return minimum(maximum(x, low), high); }),
     real(Op::Lerp, [](auto a, auto b, auto t) { return a + (b - a) * t; }),
-    real(Op::Smoothstep, [](auto edge0, auto edge1, auto x) { return smoothstep(edge0, edge1, x); }),
+    real(Op::Smoothstep, smoothstep),
     real(Op::IsNan, [](auto x) { return std::isnan(x); }),
     real(Op::IsInf, [](auto x) { return std::isinf(x); }),
 };

@@ -1,6 +1,6 @@
 // What each op computes, as functions over four lanes: component by component (arithmetic.cpp), over vectors and
-// matrices (vectors.cpp), and textures (sampling.cpp). In Float precision a float op computes in float, step by step, as
-// a GPU does; half ops compute in double and are rounded once, by the caller.
+// matrices (vectors.cpp), and textures (sampling.cpp). In Float precision a float op computes in float, step by step,
+// as a GPU does; half ops compute in double and are rounded once, by the caller.
 //
 //   Kernel add = arithmetic_kernel(Op::Add, Scalar::Float, Precision::Float);
 #pragma once

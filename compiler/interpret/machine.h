@@ -8,12 +8,12 @@
 //   machine.result(0, 0);
 #pragma once
 
-#include "compiler/ir/ir.h"
-#include "patina/interpret.h"
-
 #include <array>
 #include <memory>
 #include <vector>
+
+#include "compiler/ir/ir.h"
+#include "patina/interpret.h"
 
 namespace patina::interpret {
 
@@ -57,7 +57,7 @@ struct Move {
 struct Branch {
     Slot condition = kNowhere;
     std::array<std::uint32_t, 2> blocks{};  // if true, if false
-    std::array<std::vector<Move>, 2> yields;
+    std::array<std::vector<Move>, 2> yields{};
 };
 
 struct Loop {
@@ -65,32 +65,32 @@ struct Loop {
     Slot end = kNowhere;
     Slot index = kNowhere;
     std::uint32_t block = 0;
-    std::vector<Move> initial;
-    std::vector<Move> next;
+    std::vector<Move> initial{};
+    std::vector<Move> next{};
     // Where a carried value becomes another carried value, all of them go through a place in between.
-    std::vector<Move> staged;
+    std::vector<Move> staged{};
 };
 
 struct CallSite {
     std::uint32_t block = 0;
-    std::vector<Move> arguments;
-    Move result;
+    std::vector<Move> arguments{};
+    Move result{};
 };
 
 struct Machine {
     Precision precision = Precision::Float;
-    std::vector<std::vector<Step>> blocks;
-    std::vector<Branch> branches;
-    std::vector<Loop> loops;
-    std::vector<CallSite> calls;
+    std::vector<std::vector<Step>> blocks{};
+    std::vector<Branch> branches{};
+    std::vector<Loop> loops{};
+    std::vector<CallSite> calls{};
     std::uint32_t entry = 0;  // a block
     Slot first_argument = 0;
-    std::vector<ir::Type> argument_types;    // scalar or opaque, one per component, end to end
+    std::vector<ir::Type> argument_types{};  // scalar or opaque, one per component, end to end
     Move output;                             // from, count
-    std::vector<Slot> globals;               // by Module::globals; kNowhere if nothing reads it
+    std::vector<Slot> globals{};             // by Module::globals; kNowhere if nothing reads it
 
-    std::vector<double> memory;
-    std::vector<std::shared_ptr<const TextureData>> textures;  // by Module::globals; null: not bound
+    std::vector<double> memory{};
+    std::vector<std::shared_ptr<const TextureData>> textures{};  // by Module::globals; null: not bound
     Mask discarded = 0;
 
     double* at(Slot slot) { return memory.data() + std::size_t{slot} * kLanes; }

@@ -4,10 +4,10 @@
 //   to_half(0.1) == 0.0999755859375      wrap(Scalar::Int, 1LL << 31) == -2147483648.0
 #pragma once
 
+#include <cstdint>
+
 #include "compiler/ir/types.h"
 #include "patina/interpret.h"
-
-#include <cstdint>
 
 namespace patina::interpret {
 

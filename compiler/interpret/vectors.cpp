@@ -1,9 +1,9 @@
 // Ops over whole vectors and matrices, choices, and derivatives over the quad. Each computes one lane after the other,
 // in the precision Real.
-#include "compiler/interpret/kernels.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "compiler/interpret/kernels.h"
 
 namespace patina::interpret {
 namespace {

@@ -61,6 +61,7 @@ bool is_leaf(Op op) {
 Builder::Builder(Module& module, Function& function, BuildOptions options)
     : module_(module), function_(function), options_(options) {
     if (function_.blocks.empty()) function_.blocks.emplace_back();
+    if (options_.fold) numbered_.reserve(function_.insts.capacity());
 }
 
 Value Builder::append(Inst inst, std::span<const Value> args, std::vector<Value>& where) {
@@ -85,7 +86,7 @@ void Builder::check_rule([[maybe_unused]] Op op, [[maybe_unused]] Type type,
     }
     if (type.is_error() || result_type(op, types) == type) return;
     std::string what = std::string(info(op).text) + " of (";
-    for (const Type t : types) what += module_.type_name(t) + (&t == &types.back() ? "" : ", ");
+    for (std::size_t i = 0; i < types.size(); i++) what += (i == 0 ? "" : ", ") + module_.type_name(types[i]);
     refuse(module_, function_, what + ") is not a " + module_.type_name(type));
 #endif
 }
@@ -320,10 +321,8 @@ Value Builder::result(Value structure, std::uint32_t index) {
 
 void Builder::ret(Value value) {
     append({.op = Op::Return, .type = Type::none()}, std::span<const Value>(&value, value ? 1 : 0), current());
-    if (head_.empty()) return;
     std::vector<Value>& body = function_.blocks[0].insts;
-    head_.insert(head_.end(), body.begin(), body.end());
-    body = std::move(head_);
+    body.insert(body.begin(), head_.begin(), head_.end());
     head_.clear();
 }
 

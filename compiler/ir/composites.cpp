@@ -20,7 +20,6 @@ unsigned component(std::uint32_t swizzle, unsigned i) {
 struct Component {
     Value value;
     unsigned index = 0;
-    friend bool operator==(Component, Component) = default;
 };
 
 // Component `index` of a vector that a construct lays out.

@@ -124,7 +124,6 @@ constexpr Identity kIdentities[] = {
 
     {max(x, x), x},
     {max(saturate(x), 0), saturate(x)},
-    {max(abs(x), 0), abs(x)},
 
     {clamp(x, 0, 1), saturate(x)},
     {clamp(clamp(x, y, z), y, z), clamp(x, y, z)},
@@ -180,11 +179,62 @@ static_assert(is_grouped_by_op());
 using Node = Pattern::Node;
 using Bindings = std::array<Value, kVariables>;
 
-const Node* behind(const Node* node) {
-    const int operands = node->kind == Pattern::Kind::Operation ? info(node->op).arguments : 0;
-    node++;
-    for (int k = 0; k < operands; k++) node = behind(node);
+// A glance at the operands that rules out most identities before any is matched: the ops among them, and whether two
+// are one value.
+struct Glance {
+    std::array<std::uint64_t, 2> ops{};
+    bool has_twins = false;
+
+    constexpr void add(Op op) {
+        const auto bit = static_cast<unsigned>(op);
+        ops[bit / 64] |= std::uint64_t{1} << bit % 64;
+    }
+    constexpr bool holds(const Glance& wanted) const {
+        return (ops[0] & wanted.ops[0]) == wanted.ops[0] && (ops[1] & wanted.ops[1]) == wanted.ops[1] &&
+               (has_twins || !wanted.has_twins);
+    }
+};
+static_assert(kOpCount <= 128);
+
+constexpr const Node* behind(const Node* node, int operands) {
+    for (int k = 0; k < operands; k++) {
+        const int inner = node->kind == Pattern::Kind::Operation ? static_cast<int>(node->operands) : 0;
+        node = behind(node + 1, inner);
+    }
     return node;
+}
+
+constexpr Glance glance_of(const Pattern& left) {
+    Glance wanted;
+    const Node* operand = left.nodes.data() + 1;
+    unsigned variables = 0;
+    for (int k = 0; k < left.nodes[0].operands; k++) {
+        if (operand->kind == Pattern::Kind::Operation) {
+            wanted.add(operand->op);
+        } else if (operand->kind == Pattern::Kind::Number) {
+            wanted.add(Op::Constant);
+        } else {
+            wanted.has_twins = wanted.has_twins || (variables >> operand->number & 1u) != 0;
+            variables |= 1u << operand->number;
+        }
+        operand = behind(operand, 1);
+    }
+    return wanted;
+}
+
+constexpr auto kGlances = [] {
+    std::array<Glance, std::size(kIdentities)> glances{};
+    for (std::size_t k = 0; k < glances.size(); k++) glances[k] = glance_of(kIdentities[k].left);
+    return glances;
+}();
+
+Glance glance_at(const Builder& b, std::span<const Value> args) {
+    Glance seen;
+    for (std::size_t k = 0; k < args.size(); k++) {
+        seen.add(b[args[k]].op);
+        for (std::size_t other = 0; other < k; other++) seen.has_twins = seen.has_twins || args[other] == args[k];
+    }
+    return seen;
 }
 
 bool match_operands(const Builder& b, const Node* node, Op op, std::span<const Value> args, Bindings& bound);
@@ -209,7 +259,7 @@ bool match_operands(const Builder& b, const Node* node, Op op, std::span<const V
         const Node* operand = node;
         for (const Value value : values) {
             if (!match(b, operand, value, bound)) return false;
-            operand = behind(operand);
+            operand = behind(operand, 1);
         }
         return true;
     };
@@ -229,7 +279,7 @@ Type type_of(const Builder& b, const Node*& node, const Bindings& bound) {
                                                   : b.type(bound[static_cast<std::size_t>(head.number)]);
     }
     std::array<Type, 3> types;
-    const auto count = static_cast<std::size_t>(info(head.op).arguments);
+    const std::size_t count = head.operands;
     for (std::size_t k = 0; k < count; k++) types[k] = type_of(b, node, bound);
     return result_type(head.op, {types.data(), count});
 }
@@ -241,7 +291,7 @@ Value build(Builder& b, Type type, const Node*& node, const Bindings& bound) {
     if (head.kind != Pattern::Kind::Operation) return bound[static_cast<std::size_t>(head.number)];
     std::array<Value, 3> args;
     std::array<Type, 3> types;
-    const auto count = static_cast<std::size_t>(info(head.op).arguments);
+    const std::size_t count = head.operands;
     for (std::size_t k = 0; k < count; k++) {
         args[k] = build(b, type, node, bound);
         types[k] = b.type(args[k]);
@@ -251,7 +301,10 @@ Value build(Builder& b, Type type, const Node*& node, const Bindings& bound) {
 
 Value rewrite(Builder& b, Op op, Type type, std::span<const Value> args) {
     const auto [begin, end] = kRanges[static_cast<std::size_t>(op)];
+    if (begin == end) return {};
+    const Glance seen = glance_at(b, args);
     for (std::size_t k = begin; k < end; k++) {
+        if (!seen.holds(kGlances[k])) continue;
         const Identity& identity = kIdentities[k];
         Bindings bound;
         if (!match_operands(b, identity.left.nodes.data() + 1, op, args, bound)) continue;

@@ -18,7 +18,8 @@ struct Pattern {
     enum class Kind : std::uint8_t { Operation, Number, Any, Integer, Bool };
     struct Node {
         Kind kind = Kind::Number;
-        Op op = Op::Constant;    // of an Operation, whose operands follow it
+        Op op = Op::Constant;  // of an Operation, whose operands follow it
+        std::uint8_t operands = 0;
         std::int8_t number = 0;  // of a Number, in every component; of a variable: which one
     };
     static constexpr std::size_t kMaxNodes = 8;
@@ -36,7 +37,7 @@ struct Pattern {
     template <class... Operands>
     static constexpr Pattern operation(Op op, const Operands&... operands) {
         Pattern made;
-        made.nodes[made.size++] = {.kind = Kind::Operation, .op = op};
+        made.nodes[made.size++] = {.kind = Kind::Operation, .op = op, .operands = sizeof...(Operands)};
         (made.add(operands), ...);
         return made;
     }

@@ -153,6 +153,8 @@ Function shell(const Function& from) {
     made.always_inline = from.always_inline;
     made.insts.reserve(from.insts.size());
     made.operands.reserve(from.operands.size());
+    made.blocks.reserve(from.blocks.size());
+    made.blocks.emplace_back().insts.reserve(from.blocks[0].insts.size());
     return made;
 }
 

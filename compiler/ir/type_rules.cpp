@@ -8,7 +8,16 @@
 namespace patina::ir {
 namespace {
 
-enum Operands : std::uint8_t { Bools = 1, Integers = 2, Floats = 4, Numbers = Integers | Floats, Everything = 7 };
+enum Operands : std::uint8_t {
+    Bools = 1,
+    Ints = 2,
+    Uints = 4,
+    Floats = 8,
+    Integers = Ints | Uints,
+    Signed = Ints | Floats,
+    Numbers = Integers | Floats,
+    Everything = Numbers | Bools
+};
 
 struct Demand {
     Op op;
@@ -18,7 +27,7 @@ struct Demand {
 // What the component-wise ops accept; those that are not listed take floats.
 constexpr Demand kDemands[] = {
     {Op::Add, Numbers},         {Op::Sub, Numbers},         {Op::Mul, Numbers},          {Op::Div, Numbers},
-    {Op::Mod, Numbers},         {Op::Neg, Numbers},         {Op::Abs, Numbers},          {Op::Sign, Numbers},
+    {Op::Mod, Numbers},         {Op::Neg, Numbers},         {Op::Abs, Signed},           {Op::Sign, Signed},
     {Op::Min, Numbers},         {Op::Max, Numbers},         {Op::Clamp, Numbers},        {Op::Less, Numbers},
     {Op::LessEqual, Numbers},   {Op::Greater, Numbers},     {Op::GreaterEqual, Numbers}, {Op::Equal, Everything},
     {Op::NotEqual, Everything}, {Op::And, Operands::Bools}, {Op::Or, Operands::Bools},   {Op::Not, Operands::Bools},
@@ -35,8 +44,8 @@ constexpr auto kAccepted = [] {
 
 bool accepts(Op op, Type type) {
     if (!type.is_numeric()) return false;
-    const std::uint8_t kind = type.is_bool() ? Operands::Bools : type.is_integer() ? Integers : Floats;
-    return (kAccepted[static_cast<std::size_t>(op)] & kind) != 0;
+    constexpr std::array<std::uint8_t, 5> kKinds = {Operands::Bools, Ints, Uints, Floats, Floats};  // by Scalar
+    return (kAccepted[static_cast<std::size_t>(op)] & kKinds[static_cast<std::size_t>(type.scalar)]) != 0;
 }
 
 bool all_equal(std::span<const Type> types) {

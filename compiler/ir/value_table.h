@@ -8,6 +8,7 @@
 //   table.shrink(outer);
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -18,6 +19,11 @@ namespace patina::ir {
 class ValueTable {
 public:
     std::size_t size() const { return entries_.size(); }
+
+    void reserve(std::size_t count) {
+        entries_.reserve(count);
+        if (slots_.size() < 2 * count) grow(std::bit_ceil(2 * count));
+    }
 
     template <class Equal>
     Value find(std::uint32_t hash, const Equal& equal) const {
@@ -32,7 +38,7 @@ public:
     void insert(std::uint32_t hash, Value value) {
         entries_.push_back({hash, value});
         if (2 * entries_.size() > slots_.size()) {
-            grow();
+            grow(slots_.empty() ? 32 : 2 * slots_.size());
         } else {
             place(static_cast<std::uint32_t>(entries_.size() - 1));
         }
@@ -65,8 +71,8 @@ private:
         slots_[slot] = index;
     }
 
-    void grow() {
-        slots_.assign(slots_.empty() ? 64 : 2 * slots_.size(), kFree);
+    void grow(std::size_t slots) {
+        slots_.assign(slots, kFree);
         for (std::uint32_t index = 0; index < entries_.size(); index++) place(index);
     }
 

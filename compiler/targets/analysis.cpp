@@ -9,7 +9,7 @@ using namespace ir;
 namespace {
 
 constexpr unsigned kMaxDepth = 12;   // operations folded into each other
-constexpr unsigned kMaxWidth = 90;   // columns of an expression, estimated
+constexpr unsigned kMaxWidth = 96;   // columns of an expression, estimated
 constexpr unsigned kNameWidth = 10;  // of a variable without a hint
 
 // Order, blocks, and one Value for each slot's Results.
@@ -120,16 +120,19 @@ struct Cost {
 
 unsigned own_width(const Analysis& a, Value v) {
     const Inst& inst = a[v];
-    if (inst.op == Op::Constant) return 5 * inst.type.components();
+    if (inst.op == Op::Constant) return inst.type.is_matrix() ? 5 * inst.type.components() : 5;
     if (inst.op == Op::Call) return static_cast<unsigned>(a.module.functions[inst.data].name.size()) + 2 * a.args(v);
     if (inst.op == Op::Global) return static_cast<unsigned>(a.module.globals[inst.data].name.size());
     if (inst.op == Op::Extract) {
         const Type from = a[a.arg(v, 0)].type;
         return from.kind == Kind::Struct
                    ? 1 + static_cast<unsigned>(a.module.structs[from.ref].members[inst.data].name.size())
-                   : 3;
+                   : 2;
     }
-    return 4 + 2 * a.args(v);
+    if (inst.op == Op::Param) return static_cast<unsigned>(a.function.params[inst.data].name.size()) + 2;
+    if (a.is_free(v) || has(inst.op, Traits::Effect)) return 2;
+    const bool is_operator = inst.op >= Op::Add && inst.op <= Op::ShiftRight;
+    return is_operator ? 3 : 6 + 2 * a.args(v);
 }
 
 // Forward: what an expression costs, and what must be taken out of it to keep it readable.
@@ -178,7 +181,7 @@ private:
         }
         cost_[v.index] = c;
     }
-    bool can_stand(Value v) const { return !is_leaf(a_[v].op) && !a_.stands[v.index] && a_.is_read(v); }
+    bool can_stand(Value v) const { return !is_leaf(a_[v].op) && !a_.stands[v.index] && v != a_.outputs; }
     Value biggest_operand(Value v) const {
         Value biggest;
         for (std::uint32_t i = 0; i < a_.args(v); ++i) {
@@ -213,7 +216,8 @@ void find_last_reads(Analysis& a) {
         const Value v = *it;
         const Inst& inst = a[v];
         if (!a.is_live(v) || inst.op == Op::Result) continue;
-        const bool is_statement = a.stands[v.index] || inst.op == Op::If || inst.op == Op::For || has(inst.op, Traits::Effect);
+        const bool is_statement =
+            a.stands[v.index] || inst.op == Op::If || inst.op == Op::For || has(inst.op, Traits::Effect);
         const std::uint32_t here = is_statement ? a.position[v.index] : a.last_read[v.index];
         for (std::uint32_t i = 0; i < a.args(v); ++i) {
             std::uint32_t& last = a.last_read[a.arg(v, i).index];

@@ -11,17 +11,17 @@ struct Analysis {
     const ir::Function& function;
     bool is_entry;
 
-    std::vector<ir::Value> order = {};          // as printed: an If or For, then what is inside, then what follows
-    std::vector<std::uint32_t> position = {};   // by Value: place in that order
-    std::vector<std::uint32_t> end = {};        // by Value: of an If or For, the position of the last thing inside
-    std::vector<ir::BlockId> block = {};        // by Value
-    std::vector<ir::Value> owner = {};          // by block: its If or For
+    std::vector<ir::Value> order = {};         // as printed: an If or For, then what is inside, then what follows
+    std::vector<std::uint32_t> position = {};  // by Value: place in that order
+    std::vector<std::uint32_t> end = {};       // by Value: of an If or For, the position of the last thing inside
+    std::vector<ir::BlockId> block = {};       // by Value
+    std::vector<ir::Value> owner = {};         // by block: its If or For
 
-    std::vector<ir::Value> same_as = {};        // see Plan
+    std::vector<ir::Value> same_as = {};  // see Plan
     std::vector<unsigned> reads = {};
-    std::vector<ir::BlockId> read_block = {};   // one block that reads the value
-    std::vector<bool> read_elsewhere = {};      // another block than its own reads it
-    std::vector<ir::Value> only_reader = {};    // none if there are several
+    std::vector<ir::BlockId> read_block = {};  // one block that reads the value
+    std::vector<bool> read_elsewhere = {};     // another block than its own reads it
+    std::vector<ir::Value> only_reader = {};   // none if there are several
     ir::Value outputs = {};
 
     std::vector<bool> stands = {};              // in a variable
@@ -37,7 +37,8 @@ struct Analysis {
     // Never worth a variable: reading it costs nothing, so all of its readers repeat it.
     bool is_free(ir::Value v) const;
 
-    std::vector<std::vector<ir::Value>> results = {};  // by Value: of an If or For, the Result of each slot; none: not read
+    std::vector<std::vector<ir::Value>> results =
+        {};  // by Value: of an If or For, the Result of each slot; none: not read
 };
 
 Analysis analyse(const ir::Module& module, const ir::Function& function, bool is_entry);

@@ -2,10 +2,10 @@
 // (statements.cpp). Which values are variables was decided in plan.h.
 #pragma once
 
+#include <optional>
+
 #include "compiler/targets/plan.h"
 #include "compiler/targets/writer.h"
-
-#include <optional>
 
 namespace patina::targets {
 
@@ -68,7 +68,9 @@ private:
     void print_for(ir::Value v);
     void print_return(ir::Value v);
     void print_yields(ir::Value yield, ir::Value structure);
-    void assign(std::uint32_t variable, ir::Value from, std::string_view text);
+    // "x = text;", or "x += y;" where the text is x + y. `value`: what the text computes.
+    void assign(std::uint32_t variable, ir::Value value, const Text& text, ir::Value from);
+    std::string assignment(std::uint32_t variable, ir::Value value, const Text& text);
     void enter(ir::OriginId origin);
 
     std::string target(std::uint32_t variable);
@@ -87,8 +89,8 @@ private:
     std::vector<std::string> params_;  // names
     std::vector<std::string> names_;   // of variables; empty: not declared yet
     unsigned indent_ = 1;
-    unsigned loops_ = 0;       // open ones
-    ir::OriginId origin_;      // of the last statement
+    unsigned loops_ = 0;           // open ones
+    ir::OriginId origin_;          // of the last statement
     std::vector<bool> commented_;  // by origin
     bool at_block_start_ = true;
 };

@@ -1,10 +1,10 @@
-#include "compiler/targets/body.h"
-#include "compiler/targets/literals.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
+
+#include "compiler/targets/body.h"
+#include "compiler/targets/literals.h"
 
 namespace patina::targets {
 
@@ -64,7 +64,8 @@ std::optional<Text> Body::scalar_of(Value v) const {
     if (inst.op != Op::Constant) return {};
     const auto numbers = module().numbers_of(module().constants[inst.data]);
     const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
-    const bool same = std::all_of(numbers.begin(), numbers.end(), [&](double n) { return bits(n) == bits(numbers[0]); });
+    const bool same =
+        std::all_of(numbers.begin(), numbers.end(), [&](double n) { return bits(n) == bits(numbers[0]); });
     if (!same) return {};
     return literal(writer_.language, inst.type.scalar, numbers[0]);
 }
@@ -106,7 +107,9 @@ Text Body::call(Value v, const Spelling& spelling) const {
     std::vector<Value> operands;
     for (std::uint32_t i = 0; i < args(v); ++i) operands.push_back(arg(v, i));
     const auto may_be_scalar = [&](std::size_t i) { return (spelling.scalars >> i & 1) != 0; };
-    if (has(inst.op, Commutes) && operands.size() == 2 && may_be_scalar(1) && scalar_of(operands[0])) {
+    // min and max: the limit last, as one writes it, and as GLSL wants a scalar limit.
+    const auto is_limit = [&](Value operand) { return scalar_of(operand) || function_[operand].op == Op::Constant; };
+    if (has(inst.op, Commutes) && may_be_scalar(1) && is_limit(operands[0]) && !is_limit(operands[1])) {
         std::swap(operands[0], operands[1]);
     }
     bool scalars = inst.type.is_vector();
@@ -209,7 +212,8 @@ Text Body::vector_of_parts(Value v) const {
         i += static_cast<std::uint32_t>(letters.size());
         const Text source = expression(from);
         const bool whole = is_identity(letters, function_[from].type);
-        const Text run = whole ? source : Text{at_least(Precedence::Postfix, source) + "." + letters, Precedence::Postfix};
+        const Text run =
+            whole ? source : Text{at_least(Precedence::Postfix, source) + "." + letters, Precedence::Postfix};
         if (letters.size() == type.width()) return run;
         texts.push_back(run.text);
     }
@@ -245,7 +249,8 @@ Text Body::extract(Value v) const {
     const std::uint32_t index = function_[v].data;
     if (type.is_matrix()) return row(from, fmt::format("{}", index));
     // One element of a matrix, without making its row.
-    const bool is_row = function_[from].op == Op::Extract && !is_variable(from) && function_[arg(from, 0)].type.is_matrix();
+    const bool is_row =
+        function_[from].op == Op::Extract && !is_variable(from) && function_[arg(from, 0)].type.is_matrix();
     if (is_row && writer_.language.matrices_by_columns) {
         const std::string matrix = at_least(Precedence::Postfix, expression(arg(from, 0)));
         return {fmt::format("{}[{}][{}]", matrix, index, function_[from].data), Precedence::Postfix};

@@ -1,18 +1,19 @@
-// What the printer must know about a target language: how each operation is spelled (data), and the few things for which
-// data is not enough (functions). The printer decides what is printed and in which order; a language decides how it looks.
+// What the printer must know about a target language: how each operation is spelled (data), and the few things for
+// which data is not enough (functions). The printer decides what is printed and in which order; a language decides how
+// it looks.
 //
 //   {Op::Lerp, Form::Function, "mix", Precedence::Postfix, {}, kThird}     lerp(a, b, t) is mix(a, b, t), and t may be
 //                                                                       a scalar beside vectors
 #pragma once
-
-#include "compiler/ir/ir.h"
-#include "compiler/targets/precedence.h"
 
 #include <array>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "compiler/ir/ir.h"
+#include "compiler/targets/precedence.h"
 
 namespace patina::targets {
 
@@ -58,10 +59,10 @@ consteval SpellingTable by_op(const Spelling (&rows)[N]) {
 
 // How the entry function reads its inputs and writes its outputs.
 struct EntryPoint {
-    std::string signature;                  // "void main()"
-    std::vector<Text> inputs;               // by parameter: "v_uv0", "input.uv0"
-    std::vector<std::string> outputs;       // by member of the result: "out_color", "output.color"
-    std::string before_return, at_return;   // statements around the assignments of the outputs; may be empty
+    std::string signature;                 // "void main()"
+    std::vector<Text> inputs;              // by parameter: "v_uv0", "input.uv0"
+    std::vector<std::string> outputs;      // by member of the result: "out_color", "output.color"
+    std::string before_return, at_return;  // statements around the assignments of the outputs; may be empty
 };
 
 struct Language {
@@ -77,7 +78,8 @@ struct Language {
     // A vector whose components all are the scalar.
     Text (*splat)(ir::Type type, const Text& scalar) = nullptr;
     // The initial value of an array with these elements.
-    std::string (*array_value)(const std::string& element_type, std::size_t count, const std::string& elements) = nullptr;
+    std::string (*array_value)(const std::string& element_type, std::size_t count,
+                               const std::string& elements) = nullptr;
     std::string_view constant_array;  // what stands before a constant array's type
     // Ops that the table calls Own.
     Text (*expression)(const Body& body, ir::Value value) = nullptr;

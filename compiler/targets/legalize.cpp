@@ -1,9 +1,9 @@
 #include "compiler/targets/legalize.h"
 
-#include "compiler/ir/passes/passes.h"
-
 #include <algorithm>
 #include <optional>
+
+#include "compiler/ir/passes/passes.h"
 
 namespace patina::targets {
 
@@ -17,18 +17,16 @@ const Type& type_of_operand(const Function& function, Value v, std::uint32_t ind
 
 // --- x mod y has the sign of x. GLSL's mod and glslang's % have the sign of y, for ints too.
 
-Value remainder(Builder& b, Value x, Value y) {
-    const Type type = b.type(x);
-    Value quotient = b.emit(Op::Div, type, {x, y});
-    if (type.is_floating()) quotient = b.emit(Op::Trunc, type, {quotient});
-    return b.emit(Op::Sub, type, {x, b.emit(Op::Mul, type, {y, quotient})});
-}
-
 bool is_signed_mod(const Module&, const Function& function, Value v) {
     return function[v].op == Op::Mod && function[v].type.scalar != Scalar::Uint && !function[v].type.is_matrix();
 }
 Value expand_mod(Copy& copy, Value v) {
-    return remainder(copy.to, operand(copy, v, 0), operand(copy, v, 1));
+    Builder& b = copy.to;
+    const Value x = operand(copy, v, 0), y = operand(copy, v, 1);
+    const Type type = copy.from[v].type;
+    Value quotient = b.emit(Op::Div, type, {x, y});
+    if (type.is_floating()) quotient = b.emit(Op::Trunc, type, {quotient});
+    return b.emit(Op::Sub, type, {x, b.emit(Op::Mul, type, {y, quotient})});
 }
 
 // --- component-wise operations on matrices: * multiplies matrices in GLSL, functions take none
@@ -46,7 +44,7 @@ Value split_rows(Copy& copy, Value v) {
     for (std::uint32_t i = 0; i < inst.type.rows; ++i) {
         std::vector<Value> parts;
         for (std::uint32_t n = 0; n < inst.operand_count; ++n) parts.push_back(b.extract(operand(copy, v, n), i));
-        rows.push_back(inst.op == Op::Mod ? remainder(b, parts[0], parts[1]) : b.emit(inst.op, row_type, parts));
+        rows.push_back(b.emit(inst.op, row_type, parts));
     }
     return b.construct(inst.type, rows);
 }
@@ -137,8 +135,8 @@ Value sample_at_level(Copy& copy, Value v) {
 
 bool is_scalar_geometry(const Module&, const Function& function, Value v) {
     const Op op = function[v].op;
-    const bool is_geometry = op == Op::Dot || op == Op::Length || op == Op::Distance || op == Op::Reflect ||
-                             op == Op::Any || op == Op::All;
+    const bool is_geometry =
+        op == Op::Dot || op == Op::Length || op == Op::Distance || op == Op::Reflect || op == Op::Any || op == Op::All;
     return is_geometry && type_of_operand(function, v, 0).is_scalar();
 }
 Value scalar_geometry(Copy& copy, Value v) {
@@ -171,10 +169,11 @@ const Rule* rule_for(std::span<const Rule> rules, const Module& module, const Fu
     return found == rules.end() ? nullptr : &*found;
 }
 
-void legalize_function(Module& module, Function& function, std::span<const Rule> rules) {
+// True if anything was rewritten.
+bool legalize_once(Module& module, Function& function, std::span<const Rule> rules) {
     std::vector<const Rule*> applying(function.insts.size());
     for (std::uint32_t i = 0; i < applying.size(); ++i) applying[i] = rule_for(rules, module, function, {i});
-    if (std::all_of(applying.begin(), applying.end(), [](const Rule* rule) { return rule == nullptr; })) return;
+    if (std::all_of(applying.begin(), applying.end(), [](const Rule* rule) { return rule == nullptr; })) return false;
 
     Function made = shell(function);
     Builder builder(module, made, {.fold = false});  // folding would undo some of it
@@ -189,6 +188,7 @@ void legalize_function(Module& module, Function& function, std::span<const Rule>
     };
     copy_body(copy);
     function = std::move(made);
+    return true;
 }
 
 }  // namespace
@@ -198,7 +198,10 @@ void legalize(Module& module, std::span<const Rule> rules) {
     module = legalize_discard(std::move(module));
     std::vector<Rule> all(std::begin(kShared), std::end(kShared));
     all.insert(all.end(), rules.begin(), rules.end());
-    for (Function& function : module.functions) legalize_function(module, function, all);
+    for (Function& function : module.functions) {
+        // What a rule makes may need another one, of a smaller type: a matrix's saturate is that of its rows.
+        while (legalize_once(module, function, all)) continue;
+    }
 }
 
 }  // namespace patina::targets

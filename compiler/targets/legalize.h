@@ -1,6 +1,6 @@
 // Rewrites of what a target language cannot say into what it can. A rule looks at one instruction; those that no rule
-// applies to stay as they are, and a function that needs none is not touched. What all targets share is listed here, what
-// only one needs is in its folder.
+// applies to stay as they are, and a function that needs none is not touched. What all targets share is listed here,
+// what only one needs is in its folder.
 //
 //   constexpr Rule kRules[] = {{is_saturate, clamp_to_one}};
 //   legalize(module, kRules);

@@ -1,12 +1,12 @@
 #include "compiler/targets/literals.h"
 
-#include "compiler/base/text.h"
-
 #include <fmt/format.h>
 
 #include <bit>
 #include <cmath>
 #include <limits>
+
+#include "compiler/base/text.h"
 
 namespace patina::targets {
 namespace {

@@ -10,7 +10,7 @@
 
 namespace patina::targets {
 
-// A scalar. `type` is its type; the value is a double that the type holds, or one to be rounded to it.
+// The value is rounded to the scalar kind first.
 Text literal(const Language& language, ir::Scalar scalar, double value);
 
 }  // namespace patina::targets

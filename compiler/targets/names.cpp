@@ -1,10 +1,10 @@
 #include "compiler/targets/names.h"
 
-#include "compiler/targets/print.h"
-
 #include <fmt/format.h>
 
 #include <cctype>
+
+#include "compiler/targets/print.h"
 
 namespace patina::targets {
 namespace {
@@ -59,8 +59,12 @@ void Names::close() {
 }
 
 std::string snake_case(std::string_view name) {
-    const auto upper = [&](std::size_t i) { return i < name.size() && std::isupper(static_cast<unsigned char>(name[i])); };
-    const auto lower = [&](std::size_t i) { return i < name.size() && std::islower(static_cast<unsigned char>(name[i])); };
+    const auto upper = [&](std::size_t i) {
+        return i < name.size() && std::isupper(static_cast<unsigned char>(name[i]));
+    };
+    const auto lower = [&](std::size_t i) {
+        return i < name.size() && std::islower(static_cast<unsigned char>(name[i]));
+    };
     std::string snake;
     for (std::size_t i = 0; i < name.size(); ++i) {
         // A word begins at a capital after a small letter, and at the last capital of a row of them ("GGXTerm").

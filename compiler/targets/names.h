@@ -1,5 +1,5 @@
-// Identifiers of the emitted text: which words no target allows, and which are already taken where a new name is wanted.
-// A name that the author chose is kept; a number is added only on a clash.
+// Identifiers of the emitted text: which words no target allows, and which are already taken where a new name is
+// wanted. A name that the author chose is kept; a number is added only on a clash.
 //
 //   Names names;
 //   names.declare("albedo");  // albedo

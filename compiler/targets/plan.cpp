@@ -1,8 +1,8 @@
 #include "compiler/targets/plan.h"
 
-#include "compiler/targets/analysis.h"
-
 #include <algorithm>
+
+#include "compiler/targets/analysis.h"
 
 namespace patina::targets {
 
@@ -28,8 +28,7 @@ std::uint32_t slot_count(const Function& function, Value structure) {
     return function[function.blocks[inst.data].insts.back()].operand_count;
 }
 
-void for_each_read(const Plan& plan, const Function& function, Value value,
-                   const std::function<void(Value)>& visit) {
+void for_each_read(const Plan& plan, const Function& function, Value value, const std::function<void(Value)>& visit) {
     for (Value operand : function.args(value)) {
         const Value read = plan.resolve(operand);
         if (plan.variable[read.index] != Plan::kNone) {

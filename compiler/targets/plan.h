@@ -1,6 +1,6 @@
-// Decides, before a function is printed, which of its values become variables, which fold into the expressions that read
-// them, and which values share one variable because they are one variable to a reader: a loop's `sum`, a struct that is
-// filled member by member, `x = x * 2.0`.
+// Decides, before a function is printed, which of its values become variables, which fold into the expressions that
+// read them, and which values share one variable because they are one variable to a reader: a loop's `sum`, a struct
+// that is filled member by member, `x = x * 2.0`.
 //
 // A value stands in a variable of its own if it is read twice, samples, is differentiated, has a name hint, is read in
 // another block (a loop would compute it again), or would make an expression too wide or too deep.
@@ -9,11 +9,11 @@
 //   plan.variable[v.index]  // index into plan.variables, or kNone
 #pragma once
 
-#include "compiler/ir/ir.h"
-
 #include <functional>
 #include <string>
 #include <vector>
+
+#include "compiler/ir/ir.h"
 
 namespace patina::targets {
 

@@ -2,11 +2,11 @@
 // Sees the IR and nothing else. A target is a row of targets.cpp: a spelling table, a few functions and its legalize.
 #pragma once
 
-#include "compiler/ir/ir.h"
-
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "compiler/ir/ir.h"
 
 namespace patina::targets {
 
@@ -30,8 +30,8 @@ struct PrintOptions {
 };
 
 struct TargetInfo {
-    std::string_view name;       // "glsl"
-    std::string_view extension;  // "glsl"
+    std::string_view name;                 // "glsl"
+    std::string_view extension;            // "glsl"
     void (*legalize)(ir::Module& module);  // rewrites what the language cannot say; the result still verifies
     Printed (*print)(const ir::Module& module, const PrintOptions& options);
 };

@@ -1,8 +1,8 @@
 // Which values share a variable. A variable holds one value at a time: a value may take over another's variable when
 // nothing reads the other one after that.
-#include "compiler/targets/analysis.h"
-
 #include <algorithm>
+
+#include "compiler/targets/analysis.h"
 
 namespace patina::targets {
 

@@ -1,8 +1,8 @@
-#include "compiler/targets/body.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+
+#include "compiler/targets/body.h"
 
 namespace patina::targets {
 
@@ -15,17 +15,17 @@ struct Fallback {
     std::string_view name;
 };
 constexpr Fallback kFallbacks[] = {
-    {Op::Add, "sum"},           {Op::Sub, "difference"},    {Op::Mul, "product"},        {Op::MatMul, "product"},
-    {Op::Div, "ratio"},         {Op::Mod, "remainder"},     {Op::Neg, "opposite"},       {Op::Dot, "projection"},
+    {Op::Add, "sum"},           {Op::Sub, "difference"},    {Op::Mul, "product"},         {Op::MatMul, "product"},
+    {Op::Div, "ratio"},         {Op::Mod, "remainder"},     {Op::Neg, "opposite"},        {Op::Dot, "projection"},
     {Op::Length, "size"},       {Op::Distance, "size"},     {Op::Normalize, "direction"}, {Op::Cross, "perpendicular"},
-    {Op::Reflect, "reflected"}, {Op::Refract, "refracted"}, {Op::Lerp, "blend"},         {Op::Select, "choice"},
-    {Op::Sample, "texel"},      {Op::SampleBias, "texel"},  {Op::SampleLevel, "texel"},  {Op::SampleGrad, "texel"},
-    {Op::TexelLoad, "texel"},   {Op::TextureSize, "size"},  {Op::Ddx, "slope_x"},        {Op::Ddy, "slope_y"},
-    {Op::Fwidth, "slope"},      {Op::Pow, "power"},         {Op::Exp, "power"},          {Op::Exp2, "power"},
-    {Op::Sqrt, "root"},         {Op::Less, "test"},         {Op::LessEqual, "test"},     {Op::Greater, "test"},
-    {Op::GreaterEqual, "test"}, {Op::Equal, "test"},        {Op::NotEqual, "test"},      {Op::And, "test"},
-    {Op::Or, "test"},           {Op::Not, "test"},          {Op::Index, "element"},      {Op::Saturate, "limited"},
-    {Op::Min, "limited"},       {Op::Max, "limited"},       {Op::Clamp, "limited"},      {Op::Transpose, "transposed"},
+    {Op::Reflect, "reflected"}, {Op::Refract, "refracted"}, {Op::Lerp, "blend"},          {Op::Select, "choice"},
+    {Op::Sample, "texel"},      {Op::SampleBias, "texel"},  {Op::SampleLevel, "texel"},   {Op::SampleGrad, "texel"},
+    {Op::TexelLoad, "texel"},   {Op::TextureSize, "size"},  {Op::Ddx, "slope_x"},         {Op::Ddy, "slope_y"},
+    {Op::Fwidth, "slope"},      {Op::Pow, "power"},         {Op::Exp, "power"},           {Op::Exp2, "power"},
+    {Op::Sqrt, "root"},         {Op::Less, "test"},         {Op::LessEqual, "test"},      {Op::Greater, "test"},
+    {Op::GreaterEqual, "test"}, {Op::Equal, "test"},        {Op::NotEqual, "test"},       {Op::And, "test"},
+    {Op::Or, "test"},           {Op::Not, "test"},          {Op::Index, "element"},       {Op::Saturate, "limited"},
+    {Op::Min, "limited"},       {Op::Max, "limited"},       {Op::Clamp, "limited"},       {Op::Transpose, "transposed"},
 };
 
 // "lighting_surface" -> "ls"
@@ -42,7 +42,8 @@ constexpr std::string_view kLoopIndices[] = {"i", "j", "k", "l"};
 }  // namespace
 
 std::string_view fallback_name(Op op) {
-    const auto found = std::find_if(std::begin(kFallbacks), std::end(kFallbacks), [&](const Fallback& f) { return f.op == op; });
+    const auto found =
+        std::find_if(std::begin(kFallbacks), std::end(kFallbacks), [&](const Fallback& f) { return f.op == op; });
     return found == std::end(kFallbacks) ? "value" : found->name;
 }
 
@@ -118,8 +119,21 @@ void Body::statement(Value v, std::string_view text) {
     writer_.line(indent_, text, function_[v].origin);
 }
 
-void Body::assign(std::uint32_t variable, Value from, std::string_view text) {
-    statement(from, fmt::format("{} = {};", target(variable), text));
+void Body::assign(std::uint32_t variable, Value value, const Text& text, Value from) {
+    statement(from, assignment(variable, value, text));
+}
+
+std::string Body::assignment(std::uint32_t variable, Value value, const Text& text) {
+    const Op op = function_[value].op;
+    const Spelling& spelling = (*writer_.language.spellings)[static_cast<std::size_t>(op)];
+    const bool is_arithmetic = op == Op::Add || op == Op::Sub || op == Op::Mul || op == Op::Div;
+    if (is_arithmetic && is_declared(variable)) {
+        const std::string start = fmt::format("{} {} ", names_[variable], spelling.text);
+        if (plan_.variable[arg(value, 0).index] == variable && text.text.starts_with(start)) {
+            return fmt::format("{} {}= {};", names_[variable], spelling.text, operand(value, 1, true).text);
+        }
+    }
+    return fmt::format("{} = {};", target(variable), text.text);
 }
 
 void Body::print_block(BlockId block) {
@@ -146,8 +160,8 @@ void Body::print_assignment(Value v) {
     if (inst.op == Op::Construct && inst.type.kind == Kind::Array) return print_array(v);
     if (inst.op == Op::Insert) return print_insert(v);
     if (inst.op == Op::Select && is_aggregate(inst.type)) return print_select(v);
-    const std::string text = formula(v).text;  // before its own name exists
-    statement(v, fmt::format("{} = {};", target(v), text));
+    const Text text = formula(v);  // before its own name exists
+    assign(plan_.variable[v.index], v, text, v);
 }
 
 void Body::print_struct(Value v) {
@@ -203,8 +217,8 @@ void Body::print_if(Value v) {
         const std::uint32_t id = slot(v, i);
         if (id == Plan::kNone) continue;
         if (is_plain && plan_.variable[arg(otherwise, i).index] != id) {
-            const std::string text = argument(otherwise, i);
-            assign(id, v, text);
+            const Text text = expression(arg(otherwise, i));
+            assign(id, arg(otherwise, i), text, v);
         } else if (!is_plain && !is_declared(id)) {
             statement(v, target(id) + ";");
         }
@@ -234,8 +248,8 @@ void Body::print_for(Value v) {
     for (std::uint32_t i = 0; i < slot_count(function_, v); ++i) {
         const Value initial = arg(v, 2 + i);
         if (plan_.variable[initial.index] == slot(v, i)) continue;
-        const std::string text = expression(initial).text;
-        assign(slot(v, i), v, text);
+        const Text text = expression(initial);
+        assign(slot(v, i), initial, text, v);
     }
     const std::string begin = argument(v, 0), end = at_least(above(Precedence::Relational), expression(arg(v, 1)));
     writer_.names.open();
@@ -257,8 +271,8 @@ void Body::print_for(Value v) {
     writer_.line(indent_, "}", inst.origin);
 }
 
-// All variables change at once: each is assigned when no other value still reads it, and a circle is broken by computing
-// one value ahead.
+// All variables change at once: each is assigned when no other value still reads it, and a circle is broken by
+// computing one value ahead.
 void Body::print_yields(Value yield, Value structure) {
     struct Pending {
         std::uint32_t variable;
@@ -286,13 +300,15 @@ void Body::print_yields(Value yield, Value structure) {
         };
         const auto next = std::find_if(pending.begin(), pending.end(), is_free);
         if (next == pending.end()) {
-            const auto waiting = std::find_if(pending.begin(), pending.end(), [](const Pending& p) { return p.ready.empty(); });
+            const auto waiting =
+                std::find_if(pending.begin(), pending.end(), [](const Pending& p) { return p.ready.empty(); });
             waiting->ready = writer_.names.declare("next_" + names_[waiting->variable]);
             const std::string target = writer_.declaration(function_[waiting->value].type, waiting->ready);
             statement(origin_of(*waiting), fmt::format("{} = {};", target, expression(waiting->value).text));
             continue;
         }
-        assign(next->variable, origin_of(*next), next->ready.empty() ? expression(next->value).text : next->ready);
+        const Text text = next->ready.empty() ? expression(next->value) : Text{next->ready};
+        assign(next->variable, next->value, text, origin_of(*next));
         pending.erase(next);
     }
 }

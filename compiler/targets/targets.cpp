@@ -1,9 +1,9 @@
 // All target languages. A target is a row here and a folder of its own.
+#include <algorithm>
+
 #include "compiler/targets/glsl/glsl.h"
 #include "compiler/targets/hlsl/hlsl.h"
 #include "compiler/targets/print.h"
-
-#include <algorithm>
 
 namespace patina::targets {
 namespace {
@@ -20,7 +20,8 @@ std::span<const TargetInfo> all_targets() {
 }
 
 const TargetInfo* find_target(std::string_view name) {
-    const auto found = std::find_if(std::begin(kTargets), std::end(kTargets), [&](const TargetInfo& t) { return t.name == name; });
+    const auto found =
+        std::find_if(std::begin(kTargets), std::end(kTargets), [&](const TargetInfo& t) { return t.name == name; });
     return found == std::end(kTargets) ? nullptr : found;
 }
 

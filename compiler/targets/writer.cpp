@@ -114,7 +114,8 @@ void Writer::gap() {
 std::string Writer::type(Type type) const {
     switch (type.kind) {
         case Kind::Void: return "void";
-        case Kind::Array: return fmt::format("{}[{}]", this->type(module.arrays[type.ref].element), module.arrays[type.ref].count);
+        case Kind::Array:
+            return fmt::format("{}[{}]", this->type(module.arrays[type.ref].element), module.arrays[type.ref].count);
         case Kind::Struct: return structs[type.ref];
         case Kind::Numeric:
         case Kind::Texture2D:

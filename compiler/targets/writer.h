@@ -11,8 +11,8 @@ namespace patina::targets {
 // What the entry function reaches; indexed like the module's vectors. Nothing else is printed.
 struct Reachable {
     std::vector<bool> functions, structs, blocks, globals;
-    bool half = false;              // the type is used
-    bool samplerless = false;       // a texture is read without a sampler
+    bool half = false;         // the type is used
+    bool samplerless = false;  // a texture is read without a sampler
 };
 Reachable find_reachable(const ir::Module& module);
 

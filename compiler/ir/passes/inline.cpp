@@ -10,10 +10,12 @@ namespace {
 
 // A function of so few operations reads as well, or better, where it is called.
 constexpr std::uint32_t kSmall = 3;
-// Bodies that call each other twice and must all be spelled out could double at each step. A function that has grown
-// beyond this keeps its calls.
-constexpr std::size_t kMaxInstructions = 1u << 18;
+// Functions that all must be spelled out and that call one another twice would double at each step. When so much has
+// been spelled out in a module, the rest stays calls.
+constexpr std::size_t kBudget = 1u << 18;
 constexpr int kMaxDepth = 32;
+// Passes and printers walk blocks by recursion, so that bodies are not nested without end either.
+constexpr std::size_t kMaxNesting = 200;
 
 bool holds_opaque(const Module& module, Type type, int depth = 0) {
     if (type.is_opaque()) return true;
@@ -26,15 +28,33 @@ bool holds_opaque(const Module& module, Type type, int depth = 0) {
 // What a finished function is like as a callee.
 struct Callee {
     bool always = false;
+    std::size_t nesting = 0;
     std::vector<std::pair<std::uint64_t, bool>> verdicts;  // by settled parameters: does anything become hoistable
 };
+
+// How deep blocks stand in blocks. A block is made after the one that it stands in.
+std::size_t nesting_of(const Function& function) {
+    std::vector<std::size_t> depth(function.blocks.size());
+    std::size_t deepest = 0;
+    for (std::size_t block = 0; block < depth.size(); block++) {
+        deepest = std::max(deepest, depth[block]);
+        for (const Value value : function.blocks[block].insts) {
+            const Inst& inst = function[value];
+            if (inst.op == Op::If || inst.op == Op::For) depth[inst.data] = depth[block] + 1;
+            if (inst.op == Op::If) depth[inst.data + 1] = depth[block] + 1;
+        }
+    }
+    return deepest;
+}
 
 Callee describe(const Module& module, const Function& function) {
     const bool takes_opaque = std::any_of(function.params.begin(), function.params.end(),
                                           [&](const Param& p) { return holds_opaque(module, p.type); });
     const auto work =
         std::count_if(function.insts.begin(), function.insts.end(), [](const Inst& i) { return is_work(i.op); });
-    return {.always = function.always_inline || takes_opaque || work <= kSmall, .verdicts = {}};
+    return {.always = function.always_inline || takes_opaque || work <= kSmall,
+            .nesting = nesting_of(function),
+            .verdicts = {}};
 }
 
 bool has_settled_work(const Function& callee, std::uint64_t params) {
@@ -107,7 +127,9 @@ private:
             return true;
         }
         if (inst.op != Op::Call || !wants_inlining(copy, inst) || depth >= kMaxDepth) return false;
-        if (copy.to.function().insts.size() > kMaxInstructions) return false;
+        const std::size_t size = module_.functions[inst.data].insts.size();
+        if (size > budget_ || copy.to.depth() + callees_[inst.data].nesting > kMaxNesting) return false;
+        budget_ -= size;
         copy.map[value.index] = inline_call(copy, inst, depth);
         return true;
     }
@@ -164,6 +186,7 @@ private:
     std::vector<Function> old_;
     std::vector<Callee> callees_;
     LightRate light_;
+    std::size_t budget_ = kBudget;
 };
 
 }  // namespace

@@ -43,11 +43,15 @@ public:
     }
 
 private:
-    // `within` gathers the highest rate below Light in the block.
+    // `within` gathers the highest rate below Light that the block makes or reads.
     void block(std::uint32_t index, Value loop, Rate& within) {
+        const auto gather = [&](Value v) {
+            if (rates_[v.index] < Rate::Light) within = std::max(within, rates_[v.index]);
+        };
         for (const Value value : function_.blocks[index].insts) {
             raise(value, rate(value, loop, within));
-            if (rates_[value.index] < Rate::Light) within = std::max(within, rates_[value.index]);
+            gather(value);
+            for (const Value arg : function_.args(value)) gather(arg);
         }
     }
 

@@ -99,13 +99,21 @@ private:
     std::vector<std::uint8_t> done_;
 };
 
+bool has_loop(const Function& function) {
+    return std::any_of(function.insts.begin(), function.insts.end(), [](const Inst& i) { return i.op == Op::For; });
+}
+
 }  // namespace
 
 Module schedule(Module module) {
-    const std::vector<Function> old = std::move(module.functions);
+    std::vector<Function> old = std::move(module.functions);
     module.functions.clear();
     module.functions.reserve(old.size());
-    for (const Function& function : old) {
+    for (Function& function : old) {
+        if (!has_loop(function)) {
+            module.functions.push_back(std::move(function));
+            continue;
+        }
         Function made = shell(function);
         Builder builder(module, made);
         Scheduler scheduler(function);

@@ -55,6 +55,10 @@ bool is_worth_it(const Function& callee, std::uint64_t params) {
     return done > 0 && 2 * done >= work;
 }
 
+bool calls_something(const Function& function) {
+    return std::any_of(function.insts.begin(), function.insts.end(), [](const Inst& i) { return i.op == Op::Call; });
+}
+
 class Specialiser {
 public:
     explicit Specialiser(Module& module) : module_(module), old_(std::move(module.functions)), verdicts_(old_.size()) {
@@ -72,6 +76,7 @@ public:
 private:
     FunctionId build(std::uint32_t f, const std::vector<Known>& known, int depth) {
         const Function& old = old_[f];
+        if (known.empty() && !calls_something(old)) return add(old);
         Function made = shell(old);
         made.params.clear();
         std::vector<std::uint32_t> kept(old.params.size());  // new index of each parameter that stays
@@ -90,7 +95,11 @@ private:
                       return true;
                   }};
         copy_body(copy);
-        module_.functions.push_back(std::move(made));
+        return add(std::move(made));
+    }
+
+    FunctionId add(Function function) {
+        module_.functions.push_back(std::move(function));
         return {static_cast<std::uint32_t>(module_.functions.size() - 1)};
     }
 

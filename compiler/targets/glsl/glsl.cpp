@@ -1,10 +1,10 @@
 #include "compiler/targets/glsl/glsl.h"
 
-#include "compiler/targets/body.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+
+#include "compiler/targets/body.h"
 
 namespace patina::targets::glsl {
 
@@ -92,7 +92,8 @@ Text transpose(const Body& body, Value v) {
 
 Text select(const Body& body, Value v) {
     if (body[body.arg(v, 0)].type.is_scalar()) return body.ternary(v);
-    return {fmt::format("mix({}, {}, {})", body.argument(v, 2), body.argument(v, 1), body.argument(v, 0)), Precedence::Postfix};
+    return {fmt::format("mix({}, {}, {})", body.argument(v, 2), body.argument(v, 1), body.argument(v, 0)),
+            Precedence::Postfix};
 }
 
 Text expression(const Body& body, Value v) {
@@ -103,7 +104,8 @@ Text expression(const Body& body, Value v) {
     if (op == Op::Sample || op == Op::SampleBias) return sample(body, v, "texture");
     if (op == Op::SampleLevel) return sample(body, v, "textureLod");
     if (op == Op::SampleGrad) return sample(body, v, "textureGrad");
-    return {fmt::format("{}({})", op == Op::TexelLoad ? "texelFetch" : "textureSize", body.arguments(v)), Precedence::Postfix};
+    return {fmt::format("{}({})", op == Op::TexelLoad ? "texelFetch" : "textureSize", body.arguments(v)),
+            Precedence::Postfix};
 }
 
 bool statement(Body&, Value) {
@@ -160,14 +162,15 @@ std::string declare_variable(Writer& w, const StageVariable& variable, bool is_i
     const std::string name = w.names.declare(fmt::format("{}{}", prefix, variable.name));
     // Vulkan wants integers flat in the fragment stage's inputs; elsewhere the word means nothing.
     const bool is_flat = (variable.flat || variable.type.is_integer()) && prefix == "v_";
-    w.line(0, fmt::format("layout(location = {}) {}{} {};", variable.location, is_flat ? "flat " : "", is_input ? "in" : "out",
-                          w.declaration(Writer::stored(variable.type), name)));
+    w.line(0, fmt::format("layout(location = {}) {}{} {};", variable.location, is_flat ? "flat " : "",
+                          is_input ? "in" : "out", w.declaration(Writer::stored(variable.type), name)));
     return name;
 }
 
 Text input(Writer& w, const StageVariable& variable) {
     const bool is_builtin = variable.builtin != Builtin::None;
-    const std::string name = is_builtin ? std::string(builtin_name(variable.builtin)) : declare_variable(w, variable, true);
+    const std::string name =
+        is_builtin ? std::string(builtin_name(variable.builtin)) : declare_variable(w, variable, true);
     const bool is_index = variable.builtin == Builtin::VertexIndex || variable.builtin == Builtin::InstanceIndex;
     const Type found = is_index ? kInt : is_builtin ? variable.type : Writer::stored(variable.type);
     if (found == variable.type) return {name};
@@ -179,7 +182,8 @@ EntryPoint entry_point(Writer& w) {
     for (const StageVariable& variable : w.module.stage.inputs) entry.inputs.push_back(input(w, variable));
     for (const StageVariable& variable : w.module.stage.outputs) {
         const bool is_builtin = variable.builtin != Builtin::None;
-        entry.outputs.push_back(is_builtin ? std::string(builtin_name(variable.builtin)) : declare_variable(w, variable, false));
+        entry.outputs.push_back(is_builtin ? std::string(builtin_name(variable.builtin))
+                                           : declare_variable(w, variable, false));
     }
     return entry;
 }

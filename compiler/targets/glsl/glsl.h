@@ -1,5 +1,5 @@
-// GLSL 4.50 for Vulkan: separate textures and samplers, uniform blocks in std140, one `main` a stage. Not OpenGL's GLSL,
-// which has no sets and joins textures with samplers.
+// GLSL 4.50 for Vulkan: separate textures and samplers, uniform blocks in std140, one `main` a stage. Not OpenGL's
+// GLSL, which has no sets and joins textures with samplers.
 #pragma once
 
 #include "compiler/targets/language.h"

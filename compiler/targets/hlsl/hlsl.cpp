@@ -1,10 +1,10 @@
 #include "compiler/targets/hlsl/hlsl.h"
 
-#include "compiler/targets/body.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+
+#include "compiler/targets/body.h"
 
 namespace patina::targets::hlsl {
 
@@ -69,7 +69,8 @@ Text expression(const Body& body, Value v) {
 // A texture's size comes through out parameters.
 bool statement(Body& body, Value v) {
     if (body[v].op != Op::TextureSize) return false;
-    const std::string texture = at_least(Precedence::Postfix, body.expression(body.arg(v, 0))), level = body.argument(v, 1);
+    const std::string texture = at_least(Precedence::Postfix, body.expression(body.arg(v, 0))),
+                      level = body.argument(v, 1);
     const std::string width = body.declare_helper("width"), height = body.declare_helper("height");
     const std::string levels = body.declare_helper("level_count");
     body.statement(v, fmt::format("uint {}, {}, {};", width, height, levels));
@@ -108,8 +109,8 @@ std::string semantic(const StageVariable& variable, bool is_target) {
     return {};
 }
 
-// Variables by location, then what the rasteriser gives or takes, the position last: the front end of glslang numbers the
-// variables in this order, so that both stages must have the same one.
+// Variables by location, then what the rasteriser gives or takes, the position last: the front end of glslang numbers
+// the variables in this order, so that both stages must have the same one.
 std::vector<std::size_t> declaration_order(const std::vector<StageVariable>& variables) {
     std::vector<std::size_t> order(variables.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -142,7 +143,8 @@ std::vector<std::string> declare_struct(Writer& w, const std::string& name, cons
             if (!is_counted) prefix = fmt::format("[[vk::location({})]] ", v.location);
             if ((v.flat || v.type.is_integer()) && is_input == is_fragment) prefix += "nointerpolation ";
         }
-        w.line(1, fmt::format("{}{} : {};", prefix, w.declaration(v.type, members[i]), semantic(v, is_fragment && !is_input)));
+        w.line(1, fmt::format("{}{} : {};", prefix, w.declaration(v.type, members[i]),
+                              semantic(v, is_fragment && !is_input)));
     }
     w.line(0, "};");
     return members;
@@ -156,7 +158,8 @@ EntryPoint entry_point(Writer& w) {
     if (!stage.inputs.empty()) {
         const std::string name = w.names.declare(kind + "Input");
         parameter = name + " input";
-        for (const std::string& member : declare_struct(w, name, stage.inputs, true)) entry.inputs.push_back({"input." + member});
+        for (const std::string& member : declare_struct(w, name, stage.inputs, true))
+            entry.inputs.push_back({"input." + member});
     }
     if (!stage.outputs.empty()) {
         result = w.names.declare(kind + "Output");

@@ -1,5 +1,6 @@
-// HLSL in the style of Shader Model 5.1: cbuffers, separate textures and samplers, registers with spaces. Keeps away from
-// what glslang's HLSL front end accepts and gets wrong (fmod, % of floats and ints, component-wise products of matrices).
+// HLSL in the style of Shader Model 5.1: cbuffers, separate textures and samplers, registers with spaces. Keeps away
+// from what glslang's HLSL front end accepts and gets wrong (fmod, % of floats and ints, component-wise products of
+// matrices).
 #pragma once
 
 #include "compiler/targets/language.h"

@@ -36,7 +36,8 @@ constexpr Spelling kRows[] = {
     {Op::Sub, Form::Infix, "-", Precedence::Additive, "", kEither},
     {Op::Mul, Form::Infix, "*", Precedence::Multiplicative, "", kEither},
     {Op::Div, Form::Infix, "/", Precedence::Multiplicative, "", kEither},
-    {Op::Mod, Form::Infix, "%", Precedence::Multiplicative, "", kEither},  // uint only: legalize() takes the others apart
+    {Op::Mod, Form::Infix, "%", Precedence::Multiplicative, "",
+     kEither},  // uint only: legalize() takes the others apart
     {Op::Neg, Form::Prefix, "-", Precedence::Unary},
     {Op::Less, Form::Infix, "<", Precedence::Relational, "", kEither},
     {Op::LessEqual, Form::Infix, "<=", Precedence::Relational, "", kEither},

@@ -4,11 +4,11 @@
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
-#include <spirv-tools/libspirv.hpp>
 
 #include <algorithm>
 #include <charconv>
 #include <memory>
+#include <spirv-tools/libspirv.hpp>
 
 namespace patina {
 namespace {
@@ -141,7 +141,8 @@ bool compile(const Shader& shader, Validated& result) {
         log += program.getInfoLog();
     }
     result.log += log;
-    if (!ok) {
+    // A warning for glslang, which then makes an empty stage.
+    if (!ok || log.find("Entry point not found") != std::string::npos) {
         add_messages(result, shader, log);
         return false;
     }
@@ -156,9 +157,10 @@ bool compile(const Shader& shader, Validated& result) {
 bool check_spirv(const Shader& shader, Validated& result) {
     spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_3);
     std::string words;
-    tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t& position, const char* message) {
-        words += fmt::format("spirv-val: {} (at {})\n", message, position.index);
-    });
+    tools.SetMessageConsumer(
+        [&](spv_message_level_t, const char*, const spv_position_t& position, const char* message) {
+            words += fmt::format("spirv-val: {} (at {})\n", message, position.index);
+        });
     const bool ok = tools.Validate(result.spirv);
     result.log += words;
     if (!ok) result.diagnostics.push_back(diagnostic(shader, trimmed(words)));

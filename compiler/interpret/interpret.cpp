@@ -1,0 +1,129 @@
+// Runs a machine: blocks, branches and loops with a mask of the lanes that take part.
+#include "compiler/interpret/interpret.h"
+
+#include <algorithm>
+
+#include "compiler/interpret/machine.h"
+#include "compiler/interpret/rounding.h"
+
+namespace patina::interpret {
+namespace {
+
+void run_block(Machine& machine, std::uint32_t block, Mask active);
+
+void move(Machine& machine, const Move& m, Mask lanes) {
+    const double* from = machine.at(m.from);
+    double* to = machine.at(m.to);
+    const std::size_t count = std::size_t{m.count} * kLanes;
+    if (lanes == kAllLanes) {
+        std::copy_n(from, count, to);
+        return;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        if (lanes >> (i % kLanes) & 1) to[i] = from[i];
+    }
+}
+
+void move(Machine& machine, const std::vector<Move>& moves, Mask lanes) {
+    for (const Move& m : moves) move(machine, m, lanes);
+}
+
+template <class Predicate>
+Mask lanes_where(Predicate predicate) {
+    Mask mask = 0;
+    for (unsigned lane = 0; lane < kLanes; ++lane) mask |= predicate(lane) ? 1u << lane : 0u;
+    return mask;
+}
+
+void run_branch(Machine& machine, const Branch& branch, Mask active) {
+    const double* condition = machine.at(branch.condition);
+    const Mask if_true = lanes_where([&](unsigned lane) { return condition[lane] != 0; });
+    const std::array<Mask, 2> sides = {active & if_true, active & ~if_true};
+    for (std::size_t side : {0u, 1u}) {
+        if (sides[side] == 0) continue;
+        run_block(machine, branch.blocks[side], sides[side]);
+        // What the other side does not need may be overwritten: moving all lanes is cheaper than some.
+        move(machine, branch.yields[side], sides[1 - side] == 0 ? kAllLanes : sides[side]);
+    }
+}
+
+// Each lane has its own bounds; the block runs until all are done, and a lane that is done keeps what it carried.
+void run_loop(Machine& machine, const Loop& loop, Mask active) {
+    move(machine, loop.initial, kAllLanes);
+    std::copy_n(machine.at(loop.begin), kLanes, machine.at(loop.index));
+    while (true) {
+        double* index = machine.at(loop.index);
+        const double* end = machine.at(loop.end);
+        const Mask running = active & lanes_where([&](unsigned lane) { return index[lane] < end[lane]; });
+        if (running == 0) return;
+        run_block(machine, loop.block, running);
+        move(machine, loop.next, running);
+        move(machine, loop.staged, running);
+        for (unsigned lane = 0; lane < kLanes; ++lane) index[lane] += 1;
+    }
+}
+
+void run_step(Machine& machine, const Step& step, Mask active) {
+    switch (step.kind) {
+        case Step::Kind::Compute:
+            step.kernel(step, machine);
+            if (step.rounds_to_half) {
+                double* values = machine.at(step.to);
+                std::transform(values, values + std::size_t{step.count} * kLanes, values, to_half);
+            }
+            return;
+        case Step::Kind::Copy: std::copy_n(machine.at(step.from[0]), step.count * kLanes, machine.at(step.to)); return;
+        case Step::Kind::Branch: run_branch(machine, machine.branches[step.data], active); return;
+        case Step::Kind::Loop: run_loop(machine, machine.loops[step.data], active); return;
+        case Step::Kind::Call: {
+            const CallSite& site = machine.calls[step.data];
+            move(machine, site.arguments, kAllLanes);
+            run_block(machine, site.block, active);
+            if (site.result.count > 0) move(machine, site.result, kAllLanes);
+            return;
+        }
+        case Step::Kind::Discard: {
+            // A discarded lane goes on as a helper: its neighbours need it for their derivatives.
+            const double* condition = machine.at(step.from[0]);
+            machine.discarded |= active & lanes_where([&](unsigned lane) { return condition[lane] != 0; });
+            return;
+        }
+    }
+}
+
+void run_block(Machine& machine, std::uint32_t block, Mask active) {
+    for (const Step& step : machine.blocks[block]) run_step(machine, step, active);
+}
+
+}  // namespace
+
+void execute(Machine& machine) {
+    machine.discarded = 0;
+    run_block(machine, machine.entry, kAllLanes);
+}
+
+QuadResult run(const ir::Module& module, ir::FunctionId function, const std::array<std::vector<Flat>, 4>& arguments,
+               const Resources& resources, Precision precision) {
+    Machine machine = make_machine(module, function, precision);
+    for (std::uint32_t i = 0; i < module.globals.size(); ++i) {
+        if (i < resources.uniforms.size()) set_uniform(machine, module, ir::GlobalId{i}, resources.uniforms[i]);
+        if (i < resources.textures.size()) set_texture(machine, ir::GlobalId{i}, resources.textures[i]);
+    }
+    for (unsigned lane = 0; lane < kLanes; ++lane) {
+        std::size_t component = 0;
+        for (const Flat& argument : arguments[lane]) {
+            for (double value : argument) {
+                if (component < machine.argument_types.size()) machine.set_argument(component++, lane, value);
+            }
+        }
+    }
+    execute(machine);
+    QuadResult result;
+    for (unsigned lane = 0; lane < kLanes; ++lane) {
+        for (std::uint32_t i = 0; i < machine.output.count; ++i) result.lanes[lane].push_back(machine.result(i, lane));
+        result.discarded[lane] = (machine.discarded >> lane & 1) != 0;
+    }
+    return result;
+}
+
+}  // namespace patina::interpret

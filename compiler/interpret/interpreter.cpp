@@ -1,0 +1,168 @@
+// The public face: one linked stage, its inputs, outputs, blocks and textures by name.
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+#include "compiler/assemble/program.h"
+#include "compiler/interpret/machine.h"
+#include "patina/interpret.h"
+
+namespace patina {
+
+using interpret::Machine;
+
+namespace {
+
+std::string_view builtin_name(ir::Builtin builtin) {
+    switch (builtin) {
+        case ir::Builtin::None: return "";
+        case ir::Builtin::Position: return "position";
+        case ir::Builtin::FragCoord: return "frag_coord";
+        case ir::Builtin::FrontFacing: return "front_facing";
+        case ir::Builtin::VertexIndex: return "vertex_index";
+        case ir::Builtin::InstanceIndex: return "instance_index";
+    }
+    return "";
+}
+
+std::vector<StageValue> stage_values(const std::vector<ir::StageVariable>& variables) {
+    std::vector<StageValue> values;
+    for (const ir::StageVariable& variable : variables) {
+        const bool is_builtin = variable.builtin != ir::Builtin::None;
+        values.push_back({.name = is_builtin ? std::string(builtin_name(variable.builtin)) : variable.name,
+                          .components = variable.type.components(),
+                          .is_builtin = is_builtin});
+    }
+    return values;
+}
+
+// --- bytes of a block -> components, as std140 lays them out
+
+constexpr std::size_t kColumnStride = 16;
+
+class BlockReader {
+public:
+    BlockReader(const ir::Module& module, std::span<const std::byte> bytes) : module_(module), bytes_(bytes) {}
+
+    // Appends the components of a value at `offset`, in the order of Resources::uniforms; what is beyond the end is 0.
+    void read(ir::Type type, std::size_t offset, std::vector<double>& into) const {
+        if (type.is_numeric()) return read_numeric(type, offset, into);
+        if (type.kind != ir::Kind::Array) return;  // blocks hold numbers and arrays of numbers
+        const ir::Array& array = module_.arrays[type.ref];
+        for (std::uint32_t i = 0; i < array.count; ++i) read(array.element, offset + i * stride(array.element), into);
+    }
+
+private:
+    std::size_t stride(ir::Type element) const {
+        return element.is_matrix() ? kColumnStride * element.cols : kColumnStride;
+    }
+
+    // Matrices are columns in memory and rows in a value.
+    void read_numeric(ir::Type type, std::size_t offset, std::vector<double>& into) const {
+        for (unsigned row = 0; row < type.rows; ++row) {
+            for (unsigned column = 0; column < type.cols; ++column) {
+                into.push_back(scalar(type.scalar, offset + column * kColumnStride + row * sizeof(float)));
+            }
+        }
+    }
+
+    double scalar(ir::Scalar kind, std::size_t offset) const {
+        std::uint32_t bits = 0;
+        if (offset + sizeof bits > bytes_.size()) return 0;
+        std::memcpy(&bits, bytes_.data() + offset, sizeof bits);
+        switch (kind) {
+            case ir::Scalar::Bool: return bits != 0 ? 1 : 0;
+            case ir::Scalar::Int: return static_cast<std::int32_t>(bits);
+            case ir::Scalar::Uint: return bits;
+            case ir::Scalar::Half:  // a block has 32-bit members only
+            case ir::Scalar::Float: return static_cast<double>(std::bit_cast<float>(bits));
+        }
+        return 0;
+    }
+
+    const ir::Module& module_;
+    std::span<const std::byte> bytes_;
+};
+
+}  // namespace
+
+struct Interpreter::Impl {
+    const ir::Module* module = nullptr;  // null: the program has no such stage
+    Machine machine;
+    std::vector<StageValue> inputs, outputs;
+};
+
+Interpreter::Interpreter(const Program& program, std::string_view pass, Stage stage, Precision precision)
+    : impl_(std::make_unique<Impl>()) {
+    const auto found = std::find_if(program.stages.begin(), program.stages.end(), [&](const ProgramStage& candidate) {
+        return candidate.pass == pass && candidate.stage == stage;
+    });
+    if (found == program.stages.end()) return;
+    impl_->module = &found->module;
+    impl_->machine = interpret::make_machine(found->module, found->module.stage.entry, precision);
+    impl_->inputs = stage_values(found->module.stage.inputs);
+    impl_->outputs = stage_values(found->module.stage.outputs);
+}
+
+Interpreter::~Interpreter() = default;
+Interpreter::Interpreter(Interpreter&&) noexcept = default;
+
+const std::vector<StageValue>& Interpreter::inputs() const {
+    return impl_->inputs;
+}
+
+const std::vector<StageValue>& Interpreter::outputs() const {
+    return impl_->outputs;
+}
+
+void Interpreter::set_block(std::string_view name, std::span<const std::byte> bytes) {
+    if (!impl_->module) return;
+    const ir::Module& module = *impl_->module;
+    std::vector<double> components;
+    for (std::uint32_t i = 0; i < module.globals.size(); ++i) {
+        const ir::Global& global = module.globals[i];
+        if (!global.in_block() || module.blocks[global.block].name != name) continue;
+        components.clear();
+        const std::size_t offset = module.blocks[global.block].members[global.member].offset;
+        BlockReader(module, bytes).read(global.type, offset, components);
+        interpret::set_uniform(impl_->machine, module, ir::GlobalId{i}, components);
+    }
+}
+
+// A texture brings its sampler's state: the sampler of the same slot is bound with it.
+void Interpreter::set_texture(std::string_view name, std::shared_ptr<const TextureData> texture) {
+    if (!impl_->module) return;
+    const std::vector<ir::Global>& globals = impl_->module->globals;
+    const auto is_texture = [&](const ir::Global& global) {
+        return global.name == name &&
+               (global.type.kind == ir::Kind::Texture2D || global.type.kind == ir::Kind::TextureCube);
+    };
+    const auto found = std::find_if(globals.begin(), globals.end(), is_texture);
+    if (found == globals.end()) return;
+    for (std::uint32_t i = 0; i < globals.size(); ++i) {
+        const bool is_its_sampler =
+            globals[i].type.kind == ir::Kind::Sampler && globals[i].set == found->set && globals[i].slot == found->slot;
+        if (&globals[i] == &*found || is_its_sampler) interpret::set_texture(impl_->machine, ir::GlobalId{i}, texture);
+    }
+}
+
+QuadOutputs Interpreter::run(const QuadInputs& quad) {
+    QuadOutputs outputs;
+    if (!impl_->module) return outputs;
+    Machine& machine = impl_->machine;
+    for (unsigned lane = 0; lane < interpret::kLanes; ++lane) {
+        const std::vector<double>& values = quad.lanes[lane];
+        for (std::size_t i = 0; i < machine.argument_types.size(); ++i) {
+            machine.set_argument(i, lane, i < values.size() ? values[i] : 0);
+        }
+    }
+    interpret::execute(machine);
+    for (unsigned lane = 0; lane < interpret::kLanes; ++lane) {
+        outputs.lanes[lane].resize(machine.output.count);
+        for (std::size_t i = 0; i < machine.output.count; ++i) outputs.lanes[lane][i] = machine.result(i, lane);
+        outputs.discarded[lane] = (machine.discarded >> lane & 1) != 0;
+    }
+    return outputs;
+}
+
+}  // namespace patina

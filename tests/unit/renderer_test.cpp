@@ -1,0 +1,353 @@
+// The Vulkan renderer against hand-written shaders and a hand-made reflection, so that a fault of the compiler cannot
+// hide a fault of the runtime. The validation layer is on, and any message fails the test.
+#include "runtime/renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "patina/validate.h"
+
+namespace patina::runtime {
+namespace {
+
+constexpr const char* kVertex = R"(#version 450
+layout(location = 0) in vec3 position_os;
+layout(location = 1) in vec3 normal_os;
+layout(location = 2) in vec4 tangent_os;
+layout(location = 3) in vec2 uv0;
+layout(location = 4) in vec4 color;
+layout(set = 0, binding = 0) uniform Camera { mat4 world_to_clip; vec3 camera_position_ws; };
+layout(set = 0, binding = 1) uniform Object { mat4 object_to_world; };
+layout(location = 0) out vec3 position_ws;
+layout(location = 1) out vec3 normal;
+layout(location = 2) out vec4 tangent;
+layout(location = 3) out vec2 uv;
+layout(location = 4) out vec4 vertex_color;
+void main() {
+    vec4 position = object_to_world * vec4(position_os, 1);
+    position_ws = position.xyz;
+    normal = normal_os;
+    tangent = tangent_os;
+    uv = uv0;
+    vertex_color = color;
+    gl_Position = world_to_clip * position;
+}
+)";
+
+constexpr const char* kFragmentHead = R"(#version 450
+layout(location = 0) in vec3 position_ws;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec4 tangent;
+layout(location = 3) in vec2 uv;
+layout(location = 4) in vec4 vertex_color;
+layout(set = 0, binding = 0) uniform Camera { mat4 world_to_clip; vec3 camera_position_ws; };
+layout(set = 0, binding = 2) uniform Lights { int light_count; vec4 light_position[16]; vec4 light_color[16]; };
+layout(set = 2, binding = 0) uniform Material {
+    float _Amount; vec3 _Direction; vec4 _Tint; int _Mode; vec4 _MainTex_ST; vec4 _MainTex_TexelSize;
+};
+layout(set = 2, binding = 1) uniform texture2D _MainTex;
+layout(set = 2, binding = 2) uniform sampler sampler_MainTex;
+layout(location = 0) out vec4 result;
+void main() { result = )";
+
+BlockMember member(std::string name, std::string type, std::uint32_t offset, std::uint32_t count = 0) {
+    BlockMember result;
+    result.name = std::move(name);
+    result.type = std::move(type);
+    result.offset = offset;
+    result.array_count = count;
+    result.array_stride = count ? 16 : 0;
+    return result;
+}
+
+Block block(std::string name, std::uint32_t set, std::uint32_t binding, std::uint32_t size,
+            std::vector<BlockMember> members) {
+    Block result;
+    result.name = std::move(name);
+    result.set = set;
+    result.binding = binding;
+    result.size = size;
+    result.members = std::move(members);
+    result.is_material = result.name == "Material";
+    return result;
+}
+
+Property property(std::string name, std::string type, std::array<double, 4> value, std::uint32_t offset) {
+    Property result;
+    result.name = std::move(name);
+    result.type = std::move(type);
+    result.value = value;
+    result.block = "Material";
+    result.offset = offset;
+    result.values = {"Dry", "Wet"};
+    return result;
+}
+
+Reflection make_reflection() {
+    Reflection r;
+    r.blocks = {
+        block("Camera", 0, 0, 80, {member("world_to_clip", "float4x4", 0), member("camera_position_ws", "float3", 64)}),
+        block("Object", 0, 1, 64, {member("object_to_world", "float4x4", 0)}),
+        block("Lights", 0, 2, 528,
+              {member("light_count", "int", 0), member("light_position", "float4", 16, 16),
+               member("light_color", "float4", 272, 16)}),
+        // Set 1 stays empty on purpose.
+        block("Material", 2, 0, 96,
+              {member("_Amount", "float", 0), member("_Direction", "float3", 16), member("_Tint", "float4", 32),
+               member("_Mode", "int", 48), member("_MainTex_ST", "float4", 64),
+               member("_MainTex_TexelSize", "float4", 80)})};
+    r.properties = {property("_Amount", "float", {0.25}, 0), property("_Direction", "float3", {1, 2, 3}, 16),
+                    property("_Tint", "color", {0.1, 0.2, 0.3, 0.4}, 32), property("_Mode", "enum", {0}, 48),
+                    property("_MainTex", "texture2d", {}, 0)};
+    Texture texture;
+    texture.name = "_MainTex";
+    texture.default_value = "white";
+    texture.set = 2;
+    texture.binding = 1;
+    texture.sampler_binding = 2;
+    r.textures = {texture};
+    Pass pass;
+    pass.name = "forward";
+    pass.targets.resize(1);
+    const char* inputs[] = {"position_os", "normal_os", "tangent_os", "uv0", "color"};
+    for (std::uint32_t i = 0; i < 5; i++) pass.vertex_inputs.push_back({inputs[i], "float4", i, ""});
+    pass.blocks = {"Camera", "Object", "Lights", "Material"};
+    pass.textures = {"_MainTex"};
+    r.passes = {pass};
+    return r;
+}
+
+std::vector<std::uint32_t> compiled(Stage stage, const std::string& text) {
+    Shader shader;
+    shader.stage = stage;
+    shader.text = text;
+    Validated validated = validate(shader);
+    EXPECT_TRUE(validated.ok) << validated.log;
+    return validated.spirv;
+}
+
+class RendererTest : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        auto opened = Renderer::open({.validation = true});
+        ASSERT_TRUE(opened) << opened.error;
+        renderer = std::move(opened.value);
+    }
+    static void TearDownTestSuite() { renderer.reset(); }
+    void TearDown() override {
+        ASSERT_TRUE(renderer);
+        EXPECT_EQ(renderer->messages(), std::vector<std::string>{});
+    }
+
+    // Draws with `expression` as the fragment's vec4.
+    Image draw(const std::string& expression) {
+        auto values = material_values(reflection, words);
+        EXPECT_TRUE(values) << values.error;
+        std::vector<BlockBytes> blocks = fill_blocks(reflection, values.value, scene, textures);
+        std::vector<std::uint32_t> vertex = compiled(Stage::Vertex, kVertex);
+        std::vector<std::uint32_t> fragment = compiled(Stage::Fragment, kFragmentHead + expression + "; }");
+        auto image = renderer->draw({.reflection = &reflection,
+                                     .scene = &scene,
+                                     .blocks = blocks,
+                                     .textures = textures,
+                                     .vertex_spirv = vertex,
+                                     .fragment_spirv = fragment});
+        EXPECT_TRUE(image) << image.error;
+        return image ? image.value : make_image(scene.width, scene.height);
+    }
+    // The one colour of a picture that is the same everywhere.
+    std::vector<float> value_of(const std::string& expression) {
+        scene = fullscreen_scene(2, 2);
+        scene.lights = lights;
+        std::vector<float> pixels = draw(expression).pixels;
+        return {pixels.begin(), pixels.begin() + 4};
+    }
+
+    static inline std::unique_ptr<Renderer> renderer;
+    Reflection reflection = make_reflection();
+    std::map<std::string, std::string> words;
+    std::vector<LoadedTexture> textures = load_textures(reflection, {}, true).value;
+    std::vector<Light> lights;
+    Scene scene = fullscreen_scene(8, 4);
+};
+
+TEST_F(RendererTest, FullscreenDrawsEveryPixelAtItsCenter) {
+    scene = fullscreen_scene(8, 4);
+    Image image = draw("vec4(uv, gl_FragCoord.xy)");
+    for (int y = 0; y < 4; y++) {
+        for (int x = 0; x < 8; x++) {
+            EXPECT_FLOAT_EQ(image.at(x, y)[0], (x + 0.5f) / 8);
+            EXPECT_FLOAT_EQ(image.at(x, y)[1], (y + 0.5f) / 4);
+            EXPECT_EQ(image.at(x, y)[2], x + 0.5f);
+            EXPECT_EQ(image.at(x, y)[3], y + 0.5f);
+        }
+    }
+}
+
+TEST_F(RendererTest, FillsPropertiesAtTheirOffsets) {
+    EXPECT_EQ(value_of("vec4(_Amount, _Direction)"), (std::vector<float>{0.25f, 1, 2, 3}));
+    EXPECT_EQ(value_of("_Tint"), (std::vector<float>{0.1f, 0.2f, 0.3f, 0.4f}));
+    words = {{"_Amount", "0.5"},
+             {"_Direction", "4,5,6"},
+             {"_Tint", "#ff0000"},
+             {"_Mode", "Wet"},
+             {"_MainTex_ST", "2,3,4,5"}};
+    EXPECT_EQ(value_of("vec4(_Amount, _Direction)"), (std::vector<float>{0.5f, 4, 5, 6}));
+    EXPECT_EQ(value_of("_Tint"), (std::vector<float>{1, 0, 0, 1}));
+    EXPECT_EQ(value_of("vec4(_Mode)"), (std::vector<float>{1, 1, 1, 1}));
+    EXPECT_EQ(value_of("_MainTex_ST"), (std::vector<float>{2, 3, 4, 5}));
+}
+
+TEST_F(RendererTest, FillsLightsDirectionalFirst) {
+    lights = {{.kind = LightKind::Point, .position = {1, 2, 3}, .color = {4, 5, 6}, .range = 7},
+              {.direction = {0, 2, 0}, .color = {8, 9, 10}}};
+    EXPECT_EQ(value_of("vec4(light_count)")[0], 2);
+    EXPECT_EQ(value_of("light_position[0]"), (std::vector<float>{0, 1, 0, 0}));
+    EXPECT_EQ(value_of("vec4(light_color[0].rgb, 0)"), (std::vector<float>{8, 9, 10, 0}));
+    EXPECT_EQ(value_of("light_position[1]"), (std::vector<float>{1, 2, 3, 1}));
+    EXPECT_EQ(value_of("light_color[1]"), (std::vector<float>{4, 5, 6, 7}));
+}
+
+TEST_F(RendererTest, PictureIsUprightAndFrontsAreCounterClockwise) {
+    scene = default_scene("sphere");
+    scene.width = scene.height = 64;
+    scene.background = glm::vec4(-9);
+    Image image = draw("vec4(position_ws, gl_FrontFacing ? 1 : 0)");
+    EXPECT_GT(image.at(32, 8)[1], 0.5f);  // up is up
+    EXPECT_LT(image.at(32, 56)[1], -0.5f);
+    EXPECT_LT(image.at(8, 32)[0], -0.5f);  // left is left
+    EXPECT_GT(image.at(32, 32)[2], 0.9f);  // the near side
+    EXPECT_EQ(image.at(32, 32)[3], 1);
+    EXPECT_EQ(image.at(0, 0)[0], -9);
+
+    reflection.passes[0].cull = "front";
+    Image inside = draw("vec4(position_ws, gl_FrontFacing ? 1 : 0)");
+    EXPECT_LT(inside.at(32, 32)[2], -0.9f);
+    EXPECT_EQ(inside.at(32, 32)[3], 0);
+
+    reflection.passes[0].cull = "off";  // now the depth test alone decides
+    EXPECT_GT(draw("vec4(position_ws, 1)").at(32, 32)[2], 0.9f);
+    reflection.passes[0].depth_test = "always";
+    reflection.passes[0].cull = "back";
+    EXPECT_GT(draw("vec4(position_ws, 1)").at(32, 32)[2], 0.9f);
+    reflection.passes[0].depth_test = "never";
+    EXPECT_EQ(draw("vec4(position_ws, 1)").at(32, 32)[2], -9);
+}
+
+TEST_F(RendererTest, ObjectMatrixMovesTheObject) {
+    scene = default_scene("plane");
+    scene.width = scene.height = 32;
+    scene.object_to_world[3] = glm::vec4(0, 0, 0.5f, 1);
+    EXPECT_NEAR(draw("vec4(position_ws, 1)").at(16, 16)[2], 0.5f, 1e-6);
+}
+
+TEST_F(RendererTest, VertexColorsAreWhite) {
+    EXPECT_EQ(value_of("vertex_color"), (std::vector<float>{1, 1, 1, 1}));
+    EXPECT_EQ(value_of("tangent"), (std::vector<float>{1, 0, 0, 1}));
+    EXPECT_EQ(value_of("vec4(normal, 0)"), (std::vector<float>{0, 0, 1, 0}));
+}
+
+TEST_F(RendererTest, SamplesAreAveraged) {
+    scene = fullscreen_scene(4, 4);
+    scene.samples = 4;
+    // Each pixel holds samples at 1/8, 3/8, 5/8 and 7/8 of its width: their squares average to 21/64.
+    Image image = draw("vec4(fract(uv.x * 4) * fract(uv.x * 4), 0, 0, 1)");
+    EXPECT_EQ(image.width, 4);
+    EXPECT_NEAR(image.at(2, 1)[0], 21.0 / 64, 1e-6);
+}
+
+TEST_F(RendererTest, TexturesArriveWithTheirMipLevels) {
+    Image texels = make_image(2, 2);
+    for (int i = 0; i < 4; i++) texels.pixels[4 * std::size_t(i)] = float(i) / 4;
+    TextureData data{.levels = mip_chain(texels), .sampler = {.wrap = "clamp", .filter = "nearest"}};
+    textures = {{.name = "_MainTex", .data = std::make_shared<const TextureData>(data)}};
+    scene = fullscreen_scene(2, 2);
+    Image image = draw("textureLod(sampler2D(_MainTex, sampler_MainTex), uv, 0)");
+    for (int i = 0; i < 4; i++) EXPECT_EQ(image.at(i % 2, i / 2)[0], float(i) / 4);
+    EXPECT_EQ(value_of("textureLod(sampler2D(_MainTex, sampler_MainTex), uv, 1)")[0], 6 / 16.0f);
+    EXPECT_EQ(value_of("_MainTex_TexelSize"), (std::vector<float>{0.5f, 0.5f, 2, 2}));
+}
+
+TEST_F(RendererTest, EightBitFormatsHoldTheirFilesNumbers) {
+    float linear = srgb_decode(200 / 255.0f);
+    for (TexelFormat format : {TexelFormat::Srgb8, TexelFormat::Unorm8}) {
+        bool is_color = format == TexelFormat::Srgb8;
+        float stored = is_color ? linear : 200 / 255.0f;
+        TextureData data{.levels = mip_chain(make_image(1, 1, stored, stored, stored, 100 / 255.0f)), .sampler = {}};
+        textures = {{.name = "_MainTex", .data = std::make_shared<const TextureData>(data), .format = format}};
+        std::vector<float> value = value_of("texture(sampler2D(_MainTex, sampler_MainTex), uv)");
+        // Software decodes sRGB with a small polynomial.
+        EXPECT_NEAR(value[0], stored, is_color ? 3e-3 : 1e-6);
+        EXPECT_NEAR(value[3], 100 / 255.0f, 1e-6);
+    }
+}
+
+TEST_F(RendererTest, BlendsAsThePassSays) {
+    reflection.passes[0].targets[0].blend_source = "src_alpha";
+    reflection.passes[0].targets[0].blend_destination = "one_minus_src_alpha";
+    scene = fullscreen_scene(2, 2);
+    scene.background = {1, 0, 0, 1};
+    EXPECT_NEAR(draw("vec4(0, 1, 0, 0.25)").at(0, 0)[0], 0.75f, 1e-6);
+    EXPECT_NEAR(draw("vec4(0, 1, 0, 0.25)").at(0, 0)[1], 0.25f, 1e-6);
+}
+
+TEST_F(RendererTest, WhatCannotBeDrawnIsAnError) {
+    struct Case {
+        const char* expected;
+        void (*spoil)(Reflection&, Scene&);
+    };
+    for (Case each :
+         {Case{"no pass 'forward'", [](Reflection&r, Scene&) { r.passes[0].name = "other"; }},
+          Case{"writes 3 targets", [](Reflection&r, Scene&) { r.passes[0].targets.resize(3); }},
+          Case{"does not draw meshes", [](Reflection&r, Scene&) { r.passes[0].draws = "fullscreen"; }},
+          Case{"no vertex input 'wind'", [](Reflection&r, Scene&) { r.passes[0].vertex_inputs[0].name = "wind"; }},
+          Case{"filled the block 'Fog'", [](Reflection&r, Scene&) { r.blocks.push_back(block("Fog", 3, 0, 16, {})); }},
+          Case{"not a depth test", [](Reflection&r, Scene&) { r.passes[0].depth_test = "deeper"; }},
+          Case{"is not between 1 and", [](Reflection&, Scene&s) { s.width = 0; }},
+          Case{"is not between 1 and", [](Reflection&, Scene&s) { s.samples = 10000; }},
+          Case{"no mesh", [](Reflection&, Scene&s) { s.mesh = {}; }}}) {
+        Reflection spoiled = make_reflection();
+        Scene spoiled_scene = fullscreen_scene(4, 4);
+        each.spoil(spoiled, spoiled_scene);
+        auto values = material_values(reflection, {});
+        auto blocks = fill_blocks(reflection, values.value, fullscreen_scene(4, 4), textures);
+        auto vertex = compiled(Stage::Vertex, kVertex),
+             fragment = compiled(Stage::Fragment, kFragmentHead + std::string("_Tint; }"));
+        auto image = renderer->draw({.reflection = &spoiled,
+                                     .scene = &spoiled_scene,
+                                     .blocks = blocks,
+                                     .textures = textures,
+                                     .vertex_spirv = vertex,
+                                     .fragment_spirv = fragment});
+        ASSERT_FALSE(image) << each.expected;
+        EXPECT_NE(image.error.find(each.expected), std::string::npos) << image.error;
+    }
+}
+
+TEST(Words, ThatAreWrongListWhatThereIs) {
+    struct Case {
+        const char *name, *value, *expected;
+    };
+    Reflection reflection = make_reflection();
+    for (Case each :
+         {Case{"_Amout", "1", "its properties are: _Amount, _Direction, _Tint, _Mode, _MainTex"},
+          Case{"_Amount", "a lot", "_Amount must be one number"}, Case{"_Amount", "1,2", "one number"},
+          Case{"_Amount", "nan", "one number"}, Case{"_Direction", "1,2", "3 numbers"}, Case{"_Tint", "#12", "#rrggbb"},
+          Case{"_Mode", "Moist", "one of Dry, Wet"}, Case{"_MainTex_ST", "2", "scale x, scale y"},
+          Case{"_Other_ST", "1,1,0,0", "no property '_Other_ST'"}}) {
+        auto values = material_values(reflection, {{each.name, each.value}});
+        ASSERT_FALSE(values) << each.name;
+        EXPECT_NE(values.error.find(each.expected), std::string::npos) << values.error;
+    }
+}
+
+TEST(OpenDevice, AnUnknownNameListsTheDevices) {
+    auto opened = Renderer::open({.device = "no such device"});
+    ASSERT_FALSE(opened);
+    EXPECT_NE(opened.error.find("no Vulkan device is called 'no such device'; there are: "), std::string::npos)
+        << opened.error;
+}
+
+}  // namespace
+}  // namespace patina::runtime
