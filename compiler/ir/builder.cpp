@@ -46,6 +46,9 @@ bool same_numbers(std::span<const double> a, std::span<const double> b) {
     });
 }
 
+// In place of a constant's index: the module does not have it yet.
+constexpr std::uint32_t kNewConstant = 0xffffffffu;
+
 bool is_leaf(Op op) {
     return op == Op::Constant || op == Op::Param || op == Op::Global || op == Op::Semantic;
 }
@@ -141,10 +144,6 @@ Value Builder::emit_leaf(Op op, Type type, std::uint32_t data) {
     const Value value = append({.op = op, .type = type, .data = data}, {}, head_);
     leaves_.insert(hash, value);
     return value;
-}
-
-namespace {
-constexpr std::uint32_t kNewConstant = 0xffffffffu;
 }
 
 // `data` is the constant's index if the module has it already. While folding, numbers are what the type can hold:

@@ -199,7 +199,7 @@ TEST(Identities, BothSidesAreEqual) {
         const std::vector<Typing> fitting = typings_of(identity);
         EXPECT_FALSE(fitting.empty());
         for (const Typing& typing : fitting) {
-            for (int k = 0; k < 100; k++) expect_equal(identity, typing, random);
+            for (int k = 0; k < 50; k++) expect_equal(identity, typing, random);
         }
     }
 }

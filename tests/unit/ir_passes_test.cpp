@@ -1,46 +1,10 @@
-// The passes: what each does to small functions, and that all of them keep the meaning of random ones, as the
-// interpreter sees it.
-#include <gtest/gtest.h>
-
-#include <chrono>
-#include <cmath>
-#include <functional>
-#include <random>
-
-#include "compiler/interpret/interpret.h"
-#include "compiler/ir/builder.h"
+// The passes: what each does to small functions. That they keep the meaning of larger ones: ir_passes_meaning_test.cpp.
 #include "compiler/ir/dump.h"
 #include "compiler/ir/passes/passes.h"
-#include "compiler/ir/verify.h"
+#include "tests/unit/ir_testing.h"
 
 namespace patina::ir {
 namespace {
-
-using Body = std::function<Value(Builder&)>;
-
-// Adds a function whose body returns what `body` makes.
-FunctionId add(Module& module, std::string name, std::vector<Param> params, Type result, const Body& body,
-               bool fold = true) {
-    Function function;
-    function.name = std::move(name);
-    function.params = std::move(params);
-    function.result = result;
-    Builder b(module, function, {.fold = fold});
-    b.ret(body(b));
-    module.functions.push_back(std::move(function));
-    return {static_cast<std::uint32_t>(module.functions.size() - 1)};
-}
-
-void set_entry(Module& module, FunctionId entry) {
-    module.stage.entry = entry;
-    for (const Param& param : module[entry].params) {
-        module.stage.inputs.push_back({.name = param.name, .type = param.type});
-    }
-    if (module[entry].result.kind != Kind::Struct) return;
-    for (const Member& member : module.structs[module[entry].result.ref].members) {
-        module.stage.outputs.push_back({.name = member.name, .type = member.type});
-    }
-}
 
 std::vector<std::string> names(const Module& module) {
     std::vector<std::string> all;
@@ -48,14 +12,6 @@ std::vector<std::string> names(const Module& module) {
     return all;
 }
 
-// What stands in the blocks, loops and branches included.
-std::size_t count(const Function& function, Op op) {
-    std::size_t n = 0;
-    for (const Block& block : function.blocks) {
-        for (const Value value : block.insts) n += function[value].op == op ? 1 : 0;
-    }
-    return n;
-}
 std::size_t count_in(const Function& function, std::uint32_t block, Op op) {
     std::size_t n = 0;
     for (const Value value : function.blocks[block].insts) n += function[value].op == op ? 1 : 0;
@@ -67,20 +23,6 @@ const Inst& only(const Function& function, Op op) {
     }
     ADD_FAILURE() << "no " << info(op).text;
     return function.insts[0];
-}
-
-Module checked(Module module) {
-    EXPECT_EQ(verify(module), "");
-    return module;
-}
-
-const Param kX{"x", kFloat, Rate::Pixel}, kY{"y", kFloat, Rate::Pixel}, kZ{"z", kFloat, Rate::Pixel};
-const Param kC{"c", kBool, Rate::Pixel}, kRoughness{"roughness", kFloat, Rate::Uniform};
-
-// A body long enough not to be inlined for its size.
-Value long_chain(Builder& b, Value v) {
-    for (const Op op : {Op::Sin, Op::Cos, Op::Exp, Op::Sqrt, Op::Tan}) v = b.emit(op, {v});
-    return v;
 }
 
 // --- prune
@@ -279,19 +221,6 @@ TEST(Rebuild, BranchesThatComputeNothingBecomeSelects) {
 
 // --- specialise
 
-// f(x, mode): a branch on mode.
-FunctionId add_switch(Module& module) {
-    return add(module, "f", {kX, {"mode", kInt, Rate::Uniform}}, kFloat, [](Builder& b) {
-        const Value x = b.param(0), one = b.constant(kInt, {1});
-        const Value branch = b.begin_if(b.emit(Op::Equal, {b.param(1), one}));
-        const Value a = long_chain(b, x);
-        b.begin_else();
-        const Value c = b.emit(Op::Log, {x});
-        b.end_if(std::vector{a}, std::vector{c});
-        return b.result(branch, 0);
-    });
-}
-
 TEST(Specialise, FillsInWhatDecidesABranch) {
     Module module;
     const FunctionId f = add_switch(module);
@@ -466,7 +395,7 @@ TEST(Schedule, HoistsOutOfEachLoopThatDoesNotMatter) {
         const Value by_nothing = b.emit(Op::Sin, {x});
         const Value by_outer = b.emit(Op::Cos, {i});
         const Value by_inner = b.emit(Op::Exp, {j});
-        // In a branch too: the sine of y is needed wherever the branch is taken.
+        // Out of a branch too: the root depends on no loop.
         const Value branch = b.begin_if(condition);
         const Value root = b.emit(Op::Sqrt, {b.emit(Op::Add, {x, by_nothing})});
         const Value in_branch = b.emit(Op::Mul, {root, by_inner});
@@ -584,256 +513,6 @@ TEST(LegalizeDiscard, StaysWhereNothingNeedsNeighbours) {
     const std::string before = dump(module, module.functions[0]);
     module = checked(legalize_discard(std::move(module)));
     EXPECT_EQ(dump(module, module.functions[0]), before);
-}
-
-// --- meaning
-
-// Random modules of calls, branches, loops and structs, from ops that are exact: every witness must agree to the bit.
-class RandomModule {
-public:
-    explicit RandomModule(unsigned seed) : random_(seed) {
-        module.structs.push_back({"Triple", {{"a", kFloat}, {"b", kFloat}, {"c", kFloat}}});
-        for (int k = 0; k < 4; k++) {
-            const bool returns_struct = k < 3 && pick(2) == 0;
-            std::vector<Param> params(1 + pick(3), kX);
-            const Type result = returns_struct ? Type::structure(0) : kFloat;
-            const FunctionId made = add(
-                module, "f" + std::to_string(k), params, result,
-                [&](Builder& b) {
-                    visible_.clear();
-                    for (std::uint32_t i = 0; i < params.size(); i++) visible_.push_back(b.param(i));
-                    statements(b, 6, 0);
-                    if (!returns_struct) return any();
-                    const std::vector<Value> parts = {any(), any(), any()};
-                    return b.construct(result, parts);
-                },
-                false);
-            callable_.push_back(made);
-        }
-        set_entry(module, callable_.back());
-    }
-    Module module;
-
-private:
-    std::uint32_t pick(std::uint32_t n) { return static_cast<std::uint32_t>(random_() % n); }
-    Value any() { return visible_[pick(static_cast<std::uint32_t>(visible_.size()))]; }
-
-    void statements(Builder& b, int n, int depth) {
-        for (int k = 0; k < n; k++) {
-            const std::uint32_t kind = pick(10);
-            if (kind == 0 && depth < 3) {
-                branch(b, depth);
-            } else if (kind == 1 && depth < 3) {
-                loop(b, depth);
-            } else if (kind == 2 && !callable_.empty()) {
-                call(b);
-            } else if (kind == 3) {
-                static constexpr double kNumbers[] = {0, 1, -1, 0.5, 2, 3};
-                visible_.push_back(b.constant(kFloat, {kNumbers[pick(6)]}));
-            } else {
-                arithmetic(b);
-            }
-        }
-    }
-
-    void arithmetic(Builder& b) {
-        static constexpr Op kBinary[] = {Op::Add, Op::Sub, Op::Mul, Op::Min, Op::Max};
-        static constexpr Op kUnary[] = {Op::Neg, Op::Abs, Op::Floor, Op::Saturate};
-        const Value x = any(), y = any();
-        if (pick(3) == 0) {
-            visible_.push_back(b.emit(kUnary[pick(4)], {x}));
-        } else if (pick(4) == 0) {
-            visible_.push_back(b.emit(Op::Select, kFloat, {b.emit(Op::Less, {x, y}), x, y}));
-        } else if (pick(4) == 0) {
-            const std::vector<Value> parts = {x, y, any()};
-            const Value v = b.construct(kFloat3, parts);
-            const std::vector<unsigned> components = {pick(3), pick(3)};
-            visible_.push_back(b.extract(b.swizzle(v, components), pick(2)));
-        } else {
-            visible_.push_back(b.emit(kBinary[pick(5)], {x, y}));
-        }
-    }
-
-    Value condition(Builder& b) {
-        if (pick(4) == 0) return b.constant(kBool, {static_cast<double>(pick(2))});
-        const Value x = any(), y = any();
-        return b.emit(Op::Less, {x, y});
-    }
-
-    void branch(Builder& b, int depth) {
-        const Value structure = b.begin_if(condition(b));
-        const std::size_t before = visible_.size();
-        std::vector<Value> values[2];
-        for (int side = 0; side < 2; side++) {
-            if (side == 1) b.begin_else();
-            statements(b, static_cast<int>(pick(4)), depth + 1);
-            values[side] = {any(), any()};
-            visible_.resize(before);
-        }
-        b.end_if(values[0], values[1]);
-        for (std::uint32_t i = 0; i < 2; i++) visible_.push_back(b.result(structure, i));
-    }
-
-    void loop(Builder& b, int depth) {
-        const Value begin = b.constant(kInt, {0}), end = b.constant(kInt, {static_cast<double>(pick(4))});
-        const std::vector<Value> initial = {any(), any()};
-        const Value structure = b.begin_for(begin, end, initial, pick(2) == 0);
-        const std::size_t before = visible_.size();
-        visible_.push_back(b.loop_carried(0));
-        visible_.push_back(b.loop_carried(1));
-        visible_.push_back(b.convert(b.loop_index(), Scalar::Float));
-        statements(b, 1 + static_cast<int>(pick(5)), depth + 1);
-        // Saturated, so that sums do not run away to infinity, where min and max of NaN begin to differ.
-        const Value next = b.emit(Op::Saturate, {any()});
-        const Value other = pick(2) == 0 ? b.loop_carried(1) : any();
-        b.end_for(std::vector{next, other});
-        visible_.resize(before);
-        for (std::uint32_t i = 0; i < 2; i++) visible_.push_back(b.result(structure, i));
-    }
-
-    void call(Builder& b) {
-        const FunctionId callee = callable_[pick(static_cast<std::uint32_t>(callable_.size()))];
-        std::vector<Value> args;
-        for (std::size_t i = 0; i < module[callee].params.size(); i++) args.push_back(any());
-        const Value made = b.call(callee, args);
-        visible_.push_back(b.type(made) == kFloat ? made : b.extract(made, pick(3)));
-    }
-
-    std::mt19937 random_;
-    std::vector<FunctionId> callable_;
-    std::vector<Value> visible_;
-};
-
-// Arguments by the name of the stage's inputs' places, which pruning may thin out.
-interpret::QuadResult run(const Module& module, const std::vector<std::array<double, 4>>& inputs,
-                          const std::vector<std::uint32_t>& used) {
-    std::array<std::vector<interpret::Flat>, 4> arguments;
-    for (std::size_t lane = 0; lane < 4; lane++) {
-        for (const std::uint32_t input : used) arguments[lane].push_back({inputs[input][lane]});
-    }
-    return interpret::run(module, module.stage.entry, arguments, {}, Precision::Float);
-}
-
-std::vector<std::uint32_t> inputs_of(const Module& module) {
-    std::vector<std::uint32_t> used;
-    for (const StageVariable& variable : module.stage.inputs) used.push_back(variable.location);
-    return used;
-}
-
-struct NamedPass {
-    const char* name;
-    Module (*run)(Module);
-};
-constexpr NamedPass kPasses[] = {{"prune", prune},
-                                 {"specialise", specialise},
-                                 {"inline_calls", inline_calls},
-                                 {"schedule", schedule},
-                                 {"tidy", tidy}};
-
-TEST(Passes, KeepTheMeaningOfRandomModules) {
-    for (unsigned seed = 0; seed < 400; seed++) {
-        RandomModule source(seed);
-        for (std::uint32_t i = 0; i < source.module.stage.inputs.size(); i++)
-            source.module.stage.inputs[i].location = i;
-        ASSERT_EQ(verify(source.module), "");
-        std::mt19937 random(seed);
-        std::uniform_real_distribution<double> real(-2, 2);
-        std::vector<std::array<double, 4>> inputs(3);
-        for (auto& input : inputs) {
-            for (double& lane : input) lane = static_cast<double>(static_cast<float>(real(random)));
-        }
-        const interpret::QuadResult expected = run(source.module, inputs, inputs_of(source.module));
-        for (const NamedPass& pass : kPasses) {
-            const Module made = pass.run(source.module);
-            ASSERT_EQ(verify(made), "") << pass.name << " of seed " << seed;
-            const interpret::QuadResult result = run(made, inputs, inputs_of(made));
-            for (std::size_t lane = 0; lane < 4; lane++) {
-                const double a = expected.lanes[lane][0], b = result.lanes[lane][0];
-                ASSERT_TRUE(a == b || (std::isnan(a) && std::isnan(b)))
-                    << a << " became " << b << " by " << pass.name << " of seed " << seed << "\n"
-                    << dump(source.module) << "\n"
-                    << dump(made);
-            }
-        }
-    }
-}
-
-// --- cost
-
-TEST(Passes, AreLinear) {
-    const auto begin = std::chrono::steady_clock::now();
-    for (const bool is_ladder : {false, true}) {
-        Module module;
-        const FunctionId main = add(
-            module, "main", {kX}, kFloat,
-            [&](Builder& b) {
-                Value value = b.param(0);
-                for (int i = 0; i < 10000; i++) {
-                    value = is_ladder ? b.emit(Op::Mul, {value, value})
-                                      : b.emit(Op::Add, {value, b.constant(kFloat, {i + 1.0})});
-                }
-                return value;
-            },
-            false);
-        set_entry(module, main);
-        module = tidy(std::move(module));
-        EXPECT_EQ(count(module.functions[0], is_ladder ? Op::Mul : Op::Add), 10000u);
-    }
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));
-}
-
-// Each function calls the one before twice: spelled out, or specialised, they would be 2^60 instructions.
-TEST(Passes, DoNotExplode) {
-    const auto begin = std::chrono::steady_clock::now();
-    Module module;
-    FunctionId last = add_switch(module);
-    for (int k = 0; k < 60; k++) {
-        last = add(module, "g" + std::to_string(k), {kX, {"mode", kInt, Rate::Uniform}}, kFloat, [&](Builder& b) {
-            // No two of the calls have the same mode.
-            const Value one = b.constant(kInt, {1}), two = b.constant(kInt, {2});
-            const Value same = b.emit(Op::Mul, {b.param(1), two}), next = b.emit(Op::Add, {same, one});
-            const Value a = b.call(last, std::vector{b.param(0), next}),
-                        c = b.call(last, std::vector{b.param(0), same});
-            const Value is_one = b.emit(Op::Equal, {same, one});
-            return b.emit(Op::Select, kFloat, {is_one, a, b.emit(Op::Mul, {a, c})});
-        });
-        module[last].always_inline = k > 20;
-    }
-    const FunctionId main = add(module, "main", {kX}, kFloat, [&](Builder& b) {
-        return b.call(last, std::vector{b.param(0), b.constant(kInt, {0})});
-    });
-    set_entry(module, main);
-    checked(tidy(std::move(module)));
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
-}
-
-// Each function calls the one before inside of a branch: spelled out, branches would stand as deep as there are
-// functions.
-Module nested_calls(int depth) {
-    Module module;
-    FunctionId last = add(module, "f", {kX}, kFloat, [](Builder& b) { return long_chain(b, b.param(0)); });
-    for (int k = 0; k < depth; k++) {
-        last = add(module, "g" + std::to_string(k), {kX}, kFloat, [&](Builder& b) {
-            const Value x = b.param(0), limit = b.constant(kFloat, {k + 1.0});
-            const Value branch = b.begin_if(b.emit(Op::Less, {x, limit}));
-            const Value called = b.call(last, std::vector{x});
-            b.begin_else();
-            b.end_if(std::vector{called}, std::vector{limit});
-            return b.result(branch, 0);
-        });
-        module[last].always_inline = true;
-    }
-    set_entry(module, last);
-    return module;
-}
-
-TEST(Passes, DoNotNestWithoutEnd) {
-    const Module module = checked(tidy(nested_calls(250)));
-    std::size_t deepest = 0;
-    for (const Function& function : module.functions) deepest = std::max(deepest, function.blocks.size() / 2);
-    EXPECT_GT(deepest, 100u);
-    EXPECT_LE(deepest, 200u);
-    checked(tidy(nested_calls(5000)));
 }
 
 }  // namespace

@@ -127,7 +127,10 @@ private:
     void need_result_member(std::uint32_t f, std::uint32_t member) {
         call(f);
         if (!returns_struct(module_.functions[f])) return need_result(f);
-        if (std::exchange(needs_[f].members[member], 1) != 0) return;
+        std::vector<std::uint8_t>& members = needs_[f].members;
+        if (std::exchange(members[member], 1) != 0) return;
+        // With its last member the struct is needed whole, and stays as it is.
+        if (std::find(members.begin(), members.end(), 0) == members.end()) return need_result(f);
         const MemberSource source = member_source(module_.functions[f], needs_[f].return_value, member);
         if (source.is_member) {
             need_all(f, source.value);
