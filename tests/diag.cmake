@@ -1,0 +1,15 @@
+# Texts: diagnostics, emitted shaders, the examples of the documentation; and what the source tree itself must keep to.
+add_library(patina_received STATIC support/received.cpp)
+target_link_libraries(patina_received PUBLIC patina_options patina patina_validate GTest::gtest GTest::gtest_main)
+target_compile_definitions(patina_received PRIVATE
+  PATINA_TESTS_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}" PATINA_RECEIVED_FOLDER="${CMAKE_BINARY_DIR}/received"
+  PATINA_PROGRAM="$<TARGET_FILE:patina_cli>")
+
+foreach(name IN ITEMS diagnostics)
+  add_executable(${name}_test ${name}/${name}_test.cpp)
+  target_link_libraries(${name}_test PRIVATE patina_received)
+  add_dependencies(${name}_test patina_cli)
+  add_test(NAME ${name}_test COMMAND ${name}_test)
+endforeach()
+
+add_test(NAME layering COMMAND ${CMAKE_COMMAND} -D ROOT=${CMAKE_SOURCE_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/layering.cmake)
