@@ -94,6 +94,9 @@ LinkedPass link_pass(const assemble::Linked& linked, const graph::Lowered& lower
     return made;
 }
 
+// A graph may stand on one line, which no message shows whole: each printed line would carry the graph.
+constexpr std::size_t kMaxSourceText = 1000;
+
 std::vector<LineOrigin> line_map(const targets::Printed& printed, const ir::Module& module, const SourceMap& sources) {
     std::vector<LineOrigin> map;
     for (const targets::PrintedLine& line : printed.lines) {
@@ -108,7 +111,7 @@ std::vector<LineOrigin> line_map(const targets::Printed& printed, const ir::Modu
         made.source_line = position.line;
         made.source_column = position.column;
         made.source_end_column = end.line == position.line ? end.column : 0;
-        made.source_text = position.line_text;
+        if (position.line_text.size() <= kMaxSourceText) made.source_text = position.line_text;
     }
     return map;
 }

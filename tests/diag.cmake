@@ -11,5 +11,3 @@ foreach(name IN ITEMS diagnostics)
   add_dependencies(${name}_test patina_cli)
   add_test(NAME ${name}_test COMMAND ${name}_test)
 endforeach()
-
-add_test(NAME layering COMMAND ${CMAKE_COMMAND} -D ROOT=${CMAKE_SOURCE_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/layering.cmake)

@@ -1,8 +1,8 @@
 #include "compiler/base/diagnostics.h"
 
-#include "compiler/base/text.h"
-
 #include <array>
+
+#include "compiler/base/text.h"
 
 namespace patina {
 namespace {

@@ -1,11 +1,9 @@
 // The list of complaints that a compilation gathers. Each has a code from diagnostics.def, the narrowest wrong range of
-// the source, and notes that say what to do. Reporting never throws and never stops the stage; a stage that cannot go on
-// returns early and its caller asks `has_errors()`.
+// the source, and notes that say what to do. Reporting never throws and never stops the stage; a stage that cannot go
+// on returns early and its caller asks `has_errors()`.
 //
 //   diagnostics.report(Code::UnknownNode, span, "Lrep").note(other_span, "did you mean 'Lerp'?");
 #pragma once
-
-#include "compiler/base/source.h"
 
 #include <fmt/format.h>
 
@@ -13,6 +11,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "compiler/base/source.h"
 
 namespace patina {
 

@@ -9,7 +9,11 @@ SourceMap::SourceMap(const SourceMap* base) : base_(base), next_(base ? base->ne
 std::uint32_t SourceMap::add(std::string path, std::string text) {
     const std::uint32_t begin = next_;
     next_ += static_cast<std::uint32_t>(text.size()) + 1;  // one past the end, so an "at end of file" span has a home
-    files_.push_back({begin, std::move(path), std::move(text)});
+    File& file = files_.emplace_back(File{begin, std::move(path), std::move(text), {0}});
+    file.lines.reserve(1 + static_cast<std::size_t>(std::count(file.text.begin(), file.text.end(), '\n')));
+    for (std::size_t at = file.text.find('\n'); at != std::string::npos; at = file.text.find('\n', at + 1)) {
+        file.lines.push_back(static_cast<std::uint32_t>(at + 1));
+    }
     return begin;
 }
 
@@ -27,13 +31,12 @@ Position SourceMap::resolve(std::uint32_t offset) const {
     if (!file) return {};
     const std::string_view text = file->text;
     const std::size_t at = offset - file->begin;
-    const std::size_t newline = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
-    const std::size_t start = newline == std::string_view::npos ? 0 : newline + 1;
-    std::size_t end = text.find('\n', start);
-    if (end == std::string_view::npos) end = text.size();
+    const auto next = std::upper_bound(file->lines.begin(), file->lines.end(), at);
+    const std::size_t start = *(next - 1);
+    std::size_t end = next == file->lines.end() ? text.size() : *next - 1;
     if (end > start && text[end - 1] == '\r') --end;
     return {.file = file->path,
-            .line = 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')),
+            .line = static_cast<int>(next - file->lines.begin()),
             .column = 1 + static_cast<int>(at - start),
             .line_text = text.substr(start, end - start)};
 }

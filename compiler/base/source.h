@@ -11,6 +11,7 @@
 #include <deque>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace patina {
 
@@ -55,6 +56,7 @@ private:
         std::uint32_t begin;
         std::string path;
         std::string text;
+        std::vector<std::uint32_t> lines;  // where each begins, from the file's first byte
     };
     const File* find(std::uint32_t offset) const;
 

@@ -90,9 +90,11 @@ bool is_utf8(std::string_view text, std::size_t& bad) {
     };
     while (i < text.size()) {
         const auto c = static_cast<unsigned char>(text[i]);
-        const std::size_t length = c < 0x80 ? 1 : (c >= 0xC2 && c < 0xE0) ? 2 : (c >= 0xE0 && c < 0xF0) ? 3
-                                                                      : (c >= 0xF0 && c < 0xF5)     ? 4
-                                                                                                    : 0;
+        const std::size_t length = c < 0x80                  ? 1
+                                   : (c >= 0xC2 && c < 0xE0) ? 2
+                                   : (c >= 0xE0 && c < 0xF0) ? 3
+                                   : (c >= 0xF0 && c < 0xF5) ? 4
+                                                             : 0;
         bool good = length > 0;
         for (std::size_t k = 1; good && k < length; ++k) good = continuation(i + k);
         if (good && length >= 3) {

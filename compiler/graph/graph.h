@@ -2,14 +2,14 @@
 // syntax trees of the node language (nodelang/ast.h). Not typed: that happens in lower.h.
 #pragma once
 
-#include "compiler/base/source.h"
-#include "compiler/nodelang/ast.h"
-
 #include <array>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "compiler/base/source.h"
+#include "compiler/nodelang/ast.h"
 
 namespace patina::graph {
 
@@ -60,7 +60,7 @@ struct Property {
     std::string texture;            // default texture: "white", "black", "gray", "bump", or a file "./x.png" as written
     Span default_span;
     std::optional<std::array<double, 2>> range;
-    bool hard = false;  // values outside the range are refused
+    bool hard = false;                // values outside the range are refused
     std::vector<std::string> values;  // of an enum
     std::string label, group, help;
     TextureUsage usage = TextureUsage::Color;
@@ -119,13 +119,13 @@ struct Graph {
     Precision precision = Precision::Float;
     std::vector<Property> properties;
     std::vector<Node> nodes;
-    std::vector<Input> inputs;        // sub-graph, workflow; in a lighting graph: the "surface" declarations
-    std::vector<PortValue> vertex;    // material
-    std::vector<PortValue> surface;   // material: surface inputs; workflow: members of the lighting surface
-    std::vector<PortValue> outputs;   // sub-graph; in a lighting graph: direct, indirect, final
-    std::string preview_input;        // workflow: the input that shows a previewed node ("preview": "color")
+    std::vector<Input> inputs;       // sub-graph, workflow; in a lighting graph: the "surface" declarations
+    std::vector<PortValue> vertex;   // material
+    std::vector<PortValue> surface;  // material: surface inputs; workflow: members of the lighting surface
+    std::vector<PortValue> outputs;  // sub-graph; in a lighting graph: direct, indirect, final
+    std::string preview_input;       // workflow: the input that shows a previewed node ("preview": "color")
     RenderState render;
-    std::string meta;                 // raw JSON text of "meta"; carried to the reflection
+    std::string meta;  // raw JSON text of "meta"; carried to the reflection
 };
 
 }  // namespace patina::graph

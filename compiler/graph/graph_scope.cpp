@@ -45,7 +45,25 @@ bool GraphScope::uses_half(const Node& node) const {
 
 // --- nodes
 
+void GraphScope::announce(const Expr& expr) {
+    const bool is_member = expr.kind == Expr::Kind::Member && expr.args[0]->kind == Expr::Kind::Name;
+    if (is_member || expr.kind == Expr::Kind::Name) {
+        const auto node = graph_.by_id.find(is_member ? expr.args[0]->text : expr.text);
+        if (node != graph_.by_id.end()) read_outputs_[node->second].insert(is_member ? expr.text : std::string_view());
+        return;
+    }
+    for (const Expr* argument : expr.args) announce(*argument);
+}
+
 void GraphScope::emit_nodes(const std::vector<bool>& wanted) {
+    for (std::size_t i = 0; scope_.in_vertex_stage && i < wanted.size(); ++i) {
+        if (!wanted[i]) continue;
+        const Node& node = graph_.graph->nodes[i];
+        if (node.expr) announce(*node.expr);
+        for (const PortValue& port : node.inputs) {
+            if (port.value) announce(*port.value);
+        }
+    }
     for (std::uint32_t index : graph_.order) {
         if (wanted[index] && !emitted_[index]) emit_node(index);
     }
@@ -64,7 +82,7 @@ void GraphScope::emit_node(std::uint32_t index) {
     ir::Builder& b = *scope_.builder;
     const std::string path = id_path(node.id);
     const ir::OriginId outer_origin = b.origin();
-    module.origins.push_back({.label = node.is_expression  ? "Expression"
+    module.origins.push_back({.label = node.is_expression  ? node.note
                                        : resolved.function ? std::string(resolved.function->name)
                                                            : node.type,
                               .id = path,
@@ -126,19 +144,49 @@ void GraphScope::fill_inputs(GraphScope& inner, const Node& node, const Graph& s
     }
 }
 
+// Which outputs of a sub-graph node are to be emitted here.
+std::vector<bool> GraphScope::read_of_outputs(std::uint32_t index) const {
+    const std::vector<PortValue>& outputs = graph_.nodes[index].subgraph->graph->outputs;
+    const auto read = read_outputs_.find(index);
+    std::vector<bool> marks(outputs.size(), !scope_.in_vertex_stage || read == read_outputs_.end());
+    if (marks.empty() || marks[0]) return marks;
+    for (std::string_view name : read->second) {
+        const auto output =
+            std::find_if(outputs.begin(), outputs.end(), [&](const PortValue& p) { return p.name == name; });
+        // The bare node, or a swizzle of its only output.
+        if (output == outputs.end()) return std::vector<bool>(outputs.size(), true);
+        marks[static_cast<std::size_t>(output - outputs.begin())] = true;
+    }
+    return marks;
+}
+
 Typed GraphScope::subgraph_node(std::uint32_t index) {
     const CheckedGraph& subgraph = *graph_.nodes[index].subgraph;
     GraphScope inner(lowering_, subgraph, *scope_.builder, scope_.in_vertex_stage);
     inner.outer_ = this;
     inner.outer_node_ = index;
     fill_inputs(inner, graph_.graph->nodes[index], *subgraph.graph);
-    inner.emit_nodes(subgraph.reachable(subgraph.graph->outputs));
+    const std::vector<bool> read = read_of_outputs(index);
+    std::vector<PortValue> roots;
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        if (!read[i] || !subgraph.graph->outputs[i].value) continue;
+        roots.push_back(subgraph.graph->outputs[i]);
+        inner.announce(*roots.back().value);
+    }
+    inner.emit_nodes(subgraph.reachable(roots));
     needs_quad_ = needs_quad_ || inner.needs_quad_;
     std::vector<Value> values;
     ir::Struct made{.name = file_stem(subgraph.graph->path) + "Outputs", .members = {}};
     nodelang::Outputs outputs{.names = {}, .has_primary = subgraph.graph->outputs.size() == 1};
-    for (const PortValue& port : subgraph.graph->outputs) {
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        const PortValue& port = subgraph.graph->outputs[i];
         if (!port.value) return {};
+        if (!read[i]) {
+            values.push_back(scope_.builder->constant(ir::kFloat, {0}));
+            made.members.push_back({port.name, ir::kFloat});
+            outputs.names.push_back(port.name);
+            continue;
+        }
         Typed value = lowering_.emitter.primary(inner.value(*port.value), inner.scope_, port.value_span);
         if (value.literal) value = lowering_.emitter.convert(value, ir::kFloat, scope_, port.value_span, "the output");
         if (!value.ok()) return {};
@@ -162,9 +210,11 @@ std::unique_ptr<GraphScope> GraphScope::vertex_twin(ir::Builder& builder,
     if (!outer_) return twin;
     keep.push_back(outer_->vertex_twin(builder, keep));
     GraphScope& outer = *keep.back();
-    std::vector<bool> wanted(graph_.nodes.size(), false);
     std::vector<bool> reads = outer.graph_.reachable(outer_node_);
     reads[outer_node_] = false;
+    for (const PortValue& port : outer.graph_.graph->nodes[outer_node_].inputs) {
+        if (port.value) outer.announce(*port.value);
+    }
     outer.emit_nodes(reads);
     twin->outer_ = &outer;
     twin->outer_node_ = outer_node_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <deque>
+#include <set>
 
 #include "compiler/graph/lower.h"
 
@@ -45,6 +46,10 @@ public:
     // --- emitting
     // Emits the marked nodes in order.
     void emit_nodes(const std::vector<bool>& wanted);
+    // In the vertex stage, only those outputs of a sub-graph are emitted that something reads: what a sub-graph samples
+    // for its other outputs could not be computed there. Nodes announce what they read themselves; a port must be
+    // announced.
+    void announce(const nodelang::Expr& expr);
     // A port's value, converted; nodes that it reads must have been emitted.
     Typed value_as(const PortValue& port, ir::Type type, std::string_view what);
     Typed value_as(const nodelang::Expr& expr, ir::Type type, std::string_view what);
@@ -62,6 +67,7 @@ private:
     void emit_node(std::uint32_t index);
     Typed call_node(const Node& node, const ResolvedNode& resolved);
     Typed subgraph_node(std::uint32_t index);
+    std::vector<bool> read_of_outputs(std::uint32_t index) const;
     // Fills a sub-graph scope's inputs from the node that uses it.
     void fill_inputs(GraphScope& inner, const Node& node, const Graph& subgraph);
     Typed interpolated(std::uint32_t index);
@@ -78,6 +84,7 @@ private:
     bool needs_quad_ = false;
     std::vector<Typed> values_;
     std::vector<bool> emitted_;
+    std::map<std::uint32_t, std::set<std::string_view>> read_outputs_;  // by sub-graph node; "": the node itself
     std::map<std::string, Typed, std::less<>> given_, inputs_;
     Typed shadow_;
     std::span<const PortValue> property_values_;

@@ -241,7 +241,7 @@ ir::FunctionId lower_setup(Lowering& lowering, const FunctionDecl& slot, ir::Fun
     ir::Builder builder(module, function, lowering.emitter.options());
     GraphScope scope(lowering, workflow, builder, false);
     const Value inputs = builder.call(surface, {});
-    builder.name(inputs, module.intern("surface"));
+    builder.name(inputs, module.intern("material"));
     for (std::uint32_t i = 0; i < members.size(); ++i) {
         const Value member = builder.extract(inputs, i);
         scope.set_input(members[i]->name, {.value = member, .type = builder.type(member)});
@@ -268,6 +268,7 @@ ir::FunctionId lower_setup(Lowering& lowering, const FunctionDecl& slot, ir::Fun
             value = {.value = own, .type = member.type};
         }
         if (!value.ok()) return {};
+        builder.name(value.value, module.intern(member.name));
         values.push_back(value.value);
     }
     function.result = type;
@@ -369,6 +370,8 @@ void lower_vertex_outputs(Lowering& lowering) {
         function.name = "vertex_" + port.name;
         ir::Builder builder(module, function, lowering.emitter.options());
         GraphScope scope(lowering, graph, builder, true);
+        if (!port.value) continue;
+        scope.announce(*port.value);
         scope.emit_nodes(graph.reachable(std::span(&port, 1)));
         function.result = module.semantics[semantic->second].type;
         lowering.session.diagnostics.set_context("vertex", port.name);

@@ -31,7 +31,7 @@ struct Session {
     std::map<std::string, const CheckedGraph*> graphs;  // by path
     std::map<std::string, std::unique_ptr<NodeFile>> node_files;
     std::deque<Property> file_properties;  // textures that are files named at a port
-    std::vector<std::string> active;  // paths of the sub-graphs being loaded, for recursion
+    std::vector<std::string> active;       // paths of the sub-graphs being loaded, for recursion
 };
 
 // The path of the file that `name` means when the file `from` says it, or empty. Text is loaded only for sources.

@@ -1,15 +1,15 @@
-// The syntax tree of the node language: what the parser makes of a .node.hlsl or .pass.hlsl file, and of every value in a
-// graph ("albedo.rgb", "= 1 - mask", "#f2a38a", [1, 0, 0] all become an Expr). Nothing here has a type yet; types appear
-// when an expression is emitted into the IR (emit.h).
+// The syntax tree of the node language: what the parser makes of a .node.hlsl or .pass.hlsl file, and of every value in
+// a graph ("albedo.rgb", "= 1 - mask", "#f2a38a", [1, 0, 0] all become an Expr). Nothing here has a type yet; types
+// appear when an expression is emitted into the IR (emit.h).
 #pragma once
-
-#include "compiler/base/source.h"
 
 #include <cstdint>
 #include <deque>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "compiler/base/source.h"
 
 namespace patina::nodelang {
 
@@ -53,13 +53,13 @@ using Statements = std::vector<const Stmt*>;
 
 struct Stmt {
     enum class Kind : std::uint8_t {
-        Declare,   // type name = value;       value may be null
-        Assign,    // target op= value;        op: "=", "+=", ...
-        If,        // if (value) body else alternative
-        For,       // for (int name = value; name < limit; name++) body
-        Return,    // value may be null
-        Discard,   // discard_if(value);
-        Block,     // body
+        Declare,  // type name = value;       value may be null
+        Assign,   // target op= value;        op: "=", "+=", ...
+        If,       // if (value) body else alternative
+        For,      // for (int name = value; name < limit; name++) body
+        Return,   // value may be null
+        Discard,  // discard_if(value);
+        Block,    // body
     };
     Kind kind = Kind::Block;
     Span span{};
@@ -101,7 +101,7 @@ struct FunctionDecl {
     TypeName result{};
     std::vector<ParamDecl> params{};
     std::vector<Attribute> attributes{};
-    std::string_view doc{};  // the /// lines, with the slashes
+    std::string_view doc{};       // the /// lines, with the slashes
     std::uint32_t doc_begin = 0;  // global offset of doc's first byte
     bool has_body = false;
     Statements body{};

@@ -156,6 +156,7 @@ private:
     Typed swizzle(Typed object, std::string_view letters, Scope& scope);
     Typed enum_operand(const Expr& expr, const std::vector<std::string_view>& enumerators, Scope& scope);
     Typed literal_as(Typed value, ir::Scalar scalar, Scope& scope);
+    Typed at_border(Typed value, const Scope& scope);
     bool unify(std::span<Typed> operands, Scope& scope, Span span, std::string_view op);
 
     // calls (emit_call.cpp)

@@ -324,6 +324,12 @@ Typed Emitter::intrinsic(std::string_view name, const Expr& expr, Scope& scope, 
         return {.value = b.emit(Op::Bitcast, type, {operands[0].value}), .type = type};
     }
     if (row->takes == Takes::Product) {
+        // Half joins float as float.
+        for (std::size_t i : {0u, 1u}) {
+            Typed& half = operands[i];
+            if (half.type.scalar != Scalar::Half || operands[1 - i].type.scalar != Scalar::Float) continue;
+            half = {.value = b.convert(half.value, Scalar::Float), .type = half.type.with_scalar(Scalar::Float)};
+        }
         const Type left = operands[0].type, right = operands[1].type;
         const std::array types{left, right};
         if (left.is_matrix() || right.is_matrix()) {

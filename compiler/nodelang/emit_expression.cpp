@@ -60,16 +60,17 @@ Typed Emitter::expression(const Expr& expr, Scope& scope) {
         }
         case Expr::Kind::List:
         case Expr::Kind::Color: return list(expr, scope);
-        case Expr::Kind::Name: return name(expr, scope);
+        case Expr::Kind::Name: return at_border(name(expr, scope), scope);
         case Expr::Kind::Property:
-            if (scope.environment) return scope.environment->property(expr, scope);
+            if (scope.environment) return at_border(scope.environment->property(expr, scope), scope);
             diagnostics_.report(Code::UnknownName, expr.span, "name", expr.text);
             return {};
         case Expr::Kind::Semantic:
-            if (scope.environment) return scope.environment->semantic(expr.text, expr.span, scope);
+            if (scope.environment) return at_border(scope.environment->semantic(expr.text, expr.span, scope), scope);
             diagnostics_.report(Code::UnknownName, expr.span, "name", expr.text);
             return {};
-        case Expr::Kind::Member: return member(expression(*expr.args[0], scope), expr.text, expr.name_span, scope);
+        case Expr::Kind::Member:
+            return at_border(member(expression(*expr.args[0], scope), expr.text, expr.name_span, scope), scope);
         case Expr::Kind::Index: return index(expr, scope);
         case Expr::Kind::Call: return call_expression(expr, scope);
         case Expr::Kind::Method: return method(expr, scope);
@@ -160,6 +161,14 @@ Typed Emitter::file_constant(const VariableDecl& variable, Scope& scope) {
     return expression_as(*variable.value, type(variable.type, file), file, fmt::format("'{}'", variable.name));
 }
 
+// What a graph's expression reads has the precision of the node that reads it, whoever made it.
+Typed Emitter::at_border(Typed value, const Scope& scope) {
+    if (!scope.environment || !value.ok() || value.outputs || value.literal || !value.type.is_numeric()) return value;
+    const Scalar wanted = scope.half ? Scalar::Half : Scalar::Float;
+    if (value.type.scalar == wanted || !joins(value.type.scalar, wanted)) return value;
+    return {.value = scope.builder->convert(value.value, wanted), .type = value.type.with_scalar(wanted)};
+}
+
 // --- members
 
 Typed Emitter::primary(Typed value, Scope& scope, Span span) {
@@ -171,7 +180,7 @@ Typed Emitter::primary(Typed value, Scope& scope, Span span) {
         return {};
     }
     const Value part = scope.builder->extract(value.value, 0);
-    return {.value = part, .type = scope.builder->type(part)};
+    return at_border({.value = part, .type = scope.builder->type(part)}, scope);
 }
 
 Typed Emitter::member(Typed object, std::string_view name, Span span, Scope& scope) {
@@ -207,7 +216,9 @@ Typed Emitter::member(Typed object, std::string_view name, Span span, Scope& sco
             const Argument self{.value = object, .constant = {}};
             const Instance& instance = instantiate(*function, home, std::span(&self, 1), 0, false, span);
             if (instance.result.is_error()) return {};
-            return {.value = scope.builder->call(instance.id, std::array{object.value}), .type = instance.result};
+            const Value value = scope.builder->call(instance.id, std::array{object.value});
+            scope.builder->name(value, module_.intern(name));
+            return {.value = value, .type = instance.result};
         }
         std::vector<std::string_view> known;
         for (const ir::Member& m : structure.members) known.push_back(m.name);
@@ -473,7 +484,13 @@ Typed Emitter::ternary(const Expr& expr, Scope& scope) {
 // --- conversions
 
 Typed Emitter::expression_as(const Expr& expr, Type wanted, Scope& scope, std::string_view what) {
-    return convert(primary(expression(expr, scope), scope, expr.span), wanted, scope, expr.span, what);
+    Typed value = primary(expression(expr, scope), scope, expr.span);
+    // "#ff8800" where a float4 is wanted: a colour without alpha is opaque.
+    if (expr.kind == Expr::Kind::Color && value.ok() && value.type.width() == 3 && wanted == ir::kFloat4) {
+        const Value opaque = scope.builder->constant(ir::kFloat, {1});
+        value = {.value = scope.builder->construct(ir::kFloat4, std::array{value.value, opaque}), .type = ir::kFloat4};
+    }
+    return convert(value, wanted, scope, expr.span, what);
 }
 
 Typed Emitter::convert(Typed value, Type wanted, Scope& scope, Span span, std::string_view what) {

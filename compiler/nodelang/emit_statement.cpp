@@ -306,6 +306,7 @@ void Emitter::for_statement(const Stmt& stmt, Scope& scope) {
         return;
     }
     if (!begin.ok() || !end.ok()) return;
+    b.name(end.value, module_.intern("count"));
     const std::size_t outer = scope.locals.size();
     std::vector<std::string_view> assigned;
     collect_assigned(stmt.body, assigned);

@@ -181,7 +181,12 @@ private:
         }
         cost_[v.index] = c;
     }
-    bool can_stand(Value v) const { return !is_leaf(a_[v].op) && !a_.stands[v.index] && v != a_.outputs; }
+    // A member or swizzle of a leaf reads as well as a variable would.
+    bool is_access(Value v) const {
+        while (a_.is_free(v) && a_.args(v) == 1) v = a_.arg(v, 0);
+        return is_leaf(a_[v].op);
+    }
+    bool can_stand(Value v) const { return !is_access(v) && !a_.stands[v.index] && v != a_.outputs; }
     Value biggest_operand(Value v) const {
         Value biggest;
         for (std::uint32_t i = 0; i < a_.args(v); ++i) {

@@ -81,13 +81,15 @@ private:
     // ".member", "[2]", ".y"
     std::string part(ir::Type type, std::uint32_t index) const;
     std::string name_without_hint(ir::Value v) const;
+    void find_member_names();
 
     Writer& writer_;
     const ir::Function& function_;
     const EntryPoint* entry_;
     Plan plan_;
-    std::vector<std::string> params_;  // names
-    std::vector<std::string> names_;   // of variables; empty: not declared yet
+    std::vector<std::string> params_;          // names
+    std::vector<std::string> names_;           // of variables; empty: not declared yet
+    std::vector<std::string_view> member_of_;  // by Value: the struct member that it becomes; empty: none
     unsigned indent_ = 1;
     unsigned loops_ = 0;           // open ones
     ir::OriginId origin_;          // of the last statement

@@ -50,6 +50,7 @@ std::string_view fallback_name(Op op) {
 Body::Body(Writer& writer, FunctionId id, const EntryPoint* entry)
     : writer_(writer), function_(writer.module[id]), entry_(entry), plan_(make_plan(writer.module, function_, entry)) {
     names_.resize(plan_.variables.size());
+    find_member_names();
     commented_.resize(writer.module.origins.size());
 }
 
@@ -76,15 +77,34 @@ void Body::print() {
 
 // --- names
 
+// What a value is for says more than how it is computed: the part of a struct is called like the member.
+void Body::find_member_names() {
+    member_of_.resize(function_.insts.size());
+    const auto note = [&](Value value, Type structure, std::uint32_t member) {
+        member_of_[plan_.resolve(value).index] = writer_.module.structs[structure.ref].members[member].name;
+    };
+    for (const Inst& inst : function_.insts) {
+        if (inst.type.kind != Kind::Struct) continue;
+        const std::span<const Value> args = function_.args(inst);
+        if (inst.op == Op::Insert) note(args[1], inst.type, inst.data);
+        if (inst.op != Op::Construct) continue;
+        for (std::uint32_t i = 0; i < args.size(); ++i) note(args[i], inst.type, i);
+    }
+}
+
 std::string Body::name_without_hint(Value v) const {
     const Inst& inst = function_[v];
     if (inst.type.kind == Kind::Struct) {
         const std::string name = snake_case(writer_.module.structs[inst.type.ref].name);
         return writer_.names.is_free(name) ? name : initials(name);
     }
+    if (!member_of_[v.index].empty()) return std::string(member_of_[v.index]);
     if (inst.op == Op::Construct && inst.type.is_matrix()) return "basis";
     if (inst.op == Op::Call) return snake_case(writer_.module.functions[inst.data].name);
-    return std::string(fallback_name(inst.op));
+    // A step on the way to a node's value is called after the node.
+    const std::string_view id = inst.origin ? std::string_view(writer_.module.origins[inst.origin.index].id) : "";
+    const std::string_view last = id.substr(id.rfind('/') + 1);
+    return last.empty() ? std::string(fallback_name(inst.op)) : fmt::format("{}_{}", last, fallback_name(inst.op));
 }
 
 std::string Body::target(std::uint32_t id) {
@@ -104,7 +124,8 @@ std::string Body::target(Value v) {
 // A comment above the first statement of each node, and a gap where one node's statements end.
 void Body::enter(OriginId origin) {
     const auto is_labelled = [&](OriginId id) { return id && !writer_.module.origins[id.index].label.empty(); };
-    if (origin != origin_ && (is_labelled(origin) || is_labelled(origin_)) && !at_block_start_) writer_.gap();
+    const auto is_node = [&](OriginId id) { return id && !writer_.module.origins[id.index].id.empty(); };
+    if (origin != origin_ && (is_node(origin) || is_node(origin_)) && !at_block_start_) writer_.gap();
     if (is_labelled(origin) && !commented_[origin.index]) {
         commented_[origin.index] = true;
         const Origin& o = writer_.module.origins[origin.index];

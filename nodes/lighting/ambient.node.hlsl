@@ -18,8 +18,8 @@ const float SH_DIFFERENCE = 0.13656855382400989;  // sqrt(15 / (256 pi))
 /// formula: E(n) / pi = sum over l, m of A_l / pi c_lm Y_lm(n), A = pi, 2 pi / 3, pi / 4
 /// source: Ramamoorthi and Hanrahan, "An Efficient Representation for Irradiance Environment Maps", SIGGRAPH 2001
 /// test: EvaluateSH9(float3(0.6, 0, 0.8), 3.5449077018110318, 0, 0, 0, 0, 0, 0, 0, 0) == float3(1, 1, 1)
-/// test: EvaluateSH9(float3(0, 0, 1), 0.9, 0.12, -0.3, 0.25, 0.05, -0.07, 0.11, 0.03, -0.04).x == 0.17351134630479498
-/// test: EvaluateSH9(float3(0, 1, 0), 0.9, 0.12, -0.3, 0.25, 0.05, -0.07, 0.11, 0.03, -0.04).y == 0.28976298765724
+/// test: EvaluateSH9(float3(0, 0, 1), 0.9, 0.12, -0.3, 0.25, 0.05, -0.07, 0.11, 0.03, -0.04) == 0.17351134630479498
+/// test: EvaluateSH9(float3(0, 1, 0), 0.9, 0.12, -0.3, 0.25, 0.05, -0.07, 0.11, 0.03, -0.04) == 0.28976298765724
 /// test: EvaluateSH9(float3(0, 0, -1), 0.886226925, 0, 1.023326708, 0, 0, 0, 0.495415912, 0, 0) == float3(0, 0, 0)
 [node("Lighting/Ambient/Evaluate SH9")]
 float3 EvaluateSH9(

@@ -9,10 +9,12 @@ float4 forward_vertex(float3 position = position_ws) {
 [pass("forward")] [fragment]
 float4 forward_fragment(float3 position = position_ws) {
     LightingSurface lit = lighting_surface();
-    LightSum total;
+    float3 direct_sum = float3(0);
     [light] for (int i = 0; i < min(light_count, MAX_LIGHTS); i++) {
-        total.direct += direct(lit, light_at(i, position));
+        direct_sum += direct(lit, light_at(i, position));
     }
+    LightSum total;
+    total.direct = direct_sum;
     total.indirect = indirect(lit);
     if (alpha_clip) {
         discard_if(lit.alpha < lit.alphaClip);

@@ -1,11 +1,13 @@
 // Each folder beside this file is named for a code of diagnostics.def and holds the smallest inputs that provoke it.
-// Every *.graph.json in it is checked by `patina check`, or, where the folder has a file `commands`, each of its lines is
-// run in a copy of the folder. What is printed is compared with expected.txt: place, caret, words, suggestion, exit code.
+// Every *.graph.json in it is checked by `patina check`, or, where the folder has a file `commands`, each of its lines
+// is run in a copy of the folder. What is printed is compared with expected.txt: place, caret, words, suggestion, exit
+// code.
+#include "compiler/base/diagnostics.h"
+
 #include <algorithm>
 #include <sstream>
 #include <vector>
 
-#include "compiler/base/diagnostics.h"
 #include "tests/support/received.h"
 
 namespace patina::testing {
@@ -15,7 +17,8 @@ namespace fs = std::filesystem;
 
 // Codes without a folder, each with the reason.
 constexpr std::pair<std::string_view, std::string_view> kExempt[] = {
-    {"downstream-error", "a shader that another compiler refuses is a fault of the printers; validate_test.cpp makes one"},
+    {"downstream-error",
+     "a shader that another compiler refuses is a fault of the printers; validate_test.cpp makes one"},
     {"internal", "a library without one of its slots cannot be built"},
 };
 

@@ -1,5 +1,6 @@
 // The CPU reference: runs a stage of a compiled material on 2x2 pixel quads, straight from the unoptimised IR, in float
-// or double. It shares no folding, identity or printer with the GPU's path. Slow and exact; not a renderer (the runtime's
+// or double. It shares no folding, identity or printer with the GPU's path. Slow and exact; not a renderer (the
+// runtime's
 // `--via cpu` puts a rasteriser around it).
 //
 //   Result r = compiler.compile_file(path, {.keep_programs = true});
@@ -8,10 +9,10 @@
 //   QuadOutputs out = fragment.run(quad);
 #pragma once
 
-#include "patina/patina.h"
-
 #include <array>
 #include <cstddef>
+
+#include "patina/patina.h"
 
 namespace patina {
 
@@ -27,8 +28,8 @@ struct TextureData {
     Sampler sampler;
 };
 
-// Values of all stage inputs for the four pixels of a quad (0 1 / 2 3: right is +x, down is +y), components end to end in
-// the order of inputs(). For a vertex stage all four lanes are independent vertices.
+// Values of all stage inputs for the four pixels of a quad (0 1 / 2 3: right is +x, down is +y), components end to end
+// in the order of inputs(). For a vertex stage all four lanes are independent vertices.
 struct QuadInputs {
     std::array<std::vector<double>, 4> lanes;
 };
@@ -38,7 +39,7 @@ struct QuadOutputs {
 };
 
 struct StageValue {
-    std::string name;     // input: position_os, uv0, a varying's name; or front_facing, frag_coord
+    std::string name;  // input: position_os, uv0, a varying's name; or front_facing, frag_coord
     unsigned components = 1;
     bool is_builtin = false;  // "position" output; "front_facing" (0 or 1) and "frag_coord" inputs
 };

@@ -1,5 +1,5 @@
-// The compiler library: a material graph in, readable shaders and their reflection out. No GPU and no shader compiler is
-// needed here; `patina/validate.h` adds glslang, the runtime adds Vulkan.
+// The compiler library: a material graph in, readable shaders and their reflection out. No GPU and no shader compiler
+// is needed here; `patina/validate.h` adds glslang, the runtime adds Vulkan.
 //
 //   patina::Compiler compiler;
 //   patina::Result result = compiler.compile_file("rust.graph.json");
@@ -9,8 +9,6 @@
 // A Compiler loads its node library once and is immutable after that: any number of threads may compile with one.
 #pragma once
 
-#include "patina/reflection.h"
-
 #include <functional>
 #include <memory>
 #include <optional>
@@ -18,6 +16,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "patina/reflection.h"
 
 namespace patina {
 
@@ -41,7 +41,7 @@ std::string to_text(const Diagnostic& diagnostic, bool colors = false);
 // One JSON object on one line.
 std::string to_json(const Diagnostic& diagnostic);
 
-enum class Target { Glsl, Hlsl };       // GLSL 450 for Vulkan; HLSL in Shader Model 5.1 style
+enum class Target { Glsl, Hlsl };  // GLSL 450 for Vulkan; HLSL in Shader Model 5.1 style
 enum class Stage { Vertex, Fragment };
 std::string_view to_string(Target target);  // "glsl", "hlsl"
 std::string_view to_string(Stage stage);    // "vertex", "fragment"
@@ -52,17 +52,17 @@ struct LineOrigin {
     std::string node;
     std::string file;
     int source_line = 0, source_column = 0, source_end_column = 0;
-    std::string source_text;  // that source line
+    std::string source_text;  // that source line; empty if it is very long
 };
 
 struct Shader {
     std::string pass;  // "forward"
     Stage stage = Stage::Vertex;
     Target target = Target::Glsl;
-    std::string file_name;  // "rust.forward.frag.glsl"
-    std::string text;       // entry point: main
-    std::vector<LineOrigin> line_map;                 // ascending by line
-    std::vector<Reflection::Shifts> hlsl_shifts;      // what glslang must add to HLSL registers
+    std::string file_name;                        // "rust.forward.frag.glsl"
+    std::string text;                             // entry point: main
+    std::vector<LineOrigin> line_map;             // ascending by line
+    std::vector<Reflection::Shifts> hlsl_shifts;  // what glslang must add to HLSL registers
 };
 
 // Text of a file that the compiler asks for (sub-graphs, lighting graphs, node files), or nothing if there is none.
@@ -113,9 +113,9 @@ struct NodeInfo {
     std::string category;  // "Lighting/Distribution"
     std::string doc;       // paragraphs, plain text
     std::string formula;
-    std::string source;  // the paper
+    std::string source;           // the paper
     std::vector<PortInfo> ports;  // inputs in order, then outputs, the primary one first
-    std::string file;      // where it is defined
+    std::string file;             // where it is defined
 };
 struct SemanticInfo {
     std::string name, type, doc, rate;
@@ -136,14 +136,14 @@ struct NodeTest {
     int line = 0;
     double relative = 0, absolute = 0;
     struct Argument {
-        std::string name, type;       // "float3", or the enum's name
-        std::vector<double> values;   // its components; enum: index
-        std::string enumerator;       // enum arguments only
+        std::string name, type;      // "float3", or the enum's name
+        std::vector<double> values;  // its components; enum: index
+        std::string enumerator;      // enum arguments only
     };
     std::vector<Argument> arguments;  // given ones only
     std::string output;               // port
     std::vector<double> expected;
-    std::vector<double> actual;       // the CPU interpreter, in double
+    std::vector<double> actual;  // the CPU interpreter, in double
 };
 
 // What became of a user's .node.hlsl file: is it sound, and do its test lines hold?

@@ -40,7 +40,7 @@ struct Texture {
     std::string name;
     std::string dimension = "2d";  // 2d | cube
     std::string usage = "color";   // color: sRGB, decoded when sampled | data: linear | normal: tangent-space, 2x - 1
-    std::string default_value;     // white | black | gray | bump, or a file, already resolved against the graph's folder
+    std::string default_value;  // white | black | gray | bump, or a file, already resolved against the graph's folder
     std::uint32_t set = 0;
     std::uint32_t binding = 0;
     std::string hlsl_register;  // "t0, space1"
@@ -52,13 +52,13 @@ struct Texture {
 
 struct Property {
     std::string name;
-    std::string type;                // float | float2 | float3 | float4 | color | int | bool | enum | texture2d
-    std::array<double, 4> value{};   // default; colours linear; bool 0 or 1; enum: index
+    std::string type;               // float | float2 | float3 | float4 | color | int | bool | enum | texture2d
+    std::array<double, 4> value{};  // default; colours linear; bool 0 or 1; enum: index
     std::optional<std::array<double, 2>> range;
     std::vector<std::string> values;  // enumerators
     std::string label, group, help;
-    std::string block;          // block that holds it; empty for textures
-    std::uint32_t offset = 0;   // in that block
+    std::string block;         // block that holds it; empty for textures
+    std::uint32_t offset = 0;  // in that block
     std::uint32_t size = 0;
 };
 
@@ -72,15 +72,15 @@ struct VertexInput {
 struct RenderTarget {
     std::string name;
     std::uint32_t location = 0;
-    std::string blend_source = "one";       // Vulkan's words in lower case: one, zero, src_alpha, one_minus_src_alpha
+    std::string blend_source = "one";  // Vulkan's words in lower case: one, zero, src_alpha, one_minus_src_alpha
     std::string blend_destination = "zero";
 };
 
 // A pass of the material: two stages and the fixed-function state that goes with them.
 struct Pass {
     std::string name;
-    std::string draws = "objects";   // objects | fullscreen
-    std::string cull = "back";       // back | front | off; front faces are counter-clockwise
+    std::string draws = "objects";  // objects | fullscreen
+    std::string cull = "back";      // back | front | off; front faces are counter-clockwise
     bool depth_write = true;
     std::string depth_test = "less_equal";
     int queue = 2000;

@@ -2,10 +2,10 @@
 // as diagnostics at the graph's own lines. Links glslang and SPIRV-Tools; the core library does not.
 #pragma once
 
-#include "patina/patina.h"
-
 #include <cstdint>
 #include <vector>
+
+#include "patina/patina.h"
 
 namespace patina {
 

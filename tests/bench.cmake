@@ -1,0 +1,11 @@
+# `cmake --build build --target bench` prints the compiler's figures; ctest does not run it.
+find_package(benchmark REQUIRED)
+add_executable(patina_bench bench/figures.cpp bench/patina_bench.cpp)
+target_link_libraries(patina_bench PRIVATE patina_options patina benchmark::benchmark)
+target_compile_definitions(patina_bench PRIVATE
+  PATINA_EXAMPLES="${CMAKE_SOURCE_DIR}/examples/graphs" PATINA_COMMAND="$<TARGET_FILE:patina_cli>"
+  PATINA_SCRATCH="${CMAKE_BINARY_DIR}/bench")
+add_custom_target(bench COMMAND patina_bench DEPENDS patina_bench patina_cli USES_TERMINAL VERBATIM)
+
+# Time that grows with the square of a graph's length makes this test hang, and nothing else would tell.
+set_tests_properties(long_graph_test PROPERTIES TIMEOUT 120)

@@ -1,0 +1,128 @@
+// The compiler's figures: what a warm compile, the whole command, the library and very long graphs cost, and how long
+// the text is that comes out. Google Benchmark's options apply; the table at the end is the best of the repetitions.
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "patina/patina.h"
+#include "tests/bench/figures.h"
+#include "tests/bench/long_graphs.h"
+
+extern char** environ;
+
+namespace patina::bench {
+namespace {
+
+// PATINA_EXAMPLES, PATINA_COMMAND and PATINA_SCRATCH are paths; bench.cmake gives them.
+const std::string kRustedSteel = PATINA_EXAMPLES "/rusted_steel.graph.json";
+
+// docs/graph-format.md: "A few lines more and the surface has a texture and a knob".
+constexpr const char* kPainted = R"({
+  "patina": 1,
+  "name": "Painted metal",
+  "workflow": "metallic-roughness",
+  "properties": [
+    { "name": "_MainTex", "type": "texture2d", "usage": "color", "default": "white" },
+    { "name": "_Tint", "type": "color", "default": "#f2a38a" },
+    { "name": "_Roughness", "type": "float", "default": 0.35, "range": [0, 1] }
+  ],
+  "nodes": [
+    { "id": "albedo", "node": "SampleTexture2D", "in": { "texture": "$_MainTex" } }
+  ],
+  "surface": { "baseColor": "= albedo.rgb * $_Tint.rgb", "metallic": 1, "roughness": "$_Roughness" }
+})";
+
+std::string read(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// JSON to printed GLSL and HLSL, with a library that is loaded.
+void compile(benchmark::State& state, const std::string& path, const std::string& text) {
+    const Compiler compiler;
+    for ([[maybe_unused]] auto iteration : state) {
+        const Result result = compiler.compile_text(path, text);
+        if (!result.ok) return state.SkipWithError("it does not compile");
+        benchmark::DoNotOptimize(result.shaders.data());
+    }
+}
+
+void load_library(benchmark::State& state) {
+    for ([[maybe_unused]] auto iteration : state) {
+        const Compiler compiler;
+        benchmark::DoNotOptimize(&compiler);
+    }
+}
+
+// `patina compile` of the textured example, from the start of the process to its end.
+void run_command(benchmark::State& state) {
+    std::string words[] = {PATINA_COMMAND, "compile", kRustedSteel, "-q", "-o", PATINA_SCRATCH};
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    for ([[maybe_unused]] auto iteration : state) {
+        pid_t child = 0;
+        int status = -1;
+        if (posix_spawn(&child, PATINA_COMMAND, nullptr, nullptr, arguments.data(), environ) == 0) {
+            waitpid(child, &status, 0);
+        }
+        if (status != 0) return state.SkipWithError("patina compile fails");
+    }
+}
+
+void register_all() {
+    const auto add = [](const std::string& name, auto function, auto... arguments) {
+        benchmark::RegisterBenchmark(name.c_str(), function, arguments...)
+            ->Unit(benchmark::kMillisecond)
+            ->UseRealTime()
+            ->MinTime(0.2)
+            ->Repetitions(3)
+            ->ReportAggregatesOnly(false);
+    };
+    add("library", load_library);
+    add("compile/painted", compile, "painted.graph.json", std::string(kPainted));
+    add("compile/rusted_steel", compile, kRustedSteel, read(kRustedSteel));
+    add("patina compile", run_command);
+    for (const int nodes : {5'000, 10'000}) {
+        const std::string count = std::to_string(nodes);
+        add("chain/" + count, compile, "chain.graph.json", long_graph(Shape::Chain, nodes));
+        add("ladder/" + count, compile, "ladder.graph.json", long_graph(Shape::Ladder, nodes));
+        add("ladder on one line/" + count, compile, "ladder.graph.json", long_graph(Shape::Ladder, nodes, " "));
+    }
+}
+
+void print_sizes() {
+    const Result result = Compiler().compile_file(kRustedSteel);
+    for (const Shader& shader : result.shaders) {
+        const bool is_promised = shader.stage == Stage::Fragment && shader.target == Target::Glsl;
+        Figures::size(shader.file_name, shader.text.size(), is_promised ? 12 * 1024 : 0);
+    }
+}
+
+void print_figures(const Figures& figures) {
+    std::printf("\n");
+    figures.time("library", 0);
+    figures.time("compile/painted", 0);
+    figures.time("compile/rusted_steel", 1);
+    figures.time("patina compile", 20);
+    for (const std::string shape : {"chain/", "ladder/", "ladder on one line/"}) {
+        figures.time(shape + "10000", 0);
+        figures.ratio(shape + "5000", shape + "10000", 2.5);
+    }
+    print_sizes();
+}
+
+}  // namespace
+}  // namespace patina::bench
+
+int main(int argc, char** argv) {
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+    patina::bench::register_all();
+    patina::bench::Figures figures;
+    benchmark::RunSpecifiedBenchmarks(&figures);
+    patina::bench::print_figures(figures);
+}

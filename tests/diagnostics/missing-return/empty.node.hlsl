@@ -1,0 +1,4 @@
+[node("Test/F")]
+float F(float a = 1) {
+    return;
+}

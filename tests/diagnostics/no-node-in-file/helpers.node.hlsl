@@ -1,0 +1,3 @@
+float square(float a) {
+    return a * a;
+}

@@ -1,0 +1,204 @@
+// Every `test:` line of the library, three times: by the CPU interpreter in double, and on the GPU through GLSL and
+// through HLSL. On the GPU the arguments come out of a texture, one test a pixel.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "witness/bench.h"
+
+namespace patina::witness {
+namespace {
+
+// Nodes without a test line, and why they can have none. What is not here must have one.
+struct Exempt {
+    std::string_view node, reason;
+};
+constexpr Exempt kExempt[] = {
+    {"AmbientIrradiance", "reads the scene's ambient light; EvaluateSH9, which it calls, is tested"},
+    {"EnvironmentRadiance", "reads the scene's ambient light; EvaluateSH9, which it calls, is tested"},
+    {"LoadTexture2D", "reads a texture; every other test here reads its arguments by it"},
+    {"SampleNormalMap", "reads a texture; UnpackNormal, which it calls, is tested"},
+    {"SampleTexture2D", "reads a texture; quads_test draws with it"},
+    {"SampleTexture2DLevel", "reads a texture; quads_test draws with it"},
+    {"TexelSize", "reads a texture; quads_test draws with it"},
+};
+
+// Tests of one node that one shader can run: they differ in numbers only.
+struct Batch {
+    std::string expression;  // the call, reading its arguments from the nodes a0, a1, ...
+    std::vector<NodeTest> tests;
+};
+
+// The argument as the graph writes it: out of a texel, or, of what a shader must know beforehand, as a literal.
+std::string argument_text(const NodeTest::Argument& argument, std::size_t index) {
+    if (!argument.enumerator.empty()) return argument.enumerator;
+    const std::string texel = "a" + std::to_string(index);
+    if (argument.type == "bool") return "(" + texel + ".x > 0.5)";
+    // A const parameter, such as a number of octaves, is not read at run time.
+    if (argument.type == "int") return literal(argument.values[0]);
+    return texel + "." + std::string("xyzw").substr(0, argument.values.size());
+}
+
+std::string call_text(const NodeTest& test) {
+    std::string text = test.node + "(";
+    for (std::size_t i = 0; i < test.arguments.size(); ++i)
+        text += (i ? ", " : "") + argument_text(test.arguments[i], i);
+    return text + ")" + (test.output == "out" ? "" : "." + test.output);
+}
+
+std::vector<Batch> batches_of(const std::vector<NodeTest>& tests) {
+    std::vector<Batch> batches;
+    for (const NodeTest& test : tests) {
+        const std::string call = call_text(test);
+        const auto same = [&](const Batch& batch) { return batch.expression == call; };
+        auto found = std::find_if(batches.begin(), batches.end(), same);
+        if (found == batches.end()) found = batches.insert(batches.end(), {.expression = call, .tests = {}});
+        found->tests.push_back(test);
+    }
+    return batches;
+}
+
+// The components of the call's value spread over colour and alpha.
+std::string graph_of(const Batch& batch, std::size_t components, bool is_bool) {
+    std::string nodes;
+    for (std::size_t i = 0; i < batch.tests[0].arguments.size(); ++i)
+        nodes += load_node("a" + std::to_string(i), "@frag_coord.x", std::to_string(i)) + ",\n";
+    nodes += R"({ "id": "value", "expr": ")" + batch.expression + R"(" })";
+    const std::string_view kColors[] = {"float3(value, 0, 0)", "float3(value, 0)", "value", "value.xyz"};
+    const std::string color = is_bool ? "float3(value ? 1 : 0, 0, 0)" : std::string(kColors[components - 1]);
+    return R"({ "patina": 1, "workflow": "unlit", "properties": [ )" + data_property() + " ],\n\"nodes\": [\n" + nodes +
+           " ],\n\"surface\": { \"color\": \"= " + color + "\", \"alpha\": \"= " + (components == 4 ? "value.w" : "1") +
+           "\" } }";
+}
+
+Image arguments_of(const Batch& batch) {
+    const std::size_t rows = std::max<std::size_t>(1, batch.tests[0].arguments.size());
+    Image texels = runtime::make_image(static_cast<int>(batch.tests.size()), static_cast<int>(rows));
+    for (std::size_t x = 0; x < batch.tests.size(); ++x) {
+        for (std::size_t y = 0; y < batch.tests[x].arguments.size(); ++y) {
+            const std::vector<double>& values = batch.tests[x].arguments[y].values;
+            for (std::size_t c = 0; c < values.size(); ++c)
+                texels.at(static_cast<int>(x), static_cast<int>(y))[c] = static_cast<float>(values[c]);
+        }
+    }
+    return texels;
+}
+
+std::string numbers(const std::vector<double>& values) {
+    std::string text;
+    for (const double value : values) text += (text.empty() ? "" : ", ") + testing::PrintToString(value);
+    return text;
+}
+
+void expect_passed(const NodeTest& test, const char* witness) {
+    EXPECT_TRUE(passed(test)) << test.file << ":" << test.line << ": " << test.text << "\n  " << witness << " says "
+                              << numbers(test.actual) << ", expected " << numbers(test.expected) << " within "
+                              << test.relative << " relative, " << test.absolute << " absolute";
+}
+
+class LibraryTest : public testing::Test {
+protected:
+    static void SetUpTestSuite() { bench = std::make_unique<Bench>(); }
+    static void TearDownTestSuite() { bench.reset(); }
+    static inline std::unique_ptr<Bench> bench;
+
+    std::vector<NodeTest> all_tests() const {
+        std::vector<NodeTest> tests;
+        for (const NodeInfo& node : bench->compiler().nodes())
+            for (NodeTest& test : bench->compiler().tests(node.name)) tests.push_back(std::move(test));
+        return tests;
+    }
+};
+
+TEST_F(LibraryTest, EveryNodeHasTestsOrAReasonForNone) {
+    std::size_t exempt = 0;
+    for (const NodeInfo& node : bench->compiler().nodes()) {
+        const auto* found = std::find_if(std::begin(kExempt), std::end(kExempt),
+                                         [&](const Exempt& candidate) { return candidate.node == node.name; });
+        const bool is_exempt = found != std::end(kExempt);
+        EXPECT_NE(bench->compiler().tests(node.name).empty(), !is_exempt) << node.name;
+        if (!is_exempt) continue;
+        std::printf("without a test line: %s (%s)\n", node.name.c_str(), std::string(found->reason).c_str());
+        ++exempt;
+    }
+    EXPECT_EQ(exempt, std::size(kExempt)) << "the list names a node that is not there";
+}
+
+TEST_F(LibraryTest, EveryWordOfADropDownIsTested) {
+    const std::vector<NodeTest> tests = all_tests();
+    for (const NodeInfo& node : bench->compiler().nodes()) {
+        for (const PortInfo& port : node.ports) {
+            for (const std::string& word : port.enumerators) {
+                const bool is_default = port.default_value == word;
+                const auto uses = [&](const NodeTest& test) {
+                    if (test.node != node.name) return false;
+                    const auto given = std::find_if(test.arguments.begin(), test.arguments.end(),
+                                                    [&](const NodeTest::Argument& a) { return a.name == port.name; });
+                    return given == test.arguments.end() ? is_default : given->enumerator == word;
+                };
+                EXPECT_TRUE(std::any_of(tests.begin(), tests.end(), uses)) << node.name << ": " << word;
+            }
+        }
+    }
+}
+
+TEST_F(LibraryTest, OnTheCpuInDouble) {
+    for (const NodeTest& test : all_tests()) expect_passed(test, "the CPU");
+}
+
+TEST_F(LibraryTest, OnTheGpuThroughGlslAndHlsl) {
+    std::size_t count = 0;
+    for (const NodeInfo& node : bench->compiler().nodes()) {
+        for (const Batch& batch : batches_of(bench->compiler().tests(node.name))) {
+            const NodeTest& first = batch.tests[0];
+            const auto port = std::find_if(node.ports.begin(), node.ports.end(),
+                                           [&](const PortInfo& p) { return p.is_output && p.name == first.output; });
+            // A line that could not be read has failed on the CPU already.
+            if (port == node.ports.end() || first.actual.empty()) continue;
+            const auto material = bench->compile(graph_of(batch, first.actual.size(), port->type == "bool"));
+            if (!material) continue;
+            const Image arguments = arguments_of(batch);
+            const Inputs inputs{.width = arguments.width, .data = texture_of(arguments)};
+            for (const Target target : {Target::Glsl, Target::Hlsl}) {
+                const Image image = bench->draw(*material, target, inputs);
+                if (image.pixels.empty()) continue;
+                for (int x = 0; x < image.width; ++x) {
+                    NodeTest test = batch.tests[static_cast<std::size_t>(x)];
+                    for (std::size_t c = 0; c < test.actual.size(); ++c)
+                        test.actual[c] = static_cast<double>(image.at(x, 0)[c]);
+                    expect_passed(test, target == Target::Glsl ? "GLSL" : "HLSL");
+                    ++count;
+                }
+            }
+        }
+    }
+    // Each line was drawn twice.
+    EXPECT_EQ(count, 2 * all_tests().size());
+    bench->expect_silence();
+}
+
+// Arguments that a formula seldom meets still arrive as what they are.
+TEST_F(LibraryTest, NanAndInfinityPassThrough) {
+    NodeTest test;
+    test.node = "Constant";
+    test.arguments = {{.name = "value", .type = "float4", .values = {}, .enumerator = {}}};
+    Batch batch{.expression = "Constant(a0)", .tests = {test}};
+    const auto material = bench->compile(graph_of(batch, 4, false));
+    ASSERT_TRUE(material);
+    const double infinity = INFINITY;
+    batch.tests[0].arguments[0].values = {NAN, infinity, -infinity, 1e-30};
+    const Inputs inputs{.data = texture_of(arguments_of(batch))};
+    for (const Image& image :
+         {bench->draw(*material, Target::Glsl, inputs), bench->draw(*material, Target::Hlsl, inputs),
+          bench->run(*material, Precision::Double, inputs)}) {
+        ASSERT_EQ(image.pixels.size(), 4u);
+        EXPECT_TRUE(std::isnan(image.pixels[0]));
+        EXPECT_EQ(image.pixels[1], INFINITY);
+        EXPECT_EQ(image.pixels[2], -INFINITY);
+        EXPECT_EQ(image.pixels[3], 1e-30f);
+    }
+    bench->expect_silence();
+}
+
+}  // namespace
+}  // namespace patina::witness
