@@ -187,7 +187,9 @@ EvalResult Compiler::evaluate(std::string_view node, std::span<const std::pair<s
             for (const nodelang::ParamDecl& p : function->params) {
                 if (!p.is_out) known.push_back(p.name);
             }
-            diagnostics.report(Code::UnknownPort, {}, node, "input", name).note(Diagnostics::suggestion(name, known));
+            diagnostics.report(Code::UnknownPort, {}, node, "input", name)
+                .at(node)
+                .note(Diagnostics::suggestion(name, known));
             continue;
         }
         diagnostics.set_context(node, name);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "compiler/base/text.h"
+
 namespace patina {
 namespace {
 
@@ -18,7 +20,9 @@ void place(Diagnostic& diagnostic, Span span, const SourceMap& sources) {
     diagnostic.column = begin.column;
     diagnostic.end_line = end.line;
     diagnostic.end_column = end.column;
-    diagnostic.source_line = begin.line_text;
+    // A whole graph may stand on one line: not a copy of it with each complaint.
+    constexpr std::size_t kMaxLine = 1u << 16;
+    if (begin.line_text.size() <= kMaxLine) diagnostic.source_line = begin.line_text;
 }
 
 std::string_view word(Severity severity) {
@@ -31,24 +35,56 @@ std::string_view word(Severity severity) {
 }
 
 // Long lines (a whole graph on one) are shown around the place only.
-constexpr int kShown = 110;
+constexpr std::size_t kShown = 110;
+
+// The line as a terminal shows it, a column each: whole characters; blanks for control characters, and U+FFFD for bytes
+// that are no text. `columns[i]` is the column of byte i, and of the end.
+struct ShownLine {
+    std::vector<std::string> cells;
+    std::vector<std::size_t> columns;
+};
+
+ShownLine show(std::string_view line) {
+    ShownLine shown;
+    for (std::size_t at = 0; at < line.size();) {
+        std::size_t length = 1;
+        while (at + length < line.size() && length < 4 &&
+               (static_cast<unsigned char>(line[at + length]) & 0xC0u) == 0x80u)
+            ++length;
+        std::size_t bad = 0;
+        if (!is_utf8(line.substr(at, length), bad)) length = 1;
+        const std::string_view character = line.substr(at, length);
+        const bool is_control = static_cast<unsigned char>(character[0]) < 0x20 || character[0] == 0x7f;
+        shown.columns.insert(shown.columns.end(), length, shown.cells.size());
+        shown.cells.emplace_back(is_control ? " " : is_utf8(character, bad) ? character : "\xEF\xBF\xBD");
+        at += length;
+    }
+    shown.columns.push_back(shown.cells.size());
+    return shown;
+}
 
 void show_source(std::string& text, const Diagnostic& d, bool colors) {
     if (d.source_line.empty() || d.column < 1) return;
-    const auto length = static_cast<int>(d.source_line.size());
-    int first = d.column - 1 > kShown * 3 / 4 ? d.column - 1 - kShown / 2 : 0;
-    first = std::min(first, std::max(0, length - kShown));
-    std::string line = d.source_line.substr(static_cast<std::size_t>(first), kShown);
-    for (char& c : line) {
-        if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-    }
-    const int last = d.end_line > d.line ? length + 1 : std::max(d.end_column, d.column + 1);
-    const int width = std::clamp(last - d.column, 1, std::max(1, kShown - (d.column - 1 - first)));
-    const std::string gutter = fmt::format("{:>5} | ", d.line);
-    text += gutter + line + "\n";
-    text += fmt::format("{:>5} | {:>{}}", "", "", d.column - 1 - first);
+    // A part of the line that holds what is shown, however long the line is and however wide its characters are.
+    constexpr std::size_t kBytes = 4 * kShown;
+    const std::size_t place = std::min(static_cast<std::size_t>(d.column) - 1, d.source_line.size());
+    std::size_t begin = place - std::min(place, kBytes);
+    while (begin < place && (static_cast<unsigned char>(d.source_line[begin]) & 0xC0u) == 0x80u) ++begin;
+    const ShownLine line = show(std::string_view(d.source_line).substr(begin, place - begin + kBytes));
+    const std::size_t end = d.end_line > d.line ? d.source_line.size() + 1 : static_cast<std::size_t>(d.end_column);
+    const auto column_of = [&](std::size_t byte) { return line.columns[std::min(byte, line.columns.size() - 1)]; };
+    const std::size_t from = column_of(place - begin);
+    const std::size_t to = column_of(std::max(end, place + 1) - 1 - begin);
+    std::size_t first = from > kShown * 3 / 4 ? from - kShown / 2 : 0;
+    first = std::min(first, line.cells.size() - std::min(line.cells.size(), kShown));
+    const std::size_t last = std::min(line.cells.size(), first + kShown);
+    std::string shown;
+    for (std::size_t i = first; i < last; ++i) shown += line.cells[i];
+    const std::size_t width = std::clamp<std::size_t>(to - std::min(to, from), 1, kShown - (from - first));
+    text += fmt::format("{:>5} | {}\n", d.line, shown);
+    text += fmt::format("{:>5} | {:>{}}", "", "", from - first);
     if (colors) text += "\x1b[1;32m";
-    text += "^" + std::string(static_cast<std::size_t>(width - 1), '~');
+    text += "^" + std::string(width - 1, '~');
     if (colors) text += "\x1b[0m";
     text += "\n";
 }

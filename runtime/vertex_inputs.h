@@ -23,7 +23,7 @@ inline const VertexSource* vertex_source(std::string_view name) {
         {"position_os", offsetof(Vertex, position), 3},
         {"normal_os", offsetof(Vertex, normal), 3},
         {"tangent_os", offsetof(Vertex, tangent), 4},
-        {"color", offsetof(Vertex, color), 4},
+        {"vertex_color", offsetof(Vertex, color), 4},
         {"uv0", offsetof(Vertex, uv0), 2},
         {"uv1", offsetof(Vertex, uv0), 2},
         {"uv2", offsetof(Vertex, uv0), 2},

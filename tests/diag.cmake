@@ -5,9 +5,13 @@ target_compile_definitions(patina_received PRIVATE
   PATINA_TESTS_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}" PATINA_RECEIVED_FOLDER="${CMAKE_BINARY_DIR}/received"
   PATINA_PROGRAM="$<TARGET_FILE:patina_cli>")
 
-foreach(name IN ITEMS diagnostics)
+foreach(name IN ITEMS diagnostics graphs docs)
   add_executable(${name}_test ${name}/${name}_test.cpp)
   target_link_libraries(${name}_test PRIVATE patina_received)
   add_dependencies(${name}_test patina_cli)
   add_test(NAME ${name}_test COMMAND ${name}_test)
 endforeach()
+
+add_test(NAME embed_test
+         COMMAND ${CMAKE_COMMAND} -D BUILD=${CMAKE_BINARY_DIR} -D SOURCE=${CMAKE_SOURCE_DIR}
+                 -D WORK=${CMAKE_BINARY_DIR}/received/run/embed -P ${CMAKE_CURRENT_SOURCE_DIR}/embed/embed_test.cmake)

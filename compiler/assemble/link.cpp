@@ -74,8 +74,8 @@ void thread_function(ir::Module& module, std::uint32_t index, const std::vector<
 
 class EntryBuilder {
 public:
-    EntryBuilder(const Linked& linked, const graph::Lowered& lowered, ir::StageKind stage, ir::BuildOptions options)
-        : linked_(linked), lowered_(lowered), module_(linked.module), builder_(module_, entry_, options) {
+    EntryBuilder(const Linked& linked, ir::StageKind stage, ir::BuildOptions options)
+        : linked_(linked), module_(linked.lowered.module), builder_(module_, entry_, options) {
         module_.stage.kind = stage;
         entry_.name = "main";
     }
@@ -120,7 +120,7 @@ private:
     bool in_vertex_stage() const { return module_.stage.kind == ir::StageKind::Vertex; }
 
     Value make(SemanticId semantic, bool original) {
-        const graph::SemanticRecipe& recipe = lowered_.semantics[semantic.index];
+        const graph::SemanticRecipe& recipe = linked_.lowered.semantics[semantic.index];
         switch (recipe.source) {
             case Source::Attribute:
                 if (!in_vertex_stage()) return varying(semantic);
@@ -147,7 +147,7 @@ private:
         originals_.resize(module_.semantics.size());
         if (originals_[semantic.index]) return originals_[semantic.index];
         const nodelang::Attribute& declared =
-            *lowered_.semantics[semantic.index].declaration->variable->attribute("attribute");
+            *linked_.lowered.semantics[semantic.index].declaration->variable->attribute("attribute");
         const ir::Semantic& info = module_.semantics[semantic.index];
         const Value made = input({.name = info.name,
                                   .type = info.type,
@@ -169,7 +169,7 @@ private:
             {"frag_coord", ir::Builtin::FragCoord},
             {"vertex_index", ir::Builtin::VertexIndex},
             {"instance_index", ir::Builtin::InstanceIndex}};
-        const auto& declared = *lowered_.semantics[semantic.index].declaration->variable->attribute("builtin");
+        const auto& declared = *linked_.lowered.semantics[semantic.index].declaration->variable->attribute("builtin");
         const ir::Semantic& info = module_.semantics[semantic.index];
         ir::StageVariable variable{.name = info.name, .type = info.type, .semantic = {}};
         for (const auto& [word, which] : kWords) {
@@ -179,7 +179,6 @@ private:
     }
 
     const Linked& linked_;
-    const graph::Lowered& lowered_;
     ir::Module module_;
     ir::Function entry_{};
     ir::Builder builder_;
@@ -188,35 +187,35 @@ private:
 
 }  // namespace
 
-Linked link(const graph::Lowered& lowered) {
-    Linked linked{.module = lowered.module, .needs = {}};
-    linked.needs.resize(linked.module.functions.size());
-    for (std::uint32_t i = 0; i < linked.module.functions.size(); ++i) {
-        linked.needs[i] = needs_of(linked.module.functions[i], linked.needs);
-        thread_function(linked.module, i, linked.needs);
+Linked link(graph::Lowered lowered) {
+    Linked linked{.lowered = std::move(lowered), .needs = {}};
+    ir::Module& module = linked.lowered.module;
+    linked.needs.resize(module.functions.size());
+    for (std::uint32_t i = 0; i < module.functions.size(); ++i) {
+        linked.needs[i] = needs_of(module.functions[i], linked.needs);
+        thread_function(module, i, linked.needs);
     }
     return linked;
 }
 
-ir::Module link_fragment(const Linked& linked, const graph::Lowered& lowered, const graph::LoweredPass& pass,
-                         ir::BuildOptions options) {
-    EntryBuilder entry(linked, lowered, ir::StageKind::Fragment, options);
+ir::Module link_fragment(const Linked& linked, const graph::LoweredPass& pass, ir::BuildOptions options) {
+    EntryBuilder entry(linked, ir::StageKind::Fragment, options);
     const Value color = entry.call(pass.fragment);
     const Type type = entry.builder().type(color);
     return entry.finish("Targets", {{.name = "color", .type = type, .location = 0, .semantic = "SV_Target0"}},
                         {&color, 1});
 }
 
-ir::Module link_vertex(const Linked& linked, const graph::Lowered& lowered, const graph::LoweredPass& pass,
-                       ir::Module& fragment, ir::BuildOptions options) {
-    EntryBuilder entry(linked, lowered, ir::StageKind::Vertex, options);
+ir::Module link_vertex(const Linked& linked, const graph::LoweredPass& pass, ir::Module& fragment,
+                       ir::BuildOptions options) {
+    EntryBuilder entry(linked, ir::StageKind::Vertex, options);
     std::vector<ir::StageVariable> outputs;
     std::vector<Value> values;
     std::uint32_t location = 0;
     const Value position = entry.call(pass.vertex);
     for (ir::StageVariable& input : fragment.stage.inputs) {
         if (input.builtin != ir::Builtin::None) continue;
-        const auto& semantics = linked.module.semantics;
+        const auto& semantics = linked.lowered.module.semantics;
         const auto found = std::find_if(semantics.begin(), semantics.end(),
                                         [&](const ir::Semantic& s) { return s.name == input.name; });
         input.location = location++;

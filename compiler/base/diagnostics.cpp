@@ -49,7 +49,8 @@ std::string Diagnostics::suggestion(std::string_view word, std::span<const std::
     if (const std::string_view best = nearest(word, candidates); !best.empty()) {
         return fmt::format("did you mean '{}'?", best);
     }
-    if (!candidates.empty() && candidates.size() <= 24) return fmt::format("there is {}", enumerate(candidates));
+    if (candidates.size() == 1) return fmt::format("there is only '{}'", candidates[0]);
+    if (!candidates.empty() && candidates.size() <= 24) return fmt::format("these exist: {}", enumerate(candidates));
     return {};
 }
 

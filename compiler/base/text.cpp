@@ -55,7 +55,8 @@ bool is_identifier(std::string_view text) {
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates) {
     if (word.size() > 256) return {};
     std::string_view best;
-    std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
+    // Never a word of which every letter would have to change.
+    std::size_t best_distance = std::min(std::max<std::size_t>(1, word.size() / 3) + 1, word.size());
     for (std::string_view candidate : candidates) {
         if (candidate.size() > word.size() + best_distance || word.size() > candidate.size() + best_distance) continue;
         const std::size_t d = distance(word, candidate);
@@ -64,7 +65,10 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
             best_distance = d;
         }
     }
-    return best;
+    if (!best.empty() || word.size() < 4) return best;
+    const auto completes = [&](std::string_view candidate) { return candidate.starts_with(word); };
+    const auto longer = std::find_if(candidates.begin(), candidates.end(), completes);
+    return longer == candidates.end() ? best : *longer;
 }
 
 std::string shortest(double value) {

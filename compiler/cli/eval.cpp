@@ -83,7 +83,7 @@ Exit evaluate(const Console& console, const Arguments& arguments) {
 void add_eval(Program& program) {
     CLI::App& command =
         add_command(program, "eval", "Compute one node on the CPU",
-                    {"patina eval Lerp a=0 b=10 t=0.25", "patina eval NdotL normal=0,0,1 light_dir=0,0.6,0.8",
+                    {"patina eval Lerp from=0 to=10 t=0.25", "patina eval NdotL normal=0,0,1 light_dir=0,0.6,0.8",
                      "patina eval DistributionGGX ndoth=0.9 alpha=0.25 --json"});
     auto arguments = std::make_shared<Arguments>();
     command.add_option("NODE", arguments->node, "A node of the library")->required()->type_name(" ");

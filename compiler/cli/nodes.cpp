@@ -31,7 +31,12 @@ bool is_within(std::string_view category, std::string_view wanted) {
 }
 
 std::string_view first_sentence(std::string_view doc) {
-    const std::size_t line = doc.find('\n'), stop = doc.find(". ");
+    const std::size_t line = doc.find('\n');
+    std::size_t stop = doc.find(". ");
+    // "Rec. 709" does not end a sentence.
+    while (stop != std::string_view::npos && stop + 2 < doc.size() && doc[stop + 2] >= '0' && doc[stop + 2] <= '9') {
+        stop = doc.find(". ", stop + 1);
+    }
     std::string_view sentence = doc.substr(0, std::min(line, stop));
     if (sentence.ends_with('.')) sentence.remove_suffix(1);
     return sentence;

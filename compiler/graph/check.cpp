@@ -33,14 +33,19 @@ std::vector<std::string_view> input_names(const ResolvedNode& node) {
 
 void find_meaning(Session& session, const Graph& graph, const Node& node, ResolvedNode& resolved) {
     resolved.ok = false;
+    if (!node.type_span) return;  // it has no type: reported already
     if (!is_file(node.type)) {
-        const nodelang::FunctionDecl* function = session.library.declarations.function(node.type);
+        const nodelang::Declarations& library = session.library.declarations;
+        const nodelang::FunctionDecl* function = library.function(node.type);
         if (!function || !function->attribute("node")) {
-            const std::vector<std::string_view> known = session.library.declarations.function_names();
+            std::vector<std::string_view> known = library.function_names();
+            std::erase_if(known, [&](std::string_view name) { return !library.function(name)->attribute("node"); });
             DiagnosticRecord& record = session.diagnostics.report(Code::UnknownNode, node.type_span, node.type);
             const std::string_view near = nearest(node.type, known);
             if (!near.empty())
                 record.note(fmt::format("did you mean '{}'?", near));
+            else if (node.type.find_first_of("./\\") != std::string::npos)
+                record.note(fmt::format("a file begins with ./, as './{}'", node.type));
             else
                 record.note("'patina nodes' lists what exists; a file begins with ./");
             return;
@@ -124,13 +129,13 @@ void sort_nodes(Session& session, CheckedGraph& checked) {
             } else if (marks[read] == Mark::Open) {
                 const auto start =
                     std::find_if(stack.begin(), stack.end(), [&](const auto& e) { return e.first == read; });
-                std::string circle;
-                for (auto entry = start; entry != stack.end(); ++entry) {
-                    circle += fmt::format("{} > ", checked.graph->nodes[entry->first].id);
-                }
                 // Written as data flows: each node feeds the one before it in the search.
                 const Node& at = checked.graph->nodes[read];
-                session.diagnostics.report(Code::Cycle, at.id_span, circle + at.id).at(at.id);
+                std::string circle = at.id;
+                for (auto entry = stack.end(); entry != start;) {
+                    circle += " > " + checked.graph->nodes[(--entry)->first].id;
+                }
+                session.diagnostics.report(Code::Cycle, at.id_span, circle).at(at.id);
                 checked.ok = false;
             }
         }

@@ -12,21 +12,6 @@ constexpr std::uint32_t round_up(std::uint32_t value, std::uint32_t to) {
     return (value + to - 1) / to * to;
 }
 
-Type property_type(PropertyType type) {
-    switch (type) {
-        case PropertyType::Float: return ir::kFloat;
-        case PropertyType::Float2: return ir::kFloat2;
-        case PropertyType::Float3: return ir::kFloat3;
-        case PropertyType::Float4:
-        case PropertyType::Color: return ir::kFloat4;
-        case PropertyType::Int:
-        case PropertyType::Bool:
-        case PropertyType::Enum: return ir::kInt;
-        case PropertyType::Texture2D: return Type::of(ir::Kind::Texture2D);
-    }
-    return Type::error();
-}
-
 ir::GlobalId add_block_global(ir::Module& module, std::uint32_t block, const std::string& name, Type type, Span span) {
     add_member(module.blocks[block], module, name, type);
     module.globals.push_back({.name = name,
@@ -46,6 +31,21 @@ ir::GlobalId add_resource(ir::Module& module, std::string name, ir::Kind kind, s
 }
 
 }  // namespace
+
+Type property_type(PropertyType type) {
+    switch (type) {
+        case PropertyType::Float: return ir::kFloat;
+        case PropertyType::Float2: return ir::kFloat2;
+        case PropertyType::Float3: return ir::kFloat3;
+        case PropertyType::Float4:
+        case PropertyType::Color: return ir::kFloat4;
+        case PropertyType::Int:
+        case PropertyType::Bool:
+        case PropertyType::Enum: return ir::kInt;
+        case PropertyType::Texture2D: return Type::of(ir::Kind::Texture2D);
+    }
+    return Type::error();
+}
 
 Extent extent(const ir::Module& module, Type type) {
     if (type.kind == ir::Kind::Array) {

@@ -18,6 +18,9 @@ struct PropertyGlobals {
     ir::GlobalId tiling;  // float4 scale and offset, when the property has "tiling"
 };
 
+// The type of a numeric property's value in its block.
+ir::Type property_type(PropertyType type);
+
 // Declares every [extern] variable of the library; one block per name, in order of appearance.
 void declare_engine(const Library& library, nodelang::Emitter& emitter);
 // One entry per Material::properties.

@@ -94,9 +94,9 @@ void GraphScope::emit_node(std::uint32_t index) {
         const bool outer_half = std::exchange(scope_.half, uses_half(node));
         value = lowering_.emitter.expression(*node.expr, scope_);
         scope_.half = outer_half;
-        value.literal = false;
+        const bool is_number = std::exchange(value.literal, false) || node.expr->kind == Expr::Kind::Number;
         // A whole number in a graph is a number: only the node language itself counts in ints.
-        if (value.ok() && node.expr->kind == Expr::Kind::Number && value.type.is_integer()) {
+        if (value.ok() && is_number && value.type.is_integer()) {
             value = lowering_.emitter.convert({.value = value.value, .type = value.type, .literal = true}, ir::kFloat,
                                               scope_, node.expr_span, "the value");
         }
@@ -120,7 +120,11 @@ Typed GraphScope::call_node(const Node& node, const ResolvedNode& resolved) {
             if (function.params[i].name == port.name) arguments[i] = port.value;
         }
     }
-    return lowering_.emitter.call(function, *resolved.home, arguments, scope_, node.type_span, uses_half(node));
+    // Texture coordinates need more than eleven bits: what samples is computed in float.
+    const bool samples = std::any_of(function.params.begin(), function.params.end(),
+                                     [](const nodelang::ParamDecl& p) { return p.type.name == "Texture2D"; });
+    return lowering_.emitter.call(function, *resolved.home, arguments, scope_, node.type_span,
+                                  uses_half(node) && !samples);
 }
 
 void GraphScope::fill_inputs(GraphScope& inner, const Node& node, const Graph& subgraph) {
@@ -135,11 +139,12 @@ void GraphScope::fill_inputs(GraphScope& inner, const Node& node, const Graph& s
         if (type.is_error()) continue;
         const std::string what = fmt::format("the input '{}'", input.name);
         if (port != node.inputs.end()) {
-            if (port->value) inner.set_input(input.name, value_as(*port, type, what));
+            inner.set_input(input.name, value_as(*port, type, what));
         } else if (input.value) {
             inner.set_input(input.name, inner.value_as(*input.value, type, what));
         } else {
             lowering_.session.diagnostics.report(Code::MissingInput, node.type_span, node.type, input.name);
+            inner.set_input(input.name, {});
         }
     }
 }
@@ -259,6 +264,16 @@ Typed GraphScope::interpolated(std::uint32_t index) {
                 value.value = builder.convert(value.value, ir::Scalar::Float);
                 value.type = value.type.with_scalar(ir::Scalar::Float);
             }
+            // The linker finds a varying by its name: it is nobody else's.
+            const auto is_taken = [&](std::string_view wanted) {
+                return std::any_of(module.semantics.begin(), module.semantics.end(),
+                                   [&](const ir::Semantic& s) { return s.name == wanted; });
+            };
+            if (is_taken(name)) {
+                int number = 2;
+                while (is_taken(fmt::format("{}_{}", name, number))) ++number;
+                name += fmt::format("_{}", number);
+            }
             function.name = "vertex_" + name;
             function.result = value.type;
             builder.ret(value.value);
@@ -312,8 +327,7 @@ Typed GraphScope::name(const Expr& expr, nodelang::Scope&) {
     } else if (lowering_.session.library.semantic_index.contains(expr.text)) {
         record.note(fmt::format("a semantic is read as '@{}'", expr.text));
     } else {
-        const std::string_view near = nearest(expr.text, known);
-        if (!near.empty()) record.note(fmt::format("did you mean '{}'?", near));
+        record.note(Diagnostics::suggestion(expr.text, known));
     }
     return {};
 }
@@ -321,39 +335,40 @@ Typed GraphScope::name(const Expr& expr, nodelang::Scope&) {
 Typed GraphScope::property(const Expr& expr, nodelang::Scope&) {
     if (const auto input = inputs_.find(expr.text); input != inputs_.end()) return input->second;
     for (const PortValue& port : property_values_) {
-        if (port.name != expr.text || !port.value) continue;
-        const auto index = lowering_.material.property_index.find(expr.text);
-        const Property& property = *lowering_.material.properties[index->second].property;
-        if (property.type == PropertyType::Enum && port.value->kind == Expr::Kind::Name) {
-            const auto found = std::find(property.values.begin(), property.values.end(), port.value->text);
-            if (found == property.values.end()) {
-                std::vector<std::string_view> known(property.values.begin(), property.values.end());
-                lowering_.session.diagnostics
-                    .report(Code::UnknownEnumerator, port.value_span, port.value->text, fmt::format("'{}'", port.name))
-                    .note(Diagnostics::suggestion(port.value->text, known));
-                return {};
-            }
-            Typed value = material_property(index->second);
-            value.value = scope_.builder->constant(ir::kInt, {static_cast<double>(found - property.values.begin())});
-            return value;
-        }
-        const Type type = material_property(index->second).type;
-        // The material's own scope reads it, but into this function.
-        GraphScope reader(lowering_, property_scope_->graph_, *scope_.builder, false);
-        reader.emit_nodes(reader.graph_.reachable(std::span(&port, 1)));
-        return reader.value_as(port, type, fmt::format("the property '{}'", port.name));
+        if (port.name == expr.text) return bound_property(port);
     }
     const auto& own = graph_.graph->properties;
     const bool is_own = graph_.graph->kind == GraphKind::Material ||
                         std::any_of(own.begin(), own.end(), [&](const Property& p) { return p.name == expr.text; });
     const auto index = lowering_.material.property_index.find(expr.text);
     if (is_own && index != lowering_.material.property_index.end()) return material_property(index->second);
-    std::vector<std::string_view> known;
-    for (const Property& property : own) known.push_back(property.name);
-    for (const auto& [name, value] : inputs_) known.push_back(name);
+    std::vector<std::string> written;
+    for (const Property& property : own) written.push_back("$" + property.name);
+    for (const auto& [name, value] : inputs_) written.push_back("$" + std::string(name));
+    const std::vector<std::string_view> known(written.begin(), written.end());
     lowering_.session.diagnostics.report(Code::UnknownProperty, expr.span, expr.text)
-        .note(known.empty() ? "the graph has no properties" : Diagnostics::suggestion(expr.text, known));
+        .note(known.empty() ? "the graph has no properties"
+                            : Diagnostics::suggestion("$" + std::string(expr.text), known));
     return {};
+}
+
+// A lighting graph's property that the material has bound to something of its own: read in the material's scope, but
+// into this function.
+Typed GraphScope::bound_property(const PortValue& port) {
+    const auto& own = graph_.graph->properties;
+    const auto property = std::find_if(own.begin(), own.end(), [&](const Property& p) { return p.name == port.name; });
+    if (property == own.end() || !port.value) return {};
+    GraphScope reader(lowering_, property_scope_->graph_, *scope_.builder, false);
+    reader.emit_nodes(reader.graph_.reachable(std::span(&port, 1)));
+    const Type type = property->type == PropertyType::Texture2D ? lowering_.emitter.texture2d()
+                      : property->type == PropertyType::Bool    ? ir::kBool
+                                                                : property_type(property->type);
+    Typed value = reader.value_as(port, type, fmt::format("the property '{}'", port.name));
+    if (property->type == PropertyType::Enum) {
+        lowering_.enumerators.emplace_back(property->values.begin(), property->values.end());
+        value.enumerators = &lowering_.enumerators.back();
+    }
+    return value;
 }
 
 Typed GraphScope::material_property(std::size_t index) {
@@ -404,7 +419,9 @@ Typed GraphScope::semantic(std::string_view name, Span span, nodelang::Scope& sc
     const bool per_light = graph_.graph->kind == GraphKind::Lighting && name == "light";
     if (semantic.source == Source::Given || per_light) {
         lowering_.session.diagnostics.report(Code::SemanticNotHere, span, name, what_graph())
-            .note(per_light ? "only 'direct' is evaluated for each light" : "only a lighting graph has it");
+            .note(per_light                                   ? "only 'direct' is evaluated for each light"
+                  : graph_.graph->kind == GraphKind::Lighting ? "only 'final' is evaluated after all lights"
+                                                              : "only a lighting graph has it");
         return {};
     }
     if (semantic.source == Source::Extern) return lowering_.emitter.extern_value(*semantic.variable, scope);

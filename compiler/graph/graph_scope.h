@@ -74,6 +74,7 @@ private:
     // The same graph in another function of the vertex stage, with only what `node` needs emitted.
     std::unique_ptr<GraphScope> vertex_twin(ir::Builder& builder, std::deque<std::unique_ptr<GraphScope>>& keep);
     Typed material_property(std::size_t index);
+    Typed bound_property(const PortValue& port);
     bool uses_half(const Node& node) const;
     std::string id_path(std::string_view id) const;
     std::string_view what_graph() const;

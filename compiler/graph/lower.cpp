@@ -146,7 +146,8 @@ Typed as_color(Lowering& lowering, Typed value, GraphScope& scope, Span span) {
 }
 
 // Value of one surface input: as given, or by another name for it, or its default.
-Typed surface_value(Lowering& lowering, GraphScope& scope, const Input& input, Type type) {
+Typed surface_value(Lowering& lowering, GraphScope& scope, std::span<const Input* const> inputs, const Input& input,
+                    Type type) {
     const std::vector<PortValue>& ports = lowering.material.graph->graph->surface;
     for (const PortValue& port : ports) {
         lowering.session.diagnostics.set_context("surface", port.name);
@@ -156,7 +157,7 @@ Typed surface_value(Lowering& lowering, GraphScope& scope, const Input& input, T
                 return as_color(lowering, scope.value(*port.value), scope, port.value_span);
             return scope.value_as(port, type, fmt::format("the surface input '{}'", port.name));
         }
-        for (const Input* other : lowering.material.surface_inputs()) {
+        for (const Input* other : inputs) {
             if (other->name != port.name || other->gives != input.name || !other->as) continue;
             const Typed given =
                 scope.value_as(port, input_type(lowering, *other), fmt::format("the surface input '{}'", port.name));
@@ -213,10 +214,11 @@ ir::FunctionId lower_surface(Lowering& lowering, std::vector<const Input*>& memb
     ir::Struct made{.name = "Surface", .members = {}};
     std::vector<Value> values;
     bool good = true;
-    for (const Input* input : lowering.material.surface_inputs()) {
+    const std::vector<const Input*> inputs = lowering.material.surface_inputs();
+    for (const Input* input : inputs) {
         if (!input->gives.empty()) continue;
         const Type type = input_type(lowering, *input);
-        const Typed value = surface_value(lowering, scope, *input, type);
+        const Typed value = surface_value(lowering, scope, inputs, *input, type);
         good = good && value.ok();
         made.members.push_back({input->name, type});
         values.push_back(value.value);
@@ -323,6 +325,8 @@ ir::FunctionId lower_lighting(Lowering& lowering, const FunctionDecl& slot, cons
     scope.emit_nodes(lighting.reachable(std::span(&output, 1)));
     lowering.session.diagnostics.set_context(lowering.material.lighting_name, output.name);
     function.result = lowering.emitter.type(slot.result, scope.scope());
+    module.origins.push_back({.label = {}, .id = {}, .span = output.value_span});
+    builder.set_origin({static_cast<std::uint32_t>(module.origins.size() - 1)});
     const Typed value = scope.value_as(output, function.result, fmt::format("the output '{}'", output.name));
     lowering.session.diagnostics.set_context({}, {});
     if (!value.ok()) return {};

@@ -21,6 +21,7 @@ std::vector<std::string_view> keys(const Map& map) {
 
 const CheckedGraph* find_workflow(Session& session, const Graph& graph) {
     const auto& workflows = session.library.workflows;
+    if (graph.workflow.empty() && session.diagnostics.has_errors()) return nullptr;  // it is missing: reported already
     const auto found = workflows.find(graph.workflow);
     if (found == workflows.end()) {
         session.diagnostics
@@ -48,6 +49,7 @@ const CheckedGraph* find_lighting(Session& session, const Graph& graph, const Gr
         name = file_stem(path);
         return load_graph(session, path, GraphKind::Lighting, use.span);
     }
+    if (use.use.empty() && session.diagnostics.has_errors()) return nullptr;  // reported already
     const auto& models = session.library.lighting_models;
     const auto found = models.find(use.use);
     if (found == models.end()) {
@@ -76,6 +78,8 @@ void add_property(Session& session, Material& material, const Property& property
         if (entry.texture_path.empty()) {
             session.diagnostics.report(Code::MissingFile, property.default_span ? property.default_span : property.span,
                                        property.texture);
+        } else {
+            session.dependencies.push_back(entry.texture_path);
         }
     }
     material.properties.push_back(std::move(entry));
@@ -110,12 +114,78 @@ void add_values(Session& session, Material& material, const Graph& graph, std::d
 
 void add_graph(Session& session, Material& material, const CheckedGraph& checked, std::set<const CheckedGraph*>& seen) {
     if (!seen.insert(&checked).second) return;
+    // A lighting graph's own properties may have been bound by the material.
     for (const Property& property : checked.graph->properties) {
-        add_property(session, material, property, checked.graph->path);
+        if (&checked != material.lighting) add_property(session, material, property, checked.graph->path);
     }
     add_values(session, material, *checked.graph, session.file_properties);
     for (const ResolvedNode& node : checked.nodes) {
         if (node.subgraph) add_graph(session, material, *node.subgraph, seen);
+    }
+}
+
+// A number, colour or word for a property, as that property's default; false if it is no constant.
+bool set_default(Session& session, Property& property, const Expr& value) {
+    const bool negative = value.kind == Expr::Kind::Unary && value.text == "-";
+    const Expr& literal = negative ? *value.args[0] : value;
+    if (property.type == PropertyType::Enum && value.kind == Expr::Kind::Name) {
+        const auto found = std::find(property.values.begin(), property.values.end(), value.text);
+        if (found == property.values.end()) {
+            std::vector<std::string_view> known(property.values.begin(), property.values.end());
+            session.diagnostics
+                .report(Code::UnknownEnumerator, value.span, value.text, fmt::format("'{}'", property.name))
+                .note(Diagnostics::suggestion(value.text, known));
+        } else {
+            property.value[0] = static_cast<double>(found - property.values.begin());
+        }
+        return true;
+    }
+    if (literal.kind == Expr::Kind::Number || literal.kind == Expr::Kind::Bool) {
+        const bool is_vector = property.type == PropertyType::Float2 || property.type == PropertyType::Float3 ||
+                               property.type == PropertyType::Float4 || property.type == PropertyType::Color;
+        if (property.type == PropertyType::Enum || property.type == PropertyType::Texture2D) return false;
+        property.value.fill(0);
+        for (std::size_t i = 0; i < (is_vector ? 4u : 1u); ++i)
+            property.value[i] = negative ? -literal.number : literal.number;
+        return true;
+    }
+    const std::size_t size = property.type == PropertyType::Float2 ? 2 : property.type == PropertyType::Float3 ? 3 : 4;
+    const bool is_list = value.kind == Expr::Kind::List || value.kind == Expr::Kind::Color;
+    const bool fits =
+        is_list && (value.args.size() == size || (property.type == PropertyType::Color && value.args.size() == 3));
+    if (!fits) return false;
+    property.value[3] = 1;
+    for (std::size_t i = 0; i < value.args.size(); ++i) property.value[i] = value.args[i]->number;
+    return true;
+}
+
+// What "lighting": { "in": ... } says: a constant is another default of the lighting graph's property, which can still
+// be set; anything else takes the property's place, and the material then has no such property.
+void bind_lighting_properties(Session& session, Material& material, std::span<const PortValue> inputs) {
+    const std::vector<Property>& own = material.lighting->graph->properties;
+    for (const Property& property : own) {
+        const auto input =
+            std::find_if(inputs.begin(), inputs.end(), [&](const PortValue& p) { return p.name == property.name; });
+        if (input == inputs.end()) {
+            add_property(session, material, property, material.lighting->graph->path);
+            continue;
+        }
+        if (!input->value) continue;
+        if (property.range) check_range(session, *input->value, *property.range, property.hard, property.name);
+        Property bound = property;
+        if (set_default(session, bound, *input->value)) {
+            session.file_properties.push_back(std::move(bound));
+            add_property(session, material, session.file_properties.back(), material.lighting->graph->path);
+        } else {
+            material.lighting_inputs.push_back(*input);
+        }
+    }
+    for (const PortValue& port : inputs) {
+        if (std::any_of(own.begin(), own.end(), [&](const Property& p) { return p.name == port.name; })) continue;
+        std::vector<std::string_view> names;
+        for (const Property& property : own) names.push_back(property.name);
+        session.diagnostics.report(Code::UnknownPort, port.name_span, material.lighting_name, "property", port.name)
+            .note(names.empty() ? "it has none" : Diagnostics::suggestion(port.name, names));
     }
 }
 
@@ -127,6 +197,13 @@ bool make_preview(Session& session, Graph& graph, std::string_view preview) {
         const Expr* value = nodelang::parse_link({.text = session.sources.file_text(base), .base = base}, session.ast,
                                                  session.diagnostics);
         if (!value) return false;
+        const auto is_node = [&](const Node& node) { return node.id == preview; };
+        for (const PortValue& port : graph.surface) {
+            // A surface input shows what it is given.
+            if (port.name != preview || !port.value || std::any_of(graph.nodes.begin(), graph.nodes.end(), is_node))
+                continue;
+            value = port.value;
+        }
         graph.workflow = name;
         graph.lighting = {};
         graph.surface.clear();
@@ -179,6 +256,8 @@ void check_vertex(Session& session, const Graph& graph) {
     }
 }
 
+}  // namespace
+
 void warn_unused(Session& session, const Material& material) {
     if (material.is_preview) return;
     const Graph& graph = *material.graph->graph;
@@ -186,13 +265,12 @@ void warn_unused(Session& session, const Material& material) {
     roots.insert(roots.end(), graph.vertex.begin(), graph.vertex.end());
     const std::vector<bool> used = material.graph->reachable(roots);
     for (std::size_t i = 0; i < used.size(); ++i) {
-        if (!used[i])
-            session.diagnostics.report(Code::UnusedNode, graph.nodes[i].id_span, graph.nodes[i].id)
-                .at(graph.nodes[i].id);
+        const Node& node = graph.nodes[i];
+        const bool is_part = node.span == graph.span;  // the node stands for the whole file (part.h)
+        if (used[i] || is_part) continue;
+        session.diagnostics.report(Code::UnusedNode, node.id_span, node.id).at(node.id);
     }
 }
-
-}  // namespace
 
 std::string file_texture_name(std::string_view path) {
     std::string name = "_";
@@ -218,21 +296,12 @@ std::unique_ptr<Material> resolve_material(Session& session, std::shared_ptr<Gra
     if (!material->workflow) return nullptr;
     material->lighting = find_lighting(session, *graph, *material->workflow->graph, material->lighting_name);
     if (!material->lighting) return nullptr;
-    material->lighting_inputs = graph->lighting.inputs;
     std::set<const CheckedGraph*> seen;
     add_graph(session, *material, *material->graph, seen);
+    bind_lighting_properties(session, *material, graph->lighting.inputs);
     add_graph(session, *material, *material->lighting, seen);
-    for (const PortValue& port : material->lighting_inputs) {
-        const auto& own = material->lighting->graph->properties;
-        if (std::any_of(own.begin(), own.end(), [&](const Property& p) { return p.name == port.name; })) continue;
-        std::vector<std::string_view> names;
-        for (const Property& property : own) names.push_back(property.name);
-        session.diagnostics.report(Code::UnknownPort, port.name_span, material->lighting_name, "property", port.name)
-            .note(names.empty() ? "it has none" : Diagnostics::suggestion(port.name, names));
-    }
     check_surface(session, *material);
     check_vertex(session, *graph);
-    warn_unused(session, *material);
     return material;
 }
 

@@ -28,6 +28,9 @@ struct Material {
 // `preview`: "mask" or "rust.amount", or empty. Null after errors that leave nothing to go on with.
 std::unique_ptr<Material> resolve_material(Session& session, std::shared_ptr<Graph> graph, std::string_view preview);
 
+// Warns of nodes that nothing reads; once there are no errors, which may be the reason.
+void warn_unused(Session& session, const Material& material);
+
 // The name of the texture property that stands for a file at a port.
 std::string file_texture_name(std::string_view path);
 

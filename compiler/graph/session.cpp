@@ -59,7 +59,8 @@ std::optional<std::uint32_t> load_source(Session& session, const std::string& pa
         return {};
     }
     if (text->size() > kMaxJsonBytes) {
-        session.diagnostics.report(Code::TooLarge, where, text->size(), kMaxJsonBytes);
+        const std::uint32_t base = session.sources.add(path, {});
+        session.diagnostics.report(Code::TooLarge, {base, base}, text->size(), kMaxJsonBytes);
         return {};
     }
     session.dependencies.push_back(path);

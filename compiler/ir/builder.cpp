@@ -64,6 +64,12 @@ bool is_leaf(Op op) {
 Builder::Builder(Module& module, Function& function, BuildOptions options)
     : module_(module), function_(function), options_(options) {
     if (function_.blocks.empty()) function_.blocks.emplace_back();
+    // Enough for most functions, which would otherwise grow from nothing in seven steps.
+    if (function_.insts.capacity() == 0) {
+        function_.insts.reserve(64);
+        function_.operands.reserve(96);
+        current().reserve(64);
+    }
     if (options_.fold) numbered_.reserve(function_.insts.capacity());
 }
 

@@ -15,6 +15,17 @@ std::string numeric_name(Type type) {
     return name;
 }
 
+constexpr std::uint32_t kFree = 0xffffffffu;
+
+std::uint32_t find_name(const std::vector<std::string>& names, const std::vector<std::uint32_t>& slots,
+                        std::string_view name) {
+    if (slots.empty()) return kFree;
+    const std::size_t mask = slots.size() - 1;
+    std::size_t slot = std::hash<std::string_view>{}(name)&mask;
+    while (slots[slot] != kFree && names[slots[slot]] != name) slot = (slot + 1) & mask;
+    return slots[slot];
+}
+
 }  // namespace
 
 std::string_view to_string(Rate rate) {
@@ -30,9 +41,23 @@ std::string_view to_string(Rate rate) {
 
 NameId Module::intern(std::string_view name) {
     if (name.empty()) return {};
-    const auto [entry, is_new] = name_index_.try_emplace(std::string(name), static_cast<std::uint32_t>(names.size()));
-    if (is_new) names.emplace_back(name);
-    return {entry->second};
+    if (const std::uint32_t known = find_name(names, name_slots_, name); known != kFree) return {known};
+    const auto made = static_cast<std::uint32_t>(names.size());
+    names.emplace_back(name);
+    index_name(made);
+    return {made};
+}
+
+void Module::index_name(std::uint32_t index) {
+    if (2 * names.size() > name_slots_.size()) {
+        name_slots_.assign(std::max<std::size_t>(64, 2 * name_slots_.size()), kFree);
+        for (std::uint32_t i = 0; i < names.size(); i++) index_name(i);
+        return;
+    }
+    const std::size_t mask = name_slots_.size() - 1;
+    std::size_t slot = std::hash<std::string_view>{}(names[index]) & mask;
+    while (name_slots_[slot] != kFree) slot = (slot + 1) & mask;
+    name_slots_[slot] = index;
 }
 
 Type Module::array_of(Type element, std::uint32_t count) {

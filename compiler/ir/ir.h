@@ -22,7 +22,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "compiler/base/ids.h"
@@ -190,7 +189,9 @@ struct Module {
     std::string_view name_of(NameId id) const { return id ? std::string_view(names[id.index]) : std::string_view(); }
 
 private:
-    std::unordered_map<std::string, std::uint32_t> name_index_;
+    void index_name(std::uint32_t index);
+    // Hash table of indices into `names`, a power of two of slots and at most half full: it copies as a block.
+    std::vector<std::uint32_t> name_slots_;
 };
 
 // Members of composite types, seen alike: type of part `index` of a vector (scalar), matrix (row), array or struct.

@@ -1,6 +1,7 @@
 // The table of ops.def as code: one enumerator and one row per operation.
 #pragma once
 
+#include <array>
 #include <string_view>
 
 #include "compiler/ir/types.h"
@@ -40,14 +41,23 @@ struct OpInfo {
     double absolute;
 };
 
-const OpInfo& info(Op op);
-inline bool has(Op op, Traits trait) {
-    return (info(op).traits & trait) != 0;
-}
 inline constexpr std::size_t kOpCount = 0
 #define OP(name, text, arguments, rule, traits, relative, absolute) +1
 #include "compiler/ir/ops.def"
 #undef OP
     ;
+inline constexpr std::array<OpInfo, kOpCount> kOps = {{
+#define OP(name, text, arguments, rule, traits, relative, absolute) \
+    {text, arguments, TypeRule::rule, static_cast<std::uint8_t>(traits), relative, absolute},
+#include "compiler/ir/ops.def"
+#undef OP
+}};
+
+constexpr const OpInfo& info(Op op) {
+    return kOps[static_cast<std::size_t>(op)];
+}
+constexpr bool has(Op op, Traits trait) {
+    return (info(op).traits & trait) != 0;
+}
 
 }  // namespace patina::ir

@@ -191,6 +191,7 @@ void copy_block(Copy& copy, std::uint32_t block) {
 
 void copy_body(Copy& copy) {
     copy.map.resize(copy.from.insts.size());
+    copy.scratch.reserve(16);
     copy_block(copy, 0);
 }
 

@@ -21,7 +21,6 @@ public:
     std::size_t size() const { return entries_.size(); }
 
     void reserve(std::size_t count) {
-        entries_.reserve(count);
         if (slots_.size() < 2 * count) grow(std::bit_ceil(2 * count));
     }
 
@@ -72,6 +71,7 @@ private:
     }
 
     void grow(std::size_t slots) {
+        entries_.reserve(slots / 2);
         slots_.assign(slots, kFree);
         for (std::uint32_t index = 0; index < entries_.size(); index++) place(index);
     }

@@ -182,6 +182,7 @@ private:
     bool statements(const Statements& list, std::size_t first, Scope& scope, ir::Value& returned);
     bool if_statement(const Stmt& stmt, const Statements& list, std::size_t next, Scope& scope, ir::Value& returned);
     void for_statement(const Stmt& stmt, Scope& scope);
+    bool is_bounded(const Stmt& loop, const Scope& scope);
     void declare(const Stmt& stmt, Scope& scope);
     void assign(const Stmt& stmt, Scope& scope);
     bool store(const Expr& target, Typed value, Scope& scope);

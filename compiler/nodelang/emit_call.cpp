@@ -123,7 +123,7 @@ std::vector<std::string_view> intrinsic_names() {
 void Emitter::need_quad(Scope& scope, Span span, std::string_view what) {
     if (scope.in_vertex_stage) {
         diagnostics_.report(Code::WrongStage, span, what, diagnostics_.context_node())
-            .note("use a sample with an explicit level (SampleLevel) in the vertex stage");
+            .note("in the vertex stage a texture is sampled with an explicit level (SampleLevel)");
     } else if (!scope.flow.empty()) {
         diagnostics_.report(Code::DerivativeInFlow, span, what, scope.flow)
             .note("compute it before, or sample with SampleLevel or SampleGrad");
@@ -173,15 +173,20 @@ Typed Emitter::call(const FunctionDecl& function, const Declarations& home, std:
     const unsigned width = deduce_width(function, gathered);
     Scope border{.builder = scope.builder, .declarations = &home, .generic_width = width, .half = half};
     std::vector<Value> values;
+    bool good = true;
     for (std::size_t i = 0; i < function.params.size(); ++i) {
         const ParamDecl& param = function.params[i];
         if (param.is_out || param.is_const) continue;
         const Span at = arguments[i] ? arguments[i]->span : span;
-        const std::string what = fmt::format("the input '{}' of {}", param.name, function.name);
-        const Typed value = convert(gathered[i].value, type(param.type, border), scope, at, what);
-        if (!value.ok()) return {};
+        const Type wanted = type(param.type, border);
+        Typed value = gathered[i].value;
+        if (value.type != wanted) {
+            value = convert(value, wanted, scope, at, fmt::format("the input '{}' of {}", param.name, function.name));
+        }
+        good = good && value.ok();
         values.push_back(value.value);
     }
+    if (!good) return {};
     const Instance& instance = instantiate(function, home, gathered, width, half, span);
     if (instance.result.is_error()) return {};
     if (instance.needs_quad) need_quad(scope, span, function.name);

@@ -175,8 +175,7 @@ Typed Emitter::primary(Typed value, Scope& scope, Span span) {
     if (!value.outputs || !value.ok()) return value;
     if (!value.outputs->has_primary) {
         std::vector<std::string_view> names(value.outputs->names.begin(), value.outputs->names.end());
-        diagnostics_.report(Code::AmbiguousOutput, span, diagnostics_.context_node())
-            .note(fmt::format("its outputs are {}", enumerate(names)));
+        diagnostics_.report(Code::AmbiguousOutput, span).note(fmt::format("its outputs are {}", enumerate(names)));
         return {};
     }
     const Value part = scope.builder->extract(value.value, 0);
@@ -280,7 +279,7 @@ Typed Emitter::index(const Expr& expr, Scope& scope) {
     const Type part = ir::part_type(module_, object.type, 0);
     if (const std::optional<double> constant = constant_value(*expr.args[1], scope)) {
         if (*constant < 0 || *constant >= count) {
-            diagnostics_.report(Code::OutOfRange, expr.args[1]->span, shortest(*constant), 0, count - 1, "the index");
+            diagnostics_.report(Code::OutOfRange, expr.args[1]->span, shortest(*constant), 0, count - 1, "index");
             return {};
         }
         return {.value = scope.builder->extract(object.value, static_cast<std::uint32_t>(*constant)), .type = part};
@@ -310,8 +309,9 @@ bool Emitter::unify(std::span<Typed> operands, Scope& scope, Span span, std::str
     Scalar scalar = firm != operands.end() ? firm->type.scalar : operands[0].type.scalar;
     bool any_matrix = false;
     for (const Typed& operand : operands) {
-        if (operand.type.scalar == Scalar::Float &&
-            (joins(scalar, Scalar::Float) ? !operand.literal : firm == operands.end())) {
+        const bool is_real = joins(operand.type.scalar, Scalar::Float);
+        if (is_real && !joins(scalar, Scalar::Float) && firm == operands.end()) scalar = operand.type.scalar;
+        if (operand.type.scalar == Scalar::Float && joins(scalar, Scalar::Float) && !operand.literal) {
             scalar = Scalar::Float;
         }
         // A fraction cannot become an int: let the clash below name the types.
@@ -348,7 +348,9 @@ bool Emitter::unify(std::span<Typed> operands, Scope& scope, Span span, std::str
         DiagnosticRecord& record =
             diagnostics_.report(Code::BadOperands, span, op, module_.type_name(operands[0].type),
                                 module_.type_name((&operand == &operands[0] ? other : operand).type));
-        if (!same_kind && operand.type.is_integer() != other.type.is_integer()) {
+        if (!same_kind && operand.type.is_bool() != other.type.is_bool()) {
+            record.note("write '... ? 1 : 0' to make a number of a bool");
+        } else if (!same_kind && operand.type.is_integer() != other.type.is_integer()) {
             record.note("write float(...) around the whole number, or int(...) around the other");
         } else if (!same_shape && !any_matrix) {
             unsigned narrow = width;
@@ -443,8 +445,10 @@ Typed Emitter::binary(const Expr& expr, Scope& scope) {
     }
     const bool compares = ir::info(row->op).rule == ir::TypeRule::Compare;
     // Arithmetic of literals is a literal: it still becomes whatever number is needed.
-    if (const std::optional<double> known = constant_value(expr, scope); known && literal && !compares) {
-        return {.value = scope.builder->constant(type, {*known}), .type = type, .literal = true};
+    if (literal && !compares) {
+        if (const std::optional<double> known = constant_value(expr, scope)) {
+            return {.value = scope.builder->constant(type, {*known}), .type = type, .literal = true};
+        }
     }
     const Type result = compares ? Type::vector(Scalar::Bool, type.width()) : type;
     return {.value = scope.builder->emit(row->op, result, {sides[0].value, sides[1].value}), .type = result};

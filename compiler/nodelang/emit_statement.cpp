@@ -14,6 +14,12 @@ using ir::Value;
 
 namespace {
 
+constexpr double kMaxIterations = 4096;
+// What follows a branch that returns is nested in its else.
+constexpr std::size_t kMaxBranches = 200;
+
+constexpr std::string_view kReturnOnce = "assign to a variable here, and return it at the end of the function";
+
 bool contains_return(const Statements& list) {
     return std::any_of(list.begin(), list.end(), [](const Stmt* s) {
         return s->kind == Stmt::Kind::Return || contains_return(s->body) || contains_return(s->alternative);
@@ -58,7 +64,7 @@ bool Emitter::statements(const Statements& list, std::size_t first, Scope& scope
             case Stmt::Kind::For: for_statement(stmt, scope); break;
             case Stmt::Kind::Return:
                 if (scope.flow == "for") {
-                    diagnostics_.report(Code::PartialReturn, stmt.span);
+                    diagnostics_.report(Code::PartialReturn, stmt.span).note(std::string(kReturnOnce));
                     return true;
                 }
                 returned = return_value(&stmt, scope);
@@ -124,8 +130,9 @@ void Emitter::declare(const Stmt& stmt, Scope& scope) {
             const ir::Array array = module_.arrays[wanted.ref];
             std::vector<Value> elements;
             if (stmt.value->args.size() != array.count) {
-                diagnostics_.report(Code::ArgumentCount, stmt.value->span, stmt.name, array.count,
-                                    stmt.value->args.size());
+                diagnostics_.report(Code::TypeMismatch, stmt.value->span, fmt::format("'{}'", stmt.name),
+                                    fmt::format("a list of {}", stmt.value->args.size()),
+                                    fmt::format("a list of {}", array.count));
             } else {
                 for (const Expr* element : stmt.value->args) {
                     const Typed value = expression_as(*element, array.element, scope, "an element");
@@ -177,11 +184,19 @@ bool Emitter::store(const Expr& target, Typed value, Scope& scope) {
             local->value.value = value.value;
             return true;
         }
-        diagnostics_.report(Code::NotAssignable, target.span, target.text);
+        const bool is_constant = std::any_of(scope.locals.begin(), scope.locals.end(),
+                                             [&](const Local& local) { return local.name == target.text; }) ||
+                                 scope.declarations->variable(target.text);
+        if (is_constant) {
+            diagnostics_.report(Code::NotAssignable, target.span, fmt::format("'{}'", target.text))
+                .note("it is a constant");
+        } else {
+            (void)name(target, scope);  // there is no such variable: says so
+        }
         return false;
     }
     if (target.kind != Expr::Kind::Member && target.kind != Expr::Kind::Index) {
-        diagnostics_.report(Code::NotAssignable, target.span, "this");
+        diagnostics_.report(Code::NotAssignable, target.span, "what is computed");
         return false;
     }
     const Typed object = expression(*target.args[0], scope);
@@ -247,6 +262,12 @@ bool Emitter::if_statement(const Stmt& stmt, const Statements& list, std::size_t
     const bool rest_is_else = returns && stmt.alternative.empty();
 
     ir::Builder& b = *scope.builder;
+    if (b.depth() >= kMaxBranches) {
+        diagnostics_.report(Code::TooDeep, stmt.name_span, kMaxBranches)
+            .note("what follows a branch that returns lies one level deeper: assign, and return once");
+        returned = {};
+        return true;
+    }
     const std::size_t outer = scope.locals.size();
     const std::vector<Value> before = values_of(scope.locals, outer);
     const std::string_view outer_flow = scope.flow;
@@ -265,7 +286,7 @@ bool Emitter::if_statement(const Stmt& stmt, const Statements& list, std::size_t
 
     if (returns) {
         if (!then_returns || !else_returns) {
-            diagnostics_.report(Code::PartialReturn, stmt.span);
+            if (outer_flow != "for") diagnostics_.report(Code::PartialReturn, stmt.span).note(std::string(kReturnOnce));
             b.end_if({}, {});
             return true;
         }
@@ -293,19 +314,36 @@ bool Emitter::if_statement(const Stmt& stmt, const Statements& list, std::size_t
     return false;
 }
 
+// The index begins at a constant, and the limit is a constant, or min(anything, a constant): a shader cannot run for
+// ever.
+bool Emitter::is_bounded(const Stmt& loop, const Scope& scope) {
+    const Expr& limit = *loop.limit;
+    std::optional<double> cap = constant_value(limit, scope);
+    if (!cap && limit.kind == Expr::Kind::Call && limit.text == "min" && limit.args.size() == 2) {
+        cap = constant_value(*limit.args[0], scope);
+        if (!cap) cap = constant_value(*limit.args[1], scope);
+    }
+    if (!cap) {
+        diagnostics_.report(Code::UnboundedLoop, limit.span, "limit")
+            .note("write min(count, 64), with a cap that fits");
+        return false;
+    }
+    const std::optional<double> first = constant_value(*loop.value, scope);
+    if (!first) {
+        diagnostics_.report(Code::UnboundedLoop, loop.value->span, "first index")
+            .note("begin at 0, and add the rest in the body");
+        return false;
+    }
+    if (*cap - *first <= kMaxIterations) return true;
+    diagnostics_.report(Code::TooMany, limit.span, *cap - *first, "rounds of a loop", kMaxIterations);
+    return false;
+}
+
 void Emitter::for_statement(const Stmt& stmt, Scope& scope) {
     ir::Builder& b = *scope.builder;
     const Typed begin = expression_as(*stmt.value, ir::kInt, scope, "the first index");
-    // The limit: a constant, or min(anything, a constant), so that a shader cannot run for ever.
-    const Expr& limit = *stmt.limit;
-    const bool capped = limit.kind == Expr::Kind::Call && limit.text == "min" && limit.args.size() == 2 &&
-                        (constant_value(*limit.args[0], scope) || constant_value(*limit.args[1], scope));
-    const Typed end = expression_as(limit, ir::kInt, scope, "the limit");
-    if (!constant_value(limit, scope) && !capped) {
-        diagnostics_.report(Code::UnboundedLoop, limit.span).note("write min(count, 64), with a cap that fits");
-        return;
-    }
-    if (!begin.ok() || !end.ok()) return;
+    const Typed end = expression_as(*stmt.limit, ir::kInt, scope, "the limit");
+    if (!begin.ok() || !end.ok() || !is_bounded(stmt, scope)) return;
     b.name(end.value, module_.intern("count"));
     const std::size_t outer = scope.locals.size();
     std::vector<std::string_view> assigned;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace patina::nodelang {
 namespace {
@@ -67,6 +68,7 @@ bool read_number(std::string_view literal, Token& token) {
         return true;
     }
     const auto [stop, error] = std::from_chars(digits.data(), end, token.number);
+    if (error == std::errc::result_out_of_range) token.number = std::numeric_limits<double>::infinity();
     if (error != std::errc() || stop != end || !std::isfinite(token.number)) return false;
     const bool is_whole = digits.find_first_not_of("0123456789") == std::string_view::npos;
     switch (suffix) {
@@ -201,7 +203,11 @@ void Lexer::number(Token& token) {
     token.kind = Token::Kind::Number;
     if (read_number(token.text, token)) return;
     token.kind = Token::Kind::Bad;
-    diagnostics_.report(Code::BadLiteral, span(begin, here_), token.text);
+    if (std::isinf(token.number)) {
+        diagnostics_.report(Code::BadNumber, span(begin, here_), token.text, "float");
+    } else {
+        diagnostics_.report(Code::BadLiteral, span(begin, here_), token.text);
+    }
 }
 
 void Lexer::string(Token& token) {

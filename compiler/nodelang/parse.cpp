@@ -27,7 +27,7 @@ void parse_file(Text text, Ast& ast, Diagnostics& diagnostics) {
     // Comments become documentation, so they must be text too.
     if (std::size_t bad = 0; !is_utf8(text.text, bad)) {
         const auto byte = static_cast<unsigned char>(text.text[bad]);
-        diagnostics.report(Code::NotUtf8, {text.at(bad), text.at(bad + 1)}, bad, unsigned{byte});
+        diagnostics.report(Code::NotUtf8, {text.at(bad), text.at(bad + 1)}, bad + 1, unsigned{byte});
         return;
     }
     Parser(text, Lexer::Place::File, ast, diagnostics).file();

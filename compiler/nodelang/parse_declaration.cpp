@@ -1,8 +1,48 @@
 // Declarations: what stands in a file outside functions, and the types, attributes and parameters that they are made
 // of.
+#include <algorithm>
+
 #include "compiler/nodelang/parser.h"
 
 namespace patina::nodelang {
+namespace {
+
+// What may stand before which declaration. ([light] stands before a loop.)
+constexpr std::string_view kFunction = "a function", kParameter = "a parameter", kVariable = "a variable";
+struct AttributeInfo {
+    std::string_view place, name;
+};
+constexpr AttributeInfo kAttributes[] = {
+    {kFunction, "node"},      {kFunction, "member"}, {kFunction, "semantic"}, {kFunction, "extern"},
+    {kFunction, "slot"},      {kFunction, "pass"},   {kFunction, "vertex"},   {kFunction, "fragment"},
+    {kParameter, "range"},    {kParameter, "color"}, {kParameter, "unit"},    {kParameter, "hidden"},
+    {kVariable, "attribute"}, {kVariable, "extern"}, {kVariable, "builtin"},  {kVariable, "semantic"},
+    {kVariable, "given"},     {kVariable, "static"}, {kVariable, "unit"},     {kVariable, "vertex_output"},
+};
+
+bool is_number(const Expr& expr) {
+    const bool is_signed = expr.kind == Expr::Kind::Unary && (expr.text == "-" || expr.text == "+");
+    return (is_signed ? *expr.args[0] : expr).kind == Expr::Kind::Number;
+}
+
+}  // namespace
+
+// An attribute that nobody reads would be a silent mistake.
+void Parser::check_attributes(std::span<const Attribute> marks, std::string_view what) {
+    std::vector<std::string_view> known;
+    for (const AttributeInfo& row : kAttributes) {
+        if (row.place == what) known.push_back(row.name);
+    }
+    for (const Attribute& mark : marks) {
+        if (std::find(known.begin(), known.end(), mark.name) == known.end()) {
+            diagnostics_.report(Code::BadAttribute, mark.span, mark.name, fmt::format("cannot stand before {}", what))
+                .note(Diagnostics::suggestion(mark.name, known));
+        } else if (mark.name == "range" &&
+                   !(mark.args.size() == 2 && is_number(*mark.args[0]) && is_number(*mark.args[1]))) {
+            diagnostics_.report(Code::BadAttribute, mark.span, mark.name, "takes two numbers: [range(0, 1)]");
+        }
+    }
+}
 
 void Parser::file() {
     while (now().kind != Token::Kind::End) {
@@ -28,7 +68,9 @@ bool Parser::declaration() {
     TypeName type;
     Token word;
     if (!type_name(type, "a declaration") || !name("a name", word)) return false;
-    if (!is_const && now().is("(")) {
+    const bool is_function = !is_const && now().is("(");
+    check_attributes(marks, is_function ? kFunction : kVariable);
+    if (is_function) {
         FunctionDecl decl{.name = word.text,
                           .name_span = span(word),
                           .result = type,
@@ -191,6 +233,7 @@ bool Parser::parameters(FunctionDecl& function) {
 
 bool Parser::parameter(ParamDecl& into) {
     if (!attributes(into.attributes)) return false;
+    check_attributes(into.attributes, kParameter);
     into.is_const = take_word("const");
     into.is_out = !into.is_const && take_word("out");
     if ((now().is_word("in") || now().is_word("inout")) && after().kind == Token::Kind::Word) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <span>
 
 #include "compiler/nodelang/lex.h"
 
@@ -107,6 +108,7 @@ private:
     // --- declarations (parse_declaration.cpp)
     bool declaration();
     bool attributes(std::vector<Attribute>& into);
+    void check_attributes(std::span<const Attribute> marks, std::string_view what);
     bool attribute(Attribute& into);
     bool type_name(TypeName& into, std::string_view what);
     bool array_size(TypeName& into);

@@ -181,9 +181,9 @@ private:
         }
         cost_[v.index] = c;
     }
-    // A member or swizzle of a leaf reads as well as a variable would.
+    // A member or swizzle of a leaf reads as well as a variable would; a row of them without end does not.
     bool is_access(Value v) const {
-        while (a_.is_free(v) && a_.args(v) == 1) v = a_.arg(v, 0);
+        for (int parts = 0; parts < 3 && a_.is_free(v) && a_.args(v) == 1; ++parts) v = a_.arg(v, 0);
         return is_leaf(a_[v].op);
     }
     bool can_stand(Value v) const { return !is_access(v) && !a_.stands[v.index] && v != a_.outputs; }

@@ -2,8 +2,6 @@
 // (statements.cpp). Which values are variables was decided in plan.h.
 #pragma once
 
-#include <optional>
-
 #include "compiler/targets/plan.h"
 #include "compiler/targets/writer.h"
 
@@ -42,7 +40,8 @@ private:
     Text formula(ir::Value v) const;
     Text leaf(ir::Value v) const;
     Text constant(ir::Value v) const;
-    std::optional<Text> scalar_of(ir::Value v) const;
+    bool repeats_scalar(ir::Value v) const;
+    Text scalar_of(ir::Value v) const;
     Text operand(ir::Value v, std::uint32_t i, bool as_scalar) const;
     Text infix(ir::Value v, const Spelling& spelling) const;
     Text prefix(ir::Value v, const Spelling& spelling) const;

@@ -14,13 +14,17 @@ namespace {
 
 constexpr std::string_view kComponents = "xyzw";
 
-std::string join(const std::vector<std::string>& parts) {
+// One more to a list with commas.
+void append(std::string& list, std::string_view element) {
+    if (!list.empty()) list += ", ";
+    list += element;
+}
+
+Text call_text(std::string_view function, std::string_view arguments) {
     std::string text;
-    for (const std::string& part : parts) {
-        if (!text.empty()) text += ", ";
-        text += part;
-    }
-    return text;
+    text.reserve(function.size() + arguments.size() + 2);
+    text.append(function).append("(").append(arguments).append(")");
+    return {std::move(text), Precedence::Postfix};
 }
 
 bool is_identity(std::string_view letters, Type of) {
@@ -49,32 +53,35 @@ Text Body::formula(Value v) const {
 }
 
 std::string Body::arguments(Value v, std::uint32_t from) const {
-    std::vector<std::string> texts;
-    for (std::uint32_t i = from; i < args(v); ++i) texts.push_back(argument(v, i));
-    return join(texts);
+    std::string list;
+    for (std::uint32_t i = from; i < args(v); ++i) append(list, argument(v, i));
+    return list;
 }
 
 // --- operators and functions
 
-// The scalar that a vector repeats, if that can be seen in its expression.
-std::optional<Text> Body::scalar_of(Value v) const {
+// A vector in whose expression one can see that it repeats a scalar.
+bool Body::repeats_scalar(Value v) const {
     const Inst& inst = function_[v];
-    if (is_variable(v) || !inst.type.is_vector()) return {};
-    if (is_splat(function_, v)) return expression(arg(v, 0));
-    if (inst.op != Op::Constant) return {};
+    if (is_variable(v) || !inst.type.is_vector()) return false;
+    if (is_splat(function_, v)) return true;
+    if (inst.op != Op::Constant) return false;
     const auto numbers = module().numbers_of(module().constants[inst.data]);
     const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
-    const bool same =
-        std::all_of(numbers.begin(), numbers.end(), [&](double n) { return bits(n) == bits(numbers[0]); });
-    if (!same) return {};
-    return literal(writer_.language, inst.type.scalar, numbers[0]);
+    return std::all_of(numbers.begin(), numbers.end(), [&](double n) { return bits(n) == bits(numbers[0]); });
+}
+
+// The scalar that such a vector repeats.
+Text Body::scalar_of(Value v) const {
+    const Inst& inst = function_[v];
+    if (inst.op != Op::Constant) return expression(arg(v, 0));
+    const double number = module().numbers_of(module().constants[inst.data])[0];
+    return literal(writer_.language, inst.type.scalar, number);
 }
 
 Text Body::operand(Value v, std::uint32_t i, bool as_scalar) const {
-    if (as_scalar) {
-        if (const std::optional<Text> scalar = scalar_of(arg(v, i))) return *scalar;
-    }
-    return expression(arg(v, i));
+    const Value value = arg(v, i);
+    return as_scalar && repeats_scalar(value) ? scalar_of(value) : expression(value);
 }
 
 Text Body::prefix(Value v, const Spelling& spelling) const {
@@ -87,19 +94,21 @@ Text Body::prefix(Value v, const Spelling& spelling) const {
 Text Body::infix(Value v, const Spelling& spelling) const {
     if (!spelling.of_vectors.empty() && function_[arg(v, 0)].type.is_vector()) return call(v, spelling);
     const bool right_may = (spelling.scalars & (kEither | kSecond)) != 0, left_may = (spelling.scalars & kEither) != 0;
-    const bool right_is_scalar = right_may && scalar_of(arg(v, 1)).has_value();
-    const Text left = operand(v, 0, left_may && !right_is_scalar), right = operand(v, 1, right_is_scalar);
+    const bool right_is_scalar = right_may && repeats_scalar(arg(v, 1));
+    std::string text = at_least(spelling.precedence, operand(v, 0, left_may && !right_is_scalar));
+    Text right = operand(v, 1, right_is_scalar);
 
     std::string_view sign = spelling.text;
-    std::string right_text = at_least(above(spelling.precedence), right);
     // a + -1.0 is a - 1.0, and a - -1.0 is a + 1.0, to the bit.
     const bool is_sum = sign == "+" || sign == "-";
-    if (is_sum && right.precedence == Precedence::Unary && right_text.starts_with('-') &&
-        right_text.find_first_of("0123456789") == 1) {
+    if (is_sum && right.precedence == Precedence::Unary && right.text.starts_with('-') &&
+        right.text.find_first_of("0123456789") == 1) {
         sign = sign == "+" ? "-" : "+";
-        right_text.erase(0, 1);
+        right.text.erase(0, 1);
     }
-    return {fmt::format("{} {} {}", at_least(spelling.precedence, left), sign, right_text), spelling.precedence};
+    const std::string right_text = at_least(above(spelling.precedence), std::move(right));
+    text.reserve(text.size() + sign.size() + right_text.size() + 2);
+    return {text.append(" ").append(sign).append(" ").append(right_text), spelling.precedence};
 }
 
 Text Body::call(Value v, const Spelling& spelling) const {
@@ -108,20 +117,22 @@ Text Body::call(Value v, const Spelling& spelling) const {
     for (std::uint32_t i = 0; i < args(v); ++i) operands.push_back(arg(v, i));
     const auto may_be_scalar = [&](std::size_t i) { return (spelling.scalars >> i & 1) != 0; };
     // min and max: the limit last, as one writes it, and as GLSL wants a scalar limit.
-    const auto is_limit = [&](Value operand) { return scalar_of(operand) || function_[operand].op == Op::Constant; };
+    const auto is_limit = [&](Value operand) {
+        return repeats_scalar(operand) || function_[operand].op == Op::Constant;
+    };
     if (has(inst.op, Commutes) && may_be_scalar(1) && is_limit(operands[0]) && !is_limit(operands[1])) {
         std::swap(operands[0], operands[1]);
     }
     bool scalars = inst.type.is_vector();
     for (std::size_t i = 0; i < operands.size(); ++i) {
-        if (may_be_scalar(i) && !scalar_of(operands[i])) scalars = false;
+        if (may_be_scalar(i) && !repeats_scalar(operands[i])) scalars = false;
     }
-    std::vector<std::string> texts;
+    std::string list;
     for (std::size_t i = 0; i < operands.size(); ++i) {
-        texts.push_back(scalars && may_be_scalar(i) ? scalar_of(operands[i])->text : expression(operands[i]).text);
+        append(list, scalars && may_be_scalar(i) ? scalar_of(operands[i]).text : expression(operands[i]).text);
     }
     const bool of_vectors = !spelling.of_vectors.empty() && function_[operands[0]].type.is_vector();
-    return {fmt::format("{}({})", of_vectors ? spelling.of_vectors : spelling.text, join(texts)), Precedence::Postfix};
+    return call_text(of_vectors ? spelling.of_vectors : spelling.text, list);
 }
 
 Text Body::ternary(Value v) const {
@@ -133,9 +144,7 @@ Text Body::ternary(Value v) const {
 
 Text Body::shared(Value v) const {
     const Inst& inst = function_[v];
-    const auto function_call = [&](std::string_view name) {
-        return Text{fmt::format("{}({})", name, arguments(v)), Precedence::Postfix};
-    };
+    const auto function_call = [&](std::string_view name) { return call_text(name, arguments(v)); };
     if (is_leaf(inst.op)) return leaf(v);
     if (inst.op == Op::Construct) return construct(v);
     if (inst.op == Op::Extract) return extract(v);
@@ -162,7 +171,7 @@ Text Body::leaf(Value v) const {
     const std::string& name = writer_.globals[inst.data];
     const bool is_stored_as_such = !module().globals[inst.data].in_block() || Writer::stored(inst.type) == inst.type;
     if (is_stored_as_such) return {name};
-    return {fmt::format("{}({})", writer_.type(inst.type), name), Precedence::Postfix};
+    return call_text(writer_.type(inst.type), name);
 }
 
 Text Body::constant(Value v) const {
@@ -170,14 +179,14 @@ Text Body::constant(Value v) const {
     const auto numbers = module().numbers_of(module().constants[function_[v].data]);
     const auto number = [&](std::size_t i) { return literal(writer_.language, type.scalar, numbers[i]); };
     if (type.is_scalar()) return number(0);
-    if (const std::optional<Text> scalar = scalar_of(v)) return writer_.language.splat(type, *scalar);
-    std::vector<std::string> texts;
+    if (repeats_scalar(v)) return writer_.language.splat(type, scalar_of(v));
+    std::string list;
     for (std::size_t i = 0; i < type.components(); ++i) {
         const bool by_columns = type.is_matrix() && writer_.language.matrices_by_columns;
         const std::size_t place = by_columns ? i % type.rows * type.cols + i / type.rows : i;
-        texts.push_back(number(place).text);
+        append(list, number(place).text);
     }
-    return {fmt::format("{}({})", writer_.type(type), join(texts)), Precedence::Postfix};
+    return call_text(writer_.type(type), list);
 }
 
 Text Body::construct(Value v) const {
@@ -191,7 +200,7 @@ Text Body::construct(Value v) const {
 // (v.x, v.y, s) becomes (v.xy, s).
 Text Body::vector_of_parts(Value v) const {
     const Type type = function_[v].type;
-    std::vector<std::string> texts;
+    std::string list;
     for (std::uint32_t i = 0; i < args(v);) {
         const Value first = arg(v, i);
         const auto is_component = [&](Value part) {
@@ -205,7 +214,7 @@ Text Body::vector_of_parts(Value v) const {
             letters += kComponents[function_[part].data];
         }
         if (letters.size() < 2) {
-            texts.push_back(expression(first).text);
+            append(list, expression(first).text);
             ++i;
             continue;
         }
@@ -215,15 +224,15 @@ Text Body::vector_of_parts(Value v) const {
         const Text run =
             whole ? source : Text{at_least(Precedence::Postfix, source) + "." + letters, Precedence::Postfix};
         if (letters.size() == type.width()) return run;
-        texts.push_back(run.text);
+        append(list, run.text);
     }
-    return {fmt::format("{}({})", writer_.type(type), join(texts)), Precedence::Postfix};
+    return call_text(writer_.type(type), list);
 }
 
 Text Body::matrix_of_rows(Value v) const {
     const Type type = function_[v].type;
     if (!writer_.language.matrices_by_columns) {
-        return {fmt::format("{}({})", writer_.type(type), arguments(v)), Precedence::Postfix};
+        return call_text(writer_.type(type), arguments(v));
     }
     const Type transposed = Type::matrix(type.scalar, type.cols, type.rows);
     return {fmt::format("transpose({}({}))", writer_.type(transposed), arguments(v)), Precedence::Postfix};

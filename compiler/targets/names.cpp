@@ -36,24 +36,28 @@ std::string safe_identifier(std::string_view word) {
 }
 
 std::string Names::declare(std::string_view wanted) {
-    const std::string base = safe_identifier(wanted);
-    std::string name = base;
-    if (const auto taken = next_.find(base); taken != next_.end()) {
+    const auto [entry, is_free] = next_.try_emplace(safe_identifier(wanted), 2);
+    const std::string& base = entry->first;
+    unsigned& number = entry->second;
+    const std::string* name = &base;
+    if (!is_free) {
         // "k_" and a number would hold two underscores in a row.
         const char* joint = base.ends_with('_') ? "" : "_";
-        do {
-            name = fmt::format("{}{}{}", base, joint, taken->second++);
-        } while (next_.contains(name));
+        for (bool is_new = false; !is_new;) {
+            const auto made = next_.try_emplace(fmt::format("{}{}{}", base, joint, number++), 2);
+            name = &made.first->first;
+            is_new = made.second;
+        }
     }
-    next_.emplace(name, 2);
-    scopes_.back().push_back({name, base});
-    return name;
+    scopes_.back().push_back({name, &number});
+    return *name;
 }
 
+// Backwards: a numbered name goes before the one that it was made from.
 void Names::close() {
-    for (const Taken& taken : scopes_.back()) {
-        next_.erase(taken.name);
-        if (const auto base = next_.find(taken.wanted); base != next_.end()) base->second = 2;
+    for (auto taken = scopes_.back().rbegin(); taken != scopes_.back().rend(); ++taken) {
+        *taken->number = 2;
+        next_.erase(next_.find(*taken->name));
     }
     scopes_.pop_back();
 }

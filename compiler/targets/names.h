@@ -17,6 +17,7 @@ namespace patina::targets {
 class Names {
 public:
     Names() : scopes_(1) {}
+    Names(const Names&) = delete;
 
     // A name that is free in every open scope, made from the wanted one; taken in the innermost scope.
     std::string declare(std::string_view wanted);
@@ -27,7 +28,8 @@ public:
 
 private:
     struct Taken {
-        std::string name, wanted;
+        const std::string* name;  // in next_
+        unsigned* number;         // of the name that was wanted: in next_, too
     };
     std::unordered_map<std::string, unsigned> next_;  // taken names, and the number that the next one like it gets
     std::vector<std::vector<Taken>> scopes_;

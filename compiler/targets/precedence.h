@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 namespace patina::targets {
 
@@ -37,8 +38,8 @@ struct Text {
 };
 
 // The text, in parentheses if its place asks for more than it has.
-inline std::string at_least(Precedence needed, const Text& t) {
-    return t.precedence < needed ? "(" + t.text + ")" : t.text;
+inline std::string at_least(Precedence needed, Text t) {
+    return t.precedence < needed ? "(" + t.text + ")" : std::move(t.text);
 }
 
 }  // namespace patina::targets

@@ -149,12 +149,14 @@ std::string Body::assignment(std::uint32_t variable, Value value, const Text& te
     const Spelling& spelling = (*writer_.language.spellings)[static_cast<std::size_t>(op)];
     const bool is_arithmetic = op == Op::Add || op == Op::Sub || op == Op::Mul || op == Op::Div;
     if (is_arithmetic && is_declared(variable)) {
-        const std::string start = fmt::format("{} {} ", names_[variable], spelling.text);
+        const std::string start = names_[variable] + " " + std::string(spelling.text) + " ";
         if (plan_.variable[arg(value, 0).index] == variable && text.text.starts_with(start)) {
             return fmt::format("{} {}= {};", names_[variable], spelling.text, operand(value, 1, true).text);
         }
     }
-    return fmt::format("{} = {};", target(variable), text.text);
+    std::string made = target(variable);
+    made.reserve(made.size() + text.text.size() + 4);
+    return made.append(" = ").append(text.text).append(";");
 }
 
 void Body::print_block(BlockId block) {

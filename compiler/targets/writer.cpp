@@ -131,7 +131,9 @@ std::string Writer::declaration(Type type, std::string_view name) const {
     for (; type.kind == Kind::Array; type = module.arrays[type.ref].element) {
         sizes += fmt::format("[{}]", module.arrays[type.ref].count);
     }
-    return fmt::format("{} {}{}", this->type(type), name, sizes);
+    std::string text = this->type(type);
+    text.reserve(text.size() + 1 + name.size() + sizes.size());
+    return text.append(" ").append(name).append(sizes);
 }
 
 void Writer::block_body(const UniformBlock& block) {

@@ -15,8 +15,8 @@ float2 RandomAt(int2 cell) {
     v.x += v.y * multiplier;
     v.y += v.x * multiplier;
     v = v ^ (v >> 16u);
-    // The upper 24 bits are what a float holds.
-    return float2(v >> 8u) / 16777216.0;
+    // The upper 24 bits are what a float holds. In two parts, because a half ends at 65504.
+    return float2(v >> 21u) / 2048 + float2((v >> 8u) & 8191u) / 8192 / 2048;
 }
 
 /// The curve that leads from one lattice point to the next with no slope and no curvature at either.

@@ -51,16 +51,17 @@ float distance_attenuation(float distance_squared, float range) {
 /// Light number `index` as seen from `position` (world space).
 [extern]
 Light light_at(int index, float3 position) {
-    float4 place = light_position[index];
-    float4 color = light_color[index];
+    int slot = clamp(index, 0, MAX_LIGHTS - 1);
+    float4 place = light_position[slot];
+    float4 color = light_color[slot];
     float3 to_light = place.xyz - (place.w > 0.5 ? position : float3(0));
     float distance_squared = dot(to_light, to_light);
     Light light;
     light.direction = to_light * rsqrt(max(distance_squared, 1e-12));
     light.color = color.rgb;
     light.attenuation = place.w > 0.5 ? distance_attenuation(distance_squared, color.w) : 1;
-    float cosine = -dot(light_axis[index].xyz, light.direction);
-    float4 cone = light_cone[index];
+    float cosine = -dot(light_axis[slot].xyz, light.direction);
+    float4 cone = light_cone[slot];
     float spot = saturate((cosine - cone.y) / max(cone.x - cone.y, 0.001));
     light.attenuation *= place.w > 1.5 ? spot * spot : 1;
     light.shadow = shadow(index, position);

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <vector>
 
+#include "patina/validate.h"
 #include "tests/support/received.h"
 
 namespace patina::testing {
@@ -20,6 +21,7 @@ constexpr std::pair<std::string_view, std::string_view> kExempt[] = {
     {"downstream-error",
      "a shader that another compiler refuses is a fault of the printers; validate_test.cpp makes one"},
     {"internal", "a library without one of its slots cannot be built"},
+    {"unknown-pass", "only a program can ask for passes: DiagnosticsOfTheLibrary below"},
 };
 
 bool is_exempt(std::string_view code) {
@@ -86,7 +88,9 @@ TEST_P(DiagnosticFolder, LeavesNoPartialOutput) {
     const fs::path folder = working_copy(GetParam());
     for (const std::string& graph : graphs_of(folder)) {
         const Ran ran = run("patina compile " + graph + " -o out --depfile", folder);
-        EXPECT_EQ(ran.exit == 0, fs::exists(folder / "out")) << graph << "\n" << ran.output;
+        const int checked = run("patina check " + graph, folder).exit;
+        EXPECT_EQ(ran.exit, checked) << graph << "\n" << ran.output;
+        EXPECT_EQ(fs::exists(folder / "out"), checked == 0) << graph << "\n" << ran.output;
         fs::remove_all(folder / "out");
     }
 }
@@ -110,6 +114,92 @@ TEST(DiagnosticFolders, OneForEachCode) {
         EXPECT_TRUE(exists) << name << " is not a code of diagnostics.def";
     }
 }
+
+TEST(DiagnosticsOfTheLibrary, UnknownPass) {
+    const Compiler compiler;
+    CompileOptions options;
+    options.passes = {"forwrad"};
+    const Result result = compiler.compile_text("plain.graph.json", R"({ "patina": 1, "workflow": "unlit" })", options);
+    EXPECT_FALSE(result.ok);
+    EXPECT_TRUE(result.shaders.empty());
+    ASSERT_EQ(result.diagnostics.size(), 1u);
+    EXPECT_EQ(to_text(result.diagnostics[0]),
+              "error: there is no pass 'forwrad' [unknown-pass]\nnote: did you mean 'forward'?");
+}
+
+// Words that mean something in a target language, and names that no target takes as they are: renamed in the shader, or
+// refused with a place. Other compilers say whether a raw one got through.
+class Identifiers : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Identifiers, AreNeverEmittedRaw) {
+    std::string text = R"json({
+        "patina": 1,
+        "workflow": "unlit",
+        "properties": [
+            { "name": "WORD", "type": "float", "default": 0.5 },
+            { "name": "_Choice", "type": "enum", "values": ["Other", "WORD"] },
+            { "name": "_WORD", "type": "texture2d", "tiling": true }
+        ],
+        "nodes": [
+            { "id": "WORD", "expr": "@uv0 * $WORD", "stage": "vertex" },
+            { "id": "texel", "node": "SampleTexture2D", "in": { "texture": "$_WORD", "uv": "WORD" } },
+            { "id": "part", "node": "./part.subgraph.json", "in": { "WORD": "texel.r" } },
+            { "id": "own", "node": "./own.node.hlsl", "in": { "WORD": "part.WORD" } }
+        ],
+        "surface": { "color": "= own + ($_Choice == WORD ? 1.0 : 0.5)", "alpha": "texel.a" }
+    })json";
+    std::string part = R"json({
+        "patina": 1,
+        "kind": "subgraph",
+        "inputs": [ { "name": "WORD", "type": "float" } ],
+        "nodes": [ { "id": "inner", "expr": "sin($WORD)" } ],
+        "outputs": { "WORD": "= inner * 2", "rest": "inner" }
+    })json";
+    std::string own = R"hlsl(
+        struct Pair { float WORD; float other; };
+        float helper(Pair pair) { return pair.WORD * pair.other; }
+        [node("Test/Own")]
+        float Own(float WORD) {
+            Pair pair;
+            pair.WORD = WORD;
+            pair.other = ddx(WORD);
+            for (int i = 0; i < 3; i++) { pair.WORD += helper(pair); }
+            return helper(pair);
+        }
+    )hlsl";
+    const std::string word = GetParam();
+    for (std::string* file : {&text, &part, &own}) {
+        for (std::size_t at = 0; (at = file->find("WORD", at)) != std::string::npos; at += word.size()) {
+            file->replace(at, 4, word);
+        }
+    }
+    CompileOptions options;
+    options.loader = [&](const std::string& path) -> std::optional<std::string> {
+        if (path == "part.subgraph.json") return part;
+        if (path == "own.node.hlsl") return own;
+        return {};
+    };
+    const Compiler compiler;
+    const Result result = compiler.compile_text("word.graph.json", text, options);
+    for (const Diagnostic& d : result.diagnostics) EXPECT_GT(d.line, 0) << to_text(d);
+    EXPECT_EQ(result.ok, !result.shaders.empty());
+    EXPECT_NE(result.ok, std::any_of(result.diagnostics.begin(), result.diagnostics.end(),
+                                     [](const Diagnostic& d) { return d.severity == Severity::Error; }));
+    for (const Shader& shader : result.shaders) {
+        const Validated validated = validate(shader);
+        EXPECT_TRUE(validated.ok) << validated.log << shader.text;
+    }
+    RecordProperty("accepted", result.ok ? "yes" : "no");
+}
+
+INSTANTIATE_TEST_SUITE_P(Words, Identifiers,
+                         ::testing::Values("texture", "float", "class", "main", "gl_x", "gl_Position", "a__b", "__x",
+                                           "x_", "_", "if", "in", "out", "sampler", "half", "Light", "Surface",
+                                           "surface", "Material", "Camera", "position_os", "uv0", "saturate", "mix",
+                                           "lerp", "vec3", "sample", "filter", "line", "point", "linear", "pass",
+                                           "true", "default", "int", "fract", "SV_Target", "in_uv0", "value", "at", "s",
+                                           "forward", "input", "WorD", "Texture2D", "register", "defined", "discard_if",
+                                           "return"));
 
 }  // namespace
 }  // namespace patina::testing

@@ -345,7 +345,7 @@ TEST(ReadGraphErrors, Keys) {
         {R"("precision":"^hallf")", "'hallf' is not a precision | did you mean 'half'?"},
         {R"("nodes":[{"id":"a","node":"X","^inn":{}}])", "unknown key 'inn' in a node | did you mean 'in'?"},
         {R"("lighting":{"use":"a","^nodes":[]})",
-         "unknown key 'nodes' in a use of a lighting model | there is use and in"},
+         "unknown key 'nodes' in a use of a lighting model | these exist: use and in"},
         {R"("lighting":^{"nodes":[]})", "a lighting graph needs the key 'direct'"},
         {R"("lighting":^5)", "'lighting' must be a name, a file or a lighting graph, not 5"},
     });
@@ -403,13 +403,13 @@ TEST(ReadGraphErrors, Properties) {
         {property(R"("float","^hard":true)"), "'hard' needs the key 'range'"},
         {R"("properties":[^{"name":"a","type":"enum"}])",
          R"(an enum needs the key 'values' | "values": ["Dry", "Wet"])"},
-        {property(R"("enum","values":["A","B"],"default":"^C")"), "'C' is not a value of 'a' | did you mean 'A'?"},
+        {property(R"("enum","values":["A","B"],"default":"^C")"), "'C' is not a value of 'a' | these exist: A and B"},
         {property(R"("enum","values":["A","^A"])"), "a second value is called 'A' | the first one is here"},
         {property(R"("texture2d","default":"^whit")"), "'whit' is not a default texture | did you mean 'white'?"},
         {property(R"("texture2d","default":"^rust.png")"),
          "'rust.png' is not a default texture | a file name starts with './'"},
         {property(R"("texture2d","sampler":{"wrap":"^tile"})"),
-         "'tile' is not a wrap mode | there is repeat, clamp and mirror"},
+         "'tile' is not a wrap mode | these exist: repeat, clamp and mirror"},
         {property(R"("texture2d","sampler":{"anisotropy":^17})"), "17 is outside the range 1 to 16 of 'anisotropy'"},
         {R"("properties":[{"name":"a","type":"int"},{"name":"^a","type":"int"}])",
          "a second property is called 'a' | the first one is here"},
@@ -450,9 +450,9 @@ TEST(ReadGraphErrors, Inputs) {
         return complaint(R"({"patina":1,"kind":"subgraph","outputs":{},"inputs":[)" + input + "]}");
     };
     EXPECT_EQ(subgraph(R"(^{"name":"a"})"), "an input needs the key 'type'");
-    EXPECT_EQ(
-        subgraph(R"({"name":"a","type":"^enum"})"),
-        "'enum' is not the type of an input | there is float, float2, float3, float4, color, int, bool and texture2d");
+    EXPECT_EQ(subgraph(R"({"name":"a","type":"^enum"})"),
+              "'enum' is not the type of an input | these exist: float, float2, float3, float4, color, int, bool and "
+              "texture2d");
     EXPECT_EQ(subgraph(R"({"name":"a","type":"float","default":^2,"range":[0,1]})"),
               "2 is outside the usual range 0 to 1 of 'a'");
     EXPECT_EQ(subgraph(R"({"name":"a","type":"float3","default":[0,^5,0],"range":[0,1],"hard":true})"),

@@ -110,7 +110,7 @@ Reflection make_reflection() {
     Pass pass;
     pass.name = "forward";
     pass.targets.resize(1);
-    const char* inputs[] = {"position_os", "normal_os", "tangent_os", "uv0", "color"};
+    const char* inputs[] = {"position_os", "normal_os", "tangent_os", "uv0", "vertex_color"};
     for (std::uint32_t i = 0; i < 5; i++) pass.vertex_inputs.push_back({inputs[i], "float4", i, ""});
     pass.blocks = {"Camera", "Object", "Lights", "Material"};
     pass.textures = {"_MainTex"};

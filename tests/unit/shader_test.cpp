@@ -41,7 +41,8 @@ TEST(Legalize, VertexStagesSampleLevelZero) {
                    sampler = f.global("sampler_Height", Type::of(Kind::Sampler));
     const Value texel = f.b->emit(Op::Sample, kFloat4, {f.read(texture), f.read(sampler), f.b->param(0)});
     f.make_stage(texel, {{.name = "uv0", .type = kFloat2, .semantic = "TEXCOORD0"}}, StageKind::Vertex);
-    EXPECT_TRUE(contains(f.print("glsl"), "vec4 texel = textureLod(sampler2D(_Height, sampler_Height), in_uv0, 0.0);"))
+    // Named after the output that it becomes.
+    EXPECT_TRUE(contains(f.print("glsl"), "vec4 color = textureLod(sampler2D(_Height, sampler_Height), in_uv0, 0.0);"))
         << f.print("glsl");
     EXPECT_TRUE(contains(f.print("hlsl"), "_Height.SampleLevel(sampler_Height, input.uv0, 0.0);"));
 }

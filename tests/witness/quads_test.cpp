@@ -1,1 +1,183 @@
+// What a pixel learns from its neighbours in the 2 x 2 quad: derivatives, the mip level of a sample, and values that
+// come out of loops of different length. 32 x 32 pixels, the GPU through both languages and the CPU in both precisions,
+// each against a closed form.
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "witness/bench.h"
+
+namespace patina::witness {
+namespace {
+
+constexpr int kSide = 32;
+
+struct Named {
+    const char* name;
+    Image image;
+};
+
+class QuadsTest : public testing::Test {
+protected:
+    static void SetUpTestSuite() { bench = std::make_unique<Bench>(); }
+    static void TearDownTestSuite() { bench.reset(); }
+    void TearDown() override { bench->expect_silence(); }
+    static inline std::unique_ptr<Bench> bench;
+
+    static std::vector<Named> all_witnesses(const std::string& nodes, const std::string& color,
+                                            const std::string& alpha, std::shared_ptr<const TextureData> data,
+                                            const std::map<std::string, std::string>& files = {}) {
+        const auto material = bench->compile(
+            R"({ "patina": 1, "workflow": "unlit", "properties": [ )" + data_property() + " ],\n\"nodes\": [ " + nodes +
+                " ],\n\"surface\": { \"color\": \"= " + color + "\", \"alpha\": \"= " + alpha + "\" } }",
+            files);
+        if (!material) return {};
+        const Inputs inputs{.width = kSide, .height = kSide, .data = std::move(data)};
+        return {{"GLSL", bench->draw(*material, Target::Glsl, inputs)},
+                {"HLSL", bench->draw(*material, Target::Hlsl, inputs)},
+                {"the CPU in float", bench->run(*material, Precision::Float, inputs)},
+                {"the CPU in double", bench->run(*material, Precision::Double, inputs)}};
+    }
+
+    // `expected` of a pixel's column and row; NaN: whatever it is. The first wrong channel of each witness is reported.
+    static void expect_all(const std::vector<Named>& witnesses, double tolerance,
+                           const std::function<std::array<double, 4>(int, int)>& expected) {
+        ASSERT_EQ(witnesses.size(), 4u);
+        for (const auto& [name, image] : witnesses) {
+            ASSERT_EQ(image.width, kSide);
+            std::string wrong;
+            for (int y = 0; y < kSide && wrong.empty(); ++y) {
+                for (int x = 0; x < kSide && wrong.empty(); ++x) {
+                    const std::array<double, 4> wanted = expected(x, y);
+                    for (std::size_t c = 0; c < 4; ++c) {
+                        const double got = static_cast<double>(image.at(x, y)[c]);
+                        if (std::isnan(wanted[c]) || std::abs(got - wanted[c]) <= tolerance) continue;
+                        wrong = "pixel (" + std::to_string(x) + ", " + std::to_string(y) + "), channel " + "rgba"[c] +
+                                ": " + std::to_string(got) + ", expected " + std::to_string(wanted[c]);
+                    }
+                }
+            }
+            EXPECT_EQ(wrong, "") << name;
+        }
+    }
+
+    static std::shared_ptr<const TextureData> white() { return texture_of(runtime::make_image(1, 1, 1, 1, 1)); }
+};
+
+// With b the centre of the quad's left (upper) pixel, (b + 1)^2 - b^2 = 2 b + 1 is the difference in both of its
+// columns (rows). All of it is exact in floats.
+TEST_F(QuadsTest, DerivativesAreDifferencesWithinTheQuad) {
+    const auto witnesses = all_witnesses(R"({ "id": "p", "expr": "@frag_coord.xy" })",
+                                         "float3(ddx(p.x * p.y), ddy(p.x * p.y), ddx(p.x * p.x * p.y))",
+                                         "fwidth(p.x * p.x + p.y * p.y * 0.5)", white());
+    expect_all(witnesses, 0, [](int column, int row) -> std::array<double, 4> {
+        const double x = column + 0.5, y = row + 0.5;
+        const double left = column / 2 * 2 + 0.5, upper = row / 2 * 2 + 0.5;
+        return {y, x, (2 * left + 1) * y, (2 * left + 1) + (2 * upper + 1) / 2};
+    });
+}
+
+// --- mip levels
+
+constexpr int kTexels = 64, kLevels = 7;
+
+// Every texel of a level is the level's number.
+std::shared_ptr<const TextureData> numbered_levels(const std::string& filter) {
+    TextureData data{.levels = {}, .sampler = {.wrap = "repeat", .filter = filter}};
+    for (int level = 0; level < kLevels; ++level) {
+        const int side = kTexels >> level;
+        const Image image = runtime::make_image(side, side, static_cast<float>(level));
+        data.levels.push_back({.width = side, .height = side, .texels = image.pixels});
+    }
+    return std::make_shared<const TextureData>(std::move(data));
+}
+
+// Texels a pixel, as powers of two: the same within a quad, so that the coordinate's derivatives are these numbers.
+constexpr const char* kCoordinate = R"json(
+    { "id": "quad", "expr": "floor(@frag_coord.xy * 0.5)" },
+    { "id": "power", "expr": "float2(quad.x * 0.62 - 2, quad.y * 0.27 - 1.5)" },
+    { "id": "at", "expr": "@frag_coord.xy * exp2(power) / 64" })json";
+
+// Vulkan's rule where the coordinate runs along the axes: the larger of the two rates.
+double level_of_detail(int x, int y) {
+    return std::max(x / 2 * 0.62 - 2, y / 2 * 0.27 - 1.5);
+}
+
+// The level that is nearest; NaN where a GPU's approximate logarithm may choose either.
+double nearest_level(double level_of_detail) {
+    const double level = std::clamp(std::ceil(level_of_detail + 0.5) - 1, 0.0, kLevels - 1.0);
+    const double from_edge = std::abs(level_of_detail - std::floor(level_of_detail) - 0.5);
+    const bool is_inside = level_of_detail > 0 && level_of_detail < kLevels - 1;
+    return is_inside && from_edge < 0.04 ? NAN : level;
+}
+
+TEST_F(QuadsTest, SamplesTakeTheMipLevelOfTheirQuad) {
+    const auto witnesses = all_witnesses(
+        kCoordinate,
+        "float3(SampleTexture2D($_Data, at).r, $_Data.SampleBias(at, 1.25).r, SampleTexture2DLevel($_Data, at, 2).r)",
+        "TexelSize($_Data).size.x", numbered_levels("nearest"));
+    int skipped = 0;
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) skipped += std::isnan(nearest_level(level_of_detail(x, y))) ? 1 : 0;
+    EXPECT_LT(skipped, kSide * kSide / 8);
+    expect_all(witnesses, 0, [](int x, int y) -> std::array<double, 4> {
+        const double level = level_of_detail(x, y);
+        return {nearest_level(level), nearest_level(level + 1.25), 2, kTexels};
+    });
+}
+
+TEST_F(QuadsTest, TrilinearSamplesBlendTheTwoLevelsAroundIt) {
+    const auto witnesses =
+        all_witnesses(kCoordinate, "float3(SampleTexture2D($_Data, at).r, 0, 0)", "1", numbered_levels("linear"));
+    // lavapipe's logarithm is a straight line between powers of two, off by up to 0.086 before its correction and by
+    // about 0.04 after it.
+    expect_all(witnesses, 0.05, [](int x, int y) -> std::array<double, 4> {
+        return {std::clamp(level_of_detail(x, y), 0.0, kLevels - 1.0), 0, 0, 1};
+    });
+}
+
+// --- loops
+
+constexpr const char* kDiverging = R"(
+/// Adds up count numbers: 1, 2, 3 ..., but every third of them is taken off and ends up in `thirds`.
+[node("Custom/Diverging")]
+float Diverging(float count = 0, out float thirds) {
+    float sum = 0;
+    thirds = 0;
+    for (int i = 0; i < min(int(count), 16); i++) {
+        if (i % 3 == 2) {
+            sum -= float(i + 1);
+            thirds += 1;
+        } else {
+            sum += float(i + 1);
+        }
+    }
+    return sum;
+}
+)";
+
+double count_at(int x, int y) {
+    return (x * 3 + y * 5) % 20;
+}
+double sum_at(int x, int y) {
+    const int count = std::min(static_cast<int>(count_at(x, y)), 16), thirds = count / 3;
+    // 1 + ... + count, less twice 3 + 6 + ...
+    return count * (count + 1) / 2 - 3 * thirds * (thirds + 1);
+}
+
+TEST_F(QuadsTest, LoopsOfDifferentLengthMeetAgain) {
+    const auto witnesses = all_witnesses(
+        R"json({ "id": "pixel", "expr": "floor(@frag_coord.xy)" },
+           { "id": "count", "expr": "fmod(pixel.x * 3 + pixel.y * 5, 20)" },
+           { "id": "loop", "node": "./Diverging.node.hlsl", "in": { "count": "count" } })json",
+        "float3(loop, loop.thirds, ddx(loop))", "ddy(loop)", white(), {{"Diverging.node.hlsl", kDiverging}});
+    expect_all(witnesses, 0, [](int x, int y) -> std::array<double, 4> {
+        const int left = x / 2 * 2, upper = y / 2 * 2;
+        return {sum_at(x, y), std::floor(std::min(count_at(x, y), 16.0) / 3), sum_at(left + 1, y) - sum_at(left, y),
+                sum_at(x, upper + 1) - sum_at(x, upper)};
+    });
+}
+
+}  // namespace
+}  // namespace patina::witness

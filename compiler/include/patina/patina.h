@@ -32,8 +32,8 @@ struct Diagnostic {
     int column = 0;    // from 1, in bytes
     int end_line = 0;
     int end_column = 0;
-    std::string source_line;
-    std::string node, port;  // where in the graph, when known
+    std::string source_line;  // empty if it has more than 64 KiB
+    std::string node, port;   // where in the graph, when known
     std::vector<Diagnostic> notes;
 };
 // "file:3:14: error: there is no node 'Lrep' [unknown-node]", the line, a caret, and the notes. Colours are ANSI.
@@ -77,6 +77,8 @@ struct CompileOptions {
     std::string preview;
     // Names of stages whose text goes to Result::dumps: "graph", "ir", "linked", "tidy", "rates".
     std::vector<std::string> dump;
+    // Also take a lighting graph or a sub-graph, inside the smallest material that uses it: to check one on its own.
+    bool accept_parts = false;
     bool keep_programs = false;  // keep what patina/interpret.h runs
 };
 

@@ -63,7 +63,7 @@ struct Property {
 };
 
 struct VertexInput {
-    std::string name;  // position_os, normal_os, tangent_os (w: handedness of the bitangent), uv0.., color
+    std::string name;  // position_os, normal_os, tangent_os (w: handedness of the bitangent), uv0.., vertex_color
     std::string type;
     std::uint32_t location = 0;
     std::string hlsl_semantic;

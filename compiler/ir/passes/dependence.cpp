@@ -62,10 +62,16 @@ std::vector<std::uint8_t> settled(const Function& function, std::uint64_t params
 }
 
 bool is_work(Op op) {
-    constexpr std::array kFree = {Op::Constant,    Op::Param,  Op::Global,  Op::Semantic, Op::Construct,
-                                  Op::Extract,     Op::Insert, Op::Swizzle, Op::Convert,  Op::LoopIndex,
-                                  Op::LoopCarried, Op::Result, Op::Yield,   Op::Return,   Op::Neg};
-    return std::find(kFree.begin(), kFree.end(), op) == kFree.end();
+    constexpr auto kIsFree = [] {
+        std::array<bool, kOpCount> is_free{};
+        for (const Op free :
+             {Op::Constant, Op::Param, Op::Global, Op::Semantic, Op::Construct, Op::Extract, Op::Insert, Op::Swizzle,
+              Op::Convert, Op::LoopIndex, Op::LoopCarried, Op::Result, Op::Yield, Op::Return, Op::Neg}) {
+            is_free[static_cast<std::size_t>(free)] = true;
+        }
+        return is_free;
+    }();
+    return !kIsFree[static_cast<std::size_t>(op)];
 }
 
 }  // namespace patina::ir

@@ -105,18 +105,27 @@ public:
 
     // Callees come first, so a body that is copied has its own calls decided already.
     void run() {
-        for (const Function& old : old_) {
-            Function made = shell(old);
-            Builder builder(module_, made);
-            light_ = {};
-            Copy copy{.from = old, .to = builder, .rewrite = [&](Copy& c, Value v) { return rewrite(c, v, 0); }};
-            copy_body(copy);
-            callees_.push_back(describe(module_, made));
-            module_.functions.push_back(std::move(made));
+        for (Function& old : old_) {
+            module_.functions.push_back(calls_something(old) ? inlined(old) : std::move(old));
+            callees_.push_back(describe(module_, module_.functions.back()));
         }
     }
 
 private:
+    static bool calls_something(const Function& function) {
+        return std::any_of(function.insts.begin(), function.insts.end(),
+                           [](const Inst& inst) { return inst.op == Op::Call; });
+    }
+
+    Function inlined(const Function& old) {
+        Function made = shell(old);
+        Builder builder(module_, made);
+        light_ = {};
+        Copy copy{.from = old, .to = builder, .rewrite = [&](Copy& c, Value v) { return rewrite(c, v, 0); }};
+        copy_body(copy);
+        return made;
+    }
+
     bool rewrite(Copy& copy, Value value, int depth) {
         const Inst& inst = copy.from[value];
         if (inst.op == Op::For && inst.is_light_loop) {

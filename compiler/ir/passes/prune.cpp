@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "compiler/ir/passes/passes.h"
@@ -215,12 +216,34 @@ public:
     void run(const std::vector<Need>& needs) {
         signatures_.resize(old_.size());
         for (std::uint32_t f = 0; f < old_.size(); f++) {
-            if (needs[f].is_called) function(f, needs[f]);
+            if (!needs[f].is_called) continue;
+            if (is_needed_whole(old_[f], needs[f])) {
+                keep(f);
+            } else {
+                function(f, needs[f]);
+            }
         }
         if (module_.stage.entry) entry(needs[module_.stage.entry.index]);
     }
 
 private:
+    // Straight code in which nothing changes, calls included.
+    static bool is_needed_whole(const Function& function, const Need& need) {
+        const auto is_set = [](std::uint8_t needed) { return needed != 0; };
+        return function.blocks.size() == 1 && (need.whole_result || !returns_struct(function)) &&
+               std::all_of(need.params.begin(), need.params.end(), is_set) &&
+               std::all_of(need.live.values.begin(), need.live.values.end(), is_set) &&
+               std::none_of(function.insts.begin(), function.insts.end(),
+                            [](const Inst& i) { return i.op == Op::Call; });
+    }
+
+    void keep(std::uint32_t f) {
+        signatures_[f].id = {static_cast<std::uint32_t>(module_.functions.size())};
+        signatures_[f].params.resize(old_[f].params.size());
+        std::iota(signatures_[f].params.begin(), signatures_[f].params.end(), 0u);
+        module_.functions.push_back(std::move(old_[f]));
+    }
+
     void function(std::uint32_t f, const Need& need) {
         const Function& old = old_[f];
         Function made = shell(old);

@@ -68,12 +68,34 @@ public:
     }
 
     void run() {
+        if (!may_specialise()) {
+            module_.functions = std::move(old_);
+            return;
+        }
         for (std::uint32_t f = 0; f < old_.size(); f++) general_.push_back(build(f, {}, 0));
         if (module_.stage.entry) module_.stage.entry = general_[module_.stage.entry.index];
         name_versions();
     }
 
 private:
+    // Most stages have no constant argument that decides anything.
+    bool may_specialise() {
+        return std::any_of(old_.begin(), old_.end(), [&](const Function& function) {
+            return std::any_of(function.insts.begin(), function.insts.end(), [&](const Inst& inst) {
+                return inst.op == Op::Call && worth(inst.data, constant_arguments(function, inst));
+            });
+        });
+    }
+
+    static std::uint64_t constant_arguments(const Function& function, const Inst& call) {
+        std::uint64_t params = 0;
+        const auto args = function.args(call);
+        for (std::size_t i = 0; i < args.size() && i < kMaxSettledParams; i++) {
+            if (function[args[i]].op == Op::Constant) params |= std::uint64_t{1} << i;
+        }
+        return params;
+    }
+
     FunctionId build(std::uint32_t f, const std::vector<Known>& known, int depth) {
         const Function& old = old_[f];
         if (known.empty() && !calls_something(old)) return add(old);
@@ -156,7 +178,7 @@ private:
     }
 
     bool worth(std::uint32_t callee, std::uint64_t params) {
-        if (old_[callee].always_inline) return false;
+        if (params == 0 || old_[callee].always_inline) return false;
         for (const auto& [mask, verdict] : verdicts_[callee]) {
             if (mask == params) return verdict;
         }

@@ -27,9 +27,10 @@ std::string type_name(Type type) {
     constexpr std::string_view kPrefixes[] = {"b", "i", "u", "f16", ""};
     const auto scalar = static_cast<std::size_t>(type.scalar);
     if (type.is_scalar()) return std::string(kScalars[scalar]);
-    if (type.is_vector()) return fmt::format("{}vec{}", kPrefixes[scalar], type.rows);
-    if (type.rows == type.cols) return fmt::format("{}mat{}", kPrefixes[scalar], type.rows);
-    return fmt::format("{}mat{}x{}", kPrefixes[scalar], type.cols, type.rows);
+    const std::string prefix(kPrefixes[scalar]);
+    if (type.is_vector()) return prefix + "vec" + std::to_string(type.rows);
+    if (type.rows == type.cols) return prefix + "mat" + std::to_string(type.rows);
+    return prefix + "mat" + std::to_string(type.cols) + "x" + std::to_string(type.rows);
 }
 
 std::string_view bitcast(Scalar to, Scalar from) {

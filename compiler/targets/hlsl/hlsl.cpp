@@ -24,10 +24,10 @@ std::string type_name(Type type) {
         case Kind::Error: return {};
     }
     constexpr std::string_view kScalars[] = {"bool", "int", "uint", "half", "float"};
-    const std::string_view scalar = kScalars[static_cast<std::size_t>(type.scalar)];
-    if (type.is_scalar()) return std::string(scalar);
-    if (type.is_vector()) return fmt::format("{}{}", scalar, type.rows);
-    return fmt::format("{}{}x{}", scalar, type.rows, type.cols);
+    const std::string scalar(kScalars[static_cast<std::size_t>(type.scalar)]);
+    if (type.is_scalar()) return scalar;
+    if (type.is_vector()) return scalar + std::to_string(type.rows);
+    return scalar + std::to_string(type.rows) + "x" + std::to_string(type.cols);
 }
 
 std::string_view bitcast(Scalar to, Scalar) {

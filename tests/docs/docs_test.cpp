@@ -1,0 +1,111 @@
+// The examples of the documentation work. A fenced block whose first line is `// NAME` is the file NAME; the files of
+// one page lie in one folder. Each graph compiles without a complaint and both other compilers accept its shaders; each
+// file of nodes is sound and its test lines hold; every other file is used by one of the graphs. A ```glsl block is
+// what the graph before it becomes.
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <vector>
+
+#include "patina/validate.h"
+#include "tests/support/received.h"
+
+namespace patina::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Block {
+    std::string language;  // "jsonc"
+    std::string name;      // "plain.graph.json"; empty if its first line names no file
+    std::string text;
+};
+
+std::vector<Block> blocks_of(const std::string& page) {
+    std::vector<Block> blocks;
+    std::istringstream lines(page);
+    bool inside = false;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("```")) {
+            inside = !inside;
+            if (inside) blocks.push_back({.language = line.substr(3), .name = {}, .text = {}});
+            continue;
+        }
+        if (!inside) continue;
+        Block& block = blocks.back();
+        const bool is_name = block.text.empty() && line.starts_with("// ") && line.find(' ', 3) == std::string::npos &&
+                             (line.ends_with(".json") || line.ends_with(".hlsl"));
+        if (is_name) block.name = line.substr(3);
+        block.text += line + "\n";
+    }
+    return blocks;
+}
+
+std::string joined(const std::vector<Diagnostic>& diagnostics) {
+    std::string text;
+    for (const Diagnostic& d : diagnostics) text += to_text(d) + "\n";
+    return text;
+}
+
+class Page : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Page, HoldsExamplesThatWork) {
+    const std::vector<Block> blocks = blocks_of(read_file(tests_folder().parent_path() / GetParam()));
+    const fs::path folder = received_folder() / "run" / "docs" / fs::path(GetParam()).stem();
+    fs::remove_all(folder);
+    for (const Block& block : blocks) {
+        if (!block.name.empty()) write_file(folder / block.name, block.text);
+    }
+    const Compiler compiler;
+    std::vector<std::string> used;
+    std::string last_shaders;
+    int examples = 0;
+    for (const Block& block : blocks) {
+        const std::string path = folder / block.name;
+        if (block.name.ends_with(".graph.json")) {
+            ++examples;
+            const Result result = compiler.compile_file(path);
+            EXPECT_TRUE(result.ok && result.diagnostics.empty()) << joined(result.diagnostics);
+            used.insert(used.end(), result.dependencies.begin(), result.dependencies.end());
+            last_shaders.clear();
+            for (const Shader& shader : result.shaders) {
+                const Validated validated = validate(shader);
+                EXPECT_TRUE(validated.ok) << validated.log;
+                last_shaders += shader.text;
+            }
+        } else if (block.name.ends_with(".node.hlsl")) {
+            ++examples;
+            used.push_back(path);
+            const NodeFileResult result = compiler.check_node_file(path);
+            EXPECT_TRUE(result.ok && result.diagnostics.empty()) << joined(result.diagnostics);
+            for (const NodeTest& test : result.tests) EXPECT_TRUE(passed(test)) << test.text;
+        } else if (block.language == "glsl") {
+            // Declarations are left out there: paragraph by paragraph.
+            for (std::size_t at = 0; at < block.text.size();) {
+                const std::size_t end = std::min(block.text.find("\n\n", at), block.text.size() - 1) + 1;
+                const std::string paragraph = block.text.substr(at, end - at);
+                EXPECT_NE(last_shaders.find(paragraph), std::string::npos) << "no longer emitted:\n" << paragraph;
+                at = end + 1;
+            }
+        }
+    }
+    EXPECT_GE(examples, 1) << "no example was found";
+    for (const Block& block : blocks) {
+        if (block.name.empty()) continue;
+        const bool is_used = std::any_of(
+            used.begin(), used.end(), [&](const std::string& path) { return fs::path(path).filename() == block.name; });
+        EXPECT_TRUE(is_used) << block.name << " is used by no graph of the page";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Page,
+                         ::testing::Values("docs/graph-format.md", "docs/node-language.md", "docs/adding-a-node.md",
+                                           "README.md"),
+                         [](const auto& info) {
+                             std::string name = fs::path(info.param).stem();
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+
+}  // namespace
+}  // namespace patina::testing

@@ -1,0 +1,48 @@
+# cmake -D BUILD=... -D SOURCE=... -D WORK=... -P embed_test.cmake
+# Installs the library into an empty prefix, and builds and runs examples/embed with nothing else of Patina in reach.
+cmake_minimum_required(VERSION 3.22)
+
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_VARIABLE text)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "failed: ${ARGN}\n${text}")
+  endif()
+  set(output "${text}" PARENT_SCOPE)
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+run(${CMAKE_COMMAND} --install ${BUILD} --component library --prefix ${WORK}/prefix)
+# A copy: the example must not find anything beside itself.
+file(COPY ${SOURCE}/examples/embed DESTINATION ${WORK})
+run(${CMAKE_COMMAND} -S ${WORK}/embed -B ${WORK}/build -D CMAKE_PREFIX_PATH=${WORK}/prefix
+    -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF -D CMAKE_BUILD_TYPE=Release)
+run(${CMAKE_COMMAND} --build ${WORK}/build)
+run(${WORK}/build/embed)
+foreach(wanted IN ITEMS "dotted.forward.vert.glsl" "dotted.forward.frag.glsl" "#version 450" "_Tint" "void main()")
+  string(FIND "${output}" "${wanted}" at)
+  if(at EQUAL -1)
+    message(FATAL_ERROR "the program does not print '${wanted}':\n${output}")
+  endif()
+endforeach()
+
+# The package stands on its own: no header of another library, no path of this build or source tree.
+file(GLOB_RECURSE installed ${WORK}/prefix/*.h ${WORK}/prefix/*.cmake)
+foreach(file IN LISTS installed)
+  file(READ ${file} text)
+  foreach(unwanted IN ITEMS "fmt" "rapidjson" "patina_options" "${SOURCE}/" "${BUILD}/")
+    string(FIND "${text}" "${unwanted}" at)
+    if(NOT at EQUAL -1)
+      message(FATAL_ERROR "${file} mentions '${unwanted}'")
+    endif()
+  endforeach()
+endforeach()
+
+# The promise of the example: under 60 lines, and the public headers alone.
+file(STRINGS ${SOURCE}/examples/embed/main.cpp lines)
+file(STRINGS ${SOURCE}/examples/embed/CMakeLists.txt more)
+list(LENGTH lines count)
+list(LENGTH more count_more)
+math(EXPR total "${count} + ${count_more}")
+if(total GREATER_EQUAL 60)
+  message(FATAL_ERROR "examples/embed has ${total} lines")
+endif()

@@ -1,0 +1,76 @@
+// Each folder beside this file tells one story: a small graph, and what it becomes. The *.graph.json of the folder is
+// compiled; both other compilers must accept every stage, and GLSL, HLSL and reflection are compared with the files
+// beside it. A change of a printer shows here as a diff that a reviewer can read: tests/accept takes it over.
+#include <algorithm>
+#include <vector>
+
+#include "patina/validate.h"
+#include "tests/support/received.h"
+
+namespace patina::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> stories() {
+    std::vector<std::string> names;
+    for (const fs::directory_entry& entry : fs::directory_iterator(tests_folder() / "graphs")) {
+        if (entry.is_directory()) names.push_back(entry.path().filename());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+const Compiler& compiler() {
+    static const Compiler kCompiler;
+    return kCompiler;
+}
+
+class Story : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Story, BecomesWhatIsExpected) {
+    const std::string folder = "graphs/" + GetParam() + "/";
+    int graphs = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(tests_folder() / folder)) {
+        const std::string path = entry.path();
+        if (!path.ends_with(".graph.json")) continue;
+        ++graphs;
+        const Result result = compiler().compile_file(path);
+        for (const Diagnostic& d : result.diagnostics) ADD_FAILURE() << to_text(d);
+        ASSERT_TRUE(result.ok);
+        for (const Shader& shader : result.shaders) {
+            const Validated validated = validate(shader);
+            EXPECT_TRUE(validated.ok) << validated.log;
+            EXPECT_TRUE(as_expected(folder + shader.file_name, shader.text));
+        }
+        const std::string name = entry.path().filename();
+        EXPECT_TRUE(
+            as_expected(folder + name.substr(0, name.find('.')) + ".reflect.json", result.reflection.to_json()));
+    }
+    EXPECT_GE(graphs, 1) << "no *.graph.json in " << folder;
+}
+
+// The same graph gives the same bytes, from another compiler and beside other work.
+TEST_P(Story, IsTheSameEachTime) {
+    const std::string folder = "graphs/" + GetParam() + "/";
+    for (const fs::directory_entry& entry : fs::directory_iterator(tests_folder() / folder)) {
+        if (!entry.path().string().ends_with(".graph.json")) continue;
+        const Compiler other;
+        const Result first = compiler().compile_file(entry.path());
+        const Result second = other.compile_file(entry.path());
+        ASSERT_EQ(first.shaders.size(), second.shaders.size());
+        for (std::size_t i = 0; i < first.shaders.size(); ++i) {
+            EXPECT_EQ(first.shaders[i].text, second.shaders[i].text);
+        }
+        EXPECT_EQ(first.reflection.to_json(), second.reflection.to_json());
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Story, ::testing::ValuesIn(stories()), [](const auto& info) {
+    std::string name = info.param;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
+
+}  // namespace
+}  // namespace patina::testing
