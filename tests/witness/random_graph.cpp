@@ -3,43 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <random>
 
 #include "witness/bench.h"
+#include "witness/random_expressions.h"
 
 namespace patina::witness {
 namespace {
 
-constexpr double kLargest = 64;  // nothing is allowed to grow beyond
-constexpr int kPairs = 1;        // of twins
-
-// Marks in generated text: what stands between kBegin, with a class, and kEnd is a value that a GPU computes with an
-// error of that class. A rendering of the text either drops the marks or puts noise in their place.
-constexpr char kBegin = '\1', kEnd = '\2';
-// A sum of products may come out as next to zero where it is zero.
-enum Error : char { kArithmetic = 'a', kSum = 's', kTranscendental = 't', kHalf = 'h' };
+constexpr int kPairs = 1;  // of twins
 
 double size_of(char error) {
     // The tolerances of the operations; of halves, two roundings.
     return error == kHalf ? 1e-3 : error == kTranscendental ? 1e-4 : 1e-5;
 }
-
-// A generator of its own: the distributions of the standard library differ between machines.
-class Dice {
-public:
-    explicit Dice(unsigned seed) : engine_(seed) {}
-    int below(int n) { return static_cast<int>(engine_() % static_cast<unsigned>(n)); }
-    bool chance(int percent) { return below(100) < percent; }
-    // A multiple of 1 / 16.
-    double sixteenths(int from, int to) { return (from * 16 + below((to - from) * 16 + 1)) / 16.0; }
-    template <class Container>
-    auto& pick(Container& from) {
-        return from[static_cast<std::size_t>(below(static_cast<int>(std::size(from))))];
-    }
-
-private:
-    std::mt19937 engine_;
-};
 
 // `noise` null: exact. With the same dice and the other sign, all errors are turned around.
 std::string render(const std::string& marked, Dice* noise, double sign) {
@@ -51,8 +27,8 @@ std::string render(const std::string& marked, Dice* noise, double sign) {
         } else if (marked[i] == kEnd) {
             if (noise) {
                 text += ')';
-                const double error =
-                    size_of(open.back()) * (50 + noise->below(51)) / 100 * (noise->chance(50) ? sign : -sign);
+                const double share = (50 + noise->below(51)) / 100.0;
+                const double error = size_of(open.back()) * share * (noise->chance(50) ? sign : -sign);
                 text += " * " + literal(1 + error);
                 if (open.back() == kSum) text += " + " + literal(error / 10);
             }
@@ -65,233 +41,6 @@ std::string render(const std::string& marked, Dice* noise, double sign) {
     return text;
 }
 
-// A value that can be read, with how large it may be.
-struct Value {
-    std::string text{};
-    int width = 1;  // of floats; 0: a bool
-    double largest = 1;
-    std::string node{};  // whose output it is
-};
-
-std::string type_name(int width) {
-    return width == 0 ? "bool" : width == 1 ? "float" : "float" + std::to_string(width);
-}
-
-constexpr std::string_view kComponents = "xyzw";
-
-// Writes expressions over a list of values.
-class Expressions {
-public:
-    Expressions(Dice& dice, bool half) : dice_(dice), half_(half) {}
-
-    std::vector<Value> values;
-    // Values that differ from pixel to pixel. Every condition and every loop's end reads one: lavapipe (Mesa 22.3)
-    // takes apart branches that depend on uniforms alone, and crashes over some that are long.
-    std::vector<Value> anchors;
-    std::vector<std::string> ints;  // int variables and constants that may be read
-
-    Value expression(int width, int depth) {
-        if (width == 0) return {.text = condition(depth), .width = 0};
-        if (depth <= 0) return leaf(width);
-        Value made = dice_.chance(45) ? operation(width, depth) : function(width, depth);
-        if (made.largest > kLargest) made = limited(made);
-        return made;
-    }
-
-    // A bounded one of the same width; NaN stays NaN.
-    Value limited(const Value& value) {
-        return {.text = mark(kArithmetic, value.text + " / (1 + abs(" + value.text + ") * 0.25)"),
-                .width = value.width,
-                .largest = 4};
-    }
-
-    std::string mark(Error error, const std::string& text) const {
-        return std::string{kBegin, half_ ? kHalf : error} + text + kEnd;
-    }
-
-    Value leaf(int width) {
-        if (dice_.chance(12)) return constant(width);
-        // What came last is read most: graphs become deep.
-        const int count = static_cast<int>(values.size());
-        Value value;
-        do {
-            const int back = std::min(dice_.below(count), dice_.below(count));
-            value = values[static_cast<std::size_t>(count - 1 - back)];
-        } while (value.width == 0);
-        return {.text = swizzled(value, width), .width = width, .largest = value.largest};
-    }
-
-    std::string anchor(int width) { return swizzled(dice_.pick(anchors), width); }
-
-private:
-    Value constant(int width) {
-        if (width == 1) return {.text = "(" + literal(dice_.sixteenths(-2, 2)) + ")", .largest = 2};
-        std::string text = type_name(width) + "(";
-        for (int i = 0; i < width; ++i) text += (i ? ", " : "") + literal(dice_.sixteenths(-2, 2));
-        return {.text = text + ")", .width = width, .largest = 2};
-    }
-
-    std::string swizzled(const Value& value, int width) {
-        if (value.width == width && (width == 1 || dice_.chance(60))) return value.text;
-        if (value.width == 1) return type_name(width) + "(" + value.text + ")";
-        std::string text = value.text + ".";
-        for (int i = 0; i < width; ++i) text += kComponents[static_cast<std::size_t>(dice_.below(value.width))];
-        return text;
-    }
-
-    std::string condition(int depth) {
-        if (depth > 0 && dice_.chance(25)) {
-            const std::string left = condition(depth - 1);
-            if (dice_.chance(25)) return "(!" + left + ")";
-            return "(" + left + (dice_.chance(50) ? " && " : " || ") + condition(depth - 1) + ")";
-        }
-        std::vector<Value> bools;
-        std::copy_if(values.begin(), values.end(), std::back_inserter(bools),
-                     [](const Value& v) { return v.width == 0; });
-        if (!bools.empty() && dice_.chance(25)) return dice_.pick(bools).text;
-        if (dice_.chance(20)) {
-            const int width = 2 + dice_.below(3);
-            return std::string(dice_.chance(50) ? "any(" : "all(") + comparison(width, depth) + ")";
-        }
-        return comparison(1, depth);
-    }
-
-    std::string comparison(int width, int depth) {
-        static constexpr const char* kSigns[] = {" < ", " <= ", " > ", " >= ", " == ", " != "};
-        // Equality of what was computed is luck: rarely.
-        const char* sign = kSigns[dice_.below(dice_.chance(90) ? 4 : 6)];
-        return "(" + expression(width, depth - 1).text + sign + leaf(width).text + ")";
-    }
-
-    Value operation(int width, int depth) {
-        const Value left = expression(width, depth - 1);
-        if (width > 1 && dice_.chance(10)) return constructed(width, depth);
-        const bool scalar_right = width > 1 && dice_.chance(25);
-        const Value right = expression(scalar_right ? 1 : width, depth - 1);
-        const auto both = [&](const char* sign) { return left.text + sign + right.text; };
-        switch (dice_.below(8)) {
-            case 0:
-            case 1: return {mark(kArithmetic, both(" + ")), width, left.largest + right.largest};
-            case 2: return {mark(kArithmetic, both(" - ")), width, left.largest + right.largest};
-            case 3:
-            case 4: return {mark(kArithmetic, both(" * ")), width, left.largest * right.largest};
-            case 5:
-                return {mark(kArithmetic, left.text + " / (abs(" + right.text + ") + 0.5)"), width, left.largest * 2};
-            case 6: return {"(-" + left.text + ")", width, left.largest};
-            default: {
-                const std::string test =
-                    width > 1 && dice_.chance(30) ? comparison(width, depth - 1) : condition(depth - 1);
-                const Value other = expression(width, depth - 1);
-                return {"(" + test + " ? " + left.text + " : " + other.text + ")", width,
-                        std::max(left.largest, other.largest)};
-            }
-        }
-    }
-
-    Value constructed(int width, int depth) {
-        const int first = 1 + dice_.below(width - 1);
-        const Value a = expression(first, depth - 1), b = expression(width - first, depth - 1);
-        return {type_name(width) + "(" + a.text + ", " + b.text + ")", width, std::max(a.largest, b.largest)};
-    }
-
-    Value integer(int width, int depth) {
-        static constexpr const char* kSigns[] = {" + ", " - ", " * ", " & ", " | ", " ^ "};
-        std::string whole = "int(floor(" + expression(1, depth - 1).text + "))";
-        if (!ints.empty() && dice_.chance(60)) whole = dice_.pick(ints);
-        const std::string text = "float(((" + whole + kSigns[dice_.below(6)] + std::to_string(1 + dice_.below(7)) +
-                                 ") & 15) << " + std::to_string(dice_.below(2)) + ")";
-        return {width == 1 ? text : type_name(width) + "(" + text + ")", width, 30};
-    }
-
-    Value matrix(int width, int depth) {
-        std::string rows;
-        double largest = 0;
-        for (int i = 0; i < width; ++i) {
-            const Value row = leaf(width);
-            rows += (i ? ", " : "") + row.text;
-            largest = std::max(largest, row.largest);
-        }
-        const std::string size = std::to_string(width);
-        std::string m = "float" + size + "x" + size + "(" + rows + ")";
-        if (dice_.chance(30)) m = "transpose(" + m + ")";
-        const Value v = expression(width, depth - 1);
-        const std::string product = dice_.chance(50) ? m + ", " + v.text : v.text + ", " + m;
-        return {mark(kSum, "mul(" + product + ")"), width, largest * v.largest * width};
-    }
-
-    Value function(int width, int depth) {
-        const Value x = expression(width, depth - 1);
-        const auto of = [&](const char* name) { return std::string(name) + "(" + x.text + ")"; };
-        const auto other = [&] { return expression(width, depth - 1); };
-        switch (dice_.below(30)) {
-            case 0: return {of("abs"), width, x.largest};
-            case 1: return {of("floor"), width, x.largest + 1};
-            case 2: return {of("ceil"), width, x.largest + 1};
-            case 3: return {of("round"), width, x.largest + 1};
-            case 4: return {of("frac"), width, 1};
-            case 5: return {of("saturate"), width, 1};
-            case 6: return {of("sign"), width, 1};
-            case 7: return {mark(kTranscendental, of("sin")), width, 1};
-            case 8: return {mark(kTranscendental, of("cos")), width, 1};
-            case 9: return {mark(kTranscendental, of("atan")), width, 1.6};
-            case 10: return {mark(kTranscendental, of("tanh")), width, 1};
-            case 11: return {mark(kArithmetic, "sqrt(abs(" + x.text + "))"), width, std::max(1.0, x.largest)};
-            case 12: return {mark(kArithmetic, "rsqrt(abs(" + x.text + ") + 0.25)"), width, 2};
-            case 13: return {mark(kTranscendental, "exp2(clamp(" + x.text + ", -4, 4))"), width, 16};
-            case 14: return {mark(kTranscendental, "log2(abs(" + x.text + ") + 0.5)"), width, 7};
-            case 15: return {mark(kTranscendental, "pow(abs(" + x.text + ") + 0.25, 1.5)"), width, x.largest * 9 + 1};
-            case 16: {
-                const Value y = other();
-                return {"min(" + x.text + ", " + y.text + ")", width, std::max(x.largest, y.largest)};
-            }
-            case 17: {
-                const Value y = other();
-                return {"max(" + x.text + ", " + y.text + ")", width, std::max(x.largest, y.largest)};
-            }
-            case 18: {
-                const Value y = other();
-                const std::string t = dice_.chance(50) ? "saturate(" + leaf(1).text + ")" : "0.25";
-                return {mark(kArithmetic, "lerp(" + x.text + ", " + y.text + ", " + t + ")"), width,
-                        std::max(x.largest, y.largest)};
-            }
-            case 19: return {"clamp(" + x.text + ", -1, 2)", width, 2};
-            case 20: return {mark(kArithmetic, "smoothstep(-0.5, 1.5, " + x.text + ")"), width, 1};
-            case 21: return {"step(" + leaf(width).text + ", " + x.text + ")", width, 1};
-            case 22: {
-                const int inner = 2 + dice_.below(3);
-                const Value a = expression(inner, depth - 1), b = expression(inner, depth - 1);
-                return splat(mark(kSum, "dot(" + a.text + ", " + b.text + ")"), width, a.largest * b.largest * inner);
-            }
-            case 23: {
-                const Value a = expression(2 + dice_.below(3), depth - 1);
-                return splat(mark(kArithmetic, "length(" + a.text + ")"), width, a.largest * 2);
-            }
-            case 24:
-                if (width == 1) return {mark(kTranscendental, "atan2(" + x.text + ", 1.5)"), 1, 1.6};
-                return {mark(kArithmetic, "normalize(abs(" + x.text + ") + 0.125)"), width, 1};
-            case 25:
-                if (width != 3) return integer(width, depth);
-                return {mark(kSum, "cross(" + x.text + ", " + leaf(3).text + ")"), 3, x.largest * kLargest};
-            case 26:
-                if (width != 3) return {"trunc(" + x.text + ")", width, x.largest};
-                return {mark(kSum, "reflect(" + x.text + ", normalize(abs(" + leaf(3).text + ") + 0.125))"), 3,
-                        x.largest * 2};
-            case 27: return integer(width, depth);
-            case 28:
-                if (width == 1) return {mark(kArithmetic, "fmod(" + x.text + ", 1.75)"), 1, 1.75};
-                return matrix(width, depth);
-            default: return {mark(kArithmetic, x.text + " % 2.5"), width, 2.5};
-        }
-    }
-
-    static Value splat(const std::string& scalar, int width, double largest) {
-        return {width == 1 ? scalar : type_name(width) + "(" + scalar + ")", width, largest};
-    }
-
-    Dice& dice_;
-    bool half_;
-};
-
 // --- a node file: one function with branches, loops, arrays and a second output
 
 class NodeFile {
@@ -300,7 +49,6 @@ public:
 
     std::string text(const std::string& name) {
         in_.values = {{"p", 3, 4}, {"q", 1, 4}, {"flag", 0, 1}};
-        in_.anchors = {in_.values[0], in_.values[1]};
         body_ =
             "    const float table[4] = { 0.5, -1.25, 2, 0.75 };\n"
             "    float3 a = p;\n    float2 b = p.zx;\n    extra = 0;\n";
@@ -479,7 +227,6 @@ private:
     Expressions over_values(bool half) {
         Expressions made(dice_, half);
         made.values = values_;
-        made.anchors.assign(values_.begin(), values_.begin() + kLayers);
         return made;
     }
 
@@ -501,7 +248,6 @@ private:
         values_.push_back({id, 3, 16});
     }
 
-    // A graph whose outputs are swizzled by nobody: what stands in a port is an expression.
     std::string port_value(const NodeInfo& node, const PortInfo& port, int wide, bool half) {
         if (!port.enumerators.empty()) return dice_.pick(port.enumerators);
         if (port.type == "int") return "= " + std::to_string(1 + dice_.below(3));
@@ -572,11 +318,7 @@ private:
         const std::string name = "Generated_" + id, file = name + ".node.hlsl";
         files_[file] = NodeFile(dice_, half).text(name);
         Expressions in = over_values(half);
-        const auto varying = [&](int width) {
-            return in.limited(
-                {in.mark(kArithmetic, in.expression(width, 1).text + " + " + in.anchor(width)), width, 1});
-        };
-        const Value p = varying(3), q = varying(1);
+        const Value p = in.limited(in.expression(3, 1)), q = in.limited(in.expression(1, 1));
         json_ += R"({ "id": ")" + id + R"(", "node": "./)" + file + R"(", "in": { "p": "= )" + p.text +
                  R"(", "q": "= )" + q.text + R"(", "flag": "= )" + in.expression(0, 1).text + "\" }" + precision(half) +
                  " }";
@@ -637,13 +379,16 @@ RandomGraph random_graph(const Compiler& compiler, unsigned seed) {
             graph.twins.push_back(rendered(&noise, sign));
         }
     }
-    if (graph.uses_half) {
-        // HLSL's half runs as float where the hardware has no other.
-        graph.twins.push_back(graph.exact);
-        std::string& json = graph.twins.back().json;
-        for (const std::string word : {R"(, "precision": "half")", R"( "precision": "half",)"})
-            for (std::size_t at = json.find(word); at != std::string::npos; at = json.find(word))
-                json.erase(at, word.size());
+    if (!graph.uses_half) return graph;
+    // HLSL's half runs as float where the hardware has no other: in floats all of them are witnesses, too.
+    std::vector<GraphText> in_floats = graph.twins;
+    in_floats.push_back(graph.exact);
+    for (GraphText& text : in_floats) {
+        for (const std::string word : {R"(, "precision": "half")", R"( "precision": "half",)"}) {
+            for (std::size_t at = text.json.find(word); at != std::string::npos; at = text.json.find(word))
+                text.json.erase(at, word.size());
+        }
+        graph.twins.push_back(std::move(text));
     }
     return graph;
 }
