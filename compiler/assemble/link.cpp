@@ -33,9 +33,8 @@ std::vector<SemanticId> needs_of(const ir::Function& function, const std::vector
     return needs;
 }
 
-void thread_function(ir::Module& module, std::uint32_t index, const std::vector<std::vector<SemanticId>>& needs) {
-    ir::Function& function = module.functions[index];
-    const std::vector<SemanticId>& own = needs[index];
+void thread_function(const ir::Module& module, ir::Function& function, const std::vector<SemanticId>& own,
+                     const std::vector<std::vector<SemanticId>>& needs) {
     if (own.empty()) return;
     // One Param instruction a semantic, at the very front, so that it dominates every use.
     std::vector<Value> params;
@@ -75,7 +74,10 @@ void thread_function(ir::Module& module, std::uint32_t index, const std::vector<
 class EntryBuilder {
 public:
     EntryBuilder(const Linked& linked, ir::StageKind stage, ir::BuildOptions options)
-        : linked_(linked), module_(linked.lowered.module), builder_(module_, entry_, options) {
+        : linked_(linked),
+          module_(linked.lowered.module),
+          builder_(module_, entry_, options),
+          imported_(linked.functions.size()) {
         module_.stage.kind = stage;
         entry_.name = "main";
     }
@@ -87,7 +89,7 @@ public:
     Value call(ir::FunctionId function, bool original = false) {
         std::vector<Value> arguments;
         for (SemanticId semantic : linked_.needs[function.index]) arguments.push_back(value(semantic, original));
-        return builder_.call(function, arguments);
+        return builder_.call(imported(function), arguments);
     }
 
     Value value(SemanticId semantic, bool original = false) {
@@ -117,6 +119,17 @@ public:
     }
 
 private:
+    // The stage's copy of a function, with those that it calls before it.
+    ir::FunctionId imported(ir::FunctionId function) {
+        if (imported_[function.index]) return imported_[function.index];
+        ir::Function copy = linked_.functions[function.index];
+        for (ir::Inst& inst : copy.insts) {
+            if (inst.op == Op::Call) inst.data = imported({inst.data}).index;
+        }
+        module_.functions.push_back(std::move(copy));
+        return imported_[function.index] = {static_cast<std::uint32_t>(module_.functions.size() - 1)};
+    }
+
     bool in_vertex_stage() const { return module_.stage.kind == ir::StageKind::Vertex; }
 
     Value make(SemanticId semantic, bool original) {
@@ -183,19 +196,20 @@ private:
     ir::Function entry_{};
     ir::Builder builder_;
     std::vector<Value> values_, originals_;
+    std::vector<ir::FunctionId> imported_;
 };
 
 }  // namespace
 
 Linked link(graph::Lowered lowered) {
-    Linked linked{.lowered = std::move(lowered), .needs = {}};
-    ir::Module& module = linked.lowered.module;
-    linked.needs.resize(module.functions.size());
-    for (std::uint32_t i = 0; i < module.functions.size(); ++i) {
-        linked.needs[i] = needs_of(module.functions[i], linked.needs);
-        thread_function(module, i, linked.needs);
+    std::vector<ir::Function> functions = std::move(lowered.module.functions);
+    lowered.module.functions.clear();
+    std::vector<std::vector<SemanticId>> needs(functions.size());
+    for (std::uint32_t i = 0; i < functions.size(); ++i) {
+        needs[i] = needs_of(functions[i], needs);
+        thread_function(lowered.module, functions[i], needs[i], needs);
     }
-    return linked;
+    return {.lowered = std::move(lowered), .functions = std::move(functions), .needs = std::move(needs)};
 }
 
 ir::Module link_fragment(const Linked& linked, const graph::LoweredPass& pass, ir::BuildOptions options) {

@@ -12,7 +12,8 @@
 namespace patina::assemble {
 
 struct Linked {
-    graph::Lowered lowered;  // every `semantic` instruction is a parameter now, handed down from the entry
+    graph::Lowered lowered;               // its module has no functions any more: each stage copies those that it calls
+    std::vector<ir::Function> functions;  // every `semantic` is a parameter now, handed down from the entry
     std::vector<std::vector<ir::SemanticId>> needs;  // by function: its last parameters
 };
 Linked link(graph::Lowered lowered);

@@ -66,11 +66,31 @@ Builder::Builder(Module& module, Function& function, BuildOptions options)
     if (function_.blocks.empty()) function_.blocks.emplace_back();
     // Enough for most functions, which would otherwise grow from nothing in seven steps.
     if (function_.insts.capacity() == 0) {
-        function_.insts.reserve(64);
-        function_.operands.reserve(96);
-        current().reserve(64);
+        function_.insts.reserve(32);
+        function_.operands.reserve(64);
+        current().reserve(32);
     }
-    if (options_.fold) numbered_.reserve(function_.insts.capacity());
+    if (!options_.fold) return;
+    if (std::vector<Tables>& spare = spare_tables(); !spare.empty()) {
+        tables_ = std::move(spare.back());
+        spare.pop_back();
+    }
+    tables_.numbered.reserve(function_.insts.capacity());
+}
+
+Builder::~Builder() {
+    constexpr std::size_t kMaxSpare = 8, kMaxKept = 4096;  // of a very long function nothing is kept
+    std::vector<Tables>& spare = spare_tables();
+    if (!options_.fold || spare.size() >= kMaxSpare || function_.insts.capacity() > kMaxKept) return;
+    tables_.numbered.shrink(0);
+    tables_.leaves.shrink(0);
+    tables_.head.clear();
+    spare.push_back(std::move(tables_));
+}
+
+std::vector<Builder::Tables>& Builder::spare_tables() {
+    thread_local std::vector<Tables> spare;
+    return spare;
 }
 
 Value Builder::append(Inst inst, std::span<const Value> args, std::vector<Value>& where) {
@@ -120,35 +140,36 @@ Value Builder::emit(Op op, std::initializer_list<Value> args) {
     return emit(op, result_type(op, {types, count}), std::span<const Value>(args.begin(), args.size()));
 }
 
-Value Builder::emit_numbered(Op op, Type type, std::span<const Value> args, std::uint32_t data) {
+Value Builder::emit_numbered(Op op, Type type, std::span<const Value> args, std::uint32_t data, bool is_settled) {
     const Inst inst{.op = op, .type = type, .data = data};
     if (!options_.fold) return append(inst, args, current());
     if (is_leaf(op)) return emit_leaf(op, type, data);
     if (has(op, Effect) || has(op, Structure)) return append(inst, args, current());
-    if (const Value known = simplify(*this, op, type, args, data)) return known;
-
+    if (!is_settled) {
+        if (const Value known = simplify(*this, op, type, args, data)) return known;
+    }
     const std::uint32_t hash = hash_of(op, type, args, data);
-    const Value same = numbered_.find(hash, [&](Value v) {
+    const Value same = tables_.numbered.find(hash, [&](Value v) {
         const Inst& other = function_.insts[v.index];
         return other.op == op && other.type == type && other.data == data &&
                same_operands(op, function_.args(other), args);
     });
     if (same) return same;
     const Value value = append(inst, args, current());
-    numbered_.insert(hash, value);
+    tables_.numbered.insert(hash, value);
     return value;
 }
 
 Value Builder::emit_leaf(Op op, Type type, std::uint32_t data) {
     if (op == Op::Constant) return emit_constant(type, module_.numbers_of(module_.constants[data]), data);
     const std::uint32_t hash = hash_of(op, type, {}, data);
-    const Value same = leaves_.find(hash, [&](Value v) {
+    const Value same = tables_.leaves.find(hash, [&](Value v) {
         const Inst& other = function_.insts[v.index];
         return other.op == op && other.type == type && other.data == data;
     });
     if (same) return same;
-    const Value value = append({.op = op, .type = type, .data = data}, {}, head_);
-    leaves_.insert(hash, value);
+    const Value value = append({.op = op, .type = type, .data = data}, {}, tables_.head);
+    tables_.leaves.insert(hash, value);
     return value;
 }
 
@@ -169,7 +190,7 @@ Value Builder::emit_constant(Type type, std::span<const double> components, std:
         hash = mix(mix(hash, static_cast<std::uint32_t>(bits)), static_cast<std::uint32_t>(bits >> 32));
     }
     if (options_.fold) {
-        const Value same = leaves_.find(hash, [&](Value v) {
+        const Value same = tables_.leaves.find(hash, [&](Value v) {
             const Inst& other = function_.insts[v.index];
             return other.op == Op::Constant && other.type == type && same_numbers(constant_of(v), numbers);
         });
@@ -182,8 +203,8 @@ Value Builder::emit_constant(Type type, std::span<const double> components, std:
     }
     const Inst inst{.op = Op::Constant, .type = type, .data = data};
     if (!options_.fold) return append(inst, {}, current());
-    const Value value = append(inst, {}, head_);
-    leaves_.insert(hash, value);
+    const Value value = append(inst, {}, tables_.head);
+    tables_.leaves.insert(hash, value);
     return value;
 }
 
@@ -244,13 +265,13 @@ Value Builder::begin_if(Value condition) {
     const Inst inst{.op = Op::If, .type = Type::none(), .data = then_block.index};
     const Value structure = append(inst, {&condition, 1}, current());
     open_.push_back(
-        {.structure = structure, .outer = block_, .loop_index = {}, .carried = {}, .scope = numbered_.size()});
+        {.structure = structure, .outer = block_, .loop_index = {}, .carried = {}, .scope = tables_.numbered.size()});
     block_ = then_block;
     return structure;
 }
 
 void Builder::begin_else() {
-    numbered_.shrink(open_.back().scope);
+    tables_.numbered.shrink(open_.back().scope);
     block_ = {function_[open_.back().structure].data + 1};
 }
 
@@ -260,7 +281,7 @@ Value Builder::end_if(std::span<const Value> then_values, std::span<const Value>
     const BlockId then_block{function_[open.structure].data};
     yield(then_block, then_values);
     yield({then_block.index + 1}, else_values);
-    numbered_.shrink(open.scope);
+    tables_.numbered.shrink(open.scope);
     block_ = open.outer;
     return open.structure;
 }
@@ -271,7 +292,8 @@ Value Builder::begin_for(Value begin, Value end, std::span<const Value> initial,
     const BlockId body = add_block();
     const Inst inst{.op = Op::For, .is_light_loop = is_light_loop, .type = Type::none(), .data = body.index};
     const Value structure = append(inst, operands, current());
-    Open open{.structure = structure, .outer = block_, .loop_index = {}, .carried = {}, .scope = numbered_.size()};
+    Open open{
+        .structure = structure, .outer = block_, .loop_index = {}, .carried = {}, .scope = tables_.numbered.size()};
     block_ = body;
     open.loop_index = append({.op = Op::LoopIndex, .type = type(begin)}, {}, current());
     for (std::uint32_t i = 0; i + 2 < operands.size(); i++) {
@@ -301,7 +323,7 @@ Value Builder::end_for(std::span<const Value> next) {
     const Open open = std::move(open_.back());
     open_.pop_back();
     yield(block_, next);
-    numbered_.shrink(open.scope);
+    tables_.numbered.shrink(open.scope);
     block_ = open.outer;
     return open.structure;
 }
@@ -327,8 +349,8 @@ Value Builder::result(Value structure, std::uint32_t index) {
 void Builder::ret(Value value) {
     append({.op = Op::Return, .type = Type::none()}, std::span<const Value>(&value, value ? 1 : 0), current());
     std::vector<Value>& body = function_.blocks[0].insts;
-    body.insert(body.begin(), head_.begin(), head_.end());
-    head_.clear();
+    body.insert(body.begin(), tables_.head.begin(), tables_.head.end());
+    tables_.head.clear();
 }
 
 void Builder::name(Value value, NameId name) {

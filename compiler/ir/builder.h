@@ -23,6 +23,8 @@ struct BuildOptions {
 class Builder {
 public:
     Builder(Module& module, Function& function, BuildOptions options = {});
+    ~Builder();
+    Builder(const Builder&) = delete;
 
     Module& module() { return module_; }
     Function& function() { return function_; }
@@ -30,6 +32,10 @@ public:
 
     // --- values. `type` is checked against the op's rule in debug builds.
     Value emit(Op op, Type type, std::span<const Value> args, std::uint32_t data = 0);
+    // As emit(), for an instruction of which it is known that it cannot be simplified, only be found again.
+    Value emit_settled(Op op, Type type, std::span<const Value> args, std::uint32_t data) {
+        return emit_numbered(op, type, args, data, true);
+    }
     Value emit(Op op, Type type, std::initializer_list<Value> args, std::uint32_t data = 0) {
         return emit(op, type, std::span<const Value>(args.begin(), args.size()), data);
     }
@@ -83,9 +89,9 @@ private:
         BlockId outer;
         Value loop_index;  // of a For
         std::vector<Value> carried;
-        std::size_t scope;  // size of numbered_ when it was opened
+        std::size_t scope;  // size of `numbered` when it was opened
     };
-    Value emit_numbered(Op op, Type type, std::span<const Value> args, std::uint32_t data);
+    Value emit_numbered(Op op, Type type, std::span<const Value> args, std::uint32_t data, bool is_settled = false);
     Value emit_leaf(Op op, Type type, std::uint32_t data);
     Value emit_constant(Type type, std::span<const double> components, std::uint32_t data);
     Value append(Inst inst, std::span<const Value> args, std::vector<Value>& where);
@@ -95,16 +101,22 @@ private:
     const Open& innermost_loop() const;
     void check_rule(Op op, Type type, std::span<const Value> args) const;
 
+    // Each function is built several times on its way, so a builder hands its tables on, empty, to the next one.
+    struct Tables {
+        ValueTable numbered;  // what the current block can see
+        ValueTable leaves;    // constants, params, globals, semantics: once in a function
+        // While folding, leaves gather here and go to the head of the body in ret(), where every block sees them.
+        std::vector<Value> head;
+    };
+    static std::vector<Tables>& spare_tables();
+
     Module& module_;
     Function& function_;
     BuildOptions options_;
     BlockId block_{0};
     OriginId origin_;
     std::vector<Open> open_;
-    ValueTable numbered_;  // what the current block can see
-    ValueTable leaves_;    // constants, params, globals, semantics: once in a function
-    // While folding, leaves gather here and go to the head of the body in ret(), where every block sees them.
-    std::vector<Value> head_;
+    Tables tables_;
 };
 
 // identities.cpp: constant folding and algebra. An existing or newly made value that equals op(args), or null.

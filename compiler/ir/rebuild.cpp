@@ -1,6 +1,7 @@
 #include "compiler/ir/rebuild.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace patina::ir {
 namespace {
@@ -9,10 +10,18 @@ bool is_leaf(Op op) {
     return op == Op::Constant || op == Op::Param || op == Op::Global || op == Op::Semantic;
 }
 
-std::span<const Value> mapped(Copy& copy, std::span<const Value> values) {
+// The instruction on its new operands.
+Value emit_mapped(Copy& copy, Value value) {
+    const Inst& inst = copy.from[value];
     copy.scratch.clear();
-    for (const Value value : values) copy.scratch.push_back(copy.map[value.index]);
-    return copy.scratch;
+    std::uint8_t changed = 0;
+    for (const Value arg : copy.from.args(inst)) {
+        copy.scratch.push_back(copy.map[arg.index]);
+        changed |= copy.changed[arg.index];
+    }
+    if (changed == 0) return copy.to.emit_settled(inst.op, inst.type, copy.scratch, inst.data);
+    copy.changed[value.index] = 1;
+    return copy.to.emit(inst.op, inst.type, copy.scratch, inst.data);
 }
 
 const Inst& yield_of(const Function& function, std::uint32_t block) {
@@ -106,6 +115,7 @@ void copy_for(Copy& copy, Value value) {
             kept.push_back(i);
         } else {
             copy.map[body[i + 1].index] = first;
+            copy.changed[body[i + 1].index] = 1;
         }
     }
     const Value structure =
@@ -143,6 +153,17 @@ std::span<const Value> yielded(const Function& function, std::uint32_t block) {
     return function.args(function.blocks[block].insts.back());
 }
 
+namespace {
+
+void reserve_body(Function& made, const Function& like) {
+    made.insts.reserve(like.insts.size());
+    made.operands.reserve(like.operands.size());
+    made.blocks.reserve(like.blocks.size());
+    made.blocks.emplace_back().insts.reserve(like.blocks[0].insts.size());
+}
+
+}  // namespace
+
 Function shell(const Function& from) {
     Function made;
     made.name = from.name;
@@ -151,10 +172,19 @@ Function shell(const Function& from) {
     made.origin = from.origin;
     made.comment = from.comment;
     made.always_inline = from.always_inline;
-    made.insts.reserve(from.insts.size());
-    made.operands.reserve(from.operands.size());
-    made.blocks.reserve(from.blocks.size());
-    made.blocks.emplace_back().insts.reserve(from.blocks[0].insts.size());
+    reserve_body(made, from);
+    return made;
+}
+
+Function take_shell(Function& from) {
+    Function made;
+    made.name = std::move(from.name);
+    made.params = std::move(from.params);
+    made.result = from.result;
+    made.origin = from.origin;
+    made.comment = std::move(from.comment);
+    made.always_inline = from.always_inline;
+    reserve_body(made, from);
     return made;
 }
 
@@ -167,11 +197,12 @@ void copy_plain(Copy& copy, Value value) {
     Value made;
     if (inst.op == Op::Result) {
         made = copy_result(copy, inst);
+        copy.changed[value.index] = 1;
     } else if (inst.op == Op::Return) {
         copy.to.ret(inst.operand_count == 0 ? Value() : copy.map[copy.from.args(inst)[0].index]);
         return;
     } else {
-        made = copy.to.emit(inst.op, inst.type, mapped(copy, copy.from.args(inst)), inst.data);
+        made = emit_mapped(copy, value);
     }
     copy.to.name(made, inst.name);
     copy.map[value.index] = made;
@@ -179,7 +210,11 @@ void copy_plain(Copy& copy, Value value) {
 
 void copy_inst(Copy& copy, Value value) {
     if (copy.live != nullptr && copy.live->values[value.index] == 0) return;
-    if (copy.rewrite && copy.rewrite(copy, value)) return;
+    if (copy.rewrite) {
+        copy.changed[value.index] = 1;
+        if (copy.rewrite(copy, value)) return;
+        copy.changed[value.index] = 0;
+    }
     copy_plain(copy, value);
 }
 
@@ -191,6 +226,7 @@ void copy_block(Copy& copy, std::uint32_t block) {
 
 void copy_body(Copy& copy) {
     copy.map.resize(copy.from.insts.size());
+    copy.changed.resize(copy.from.insts.size());
     copy.scratch.reserve(16);
     copy_block(copy, 0);
 }

@@ -30,10 +30,15 @@ struct Copy {
     // Asked before each instruction: true if it has been dealt with (and mapped, unless nothing reads it).
     std::function<bool(Copy&, Value)> rewrite{};
     std::vector<Value> scratch{};
+    // By old value: 1 if the new one may be of another make, so that what reads it is worth simplifying anew. After
+    // `rewrite` has dealt with a value, 1 unless it says otherwise.
+    std::vector<std::uint8_t> changed{};
 };
 
 // A function without a body, otherwise like `from`.
 Function shell(const Function& from);
+// The same for a function of which only the body is needed afterwards.
+Function take_shell(Function& from);
 
 // The body, with its Return.
 void copy_body(Copy& copy);

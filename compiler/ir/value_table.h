@@ -18,7 +18,7 @@ namespace patina::ir {
 
 class ValueTable {
 public:
-    std::size_t size() const { return entries_.size(); }
+    std::size_t size() const { return size_; }
 
     void reserve(std::size_t count) {
         if (slots_.size() < 2 * count) grow(std::bit_ceil(2 * count));
@@ -27,57 +27,56 @@ public:
     template <class Equal>
     Value find(std::uint32_t hash, const Equal& equal) const {
         if (slots_.empty()) return {};
-        for (std::uint32_t slot = hash & mask(); slots_[slot] != kFree; slot = (slot + 1) & mask()) {
-            const Entry& entry = entries_[slots_[slot]];
-            if (entry.hash == hash && equal(entry.value)) return entry.value;
+        for (std::uint32_t at = hash & mask(); slots_[at].value; at = (at + 1) & mask()) {
+            if (slots_[at].hash == hash && equal(slots_[at].value)) return slots_[at].value;
         }
         return {};
     }
 
     void insert(std::uint32_t hash, Value value) {
-        entries_.push_back({hash, value});
-        if (2 * entries_.size() > slots_.size()) {
-            grow(slots_.empty() ? 32 : 2 * slots_.size());
-        } else {
-            place(static_cast<std::uint32_t>(entries_.size() - 1));
-        }
+        if (2 * (size_ + 1) > slots_.size()) grow(slots_.empty() ? 32 : 2 * slots_.size());
+        place(hash, value);
     }
 
-    // Entries leave in the opposite order of their coming, so whatever was placed because of a later one is gone
+    // Values leave in the opposite order of their coming, so whatever was placed because of a later one is gone
     // already, and freeing a slot breaks no probe sequence.
     void shrink(std::size_t size) {
-        while (entries_.size() > size) {
-            const auto last = static_cast<std::uint32_t>(entries_.size() - 1);
-            std::uint32_t slot = entries_[last].hash & mask();
-            while (slots_[slot] != last) slot = (slot + 1) & mask();
-            slots_[slot] = kFree;
-            entries_.pop_back();
+        while (size_ > size) {
+            Slot& last = slots_[last_];
+            last_ = last.before;
+            last.value = {};
+            size_--;
         }
     }
 
 private:
-    struct Entry {
-        std::uint32_t hash;
-        Value value;
+    struct Slot {
+        std::uint32_t hash = 0;
+        Value value{};             // none: free
+        std::uint32_t before = 0;  // slot of the value that came before this one
     };
-    static constexpr std::uint32_t kFree = 0xffffffffu;
 
     std::uint32_t mask() const { return static_cast<std::uint32_t>(slots_.size() - 1); }
 
-    void place(std::uint32_t index) {
-        std::uint32_t slot = entries_[index].hash & mask();
-        while (slots_[slot] != kFree) slot = (slot + 1) & mask();
-        slots_[slot] = index;
+    void place(std::uint32_t hash, Value value) {
+        std::uint32_t at = hash & mask();
+        while (slots_[at].value) at = (at + 1) & mask();
+        slots_[at] = {hash, value, last_};
+        last_ = at;
+        size_++;
     }
 
-    void grow(std::size_t slots) {
-        entries_.reserve(slots / 2);
-        slots_.assign(slots, kFree);
-        for (std::uint32_t index = 0; index < entries_.size(); index++) place(index);
+    void grow(std::size_t count) {
+        std::vector<Slot> in_order(size_);
+        for (std::size_t i = size_; i-- > 0; last_ = slots_[last_].before) in_order[i] = slots_[last_];
+        slots_.assign(count, {});
+        size_ = 0;
+        for (const Slot& slot : in_order) place(slot.hash, slot.value);
     }
 
-    std::vector<std::uint32_t> slots_;  // a power of two of them, at most half full
-    std::vector<Entry> entries_;
+    std::vector<Slot> slots_;  // a power of two of them, at most half full
+    std::uint32_t last_ = 0;
+    std::size_t size_ = 0;
 };
 
 }  // namespace patina::ir

@@ -23,8 +23,9 @@ constexpr std::pair<std::string_view, Scalar> kScalars[] = {{"bool", Scalar::Boo
 
 // "float3", "half", "float4x4"; Void if the word is none of them.
 Type numeric_type(std::string_view word) {
+    if (word.empty()) return Type::none();
     for (const auto& [name, scalar] : kScalars) {
-        if (!word.starts_with(name)) continue;
+        if (word[0] != name[0] || !word.starts_with(name)) continue;
         const std::string_view rest = word.substr(name.size());
         const auto digit = [](char c) { return c >= '1' && c <= '4' ? static_cast<unsigned>(c - '0') : 0u; };
         if (rest.empty()) return Type::scalar_of(scalar);
@@ -47,8 +48,10 @@ const Outputs* Emitter::intern(Outputs outputs) {
 }
 
 Type Emitter::type(const TypeName& name, const Scope& scope) {
-    Type base = Type::none();
-    if (name.name == "floatN") {
+    Type base = numeric_type(name.name);
+    if (base.kind != ir::Kind::Void) {
+        // nothing to look up
+    } else if (name.name == "floatN") {
         base = Type::vector(Scalar::Float, std::max(1u, scope.generic_width));
     } else if (name.name == "Texture2D") {
         base = texture2d();
@@ -56,8 +59,6 @@ Type Emitter::type(const TypeName& name, const Scope& scope) {
         base = Type::of(ir::Kind::Sampler);
     } else if (name.name == "void") {
         return Type::none();
-    } else {
-        base = numeric_type(name.name);
     }
     if (base.kind == ir::Kind::Void) {
         if (const StructDecl* decl = scope.declarations->structure(name.name)) {

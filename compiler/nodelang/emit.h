@@ -192,7 +192,15 @@ private:
     ir::Module& module_;
     Diagnostics& diagnostics_;
     ir::BuildOptions options_;
-    std::map<std::string, Instance> instances_;
+    // One version of a function for each width of floatN, precision and list of const arguments.
+    struct InstanceKey {
+        const FunctionDecl* function = nullptr;
+        unsigned width = 0;
+        bool half = false;
+        std::vector<std::uint64_t> constants;  // bits of doubles
+        friend auto operator<=>(const InstanceKey&, const InstanceKey&) = default;
+    };
+    std::map<InstanceKey, Instance> instances_;
     std::map<const StructDecl*, ir::Type> structs_;
     std::map<const StructDecl*, std::vector<ir::Member>> extensions_;
     std::map<std::string, Slot> slots_;

@@ -169,10 +169,12 @@ Typed Emitter::call_expression(const Expr& expr, Scope& scope) {
 Typed Emitter::call(const FunctionDecl& function, const Declarations& home, std::span<const Expr* const> arguments,
                     Scope& scope, Span span, bool half) {
     std::vector<Argument> gathered;
+    gathered.reserve(function.params.size());
     if (!gather_arguments(function, home, arguments, scope, span, gathered)) return {};
     const unsigned width = deduce_width(function, gathered);
     Scope border{.builder = scope.builder, .declarations = &home, .generic_width = width, .half = half};
     std::vector<Value> values;
+    values.reserve(function.params.size());
     bool good = true;
     for (std::size_t i = 0; i < function.params.size(); ++i) {
         const ParamDecl& param = function.params[i];
@@ -306,6 +308,7 @@ Typed Emitter::intrinsic(std::string_view name, const Expr& expr, Scope& scope, 
         return {};
     }
     std::vector<Typed> operands;
+    operands.reserve(expr.args.size());
     bool good = true;
     for (const Expr* argument : expr.args) {
         operands.push_back(primary(expression(*argument, scope), scope, argument->span));

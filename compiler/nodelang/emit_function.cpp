@@ -1,6 +1,7 @@
 // Function bodies: one IR function per combination of width, precision and constant arguments.
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cctype>
 
 #include "compiler/nodelang/emit.h"
@@ -39,13 +40,12 @@ std::string first_sentence(std::string_view doc) {
 const Emitter::Instance& Emitter::instantiate(const FunctionDecl& function, const Declarations& home,
                                               std::span<const Argument> arguments, unsigned width, bool half,
                                               Span call_span) {
-    std::string key =
-        fmt::format("{}@{}.{}{}", function.name, static_cast<const void*>(&function), width, half ? "h" : "");
+    InstanceKey key{.function = &function, .width = width, .half = half, .constants = {}};
     std::string name(function.name);
     for (std::size_t i = 0; i < function.params.size(); ++i) {
         const ParamDecl& param = function.params[i];
         if (!param.is_const) continue;
-        key += fmt::format(",{}", *arguments[i].constant);
+        key.constants.push_back(std::bit_cast<std::uint64_t>(*arguments[i].constant));
         if (const EnumDecl* enumeration = home.enumeration(param.type.name)) {
             name += enumeration->values[static_cast<std::size_t>(*arguments[i].constant)];
         }
@@ -79,6 +79,8 @@ Emitter::Instance Emitter::emit_function(const FunctionDecl& function, const Dec
                 .half = half,
                 .function = &function,
                 .needs_quad = &instance.needs_quad};
+    scope.locals.reserve(function.params.size() + 8);
+    made.params.reserve(function.params.size());
     Outputs outputs{.names = {}, .has_primary = function.result.name != "void"};
     std::vector<ir::Member> members;
     const Type primary_type = type(function.result, scope);

@@ -270,6 +270,7 @@ Analysis analyse(const Module& module, const Function& function, bool is_entry) 
     a.stands.resize(n);
     a.last_read.resize(n);
     a.results.resize(n);
+    a.order.reserve(n);
 
     lay_out(a, {0});
     for (Value v : a.order) {

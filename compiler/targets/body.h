@@ -85,7 +85,7 @@ private:
     Writer& writer_;
     const ir::Function& function_;
     const EntryPoint* entry_;
-    Plan plan_;
+    const Plan& plan_;
     std::vector<std::string> params_;          // names
     std::vector<std::string> names_;           // of variables; empty: not declared yet
     std::vector<std::string_view> member_of_;  // by Value: the struct member that it becomes; empty: none

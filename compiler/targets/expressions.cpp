@@ -113,8 +113,8 @@ Text Body::infix(Value v, const Spelling& spelling) const {
 
 Text Body::call(Value v, const Spelling& spelling) const {
     const Inst& inst = function_[v];
-    std::vector<Value> operands;
-    for (std::uint32_t i = 0; i < args(v); ++i) operands.push_back(arg(v, i));
+    std::vector<Value> operands(args(v));
+    for (std::uint32_t i = 0; i < args(v); ++i) operands[i] = arg(v, i);
     const auto may_be_scalar = [&](std::size_t i) { return (spelling.scalars >> i & 1) != 0; };
     // min and max: the limit last, as one writes it, and as GLSL wants a scalar limit.
     const auto is_limit = [&](Value operand) {
@@ -248,8 +248,8 @@ Text Body::row(Value matrix, const std::string& index) const {
 
 std::string Body::part(Type type, std::uint32_t index) const {
     if (type.kind == Kind::Struct) return "." + writer_.members[type.ref][index];
-    if (type.is_vector()) return std::string(".") + kComponents[index];
-    return fmt::format("[{}]", index);
+    if (type.is_vector()) return {'.', kComponents[index]};
+    return "[" + std::to_string(index) + "]";
 }
 
 Text Body::extract(Value v) const {

@@ -169,13 +169,20 @@ const Rule* rule_for(std::span<const Rule> rules, const Module& module, const Fu
     return found == rules.end() ? nullptr : &*found;
 }
 
+bool is_legal_in(const Module& module, const Function& function, std::span<const Rule> rules) {
+    for (std::uint32_t i = 0; i < function.insts.size(); ++i) {
+        if (function.insts[i].op == Op::DiscardIf || rule_for(rules, module, function, {i}) != nullptr) return false;
+    }
+    return true;
+}
+
 // True if anything was rewritten.
 bool legalize_once(Module& module, Function& function, std::span<const Rule> rules) {
     std::vector<const Rule*> applying(function.insts.size());
     for (std::uint32_t i = 0; i < applying.size(); ++i) applying[i] = rule_for(rules, module, function, {i});
     if (std::all_of(applying.begin(), applying.end(), [](const Rule* rule) { return rule == nullptr; })) return false;
 
-    Function made = shell(function);
+    Function made = take_shell(function);
     Builder builder(module, made, {.fold = false});  // folding would undo some of it
     Copy copy{.from = function, .to = builder};
     copy.rewrite = [&](Copy& c, Value v) {
@@ -193,15 +200,20 @@ bool legalize_once(Module& module, Function& function, std::span<const Rule> rul
 
 }  // namespace
 
-void legalize(Module& module, std::span<const Rule> rules) {
-    // Both languages end a pixel where it is discarded, and its neighbours still need it for their derivatives.
-    module = legalize_discard(std::move(module));
+std::optional<Module> legalize(const Module& module, std::span<const Rule> rules) {
     std::vector<Rule> all(std::begin(kShared), std::end(kShared));
     all.insert(all.end(), rules.begin(), rules.end());
-    for (Function& function : module.functions) {
+    const bool is_legal = std::all_of(module.functions.begin(), module.functions.end(),
+                                      [&](const Function& function) { return is_legal_in(module, function, all); });
+    if (is_legal) return {};
+
+    // Both languages end a pixel where it is discarded, and its neighbours still need it for their derivatives.
+    Module legal = legalize_discard(module);
+    for (Function& function : legal.functions) {
         // What a rule makes may need another one, of a smaller type: a matrix's saturate is that of its rows.
-        while (legalize_once(module, function, all)) continue;
+        while (legalize_once(legal, function, all)) continue;
     }
+    return legal;
 }
 
 }  // namespace patina::targets

@@ -3,8 +3,10 @@
 // what only one needs is in its folder.
 //
 //   constexpr Rule kRules[] = {{is_saturate, clamp_to_one}};
-//   legalize(module, kRules);
+//   std::optional<ir::Module> rewritten = legalize(module, kRules);
 #pragma once
+
+#include <optional>
 
 #include "compiler/ir/rebuild.h"
 
@@ -16,8 +18,8 @@ struct Rule {
     ir::Value (*rewrite)(ir::Copy& copy, ir::Value value);
 };
 
-// The shared rules, then these.
-void legalize(ir::Module& module, std::span<const Rule> rules);
+// The shared rules, then these. None if no rule applies.
+std::optional<ir::Module> legalize(const ir::Module& module, std::span<const Rule> rules);
 
 // An operand of an instruction of the old function, in the new one.
 inline ir::Value operand(const ir::Copy& copy, ir::Value value, std::uint32_t index) {

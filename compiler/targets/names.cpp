@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 
 #include "compiler/targets/print.h"
@@ -15,7 +16,13 @@ bool is_letter_or_digit(char c) {
 
 // Only letters, digits and single underscores, no digit first.
 std::string plain_identifier(std::string_view word) {
+    const auto is_letter = [](char c) { return is_letter_or_digit(c) && !(c >= '0' && c <= '9'); };
+    // Most names are: one look instead of a copy letter by letter.
+    if (!word.empty() && is_letter(word[0]) && std::all_of(word.begin(), word.end(), is_letter_or_digit)) {
+        return std::string(word);
+    }
     std::string plain;
+    plain.reserve(word.size() + 1);
     for (char c : word) {
         const char next = is_letter_or_digit(c) ? c : '_';
         if (next == '_' && !plain.empty() && plain.back() == '_') continue;

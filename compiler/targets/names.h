@@ -16,7 +16,7 @@ namespace patina::targets {
 
 class Names {
 public:
-    Names() : scopes_(1) {}
+    Names() : scopes_(1) { next_.reserve(64); }
     Names(const Names&) = delete;
 
     // A name that is free in every open scope, made from the wanted one; taken in the innermost scope.

@@ -53,6 +53,8 @@ bool Plan::is_printed(const Function& function, Value v) const {
     return op == Op::Return || op == Op::DiscardIf || op == Op::Yield || reads[v.index] > 0;
 }
 
+namespace {
+
 Plan make_plan(const Module& module, const Function& function, bool is_entry) {
     const Analysis analysis = analyse(module, function, is_entry);
     const std::size_t n = function.insts.size();
@@ -65,6 +67,17 @@ Plan make_plan(const Module& module, const Function& function, bool is_entry) {
     plan.outputs = analysis.outputs;
     share_variables(analysis, plan);
     return plan;
+}
+
+}  // namespace
+
+std::vector<Plan> make_plans(const Module& module) {
+    std::vector<Plan> plans;
+    plans.reserve(module.functions.size());
+    for (std::uint32_t i = 0; i < module.functions.size(); ++i) {
+        plans.push_back(make_plan(module, module.functions[i], module.stage.entry && module.stage.entry.index == i));
+    }
+    return plans;
 }
 
 }  // namespace patina::targets

@@ -5,7 +5,7 @@
 // A value stands in a variable of its own if it is read twice, samples, is differentiated, has a name hint, is read in
 // another block (a loop would compute it again), or would make an expression too wide or too deep.
 //
-//   Plan plan = make_plan(module, function, is_entry);
+//   const Plan& plan = make_plans(module)[function.index];
 //   plan.variable[v.index]  // index into plan.variables, or kNone
 #pragma once
 
@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/ir/ir.h"
+#include "compiler/targets/print.h"
 
 namespace patina::targets {
 
@@ -41,8 +41,6 @@ struct Plan {
     ir::Value resolve(ir::Value v) const { return same_as[v.index]; }
     bool is_printed(const ir::Function& function, ir::Value v) const;
 };
-
-Plan make_plan(const ir::Module& module, const ir::Function& function, bool is_entry);
 
 // Number of values that an If or For yields.
 std::uint32_t slot_count(const ir::Function& function, ir::Value structure);

@@ -2,6 +2,7 @@
 // Sees the IR and nothing else. A target is a row of targets.cpp: a spelling table, a few functions and its legalize.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,15 +25,22 @@ struct SetShifts {
     std::uint32_t set = 0, buffers = 0, textures = 0, samplers = 0;
 };
 
+// By function: which values become variables (plan.h). The same for all languages, so that a stage that several of them
+// can say as it is has them made once.
+struct Plan;
+std::vector<Plan> make_plans(const ir::Module& module);
+
 struct PrintOptions {
-    std::string header;             // lines for a comment at the top, without comment marks
-    std::vector<SetShifts> shifts;  // GLSL writes slot + shift; HLSL writes registers
+    std::string header;                        // lines for a comment at the top, without comment marks
+    std::vector<SetShifts> shifts;             // GLSL writes slot + shift; HLSL writes registers
+    const std::vector<Plan>* plans = nullptr;  // of this module; null: made for this printing
 };
 
 struct TargetInfo {
-    std::string_view name;                 // "glsl"
-    std::string_view extension;            // "glsl"
-    void (*legalize)(ir::Module& module);  // rewrites what the language cannot say; the result still verifies
+    std::string_view name;       // "glsl"
+    std::string_view extension;  // "glsl"
+    // The stage with what the language cannot say rewritten; none if it can say all of it as it is.
+    std::optional<ir::Module> (*legalize)(const ir::Module& module);
     Printed (*print)(const ir::Module& module, const PrintOptions& options);
 };
 

@@ -98,7 +98,9 @@ void print_header(Writer& w) {
 }  // namespace
 
 Printed print(const Module& module, const Language& language, const PrintOptions& options) {
-    Writer w(module, language, options);
+    std::vector<Plan> own;
+    if (options.plans == nullptr) own = make_plans(module);
+    Writer w(module, language, options, options.plans ? *options.plans : own);
     w.reachable = find_reachable(module);
     name_globals(w);
 

@@ -1,6 +1,8 @@
 // Words that some target language keeps for itself. One list for all targets, so that a name is the same in each of
 // them. Complete for what glslang, DXC and fxc refuse; not for the dialects of single vendors.
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <unordered_set>
 
 #include "compiler/targets/print.h"
@@ -68,27 +70,44 @@ constexpr std::string_view kLists[] = {
     QuadReadAcrossX QuadReadAcrossY dot2add dot4add_i8packed)",
 };
 
-const std::unordered_set<std::string_view>& reserved_words() {
-    static const std::unordered_set<std::string_view> words = [] {
-        std::unordered_set<std::string_view> set;
+class ReservedWords {
+public:
+    ReservedWords() {
         constexpr std::string_view kSpace = " \n";
         for (std::string_view list : kLists) {
             while (!list.empty()) {
                 const std::size_t begin = std::min(list.find_first_not_of(kSpace), list.size());
                 const std::size_t end = std::min(list.find_first_of(kSpace, begin), list.size());
-                if (begin < end) set.insert(list.substr(begin, end - begin));
+                if (begin < end) add(list.substr(begin, end - begin));
                 list.remove_prefix(end);
             }
         }
-        return set;
-    }();
-    return words;
-}
+    }
+
+    bool contains(std::string_view word) const {
+        if (word.empty() || (lengths_[first(word)] & bit(word)) == 0) return false;
+        return words_.contains(word);
+    }
+
+private:
+    static unsigned char first(std::string_view word) { return static_cast<unsigned char>(word[0]); }
+    static std::uint32_t bit(std::string_view word) { return 1u << std::min<std::size_t>(word.size(), 31); }
+
+    void add(std::string_view word) {
+        words_.insert(word);
+        lengths_[first(word)] |= bit(word);
+    }
+
+    std::unordered_set<std::string_view> words_;
+    // By first letter, the lengths of the words: most identifiers are told from all of them by that.
+    std::array<std::uint32_t, 256> lengths_{};
+};
 
 }  // namespace
 
 bool is_reserved_word(std::string_view word) {
-    return reserved_words().contains(word);
+    static const ReservedWords words;
+    return words.contains(word);
 }
 
 }  // namespace patina::targets

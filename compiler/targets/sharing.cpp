@@ -12,7 +12,10 @@ namespace {
 
 class Sharing {
 public:
-    Sharing(const Analysis& analysis, Plan& plan) : a_(analysis), plan_(plan) {}
+    Sharing(const Analysis& analysis, Plan& plan) : a_(analysis), plan_(plan) {
+        joined_.reserve(16);
+        plan_.variables.reserve(16);
+    }
 
     void run() {
         for (Value v : a_.order) {

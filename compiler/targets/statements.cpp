@@ -48,7 +48,7 @@ std::string_view fallback_name(Op op) {
 }
 
 Body::Body(Writer& writer, FunctionId id, const EntryPoint* entry)
-    : writer_(writer), function_(writer.module[id]), entry_(entry), plan_(make_plan(writer.module, function_, entry)) {
+    : writer_(writer), function_(writer.module[id]), entry_(entry), plan_(writer.plans[id.index]) {
     names_.resize(plan_.variables.size());
     find_member_names();
     commented_.resize(writer.module.origins.size());
@@ -129,7 +129,7 @@ void Body::enter(OriginId origin) {
     if (is_labelled(origin) && !commented_[origin.index]) {
         commented_[origin.index] = true;
         const Origin& o = writer_.module.origins[origin.index];
-        writer_.comment(indent_, o.id.empty() ? o.label : fmt::format("{} \"{}\"", o.label, o.id), origin);
+        writer_.comment(indent_, o.id.empty() ? o.label : o.label + " \"" + o.id + "\"", origin);
     }
     origin_ = origin;
     at_block_start_ = false;
@@ -191,7 +191,7 @@ void Body::print_struct(Value v) {
     const std::uint32_t id = plan_.variable[v.index];
     if (!is_declared(id)) statement(v, target(v) + ";");
     for (std::uint32_t i = 0; i < args(v); ++i) {
-        statement(v, fmt::format("{}{} = {};", names_[id], part(function_[v].type, i), argument(v, i)));
+        statement(v, names_[id] + part(function_[v].type, i) + " = " + argument(v, i) + ";");
     }
 }
 
@@ -349,7 +349,7 @@ void Body::print_return(Value v) {
         const std::string text =
             is_direct ? expression(member).text
                       : at_least(Precedence::Postfix, expression(result)) + part(function_[result].type, i);
-        statement(v, fmt::format("{} = {};", entry_->outputs[i], text));
+        statement(v, entry_->outputs[i] + " = " + text + ";");
     }
     if (!entry_->at_return.empty()) statement(v, entry_->at_return);
 }

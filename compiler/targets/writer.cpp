@@ -53,14 +53,12 @@ std::size_t break_of(std::string_view content, std::size_t room) {
     return comma == std::string_view::npos || comma < room / 4 ? content.size() : comma + 1;
 }
 
-std::string one_line(std::string_view content) {
-    std::string clean(content);
-    for (char& c : clean) {
+void append_one_line(std::string& text, std::string_view content) {
+    for (const char c : content) {
+        const bool is_control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
         // A backslash at the end would continue the comment into the next line.
-        if (c == '\\') c = '/';
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+        text += is_control ? ' ' : c == '\\' ? '/' : c;
     }
-    return clean;
 }
 
 }  // namespace
@@ -99,9 +97,10 @@ void Writer::line(unsigned indent, std::string_view content, OriginId origin) {
 }
 
 void Writer::comment(unsigned indent, std::string_view content, OriginId origin) {
-    const std::string clean = one_line(content);
     if (lines.empty() ? static_cast<bool>(origin) : lines.back().origin != origin) lines.push_back({next_line, origin});
-    text.append(4 * indent, ' ').append(clean.empty() ? "//" : "// " + clean).append("\n");
+    text.append(4 * indent, ' ').append(content.empty() ? "//" : "// ");
+    append_one_line(text, content);
+    text += '\n';
     ++next_line;
 }
 

@@ -17,12 +17,14 @@ struct Reachable {
 Reachable find_reachable(const ir::Module& module);
 
 struct Writer {
-    Writer(const ir::Module& module, const Language& language, const PrintOptions& options)
-        : module(module), language(language), options(options) {}
+    Writer(const ir::Module& module, const Language& language, const PrintOptions& options,
+           const std::vector<Plan>& plans)
+        : module(module), language(language), options(options), plans(plans) {}
 
     const ir::Module& module;
     const Language& language;
     const PrintOptions& options;
+    const std::vector<Plan>& plans;  // by function
     Reachable reachable;
     Names names;
     std::vector<std::string> functions, structs, blocks, globals;  // names, indexed like the module's vectors

@@ -46,9 +46,8 @@ struct Fixture {
         EXPECT_EQ(verify(module), "");
     }
     std::string print(std::string_view target, const PrintOptions& options = {}) {
-        Module legal = module;
         const TargetInfo* info = find_target(target);
-        info->legalize(legal);
+        const Module legal = info->legalize(module).value_or(module);
         EXPECT_EQ(verify(legal), "");
         return info->print(legal, options).text;
     }

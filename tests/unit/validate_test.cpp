@@ -22,8 +22,7 @@ using targets::find_target;
 
 Shader print(const Module& module, Target target) {
     const targets::TargetInfo* info = find_target(to_string(target));
-    Module legal = module;
-    info->legalize(legal);
+    const Module legal = info->legalize(module).value_or(module);
     EXPECT_TRUE(verify(legal).empty()) << verify(legal);
     Shader shader;
     shader.pass = "test";
@@ -31,8 +30,10 @@ Shader print(const Module& module, Target target) {
     shader.target = target;
     shader.file_name = fmt::format("test.{}", info->extension);
     shader.hlsl_shifts = {{.set = 0, .textures = 1, .samplers = 5, .buffers = 0}};
-    shader.text =
-        info->print(legal, {.header = "", .shifts = {{.set = 0, .buffers = 0, .textures = 1, .samplers = 5}}}).text;
+    shader.text = info->print(legal, {.header = "",
+                                      .shifts = {{.set = 0, .buffers = 0, .textures = 1, .samplers = 5}},
+                                      .plans = nullptr})
+                      .text;
     return shader;
 }
 

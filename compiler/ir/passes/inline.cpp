@@ -117,12 +117,13 @@ private:
                            [](const Inst& inst) { return inst.op == Op::Call; });
     }
 
-    Function inlined(const Function& old) {
-        Function made = shell(old);
+    Function inlined(Function& old) {
+        Function made = take_shell(old);
         Builder builder(module_, made);
         light_ = {};
         Copy copy{.from = old, .to = builder, .rewrite = [&](Copy& c, Value v) { return rewrite(c, v, 0); }};
         copy_body(copy);
+        old = {};  // its memory serves the next one
         return made;
     }
 

@@ -105,7 +105,7 @@ private:
         need.live.operands.resize(function.operands.size());
         need.params.resize(function.params.size());
         need.members.resize(part_count(module_, function.result));
-        need.owners.resize(function.insts.size());
+        if (function.blocks.size() > 1) need.owners.resize(function.insts.size());
         for (std::uint32_t i = 0; i < function.insts.size(); i++) {
             if (function.insts[i].op != Op::For) continue;
             const std::vector<Value>& body = function.blocks[function.insts[i].data].insts;
@@ -201,6 +201,7 @@ struct Signature {
     FunctionId id;
     std::vector<std::uint32_t> params;   // new index of each parameter that stays
     std::vector<std::uint32_t> members;  // of the result, if it loses any: those that stay
+    bool is_as_before = false;
     bool is_narrowed() const { return !members.empty(); }
     // Of one member nothing is left to wrap.
     bool is_bare() const { return members.size() == 1; }
@@ -227,27 +228,31 @@ public:
     }
 
 private:
-    // Straight code in which nothing changes, calls included.
-    static bool is_needed_whole(const Function& function, const Need& need) {
+    // Straight code in which nothing changes but the numbers of the functions that it calls.
+    bool is_needed_whole(const Function& function, const Need& need) const {
         const auto is_set = [](std::uint8_t needed) { return needed != 0; };
         return function.blocks.size() == 1 && (need.whole_result || !returns_struct(function)) &&
                std::all_of(need.params.begin(), need.params.end(), is_set) &&
                std::all_of(need.live.values.begin(), need.live.values.end(), is_set) &&
-               std::none_of(function.insts.begin(), function.insts.end(),
-                            [](const Inst& i) { return i.op == Op::Call; });
+               std::all_of(function.insts.begin(), function.insts.end(),
+                           [&](const Inst& i) { return i.op != Op::Call || signatures_[i.data].is_as_before; });
     }
 
     void keep(std::uint32_t f) {
         signatures_[f].id = {static_cast<std::uint32_t>(module_.functions.size())};
         signatures_[f].params.resize(old_[f].params.size());
+        signatures_[f].is_as_before = true;
         std::iota(signatures_[f].params.begin(), signatures_[f].params.end(), 0u);
+        for (Inst& inst : old_[f].insts) {
+            if (inst.op == Op::Call) inst.data = signatures_[inst.data].id.index;
+        }
         module_.functions.push_back(std::move(old_[f]));
     }
 
     void function(std::uint32_t f, const Need& need) {
-        const Function& old = old_[f];
-        Function made = shell(old);
-        signatures_[f] = signature(old, need, made);
+        Function& old = old_[f];
+        Function made = take_shell(old);
+        signatures_[f] = signature(need, made);
         const Signature& mine = signatures_[f];
         Builder builder(module_, made);
         Copy copy{.from = old, .to = builder, .live = &need.live, .rewrite = [&](Copy& c, Value v) {
@@ -255,21 +260,28 @@ private:
                   }};
         copy_body(copy);
         module_.functions.push_back(std::move(made));
+        old = {};  // its memory serves the next one
     }
 
-    Signature signature(const Function& old, const Need& need, Function& made) {
+    Signature signature(const Need& need, Function& made) {
         Signature signature{.id = {static_cast<std::uint32_t>(module_.functions.size())}, .params = {}, .members = {}};
-        made.params.clear();
-        for (std::uint32_t i = 0; i < old.params.size(); i++) {
-            signature.params.push_back(static_cast<std::uint32_t>(made.params.size()));
-            if (need.params[i] != 0) made.params.push_back(old.params[i]);
+        std::uint32_t kept = 0;
+        for (std::uint32_t i = 0; i < made.params.size(); i++) {
+            signature.params.push_back(kept);
+            if (need.params[i] == 0) continue;
+            if (kept != i) made.params[kept] = std::move(made.params[i]);
+            kept++;
         }
-        if (need.whole_result || !returns_struct(old)) return signature;
+        signature.is_as_before = kept == made.params.size();
+        made.params.resize(kept);
+        if (need.whole_result || !returns_struct(made)) return signature;
         for (std::uint32_t i = 0; i < need.members.size(); i++) {
             if (need.members[i] != 0) signature.members.push_back(i);
         }
         if (signature.members.size() == need.members.size()) signature.members.clear();
-        if (signature.is_narrowed()) made.result = narrowed(old.result, signature);
+        if (!signature.is_narrowed()) return signature;
+        signature.is_as_before = false;
+        made.result = narrowed(made.result, signature);
         return signature;
     }
 
@@ -295,6 +307,7 @@ private:
         const Inst& inst = copy.from[value];
         if (inst.op == Op::Param) {
             copy.map[value.index] = copy.to.param(mine.params[inst.data]);
+            copy.changed[value.index] = 0;
             return true;
         }
         if (inst.op == Op::Call) return call(copy, value);
@@ -317,6 +330,7 @@ private:
         const Value made = copy.to.call(callee.id, kept);
         copy.to.name(made, inst.name);
         copy.map[value.index] = made;
+        copy.changed[value.index] = 0;
         return true;
     }
 

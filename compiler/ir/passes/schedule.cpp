@@ -114,13 +114,14 @@ Module schedule(Module module) {
             module.functions.push_back(std::move(function));
             continue;
         }
-        Function made = shell(function);
+        Function made = take_shell(function);
         Builder builder(module, made);
         Scheduler scheduler(function);
         Copy copy{
             .from = function, .to = builder, .rewrite = [&](Copy& c, Value v) { return scheduler.rewrite(c, v); }};
         copy_body(copy);
         module.functions.push_back(std::move(made));
+        function = {};  // its memory serves the next one
     }
     return module;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "compiler/targets/body.h"
+#include "compiler/targets/literals.h"
 
 namespace patina::targets::glsl {
 
@@ -97,8 +98,15 @@ Text select(const Body& body, Value v) {
             Precedence::Postfix};
 }
 
+// GLSL has no saturate().
+Text clamp_to_one(const Body& body, Value v) {
+    const auto limit = [&](double number) { return literal(body.writer().language, body[v].type.scalar, number).text; };
+    return {"clamp(" + body.argument(v, 0) + ", " + limit(0) + ", " + limit(1) + ")", Precedence::Postfix};
+}
+
 Text expression(const Body& body, Value v) {
     const Op op = body[v].op;
+    if (op == Op::Saturate) return clamp_to_one(body, v);
     if (op == Op::Select) return select(body, v);
     if (op == Op::MatMul) return product(body, v);
     if (op == Op::Transpose) return transpose(body, v);
@@ -160,7 +168,7 @@ std::string_view builtin_name(Builtin builtin) {
 std::string declare_variable(Writer& w, const StageVariable& variable, bool is_input) {
     const bool is_vertex = w.module.stage.kind == StageKind::Vertex;
     const std::string_view prefix = is_input != is_vertex ? "v_" : is_input ? "in_" : "out_";
-    const std::string name = w.names.declare(fmt::format("{}{}", prefix, variable.name));
+    const std::string name = w.names.declare(std::string(prefix) + variable.name);
     // Vulkan wants integers flat in the fragment stage's inputs; elsewhere the word means nothing.
     const bool is_flat = (variable.flat || variable.type.is_integer()) && prefix == "v_";
     w.line(0, fmt::format("layout(location = {}) {}{} {};", variable.location, is_flat ? "flat " : "",

@@ -8,16 +8,6 @@ using namespace ir;
 
 namespace {
 
-// saturate(x) = clamp(x, 0, 1)
-bool is_saturate(const Module&, const Function& function, Value v) {
-    return function[v].op == Op::Saturate;
-}
-Value clamp_to_one(Copy& copy, Value v) {
-    Builder& b = copy.to;
-    const Type type = copy.from[v].type;
-    return b.emit(Op::Clamp, type, {operand(copy, v, 0), b.splat_constant(type, 0), b.splat_constant(type, 1)});
-}
-
 // && and || take no vectors; & and | do, of uints.
 bool is_logic_of_vectors(const Module&, const Function& function, Value v) {
     const Inst& inst = function[v];
@@ -46,15 +36,14 @@ Value rebuild_rows(Copy& copy, Value v) {
 }
 
 constexpr Rule kRules[] = {
-    {is_saturate, clamp_to_one},
     {is_logic_of_vectors, join_bits},
     {replaces_row, rebuild_rows},
 };
 
 }  // namespace
 
-void legalize(Module& module) {
-    targets::legalize(module, kRules);
+std::optional<Module> legalize(const Module& module) {
+    return targets::legalize(module, kRules);
 }
 
 }  // namespace patina::targets::glsl

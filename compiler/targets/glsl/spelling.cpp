@@ -63,7 +63,7 @@ constexpr Spelling kRows[] = {
     {Op::Round, Form::Function, "roundEven"},
     {Op::Trunc, Form::Function, "trunc"},
     {Op::Frac, Form::Function, "fract"},
-    {Op::Saturate, Form::Statement},  // legalize() makes it a clamp
+    {Op::Saturate, Form::Own},
     {Op::Sqrt, Form::Function, "sqrt"},
     {Op::Rsqrt, Form::Function, "inversesqrt"},
     {Op::Exp, Form::Function, "exp"},

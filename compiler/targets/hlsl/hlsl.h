@@ -10,7 +10,7 @@ namespace patina::targets::hlsl {
 
 extern const SpellingTable kSpellings;  // spelling.cpp
 
-void legalize(ir::Module& module);
+std::optional<ir::Module> legalize(const ir::Module& module);
 Printed print(const ir::Module& module, const PrintOptions& options);
 
 }  // namespace patina::targets::hlsl

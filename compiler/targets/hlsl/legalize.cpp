@@ -5,8 +5,8 @@
 namespace patina::targets::hlsl {
 
 // The shared rules are all that HLSL needs: the IR's operations are its own.
-void legalize(ir::Module& module) {
-    targets::legalize(module, {});
+std::optional<ir::Module> legalize(const ir::Module& module) {
+    return targets::legalize(module, {});
 }
 
 }  // namespace patina::targets::hlsl

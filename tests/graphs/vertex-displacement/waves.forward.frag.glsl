@@ -39,18 +39,6 @@ vec3 MetallicSetup(vec3 base_color, float metallic)
     return diffuse_color;
 }
 
-// Diffuse light of the surroundings, from nine coefficients of their radiance.
-vec3 EvaluateSH9(vec3 normal, vec3 sh0, vec3 sh1, vec3 sh2, vec3 sh3, vec3 sh4, vec3 sh5, vec3 sh6, vec3 sh7, vec3 sh8)
-{
-    vec3 irradiance = sh0 * 0.2820948;
-    irradiance += (sh1 * normal.y + sh2 * normal.z + sh3 * normal.x) * 0.325735;
-    vec3 sum = sh4 * (normal.x * normal.y) + sh5 * (normal.y * normal.z);
-    irradiance += (sum + sh7 * (normal.x * normal.z)) * 0.27313712;
-    irradiance += sh6 * (0.07884789 * (3.0 * normal.z * normal.z - 1.0));
-    irradiance += sh8 * (0.13656856 * (normal.x * normal.x - normal.y * normal.y));
-    return max(irradiance, 0.0);
-}
-
 // The inverse square law, with a window that ends it smoothly at the light's range.
 float distance_attenuation(float distance_squared, float range)
 {
@@ -79,6 +67,18 @@ Light light_at(int index, vec3 position)
     light.attenuation = choice * (place.w > 1.5 ? spot * spot : 1.0);
     light.shadow = 1.0;
     return light;
+}
+
+// Diffuse light of the surroundings, from nine coefficients of their radiance.
+vec3 EvaluateSH9(vec3 normal, vec3 sh0, vec3 sh1, vec3 sh2, vec3 sh3, vec3 sh4, vec3 sh5, vec3 sh6, vec3 sh7, vec3 sh8)
+{
+    vec3 irradiance = sh0 * 0.2820948;
+    irradiance += (sh1 * normal.y + sh2 * normal.z + sh3 * normal.x) * 0.325735;
+    vec3 sum = sh4 * (normal.x * normal.y) + sh5 * (normal.y * normal.z);
+    irradiance += (sum + sh7 * (normal.x * normal.z)) * 0.27313712;
+    irradiance += sh6 * (0.07884789 * (3.0 * normal.z * normal.z - 1.0));
+    irradiance += sh8 * (0.13656856 * (normal.x * normal.x - normal.y * normal.y));
+    return max(irradiance, 0.0);
 }
 
 void main()
