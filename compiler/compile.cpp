@@ -7,6 +7,7 @@
 // runs.
 #include <algorithm>
 
+#include "compiler/assemble/identifiers.h"
 #include "compiler/assemble/program.h"
 #include "compiler/assemble/reflect.h"
 #include "compiler/graph/json.h"
@@ -192,6 +193,7 @@ void compile_graph(graph::Session& session, std::uint32_t base, const std::strin
     graph::warn_unused(session, *material);
     dump_stage(result, options, "ir", "ir", lowered.module);
 
+    assemble::name_interface(lowered.module);
     const assemble::Linked linked = assemble::link(std::move(lowered));
     std::vector<LinkedPass> passes;
     for (const graph::LoweredPass& pass : linked.lowered.passes) {

@@ -97,9 +97,13 @@ void write_text(std::string& text, const Diagnostic& d, bool colors) {
     if (!d.file.empty())
         text += fmt::format("{}{}:{}:{}:{} ", paint("\x1b[1m"), d.file, d.line, d.column, paint("\x1b[0m"));
     text += fmt::format("{}{}:{} {}", paint(color), word(d.severity), paint("\x1b[0m"), d.message);
-    if (!d.node.empty())
-        text += d.port.empty() ? fmt::format(" (node '{}')", d.node)
-                               : fmt::format(" (node '{}', port '{}')", d.node, d.port);
+    // The surface and the vertex outputs are no nodes to their reader.
+    const bool is_part = d.node == "surface" || d.node == "vertex";
+    const std::string node = is_part ? d.node : d.node.empty() ? "" : fmt::format("node '{}'", d.node);
+    if (!node.empty()) {
+        text += d.port.empty() ? fmt::format(" ({})", node)
+                               : fmt::format(" ({}{} '{}')", node, is_part ? "" : ", port", d.port);
+    }
     if (!d.code.empty()) text += fmt::format(" [{}]", d.code);
     text += "\n";
     show_source(text, d, colors);

@@ -22,10 +22,10 @@ constexpr DepthWord kDepthTests[] = {
     {"never", [](float, float) { return false; }},
     {"less", [](float a, float b) { return a < b; }},
     {"equal", [](float a, float b) { return a == b; }},
-    {"less_equal", [](float a, float b) { return a <= b; }},
+    {"lessEqual", [](float a, float b) { return a <= b; }},
     {"greater", [](float a, float b) { return a > b; }},
-    {"not_equal", [](float a, float b) { return a != b; }},
-    {"greater_equal", [](float a, float b) { return a >= b; }},
+    {"notEqual", [](float a, float b) { return a != b; }},
+    {"greaterEqual", [](float a, float b) { return a >= b; }},
     {"always", [](float, float) { return true; }},
 };
 

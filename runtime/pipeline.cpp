@@ -29,10 +29,10 @@ constexpr Word<VkCullModeFlags> kCullModes[] = {
 constexpr Word<VkCompareOp> kDepthTests[] = {{"never", VK_COMPARE_OP_NEVER},
                                              {"less", VK_COMPARE_OP_LESS},
                                              {"equal", VK_COMPARE_OP_EQUAL},
-                                             {"less_equal", VK_COMPARE_OP_LESS_OR_EQUAL},
+                                             {"lessEqual", VK_COMPARE_OP_LESS_OR_EQUAL},
                                              {"greater", VK_COMPARE_OP_GREATER},
-                                             {"not_equal", VK_COMPARE_OP_NOT_EQUAL},
-                                             {"greater_equal", VK_COMPARE_OP_GREATER_OR_EQUAL},
+                                             {"notEqual", VK_COMPARE_OP_NOT_EQUAL},
+                                             {"greaterEqual", VK_COMPARE_OP_GREATER_OR_EQUAL},
                                              {"always", VK_COMPARE_OP_ALWAYS}};
 
 constexpr Word<VkBlendFactor> kBlendFactors[] = {{"one", VK_BLEND_FACTOR_ONE},

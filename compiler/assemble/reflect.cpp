@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "compiler/graph/words.h"
+
 namespace patina::assemble {
 
 using graph::Property;
@@ -48,39 +50,6 @@ Block reflect_block(const ir::Module& module, const ir::UniformBlock& block) {
     return made;
 }
 
-std::string_view word(graph::Wrap wrap) {
-    switch (wrap) {
-        case graph::Wrap::Repeat: return "repeat";
-        case graph::Wrap::Clamp: return "clamp";
-        case graph::Wrap::Mirror: return "mirror";
-    }
-    return {};
-}
-
-std::string_view word(graph::TextureUsage usage) {
-    switch (usage) {
-        case graph::TextureUsage::Color: return "color";
-        case graph::TextureUsage::Data: return "data";
-        case graph::TextureUsage::Normal: return "normal";
-    }
-    return {};
-}
-
-std::string_view word(graph::Cull cull) {
-    switch (cull) {
-        case graph::Cull::Back: return "back";
-        case graph::Cull::Front: return "front";
-        case graph::Cull::Off: return "off";
-    }
-    return {};
-}
-
-std::string_view word(graph::Compare compare) {
-    static constexpr std::string_view kWords[] = {"never",   "less",      "equal",         "less_equal",
-                                                  "greater", "not_equal", "greater_equal", "always"};
-    return kWords[static_cast<std::size_t>(compare)];
-}
-
 Texture reflect_texture(const ir::Module& module, const graph::MaterialProperty& entry,
                         const graph::PropertyGlobals& globals) {
     const Property& property = *entry.property;
@@ -88,8 +57,9 @@ Texture reflect_texture(const ir::Module& module, const graph::MaterialProperty&
     const ir::Global& sampler = module.globals[globals.sampler.index];
     const std::uint32_t buffers = buffers_of(module, texture.set), textures = textures_of(module, texture.set);
     return {.name = property.name,
+            .identifier = texture.name,
             .dimension = "2d",
-            .usage = std::string(word(property.usage)),
+            .usage = std::string(text_of(graph::kTextureUsages, property.usage)),
             .default_value = entry.texture_path.empty() ? "white" : entry.texture_path,
             .set = texture.set,
             .binding = buffers + texture.slot,
@@ -97,14 +67,15 @@ Texture reflect_texture(const ir::Module& module, const graph::MaterialProperty&
             .sampler_name = sampler.name,
             .sampler_binding = buffers + textures + sampler.slot,
             .sampler_register = hlsl_register('s', sampler.slot, sampler.set),
-            .sampler = {.wrap = std::string(word(property.sampler.wrap)),
-                        .filter = property.sampler.filter == graph::Filter::Linear ? "linear" : "nearest",
+            .sampler = {.wrap = std::string(text_of(graph::kWraps, property.sampler.wrap)),
+                        .filter = std::string(text_of(graph::kFilters, property.sampler.filter)),
                         .anisotropy = property.sampler.anisotropy}};
 }
 
 patina::Property reflect_property(const ir::Module& module, const Property& property,
                                   const graph::PropertyGlobals& globals) {
     patina::Property made{.name = property.name,
+                          .identifier = property.name,
                           .type = std::string(graph::to_string(property.type)),
                           .value = property.value,
                           .range = property.range,
@@ -115,9 +86,11 @@ patina::Property reflect_property(const ir::Module& module, const Property& prop
                           .block = {},
                           .offset = 0,
                           .size = 0};
+    if (globals.texture) made.identifier = module.globals[globals.texture.index].name;
     if (globals.value) {
         const ir::Global& global = module.globals[globals.value.index];
         const ir::BlockMember& member = module.blocks[global.block].members[global.member];
+        made.identifier = global.name;
         made.block = module.blocks[global.block].name;
         made.offset = member.offset;
         made.size = graph::extent(module, member.type).size;
@@ -138,9 +111,9 @@ Pass reflect_pass(const graph::Material& material, const graph::Lowered& lowered
     const graph::RenderState& render = material.graph->graph->render;
     Pass pass;
     pass.name = linked.pass->declaration->name;
-    pass.cull = word(render.cull);
+    pass.cull = text_of(graph::kCulls, render.cull);
     pass.depth_write = render.depth_write.value_or(true);
-    pass.depth_test = word(render.depth_test.value_or(graph::Compare::LessEqual));
+    pass.depth_test = text_of(graph::kCompares, render.depth_test.value_or(graph::Compare::LessEqual));
     pass.queue = render.queue.value_or(render.surface == graph::SurfaceKind::Cutout ? 2450 : 2000);
     for (const ir::StageVariable& output : linked.fragment.stage.outputs) {
         pass.targets.push_back({.name = output.name, .location = output.location});
@@ -162,9 +135,9 @@ Pass reflect_pass(const graph::Material& material, const graph::Lowered& lowered
             break;
         }
     }
-    for (std::size_t i = 0; i < used.size(); ++i) {
-        const ir::Global& global = lowered.module.globals[i];
-        if (used[i] && global.type.kind == ir::Kind::Texture2D) pass.textures.push_back(global.name);
+    for (std::size_t i = 0; i < material.properties.size(); ++i) {
+        const ir::GlobalId texture = lowered.property_globals[i].texture;
+        if (texture && used[texture.index]) pass.textures.push_back(material.properties[i].property->name);
     }
     return pass;
 }
@@ -203,7 +176,7 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
     made.name = graph.name;
     made.workflow = graph.workflow;
     made.lighting = material.lighting_name;
-    made.surface = graph.render.surface == graph::SurfaceKind::Cutout ? "cutout" : "opaque";
+    made.surface = text_of(graph::kSurfaceKinds, graph.render.surface);
     made.meta = graph.meta;
     for (const ir::UniformBlock& block : lowered.module.blocks)
         made.blocks.push_back(reflect_block(lowered.module, block));

@@ -82,6 +82,7 @@ void write_default(Json& json, const Property& property, const Reflection& refle
 void write_property(Writer& writer, const Property& property, const Reflection& reflection) {
     Json json(writer);
     json.text("name", property.name);
+    json.text("identifier", property.identifier);
     json.text("type", property.type);
     write_default(json, property, reflection);
     if (property.range) json.list("range", *property.range, [&](double v) { json.raw(shortest(v)); });
@@ -119,6 +120,7 @@ void write_block(Writer& writer, const Block& block) {
 void write_texture(Writer& writer, const Texture& texture) {
     Json json(writer);
     json.text("name", texture.name);
+    json.text("identifier", texture.identifier);
     json.text("dimension", texture.dimension);
     json.text("usage", texture.usage);
     json.text("default", texture.default_value);

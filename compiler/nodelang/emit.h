@@ -164,6 +164,8 @@ private:
     Typed method(const Expr& expr, Scope& scope);
     Typed constructor(ir::Type type, const Expr& expr, Scope& scope);
     Typed intrinsic(std::string_view name, const Expr& expr, Scope& scope, bool& found);
+    void warn_unless_finite(ir::Op op, ir::Type type, std::span<const ir::Value> values, const Scope& scope, Span span,
+                            std::string_view what);
     bool gather_arguments(const FunctionDecl& function, const Declarations& home,
                           std::span<const Expr* const> arguments, Scope& scope, Span span,
                           std::vector<Argument>& gathered);

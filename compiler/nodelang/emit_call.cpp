@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compiler/base/text.h"
+#include "compiler/ir/fold.h"
 #include "compiler/nodelang/emit.h"
 
 namespace patina::nodelang {
@@ -395,7 +396,24 @@ Typed Emitter::intrinsic(std::string_view name, const Expr& expr, Scope& scope, 
     const Type result = rule == ir::TypeRule::Scalar  ? Type::scalar_of(type.scalar)
                         : rule == ir::TypeRule::Bools ? Type::vector(Scalar::Bool, type.width())
                                                       : type;
+    warn_unless_finite(row->op, result, values, scope, expr.span, name);
     return {.value = b.emit(row->op, result, values), .type = result};
+}
+
+// The builder leaves what is NaN or infinite to the GPU; the author is told.
+void Emitter::warn_unless_finite(Op op, Type type, std::span<const Value> values, const Scope& scope, Span span,
+                                 std::string_view what) {
+    std::vector<Type> types;
+    std::vector<std::span<const double>> numbers;
+    for (const Value value : values) {
+        types.push_back(scope.builder->type(value));
+        numbers.push_back(scope.builder->constant_of(value));
+        if (numbers.back().empty()) return;
+    }
+    std::vector<double> made;
+    if (!ir::evaluate(op, type, types, numbers, 0, made)) return;
+    if (std::all_of(made.begin(), made.end(), [](double number) { return std::isfinite(number); })) return;
+    diagnostics_.report(Code::NotFinite, span, fmt::format("'{}'", what));
 }
 
 Typed Emitter::constructor(Type wanted, const Expr& expr, Scope& scope) {

@@ -442,6 +442,8 @@ Typed Emitter::binary(const Expr& expr, Scope& scope) {
     }
     if (row->op == Op::Div && scope.builder->is_constant(sides[1].value, 0)) {
         diagnostics_.report(Code::DivisionByZero, expr.args[1]->span);
+    } else {
+        warn_unless_finite(row->op, type, std::array{sides[0].value, sides[1].value}, scope, expr.span, expr.text);
     }
     const bool compares = ir::info(row->op).rule == ir::TypeRule::Compare;
     // Arithmetic of literals is a literal: it still becomes whatever number is needed.

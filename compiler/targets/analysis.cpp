@@ -98,6 +98,16 @@ bool has_receiver(const Analysis& a, Value v) {
     return op == Op::Yield || (op == Op::For && a.arg(reader, 0) != v && a.arg(reader, 1) != v);
 }
 
+// Goes into the member of a struct that is called as it is: the member's name says what it is.
+bool is_named_by_member(const Analysis& a, Value v, Value reader) {
+    if (a[reader].op != Op::Construct || a[reader].type.kind != Kind::Struct) return false;
+    const std::vector<Member>& members = a.module.structs[a[reader].type.ref].members;
+    for (std::uint32_t i = 0; i < a.args(reader); ++i) {
+        if (a.arg(reader, i) == v) return members[i].name == a.module.name_of(a[v].name);
+    }
+    return false;
+}
+
 bool must_stand(const Analysis& a, Value v) {
     const Inst& inst = a[v];
     if (is_leaf(inst.op) || !a.is_read(v) || a.is_free(v) || v == a.outputs) return false;
@@ -108,7 +118,7 @@ bool must_stand(const Analysis& a, Value v) {
     if (inst.op == Op::TextureSize) return true;
     if (a.reads[v.index] > 1 || a.read_elsewhere[v.index]) return true;
     if (has_receiver(a, v)) return false;
-    if (inst.name) return true;
+    if (inst.name) return !is_returned && !(reader && is_named_by_member(a, v, reader));
     if (is_aggregate(inst.type)) return inst.op == Op::Call && !is_returned;
     const bool is_texel = info(inst.op).rule == TypeRule::Texel;
     return (is_texel || has(inst.op, Traits::Derivative)) && !is_returned;

@@ -37,7 +37,8 @@ struct Sampler {
 };
 
 struct Texture {
-    std::string name;
+    std::string name;              // the property's
+    std::string identifier;        // in the shaders: the name, or another where a language or a block has it already
     std::string dimension = "2d";  // 2d | cube
     std::string usage = "color";   // color: sRGB, decoded when sampled | data: linear | normal: tangent-space, 2x - 1
     std::string default_value;  // white | black | gray | bump, or a file, already resolved against the graph's folder
@@ -52,6 +53,7 @@ struct Texture {
 
 struct Property {
     std::string name;
+    std::string identifier;         // in the shaders: the name, or another where a language or a block has it already
     std::string type;               // float | float2 | float3 | float4 | color | int | bool | enum | texture2d
     std::array<double, 4> value{};  // default; colours linear; bool 0 or 1; enum: index
     std::optional<std::array<double, 2>> range;
@@ -82,7 +84,7 @@ struct Pass {
     std::string draws = "objects";  // objects | fullscreen
     std::string cull = "back";      // back | front | off; front faces are counter-clockwise
     bool depth_write = true;
-    std::string depth_test = "less_equal";
+    std::string depth_test = "lessEqual";  // as in `render`: never, less, equal, lessEqual, greater, ...
     int queue = 2000;
     std::vector<RenderTarget> targets;
     std::vector<VertexInput> vertex_inputs;

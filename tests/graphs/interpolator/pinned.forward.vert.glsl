@@ -30,9 +30,6 @@ layout(location = 0) out float v_sway;
 void main()
 {
     vec4 product = object_to_world * vec4(in_position_os, 1.0);
-
-    float sway = sin(product.y * 3.0 + time);
-
-    v_sway = sway;
+    v_sway = sin(product.y * 3.0 + time);
     gl_Position = world_to_clip * vec4(product.xyz, 1.0);
 }

@@ -37,11 +37,8 @@ struct VertexOutput
 VertexOutput main(VertexInput input)
 {
     float4 product = mul(object_to_world, float4(input.position_os, 1.0));
-
-    float sway = sin(product.y * 3.0 + time);
-
     VertexOutput output;
-    output.sway = sway;
+    output.sway = sin(product.y * 3.0 + time);
     output.position = mul(world_to_clip, float4(product.xyz, 1.0));
     return output;
 }

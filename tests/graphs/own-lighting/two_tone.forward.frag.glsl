@@ -40,8 +40,7 @@ layout(location = 0) out vec4 out_color;
 vec3 MetallicSetup(vec3 base_color, float metallic)
 {
     float one_minus_reflectivity = 0.96 * (1.0 - metallic);
-    vec3 diffuse_color = base_color * one_minus_reflectivity;
-    return diffuse_color;
+    return base_color * one_minus_reflectivity;
 }
 
 // The inverse square law, with a window that ends it smoothly at the light's range.

@@ -108,9 +108,8 @@ Surface surface(vec2 uv0, vec3 geometry_normal_ws, vec3 tangent_ws, vec3 bitange
 SpecularSetupMonochromeResult SpecularSetupMonochrome(vec3 base_color, vec3 specular)
 {
     float one_minus_reflectivity = 1.0 - max(max(specular.x, specular.y), specular.z);
-    vec3 diffuse_color = base_color * one_minus_reflectivity;
     SpecularSetupMonochromeResult specular_setup_monochrome_result;
-    specular_setup_monochrome_result.diffuse_color = diffuse_color;
+    specular_setup_monochrome_result.diffuse_color = base_color * one_minus_reflectivity;
     specular_setup_monochrome_result.f0 = specular;
     return specular_setup_monochrome_result;
 }
@@ -230,12 +229,14 @@ void main()
         // LdotH "ldoth"
         float ldoth = clamp(dot(light.direction, half_vector), 0.0, 1.0);
 
+        // DisneyDiffuse "diffuse"
         float f90 = 0.5 + diffuse_product * ldoth * ldoth;
         float diffuse_difference = f90 - 1.0;
         float light_scatter = 1.0 + diffuse_difference * SchlickWeight(ndotl);
         float view_scatter = 1.0 + diffuse_difference * diffuse_product_2;
         float diffuse = light_scatter * view_scatter;
 
+        // VisibilitySmithJointApproximate "visibility"
         float view_part = ndotl * visibility_sum;
         float light_part = ndotv * (ndotl * visibility_difference + alpha);
         float visibility = 0.5 / (view_part + light_part + 1e-05);
@@ -244,6 +245,7 @@ void main()
 
         float distribution = distribution_product / (spread * spread + 1e-07);
 
+        // FresnelSchlick "fresnel"
         vec3 fresnel = setup.f0 + fresnel_difference * SchlickWeight(ldoth);
 
         vec3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * has_specular * fresnel;

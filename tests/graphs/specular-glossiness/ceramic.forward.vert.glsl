@@ -29,12 +29,10 @@ layout(location = 3) out vec4 v_vertex_tangent_ws;
 void main()
 {
     vec4 product = object_to_world * vec4(in_position_os, 1.0);
-    vec3 vertex_normal_ws = normalize((vec4(in_normal_os, 0.0) * world_to_object).xyz);
     float handedness = determinant(object_to_world) < 0.0 ? -in_tangent_os.w : in_tangent_os.w;
-    vec4 vertex_tangent_ws = vec4(normalize((object_to_world * vec4(in_tangent_os.xyz, 0.0)).xyz), handedness);
     v_uv0 = in_uv0;
     v_position_ws = product.xyz;
-    v_vertex_normal_ws = vertex_normal_ws;
-    v_vertex_tangent_ws = vertex_tangent_ws;
+    v_vertex_normal_ws = normalize((vec4(in_normal_os, 0.0) * world_to_object).xyz);
+    v_vertex_tangent_ws = vec4(normalize((object_to_world * vec4(in_tangent_os.xyz, 0.0)).xyz), handedness);
     gl_Position = world_to_clip * vec4(product.xyz, 1.0);
 }

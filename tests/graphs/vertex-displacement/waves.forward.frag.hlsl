@@ -41,8 +41,7 @@ struct FragmentOutput
 float3 MetallicSetup(float3 base_color, float metallic)
 {
     float one_minus_reflectivity = 0.96 * (1.0 - metallic);
-    float3 diffuse_color = base_color * one_minus_reflectivity;
-    return diffuse_color;
+    return base_color * one_minus_reflectivity;
 }
 
 // The inverse square law, with a window that ends it smoothly at the light's range.

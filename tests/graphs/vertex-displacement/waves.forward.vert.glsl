@@ -38,18 +38,14 @@ vec3 vertex_position_os(vec3 position_os, vec3 normal_os)
 {
     float phase = position_os.x * 20.0 + time;
 
-    vec3 lifted = position_os + normal_os * (sin(phase) * _Height);
-
-    return lifted;
+    return position_os + normal_os * (sin(phase) * _Height);
 }
 
 vec3 vertex_normal_os(vec3 position_os, vec3 normal_os)
 {
     float phase = position_os.x * 20.0 + time;
 
-    vec3 tilted = normalize(normal_os - vec3(cos(phase) * _Height * 20.0, 0.0, 0.0));
-
-    return tilted;
+    return normalize(normal_os - vec3(cos(phase) * _Height * 20.0, 0.0, 0.0));
 }
 
 void main()
@@ -57,8 +53,7 @@ void main()
     vec3 position_os = vertex_position_os(in_position_os, in_normal_os);
     vec4 product = object_to_world * vec4(position_os, 1.0);
     vec3 normal_os = vertex_normal_os(in_position_os, in_normal_os);
-    vec3 vertex_normal_ws = normalize((vec4(normal_os, 0.0) * world_to_object).xyz);
     v_position_ws = product.xyz;
-    v_vertex_normal_ws = vertex_normal_ws;
+    v_vertex_normal_ws = normalize((vec4(normal_os, 0.0) * world_to_object).xyz);
     gl_Position = world_to_clip * vec4(product.xyz, 1.0);
 }

@@ -45,18 +45,14 @@ float3 vertex_position_os(float3 position_os, float3 normal_os)
 {
     float phase = position_os.x * 20.0 + time;
 
-    float3 lifted = position_os + normal_os * (sin(phase) * _Height);
-
-    return lifted;
+    return position_os + normal_os * (sin(phase) * _Height);
 }
 
 float3 vertex_normal_os(float3 position_os, float3 normal_os)
 {
     float phase = position_os.x * 20.0 + time;
 
-    float3 tilted = normalize(normal_os - float3(cos(phase) * _Height * 20.0, 0.0, 0.0));
-
-    return tilted;
+    return normalize(normal_os - float3(cos(phase) * _Height * 20.0, 0.0, 0.0));
 }
 
 VertexOutput main(VertexInput input)
@@ -64,10 +60,9 @@ VertexOutput main(VertexInput input)
     float3 position_os = vertex_position_os(input.position_os, input.normal_os);
     float4 product = mul(object_to_world, float4(position_os, 1.0));
     float3 normal_os = vertex_normal_os(input.position_os, input.normal_os);
-    float3 vertex_normal_ws = normalize(mul(float4(normal_os, 0.0), world_to_object).xyz);
     VertexOutput output;
     output.position_ws = product.xyz;
-    output.vertex_normal_ws = vertex_normal_ws;
+    output.vertex_normal_ws = normalize(mul(float4(normal_os, 0.0), world_to_object).xyz);
     output.position = mul(world_to_clip, float4(product.xyz, 1.0));
     return output;
 }

@@ -1,0 +1,31 @@
+#include "compiler/assemble/identifiers.h"
+
+#include "compiler/graph/declare.h"
+#include "compiler/targets/names.h"
+
+namespace patina::assemble {
+namespace {
+
+void name_set(ir::Module& module, std::uint32_t set, targets::Names& names) {
+    for (ir::UniformBlock& block : module.blocks) {
+        if (block.set != set) continue;
+        for (ir::BlockMember& member : block.members) member.name = names.declare(member.name);
+    }
+    for (ir::Global& global : module.globals) {
+        if (!global.in_block() && global.set == set) global.name = names.declare(global.name);
+    }
+}
+
+}  // namespace
+
+void name_interface(ir::Module& module) {
+    targets::Names names;
+    for (ir::UniformBlock& block : module.blocks) block.name = names.declare(block.name);
+    name_set(module, graph::kMaterialSet, names);
+    name_set(module, graph::kEngineSet, names);
+    for (ir::Global& global : module.globals) {
+        if (global.in_block()) global.name = module.blocks[global.block].members[global.member].name;
+    }
+}
+
+}  // namespace patina::assemble
