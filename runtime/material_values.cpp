@@ -69,14 +69,9 @@ Outcome<Numbers> parse_value(const Property& property, const std::string& text) 
 
 // The texture whose tiling this word names ("_MainTex_ST"), or null. Only a texture that was declared with a tiling has
 // one.
-const Property* tiled_texture(const Reflection& reflection, const std::string& word) {
-    auto is_word = [&](const BlockMember& member) { return member.name == word; };
-    bool has_member = std::any_of(reflection.blocks.begin(), reflection.blocks.end(), [&](const Block& block) {
-        return block.is_material && std::any_of(block.members.begin(), block.members.end(), is_word);
-    });
-    if (!has_member) return nullptr;
-    for (const Property& property : reflection.properties)
-        if (property.type == "texture2d" && word == property.name + "_ST") return &property;
+const Texture* tiled_texture(const Reflection& reflection, const std::string& word) {
+    for (const Texture& texture : reflection.textures)
+        if (!texture.tiling.empty() && word == texture.name + "_ST") return &texture;
     return nullptr;
 }
 
@@ -126,22 +121,16 @@ void write(std::vector<std::byte>& bytes, const BlockMember& member, std::span<c
 
 // What the graph's own block holds at a member: a property, or a texture's tiling or size.
 std::optional<Numbers> material_number(const BlockMember& member, const std::string& block,
-                                       const Reflection& reflection, const MaterialValues& values,
-                                       std::span<const LoadedTexture> textures) {
+                                       const Reflection& reflection, const MaterialValues& values) {
     for (const Property& property : reflection.properties) {
         if (property.type == "texture2d" || property.block != block || property.offset != member.offset) continue;
         auto found = values.numbers.find(property.name);
         return found == values.numbers.end() ? property.value : found->second;
     }
-    for (const LoadedTexture& texture : textures) {
-        if (member.name == texture.name + "_ST") {
-            auto found = values.tilings.find(texture.name);
-            return found == values.tilings.end() ? Numbers{1, 1, 0, 0} : found->second;
-        }
-        if (member.name == texture.name + "_TexelSize") {
-            const TextureLevel& level = texture.data->levels.front();
-            return Numbers{1.0 / level.width, 1.0 / level.height, double(level.width), double(level.height)};
-        }
+    for (const Texture& texture : reflection.textures) {
+        if (member.name != texture.tiling) continue;
+        auto found = values.tilings.find(texture.name);
+        return found == values.tilings.end() ? Numbers{1, 1, 0, 0} : found->second;
     }
     return std::nullopt;
 }
@@ -155,7 +144,7 @@ Outcome<MaterialValues> material_values(const Reflection& reflection, const std:
     for (const Texture& texture : reflection.textures) result.textures[texture.name] = texture.default_value;
 
     for (const auto& [name, text] : words) {
-        if (const Property* texture = tiled_texture(reflection, name)) {
+        if (const Texture* texture = tiled_texture(reflection, name)) {
             int count = 0;
             Outcome<glm::vec4> value = parse_numbers(text, count);
             if (!value || count != 4)
@@ -180,15 +169,14 @@ Outcome<MaterialValues> material_values(const Reflection& reflection, const std:
     return result;
 }
 
-std::vector<BlockBytes> fill_blocks(const Reflection& reflection, const MaterialValues& values, const Scene& scene,
-                                    const std::vector<LoadedTexture>& textures) {
+std::vector<BlockBytes> fill_blocks(const Reflection& reflection, const MaterialValues& values, const Scene& scene) {
     std::map<std::string, EngineValue> engine = engine_values(scene);
     std::vector<BlockBytes> result;
     for (const Block& block : reflection.blocks) {
         BlockBytes filled{.name = block.name, .bytes = std::vector<std::byte>(block.size)};
         for (const BlockMember& member : block.members) {
             if (block.is_material) {
-                std::optional<Numbers> numbers = material_number(member, block.name, reflection, values, textures);
+                std::optional<Numbers> numbers = material_number(member, block.name, reflection, values);
                 if (numbers) write(filled.bytes, member, *numbers, 4);
             } else if (auto found = engine.find(member.name); found != engine.end()) {
                 write(filled.bytes, member, found->second.numbers, found->second.per_vector);

@@ -3,7 +3,7 @@
 // their offsets. Shared by the GPU and the CPU renderer, so both see the same bytes.
 //
 //   Outcome<MaterialValues> values = material_values(reflection, {{"_Roughness", "0.2"}, {"_MainTex", "rust.png"}});
-//   std::vector<BlockBytes> blocks = fill_blocks(reflection, values.value, scene, textures);
+//   std::vector<BlockBytes> blocks = fill_blocks(reflection, values.value, scene);
 #pragma once
 
 #include <array>
@@ -15,7 +15,6 @@
 #include "patina/reflection.h"
 #include "runtime/outcome.h"
 #include "runtime/scene.h"
-#include "runtime/textures.h"
 
 namespace patina::runtime {
 
@@ -35,7 +34,6 @@ struct BlockBytes {
 };
 
 // One entry for each block of the reflection, in its order. Members that nobody has a value for stay zero.
-std::vector<BlockBytes> fill_blocks(const Reflection& reflection, const MaterialValues& values, const Scene& scene,
-                                    const std::vector<LoadedTexture>& textures);
+std::vector<BlockBytes> fill_blocks(const Reflection& reflection, const MaterialValues& values, const Scene& scene);
 
 }  // namespace patina::runtime

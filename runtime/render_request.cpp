@@ -143,7 +143,7 @@ RenderOutcome render(const Compiler& compiler, const RenderRequest& request, Ren
     Outcome<std::vector<LoadedTexture>> textures =
         load_textures(reflection, values.value.textures, request.exact_textures);
     if (!textures) return failed(std::move(outcome), textures.error);
-    std::vector<BlockBytes> blocks = fill_blocks(reflection, values.value, scene.value, textures.value);
+    std::vector<BlockBytes> blocks = fill_blocks(reflection, values.value, scene.value);
 
     Draw draw{.reflection = &reflection,
               .pass = choose_pass(reflection, request.pass),

@@ -21,8 +21,8 @@ void name_set(ir::Module& module, std::uint32_t set, targets::Names& names) {
 void name_interface(ir::Module& module) {
     targets::Names names;
     for (ir::UniformBlock& block : module.blocks) block.name = names.declare(block.name);
+    name_set(module, graph::kEngineSet, names);  // first: hosts know these by name
     name_set(module, graph::kMaterialSet, names);
-    name_set(module, graph::kEngineSet, names);
     for (ir::Global& global : module.globals) {
         if (global.in_block()) global.name = module.blocks[global.block].members[global.member].name;
     }

@@ -8,7 +8,7 @@
 
 namespace patina::assemble {
 
-// A property keeps its name where a target language allows it and no other property or block has it.
+// A property keeps its name where a target language allows it and nothing else of the interface has it.
 void name_interface(ir::Module& module);
 
 }  // namespace patina::assemble

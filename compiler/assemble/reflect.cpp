@@ -67,6 +67,7 @@ Texture reflect_texture(const ir::Module& module, const graph::MaterialProperty&
             .sampler_name = sampler.name,
             .sampler_binding = buffers + textures + sampler.slot,
             .sampler_register = hlsl_register('s', sampler.slot, sampler.set),
+            .tiling = globals.tiling ? module.globals[globals.tiling.index].name : "",
             .sampler = {.wrap = std::string(text_of(graph::kWraps, property.sampler.wrap)),
                         .filter = std::string(text_of(graph::kFilters, property.sampler.filter)),
                         .anisotropy = property.sampler.anisotropy}};

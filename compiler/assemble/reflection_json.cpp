@@ -130,6 +130,7 @@ void write_texture(Writer& writer, const Texture& texture) {
     json.text("sampler", texture.sampler_name);
     json.number("samplerBinding", texture.sampler_binding);
     json.text("samplerRegister", texture.sampler_register);
+    json.text_if("tiling", texture.tiling);
     json.text("wrap", texture.sampler.wrap);
     json.text("filter", texture.sampler.filter);
     json.number("anisotropy", texture.sampler.anisotropy);

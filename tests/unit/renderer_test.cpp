@@ -44,7 +44,7 @@ layout(location = 4) in vec4 vertex_color;
 layout(set = 0, binding = 0) uniform Camera { mat4 world_to_clip; vec3 camera_position_ws; };
 layout(set = 0, binding = 2) uniform Lights { int light_count; vec4 light_position[16]; vec4 light_color[16]; };
 layout(set = 2, binding = 0) uniform Material {
-    float _Amount; vec3 _Direction; vec4 _Tint; int _Mode; vec4 _MainTex_ST; vec4 _MainTex_TexelSize;
+    float _Amount; vec3 _Direction; vec4 _Tint; int _Mode; vec4 _MainTex_ST;
 };
 layout(set = 2, binding = 1) uniform texture2D _MainTex;
 layout(set = 2, binding = 2) uniform sampler sampler_MainTex;
@@ -93,15 +93,15 @@ Reflection make_reflection() {
               {member("light_count", "int", 0), member("light_position", "float4", 16, 16),
                member("light_color", "float4", 272, 16)}),
         // Set 1 stays empty on purpose.
-        block("Material", 2, 0, 96,
+        block("Material", 2, 0, 80,
               {member("_Amount", "float", 0), member("_Direction", "float3", 16), member("_Tint", "float4", 32),
-               member("_Mode", "int", 48), member("_MainTex_ST", "float4", 64),
-               member("_MainTex_TexelSize", "float4", 80)})};
+               member("_Mode", "int", 48), member("_MainTex_ST", "float4", 64)})};
     r.properties = {property("_Amount", "float", {0.25}, 0), property("_Direction", "float3", {1, 2, 3}, 16),
                     property("_Tint", "color", {0.1, 0.2, 0.3, 0.4}, 32), property("_Mode", "enum", {0}, 48),
                     property("_MainTex", "texture2d", {}, 0)};
     Texture texture;
     texture.name = "_MainTex";
+    texture.tiling = "_MainTex_ST";
     texture.default_value = "white";
     texture.set = 2;
     texture.binding = 1;
@@ -144,7 +144,7 @@ protected:
     Image draw(const std::string& expression) {
         auto values = material_values(reflection, words);
         EXPECT_TRUE(values) << values.error;
-        std::vector<BlockBytes> blocks = fill_blocks(reflection, values.value, scene, textures);
+        std::vector<BlockBytes> blocks = fill_blocks(reflection, values.value, scene);
         std::vector<std::uint32_t> vertex = compiled(Stage::Vertex, kVertex);
         std::vector<std::uint32_t> fragment = compiled(Stage::Fragment, kFragmentHead + expression + "; }");
         auto image = renderer->draw({.reflection = &reflection,
@@ -266,7 +266,6 @@ TEST_F(RendererTest, TexturesArriveWithTheirMipLevels) {
     Image image = draw("textureLod(sampler2D(_MainTex, sampler_MainTex), uv, 0)");
     for (int i = 0; i < 4; i++) EXPECT_EQ(image.at(i % 2, i / 2)[0], float(i) / 4);
     EXPECT_EQ(value_of("textureLod(sampler2D(_MainTex, sampler_MainTex), uv, 1)")[0], 6 / 16.0f);
-    EXPECT_EQ(value_of("_MainTex_TexelSize"), (std::vector<float>{0.5f, 0.5f, 2, 2}));
 }
 
 TEST_F(RendererTest, EightBitFormatsHoldTheirFilesNumbers) {
@@ -311,7 +310,7 @@ TEST_F(RendererTest, WhatCannotBeDrawnIsAnError) {
         Scene spoiled_scene = fullscreen_scene(4, 4);
         each.spoil(spoiled, spoiled_scene);
         auto values = material_values(reflection, {});
-        auto blocks = fill_blocks(reflection, values.value, fullscreen_scene(4, 4), textures);
+        auto blocks = fill_blocks(reflection, values.value, fullscreen_scene(4, 4));
         auto vertex = compiled(Stage::Vertex, kVertex),
              fragment = compiled(Stage::Fragment, kFragmentHead + std::string("_Tint; }"));
         auto image = renderer->draw({.reflection = &spoiled,

@@ -30,7 +30,7 @@ struct Setting {
             textures.push_back({.name = texture.name, .data = inputs.data, .format = runtime::TexelFormat::Float32});
         const auto values = runtime::material_values(reflection, {});
         EXPECT_TRUE(values) << values.error;
-        blocks = runtime::fill_blocks(reflection, values.value, scene, textures);
+        blocks = runtime::fill_blocks(reflection, values.value, scene);
     }
     runtime::Draw draw(const Result& result) const {
         return {.reflection = &result.reflection,

@@ -48,6 +48,7 @@ struct Texture {
     std::string sampler_name;
     std::uint32_t sampler_binding = 0;
     std::string sampler_register;  // "s0, space1"
+    std::string tiling;            // member of the material's block: float4 scale and offset; empty: has none
     Sampler sampler;
 };
 

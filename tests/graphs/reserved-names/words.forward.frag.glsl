@@ -38,7 +38,7 @@ layout(set = 0, binding = 1, std140) uniform Camera
 
 layout(set = 0, binding = 2, std140) uniform Lights
 {
-    int light_count_2;
+    int light_count;
     float _pad0;
     float _pad1;
     float _pad2;
@@ -59,7 +59,7 @@ layout(set = 1, binding = 0, std140) uniform Material
     float a_b;
     float a_b_2;
     float Material_2;
-    float light_count;
+    float light_count_2;
     float main_;
 };
 
@@ -84,7 +84,7 @@ Surface surface(vec2 uv0, vec3 geometry_normal_ws)
     s.metallic = a_b * a_b_2;
     s.roughness = Material_2;
     s.normal_ws = geometry_normal_ws;
-    s.occlusion = light_count * main_;
+    s.occlusion = light_count_2 * main_;
     s.emission = vec3(0.0);
     s.alpha = 1.0;
     return s;
@@ -167,7 +167,7 @@ void main()
     MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
 
     vec3 normal_ws = normalize(material.normal_ws);
-    int count = min(light_count_2, 16);
+    int count = min(light_count, 16);
 
     // NdotV "ndotv"
     float cosine = dot(normal_ws, view_dir_ws);

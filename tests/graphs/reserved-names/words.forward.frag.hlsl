@@ -37,7 +37,7 @@ cbuffer Camera : register(b1, space0)
 
 cbuffer Lights : register(b2, space0)
 {
-    int light_count_2;
+    int light_count;
     float _pad0;
     float _pad1;
     float _pad2;
@@ -58,7 +58,7 @@ cbuffer Material : register(b0, space1)
     float a_b;
     float a_b_2;
     float Material_2;
-    float light_count;
+    float light_count_2;
     float main_;
 };
 
@@ -90,7 +90,7 @@ Surface surface(float2 uv0, float3 geometry_normal_ws)
     s.metallic = a_b * a_b_2;
     s.roughness = Material_2;
     s.normal_ws = geometry_normal_ws;
-    s.occlusion = light_count * main_;
+    s.occlusion = light_count_2 * main_;
     s.emission = float3(0.0, 0.0, 0.0);
     s.alpha = 1.0;
     return s;
@@ -175,7 +175,7 @@ FragmentOutput main(FragmentInput input)
     MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
 
     float3 normal_ws = normalize(material.normal_ws);
-    int count = min(light_count_2, 16);
+    int count = min(light_count, 16);
 
     // NdotV "ndotv"
     float cosine = dot(normal_ws, view_dir_ws);
