@@ -47,6 +47,52 @@ const nodelang::Expr* read_argument(const std::string& text, SourceMap& sources,
     return &ast.exprs.emplace_back(std::move(list));
 }
 
+// A node to be called: of the library, or the one of a user's file.
+struct Callee {
+    const nodelang::FunctionDecl& function;
+    const nodelang::Declarations& declarations;
+};
+
+std::optional<Callee> find_callee(graph::Session& session, std::string_view node) {
+    if (node.ends_with(".hlsl")) {
+        const graph::NodeFile* file = graph::load_node_file(session, std::string(node), {});
+        if (!file) return {};
+        return Callee{*file->node, file->declarations};
+    }
+    const nodelang::Declarations& declarations = session.library.declarations;
+    const nodelang::FunctionDecl* function = declarations.function(node);
+    if (function && function->attribute("node")) return Callee{*function, declarations};
+    const std::vector<std::string_view> names = declarations.function_names();
+    const std::string_view near = nearest(node, names);
+    DiagnosticRecord& record = session.diagnostics.report(Code::UnknownNode, {}, node);
+    if (!near.empty()) record.note(fmt::format("did you mean '{}'?", near));
+    return {};
+}
+
+// By parameter; null where none is given.
+std::vector<const nodelang::Expr*> read_arguments(graph::Session& session, const nodelang::FunctionDecl& function,
+                                                  std::span<const std::pair<std::string, std::string>> arguments) {
+    std::vector<const nodelang::Expr*> values(function.params.size(), nullptr);
+    for (const auto& [name, text] : arguments) {
+        const auto param = std::find_if(function.params.begin(), function.params.end(),
+                                        [&](const nodelang::ParamDecl& p) { return !p.is_out && p.name == name; });
+        if (param == function.params.end()) {
+            std::vector<std::string_view> known;
+            for (const nodelang::ParamDecl& p : function.params) {
+                if (!p.is_out) known.push_back(p.name);
+            }
+            session.diagnostics.report(Code::UnknownPort, {}, function.name, "input", name)
+                .at(function.name)
+                .note(Diagnostics::suggestion(name, known));
+            continue;
+        }
+        session.diagnostics.set_context(function.name, name);
+        values[static_cast<std::size_t>(param - function.params.begin())] =
+            read_argument(text, session.sources, session.ast, session.diagnostics);
+    }
+    return values;
+}
+
 }  // namespace
 
 std::string_view version() {
@@ -79,8 +125,9 @@ Compiler& Compiler::operator=(Compiler&&) noexcept = default;
 
 void Compiler::Impl::describe() const {
     std::call_once(once, [&] {
+        const EvaluationContext context{*library, library->declarations, library->sources};
         for (const nodelang::FunctionDecl& function : library->ast.functions) {
-            if (function.attribute("node")) nodes.push_back(describe_node(function, *library));
+            if (function.attribute("node")) nodes.push_back(describe_node(function, context));
         }
         std::sort(nodes.begin(), nodes.end(), [](const NodeInfo& a, const NodeInfo& b) {
             return std::pair(a.category, a.name) < std::pair(b.category, b.name);
@@ -154,8 +201,9 @@ NodeFileResult Compiler::check_node_file(const std::string& path, const CompileO
     NodeFileResult result;
     graph::Session session(*impl_->library, options);
     if (const graph::NodeFile* file = graph::load_node_file(session, path, {})) {
-        result.tests =
-            node_tests({session.library, file->declarations, session.sources}, *file->node, session.diagnostics);
+        const EvaluationContext context{session.library, file->declarations, session.sources};
+        result.node = describe_node(*file->node, context);
+        result.tests = node_tests(context, *file->node, session.diagnostics);
     }
     result.diagnostics = to_public(session.diagnostics, session.sources);
     result.ok = !session.diagnostics.has_errors();
@@ -164,46 +212,23 @@ NodeFileResult Compiler::check_node_file(const std::string& path, const CompileO
 
 EvalResult Compiler::evaluate(std::string_view node, std::span<const std::pair<std::string, std::string>> arguments,
                               bool single) const {
+    const CompileOptions options;
+    graph::Session session(*impl_->library, options);
+    Diagnostics& diagnostics = session.diagnostics;
     EvalResult result;
-    const graph::Library& library = *impl_->library;
-    SourceMap sources(&library.sources);
-    nodelang::Ast ast;
-    Diagnostics diagnostics;
-    const nodelang::FunctionDecl* function = library.declarations.function(node);
-    if (!function || !function->attribute("node")) {
-        const std::vector<std::string_view> names = library.declarations.function_names();
-        const std::string_view near = nearest(node, names);
-        DiagnosticRecord& record = diagnostics.report(Code::UnknownNode, {}, node);
-        if (!near.empty()) record.note(fmt::format("did you mean '{}'?", near));
-        result.diagnostics = to_public(diagnostics, sources);
-        return result;
-    }
-    std::vector<const nodelang::Expr*> values(function->params.size(), nullptr);
-    for (const auto& [name, text] : arguments) {
-        const auto param = std::find_if(function->params.begin(), function->params.end(),
-                                        [&](const nodelang::ParamDecl& p) { return !p.is_out && p.name == name; });
-        if (param == function->params.end()) {
-            std::vector<std::string_view> known;
-            for (const nodelang::ParamDecl& p : function->params) {
-                if (!p.is_out) known.push_back(p.name);
-            }
-            diagnostics.report(Code::UnknownPort, {}, node, "input", name)
-                .at(node)
-                .note(Diagnostics::suggestion(name, known));
-            continue;
+    if (const std::optional<Callee> callee = find_callee(session, node)) {
+        const std::string_view name = callee->function.name;
+        const auto values = read_arguments(session, callee->function, arguments);
+        diagnostics.set_context(name, {});
+        if (!diagnostics.has_errors()) {
+            Evaluation evaluation =
+                evaluate_call({session.library, callee->declarations, session.sources}, callee->function, values,
+                              single ? Precision::Float : Precision::Double, diagnostics, {});
+            result.outputs = std::move(evaluation.outputs);
         }
-        diagnostics.set_context(node, name);
-        values[static_cast<std::size_t>(param - function->params.begin())] =
-            read_argument(text, sources, ast, diagnostics);
-    }
-    diagnostics.set_context(node, {});
-    if (!diagnostics.has_errors()) {
-        Evaluation evaluation = evaluate_call({library, library.declarations, library.sources}, *function, values,
-                                              single ? Precision::Float : Precision::Double, diagnostics, {});
-        result.outputs = std::move(evaluation.outputs);
     }
     result.ok = !diagnostics.has_errors();
-    result.diagnostics = to_public(diagnostics, sources);
+    result.diagnostics = to_public(diagnostics, session.sources);
     return result;
 }
 

@@ -16,14 +16,12 @@ std::string_view trim(std::string_view text) {
 }
 
 // "@uv0" for a semantic default, the source text for a constant.
-std::string default_text(const Expr& expr, const graph::Library& library, const nodelang::Declarations& scope) {
+std::string default_text(const Expr& expr, const EvaluationContext& context) {
     const Expr* root = &expr;
     while (root->kind == Expr::Kind::Member) root = root->args[0];
-    const bool semantic = root->kind == Expr::Kind::Name && library.semantic_index.contains(root->text) &&
-                          !scope.variables.contains(root->text);
-    const bool by_name = root->kind == Expr::Kind::Name && library.semantic_index.contains(root->text);
-    std::string text(library.sources.text(expr.span));
-    return semantic || by_name ? "@" + text : text;
+    const bool by_name = root->kind == Expr::Kind::Name && context.library.semantic_index.contains(root->text);
+    std::string text(context.sources.text(expr.span));
+    return by_name ? "@" + text : text;
 }
 
 double bound(const Expr& expr) {
@@ -36,7 +34,7 @@ std::string doc_line(std::string_view doc) {
     return std::string(trim(doc));
 }
 
-PortInfo describe_param(const nodelang::ParamDecl& param, const graph::Library& library) {
+PortInfo describe_param(const nodelang::ParamDecl& param, const EvaluationContext& context) {
     PortInfo port{.name = std::string(param.name),
                   .type = std::string(param.type.name),
                   .is_output = param.is_out,
@@ -45,14 +43,14 @@ PortInfo describe_param(const nodelang::ParamDecl& param, const graph::Library& 
                   .unit = {},
                   .doc = doc_line(param.doc),
                   .enumerators = {}};
-    if (param.initial) port.default_value = default_text(*param.initial, library, library.declarations);
+    if (param.initial) port.default_value = default_text(*param.initial, context);
     for (const nodelang::Attribute& attribute : param.attributes) {
         if (attribute.name == "range" && attribute.args.size() == 2) {
             port.range = {bound(*attribute.args[0]), bound(*attribute.args[1])};
         }
         if (attribute.name == "unit") port.unit = nodelang::attribute_text(attribute);
     }
-    if (const nodelang::EnumDecl* enumeration = library.declarations.enumeration(param.type.name)) {
+    if (const nodelang::EnumDecl* enumeration = context.declarations.enumeration(param.type.name)) {
         port.enumerators.assign(enumeration->values.begin(), enumeration->values.end());
     }
     return port;
@@ -101,7 +99,7 @@ Doc read_doc(std::string_view comment) {
     return doc;
 }
 
-NodeInfo describe_node(const nodelang::FunctionDecl& function, const graph::Library& library) {
+NodeInfo describe_node(const nodelang::FunctionDecl& function, const EvaluationContext& context) {
     NodeInfo node;
     node.name = function.name;
     const std::string_view path = nodelang::attribute_text(*function.attribute("node"));
@@ -110,11 +108,11 @@ NodeInfo describe_node(const nodelang::FunctionDecl& function, const graph::Libr
     node.doc = std::move(doc.text);
     node.formula = std::move(doc.formula);
     node.source = std::move(doc.source);
-    node.file = library.sources.file(function.name_span.begin);
+    node.file = context.sources.file(function.name_span.begin);
     for (const nodelang::ParamDecl& param : function.params) {
         const bool hidden = std::any_of(param.attributes.begin(), param.attributes.end(),
                                         [](const nodelang::Attribute& a) { return a.name == "hidden"; });
-        if (!param.is_out && !hidden) node.ports.push_back(describe_param(param, library));
+        if (!param.is_out && !hidden) node.ports.push_back(describe_param(param, context));
     }
     if (function.result.name != "void") {
         node.ports.push_back({.name = "out",
@@ -127,7 +125,7 @@ NodeInfo describe_node(const nodelang::FunctionDecl& function, const graph::Libr
                               .enumerators = {}});
     }
     for (const nodelang::ParamDecl& param : function.params) {
-        if (param.is_out) node.ports.push_back(describe_param(param, library));
+        if (param.is_out) node.ports.push_back(describe_param(param, context));
     }
     return node;
 }

@@ -2,7 +2,7 @@
 // reference and the JSON Schema are made of.
 #pragma once
 
-#include "compiler/graph/library.h"
+#include "compiler/evaluate.h"
 #include "patina/patina.h"
 
 namespace patina {
@@ -19,7 +19,7 @@ struct Doc {
 };
 Doc read_doc(std::string_view comment);
 
-NodeInfo describe_node(const nodelang::FunctionDecl& function, const graph::Library& library);
+NodeInfo describe_node(const nodelang::FunctionDecl& function, const EvaluationContext& context);
 std::vector<SemanticInfo> describe_semantics(const graph::Library& library);
 ModelInfo describe_model(const graph::Graph& graph, const std::string& name, const SourceMap& sources);
 

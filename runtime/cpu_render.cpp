@@ -210,7 +210,10 @@ void shade_rows(const Job& job, int first_row, int row_step) {
     Canvas& canvas = *job.canvas;
     int width = canvas.color.width, height = canvas.color.height;
     QuadInputs inputs;
-    for (const ScreenTriangle& triangle : job.triangles) {
+    for (std::size_t i = 0; i < job.triangles.size(); i++) {
+        const ScreenTriangle& triangle = job.triangles[i];
+        if (first_row == 0 && i % 64 == 0 && job.draw->progress)
+            job.draw->progress(double(i) / double(job.triangles.size()));
         for_each_quad(triangle, width, height, first_row, row_step, [&](const Quad& quad) {
             // The stage never writes depth, so testing before it gives the same picture as testing after it.
             std::array<bool, 4> visible{};

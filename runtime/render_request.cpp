@@ -150,7 +150,8 @@ RenderOutcome render(const Compiler& compiler, const RenderRequest& request, Ren
               .scene = &scene.value,
               .blocks = blocks,
               .textures = textures.value,
-              .program = compiled.program.get()};
+              .program = compiled.program.get(),
+              .progress = request.progress};
     if (!on_cpu) return draw_on_gpu(request, compiled, draw, machine, std::move(outcome));
     Outcome<Image> image = cpu_draw(draw);
     if (!image) return failed(std::move(outcome), image.error);

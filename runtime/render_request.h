@@ -6,6 +6,7 @@
 //   machine); if (outcome.ok) save_png("rust.png", outcome.image);
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -34,6 +35,7 @@ struct RenderRequest {
     bool validation = false;                         // Khronos validation layer; its messages become errors
     bool exact_textures = false;                     // float texels on the GPU, to compare it with the CPU
     std::vector<std::string> include_dirs{};
+    std::function<void(double)> progress{};  // via cpu: told which share is done, 0 to 1
 };
 
 struct RenderOutcome {

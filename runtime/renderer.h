@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -40,6 +41,8 @@ struct Draw {
     std::span<const std::uint32_t> vertex_spirv{};  // GPU; entry point "main"
     std::span<const std::uint32_t> fragment_spirv{};
     const Program* program = nullptr;  // CPU
+    // CPU: told now and then which share is done, 0 to 1, on the calling thread.
+    std::function<void(double)> progress{};
 };
 
 // The pass that `draw` names, if it can be drawn: one colour target, a mesh, a picture of a sensible size.

@@ -91,6 +91,12 @@ void show_progress(const Console& console, std::size_t index, std::size_t count,
     std::fflush(stderr);
 }
 
+void show_share(const Console& console, double share, std::string_view item) {
+    if (!console.progress || console.quiet || console.json) return;
+    write(stderr, std::string(kClearLine) + std::string(item) + ' ' + std::to_string(int(100 * share)) + '%');
+    std::fflush(stderr);
+}
+
 void end_progress(const Console& console) {
     if (!console.progress || console.quiet || console.json) return;
     // What stands on stdout so far comes first on a shared terminal.

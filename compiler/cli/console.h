@@ -48,6 +48,8 @@ bool output_failed();
 // Bold, if stdout shows colours.
 std::string heading(const Console& console, std::string_view text);
 
+// A line that replaces itself: "rust.graph.json 37%".
+void show_share(const Console& console, double share, std::string_view item);
 // One line that replaces itself: "[3/12] rust.graph.json". Not shown for a single item.
 void show_progress(const Console& console, std::size_t index, std::size_t count, std::string_view item);
 void end_progress(const Console& console);

@@ -81,12 +81,14 @@ Exit evaluate(const Console& console, const Arguments& arguments) {
 }  // namespace
 
 void add_eval(Program& program) {
-    CLI::App& command =
-        add_command(program, "eval", "Compute one node on the CPU",
-                    {"patina eval Lerp from=0 to=10 t=0.25", "patina eval NdotL normal=0,0,1 light_dir=0,0.6,0.8",
-                     "patina eval DistributionGGX ndoth=0.9 alpha=0.25 --json"});
+    CLI::App& command = add_command(
+        program, "eval", "Compute one node on the CPU",
+        {"patina eval Lerp from=0 to=10 t=0.25", "patina eval NdotL normal=0,0,1 light_dir=0,0.6,0.8",
+         "patina eval DistributionGGX ndoth=0.9 alpha=0.25 --json", "patina eval wave.node.hlsl uv=0.5,0.5"});
     auto arguments = std::make_shared<Arguments>();
-    command.add_option("NODE", arguments->node, "A node of the library")->required()->type_name(" ");
+    command.add_option("NODE", arguments->node, "A node of the library, or the file of one (.node.hlsl)")
+        ->required()
+        ->type_name(" ");
     command
         .add_option("NAME=VALUE", arguments->values, "Inputs as a graph writes them: 0.5, 0,0,1, #ff8800, true, a word")
         ->type_name(" ")

@@ -54,7 +54,7 @@ void print_section(const Console& console, std::string_view title, std::string_v
 }
 
 // The node with every input at its default, ready to paste into "nodes".
-std::string example(const NodeInfo& node) {
+std::string example(const NodeInfo& node, const std::string& name) {
     std::string inputs;
     for (const PortInfo& port : node.ports) {
         if (port.is_output) continue;
@@ -64,22 +64,31 @@ std::string example(const NodeInfo& node) {
         inputs += fmt::format("{}\"{}\": {}", inputs.empty() ? "" : ", ", port.name,
                               is_number || value == "true" || value == "false" ? value : '"' + value + '"');
     }
-    const std::string id = fmt::format("{{ \"id\": \"my_node\", \"node\": \"{}\"", node.name);
+    const std::string id = fmt::format("{{ \"id\": \"my_node\", \"node\": \"{}\"", name);
     return inputs.empty() ? id + " }" : id + ", \"in\": { " + inputs + " } }";
+}
+
+// The node of the library, or that of a user's file; none after a message.
+std::optional<NodeInfo> find_node(const Console& console, const Compiler& compiler, const std::string& name) {
+    if (name.ends_with(".hlsl")) {
+        NodeFileResult file = compiler.check_node_file(name);
+        report(console, file.diagnostics);
+        return file.ok ? std::optional(std::move(file.node)) : std::nullopt;
+    }
+    if (const NodeInfo* node = compiler.node(name)) return *node;
+    std::vector<std::string_view> names;
+    for (const NodeInfo& known : compiler.nodes()) names.push_back(known.name);
+    const std::string_view near = nearest(name, names);
+    complain(console, "unknown-node",
+             "there is no node '" + name + "'" +
+                 (near.empty() ? "; 'patina nodes' lists them" : "; did you mean '" + std::string(near) + "'?"));
+    return {};
 }
 
 Exit show_node(const Console& console, const Arguments& arguments) {
     const Compiler compiler;
-    const NodeInfo* node = compiler.node(arguments.name);
-    if (!node) {
-        std::vector<std::string_view> names;
-        for (const NodeInfo& known : compiler.nodes()) names.push_back(known.name);
-        const std::string_view near = nearest(arguments.name, names);
-        complain(console, "unknown-node",
-                 "there is no node '" + arguments.name + "'" +
-                     (near.empty() ? "; 'patina nodes' lists them" : "; did you mean '" + std::string(near) + "'?"));
-        return Exit::Wrong;
-    }
+    const std::optional<NodeInfo> node = find_node(console, compiler, arguments.name);
+    if (!node) return Exit::Wrong;
     if (arguments.json) {
         print(to_json(*node));
         return Exit::Ok;
@@ -90,7 +99,7 @@ Exit show_node(const Console& console, const Arguments& arguments) {
     print_section(console, "SOURCE", node->source);
     print_ports(console, *node, false);
     print_ports(console, *node, true);
-    print_section(console, "IN A GRAPH", example(*node));
+    print_section(console, "IN A GRAPH", example(*node, arguments.name));
     print_section(console, "FILE", node->file);
     return Exit::Ok;
 }
@@ -98,10 +107,13 @@ Exit show_node(const Console& console, const Arguments& arguments) {
 }  // namespace
 
 void add_node(Program& program) {
-    CLI::App& command = add_command(program, "node", "Show the manual page of a node",
-                                    {"patina node Lerp", "patina node DistributionGGX --json"});
+    CLI::App& command =
+        add_command(program, "node", "Show the manual page of a node",
+                    {"patina node Lerp", "patina node DistributionGGX --json", "patina node wave.node.hlsl"});
     auto arguments = std::make_shared<Arguments>();
-    command.add_option("NAME", arguments->name, "A node of the library")->required()->type_name(" ");
+    command.add_option("NAME", arguments->name, "A node of the library, or the file of one (.node.hlsl)")
+        ->required()
+        ->type_name(" ");
     command.add_flag("--json", arguments->json, "Print it as JSON");
     set_work(program, command, [arguments](const Console& console) { return show_node(console, *arguments); });
 }

@@ -31,6 +31,7 @@ Exit render_graph(const Console& console, const Arguments& arguments, const Comp
                   const std::string& graph, runtime::RenderMachine& machine) {
     runtime::RenderRequest request = arguments.request;
     request.graph = graph;
+    request.progress = [&](double share) { show_share(console, share, graph); };
     const runtime::RenderOutcome outcome = runtime::render(compiler, request, machine);
     report(console, outcome.diagnostics);
     if (!outcome.error.empty()) complain(console, "cannot-render", outcome.error);
@@ -106,7 +107,10 @@ void add_render(Program& program) {
     command.add_option("GRAPH", arguments->graphs, "Material graphs (JSON)")->required()->type_name(" ");
     command.add_option("-o,--output", arguments->output, "A .png or .exr file, or a folder (NAME.png)")
         ->type_name("OUT");
-    command.add_option("--node", request.preview, "Show this port, unlit: mask, rust.amount")->type_name("PORT");
+    command
+        .add_option("--node", request.preview,
+                    "Show this port, unlit: mask, rust.amount, or layers/mask in a sub-graph")
+        ->type_name("PORT");
     command.add_option("--set", arguments->set, "Give a property a value: _Roughness=0.2, _MainTex=rust.png")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);

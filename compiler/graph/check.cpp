@@ -31,7 +31,7 @@ std::vector<std::string_view> input_names(const ResolvedNode& node) {
     return names;
 }
 
-void find_meaning(Session& session, const Graph& graph, const Node& node, ResolvedNode& resolved) {
+void find_meaning(Session& session, const Graph& graph, const Node& node, const Shown& inside, ResolvedNode& resolved) {
     resolved.ok = false;
     if (!node.type_span) return;  // it has no type: reported already
     if (!is_file(node.type)) {
@@ -66,7 +66,7 @@ void find_meaning(Session& session, const Graph& graph, const Node& node, Resolv
         resolved.function = file->node;
         resolved.home = &file->declarations;
     } else {
-        resolved.subgraph = load_graph(session, path, GraphKind::Subgraph, node.type_span);
+        resolved.subgraph = load_graph(session, path, GraphKind::Subgraph, node.type_span, inside);
         if (!resolved.subgraph) return;
     }
     resolved.ok = true;
@@ -228,7 +228,17 @@ void check_range(Session& session, const Expr& value, std::array<double, 2> rang
                                shortest(range[0]), shortest(range[1]), name);
 }
 
-const CheckedGraph* check_graph(Session& session, std::shared_ptr<const Graph> graph) {
+Shown Shown::inside(std::string_view node) const {
+    if (!text.starts_with(node) || text.size() == node.size() || text[node.size()] != '/') return {};
+    return {text.substr(node.size() + 1), base + static_cast<std::uint32_t>(node.size() + 1)};
+}
+
+const Expr* parse_shown(Session& session, const Shown& shown) {
+    const Shown head = shown.head();
+    return nodelang::parse_link({.text = head.text, .base = head.base}, session.ast, session.diagnostics);
+}
+
+const CheckedGraph* check_graph(Session& session, std::shared_ptr<const Graph> graph, const Shown& shown) {
     CheckedGraph& checked = session.checked.emplace_back();
     checked.graph = graph;
     checked.nodes.resize(graph->nodes.size());
@@ -237,15 +247,21 @@ const CheckedGraph* check_graph(Session& session, std::shared_ptr<const Graph> g
         const Node& node = graph->nodes[i];
         ResolvedNode& resolved = checked.nodes[i];
         session.diagnostics.set_context(node.id, {});
+        const Shown inside = shown.inside(node.id);
         if (node.is_expression) {
             resolved.ok = node.expr != nullptr;
             if (node.expr) collect_reads(*node.expr, checked, resolved.reads);
         } else {
-            find_meaning(session, *graph, node, resolved);
+            find_meaning(session, *graph, node, inside, resolved);
             if (resolved.ok) check_ports(session, node, resolved);
             for (const PortValue& port : node.inputs) {
                 if (port.value) collect_reads(*port.value, checked, resolved.reads);
             }
+        }
+        if (inside && resolved.ok && !resolved.subgraph) {
+            const Span span{inside.base, inside.base + static_cast<std::uint32_t>(inside.text.size())};
+            session.diagnostics.report(Code::DanglingLink, span, inside.text)
+                .note(fmt::format("'{}' is no sub-graph: it has no nodes inside", node.id));
         }
         std::sort(resolved.reads.begin(), resolved.reads.end());
         resolved.reads.erase(std::unique(resolved.reads.begin(), resolved.reads.end()), resolved.reads.end());
@@ -255,8 +271,9 @@ const CheckedGraph* check_graph(Session& session, std::shared_ptr<const Graph> g
     return &checked;
 }
 
-const CheckedGraph* load_graph(Session& session, const std::string& path, GraphKind kind, Span where) {
-    if (const auto found = session.graphs.find(path); found != session.graphs.end()) return found->second;
+const CheckedGraph* load_graph(Session& session, const std::string& path, GraphKind kind, Span where,
+                               const Shown& shown) {
+    if (const auto found = session.graphs.find(path); !shown && found != session.graphs.end()) return found->second;
     if (std::find(session.active.begin(), session.active.end(), path) != session.active.end()) {
         std::string chain;
         for (const std::string& active : session.active) chain += active + " > ";
@@ -270,13 +287,18 @@ const CheckedGraph* load_graph(Session& session, const std::string& path, GraphK
     const CheckedGraph* checked = nullptr;
     if (const std::unique_ptr<Json> json = parse_json(session.sources, *base, session.diagnostics)) {
         if (auto graph = read_graph(*json, path, session.sources, session.ast, session.diagnostics, kind)) {
-            checked = check_graph(session, graph);
+            if (shown) {
+                const Expr* value = parse_shown(session, shown);
+                graph->outputs = {{.name = "shown", .name_span = where, .value_span = where, .value = value}};
+            }
+            checked = check_graph(session, graph, shown);
         }
     }
     session.active.pop_back();
     // A broken sub-graph is reported once; its users say nothing more.
     if (session.diagnostics.error_count() != errors) checked = nullptr;
-    return session.graphs[path] = checked;
+    if (!shown) session.graphs[path] = checked;
+    return checked;
 }
 
 }  // namespace patina::graph

@@ -27,10 +27,25 @@ struct CheckedGraph {
     std::vector<bool> reachable(std::uint32_t node) const;
 };
 
-const CheckedGraph* check_graph(Session& session, std::shared_ptr<const Graph> graph);
+// What a preview shows, as seen from one graph: a link ("mask.amount"), or what a sub-graph's node has inside
+// ("layers/mask.amount").
+struct Shown {
+    std::string_view text{};  // null: nothing in here
+    std::uint32_t base = 0;   // of the text in the source map
 
-// Reads and checks a graph file of the given kind; each file once. Null after an error.
-const CheckedGraph* load_graph(Session& session, const std::string& path, GraphKind kind, Span where);
+    explicit operator bool() const { return text.data() != nullptr; }
+    // The link, or the node that it goes into.
+    Shown head() const { return {text.substr(0, text.find('/')), base}; }
+    Shown inside(std::string_view node) const;
+};
+const nodelang::Expr* parse_shown(Session& session, const Shown& shown);
+
+const CheckedGraph* check_graph(Session& session, std::shared_ptr<const Graph> graph, const Shown& shown = {});
+
+// Reads and checks a graph file of the given kind; each file once, but for a sub-graph of which something inside is
+// shown: that is then its only output. Null after an error.
+const CheckedGraph* load_graph(Session& session, const std::string& path, GraphKind kind, Span where,
+                               const Shown& shown = {});
 
 // Reads a .node.hlsl file; each file once. Null after an error.
 const NodeFile* load_node_file(Session& session, const std::string& path, Span where);

@@ -190,17 +190,15 @@ void bind_lighting_properties(Session& session, Material& material, std::span<co
 }
 
 // Turns the material into one that shows a port, by the workflow that says it can show things.
-bool make_preview(Session& session, Graph& graph, std::string_view preview) {
+bool make_preview(Session& session, Graph& graph, const Shown& shown) {
     for (const auto& [name, workflow] : session.library.workflows) {
         if (workflow->preview_input.empty()) continue;
-        const std::uint32_t base = session.sources.add("--node", std::string(preview));
-        const Expr* value = nodelang::parse_link({.text = session.sources.file_text(base), .base = base}, session.ast,
-                                                 session.diagnostics);
+        const Expr* value = parse_shown(session, shown);
         if (!value) return false;
-        const auto is_node = [&](const Node& node) { return node.id == preview; };
+        const auto is_node = [&](const Node& node) { return node.id == shown.text; };
         for (const PortValue& port : graph.surface) {
             // A surface input shows what it is given.
-            if (port.name != preview || !port.value || std::any_of(graph.nodes.begin(), graph.nodes.end(), is_node))
+            if (port.name != shown.text || !port.value || std::any_of(graph.nodes.begin(), graph.nodes.end(), is_node))
                 continue;
             value = port.value;
         }
@@ -290,8 +288,13 @@ std::vector<const Input*> Material::surface_inputs() const {
 std::unique_ptr<Material> resolve_material(Session& session, std::shared_ptr<Graph> graph, std::string_view preview) {
     auto material = std::make_unique<Material>();
     material->is_preview = !preview.empty();
-    if (material->is_preview && !make_preview(session, *graph, preview)) return nullptr;
-    material->graph = check_graph(session, graph);
+    Shown shown;
+    if (material->is_preview) {
+        shown.base = session.sources.add("--node", std::string(preview));
+        shown.text = session.sources.file_text(shown.base);
+        if (!make_preview(session, *graph, shown)) return nullptr;
+    }
+    material->graph = check_graph(session, graph, shown);
     material->workflow = find_workflow(session, *graph);
     if (!material->workflow) return nullptr;
     material->lighting = find_lighting(session, *graph, *material->workflow->graph, material->lighting_name);

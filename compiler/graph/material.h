@@ -25,7 +25,8 @@ struct Material {
     std::vector<const Input*> surface_inputs() const;
 };
 
-// `preview`: "mask" or "rust.amount", or empty. Null after errors that leave nothing to go on with.
+// `preview`: "mask", "rust.amount" or "layers/mask" (in a sub-graph), or empty. Null after errors that leave nothing to
+// go on with.
 std::unique_ptr<Material> resolve_material(Session& session, std::shared_ptr<Graph> graph, std::string_view preview);
 
 // Warns of nodes that nothing reads; once there are no errors, which may be the reason.

@@ -73,7 +73,8 @@ struct CompileOptions {
     std::vector<std::string> passes;        // empty: every pass that the material takes part in
     std::vector<std::string> include_dirs;  // searched for files after the graph's own folder
     Loader loader;                          // default: the file system
-    // "mask" or "rust.amount": compile a material that shows this port, unlit, instead of the graph's surface.
+    // "mask", "rust.amount", or "layers/mask" inside the sub-graph of the node "layers": compile a material that shows
+    // this port, unlit, instead of the graph's surface.
     std::string preview;
     // Names of stages whose text goes to Result::dumps: "graph", "ir", "linked", "tidy", "rates".
     std::vector<std::string> dump;
@@ -152,6 +153,7 @@ struct NodeTest {
 struct NodeFileResult {
     bool ok = false;  // it could be read; tests may still have failed
     std::vector<Diagnostic> diagnostics;
+    NodeInfo node;
     std::vector<NodeTest> tests;
 };
 // True if `actual` is within the test's tolerances of `expected`, NaN matching NaN.
@@ -187,11 +189,11 @@ public:
     const std::vector<ModelInfo>& lighting_models() const;
     std::vector<NodeTest> tests(std::string_view node) const;
 
-    // Reads a node file and runs its test lines on the CPU.
+    // Reads a node file, describes its node and runs its test lines on the CPU.
     NodeFileResult check_node_file(const std::string& path, const CompileOptions& options = {}) const;
 
-    // Runs one node on the CPU with arguments in the graph format's value grammar without links ("0.5", "0,0,1",
-    // "Reoriented", "#ff8800"). `single` computes in float rather than double.
+    // Runs one node, of the library or of a .node.hlsl file, on the CPU with arguments in the graph format's value
+    // grammar without links ("0.5", "0,0,1", "Reoriented", "#ff8800"). `single` computes in float rather than double.
     EvalResult evaluate(std::string_view node, std::span<const std::pair<std::string, std::string>> arguments,
                         bool single = false) const;
 

@@ -1,0 +1,84 @@
+// What a preview shows: a node's port, a surface input, or a node inside a sub-graph. The values are constants, so that
+// each can be read off the printed colour.
+#include <gtest/gtest.h>
+
+#include "patina/patina.h"
+
+namespace patina {
+namespace {
+
+constexpr const char* kGraph = R"({
+  "patina": 1,
+  "workflow": "metallic-roughness",
+  "nodes": [
+    { "id": "half", "expr": "0.5" },
+    { "id": "layers", "node": "./layers.subgraph.json", "in": { "x": "half" } },
+    { "id": "again", "node": "./layers.subgraph.json", "in": { "x": 1 } }
+  ],
+  "surface": { "baseColor": "= layers.sum + again.sum", "roughness": 0.125 }
+})";
+constexpr const char* kLayers = R"({
+  "patina": 1,
+  "kind": "subgraph",
+  "inputs": [ { "name": "x", "type": "float", "default": 0 } ],
+  "nodes": [
+    { "id": "quarter", "expr": "$x * 0.5" },
+    { "id": "deep", "node": "./deep.subgraph.json" }
+  ],
+  "outputs": { "sum": "= quarter + deep" }
+})";
+constexpr const char* kDeep = R"({
+  "patina": 1,
+  "kind": "subgraph",
+  "nodes": [ { "id": "small", "expr": "0.0625" } ],
+  "outputs": { "value": "= small * 2" }
+})";
+
+Result preview(const std::string& port) {
+    CompileOptions options;
+    options.preview = port;
+    options.targets = {Target::Glsl};
+    options.loader = [](const std::string& path) -> std::optional<std::string> {
+        if (path.ends_with("layers.subgraph.json")) return kLayers;
+        if (path.ends_with("deep.subgraph.json")) return kDeep;
+        return {};
+    };
+    return Compiler().compile_text("test.graph.json", kGraph, options);
+}
+
+// The grey that the fragment stage writes.
+std::string shown(const std::string& port) {
+    const Result result = preview(port);
+    if (!result.ok) return result.diagnostics.empty() ? "?" : result.diagnostics[0].message;
+    const std::string& text = result.shaders.back().text;
+    constexpr std::string_view kStart = "out_color = vec4(";
+    const std::size_t at = text.find(kStart);
+    if (at == text.npos) return text;
+    return text.substr(at + kStart.size(), text.find(',', at) - at - kStart.size());
+}
+
+TEST(Preview, ShowsAPortOfTheGraph) {
+    EXPECT_EQ(shown("half"), "0.5");
+    EXPECT_EQ(shown("layers"), "0.375");  // 0.5 * 0.5 + 0.0625 * 2
+    EXPECT_EQ(shown("roughness"), "0.125");
+}
+
+TEST(Preview, ShowsWhatIsInsideASubgraphAsItsNodeFeedsIt) {
+    EXPECT_EQ(shown("layers/quarter"), "0.25");
+    EXPECT_EQ(shown("again/quarter"), "0.5");
+    EXPECT_EQ(shown("layers/deep"), "0.125");
+    EXPECT_EQ(shown("layers/deep/small"), "0.0625");
+}
+
+TEST(Preview, SaysWhatIsNotThere) {
+    for (const char* port :
+         {"layers/nothing", "nothing/quarter", "half/quarter", "layers/", "layers/quarter/x", "/x"}) {
+        const Result result = preview(port);
+        EXPECT_FALSE(result.ok) << port;
+        ASSERT_FALSE(result.diagnostics.empty()) << port;
+        EXPECT_EQ(result.diagnostics[0].file, "--node") << port;
+    }
+}
+
+}  // namespace
+}  // namespace patina
