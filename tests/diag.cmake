@@ -11,7 +11,3 @@ foreach(name IN ITEMS diagnostics graphs docs)
   add_dependencies(${name}_test patina_cli)
   add_test(NAME ${name}_test COMMAND ${name}_test)
 endforeach()
-
-add_test(NAME embed_test
-         COMMAND ${CMAKE_COMMAND} -D BUILD=${CMAKE_BINARY_DIR} -D SOURCE=${CMAKE_SOURCE_DIR}
-                 -D WORK=${CMAKE_BINARY_DIR}/received/run/embed -P ${CMAKE_CURRENT_SOURCE_DIR}/embed/embed_test.cmake)
