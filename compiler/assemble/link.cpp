@@ -184,6 +184,10 @@ private:
             {"instance_index", ir::Builtin::InstanceIndex}};
         const auto& declared = *linked_.lowered.semantics[semantic.index].declaration->variable->attribute("builtin");
         const ir::Semantic& info = module_.semantics[semantic.index];
+        // Triangles have no back yet: vertices see the front.
+        if (in_vertex_stage() && nodelang::attribute_text(declared) == "front_facing") {
+            return builder_.constant(info.type, {1});
+        }
         ir::StageVariable variable{.name = info.name, .type = info.type, .semantic = {}};
         for (const auto& [word, which] : kWords) {
             if (word == nodelang::attribute_text(declared)) variable.builtin = which;

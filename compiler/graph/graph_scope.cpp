@@ -393,6 +393,22 @@ Typed GraphScope::material_property(std::size_t index) {
     return typed;
 }
 
+namespace {
+
+// Whether a semantic is made of where its pixel lies. Which side is seen does not count: vertices see the front.
+bool reads_pixel(const Library& library, const SemanticDecl& semantic) {
+    if (semantic.source == Source::Builtin) return semantic.name != "front_facing";
+    if (!semantic.function) return false;
+    return std::any_of(semantic.function->params.begin(), semantic.function->params.end(), [&](const auto& param) {
+        const nodelang::Expr* read = param.initial;
+        while (read && read->kind == nodelang::Expr::Kind::Member) read = read->args[0];
+        const auto found = read ? library.semantic_index.find(read->text) : library.semantic_index.end();
+        return found != library.semantic_index.end() && reads_pixel(library, library.semantics[found->second]);
+    });
+}
+
+}  // namespace
+
 Typed GraphScope::semantic(std::string_view name, Span span, nodelang::Scope& scope) {
     if (const auto given = given_.find(name); given != given_.end()) return given->second;
     const Library& library = lowering_.session.library;
@@ -427,7 +443,7 @@ Typed GraphScope::semantic(std::string_view name, Span span, nodelang::Scope& sc
     if (semantic.source == Source::Extern) return lowering_.emitter.extern_value(*semantic.variable, scope);
     const Type type = lowering_.out.module.semantics[found->second].type;
     if (type.is_error()) return {};
-    if (scope_.in_vertex_stage && semantic.source == Source::Builtin) {
+    if (scope_.in_vertex_stage && (semantic.source == Source::Builtin || reads_pixel(library, semantic))) {
         lowering_.session.diagnostics.report(Code::NoSuchStageValue, span, name, "vertex");
         return {};
     }

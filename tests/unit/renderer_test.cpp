@@ -282,6 +282,18 @@ TEST_F(RendererTest, EightBitFormatsHoldTheirFilesNumbers) {
     }
 }
 
+// Such a branch on the fourth uniform buffer crashes lavapipe (Mesa 22.3), if the shader has more than 100 values.
+TEST_F(RendererTest, BranchesOnAUniform) {
+    std::string rounds;
+    float expected = 0.5f;
+    for (int i = 0; i < 30; i++) {
+        rounds += "v = 0.5 * sin(v) + cos(v); ";
+        expected = 0.5f * std::sin(expected) + std::cos(expected);
+    }
+    EXPECT_NEAR(value_of("vec4(0); float v = 0.25 + uv.x; if (v > _Tint.g) { " + rounds + "} result = vec4(v)")[0],
+                expected, 1e-4);
+}
+
 TEST_F(RendererTest, BlendsAsThePassSays) {
     reflection.passes[0].targets[0].blend_source = "src_alpha";
     reflection.passes[0].targets[0].blend_destination = "one_minus_src_alpha";
