@@ -92,7 +92,10 @@ public:
         return builder_.call(imported(function), arguments);
     }
 
+    // A pinned value is one value: of the mesh as it is, for its readers in either stage.
     Value value(SemanticId semantic, bool original = false) {
+        const graph::SemanticRecipe& recipe = linked_.lowered.semantics[semantic.index];
+        original = original || (recipe.source == Source::Vertex && !recipe.declaration);
         std::vector<Value>& known = original ? originals_ : values_;
         known.resize(module_.semantics.size());
         if (!known[semantic.index]) {

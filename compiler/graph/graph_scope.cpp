@@ -253,13 +253,13 @@ Typed GraphScope::interpolated(std::uint32_t index) {
                 const Value part = builder.extract(value.value, static_cast<std::uint32_t>(output));
                 value = {.value = part, .type = builder.type(part)};
             }
-            if (!value.type.is_numeric() || value.type.is_matrix()) {
-                lowering_.session.diagnostics.report(Code::TypeMismatch, node.id_span, fmt::format("'{}'", node.id),
-                                                     module.type_name(value.type),
-                                                     "a number or vector, to be interpolated");
+            if (!value.type.is_floating() || value.type.is_matrix()) {
+                lowering_.session.diagnostics.report(Code::TypeMismatch, node.id_span,
+                                                     fmt::format("'{}', which is interpolated,", node.id),
+                                                     module.type_name(value.type), "a float or a vector of floats");
                 return {};
             }
-            // A varying is a float: half varyings do not exist everywhere, and whole numbers do not interpolate.
+            // A varying is a float: half varyings do not exist everywhere.
             if (value.type.scalar != ir::Scalar::Float) {
                 value.value = builder.convert(value.value, ir::Scalar::Float);
                 value.type = value.type.with_scalar(ir::Scalar::Float);
@@ -319,9 +319,11 @@ Typed GraphScope::value_as(const PortValue& port, Type type, std::string_view wh
 Typed GraphScope::name(const Expr& expr, nodelang::Scope&) {
     const auto found = graph_.by_id.find(expr.text);
     if (found != graph_.by_id.end()) return values_[found->second];
+    Diagnostics& diagnostics = lowering_.session.diagnostics;
+    DiagnosticRecord& record = diagnostics.report(Code::DanglingLink, expr.span, expr.text);
+    if (diagnostics.is_full()) return {};
     std::vector<std::string_view> known;
     for (const Node& node : graph_.graph->nodes) known.push_back(node.id);
-    DiagnosticRecord& record = lowering_.session.diagnostics.report(Code::DanglingLink, expr.span, expr.text);
     if (inputs_.contains(expr.text) || lowering_.material.property_index.contains(expr.text)) {
         record.note(fmt::format("an input or property is read as '${}'", expr.text));
     } else if (lowering_.session.library.semantic_index.contains(expr.text)) {
@@ -342,13 +344,14 @@ Typed GraphScope::property(const Expr& expr, nodelang::Scope&) {
                         std::any_of(own.begin(), own.end(), [&](const Property& p) { return p.name == expr.text; });
     const auto index = lowering_.material.property_index.find(expr.text);
     if (is_own && index != lowering_.material.property_index.end()) return material_property(index->second);
+    DiagnosticRecord& record = lowering_.session.diagnostics.report(Code::UnknownProperty, expr.span, expr.text);
+    if (lowering_.session.diagnostics.is_full()) return {};
     std::vector<std::string> written;
     for (const Property& property : own) written.push_back("$" + property.name);
     for (const auto& [name, value] : inputs_) written.push_back("$" + std::string(name));
     const std::vector<std::string_view> known(written.begin(), written.end());
-    lowering_.session.diagnostics.report(Code::UnknownProperty, expr.span, expr.text)
-        .note(known.empty() ? "the graph has no properties"
-                            : Diagnostics::suggestion("$" + std::string(expr.text), known));
+    record.note(known.empty() ? "the graph has no properties"
+                              : Diagnostics::suggestion("$" + std::string(expr.text), known));
     return {};
 }
 

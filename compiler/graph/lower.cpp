@@ -150,7 +150,7 @@ Typed surface_value(Lowering& lowering, GraphScope& scope, std::span<const Input
                     Type type) {
     const std::vector<PortValue>& ports = lowering.material.graph->graph->surface;
     for (const PortValue& port : ports) {
-        lowering.session.diagnostics.set_context("surface", port.name);
+        if (!lowering.material.is_preview) lowering.session.diagnostics.set_context("surface", port.name);
         if (port.name == input.name) {
             if (!port.value) return {};
             if (lowering.material.is_preview)
