@@ -314,7 +314,8 @@ ir::FunctionId lower_lighting(Lowering& lowering, const FunctionDecl& slot, cons
     scope.set_property_values(lowering.material.lighting_inputs, material);
     bool per_light = false;
     for (const nodelang::ParamDecl& param : slot.params) {
-        const bool is_light = !param.attributes.empty();
+        const bool is_light = std::any_of(param.attributes.begin(), param.attributes.end(),
+                                          [](const nodelang::Attribute& a) { return a.name == "per_light"; });
         per_light = per_light || is_light;
         const Type type = lowering.emitter.type(param.type, scope.scope());
         function.params.push_back({std::string(param.name), type, is_light ? ir::Rate::Light : ir::Rate::Pixel});

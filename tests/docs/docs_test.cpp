@@ -98,6 +98,11 @@ TEST_P(Page, HoldsExamplesThatWork) {
     }
 }
 
+TEST(Library, HasNoErrors) {
+    const Compiler compiler;
+    for (const Diagnostic& d : compiler.library_diagnostics()) ADD_FAILURE() << to_text(d);
+}
+
 // What a node's manual page offers to paste can be pasted, if nothing has to be filled in.
 TEST(ManualPage, OffersANodeThatCompiles) {
     const Compiler compiler;
