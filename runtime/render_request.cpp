@@ -105,6 +105,11 @@ RenderOutcome draw_on_gpu(const RenderRequest& request, const Result& compiled, 
     }
     draw.vertex_spirv = vertex;
     draw.fragment_spirv = fragment;
+    if (Outcome<const Pass*> pass = drawable_pass(draw); !pass) return failed(std::move(outcome), pass.error);
+    if (std::string error = machine.renderer->beyond_limits(draw); !error.empty()) {
+        outcome.missing_machine = true;
+        return failed(std::move(outcome), error);
+    }
     std::size_t messages_before = machine.renderer->messages().size();
     Outcome<Image> image = machine.renderer->draw(draw);
     if (!image) return failed(std::move(outcome), image.error);
