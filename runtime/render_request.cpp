@@ -23,6 +23,7 @@ Outcome<Scene> read_scene(const RenderRequest& request) {
         for (std::string_view name : mesh_names()) names += (names.empty() ? "" : ", ") + std::string(name);
         return Failure{"there is no mesh '" + request.mesh + "'; there are: " + names};
     }
+    if (!is_time(request.time)) return Failure{"the time must be a number of seconds that a float can hold"};
     Scene scene{.mesh = std::move(*mesh),
                 .camera = default_camera(request.mesh),
                 .lights = default_lights(),
