@@ -15,6 +15,16 @@ RenderOutcome failed(RenderOutcome outcome, std::string error) {
     return outcome;
 }
 
+// About the graph as a whole: the reflection knows no lines.
+Diagnostic complaint(const RenderRequest& request, Severity severity, std::string code, std::string message) {
+    Diagnostic diagnostic;
+    diagnostic.severity = severity;
+    diagnostic.code = std::move(code);
+    diagnostic.message = std::move(message);
+    diagnostic.file = request.graph;
+    return diagnostic;
+}
+
 // The scene that the request's words describe.
 Outcome<Scene> read_scene(const RenderRequest& request) {
     std::optional<Mesh> mesh = make_mesh(request.mesh);
@@ -146,6 +156,8 @@ RenderOutcome render(const Compiler& compiler, const RenderRequest& request, Ren
     const Reflection& reflection = compiled.reflection;
     Outcome<MaterialValues> values = material_values(reflection, request.overrides);
     if (!values) return failed(std::move(outcome), values.error);
+    for (const std::string& warning : values.value.warnings)
+        outcome.diagnostics.push_back(complaint(request, Severity::Warning, "soft-range", warning));
     Outcome<std::vector<LoadedTexture>> textures =
         load_textures(reflection, values.value.textures, request.exact_textures);
     if (!textures) return failed(std::move(outcome), textures.error);

@@ -80,6 +80,7 @@ patina::Property reflect_property(const ir::Module& module, const Property& prop
                           .type = std::string(graph::to_string(property.type)),
                           .value = property.value,
                           .range = property.range,
+                          .hard = property.hard,
                           .values = property.values,
                           .label = property.label,
                           .group = property.group,

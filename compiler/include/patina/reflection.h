@@ -58,6 +58,7 @@ struct Property {
     std::string type;               // float | float2 | float3 | float4 | color | int | bool | enum | texture2d
     std::array<double, 4> value{};  // default; colours linear; bool 0 or 1; enum: index
     std::optional<std::array<double, 2>> range;
+    bool hard = false;                // the range is a limit, not a hint
     std::vector<std::string> values;  // enumerators
     std::string label, group, help;
     std::string block;         // block that holds it; empty for textures
