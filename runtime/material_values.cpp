@@ -167,7 +167,6 @@ Outcome<MaterialValues> material_values(const Reflection& reflection, const std:
     MaterialValues result;
     for (const Property& property : reflection.properties)
         if (property.type != "texture2d") result.numbers[property.name] = property.value;
-    for (const Texture& texture : reflection.textures) result.textures[texture.name] = texture.default_value;
 
     for (const auto& [name, text] : words) {
         if (const Texture* texture = tiled_texture(reflection, name)) {

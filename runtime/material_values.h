@@ -20,7 +20,7 @@ namespace patina::runtime {
 
 struct MaterialValues {
     std::map<std::string, std::array<double, 4>> numbers;  // every property that is not a texture
-    std::map<std::string, std::string> textures;           // every texture -> white | black | gray | bump | a file
+    std::map<std::string, std::string> textures;  // those that were named: white | black | gray | bump | a file
     std::map<std::string, std::array<double, 4>> tilings;  // texture -> scale x, y, offset x, y
     std::vector<std::string> warnings;                     // values outside the usual range
 };

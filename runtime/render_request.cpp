@@ -1,6 +1,7 @@
 #include "runtime/render_request.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "patina/validate.h"
 #include "runtime/cpu_render.h"
@@ -23,6 +24,18 @@ Diagnostic complaint(const RenderRequest& request, Severity severity, std::strin
     diagnostic.message = std::move(message);
     diagnostic.file = request.graph;
     return diagnostic;
+}
+
+// The textures that the pass reads and that ask for what the CPU cannot do, in quotes; empty: none.
+std::string anisotropic_textures(const Reflection& reflection, const std::string& pass) {
+    std::string names;
+    for (const Texture& texture : reflection.textures) {
+        bool is_read = std::any_of(reflection.passes.begin(), reflection.passes.end(), [&](const Pass& each) {
+            return each.name == pass && std::count(each.textures.begin(), each.textures.end(), texture.name);
+        });
+        if (is_read && texture.sampler.anisotropy > 1) names += (names.empty() ? "'" : ", '") + texture.name + "'";
+    }
+    return names;
 }
 
 // The scene that the request's words describe.
@@ -158,19 +171,24 @@ RenderOutcome render(const Compiler& compiler, const RenderRequest& request, Ren
     if (!values) return failed(std::move(outcome), values.error);
     for (const std::string& warning : values.value.warnings)
         outcome.diagnostics.push_back(complaint(request, Severity::Warning, "soft-range", warning));
-    Outcome<std::vector<LoadedTexture>> textures =
-        load_textures(reflection, values.value.textures, request.exact_textures);
-    if (!textures) return failed(std::move(outcome), textures.error);
+    const std::string graph_folder = std::filesystem::path(request.graph).parent_path().string();
+    LoadedTextures loaded = load_textures(reflection, graph_folder, values.value.textures, request.exact_textures);
+    for (const std::string& error : loaded.errors)
+        outcome.diagnostics.push_back(complaint(request, Severity::Error, "bad-texture", error));
+    if (!loaded.errors.empty()) return outcome;
     std::vector<BlockBytes> blocks = fill_blocks(reflection, values.value, scene.value);
 
     Draw draw{.reflection = &reflection,
               .pass = choose_pass(reflection, request.pass),
               .scene = &scene.value,
               .blocks = blocks,
-              .textures = textures.value,
+              .textures = loaded.textures,
               .program = compiled.program.get(),
               .progress = request.progress};
     if (!on_cpu) return draw_on_gpu(request, compiled, draw, machine, std::move(outcome));
+    if (std::string names = anisotropic_textures(reflection, draw.pass); !names.empty())
+        outcome.diagnostics.push_back(complaint(request, Severity::Warning, "no-anisotropy",
+                                                "the CPU reference samples without anisotropy: " + names));
     Outcome<Image> image = cpu_draw(draw);
     if (!image) return failed(std::move(outcome), image.error);
     outcome.image = std::move(image.value);

@@ -79,6 +79,7 @@ void add_property(Session& session, Material& material, const Property& property
             report_not_found(session, property.texture, from,
                              property.default_span ? property.default_span : property.span);
         } else {
+            entry.is_file = true;
             session.dependencies.push_back(entry.texture_path);
         }
     }

@@ -167,7 +167,7 @@ protected:
     static inline std::unique_ptr<Renderer> renderer;
     Reflection reflection = make_reflection();
     std::map<std::string, std::string> words;
-    std::vector<LoadedTexture> textures = load_textures(reflection, {}, true).value;
+    std::vector<LoadedTexture> textures = load_textures(reflection, "", {}, true).textures;
     std::vector<Light> lights;
     Scene scene = fullscreen_scene(8, 4);
 };
