@@ -84,11 +84,13 @@ std::vector<Need> needs_of(const VkPhysicalDeviceLimits& limits, const Draw& dra
         add(fmt::format("the material's {} vertex inputs", inputs), inputs, limits.maxVertexInputAttributes,
             "maxVertexInputAttributes");
     }
-    // A location counts as four numbers, however many are used. The position takes one too.
+    // A location counts as four numbers, however many are used. GLSL's gl_PerVertex counts too: a position, a point
+    // size, a clip and a cull distance.
     constexpr std::uint32_t kInput = 1, kOutput = 3;
-    const std::uint64_t outputs = 4 * (location_count(draw.vertex_spirv, kOutput) + std::uint64_t(1));
+    constexpr std::uint64_t kPerVertex = 7;
+    const std::uint64_t outputs = 4 * std::uint64_t(location_count(draw.vertex_spirv, kOutput)) + kPerVertex;
     const std::uint64_t inputs = 4 * std::uint64_t(location_count(draw.fragment_spirv, kInput));
-    add(fmt::format("the {} numbers that the vertex stage hands on, four for each value", outputs), outputs,
+    add(fmt::format("the {} numbers that the vertex stage hands on, its position among them", outputs), outputs,
         limits.maxVertexOutputComponents, "maxVertexOutputComponents");
     add(fmt::format("the {} numbers that the fragment stage takes, four for each value", inputs), inputs,
         limits.maxFragmentInputComponents, "maxFragmentInputComponents");

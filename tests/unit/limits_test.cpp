@@ -90,7 +90,7 @@ TEST_F(Limits, EachIsKept) {
              Case{&VkPhysicalDeviceLimits::maxBoundDescriptorSets, 2, "(maxBoundDescriptorSets)"},
              Case{&VkPhysicalDeviceLimits::maxUniformBufferRange, 64, "the block 'Block0' of 64 bytes"},
              Case{&VkPhysicalDeviceLimits::maxVertexInputAttributes, 3, "(maxVertexInputAttributes)"},
-             Case{&VkPhysicalDeviceLimits::maxVertexOutputComponents, 12, "(maxVertexOutputComponents)"},
+             Case{&VkPhysicalDeviceLimits::maxVertexOutputComponents, 15, "(maxVertexOutputComponents)"},
              Case{&VkPhysicalDeviceLimits::maxFragmentInputComponents, 8, "(maxFragmentInputComponents)"},
          }) {
         limits.*each.limit = each.need;
