@@ -61,10 +61,12 @@ auto* find_named(Range&& range, const std::string& name) {
 // lavapipe (Mesa 22.3) numbers the uniform buffers of a stage from 1, in the order of sets and bindings. In a shader of
 // more than 100 values it notes which uniforms decide a branch; what it notes of number 4 falls on its own counters,
 // and the draw crashes. So the third buffer takes two numbers, and nobody is number 4. The others up to 8 are safe.
+constexpr std::uint32_t kDoubledBuffer = 3;
+
 void leave_out_buffer_4(Slots& slots) {
-    int number = 0;
+    std::uint32_t number = 0;
     for (auto& [place, slot] : slots)
-        if (slot.type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER && ++number == 3) slot.count = 2;
+        if (slot.type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER && ++number == kDoubledBuffer) slot.count = 2;
 }
 
 // Everything that the reflection has, whether this pass reads it or not: the places are the same in every pass.
@@ -265,6 +267,11 @@ VkPipelineShaderStageCreateInfo shader_stage(VkShaderStageFlagBits stage, const 
 }
 
 }  // namespace
+
+std::uint32_t uniform_buffer_count(const Reflection& reflection) {
+    auto blocks = std::uint32_t(reflection.blocks.size());
+    return blocks + (blocks >= kDoubledBuffer ? 1 : 0);
+}
 
 Outcome<Bindings> make_bindings(Gpu& gpu, const Reflection& reflection, VkBuffer uniforms,
                                 std::span<const BoundBlock> blocks, std::span<const BoundTexture> textures) {
