@@ -10,12 +10,12 @@
 #include "compiler/assemble/identifiers.h"
 #include "compiler/assemble/program.h"
 #include "compiler/assemble/reflect.h"
+#include "compiler/dumps.h"
 #include "compiler/graph/json.h"
 #include "compiler/graph/lower.h"
 #include "compiler/graph/part.h"
 #include "compiler/graph/read_graph.h"
 #include "compiler/impl.h"
-#include "compiler/ir/dump.h"
 #include "compiler/ir/passes/passes.h"
 #include "compiler/ir/verify.h"
 #include "compiler/report.h"
@@ -35,43 +35,8 @@ std::shared_ptr<graph::Graph> read(graph::Session& session, std::uint32_t base, 
     return graph && any_kind ? graph::material_around(session, std::move(graph)) : graph;
 }
 
-bool wants_dump(const CompileOptions& options, std::string_view stage) {
-    return std::find(options.dump.begin(), options.dump.end(), stage) != options.dump.end();
-}
-
 void verified(const ir::Module& module, std::string_view stage) {
-#ifdef PATINA_VERIFY
-    ir::check(module, stage);
-#else
-    (void)module, (void)stage;
-#endif
-}
-
-void dump_stage(Result& result, const CompileOptions& options, std::string_view name, const std::string& label,
-                const ir::Module& module) {
-    verified(module, label);
-    if (wants_dump(options, name)) result.dumps.push_back({.stage = label, .text = ir::dump(module)});
-}
-
-void dump_rates(Result& result, const CompileOptions& options, const std::string& label, const ir::Module& module) {
-    if (!wants_dump(options, "rates")) return;
-    std::string text;
-    for (const ir::Function& function : module.functions) text += ir::dump(module, function, true) + "\n";
-    result.dumps.push_back({.stage = label, .text = std::move(text)});
-}
-
-void dump_graph(Result& result, const CompileOptions& options, const graph::Material& material) {
-    if (!wants_dump(options, "graph")) return;
-    std::string text;
-    for (const std::uint32_t index : material.graph->order) {
-        const graph::Node& node = material.graph->graph->nodes[index];
-        text += fmt::format("{} = {}", node.id, node.is_expression ? "expression" : node.type);
-        for (const std::uint32_t read : material.graph->nodes[index].reads) {
-            text += " <- " + material.graph->graph->nodes[read].id;
-        }
-        text += "\n";
-    }
-    result.dumps.push_back({.stage = "graph", .text = std::move(text)});
+    if (ir::is_verifying()) ir::check(module, stage);
 }
 
 // Vertex inputs get the locations 0, 1, 2...: an HLSL compiler counts them so, and cannot be told otherwise.
@@ -90,11 +55,13 @@ LinkedPass link_pass(const assemble::Linked& linked, const graph::LoweredPass& p
     LinkedPass made{.pass = &pass, .vertex = {}, .fragment = {}};
     made.fragment = assemble::link_fragment(linked, pass, build);
     if (optimise) {
+        verified(made.fragment, "linked fragment");
         dump_stage(result, options, "linked", name + ".fragment.linked", made.fragment);
         made.fragment = ir::tidy(std::move(made.fragment));
     }
     made.vertex = assemble::link_vertex(linked, pass, made.fragment, build);
     if (optimise) {
+        verified(made.vertex, "linked vertex");
         dump_stage(result, options, "linked", name + ".vertex.linked", made.vertex);
         made.vertex = ir::tidy(std::move(made.vertex));
         number_inputs(made.vertex);
@@ -186,11 +153,12 @@ void compile_graph(graph::Session& session, std::uint32_t base, const std::strin
     if (!graph) return;
     const std::unique_ptr<graph::Material> material = graph::resolve_material(session, graph, options.preview);
     if (!material) return;
-    dump_graph(result, options, *material);
+    dump_graph(result, session, *material);
     // Types are checked by lowering: do it even after errors, to report as many as there are.
     graph::Lowered lowered = graph::lower(session, *material, {.fold = true});
     if (session.diagnostics.has_errors()) return;
     graph::warn_unused(session, *material);
+    verified(lowered.module, "lowered");
     dump_stage(result, options, "ir", "ir", lowered.module);
 
     assemble::name_interface(lowered.module);

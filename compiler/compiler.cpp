@@ -87,8 +87,12 @@ std::vector<const nodelang::Expr*> read_arguments(graph::Session& session, const
             continue;
         }
         session.diagnostics.set_context(function.name, name);
-        values[static_cast<std::size_t>(param - function.params.begin())] =
-            read_argument(text, session.sources, session.ast, session.diagnostics);
+        const nodelang::Expr*& value = values[static_cast<std::size_t>(param - function.params.begin())];
+        if (value) session.diagnostics.report(Code::DuplicateKey, value->span, name);
+        value = read_argument(text, session.sources, session.ast, session.diagnostics);
+        if (const auto range = graph::range_of(*param); range && value) {
+            graph::check_range(session, *value, *range, false, name);
+        }
     }
     return values;
 }
@@ -203,7 +207,8 @@ NodeFileResult Compiler::check_node_file(const std::string& path, const CompileO
     if (const graph::NodeFile* file = graph::load_node_file(session, path, {})) {
         const EvaluationContext context{session.library, file->declarations, session.sources};
         result.node = describe_node(*file->node, context);
-        result.tests = node_tests(context, *file->node, session.diagnostics);
+        check_functions(context, file->ast, session.diagnostics);
+        if (!session.diagnostics.has_errors()) result.tests = node_tests(context, *file->node, session.diagnostics);
     }
     result.diagnostics = to_public(session.diagnostics, session.sources);
     result.ok = !session.diagnostics.has_errors();

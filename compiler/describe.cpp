@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "compiler/graph/check.h"
+
 namespace patina {
 
 using nodelang::Expr;
@@ -24,10 +26,6 @@ std::string default_text(const Expr& expr, const EvaluationContext& context) {
     return by_name ? "@" + text : text;
 }
 
-double bound(const Expr& expr) {
-    return expr.kind == Expr::Kind::Unary ? -expr.args[0]->number : expr.number;
-}
-
 std::string doc_line(std::string_view doc) {
     doc = trim(doc);
     while (doc.starts_with('/') || doc.starts_with('<')) doc.remove_prefix(1);
@@ -44,10 +42,8 @@ PortInfo describe_param(const nodelang::ParamDecl& param, const EvaluationContex
                   .doc = doc_line(param.doc),
                   .enumerators = {}};
     if (param.initial) port.default_value = default_text(*param.initial, context);
+    port.range = graph::range_of(param);
     for (const nodelang::Attribute& attribute : param.attributes) {
-        if (attribute.name == "range" && attribute.args.size() == 2) {
-            port.range = {bound(*attribute.args[0]), bound(*attribute.args[1])};
-        }
         if (attribute.name == "unit") port.unit = nodelang::attribute_text(attribute);
     }
     if (const nodelang::EnumDecl* enumeration = context.declarations.enumeration(param.type.name)) {

@@ -222,6 +222,15 @@ Evaluation evaluate_call(const EvaluationContext& context, const nodelang::Funct
     return evaluation;
 }
 
+void check_functions(const EvaluationContext& context, const nodelang::Ast& ast, Diagnostics& diagnostics) {
+    ir::Module module;
+    nodelang::Emitter emitter(module, diagnostics, {.fold = true});
+    graph::declare_engine(context.library, emitter);
+    for (const nodelang::FunctionDecl& function : ast.functions) {
+        emitter.check_function(function, context.declarations);
+    }
+}
+
 std::vector<NodeTest> node_tests(const EvaluationContext& context, const nodelang::FunctionDecl& function,
                                  Diagnostics& diagnostics) {
     std::vector<NodeTest> tests;

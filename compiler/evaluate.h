@@ -23,6 +23,9 @@ Evaluation evaluate_call(const EvaluationContext& context, const nodelang::Funct
                          std::span<const nodelang::Expr* const> arguments, Precision precision,
                          Diagnostics& diagnostics, Span span);
 
+// Errors in the functions of a file, whether anything calls them or not.
+void check_functions(const EvaluationContext& context, const nodelang::Ast& ast, Diagnostics& diagnostics);
+
 // The function's test lines, each with the interpreter's answer. A line that cannot be read is reported.
 std::vector<NodeTest> node_tests(const EvaluationContext& context, const nodelang::FunctionDecl& function,
                                  Diagnostics& diagnostics);

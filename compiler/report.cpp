@@ -94,8 +94,8 @@ void write_text(std::string& text, const Diagnostic& d, bool colors) {
     const char* color = d.severity == Severity::Error     ? "\x1b[1;31m"
                         : d.severity == Severity::Warning ? "\x1b[1;35m"
                                                           : "\x1b[1;36m";
-    if (!d.file.empty())
-        text += fmt::format("{}{}:{}:{}:{} ", paint("\x1b[1m"), d.file, d.line, d.column, paint("\x1b[0m"));
+    const std::string place = d.line > 0 ? fmt::format("{}:{}:{}", d.file, d.line, d.column) : d.file;
+    if (!d.file.empty()) text += fmt::format("{}{}:{} ", paint("\x1b[1m"), place, paint("\x1b[0m"));
     text += fmt::format("{}{}:{} {}", paint(color), word(d.severity), paint("\x1b[0m"), d.message);
     // The surface and the vertex outputs are no nodes to their reader.
     const bool is_part = d.node == "surface" || d.node == "vertex";
@@ -127,6 +127,8 @@ void write_json(Writer& writer, const Diagnostic& d) {
     string("message", d.message);
     if (!d.file.empty()) {
         string("file", d.file);
+    }
+    if (d.line > 0) {
         number("line", d.line);
         number("column", d.column);
         number("endLine", d.end_line);
@@ -181,6 +183,11 @@ std::string to_text(const Diagnostic& diagnostic, bool colors) {
     write_text(text, diagnostic, colors);
     if (!text.empty()) text.pop_back();
     return text;
+}
+
+std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
+    const std::vector<std::string_view> views(known.begin(), known.end());
+    return Diagnostics::suggestion(word, views);
 }
 
 std::string to_json(const Diagnostic& diagnostic) {

@@ -86,6 +86,7 @@ Image quantized(const Image& encoded) {
 
 Outcome<Image> load_image(const std::string& path) {
     std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) return Failure{"cannot read '" + path + "': it is a folder"};
     if (!std::filesystem::is_regular_file(path, ignored)) return Failure{"there is no file '" + path + "'"};
     OIIO::ImageSpec straight;
     straight.attribute("oiio:UnassociatedAlpha", 1);  // a texture's alpha is data: keep the colours under it

@@ -1,10 +1,13 @@
 #include "runtime/material_values.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <optional>
 
+#include "patina/patina.h"
 #include "runtime/engine_values.h"
 #include "runtime/scene_text.h"
 
@@ -65,6 +68,29 @@ Outcome<Numbers> parse_value(const Property& property, const std::string& text) 
     if (value && property.type == "int" && value.value[0] != std::floor(value.value[0]))
         return Failure{property.name + " must be a whole number, not '" + text + "'"};
     return value;
+}
+
+// The first number that the property's range leaves out, and that range: "1.5 is outside the range 0 to 1 of '_Wear'".
+// Empty: none.
+std::string outside_range(const Property& property, const Numbers& value) {
+    if (!property.range) return "";
+    const auto [lowest, highest] = *property.range;
+    for (int i = 0; i < components(property.type); i++) {
+        // The words were read as floats, and the ends of the range are compared as such.
+        if (float(value[i]) >= float(lowest) && float(value[i]) <= float(highest)) continue;
+        return fmt::format("{} is outside the {}range {} to {} of '{}'", float(value[i]), property.hard ? "" : "usual ",
+                           lowest, highest, property.name);
+    }
+    return "";
+}
+
+std::string no_property(const Reflection& reflection, const std::string& name) {
+    std::vector<std::string> known;
+    for (const Property& property : reflection.properties) known.push_back(property.name);
+    for (const Texture& texture : reflection.textures)
+        if (!texture.tiling.empty()) known.push_back(texture.name + "_ST");
+    const std::string hint = suggestion(name, known);
+    return "the material has no property '" + name + "'" + (hint.empty() ? "" : "; " + hint);
 }
 
 // The texture whose tiling this word names ("_MainTex_ST"), or null. Only a texture that was declared with a tiling has
@@ -141,7 +167,6 @@ Outcome<MaterialValues> material_values(const Reflection& reflection, const std:
     MaterialValues result;
     for (const Property& property : reflection.properties)
         if (property.type != "texture2d") result.numbers[property.name] = property.value;
-    for (const Texture& texture : reflection.textures) result.textures[texture.name] = texture.default_value;
 
     for (const auto& [name, text] : words) {
         if (const Texture* texture = tiled_texture(reflection, name)) {
@@ -155,15 +180,17 @@ Outcome<MaterialValues> material_values(const Reflection& reflection, const std:
         }
         auto found = std::find_if(reflection.properties.begin(), reflection.properties.end(),
                                   [&](const Property& property) { return property.name == name; });
-        if (found == reflection.properties.end())
-            return Failure{"the material has no property '" + name + "'; its properties are: " +
-                           list(reflection.properties, [](const Property& property) { return property.name; })};
+        if (found == reflection.properties.end()) return Failure{no_property(reflection, name)};
         if (found->type == "texture2d") {
             result.textures[name] = text;
             continue;
         }
         Outcome<Numbers> value = parse_value(*found, text);
         if (!value) return Failure{value.error};
+        if (std::string outside = outside_range(*found, value.value); !outside.empty()) {
+            if (found->hard) return Failure{outside};
+            result.warnings.push_back(outside);
+        }
         result.numbers[name] = value.value;
     }
     return result;

@@ -46,6 +46,7 @@ constexpr VkFormat kFloats[] = {VK_FORMAT_UNDEFINED, VK_FORMAT_R32_SFLOAT, VK_FO
 // What is bound where: the keys are (set, binding).
 struct Slot {
     VkDescriptorType type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    std::uint32_t count = 1;  // an array that is longer than 1 holds the same in each element
     VkDescriptorBufferInfo buffer{};
     VkDescriptorImageInfo image{};
 };
@@ -55,6 +56,17 @@ template <class Range>
 auto* find_named(Range&& range, const std::string& name) {
     auto found = std::find_if(range.begin(), range.end(), [&](const auto& item) { return item.name == name; });
     return found == range.end() ? nullptr : &*found;
+}
+
+// lavapipe (Mesa 22.3) numbers the uniform buffers of a stage from 1, in the order of sets and bindings. In a shader of
+// more than 100 values it notes which uniforms decide a branch; what it notes of number 4 falls on its own counters,
+// and the draw crashes. So the third buffer takes two numbers, and nobody is number 4. The others up to 8 are safe.
+constexpr std::uint32_t kDoubledBuffer = 3;
+
+void leave_out_buffer_4(Slots& slots) {
+    std::uint32_t number = 0;
+    for (auto& [place, slot] : slots)
+        if (slot.type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER && ++number == kDoubledBuffer) slot.count = 2;
 }
 
 // Everything that the reflection has, whether this pass reads it or not: the places are the same in every pass.
@@ -75,6 +87,7 @@ Outcome<Slots> find_slots(const Reflection& reflection, VkBuffer uniforms, std::
         slots[{texture.set, texture.sampler_binding}] = {.type = VK_DESCRIPTOR_TYPE_SAMPLER,
                                                          .image = {bound->sampler, VK_NULL_HANDLE, {}}};
     }
+    leave_out_buffer_4(slots);
     return slots;
 }
 
@@ -86,8 +99,8 @@ void make_layouts(Gpu& gpu, const Slots& slots, Bindings& bindings) {
         std::vector<VkDescriptorSetLayoutBinding> in_set;
         for (const auto& [place, slot] : slots)
             if (place.first == set)
-                in_set.push_back(
-                    {place.second, slot.type, 1, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, nullptr});
+                in_set.push_back({place.second, slot.type, slot.count,
+                                  VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, nullptr});
         VkDescriptorSetLayoutCreateInfo info{};
         info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
         info.bindingCount = std::uint32_t(in_set.size());
@@ -113,9 +126,10 @@ void make_sets(Gpu& gpu, const Slots& slots, Bindings& bindings) {
     std::vector<VkDescriptorPoolSize> sizes;
     for (VkDescriptorType type :
          {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, VK_DESCRIPTOR_TYPE_SAMPLER}) {
-        auto count =
-            std::count_if(slots.begin(), slots.end(), [&](const auto& slot) { return slot.second.type == type; });
-        if (count) sizes.push_back({type, std::uint32_t(count)});
+        std::uint32_t count = 0;
+        for (const auto& [place, slot] : slots)
+            if (slot.type == type) count += slot.count;
+        if (count) sizes.push_back({type, count});
     }
     VkDescriptorPoolCreateInfo pool_info{};
     pool_info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
@@ -146,7 +160,7 @@ void make_sets(Gpu& gpu, const Slots& slots, Bindings& bindings) {
         write.descriptorType = slot.type;
         write.pBufferInfo = &slot.buffer;
         write.pImageInfo = &slot.image;
-        writes.push_back(write);
+        for (; write.dstArrayElement < slot.count; write.dstArrayElement++) writes.push_back(write);
     }
     vkUpdateDescriptorSets(device, std::uint32_t(writes.size()), writes.data(), 0, nullptr);
 }
@@ -253,6 +267,11 @@ VkPipelineShaderStageCreateInfo shader_stage(VkShaderStageFlagBits stage, const 
 }
 
 }  // namespace
+
+std::uint32_t uniform_buffer_count(const Reflection& reflection) {
+    auto blocks = std::uint32_t(reflection.blocks.size());
+    return blocks + (blocks >= kDoubledBuffer ? 1 : 0);
+}
 
 Outcome<Bindings> make_bindings(Gpu& gpu, const Reflection& reflection, VkBuffer uniforms,
                                 std::span<const BoundBlock> blocks, std::span<const BoundTexture> textures) {

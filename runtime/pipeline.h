@@ -34,6 +34,8 @@ struct Bindings {
     PoolHandle pool;
     std::vector<VkDescriptorSet> sets;
 };
+// Descriptors of uniform buffers that make_bindings() asks for.
+std::uint32_t uniform_buffer_count(const Reflection& reflection);
 Outcome<Bindings> make_bindings(Gpu& gpu, const Reflection& reflection, VkBuffer uniforms,
                                 std::span<const BoundBlock> blocks, std::span<const BoundTexture> textures);
 

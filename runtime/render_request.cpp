@@ -1,6 +1,7 @@
 #include "runtime/render_request.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "patina/validate.h"
 #include "runtime/cpu_render.h"
@@ -15,6 +16,28 @@ RenderOutcome failed(RenderOutcome outcome, std::string error) {
     return outcome;
 }
 
+// About the graph as a whole: the reflection knows no lines.
+Diagnostic complaint(const RenderRequest& request, Severity severity, std::string code, std::string message) {
+    Diagnostic diagnostic;
+    diagnostic.severity = severity;
+    diagnostic.code = std::move(code);
+    diagnostic.message = std::move(message);
+    diagnostic.file = request.graph;
+    return diagnostic;
+}
+
+// The textures that the pass reads and that ask for what the CPU cannot do, in quotes; empty: none.
+std::string anisotropic_textures(const Reflection& reflection, const std::string& pass) {
+    std::string names;
+    for (const Texture& texture : reflection.textures) {
+        bool is_read = std::any_of(reflection.passes.begin(), reflection.passes.end(), [&](const Pass& each) {
+            return each.name == pass && std::count(each.textures.begin(), each.textures.end(), texture.name);
+        });
+        if (is_read && texture.sampler.anisotropy > 1) names += (names.empty() ? "'" : ", '") + texture.name + "'";
+    }
+    return names;
+}
+
 // The scene that the request's words describe.
 Outcome<Scene> read_scene(const RenderRequest& request) {
     std::optional<Mesh> mesh = make_mesh(request.mesh);
@@ -23,6 +46,7 @@ Outcome<Scene> read_scene(const RenderRequest& request) {
         for (std::string_view name : mesh_names()) names += (names.empty() ? "" : ", ") + std::string(name);
         return Failure{"there is no mesh '" + request.mesh + "'; there are: " + names};
     }
+    if (!is_time(request.time)) return Failure{"the time must be a number of seconds that a float can hold"};
     Scene scene{.mesh = std::move(*mesh),
                 .camera = default_camera(request.mesh),
                 .lights = default_lights(),
@@ -105,6 +129,11 @@ RenderOutcome draw_on_gpu(const RenderRequest& request, const Result& compiled, 
     }
     draw.vertex_spirv = vertex;
     draw.fragment_spirv = fragment;
+    if (Outcome<const Pass*> pass = drawable_pass(draw); !pass) return failed(std::move(outcome), pass.error);
+    if (std::string error = machine.renderer->beyond_limits(draw); !error.empty()) {
+        outcome.missing_machine = true;
+        return failed(std::move(outcome), error);
+    }
     std::size_t messages_before = machine.renderer->messages().size();
     Outcome<Image> image = machine.renderer->draw(draw);
     if (!image) return failed(std::move(outcome), image.error);
@@ -140,19 +169,26 @@ RenderOutcome render(const Compiler& compiler, const RenderRequest& request, Ren
     const Reflection& reflection = compiled.reflection;
     Outcome<MaterialValues> values = material_values(reflection, request.overrides);
     if (!values) return failed(std::move(outcome), values.error);
-    Outcome<std::vector<LoadedTexture>> textures =
-        load_textures(reflection, values.value.textures, request.exact_textures);
-    if (!textures) return failed(std::move(outcome), textures.error);
+    for (const std::string& warning : values.value.warnings)
+        outcome.diagnostics.push_back(complaint(request, Severity::Warning, "soft-range", warning));
+    const std::string graph_folder = std::filesystem::path(request.graph).parent_path().string();
+    LoadedTextures loaded = load_textures(reflection, graph_folder, values.value.textures, request.exact_textures);
+    for (const std::string& error : loaded.errors)
+        outcome.diagnostics.push_back(complaint(request, Severity::Error, "bad-texture", error));
+    if (!loaded.errors.empty()) return outcome;
     std::vector<BlockBytes> blocks = fill_blocks(reflection, values.value, scene.value);
 
     Draw draw{.reflection = &reflection,
               .pass = choose_pass(reflection, request.pass),
               .scene = &scene.value,
               .blocks = blocks,
-              .textures = textures.value,
+              .textures = loaded.textures,
               .program = compiled.program.get(),
               .progress = request.progress};
     if (!on_cpu) return draw_on_gpu(request, compiled, draw, machine, std::move(outcome));
+    if (std::string names = anisotropic_textures(reflection, draw.pass); !names.empty())
+        outcome.diagnostics.push_back(complaint(request, Severity::Warning, "no-anisotropy",
+                                                "the CPU reference samples without anisotropy: " + names));
     Outcome<Image> image = cpu_draw(draw);
     if (!image) return failed(std::move(outcome), image.error);
     outcome.image = std::move(image.value);

@@ -43,7 +43,7 @@ struct RenderOutcome {
     Image image;                          // linear
     std::vector<Diagnostic> diagnostics;  // of the compiler and of glslang; warnings too
     std::string error;                    // what else went wrong: a word of the request, a file, the device
-    bool missing_machine = false;         // `error` is about this machine: no Vulkan device or driver
+    bool missing_machine = false;         // `error` is about this machine: no Vulkan device, or one with too low limits
 };
 
 // The GPU that renders share. Reopened when a request asks for another device.

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "runtime/gpu.h"
+#include "runtime/limits.h"
 #include "runtime/pipeline.h"
 
 namespace patina::runtime {
@@ -243,13 +244,6 @@ struct Renderer::Impl {
 
 Outcome<bool> Renderer::Impl::resize(Gpu& gpu, std::uint32_t width, std::uint32_t height) {
     if (targets.color.width == width && targets.color.height == height) return true;
-    const VkPhysicalDeviceLimits& limits = device->limits;
-    std::uint32_t largest =
-        std::min({limits.maxImageDimension2D, limits.maxFramebufferWidth, limits.maxFramebufferHeight});
-    if (width > largest || height > largest)
-        return Failure{"'" + device->name + "' draws at most " + std::to_string(largest) +
-                       " pixels on a side, samples included; this picture needs " +
-                       std::to_string(std::max(width, height))};
     targets = {};  // the old ones go before the new ones come
     targets = make_targets(gpu, width, height);
     if (gpu.error.empty()) return true;
@@ -292,6 +286,7 @@ Outcome<std::unique_ptr<Renderer>> Renderer::open(const DeviceOptions& options) 
 Outcome<Image> Renderer::draw(const Draw& draw) {
     Outcome<const Pass*> pass = drawable_pass(draw);
     if (!pass) return Failure{pass.error};
+    if (std::string error = beyond_limits(draw); !error.empty()) return Failure{error};
     const Scene& scene = *draw.scene;
     Gpu gpu{.device = *impl_->device, .error = {}};
 
@@ -321,6 +316,10 @@ Outcome<Image> Renderer::draw(const Draw& draw) {
     Image image{.width = width, .height = height, .pixels = std::vector<float>(4 * std::size_t(width) * height)};
     std::memcpy(image.pixels.data(), impl_->targets.readback.data, image.pixels.size() * sizeof(float));
     return box_filtered(image, scene.samples);
+}
+
+std::string Renderer::beyond_limits(const Draw& draw) const {
+    return runtime::beyond_limits(impl_->device->limits, impl_->device->name, draw);
 }
 
 const std::string& Renderer::device_name() const {

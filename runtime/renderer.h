@@ -4,11 +4,12 @@
 //
 // The life of a draw:
 //   1. the caller resolves values, textures and blocks (material_values.h, textures.h)
-//   2. colour and depth images of the wanted size are taken from the last draw, or made
-//   3. mesh, uniforms and textures go to the device; textures that were seen before are still there
-//   4. descriptor sets and a pipeline are made from the reflection
-//   5. one command buffer: clear, draw, copy back; the call waits for it
-//   6. samples are averaged on the CPU
+//   2. what the device's limits forbid is refused
+//   3. colour and depth images of the wanted size are taken from the last draw, or made
+//   4. mesh, uniforms and textures go to the device; textures that were seen before are still there
+//   5. descriptor sets and a pipeline are made from the reflection
+//   6. one command buffer: clear, draw, copy back; the call waits for it
+//   7. samples are averaged on the CPU
 //
 //   Outcome<std::unique_ptr<Renderer>> renderer = Renderer::open({.validation = true});
 //   Outcome<Image> image = renderer.value->draw({.reflection = &r, .pass = "forward", ...});
@@ -54,6 +55,8 @@ public:
     ~Renderer();
 
     Outcome<Image> draw(const Draw& draw);
+    // Of a draw that has a drawable_pass(): empty, or what this device cannot take (limits.h). draw() refuses it too.
+    std::string beyond_limits(const Draw& draw) const;
 
     const std::string& device_name() const;
     // What the validation layer has said so far: tests want it empty.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 #include <numbers>
 
 namespace patina::runtime {
@@ -72,6 +73,10 @@ Camera default_camera(std::string_view mesh) {
     float margin = 1.12f;
     camera.position = glm::normalize(towards_camera) * (margin * radius / std::sin(glm::radians(camera.fov) / 2));
     return camera;
+}
+
+bool is_time(double seconds) {
+    return std::abs(seconds) <= double(std::numeric_limits<float>::max());  // false for NaN
 }
 
 Scene default_scene(std::string_view mesh) {

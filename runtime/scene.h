@@ -49,6 +49,9 @@ SphericalHarmonics gradient_ambient(glm::vec3 sky, glm::vec3 horizon, glm::vec3 
 // The basis at a unit direction.
 std::array<float, 9> spherical_harmonics_basis(glm::vec3 direction);
 
+// A number of seconds that a shader's float can hold.
+bool is_time(double seconds);
+
 struct Scene {
     Mesh mesh{};
     glm::mat4 object_to_world{1};

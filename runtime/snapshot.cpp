@@ -16,7 +16,7 @@ Outcome<std::vector<fs::path>> find_cases(const std::string& dir) {
     std::vector<fs::path> cases;
     std::error_code error;
     for (fs::recursive_directory_iterator at(dir, error), end; !error && at != end; at.increment(error)) {
-        std::string name = at->path().string();
+        std::string name = at->path().lexically_normal().string();
         if (name.ends_with(kEnding)) cases.emplace_back(name.substr(0, name.size() - kEnding.size()));
     }
     if (error) return Failure{"cannot read the folder '" + dir + "': " + error.message()};
@@ -35,7 +35,7 @@ std::string describe(const Comparison& c, const Tolerance& tolerance) {
 }
 
 bool passes(const Comparison& c, const Tolerance& tolerance) {
-    return c.same_size && c.share <= tolerance.share && c.average <= tolerance.average;
+    return c.share <= tolerance.share && c.average <= tolerance.average;
 }
 
 // Writes a picture into the received folder and keeps its path in `written`; appends to `message` what went wrong.
@@ -77,14 +77,15 @@ void judge(SnapshotCase& result, const Image& received, const SnapshotOptions& o
         result.message = reference.error;
         return;
     }
-    result.comparison = compare(reference.value, received, result.tolerance.pixel);
-    if (passes(result.comparison, result.tolerance)) {
+    Comparison comparison = compare(reference.value, received, result.tolerance.pixel);
+    if (comparison.same_size) result.comparison = comparison;
+    if (result.comparison && passes(comparison, result.tolerance)) {
         result.state = SnapshotState::Passed;
         return;
     }
     if (options.update) return accept(result, received);
-    result.message = result.comparison.same_size
-                         ? describe(result.comparison, result.tolerance)
+    result.message = result.comparison
+                         ? describe(comparison, result.tolerance)
                          : fmt::format("the reference is {} x {} pixels and the picture {} x {}", reference.value.width,
                                        reference.value.height, received.width, received.height);
     write_received(kept, received, result.received, result.message);
@@ -94,24 +95,25 @@ void judge(SnapshotCase& result, const Image& received, const SnapshotOptions& o
 
 SnapshotCase run_case(const Compiler& compiler, const fs::path& stem, const std::string& name,
                       const SnapshotOptions& options, RenderMachine& machine) {
-    SnapshotCase result{.name = name, .reference = stem.string() + ".png"};
-    Outcome<SnapshotFile> file = read_snapshot(stem.string() + std::string(kEnding));
-    if (!file) {
-        result.message = file.error;
+    SnapshotCase result{
+        .name = name, .file = stem.string() + std::string(kEnding), .reference = stem.string() + ".png"};
+    ReadSnapshot read = read_snapshot(result.file);
+    if (!read.file) {
+        result.diagnostics = {read.error};
         return result;
     }
-    RenderRequest& request = file.value.request;
+    RenderRequest& request = read.file->request;
     if (!options.via.empty()) request.via = options.via;
     request.device = options.device;
     request.validation = options.validation;
     request.include_dirs = options.include_dirs;
-    result.tolerance = file.value.tolerance;
+    result.tolerance = read.file->tolerance;
 
     RenderOutcome outcome = render(compiler, request, machine);
     result.diagnostics = outcome.diagnostics;
     result.missing_machine = outcome.missing_machine;
     if (!outcome.ok) {
-        result.message = outcome.error.empty() ? "'" + request.graph + "' does not compile" : outcome.error;
+        result.message = outcome.error;
         return result;
     }
     encode_srgb(outcome.image);
@@ -146,7 +148,7 @@ SnapshotReport run_snapshots(const Compiler& compiler, const std::string& dir, c
         return report;
     }
     for (const fs::path& stem : cases.value) {
-        std::string name = stem.lexically_relative(dir).generic_string();
+        std::string name = stem.lexically_relative(fs::path(dir).lexically_normal()).generic_string();
         bool wanted = options.only.empty() || options.only == name || options.only == stem.filename();
         if (wanted) report.cases.push_back(run_case(compiler, stem, name, options, machine));
     }

@@ -23,13 +23,14 @@ std::string_view to_string(SnapshotState state);  // "passed" ...
 
 struct SnapshotCase {
     std::string name{};  // NAME, with the folder below `dir` if there is one
+    std::string file{};  // path of NAME.snapshot.json
     SnapshotState state = SnapshotState::Failed;
     std::string reference{};  // path of NAME.png
     std::string received{};   // written pictures; empty: none
     std::string difference{};
-    std::string message{};  // why it failed, one line or several
+    std::string message{};  // why it failed; empty where `diagnostics` say it
     std::vector<Diagnostic> diagnostics{};
-    Comparison comparison{};
+    std::optional<Comparison> comparison{};  // of two pictures of one size
     Tolerance tolerance{};
     bool missing_machine = false;
 };

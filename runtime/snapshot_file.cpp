@@ -19,13 +19,27 @@ namespace {
 constexpr std::uintmax_t kLargestFile = 1 << 20;  // bytes
 constexpr std::string_view kEnding = ".snapshot.json";
 
+// A part of the text, in bytes.
+struct Place {
+    std::size_t begin = 0, end = 0;
+};
+
+// What is wrong, for a diagnostic. No message: nothing.
+struct Problem {
+    std::string message{};
+    const char* code = "bad-snapshot";
+    std::string hint{};
+
+    explicit operator bool() const { return !message.empty(); }
+};
+
 // One value of the file, with the keys that lead to it: "mesh", "set/_Roughness". Elements of an array are entries with
 // the same path, and an empty array is one entry of its own.
 struct Entry {
     enum class Kind { Text, Number, Bool, EmptyArray } kind = Kind::Text;
     std::string path;
-    std::string text;     // a string's content, a number as written, true or false
-    std::size_t key = 0;  // offset of the key that it stands at
+    std::string text;  // a string's content, a number as written, true or false
+    Place key{};       // that it stands at
     bool in_array = false;
 };
 
@@ -39,14 +53,14 @@ struct Flattener : rapidjson::BaseReaderHandler<rapidjson::UTF8<>, Flattener> {
     std::vector<Level> levels{};
     std::vector<Entry> entries{};
     std::string path{};
-    std::size_t key = 0;
+    Place key{};
     std::set<std::string> seen{};
-    std::string error{};  // stops the parser, at `key`
+    Problem problem{};  // stops the parser, at `key`
 
     explicit Flattener(const rapidjson::StringStream& from) : stream(from) {}
 
-    bool fail(std::string why) {
-        error = std::move(why);
+    bool fail(std::string why, const char* code = Problem{}.code) {
+        problem = {.message = std::move(why), .code = code};
         return false;
     }
     bool add(Entry::Kind kind, std::string value) {
@@ -65,9 +79,10 @@ struct Flattener : rapidjson::BaseReaderHandler<rapidjson::UTF8<>, Flattener> {
         return add(Entry::Kind::Text, std::string(characters, length));
     }
     bool Key(const char* characters, rapidjson::SizeType length, bool) {
-        key = stream.Tell();  // of the opening quote: the reader parses strings in a copy of the stream
+        // The opening quote: the reader parses strings in a copy of the stream.
+        key = {.begin = stream.Tell(), .end = stream.Tell() + length + 2};
         path = levels.back().prefix + std::string(characters, length);
-        return seen.insert(path).second || fail("'" + path + "' is here twice");
+        return seen.insert(path).second || fail("the key '" + path + "' is here twice", "duplicate-key");
     }
     bool StartObject() {
         if (levels.size() >= 2 || (!levels.empty() && levels.back().is_array))
@@ -90,12 +105,40 @@ struct Flattener : rapidjson::BaseReaderHandler<rapidjson::UTF8<>, Flattener> {
     }
 };
 
-std::string place(const std::string& path, std::string_view text, std::size_t offset) {
-    std::string_view before = text.substr(0, offset);
-    auto line = std::count(before.begin(), before.end(), '\n') + 1;
-    std::size_t newline = before.rfind('\n');
-    std::size_t column = newline == before.npos ? offset + 1 : offset - newline;
-    return fmt::format("{}:{}:{}: ", path, line, column);
+Diagnostic located(const Problem& problem, const std::string& path, std::string_view text, Place place) {
+    Diagnostic diagnostic;
+    diagnostic.code = problem.code;
+    diagnostic.message = problem.message;
+    diagnostic.file = path;
+    std::string_view before = text.substr(0, place.begin);
+    const std::size_t line_begin = before.rfind('\n') + 1;  // npos + 1 is 0
+    const std::size_t line_end = std::min(text.find('\n', place.begin), text.size());
+    diagnostic.line = diagnostic.end_line = int(std::count(before.begin(), before.end(), '\n')) + 1;
+    diagnostic.column = int(place.begin - line_begin) + 1;
+    diagnostic.end_column = int(std::min(place.end, line_end) - line_begin) + 1;
+    constexpr std::size_t kMaxLine = 1u << 16;  // as in the compiler's own diagnostics
+    if (line_end - line_begin <= kMaxLine) diagnostic.source_line = text.substr(line_begin, line_end - line_begin);
+    if (!problem.hint.empty()) {
+        Diagnostic& note = diagnostic.notes.emplace_back();
+        note.severity = Severity::Note;
+        note.message = problem.hint;
+    }
+    return diagnostic;
+}
+
+Diagnostic unreadable(const std::string& path, const std::string& why) {
+    Diagnostic diagnostic;
+    diagnostic.code = "cannot-read";
+    diagnostic.message = "cannot read '" + path + "': " + why;
+    diagnostic.file = path;
+    return diagnostic;
+}
+
+// RapidJSON's own words, as a part of a sentence.
+std::string json_reason(rapidjson::ParseErrorCode code) {
+    std::string text = rapidjson::GetParseError_En(code);
+    if (text.ends_with('.')) text.pop_back();
+    return text;
 }
 
 // --- what the keys mean
@@ -129,13 +172,19 @@ auto* find_key(const Table& table, std::string_view path) {
     return found == std::end(table) ? nullptr : found;
 }
 
-std::string unknown_key(const std::string& path) {
-    std::string known = "patina";
-    for (const TextKey& key : kTextKeys) known += ", " + std::string(key.path);
-    for (const WholeKey& key : kWholeKeys) known += ", " + std::string(key.path);
-    if (path.starts_with("tolerance/"))
-        return "unknown key '" + path.substr(10) + "'; there are: pixel, share, average";
-    return "unknown key '" + path + "'; there are: " + known + ", time, lights, set, tolerance";
+Problem unknown_key(const std::string& path) {
+    std::vector<std::string> known = {"patina", "time", "lights", "set", "tolerance"};
+    for (const TextKey& key : kTextKeys) known.emplace_back(key.path);
+    for (const WholeKey& key : kWholeKeys) known.emplace_back(key.path);
+    const std::size_t slash = path.find('/');
+    if (path.starts_with("tolerance/")) {
+        known.clear();
+        for (const ToleranceKey& key : kToleranceKeys) known.emplace_back(key.path.substr(slash + 1));
+    }
+    const std::string key = path.starts_with("tolerance/") ? path.substr(slash + 1) : path;
+    return {.message = fmt::format("unknown key '{}' in {}", key, key == path ? "a snapshot" : "a tolerance"),
+            .code = "unknown-key",
+            .hint = suggestion(key, known)};
 }
 
 bool read_number(const Entry& entry, double& value) {
@@ -145,9 +194,9 @@ bool read_number(const Entry& entry, double& value) {
 }
 
 // A property's value, in the words of the command line; the numbers of an array are joined with commas.
-std::string add_override(const Entry& entry, const std::filesystem::path& folder, RenderRequest& request) {
-    if (entry.kind == Entry::Kind::EmptyArray) return "an empty array is no value";
-    if (entry.in_array && entry.kind != Entry::Kind::Number) return "an array here holds numbers only";
+Problem add_override(const Entry& entry, const std::filesystem::path& folder, RenderRequest& request) {
+    if (entry.kind == Entry::Kind::EmptyArray) return {"an empty array is no value"};
+    if (entry.in_array && entry.kind != Entry::Kind::Number) return {"an array here holds numbers only"};
     std::string name = entry.path.substr(std::string_view("set/").size());
     std::string value = entry.text;
     std::error_code ignored;
@@ -155,64 +204,71 @@ std::string add_override(const Entry& entry, const std::filesystem::path& folder
         value = (folder / value).string();
     std::string& target = request.overrides[name];
     target += (target.empty() ? "" : ",") + value;
-    return "";
+    return {};
 }
 
-// Empty, or what is wrong with the entry.
-std::string apply(const Entry& entry, const std::filesystem::path& folder, SnapshotFile& file) {
+Problem wrong_unless(bool good, std::string message) {
+    return good ? Problem{} : Problem{std::move(message)};
+}
+
+Problem apply(const Entry& entry, const std::filesystem::path& folder, SnapshotFile& file) {
     RenderRequest& request = file.request;
     if (entry.path == "lights") {
         if (entry.kind == Entry::Kind::EmptyArray) request.lights = {"none"};
         if (entry.kind == Entry::Kind::Text) request.lights.push_back(entry.text);
         bool good = entry.kind == Entry::Kind::EmptyArray || entry.kind == Entry::Kind::Text;
-        return good ? "" : "a light is a text, like \"point position=1,2,0 range=5\"";
+        return wrong_unless(good, "a light is a text, like \"point position=1,2,0 range=5\"");
     }
     if (entry.path.starts_with("set/")) return add_override(entry, folder, request);
-    if (entry.in_array || entry.kind == Entry::Kind::EmptyArray) return "an array cannot stand here";
-    if (entry.path == "$schema") return "";
+    if (entry.in_array || entry.kind == Entry::Kind::EmptyArray) return {"an array cannot stand here"};
+    if (entry.path == "$schema") return {};
 
     if (const TextKey* key = find_key(kTextKeys, entry.path)) {
-        if (entry.kind == Entry::Kind::Bool) return "'" + entry.path + "' must be a text";
+        if (entry.kind == Entry::Kind::Bool) return {"'" + entry.path + "' must be a text"};
         request.*key->member = entry.text;
-        return "";
+        return {};
     }
     double value = 0;
     bool is_number = read_number(entry, value);
-    if (entry.path == "patina") return is_number && value == 1 ? "" : "this reads version 1: \"patina\": 1";
+    if (entry.path == "patina") return wrong_unless(is_number && value == 1, "this reads version 1: \"patina\": 1");
     if (entry.path == "time") {
         request.time = value;
-        return is_number ? "" : "'time' must be a number of seconds";
+        return wrong_unless(is_number && is_time(value), "'time' must be a number of seconds that a float can hold");
     }
     if (const WholeKey* key = find_key(kWholeKeys, entry.path)) {
         if (!is_number || value != std::floor(value) || value < 1 || value > key->highest)
-            return fmt::format("'{}' must be a whole number from 1 to {}", key->path, key->highest);
+            return {fmt::format("'{}' must be a whole number from 1 to {}", key->path, key->highest)};
         request.*key->member = int(value);
-        return "";
+        return {};
     }
     if (const ToleranceKey* key = find_key(kToleranceKeys, entry.path)) {
-        if (!is_number || value < 0 || value > 1) return fmt::format("'{}' must be between 0 and 1", key->path);
+        if (!is_number || value < 0 || value > 1) return {fmt::format("'{}' must be between 0 and 1", key->path)};
         file.tolerance.*key->member = value;
-        return "";
+        return {};
     }
     return unknown_key(entry.path);
 }
 
+// The text, or why there is none.
 Outcome<std::string> read_text(const std::string& path) {
     std::error_code error;
     std::uintmax_t size = std::filesystem::file_size(path, error);
-    if (error) return Failure{path + ": cannot be read: " + error.message()};
-    if (size > kLargestFile) return Failure{fmt::format("{}: has {} bytes, too many for a snapshot", path, size)};
+    if (error) return Failure{error.message()};
+    if (size > kLargestFile) return Failure{fmt::format("it has {} bytes, too many for a snapshot", size)};
     std::ifstream file(path, std::ios::binary);
     std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    if (!file.good() && !file.eof()) return Failure{path + ": cannot be read"};
+    if (!file.good() && !file.eof()) return Failure{"its bytes do not come"};
     return text;
 }
 
 }  // namespace
 
-Outcome<SnapshotFile> read_snapshot(const std::string& path) {
+ReadSnapshot read_snapshot(const std::string& path) {
     Outcome<std::string> text = read_text(path);
-    if (!text) return Failure{text.error};
+    if (!text) return {.file = {}, .error = unreadable(path, text.error)};
+    const auto wrong = [&](const Problem& problem, Place place) {
+        return ReadSnapshot{.file = {}, .error = located(problem, path, text.value, place)};
+    };
     rapidjson::StringStream stream(text.value.c_str());
     Flattener flat(stream);
     // Iterative, so that nesting cannot overflow the stack.
@@ -221,23 +277,23 @@ Outcome<SnapshotFile> read_snapshot(const std::string& path) {
                                 rapidjson::kParseValidateEncodingFlag;
     rapidjson::Reader reader;
     rapidjson::ParseResult parsed = reader.Parse<kFlags>(stream, flat);
-    if (!flat.error.empty()) return Failure{place(path, text.value, flat.key) + flat.error};
+    if (flat.problem) return wrong(flat.problem, flat.key);
     if (!parsed)
-        return Failure{place(path, text.value, parsed.Offset()) +
-                       "broken JSON: " + rapidjson::GetParseError_En(parsed.Code())};
+        return wrong({.message = "broken JSON: " + json_reason(parsed.Code()), .code = "bad-json"},
+                     {.begin = parsed.Offset(), .end = parsed.Offset()});
 
     std::filesystem::path folder = std::filesystem::path(path).parent_path();
     SnapshotFile file{.request = {.size = 128, .samples = 2}};
     for (const Entry& entry : flat.entries)
-        if (std::string error = apply(entry, folder, file); !error.empty())
-            return Failure{place(path, text.value, entry.key) + error};
-    if (!flat.seen.contains("patina")) return Failure{place(path, text.value, 0) + "the key \"patina\": 1 is missing"};
+        if (Problem problem = apply(entry, folder, file)) return wrong(problem, entry.key);
+    if (!flat.seen.contains("patina"))
+        return wrong({.message = "the key \"patina\": 1 is missing", .code = "missing-key"}, {});
 
     std::string stem = std::filesystem::path(path).filename().string();
     if (stem.ends_with(kEnding)) stem.resize(stem.size() - kEnding.size());
     std::string& graph = file.request.graph;
     graph = (folder / (graph.empty() ? stem + ".graph.json" : graph)).string();
-    return file;
+    return {.file = std::move(file), .error = {}};
 }
 
 }  // namespace patina::runtime

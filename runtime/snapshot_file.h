@@ -8,9 +8,9 @@
 // All but "patina" may be left out; the graph is then NAME.graph.json. // comments and trailing commas are accepted.
 #pragma once
 
+#include <optional>
 #include <string>
 
-#include "runtime/outcome.h"
 #include "runtime/render_request.h"
 
 namespace patina::runtime {
@@ -27,7 +27,10 @@ struct SnapshotFile {
     Tolerance tolerance{};
 };
 
-// Errors read "file:line:column: what is wrong".
-Outcome<SnapshotFile> read_snapshot(const std::string& path);
+struct ReadSnapshot {
+    std::optional<SnapshotFile> file;
+    Diagnostic error;  // without a file: what is wrong, and where
+};
+ReadSnapshot read_snapshot(const std::string& path);
 
 }  // namespace patina::runtime

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 
 namespace patina::runtime {
 namespace {
@@ -56,6 +57,12 @@ Outcome<LoadedTexture> load_texture(const Texture& texture, const std::string& s
         .name = texture.name, .data = std::make_shared<const TextureData>(std::move(data)), .format = format};
 }
 
+// The default as a name or as a file that can be opened.
+std::string default_source(const Texture& texture, const std::string& graph_folder) {
+    if (!default_texture(texture.default_value).pixels.empty()) return texture.default_value;
+    return (std::filesystem::path(graph_folder) / texture.default_value).lexically_normal().generic_string();
+}
+
 }  // namespace
 
 std::vector<TextureLevel> mip_chain(const Image& linear) {
@@ -73,15 +80,17 @@ Image default_texture(const std::string& name) {
     return image;
 }
 
-Outcome<std::vector<LoadedTexture>> load_textures(const Reflection& reflection,
-                                                  const std::map<std::string, std::string>& files, bool exact) {
-    std::vector<LoadedTexture> result;
+LoadedTextures load_textures(const Reflection& reflection, const std::string& graph_folder,
+                             const std::map<std::string, std::string>& files, bool exact) {
+    LoadedTextures result;
     for (const Texture& texture : reflection.textures) {
         auto chosen = files.find(texture.name);
-        Outcome<LoadedTexture> loaded =
-            load_texture(texture, chosen == files.end() ? texture.default_value : chosen->second, exact);
-        if (!loaded) return Failure{loaded.error};
-        result.push_back(std::move(loaded.value));
+        Outcome<LoadedTexture> loaded = load_texture(
+            texture, chosen == files.end() ? default_source(texture, graph_folder) : chosen->second, exact);
+        if (loaded)
+            result.textures.push_back(std::move(loaded.value));
+        else
+            result.errors.push_back(loaded.error);
     }
     return result;
 }

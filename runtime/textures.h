@@ -1,7 +1,8 @@
 // Textures as both renderers take them: mip levels of linear texels, made from a file or a named default, plus the
 // format that a GPU should store them in. Mip levels are box-filtered in linear light.
 //
-//   Outcome<std::vector<LoadedTexture>> textures = load_textures(reflection, {{"_MainTex", "rust.png"}}, false);
+//   LoadedTextures loaded = load_textures(reflection, "graphs", {{"_MainTex", "rust.png"}}, false);
+//   if (loaded.errors.empty()) use(loaded.textures);
 #pragma once
 
 #include <map>
@@ -36,9 +37,14 @@ std::vector<TextureLevel> mip_chain(const Image& linear);
 // such name: an empty image.
 Image default_texture(const std::string& name);
 
-// One for each texture of the reflection, in its order. `files` maps texture names to a default's name or a file and
-// wins over the reflection's own default.
-Outcome<std::vector<LoadedTexture>> load_textures(const Reflection& reflection,
-                                                  const std::map<std::string, std::string>& files, bool exact);
+struct LoadedTextures {
+    std::vector<LoadedTexture> textures{};  // one for each of the reflection that could be loaded, in its order
+    std::vector<std::string> errors{};      // one for each that could not, with its name
+};
+
+// The reflection's own defaults are files below `graph_folder`. `files` maps texture names to a default's name or a
+// file, as one opens it, and wins over them.
+LoadedTextures load_textures(const Reflection& reflection, const std::string& graph_folder,
+                             const std::map<std::string, std::string>& files, bool exact);
 
 }  // namespace patina::runtime

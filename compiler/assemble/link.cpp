@@ -92,7 +92,10 @@ public:
         return builder_.call(imported(function), arguments);
     }
 
+    // A pinned value is one value: of the mesh as it is, for its readers in either stage.
     Value value(SemanticId semantic, bool original = false) {
+        const graph::SemanticRecipe& recipe = linked_.lowered.semantics[semantic.index];
+        original = original || (recipe.source == Source::Vertex && !recipe.declaration);
         std::vector<Value>& known = original ? originals_ : values_;
         known.resize(module_.semantics.size());
         if (!known[semantic.index]) {
@@ -184,6 +187,10 @@ private:
             {"instance_index", ir::Builtin::InstanceIndex}};
         const auto& declared = *linked_.lowered.semantics[semantic.index].declaration->variable->attribute("builtin");
         const ir::Semantic& info = module_.semantics[semantic.index];
+        // Triangles have no back yet: vertices see the front.
+        if (in_vertex_stage() && nodelang::attribute_text(declared) == "front_facing") {
+            return builder_.constant(info.type, {1});
+        }
         ir::StageVariable variable{.name = info.name, .type = info.type, .semantic = {}};
         for (const auto& [word, which] : kWords) {
             if (word == nodelang::attribute_text(declared)) variable.builtin = which;

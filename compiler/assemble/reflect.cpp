@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "compiler/graph/words.h"
 
@@ -50,8 +51,24 @@ Block reflect_block(const ir::Module& module, const ir::UniformBlock& block) {
     return made;
 }
 
+// The way from the graph's folder to the file, however the two were named on the command line. Only the words count: no
+// link is followed.
+std::string path_from_graph(const std::string& file, const std::string& graph) {
+    namespace fs = std::filesystem;
+    std::error_code failure;
+    const auto whole = [&](const std::string& path) { return fs::absolute(path, failure).lexically_normal(); };
+    const std::string relative = whole(file).lexically_relative(whole(graph).parent_path()).generic_string();
+    if (failure || relative.empty()) return fs::path(file).generic_string();
+    return relative.find_first_of("./") == relative.npos ? "./" + relative : relative;  // else a default's name
+}
+
+std::string default_texture(const graph::MaterialProperty& entry, const std::string& graph) {
+    if (entry.texture_path.empty()) return "white";
+    return entry.is_file ? path_from_graph(entry.texture_path, graph) : entry.texture_path;
+}
+
 Texture reflect_texture(const ir::Module& module, const graph::MaterialProperty& entry,
-                        const graph::PropertyGlobals& globals) {
+                        const graph::PropertyGlobals& globals, const std::string& graph) {
     const Property& property = *entry.property;
     const ir::Global& texture = module.globals[globals.texture.index];
     const ir::Global& sampler = module.globals[globals.sampler.index];
@@ -60,7 +77,7 @@ Texture reflect_texture(const ir::Module& module, const graph::MaterialProperty&
             .identifier = texture.name,
             .dimension = "2d",
             .usage = std::string(text_of(graph::kTextureUsages, property.usage)),
-            .default_value = entry.texture_path.empty() ? "white" : entry.texture_path,
+            .default_value = default_texture(entry, graph),
             .set = texture.set,
             .binding = buffers + texture.slot,
             .hlsl_register = hlsl_register('t', texture.slot, texture.set),
@@ -80,6 +97,7 @@ patina::Property reflect_property(const ir::Module& module, const Property& prop
                           .type = std::string(graph::to_string(property.type)),
                           .value = property.value,
                           .range = property.range,
+                          .hard = property.hard,
                           .values = property.values,
                           .label = property.label,
                           .group = property.group,
@@ -185,7 +203,7 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
         const graph::MaterialProperty& entry = material.properties[i];
         made.properties.push_back(reflect_property(lowered.module, *entry.property, lowered.property_globals[i]));
         if (entry.property->type == PropertyType::Texture2D) {
-            made.textures.push_back(reflect_texture(lowered.module, entry, lowered.property_globals[i]));
+            made.textures.push_back(reflect_texture(lowered.module, entry, lowered.property_globals[i], graph.path));
         }
     }
     for (const LinkedPass& pass : passes) made.passes.push_back(reflect_pass(material, lowered, pass));

@@ -86,6 +86,7 @@ void write_property(Writer& writer, const Property& property, const Reflection& 
     json.text("type", property.type);
     write_default(json, property, reflection);
     if (property.range) json.list("range", *property.range, [&](double v) { json.raw(shortest(v)); });
+    if (property.hard) json.flag("hard", true);
     if (!property.values.empty()) json.words("values", property.values);
     json.text_if("label", property.label);
     json.text_if("group", property.group);

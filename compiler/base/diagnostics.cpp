@@ -26,6 +26,10 @@ std::span<const CodeInfo> all_codes() {
     return kInfos;
 }
 
+bool Diagnostics::is_full() const {
+    return records_.size() >= kMaxRecords;
+}
+
 DiagnosticRecord& Diagnostics::add(Code code, Span span, std::string message) {
     const Level severity = info(code).severity;
     if (severity == Level::Error) ++errors_;

@@ -69,6 +69,8 @@ public:
     static std::string suggestion(std::string_view word, std::span<const std::string_view> candidates);
 
     bool has_errors() const { return errors_ > 0; }
+    // So many have been reported that further ones are only counted: looking for what they might mean is idle.
+    bool is_full() const;
     std::size_t error_count() const { return errors_; }
     const std::vector<DiagnosticRecord>& records() const { return records_; }
     std::vector<DiagnosticRecord>& records() { return records_; }

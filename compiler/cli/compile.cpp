@@ -1,6 +1,5 @@
 // patina compile: graphs to shader files and their reflection.
 #include <algorithm>
-#include <map>
 #include <memory>
 
 #include "compiler/base/text.h"
@@ -85,17 +84,6 @@ Exit compile_graph(const Console& console, const Arguments& arguments, const Com
     return Exit::Ok;
 }
 
-// Two graphs of one name would overwrite each other's files.
-void refuse_equal_names(const Arguments& arguments) {
-    std::map<std::string, std::string> seen;
-    for (const std::string& graph : arguments.graphs) {
-        const auto [other, is_new] = seen.emplace(stem(graph), graph);
-        if (is_new) continue;
-        throw CLI::ValidationError("GRAPH", "'" + other->second + "' and '" + graph + "' would both write " +
-                                                stem(graph) + ".*: compile them into different folders");
-    }
-}
-
 }  // namespace
 
 void add_compile(Program& program) {
@@ -121,7 +109,7 @@ void add_compile(Program& program) {
         ->allow_extra_args(false)
         ->check(one_of("a stage", {"graph", "ir", "linked", "tidy", "rates"}));
     add_include_option(command, arguments->include_dirs);
-    command.parse_complete_callback([arguments] { refuse_equal_names(*arguments); });
+    command.parse_complete_callback([arguments] { refuse_equal_outputs(arguments->graphs, ".*", "compile"); });
 
     set_work(program, command, [arguments](const Console& console) {
         if (console.json && !arguments->dump.empty()) {

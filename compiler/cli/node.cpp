@@ -1,6 +1,7 @@
 // patina node NAME: the manual page of one node.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "compiler/base/text.h"
@@ -53,18 +54,29 @@ void print_section(const Console& console, std::string_view title, std::string_v
     }
 }
 
+// A default as a graph writes it: float3(0, 0, 1) is [0, 0, 1], and a word stands in quotes.
+std::string as_json(const std::string& value) {
+    constexpr std::string_view kNumber = "0123456789.-+e";
+    if (value.empty()) return "\"...\"";
+    if (value == "true" || value == "false" || value.find_first_not_of(kNumber) == value.npos) return value;
+    const std::size_t open = value.find('(');
+    const std::string list = open == value.npos ? "" : value.substr(open + 1, value.size() - open - 2);
+    const bool is_vector = value.starts_with("float") && value.ends_with(')') &&
+                           list.find_first_not_of(std::string(kNumber) + ", ") == list.npos;
+    return is_vector ? "[" + list + "]" : '"' + value + '"';
+}
+
 // The node with every input at its default, ready to paste into "nodes".
 std::string example(const NodeInfo& node, const std::string& name) {
     std::string inputs;
     for (const PortInfo& port : node.ports) {
         if (port.is_output) continue;
-        const bool is_number =
-            !port.default_value.empty() && port.default_value.find_first_not_of("0123456789.-+e") == std::string::npos;
-        const std::string value = port.default_value.empty() ? "..." : port.default_value;
-        inputs += fmt::format("{}\"{}\": {}", inputs.empty() ? "" : ", ", port.name,
-                              is_number || value == "true" || value == "false" ? value : '"' + value + '"');
+        inputs += fmt::format("{}\"{}\": {}", inputs.empty() ? "" : ", ", port.name, as_json(port.default_value));
     }
-    const std::string id = fmt::format("{{ \"id\": \"my_node\", \"node\": \"{}\"", name);
+    // A file is named from the graph's own folder.
+    const std::string file = "./" + std::filesystem::path(name).filename().generic_string();
+    const std::string id =
+        fmt::format("{{ \"id\": \"my_node\", \"node\": \"{}\"", name.ends_with(".hlsl") ? file : name);
     return inputs.empty() ? id + " }" : id + ", \"in\": { " + inputs + " } }";
 }
 

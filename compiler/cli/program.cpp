@@ -1,8 +1,10 @@
 #include "compiler/cli/program.h"
 
 #include <cstdio>
+#include <map>
 
 #include "compiler/base/text.h"
+#include "compiler/cli/files.h"
 
 namespace patina::cli {
 namespace {
@@ -94,6 +96,17 @@ std::function<std::string(std::string)> one_of(std::string what, std::vector<std
         const std::string hint = suggestion(word, words);
         return message + (hint.empty() ? ": use one of " + enumerate(views) : hint);
     };
+}
+
+void refuse_equal_outputs(const std::vector<std::string>& graphs, std::string_view ending, std::string_view verb) {
+    std::map<std::string, std::string> seen;
+    for (const std::string& graph : graphs) {
+        const auto [other, is_new] = seen.emplace(stem(graph), graph);
+        if (is_new) continue;
+        throw CLI::ValidationError("GRAPH", "'" + other->second + "' and '" + graph + "' would both write " +
+                                                stem(graph) + std::string(ending) + ": " + std::string(verb) +
+                                                " them into different folders");
+    }
 }
 
 int run(Program& program, int argc, char** argv) {

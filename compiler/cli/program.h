@@ -41,6 +41,10 @@ void add_include_option(CLI::App& command, std::vector<std::string>& folders);
 // A check for an option whose value is one of a few words; complains with a suggestion.
 std::function<std::string(std::string)> one_of(std::string what, std::vector<std::string> words);
 
+// Two graphs of one name would overwrite each other's files: throws the usage error that says so. `ending`: of what a
+// graph's files are called, ".png"; `verb`: what the command does to graphs.
+void refuse_equal_outputs(const std::vector<std::string>& graphs, std::string_view ending, std::string_view verb);
+
 // Parses, runs the chosen subcommand and returns its exit code.
 int run(Program& program, int argc, char** argv);
 

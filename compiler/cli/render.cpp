@@ -50,6 +50,13 @@ Exit render_graph(const Console& console, const Arguments& arguments, const Comp
     return Exit::Ok;
 }
 
+// Empty, or what is wrong with the word.
+std::string is_time(const std::string& word) {
+    double seconds = 0;
+    if (!CLI::detail::lexical_cast(word, seconds)) return {};  // that it is no number is said already
+    return runtime::is_time(seconds) ? "" : "'" + word + "' is not a number of seconds that a shader can hold";
+}
+
 void add_scene_options(CLI::App& command, runtime::RenderRequest& request) {
     std::vector<std::string> meshes;
     for (std::string_view name : runtime::mesh_names()) meshes.emplace_back(name);
@@ -64,7 +71,7 @@ void add_scene_options(CLI::App& command, runtime::RenderRequest& request) {
     command.add_option("--samples", request.samples, "Along each axis of a pixel (4: 16 in all)")
         ->type_name("N")
         ->check(CLI::Range(1, 16));
-    command.add_option("--time", request.time, "Seconds (0)")->type_name("T");
+    command.add_option("--time", request.time, "Seconds (0)")->type_name("T")->check(is_time);
     command
         .add_option("--light", request.lights, "Replaces the lights, e.g. 'point position=1,2,0 color=#f80'; or none")
         ->type_name("LIGHT")
@@ -91,6 +98,7 @@ void complete(Arguments& arguments) {
     if (arguments.graphs.size() > 1 && is_picture(arguments.output)) {
         throw CLI::ValidationError("--output", "several graphs need a folder, not one picture");
     }
+    refuse_equal_outputs(arguments.graphs, ".png", "render");
 }
 
 }  // namespace

@@ -16,22 +16,33 @@ struct Arguments {
     runtime::SnapshotOptions options;
 };
 
+// What became of the case, with the figures where pictures were compared.
+std::string line_of(const runtime::SnapshotCase& result) {
+    const std::string line = fmt::format("{:<8} {}", runtime::to_string(result.state), result.name);
+    const bool shows_figures = result.comparison && result.state != runtime::SnapshotState::Updated;
+    if (!shows_figures) return line;
+    return line + fmt::format("  ({:.3g} % of pixels differ, average error {:.2g})", 100 * result.comparison->share,
+                              result.comparison->average);
+}
+
 void print_case(const Console& console, const runtime::SnapshotCase& result) {
     report(console, result.diagnostics);
-    const std::string line = fmt::format("{:<8} {}", runtime::to_string(result.state), result.name);
-    const std::string numbers = fmt::format("  ({:.3g} % of pixels differ, average error {:.2g})",
-                                            100 * result.comparison.share, result.comparison.average);
-    switch (result.state) {
-        case runtime::SnapshotState::Updated: return say(console, line);
-        case runtime::SnapshotState::Passed: return say(console, line + numbers);
-        case runtime::SnapshotState::Failed: say(console, line + numbers); break;
-        case runtime::SnapshotState::Missing: say(console, line); break;
-    }
-    std::string message = result.name + ": " + result.message;
-    if (!result.received.empty()) message += "\n  received:   " + result.received;
-    if (!result.reference.empty()) message += "\n  reference:  " + result.reference;
-    if (!result.difference.empty()) message += "\n  difference: " + result.difference;
-    complain(console, "snapshot", message);
+    say(console, line_of(result));
+    if (result.message.empty()) return;
+    Diagnostic diagnostic;
+    diagnostic.code = "snapshot";
+    diagnostic.message = result.message;
+    diagnostic.file = result.file;
+    const auto note = [&](const char* what, const std::string& path) {
+        if (path.empty()) return;
+        Diagnostic& added = diagnostic.notes.emplace_back();
+        added.severity = Severity::Note;
+        added.message = std::string(what) + ": " + path;
+    };
+    note("received", result.received);
+    if (!result.received.empty()) note("reference", result.reference);
+    note("difference", result.difference);
+    report(console, {&diagnostic, 1});
 }
 
 Exit compare(const Console& console, const Arguments& arguments) {

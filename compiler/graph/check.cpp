@@ -91,15 +91,7 @@ void check_ports(Session& session, const Node& node, const ResolvedNode& resolve
         }
         for (const nodelang::ParamDecl& param : resolved.function->params) {
             if (param.name != port.name) continue;
-            for (const nodelang::Attribute& attribute : param.attributes) {
-                if (attribute.name != "range" || attribute.args.size() != 2) continue;
-                std::array<double, 2> range{};
-                for (std::size_t i : {0u, 1u}) {
-                    const Expr& bound = *attribute.args[i];
-                    range[i] = bound.kind == Expr::Kind::Unary ? -bound.args[0]->number : bound.number;
-                }
-                check_range(session, *port.value, range, false, port.name);
-            }
+            if (const auto range = range_of(param)) check_range(session, *port.value, *range, false, port.name);
         }
     }
 }
@@ -212,6 +204,19 @@ std::vector<bool> CheckedGraph::reachable(std::uint32_t node) const {
         work.insert(work.end(), nodes[at].reads.begin(), nodes[at].reads.end());
     }
     return seen;
+}
+
+std::optional<std::array<double, 2>> range_of(const nodelang::ParamDecl& param) {
+    for (const nodelang::Attribute& attribute : param.attributes) {
+        if (attribute.name != "range" || attribute.args.size() != 2) continue;
+        std::array<double, 2> range{};
+        for (std::size_t i : {0u, 1u}) {
+            const Expr& bound = *attribute.args[i];
+            range[i] = bound.kind == Expr::Kind::Unary ? -bound.args[0]->number : bound.number;
+        }
+        return range;
+    }
+    return {};
 }
 
 void check_range(Session& session, const Expr& value, std::array<double, 2> range, bool hard, std::string_view name) {

@@ -253,13 +253,13 @@ Typed GraphScope::interpolated(std::uint32_t index) {
                 const Value part = builder.extract(value.value, static_cast<std::uint32_t>(output));
                 value = {.value = part, .type = builder.type(part)};
             }
-            if (!value.type.is_numeric() || value.type.is_matrix()) {
-                lowering_.session.diagnostics.report(Code::TypeMismatch, node.id_span, fmt::format("'{}'", node.id),
-                                                     module.type_name(value.type),
-                                                     "a number or vector, to be interpolated");
+            if (!value.type.is_floating() || value.type.is_matrix()) {
+                lowering_.session.diagnostics.report(Code::TypeMismatch, node.id_span,
+                                                     fmt::format("'{}', which is interpolated,", node.id),
+                                                     module.type_name(value.type), "a float or a vector of floats");
                 return {};
             }
-            // A varying is a float: half varyings do not exist everywhere, and whole numbers do not interpolate.
+            // A varying is a float: half varyings do not exist everywhere.
             if (value.type.scalar != ir::Scalar::Float) {
                 value.value = builder.convert(value.value, ir::Scalar::Float);
                 value.type = value.type.with_scalar(ir::Scalar::Float);
@@ -319,9 +319,11 @@ Typed GraphScope::value_as(const PortValue& port, Type type, std::string_view wh
 Typed GraphScope::name(const Expr& expr, nodelang::Scope&) {
     const auto found = graph_.by_id.find(expr.text);
     if (found != graph_.by_id.end()) return values_[found->second];
+    Diagnostics& diagnostics = lowering_.session.diagnostics;
+    DiagnosticRecord& record = diagnostics.report(Code::DanglingLink, expr.span, expr.text);
+    if (diagnostics.is_full()) return {};
     std::vector<std::string_view> known;
     for (const Node& node : graph_.graph->nodes) known.push_back(node.id);
-    DiagnosticRecord& record = lowering_.session.diagnostics.report(Code::DanglingLink, expr.span, expr.text);
     if (inputs_.contains(expr.text) || lowering_.material.property_index.contains(expr.text)) {
         record.note(fmt::format("an input or property is read as '${}'", expr.text));
     } else if (lowering_.session.library.semantic_index.contains(expr.text)) {
@@ -342,13 +344,14 @@ Typed GraphScope::property(const Expr& expr, nodelang::Scope&) {
                         std::any_of(own.begin(), own.end(), [&](const Property& p) { return p.name == expr.text; });
     const auto index = lowering_.material.property_index.find(expr.text);
     if (is_own && index != lowering_.material.property_index.end()) return material_property(index->second);
+    DiagnosticRecord& record = lowering_.session.diagnostics.report(Code::UnknownProperty, expr.span, expr.text);
+    if (lowering_.session.diagnostics.is_full()) return {};
     std::vector<std::string> written;
     for (const Property& property : own) written.push_back("$" + property.name);
     for (const auto& [name, value] : inputs_) written.push_back("$" + std::string(name));
     const std::vector<std::string_view> known(written.begin(), written.end());
-    lowering_.session.diagnostics.report(Code::UnknownProperty, expr.span, expr.text)
-        .note(known.empty() ? "the graph has no properties"
-                            : Diagnostics::suggestion("$" + std::string(expr.text), known));
+    record.note(known.empty() ? "the graph has no properties"
+                              : Diagnostics::suggestion("$" + std::string(expr.text), known));
     return {};
 }
 
@@ -393,6 +396,22 @@ Typed GraphScope::material_property(std::size_t index) {
     return typed;
 }
 
+namespace {
+
+// Whether a semantic is made of where its pixel lies. Which side is seen does not count: vertices see the front.
+bool reads_pixel(const Library& library, const SemanticDecl& semantic) {
+    if (semantic.source == Source::Builtin) return semantic.name != "front_facing";
+    if (!semantic.function) return false;
+    return std::any_of(semantic.function->params.begin(), semantic.function->params.end(), [&](const auto& param) {
+        const nodelang::Expr* read = param.initial;
+        while (read && read->kind == nodelang::Expr::Kind::Member) read = read->args[0];
+        const auto found = read ? library.semantic_index.find(read->text) : library.semantic_index.end();
+        return found != library.semantic_index.end() && reads_pixel(library, library.semantics[found->second]);
+    });
+}
+
+}  // namespace
+
 Typed GraphScope::semantic(std::string_view name, Span span, nodelang::Scope& scope) {
     if (const auto given = given_.find(name); given != given_.end()) return given->second;
     const Library& library = lowering_.session.library;
@@ -427,7 +446,7 @@ Typed GraphScope::semantic(std::string_view name, Span span, nodelang::Scope& sc
     if (semantic.source == Source::Extern) return lowering_.emitter.extern_value(*semantic.variable, scope);
     const Type type = lowering_.out.module.semantics[found->second].type;
     if (type.is_error()) return {};
-    if (scope_.in_vertex_stage && semantic.source == Source::Builtin) {
+    if (scope_.in_vertex_stage && (semantic.source == Source::Builtin || reads_pixel(library, semantic))) {
         lowering_.session.diagnostics.report(Code::NoSuchStageValue, span, name, "vertex");
         return {};
     }

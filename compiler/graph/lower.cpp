@@ -150,7 +150,7 @@ Typed surface_value(Lowering& lowering, GraphScope& scope, std::span<const Input
                     Type type) {
     const std::vector<PortValue>& ports = lowering.material.graph->graph->surface;
     for (const PortValue& port : ports) {
-        lowering.session.diagnostics.set_context("surface", port.name);
+        if (!lowering.material.is_preview) lowering.session.diagnostics.set_context("surface", port.name);
         if (port.name == input.name) {
             if (!port.value) return {};
             if (lowering.material.is_preview)
@@ -314,7 +314,8 @@ ir::FunctionId lower_lighting(Lowering& lowering, const FunctionDecl& slot, cons
     scope.set_property_values(lowering.material.lighting_inputs, material);
     bool per_light = false;
     for (const nodelang::ParamDecl& param : slot.params) {
-        const bool is_light = !param.attributes.empty();
+        const bool is_light = std::any_of(param.attributes.begin(), param.attributes.end(),
+                                          [](const nodelang::Attribute& a) { return a.name == "per_light"; });
         per_light = per_light || is_light;
         const Type type = lowering.emitter.type(param.type, scope.scope());
         function.params.push_back({std::string(param.name), type, is_light ? ir::Rate::Light : ir::Rate::Pixel});

@@ -43,7 +43,7 @@ const CheckedGraph* find_lighting(Session& session, const Graph& graph, const Gr
     if (use.use.starts_with(".") || use.use.starts_with("/")) {
         const std::string path = find_file(session, use.use, graph.path);
         if (path.empty()) {
-            session.diagnostics.report(Code::MissingFile, use.span, use.use);
+            report_not_found(session, use.use, graph.path, use.span);
             return nullptr;
         }
         name = file_stem(path);
@@ -76,9 +76,10 @@ void add_property(Session& session, Material& material, const Property& property
     if (property.type == PropertyType::Texture2D && property.texture.find_first_of("./") != std::string::npos) {
         entry.texture_path = find_file(session, property.texture, from);
         if (entry.texture_path.empty()) {
-            session.diagnostics.report(Code::MissingFile, property.default_span ? property.default_span : property.span,
-                                       property.texture);
+            report_not_found(session, property.texture, from,
+                             property.default_span ? property.default_span : property.span);
         } else {
+            entry.is_file = true;
             session.dependencies.push_back(entry.texture_path);
         }
     }

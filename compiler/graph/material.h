@@ -8,7 +8,8 @@ namespace patina::graph {
 
 struct MaterialProperty {
     const Property* property = nullptr;
-    std::string texture_path;  // a texture's default, found on disk; or white, black, gray, bump
+    std::string texture_path;  // a texture's default: a file, found on disk; or white, black, gray, bump
+    bool is_file = false;      // `texture_path` is one
 };
 
 struct Material {

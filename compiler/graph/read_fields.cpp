@@ -50,7 +50,7 @@ std::optional<bool> read_bool(Reading& reading, const Json& json, std::string_vi
 std::optional<double> read_float(Reading& reading, const Json& json, std::string_view what) {
     if (!expect(reading, json, Json::Kind::Number, what)) return std::nullopt;
     if (std::fabs(json.number) <= FLT_MAX) return json.number;
-    reading.diagnostics.report(Code::BadNumber, json.span, shown(reading.sources.text(json.span)), "float");
+    reading.diagnostics.report(Code::BadNumber, json.span, shown(reading.sources.text(json.span)), "32-bit float");
     return std::nullopt;
 }
 
@@ -62,7 +62,7 @@ std::optional<int> read_int(Reading& reading, const Json& json, std::string_view
     if (json.number >= low && json.number <= high) return static_cast<int>(json.number);
     const std::string text = shown(reading.sources.text(json.span));
     if (low == INT_MIN && high == INT_MAX) {
-        reading.diagnostics.report(Code::BadNumber, json.span, text, "int");
+        reading.diagnostics.report(Code::BadNumber, json.span, text, "32-bit int");
     } else {
         std::string_view name = what;
         if (name.starts_with('\'') && name.size() > 2) name = name.substr(1, name.size() - 2);

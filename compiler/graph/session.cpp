@@ -35,20 +35,39 @@ bool exists(const Session& session, const std::string& path) {
     return std::filesystem::is_regular_file(path, error);
 }
 
+// The paths that `name` may mean when the file `from` says it, in the order of preference.
+std::vector<std::string> candidates(const Session& session, const std::string& name, const std::string& from) {
+    namespace fs = std::filesystem;
+    if (fs::path(name).is_absolute()) return {name};
+    const auto join = [&](const fs::path& folder) { return (folder / name).lexically_normal().generic_string(); };
+    std::vector<std::string> paths = {join(fs::path(from).parent_path())};
+    for (const std::string& folder : session.options.include_dirs) paths.push_back(join(folder));
+    return paths;
+}
+
 }  // namespace
 
 Session::Session(const Library& the_library, const CompileOptions& the_options)
     : library(the_library), options(the_options), sources(&the_library.sources) {}
 
 std::string find_file(Session& session, const std::string& name, const std::string& from) {
-    namespace fs = std::filesystem;
-    const auto join = [&](const fs::path& folder) { return (folder / name).lexically_normal().generic_string(); };
-    if (fs::path(name).is_absolute()) return exists(session, name) ? name : std::string();
-    if (const std::string beside = join(fs::path(from).parent_path()); exists(session, beside)) return beside;
-    for (const std::string& folder : session.options.include_dirs) {
-        if (const std::string found = join(folder); exists(session, found)) return found;
+    for (std::string& path : candidates(session, name, from)) {
+        if (exists(session, path)) return std::move(path);
     }
     return {};
+}
+
+void report_not_found(Session& session, const std::string& name, const std::string& from, Span where) {
+    const std::vector<std::string> paths = candidates(session, name, from);
+    std::error_code ignored;
+    const bool is_folder = !session.options.loader && std::any_of(paths.begin(), paths.end(), [&](const auto& path) {
+        return std::filesystem::is_directory(path, ignored);
+    });
+    if (is_folder) {
+        session.diagnostics.report(Code::CannotRead, where, name, "it is a folder");
+    } else {
+        session.diagnostics.report(Code::MissingFile, where, name);
+    }
 }
 
 std::optional<std::uint32_t> load_source(Session& session, const std::string& path, Span where) {

@@ -36,6 +36,8 @@ struct Session {
 
 // The path of the file that `name` means when the file `from` says it, or empty. Text is loaded only for sources.
 std::string find_file(Session& session, const std::string& name, const std::string& from);
+// Reports that find_file() found nothing: there is no such file, or a folder where it should be.
+void report_not_found(Session& session, const std::string& name, const std::string& from, Span where);
 // Loads a file's text into the source map and notes the dependency. Reports CannotRead at `where`.
 std::optional<std::uint32_t> load_source(Session& session, const std::string& path, Span where);
 // "dir/x.graph.json" -> "x"

@@ -244,6 +244,18 @@ std::string verify(const Module& module) {
     return error.empty() ? "" : dump(module, module[module.stage.entry], Mark{.value = {}, .reason = error});
 }
 
+bool is_verifying() {
+#ifdef PATINA_VERIFY
+    return true;
+#else
+    static const bool wanted = [] {
+        const char* value = std::getenv("PATINA_VERIFY");
+        return value != nullptr && std::string_view(value) == "1";
+    }();
+    return wanted;
+#endif
+}
+
 void check(const Module& module, std::string_view stage) {
     const std::string error = verify(module);
     if (error.empty()) return;

@@ -9,7 +9,9 @@ namespace patina::ir {
 
 // Empty if the module is sound; otherwise the module's own text with the first offending line marked and explained.
 std::string verify(const Module& module);
-// Aborts with verify()'s text. Compiled in always, called in debug and test builds.
+// In debug builds, and wherever the environment says PATINA_VERIFY=1, as it does for the tests.
+bool is_verifying();
+// Aborts with verify()'s text.
 void check(const Module& module, std::string_view stage);
 
 }  // namespace patina::ir

@@ -39,6 +39,13 @@ struct Typed {
 
 struct Scope;
 
+// Numbers from here on are infinite in 16 bits.
+inline constexpr double kHalfLimit = 65520;
+// Scalar kinds that convert to each other in an operator: half joins float as float.
+bool joins(ir::Scalar a, ir::Scalar b);
+// "xy" for 2
+std::string_view swizzle_prefix(unsigned width);
+
 // What a name means beyond the language itself.
 class Environment {
 public:
@@ -73,6 +80,8 @@ struct Scope {
     bool* needs_quad = nullptr;  // set when something needs neighbouring pixels
     std::string_view flow{};     // "if" or "for" when inside one
     bool in_vertex_stage = false;
+    double rounds_around = 1;  // of the loops that enclose what is emitted, multiplied
+    double rounds = 0;         // of all loops so far, those of called functions included
 };
 
 // What a pass function may call that the graph provides.
@@ -117,6 +126,8 @@ public:
     // Emits a function whose parameters are all semantics (a recipe or a pass entry). `always_inline` is set on it.
     ir::FunctionId semantic_function(const FunctionDecl& function, const Declarations& home, Environment& environment,
                                      bool in_vertex_stage, bool* needs_quad = nullptr);
+    // Emits a function in each of its forms (widths of floatN, values of a drop-down) for the errors that are in it.
+    void check_function(const FunctionDecl& function, const Declarations& home);
     // A function that is not generic and takes only plain parameters, as it stands.
     ir::FunctionId plain_function(const FunctionDecl& function, const Declarations& home);
     void set_slot(std::string_view name, Slot slot) { slots_[std::string(name)] = slot; }
@@ -138,6 +149,7 @@ private:
         ir::Type result{};
         const Outputs* outputs = nullptr;
         bool needs_quad = false;
+        double rounds = 0;  // of its loops
     };
     struct Argument {
         Typed value;
@@ -149,14 +161,16 @@ private:
     Typed list(const Expr& expr, Scope& scope);
     Typed name(const Expr& expr, Scope& scope);
     Typed file_constant(const VariableDecl& variable, Scope& scope);
+    Typed index(const Expr& expr, Scope& scope);
+    Typed swizzle(Typed object, std::string_view letters, Scope& scope);
+    Typed at_border(Typed value, const Scope& scope);
+
+    // operators (emit_operator.cpp)
     Typed unary(const Expr& expr, Scope& scope);
     Typed binary(const Expr& expr, Scope& scope);
     Typed ternary(const Expr& expr, Scope& scope);
-    Typed index(const Expr& expr, Scope& scope);
-    Typed swizzle(Typed object, std::string_view letters, Scope& scope);
     Typed enum_operand(const Expr& expr, const std::vector<std::string_view>& enumerators, Scope& scope);
-    Typed literal_as(Typed value, ir::Scalar scalar, Scope& scope);
-    Typed at_border(Typed value, const Scope& scope);
+    Typed literal_as(Typed value, ir::Scalar scalar, Scope& scope, Span span);
     bool unify(std::span<Typed> operands, Scope& scope, Span span, std::string_view op);
 
     // calls (emit_call.cpp)
@@ -184,7 +198,8 @@ private:
     bool statements(const Statements& list, std::size_t first, Scope& scope, ir::Value& returned);
     bool if_statement(const Stmt& stmt, const Statements& list, std::size_t next, Scope& scope, ir::Value& returned);
     void for_statement(const Stmt& stmt, Scope& scope);
-    bool is_bounded(const Stmt& loop, const Scope& scope);
+    std::optional<double> rounds_of(const Stmt& loop, const Scope& scope);
+    void count_rounds(double rounds, Scope& scope, Span span);
     void declare(const Stmt& stmt, Scope& scope);
     void assign(const Stmt& stmt, Scope& scope);
     bool store(const Expr& target, Typed value, Scope& scope);

@@ -124,7 +124,7 @@ std::vector<std::string_view> intrinsic_names() {
 void Emitter::need_quad(Scope& scope, Span span, std::string_view what) {
     if (scope.in_vertex_stage) {
         diagnostics_.report(Code::WrongStage, span, what, diagnostics_.context_node())
-            .note("in the vertex stage a texture is sampled with an explicit level (SampleLevel)");
+            .note("vertices have no neighbouring pixels; a texture can be sampled at a level there (SampleLevel)");
     } else if (!scope.flow.empty()) {
         diagnostics_.report(Code::DerivativeInFlow, span, what, scope.flow)
             .note("compute it before, or sample with SampleLevel or SampleGrad");
@@ -193,6 +193,7 @@ Typed Emitter::call(const FunctionDecl& function, const Declarations& home, std:
     const Instance& instance = instantiate(function, home, gathered, width, half, span);
     if (instance.result.is_error()) return {};
     if (instance.needs_quad) need_quad(scope, span, function.name);
+    if (instance.rounds > 0) count_rounds(instance.rounds, scope, span);
     return {.value = scope.builder->call(instance.id, values), .type = instance.result, .outputs = instance.outputs};
 }
 
@@ -367,7 +368,8 @@ Typed Emitter::intrinsic(std::string_view name, const Expr& expr, Scope& scope, 
         row->takes == Takes::Numbers &&
         std::any_of(operands.begin(), operands.end(), [](const Typed& t) { return t.type.is_integer() && !t.literal; });
     for (Typed& operand : operands) {
-        if (!integers && operand.literal && operand.type.is_integer()) operand = literal_as(operand, floating, scope);
+        if (!integers && operand.literal && operand.type.is_integer())
+            operand = literal_as(operand, floating, scope, expr.span);
         if (operand.type.is_bool() || (operand.type.is_integer() && !integers) || operand.type.is_matrix()) {
             return refuse(operand);
         }
@@ -427,7 +429,7 @@ Typed Emitter::constructor(Type wanted, const Expr& expr, Scope& scope) {
             diagnostics_.report(Code::BadOperand, argument->span, expr.text, module_.type_name(part.type));
             return {};
         }
-        if (part.literal && !wanted.is_bool()) part = literal_as(part, wanted.scalar, scope);
+        if (part.literal && !wanted.is_bool()) part = literal_as(part, wanted.scalar, scope, argument->span);
         if (part.type.scalar != wanted.scalar) part.value = b.convert(part.value, wanted.scalar);
         parts.push_back(part.value);
         count += part.type.width();

@@ -121,6 +121,7 @@ Emitter::Instance Emitter::emit_function(const FunctionDecl& function, const Dec
     Value returned;
     const bool returns = statements(function.body, 0, scope, returned);
     if (diagnostics_.error_count() != errors) return {.id = {}, .result = Type::error()};
+    instance.rounds = scope.rounds;
     if (!returns) {
         if (function.result.name != "void") {
             diagnostics_.report(Code::MissingReturn, function.name_span, function.name);

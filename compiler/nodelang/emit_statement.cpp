@@ -14,7 +14,8 @@ using ir::Value;
 
 namespace {
 
-constexpr double kMaxIterations = 4096;
+constexpr double kMaxIterations = 4096;  // of one loop
+constexpr double kMaxRounds = 1u << 22;  // of all loops of a function, nested ones multiplied
 // What follows a branch that returns is nested in its else.
 constexpr std::size_t kMaxBranches = 200;
 
@@ -316,7 +317,7 @@ bool Emitter::if_statement(const Stmt& stmt, const Statements& list, std::size_t
 
 // The index begins at a constant, and the limit is a constant, or min(anything, a constant): a shader cannot run for
 // ever.
-bool Emitter::is_bounded(const Stmt& loop, const Scope& scope) {
+std::optional<double> Emitter::rounds_of(const Stmt& loop, const Scope& scope) {
     const Expr& limit = *loop.limit;
     std::optional<double> cap = constant_value(limit, scope);
     if (!cap && limit.kind == Expr::Kind::Call && limit.text == "min" && limit.args.size() == 2) {
@@ -326,24 +327,36 @@ bool Emitter::is_bounded(const Stmt& loop, const Scope& scope) {
     if (!cap) {
         diagnostics_.report(Code::UnboundedLoop, limit.span, "limit")
             .note("write min(count, 64), with a cap that fits");
-        return false;
+        return {};
     }
     const std::optional<double> first = constant_value(*loop.value, scope);
     if (!first) {
         diagnostics_.report(Code::UnboundedLoop, loop.value->span, "first index")
             .note("begin at 0, and add the rest in the body");
-        return false;
+        return {};
     }
-    if (*cap - *first <= kMaxIterations) return true;
+    if (*cap - *first <= kMaxIterations) return std::max(*cap - *first, 0.0);
     diagnostics_.report(Code::TooMany, limit.span, *cap - *first, "rounds of a loop", kMaxIterations);
-    return false;
+    return {};
+}
+
+// Loops in loops multiply, in called functions too: together they must end in a reasonable time.
+void Emitter::count_rounds(double rounds, Scope& scope, Span span) {
+    const bool was_fine = scope.rounds <= kMaxRounds;
+    scope.rounds += scope.rounds_around * rounds;
+    if (was_fine && scope.rounds > kMaxRounds) {
+        diagnostics_.report(Code::TooMany, span, scope.rounds, "rounds of nested loops", kMaxRounds);
+    }
 }
 
 void Emitter::for_statement(const Stmt& stmt, Scope& scope) {
     ir::Builder& b = *scope.builder;
     const Typed begin = expression_as(*stmt.value, ir::kInt, scope, "the first index");
     const Typed end = expression_as(*stmt.limit, ir::kInt, scope, "the limit");
-    if (!begin.ok() || !end.ok() || !is_bounded(stmt, scope)) return;
+    if (!begin.ok() || !end.ok()) return;
+    const std::optional<double> rounds = rounds_of(stmt, scope);
+    if (!rounds) return;
+    count_rounds(*rounds, scope, stmt.name_span);
     b.name(end.value, module_.intern("count"));
     const std::size_t outer = scope.locals.size();
     std::vector<std::string_view> assigned;
@@ -359,6 +372,7 @@ void Emitter::for_statement(const Stmt& stmt, Scope& scope) {
     b.begin_for(begin.value, end.value, initial, stmt.is_light_loop);
     const std::string_view outer_flow = scope.flow;
     scope.flow = "for";
+    scope.rounds_around *= std::max(*rounds, 1.0);
     for (std::uint32_t k = 0; k < carried.size(); ++k) {
         scope.locals[carried[k]].value.value = b.loop_carried(k);
         b.name(b.loop_carried(k), module_.intern(scope.locals[carried[k]].name));
@@ -369,6 +383,7 @@ void Emitter::for_statement(const Stmt& stmt, Scope& scope) {
     statements(stmt.body, 0, scope, returned);
     scope.locals.resize(outer);
     scope.flow = outer_flow;
+    scope.rounds_around /= std::max(*rounds, 1.0);
     std::vector<Value> next;
     for (std::size_t i : carried) next.push_back(scope.locals[i].value.value);
     const Value loop = b.end_for(next);

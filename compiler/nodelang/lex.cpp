@@ -204,7 +204,7 @@ void Lexer::number(Token& token) {
     if (read_number(token.text, token)) return;
     token.kind = Token::Kind::Bad;
     if (std::isinf(token.number)) {
-        diagnostics_.report(Code::BadNumber, span(begin, here_), token.text, "float");
+        diagnostics_.report(Code::BadNumber, span(begin, here_), token.text, "32-bit float");
     } else {
         diagnostics_.report(Code::BadLiteral, span(begin, here_), token.text);
     }

@@ -287,13 +287,9 @@ void Body::print_for(Value v) {
     if (index.empty()) index = writer_.names.declare(fallback);
     statement(v, fmt::format("for ({3} {0} = {1}; {0} < {2}; ++{0}) {{", index, begin, end,
                              writer_.type(function_[arg(v, 0)].type)));
-    // What a node computes in each round stands far from what it computes once: its comment is printed there too.
-    std::vector<bool> outside(commented_.size());
-    std::swap(outside, commented_);
     ++loops_;
     print_branch({inst.data}, v);
     --loops_;
-    std::swap(outside, commented_);
     writer_.names.close();
     writer_.line(indent_, "}", inst.origin);
 }

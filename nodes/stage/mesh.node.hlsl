@@ -59,16 +59,20 @@ float3 normal_ws(float3 normal = geometry_normal_ws) {
     return normal;
 }
 
-/// Mesh tangent in world space, unit.
+/// Mesh tangent in world space, unit. On the back of a two-sided material the whole frame is turned, as in glTF: what
+/// is a bump in front is a dent behind.
 [semantic("pixel")]
-float3 tangent_ws(float4 interpolated = vertex_tangent_ws) {
-    return normalize(interpolated.xyz);
+float3 tangent_ws(float4 interpolated = vertex_tangent_ws, bool front = front_facing) {
+    float3 tangent = normalize(interpolated.xyz);
+    return two_sided && !front ? -tangent : tangent;
 }
 
 /// Bitangent in world space: cross(normal, tangent) with the mesh's handedness.
 [semantic("pixel")]
-float3 bitangent_ws(float3 normal = geometry_normal_ws, float4 interpolated = vertex_tangent_ws) {
-    return cross(normal, normalize(interpolated.xyz)) * interpolated.w;
+float3 bitangent_ws(float3 normal = geometry_normal_ws, float3 tangent = tangent_ws,
+                    float4 interpolated = vertex_tangent_ws, bool front = front_facing) {
+    float3 bitangent = cross(normal, tangent) * interpolated.w;
+    return two_sided && !front ? -bitangent : bitangent;
 }
 
 /// Normals go by the inverse transpose, so that they stay perpendicular under uneven scale.

@@ -78,8 +78,8 @@ void register_all() {
         benchmark::RegisterBenchmark(name.c_str(), function, arguments...)
             ->Unit(benchmark::kMillisecond)
             ->UseRealTime()
-            ->MinTime(0.2)
-            ->Repetitions(3)
+            ->MinTime(0.05)
+            ->Repetitions(11)
             ->ReportAggregatesOnly(false);
     };
     add("library", load_library);

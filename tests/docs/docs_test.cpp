@@ -98,6 +98,30 @@ TEST_P(Page, HoldsExamplesThatWork) {
     }
 }
 
+TEST(Library, HasNoErrors) {
+    const Compiler compiler;
+    for (const Diagnostic& d : compiler.library_diagnostics()) ADD_FAILURE() << to_text(d);
+}
+
+// What a node's manual page offers to paste can be pasted, if nothing has to be filled in.
+TEST(ManualPage, OffersANodeThatCompiles) {
+    const Compiler compiler;
+    int pasted = 0;
+    for (const NodeInfo& node : compiler.nodes()) {
+        const std::string page = run("patina node " + node.name, received_folder()).output;
+        const std::size_t begin = page.find("{ \"id\": \"my_node\"");
+        ASSERT_NE(begin, page.npos) << node.name;
+        const std::string snippet = page.substr(begin, page.find('\n', begin) - begin);
+        if (snippet.find("\"...\"") != snippet.npos) continue;
+        ++pasted;
+        const Result result =
+            compiler.compile_text("page.graph.json", R"({ "patina": 1, "workflow": "unlit", "nodes": [ )" + snippet +
+                                                         R"( ], "surface": { "color": "#808080" } })");
+        EXPECT_TRUE(result.ok) << snippet << (result.diagnostics.empty() ? "" : to_text(result.diagnostics[0]));
+    }
+    EXPECT_GT(pasted, 50);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Page,
                          ::testing::Values("docs/graph-format.md", "docs/node-language.md", "docs/adding-a-node.md",
                                            "README.md"),

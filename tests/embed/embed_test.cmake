@@ -1,4 +1,4 @@
-# cmake -D BUILD=... -D SOURCE=... -D WORK=... -P embed_test.cmake
+# cmake -D BUILD=... -D SOURCE=... -D WORK=... -D FLAGS=(compiler flags) -P embed_test.cmake
 # Installs the library into an empty prefix, and builds and runs examples/embed with nothing else of Patina in reach.
 cmake_minimum_required(VERSION 3.22)
 
@@ -15,7 +15,7 @@ run(${CMAKE_COMMAND} --install ${BUILD} --component library --prefix ${WORK}/pre
 # A copy: the example must not find anything beside itself.
 file(COPY ${SOURCE}/examples/embed DESTINATION ${WORK})
 run(${CMAKE_COMMAND} -S ${WORK}/embed -B ${WORK}/build -D CMAKE_PREFIX_PATH=${WORK}/prefix
-    -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF -D CMAKE_BUILD_TYPE=Release)
+    -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF -D CMAKE_BUILD_TYPE=Release -D "CMAKE_CXX_FLAGS=${FLAGS}")
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/embed)
 foreach(wanted IN ITEMS "dotted.forward.vert.glsl" "dotted.forward.frag.glsl" "#version 450" "_Tint" "void main()")

@@ -66,6 +66,53 @@ TEST_P(Story, IsTheSameEachTime) {
     }
 }
 
+// Where the command runs, and how it names the graph, are no part of what it writes.
+TEST(Reflections, NameTexturesFromTheGraphsFolder) {
+    const fs::path source = tests_folder().parent_path();
+    const fs::path folder = received_folder() / "run" / "reflections";
+    fs::remove_all(folder);
+    struct Case {
+        fs::path where;
+        std::string graph;
+    };
+    const std::string name = "examples/graphs/mossy_rock.graph.json";
+    std::string first;
+    for (const Case& each : {Case{source, name}, Case{source / "examples/graphs", "mossy_rock.graph.json"},
+                             Case{source / "tests", "../" + name}, Case{source, (source / name).string()}}) {
+        const Ran ran = run("patina compile " + each.graph + " -t glsl -o " + folder.string(), each.where);
+        ASSERT_EQ(ran.exit, 0) << ran.output;
+        const std::string reflection = read_file(folder / "mossy_rock.reflect.json");
+        if (first.empty()) first = reflection;
+        EXPECT_EQ(reflection, first) << each.graph;
+    }
+    EXPECT_NE(first.find("\"default\": \"textures/rock_color.png\""), std::string::npos) << first;
+}
+
+// A file that was found in an include folder is named from the graph's folder too, and is no default of the same name.
+TEST(Reflections, NameIncludedTexturesFromTheGraphsFolder) {
+    CompileOptions options;
+    options.include_dirs = {"art/shared"};
+    options.loader = [](const std::string& path) -> std::optional<std::string> {
+        if (path == "art/shared/rust.png" || path == "art/graphs/white") return "";
+        return {};
+    };
+    const Result result = compiler().compile_text("art/graphs/plain.graph.json", R"({
+        "patina": 1,
+        "workflow": "unlit",
+        "properties": [
+            { "name": "_A", "type": "texture2d", "default": "./rust.png" },
+            { "name": "_B", "type": "texture2d", "default": "./white" },
+            { "name": "_C", "type": "texture2d", "default": "white" }
+        ]
+    })",
+                                                  options);
+    for (const Diagnostic& d : result.diagnostics) ADD_FAILURE() << to_text(d);
+    ASSERT_EQ(result.reflection.textures.size(), 3u);
+    EXPECT_EQ(result.reflection.textures[0].default_value, "../shared/rust.png");
+    EXPECT_EQ(result.reflection.textures[1].default_value, "./white");
+    EXPECT_EQ(result.reflection.textures[2].default_value, "white");
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Story, ::testing::ValuesIn(stories()), [](const auto& info) {
     std::string name = info.param;
     std::replace(name.begin(), name.end(), '-', '_');

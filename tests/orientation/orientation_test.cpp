@@ -23,7 +23,8 @@ RenderOutcome draw(RenderRequest request, const std::string& via) {
     request.exact_textures = true;
     // Straight at the plane, so that it fills the picture: 2 units high at distance 2 is a field of view of 2
     // atan(1/2).
-    if (request.mesh == "plane") request.camera = "position=0,0,2 target=0,0,0 fov=53.13010235415598";
+    if (request.mesh == "plane" && request.camera.empty())
+        request.camera = "position=0,0,2 target=0,0,0 fov=53.13010235415598";
     request.ambient = "0";
     RenderOutcome outcome = render(compiler, request, machine);
     for (const Diagnostic& d : outcome.diagnostics) ADD_FAILURE() << to_text(d);
@@ -79,6 +80,44 @@ TEST_P(Orientation, TextureNormalMapAndLight) {
         expect_color(outcome.image, near, far, {0, 0, c.bottom_left}, "bottom left");
         expect_color(outcome.image, far, far, {c.bottom_right, c.bottom_right, c.bottom_right}, "bottom right");
     }
+}
+
+// Seen from behind, a two-sided plane is the same sheet: its frame is turned as a whole, and a bump is a dent.
+TEST_P(Orientation, TheBackIsTheFrontReversed) {
+    const double root = std::sqrt(0.5);
+    RenderRequest request;
+    request.graph = "tests/orientation/back.graph.json";
+    request.mesh = "plane";
+    request.camera = "position=0,0,-2 target=0,0,0 fov=53.13010235415598";
+    request.overrides["_Corners"] = corners();
+    // As in TextureNormalMapAndLight, with each light on the other side; left and right are exchanged.
+    struct Case {
+        const char* light;
+        double top_left, top_right, bottom_left, bottom_right;
+    };
+    for (const Case& c :
+         {Case{"-1,0,0", 0, 0, root, 0}, Case{"0,-1,0", 0, root, 0, 0}, Case{"0,0,-1", 1, root, root, 1}}) {
+        request.lights = {"directional direction=" + std::string(c.light) + " intensity=1"};
+        const RenderOutcome outcome = draw(request, GetParam());
+        if (!outcome.ok) return;
+        const int near = kSize / 4, far = kSize * 3 / 4;
+        expect_color(outcome.image, far, near, {c.top_left, 0, 0}, "top left");
+        expect_color(outcome.image, near, near, {0, c.top_right, 0}, "top right");
+        expect_color(outcome.image, far, far, {0, 0, c.bottom_left}, "bottom left");
+        expect_color(outcome.image, near, far, {c.bottom_right, c.bottom_right, c.bottom_right}, "bottom right");
+    }
+}
+
+// A pinned value is computed once, from the mesh as it is: what moved the vertices does not count again.
+TEST_P(Orientation, PinnedValuesAreOfTheMeshAsItIs) {
+    RenderRequest request;
+    request.graph = "tests/orientation/pinned.graph.json";
+    request.mesh = "plane";
+    const RenderOutcome outcome = draw(request, GetParam());
+    if (!outcome.ok) return;
+    // The plane is moved half a unit up; its middle, where the mesh's y is 0, stands a quarter of the picture higher.
+    EXPECT_NEAR(pixel(outcome.image, kSize / 2, kSize / 4)[0], 0.5, 0.04);
+    EXPECT_NEAR(pixel(outcome.image, kSize / 2, kSize / 2)[0], 0.25, 0.04);
 }
 
 // The view space of a preview: x to the right, y up, and the part nearest to the camera in the middle.

@@ -194,26 +194,37 @@ TEST_F(ImageFile, ColorTexturesAreDecodedAndDataIsNot) {
     ASSERT_EQ(save_png_as_is(path("t.png"), make_image(4, 4, 0.2f, 0.4f, 0.6f, 0.8f)), "");
     Reflection reflection;
     reflection.textures = {texture("color", "color", "white"), texture("data", "data", path("t.png"))};
-    auto loaded = load_textures(reflection, {{"color", path("t.png")}}, false);
-    ASSERT_TRUE(loaded) << loaded.error;
-    ASSERT_EQ(loaded.value.size(), 2u);
-    EXPECT_EQ(loaded.value[0].format, TexelFormat::Srgb8);
-    EXPECT_NEAR(loaded.value[0].data->levels[0].texels[0], std::pow((0.2 + 0.055) / 1.055, 2.4), 1e-6);
-    EXPECT_NEAR(loaded.value[0].data->levels[0].texels[3], 0.8, 1e-6);
-    EXPECT_EQ(loaded.value[1].format, TexelFormat::Unorm8);
-    EXPECT_NEAR(loaded.value[1].data->levels[0].texels[0], 0.2, 1e-6);
+    reflection.textures[1].default_value = "t.png";
+    const std::vector<LoadedTexture> loaded =
+        load_textures(reflection, path(""), {{"color", path("t.png")}}, false).textures;
+    ASSERT_EQ(loaded.size(), 2u);
+    EXPECT_EQ(loaded[0].format, TexelFormat::Srgb8);
+    EXPECT_NEAR(loaded[0].data->levels[0].texels[0], std::pow((0.2 + 0.055) / 1.055, 2.4), 1e-6);
+    EXPECT_NEAR(loaded[0].data->levels[0].texels[3], 0.8, 1e-6);
+    EXPECT_EQ(loaded[1].format, TexelFormat::Unorm8);
+    EXPECT_NEAR(loaded[1].data->levels[0].texels[0], 0.2, 1e-6);
 
-    auto exact = load_textures(reflection, {}, true);
-    ASSERT_TRUE(exact) << exact.error;
-    EXPECT_EQ(exact.value[1].format, TexelFormat::Float32);
+    const std::vector<LoadedTexture> exact = load_textures(reflection, path(""), {}, true).textures;
+    ASSERT_EQ(exact.size(), 2u);
+    EXPECT_EQ(exact[1].format, TexelFormat::Float32);
 }
 
-TEST_F(ImageFile, ATextureThatIsMissingIsNamed) {
+TEST_F(ImageFile, EveryTextureThatCannotBeLoadedIsNamed) {
+    std::ofstream(path("text.png")) << "no picture";
+    ASSERT_EQ(save_png_as_is(path("half.png"), make_image(64, 64, 0.2f)), "");
+    std::filesystem::resize_file(path("half.png"), 80);
     Reflection reflection;
-    reflection.textures = {texture("_MainTex", "color", path("none.png"))};
-    auto loaded = load_textures(reflection, {}, false);
-    ASSERT_FALSE(loaded);
-    EXPECT_NE(loaded.error.find("_MainTex"), std::string::npos) << loaded.error;
+    reflection.textures = {
+        texture("_A", "color", "none.png"), texture("_B", "color", "white"), texture("_C", "data", "text.png"),
+        texture("_D", "data", "half.png"),
+        texture("_E", "data", "../" + std::filesystem::path(path("")).parent_path().filename().string())};
+    const LoadedTextures loaded = load_textures(reflection, path(""), {}, false);
+    EXPECT_EQ(loaded.textures.size(), 1u);
+    ASSERT_EQ(loaded.errors.size(), 4u);
+    EXPECT_EQ(loaded.errors[0], "texture '_A': there is no file '" + path("none.png") + "'");
+    EXPECT_TRUE(loaded.errors[1].starts_with("texture '_C': cannot read '" + path("text.png") + "' as an image: "));
+    EXPECT_TRUE(loaded.errors[2].starts_with("texture '_D': cannot read '" + path("half.png") + "' as an image: "));
+    EXPECT_TRUE(loaded.errors[3].ends_with("it is a folder")) << loaded.errors[3];
 }
 
 }  // namespace

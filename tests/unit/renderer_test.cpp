@@ -167,7 +167,7 @@ protected:
     static inline std::unique_ptr<Renderer> renderer;
     Reflection reflection = make_reflection();
     std::map<std::string, std::string> words;
-    std::vector<LoadedTexture> textures = load_textures(reflection, {}, true).value;
+    std::vector<LoadedTexture> textures = load_textures(reflection, "", {}, true).textures;
     std::vector<Light> lights;
     Scene scene = fullscreen_scene(8, 4);
 };
@@ -282,6 +282,18 @@ TEST_F(RendererTest, EightBitFormatsHoldTheirFilesNumbers) {
     }
 }
 
+// Such a branch on the fourth uniform buffer crashes lavapipe (Mesa 22.3), if the shader has more than 100 values.
+TEST_F(RendererTest, BranchesOnAUniform) {
+    std::string rounds;
+    float expected = 0.5f;
+    for (int i = 0; i < 30; i++) {
+        rounds += "v = 0.5 * sin(v) + cos(v); ";
+        expected = 0.5f * std::sin(expected) + std::cos(expected);
+    }
+    EXPECT_NEAR(value_of("vec4(0); float v = 0.25 + uv.x; if (v > _Tint.g) { " + rounds + "} result = vec4(v)")[0],
+                expected, 1e-4);
+}
+
 TEST_F(RendererTest, BlendsAsThePassSays) {
     reflection.passes[0].targets[0].blend_source = "src_alpha";
     reflection.passes[0].targets[0].blend_destination = "one_minus_src_alpha";
@@ -330,7 +342,9 @@ TEST(Words, ThatAreWrongListWhatThereIs) {
     };
     Reflection reflection = make_reflection();
     for (Case each :
-         {Case{"_Amout", "1", "its properties are: _Amount, _Direction, _Tint, _Mode, _MainTex"},
+         {Case{"_Amout", "1", "no property '_Amout'; did you mean '_Amount'?"},
+          Case{"_MainTex_S", "1", "did you mean '_MainTex_ST'?"},
+          Case{"nothing like it", "1", "these exist: _Amount, _Direction, _Tint, _Mode, _MainTex and _MainTex_ST"},
           Case{"_Amount", "a lot", "_Amount must be one number"}, Case{"_Amount", "1,2", "one number"},
           Case{"_Amount", "nan", "one number"}, Case{"_Direction", "1,2", "3 numbers"}, Case{"_Tint", "#12", "#rrggbb"},
           Case{"_Mode", "Moist", "one of Dry, Wet"}, Case{"_MainTex_ST", "2", "scale x, scale y"},
@@ -339,6 +353,25 @@ TEST(Words, ThatAreWrongListWhatThereIs) {
         ASSERT_FALSE(values) << each.name;
         EXPECT_NE(values.error.find(each.expected), std::string::npos) << values.error;
     }
+}
+
+TEST(Words, MeetTheRangesOfTheirProperties) {
+    Reflection reflection = make_reflection();
+    reflection.properties[0].range = {0.1, 1};
+    reflection.properties[1].range = {0.1, 1};
+    reflection.properties[1].hard = true;
+    for (const char* inside : {"0.1", "1", "0.5"}) {
+        auto values = material_values(reflection, {{"_Amount", inside}, {"_Direction", inside}});
+        ASSERT_TRUE(values) << values.error;
+        EXPECT_TRUE(values.value.warnings.empty()) << inside;
+    }
+    auto soft = material_values(reflection, {{"_Amount", "1.5"}});
+    ASSERT_TRUE(soft) << soft.error;
+    EXPECT_EQ(soft.value.numbers["_Amount"][0], 1.5);
+    EXPECT_EQ(soft.value.warnings, std::vector<std::string>{"1.5 is outside the usual range 0.1 to 1 of '_Amount'"});
+    auto hard = material_values(reflection, {{"_Direction", "1,0,1"}});
+    ASSERT_FALSE(hard);
+    EXPECT_EQ(hard.error, "0 is outside the range 0.1 to 1 of '_Direction'");
 }
 
 TEST(OpenDevice, AnUnknownNameListsTheDevices) {

@@ -18,7 +18,7 @@ protected:
         folder = mkdtemp(name.data());
     }
     ~SnapshotFileTest() override { fs::remove_all(folder); }
-    Outcome<SnapshotFile> read(const std::string& text) {
+    ReadSnapshot read(const std::string& text) {
         std::ofstream(folder / "rust.snapshot.json", std::ios::binary) << text;
         return read_snapshot((folder / "rust.snapshot.json").string());
     }
@@ -27,26 +27,28 @@ protected:
 };
 
 TEST_F(SnapshotFileTest, LeavesOutWhatHasDefaults) {
-    Outcome<SnapshotFile> file = read(R"({ "patina": 1 })");
-    ASSERT_TRUE(file) << file.error;
-    EXPECT_EQ(file.value.request.graph, (folder / "rust.graph.json").string());
-    EXPECT_EQ(file.value.request.size, 128);
-    EXPECT_EQ(file.value.request.samples, 2);
-    EXPECT_EQ(file.value.request.mesh, "sphere");
-    EXPECT_TRUE(file.value.request.lights.empty());
+    ReadSnapshot read_file = read(R"({ "patina": 1 })");
+    ASSERT_TRUE(read_file.file) << to_text(read_file.error);
+    const SnapshotFile& file = *read_file.file;
+    EXPECT_EQ(file.request.graph, (folder / "rust.graph.json").string());
+    EXPECT_EQ(file.request.size, 128);
+    EXPECT_EQ(file.request.samples, 2);
+    EXPECT_EQ(file.request.mesh, "sphere");
+    EXPECT_TRUE(file.request.lights.empty());
 }
 
 TEST_F(SnapshotFileTest, ReadsEverything) {
     std::ofstream(folder / "rust.png") << "x";
-    Outcome<SnapshotFile> file = read(R"({
+    ReadSnapshot read_file = read(R"({
         // a comment, and a trailing comma
         "patina": 1, "graph": "other.graph.json", "mesh": "torus", "size": 64, "samples": 1, "time": 1.5, "node": "mask",
         "camera": "fov=40", "ambient": 0.2, "via": "cpu", "lights": ["directional", "point range=3"],
         "set": { "_Roughness": 0.25, "_Tint": [1, 0, 0.5], "_On": true, "_Mode": "Wet", "_MainTex": "rust.png" },
         "tolerance": { "pixel": 0.1, "share": 0.2, "average": 0.3 },
     })");
-    ASSERT_TRUE(file) << file.error;
-    const RenderRequest& request = file.value.request;
+    ASSERT_TRUE(read_file.file) << to_text(read_file.error);
+    const SnapshotFile& file = *read_file.file;
+    const RenderRequest& request = file.request;
     EXPECT_EQ(request.graph, (folder / "other.graph.json").string());
     EXPECT_EQ(request.mesh, "torus");
     EXPECT_EQ(request.size, 64);
@@ -62,13 +64,13 @@ TEST_F(SnapshotFileTest, ReadsEverything) {
                                                                      {"_On", "true"},
                                                                      {"_Mode", "Wet"},
                                                                      {"_MainTex", (folder / "rust.png").string()}}));
-    EXPECT_EQ(file.value.tolerance.pixel, 0.1);
-    EXPECT_EQ(file.value.tolerance.share, 0.2);
-    EXPECT_EQ(file.value.tolerance.average, 0.3);
+    EXPECT_EQ(file.tolerance.pixel, 0.1);
+    EXPECT_EQ(file.tolerance.share, 0.2);
+    EXPECT_EQ(file.tolerance.average, 0.3);
 }
 
 TEST_F(SnapshotFileTest, NoLightsAtAllIsAnEmptyArray) {
-    EXPECT_EQ(read(R"({ "patina": 1, "lights": [] })").value.request.lights, std::vector<std::string>{"none"});
+    EXPECT_EQ(read(R"({ "patina": 1, "lights": [] })").file->request.lights, std::vector<std::string>{"none"});
 }
 
 TEST_F(SnapshotFileTest, ErrorsHaveAPlaceAndAReason) {
@@ -88,6 +90,7 @@ TEST_F(SnapshotFileTest, ErrorsHaveAPlaceAndAReason) {
                       Case{R"({ "patina": 1, "size": 1.5 })", ":1:16: ", "whole number"},
                       Case{R"({ "patina": 1, "size": 1e99 })", ":1:16: ", "from 1 to 4096"},
                       Case{R"({ "patina": 1, "time": "soon" })", ":1:16: ", "number of seconds"},
+                      Case{R"({ "patina": 1, "time": 1e39 })", ":1:16: ", "number of seconds"},
                       Case{R"({ "patina": 1, "mesh": true })", ":1:16: ", "must be a text"},
                       Case{R"({ "patina": 1, "mesh": null })", ":1:16: ", "null means nothing"},
                       Case{R"({ "patina": 1, "mesh": ["cube"] })", ":1:16: ", "array cannot stand here"},
@@ -97,23 +100,37 @@ TEST_F(SnapshotFileTest, ErrorsHaveAPlaceAndAReason) {
                       Case{R"({ "patina": 1, "set": { "_A": { "b": 1 } } })", ":1:25: ", "object cannot stand here"},
                       Case{R"({ "patina": 1, "set": { "_A": ["b"] } })", ":1:25: ", "numbers only"},
                       Case{R"({ "patina": 1, "lights": [3] })", ":1:16: ", "a light is a text"}}) {
-        Outcome<SnapshotFile> file = read(each.text);
-        ASSERT_FALSE(file) << each.text;
-        EXPECT_NE(file.error.find("rust.snapshot.json" + std::string(each.place)), std::string::npos) << file.error;
-        EXPECT_NE(file.error.find(each.reason), std::string::npos) << file.error;
+        ReadSnapshot read_file = read(each.text);
+        ASSERT_FALSE(read_file.file) << each.text;
+        const std::string error = to_text(read_file.error);
+        EXPECT_NE(error.find("rust.snapshot.json" + std::string(each.place)), std::string::npos) << error;
+        EXPECT_NE(error.find(each.reason), std::string::npos) << error;
     }
 }
 
+TEST_F(SnapshotFileTest, ErrorsShowTheirLineAndAFix) {
+    const std::string text = to_text(read("{ \"patina\": 1,\n  \"mesch\": \"cube\" }").error);
+    EXPECT_EQ(text, (folder / "rust.snapshot.json").string() +
+                        ":2:3: error: unknown key 'mesch' in a snapshot [unknown-key]\n"
+                        "    2 |   \"mesch\": \"cube\" }\n"
+                        "      |   ^~~~~~~\n"
+                        "note: did you mean 'mesh'?");
+}
+
 TEST_F(SnapshotFileTest, BracketsWithoutEndDoNotOverflowTheStack) {
-    EXPECT_FALSE(read(std::string(1 << 20, '[')));
+    EXPECT_FALSE(read(std::string(1 << 20, '[')).file);
     std::string objects;
     for (int i = 0; i < 10000; i++) objects += "{\"a\":";
-    EXPECT_FALSE(read(objects));
-    EXPECT_FALSE(read(std::string((1 << 20) + 1, ' ')));
+    EXPECT_FALSE(read(objects).file);
+    EXPECT_FALSE(read(std::string((1 << 20) + 1, ' ')).file);
 }
 
 TEST_F(SnapshotFileTest, MissingFileIsAnError) {
-    EXPECT_FALSE(read_snapshot((folder / "none.snapshot.json").string()));
+    const std::string path = (folder / "none.snapshot.json").string();
+    const ReadSnapshot none = read_snapshot(path);
+    EXPECT_FALSE(none.file);
+    EXPECT_EQ(to_text(none.error),
+              path + ": error: cannot read '" + path + "': No such file or directory [cannot-read]");
 }
 
 }  // namespace

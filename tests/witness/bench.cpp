@@ -26,6 +26,7 @@ struct Setting {
     Setting(const Reflection& reflection, const Inputs& inputs)
         : scene(runtime::fullscreen_scene(inputs.width, inputs.height)) {
         scene.time = inputs.time;
+        scene.ambient = runtime::default_ambient();
         for (const Texture& texture : reflection.textures)
             textures.push_back({.name = texture.name, .data = inputs.data, .format = runtime::TexelFormat::Float32});
         const auto values = runtime::material_values(reflection, {});

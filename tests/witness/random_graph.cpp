@@ -147,6 +147,8 @@ constexpr Guard kGuards[] = {
     {"Smoothstep.edge0", "clamp(#, -4, 4)"},
     {"Smoothstep.edge1", "(abs(#) + 5)"},
     {"Normalize.value", "(abs(#) + 0.125)"},
+    {"NormalTangentToWorld.normal_ts", "(abs(#) + 0.5)"},
+    {"NormalTangentToWorld.normal", "(abs(#) + 0.5)"},
     // The angle of no direction at all is whatever a machine likes.
     {"ArcTangent2.run", "(abs(#) + 0.5)"},
     {"PolarCoordinates.uv", "(abs(#) + 5)"},
@@ -213,8 +215,6 @@ private:
     static bool is_usable(const NodeInfo& node) {
         // A hash: its result has nothing to do with how near two inputs are.
         if (node.name == "Random") return false;
-        // lavapipe (Mesa 22.3) crashes over some branches that depend on the nine constants of the ambient light.
-        if (node.category == "Lighting/Ambient" && node.ports.size() <= 3) return false;
         return std::all_of(node.ports.begin(), node.ports.end(), [&](const PortInfo& port) {
             // Light is known to lighting graphs only, and textures are not numbers.
             return port.type != "Texture2D" && (port.is_output || !port.type.starts_with("Sampler"));

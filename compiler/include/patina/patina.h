@@ -28,7 +28,7 @@ struct Diagnostic {
     std::string code;  // "unknown-node"; stable, for tools
     std::string message;
     std::string file;  // empty: no place
-    int line = 0;      // from 1
+    int line = 0;      // from 1; 0: the file as a whole
     int column = 0;    // from 1, in bytes
     int end_line = 0;
     int end_column = 0;
@@ -40,6 +40,8 @@ struct Diagnostic {
 std::string to_text(const Diagnostic& diagnostic, bool colors = false);
 // One JSON object on one line.
 std::string to_json(const Diagnostic& diagnostic);
+// "did you mean 'Lerp'?", or what there is when that is little, or nothing. For words that a tool itself reads.
+std::string suggestion(std::string_view word, const std::vector<std::string>& known);
 
 enum class Target { Glsl, Hlsl };  // GLSL 450 for Vulkan; HLSL in Shader Model 5.1 style
 enum class Stage { Vertex, Fragment };

@@ -41,7 +41,7 @@ struct Texture {
     std::string identifier;        // in the shaders: the name, or another where a language or a block has it already
     std::string dimension = "2d";  // 2d | cube
     std::string usage = "color";   // color: sRGB, decoded when sampled | data: linear | normal: tangent-space, 2x - 1
-    std::string default_value;  // white | black | gray | bump, or a file, already resolved against the graph's folder
+    std::string default_value;     // white | black | gray | bump, or a file: its path from the compiled graph's folder
     std::uint32_t set = 0;
     std::uint32_t binding = 0;
     std::string hlsl_register;  // "t0, space1"
@@ -58,6 +58,7 @@ struct Property {
     std::string type;               // float | float2 | float3 | float4 | color | int | bool | enum | texture2d
     std::array<double, 4> value{};  // default; colours linear; bool 0 or 1; enum: index
     std::optional<std::array<double, 2>> range;
+    bool hard = false;                // the range is a limit, not a hint
     std::vector<std::string> values;  // enumerators
     std::string label, group, help;
     std::string block;         // block that holds it; empty for textures

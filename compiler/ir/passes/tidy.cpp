@@ -21,9 +21,7 @@ constexpr Pass kPasses[] = {
 Module tidy(Module module) {
     for (const Pass& pass : kPasses) {
         module = pass.run(std::move(module));
-#ifdef PATINA_VERIFY
-        check(module, pass.name);
-#endif
+        if (is_verifying()) check(module, pass.name);
     }
     return module;
 }

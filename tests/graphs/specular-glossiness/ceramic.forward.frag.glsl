@@ -229,14 +229,12 @@ void main()
         // LdotH "ldoth"
         float ldoth = clamp(dot(light.direction, half_vector), 0.0, 1.0);
 
-        // DisneyDiffuse "diffuse"
         float f90 = 0.5 + diffuse_product * ldoth * ldoth;
         float diffuse_difference = f90 - 1.0;
         float light_scatter = 1.0 + diffuse_difference * SchlickWeight(ndotl);
         float view_scatter = 1.0 + diffuse_difference * diffuse_product_2;
         float diffuse = light_scatter * view_scatter;
 
-        // VisibilitySmithJointApproximate "visibility"
         float view_part = ndotl * visibility_sum;
         float light_part = ndotv * (ndotl * visibility_difference + alpha);
         float visibility = 0.5 / (view_part + light_part + 1e-05);
@@ -245,7 +243,6 @@ void main()
 
         float distribution = distribution_product / (spread * spread + 1e-07);
 
-        // FresnelSchlick "fresnel"
         vec3 fresnel = setup.f0 + fresnel_difference * SchlickWeight(ldoth);
 
         vec3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * has_specular * fresnel;

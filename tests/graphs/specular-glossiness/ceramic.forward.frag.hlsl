@@ -237,14 +237,12 @@ FragmentOutput main(FragmentInput input)
         // LdotH "ldoth"
         float ldoth = saturate(dot(light.direction, half_vector));
 
-        // DisneyDiffuse "diffuse"
         float f90 = 0.5 + diffuse_product * ldoth * ldoth;
         float diffuse_difference = f90 - 1.0;
         float light_scatter = 1.0 + diffuse_difference * SchlickWeight(ndotl);
         float view_scatter = 1.0 + diffuse_difference * diffuse_product_2;
         float diffuse = light_scatter * view_scatter;
 
-        // VisibilitySmithJointApproximate "visibility"
         float view_part = ndotl * visibility_sum;
         float light_part = ndotv * (ndotl * visibility_difference + alpha);
         float visibility = 0.5 / (view_part + light_part + 1e-05);
@@ -253,7 +251,6 @@ FragmentOutput main(FragmentInput input)
 
         float distribution = distribution_product / (spread * spread + 1e-07);
 
-        // FresnelSchlick "fresnel"
         float3 fresnel = setup.f0 + fresnel_difference * SchlickWeight(ldoth);
 
         float3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * has_specular * fresnel;
