@@ -47,3 +47,29 @@ float3 SrgbToLinear(
     float3 light = pow((max(color, 0.04045) + 0.055) / 1.055, 2.4);
     return color <= 0.04045 ? dark : light;
 }
+
+/// Linear colour to sRGB by a cheap fit, as Unity's shaders have it. Very dark colours become black.
+///
+/// formula: max(1.055 c^0.416666667 - 0.055, 0)
+/// source: Unity built-in shaders, LinearToGammaSpace
+/// test: LinearToSrgbApproximate(0.5) == float3(0.7353569828698382, 0.7353569828698382, 0.7353569828698382)
+/// test: LinearToSrgbApproximate(float3(0.0005, 0, 1)) == float3(0, 0, 1)
+[node("Color/Linear to sRGB Approximate")]
+float3 LinearToSrgbApproximate(
+    float3 color = 0  ///< linear colour; below zero counts as zero
+) {
+    return max(1.055 * pow(max(color, 0), 0.416666667) - 0.055, 0);
+}
+
+/// sRGB colour to linear by a cheap fit, as Unity's shaders have it.
+///
+/// formula: c (c (0.305306011 c + 0.682171111) + 0.012522878)
+/// source: Chilliant, "sRGB Approximations for HLSL", 2012
+/// test: SrgbToLinearApproximate(0.5) == float3(0.21496746812500003, 0.21496746812500003, 0.21496746812500003)
+/// test: SrgbToLinearApproximate(float3(0.02, 0, 1)) == float3(0.0005257684524880001, 0, 1)
+[node("Color/sRGB to Linear Approximate")]
+float3 SrgbToLinearApproximate(
+    float3 color = 0  ///< sRGB colour, 0 to 1
+) {
+    return color * (color * (color * 0.305306011 + 0.682171111) + 0.012522878);
+}

@@ -43,19 +43,32 @@ float3 EvaluateSH9(
     return max(irradiance, 0);
 }
 
+/// Which curve SurfaceReduction follows.
+enum SurfaceReductionForm {
+    Linear,      ///< of the best of Unity's three models, in linear colour space
+    Gamma,       ///< a fit of that for lighting in gamma space
+    SimpleLinear ///< of Unity's second model, in linear colour space
+};
+
 /// How much of the mirrored surroundings a rough surface keeps: 1 for a mirror, one half for the roughest.
 ///
-/// It is the share of GGX facets that mirror a straight look to above the horizon.
+/// It is the share of GGX facets that mirror a straight look to above the horizon; exact for a view along the normal.
 ///
-/// formula: 1 / (alpha^2 + 1)
-/// source: the GGX distribution integrated up to 45 degrees; as in Unity's Standard shader
+/// formula: linear: 1 / (alpha^2 + 1); gamma: 1 - 0.28 r^3; simple: 1 - r^3 (0.6 - 0.08 r); r = sqrt(alpha)
+/// source: the GGX distribution integrated up to 45 degrees; Unity built-in shaders, BRDF1 and BRDF2
 /// test: SurfaceReduction(0) == 1
 /// test: SurfaceReduction(0.25) == 0.9411764705882353
 /// test: SurfaceReduction(1) == 0.5
+/// test: SurfaceReduction(0.09, Gamma) == 0.99244
+/// test: SurfaceReduction(0.09, SimpleLinear) == 0.984448
 [node("Lighting/Ambient/Surface Reduction")]
 float SurfaceReduction(
-    [range(0, 1)] float alpha = 0.25  ///< roughness squared
+    [range(0, 1)] float alpha = 0.25,         ///< roughness squared
+    const SurfaceReductionForm form = Linear  ///< which curve
 ) {
+    float r = sqrt(max(alpha, 0));
+    if (form == Gamma) { return 1 - 0.28 * alpha * r; }
+    if (form == SimpleLinear) { return 1 - alpha * r * (0.6 - 0.08 * r); }
     return 1 / (alpha * alpha + 1);
 }
 
@@ -72,4 +85,309 @@ float GrazingTerm(
     [range(0, 1)] float one_minus_reflectivity = 0.96  ///< share of the light that is not mirrored
 ) {
     return saturate(smoothness + 1 - one_minus_reflectivity);
+}
+
+/// Which axis a basis of spherical harmonics calls up.
+enum SHOrder {
+    ZUp,  ///< the order of the papers, and of Unity: y, z, x; xy, yz, 3z^2 - 1, xz, x^2 - y^2
+    YUp   ///< y and z exchanged
+};
+
+/// The nine real spherical harmonics up to second order, of a direction.
+///
+/// Without the Condon-Shortley sign. They are given as three vectors: the constant, then l = 1, then l = 2.
+///
+/// formula: Y_00 = sqrt(1 / (4 pi)), Y_1m = sqrt(3 / (4 pi)) (y, z, x), ...
+/// source: Ramamoorthi and Hanrahan, "An Efficient Representation for Irradiance Environment Maps", SIGGRAPH 2001
+/// test: SHBasis(float3(0.6, 0, 0.8)).l0 == 0.28209479177387814
+/// test: SHBasis(float3(0.6, 0, 0.8)).l1 == float3(0, 0.390882009522336, 0.29316150714175193)
+/// test: SHBasis(float3(0.6, 0, 0.8)).l2 == float4(0, 0, 0.29016024003231855, 0.5244232466841979)
+/// test: SHBasis(float3(0.6, 0, 0.8)).l2_last == 0.19665871750657424
+/// test: SHBasis(float3(0.6, 0.8, 0), YUp).l1 == float3(0, 0.390882009522336, 0.29316150714175193)
+[node("Lighting/Ambient/SH Basis")]
+void SHBasis(
+    float3 direction = normal_ws,  ///< unit direction
+    const SHOrder order = ZUp,     ///< which axis is up
+    out float l0,                  ///< the constant
+    out float3 l1,                 ///< m = -1, 0, 1
+    out float4 l2,                 ///< m = -2, -1, 0, 1
+    out float l2_last              ///< m = 2
+) {
+    float3 n = order == ZUp ? direction : direction.xzy;
+    l0 = 0.28209479177387814;
+    l1 = 0.4886025119029199 * n.yzx;
+    l2 = float4(1.0925484305920792 * n.x * n.y, 1.0925484305920792 * n.y * n.z,
+                0.31539156525252005 * (3 * n.z * n.z - 1), 1.0925484305920792 * n.x * n.z);
+    l2_last = 0.5462742152960396 * (n.x * n.x - n.y * n.y);
+}
+
+/// What the cosine of incidence does to each order of spherical harmonics.
+///
+/// formula: pi, 2 pi / 3, pi / 4
+/// source: Ramamoorthi and Hanrahan, SIGGRAPH 2001, eq. 8
+/// test: SHCosineFactors() == float3(3.141592653589793, 2.0943951023931953, 0.7853981633974483)
+[node("Lighting/Ambient/SH Cosine Factors")]
+float3 SHCosineFactors() {
+    return PI * float3(1, 2.0 / 3, 0.25);
+}
+
+/// Nine radiance coefficients of one channel as the seven-vector form that Unity's shaders read.
+///
+/// Do it for red, green and blue: a is unity_SHAr (g, b), b is unity_SHBr, and c is one channel of unity_SHC.
+///
+/// formula: u_i = c_i A_l / pi K_i; a = (u3, u1, u2, u0 - u6), b = (u4, u5, 3 u6, u7), c = u8
+/// source: Sloan, "Stupid Spherical Harmonics Tricks", GDC 2008, appendix A10
+/// test: PackSH9(0.9, float3(0.12, -0.3, 0.25), float4(0.05, -0.07, 0.11, 0.03), -0.04).a == float4(0.08143375198381998, 0.03908820095223359, -0.09772050238058397, 0.24521204455204604)
+/// test: PackSH9(0.9, float3(0.12, -0.3, 0.25), float4(0.05, -0.07, 0.11, 0.03), -0.04).b == float4(0.01365685538240099, -0.019119597535361386, 0.026019804133332908, 0.008194113229440594)
+/// test: PackSH9(0.9, float3(0.12, -0.3, 0.25), float4(0.05, -0.07, 0.11, 0.03), -0.04).c == -0.005462742152960396
+[node("Lighting/Ambient/Pack SH9")]
+void PackSH9(
+    float l0,       ///< coefficient of l = 0
+    float3 l1,      ///< of l = 1: m = -1, 0, 1
+    float4 l2,      ///< of l = 2: m = -2, -1, 0, 1
+    float l2_last,  ///< of l = 2: m = 2
+    out float4 a,   ///< for the linear part
+    out float4 b,   ///< for the first four of the quadratic part
+    out float c     ///< for the fifth
+) {
+    float polar = l2.z * SH_POLAR;
+    a = float4(l1.z * SH_LINEAR, l1.x * SH_LINEAR, l1.y * SH_LINEAR, l0 * SH_CONSTANT - polar);
+    b = float4(l2.x * SH_PRODUCT, l2.y * SH_PRODUCT, 3 * polar, l2.w * SH_PRODUCT);
+    c = l2_last * SH_DIFFERENCE;
+}
+
+/// The constant and linear part of Unity's packed ambient light.
+///
+/// formula: (ar, ag, ab) . (n, 1)
+/// source: Unity built-in shaders, SHEvalLinearL0L1
+/// test: EvaluateSHLinear(float3(0, 0, 1), float4(1, 2, 3, 4), float4(0, 0, 0, 1), 0) == float3(7, 1, 0)
+/// test: EvaluateSHLinear(float3(0.6, 0.8, 0), float4(1, 2, 3, 4), 0, 0) == float3(6.2, 0, 0)
+[node("Lighting/Ambient/Evaluate SH Linear")]
+float3 EvaluateSHLinear(
+    float3 normal = normal_ws,  ///< unit normal in the world
+    float4 ar,                  ///< of red
+    float4 ag,                  ///< of green
+    float4 ab                   ///< of blue
+) {
+    float4 n = float4(normal, 1);
+    return float3(dot(ar, n), dot(ag, n), dot(ab, n));
+}
+
+/// The quadratic part of Unity's packed ambient light.
+///
+/// formula: (br, bg, bb) . (xy, yz, zz, zx) + c (x^2 - y^2)
+/// source: Unity built-in shaders, SHEvalLinearL2
+/// test: EvaluateSHQuadratic(float3(0, 0, 1), float4(1, 2, 3, 4), float4(0, 0, 2, 0), 0, float3(1, 1, 1)) == float3(3, 2, 0)
+/// test: EvaluateSHQuadratic(float3(0.6, 0.8, 0), 1, 0, 0, float3(1, 0, 2)) == float3(0.2, 0, -0.56)
+[node("Lighting/Ambient/Evaluate SH Quadratic")]
+float3 EvaluateSHQuadratic(
+    float3 normal = normal_ws,  ///< unit normal in the world
+    float4 br,                  ///< of red
+    float4 bg,                  ///< of green
+    float4 bb,                  ///< of blue
+    float3 c                    ///< of all three
+) {
+    float4 products = normal.xyzz * normal.yzzx;
+    float difference = normal.x * normal.x - normal.y * normal.y;
+    return float3(dot(br, products), dot(bg, products), dot(bb, products)) + c * difference;
+}
+
+/// How strongly a rough surface mirrors the surroundings, for a grazing reflectance of 1: f0 scale + offset.
+///
+/// formula: x = 1 - r, y = 0.0425 - 0.0275 r, a = min(x^2, 2^(-9.28 n.v)) x + y,
+/// formula: scale = 1.04 - 0.572 r - 1.04 a, offset = 1.04 a + 0.022 r - 0.04
+/// source: Karis, "Physically Based Shading on Mobile", 2014
+/// test: EnvBRDFApprox(0.5, 0.5).scale == 0.7032443291646028
+/// test: EnvBRDFApprox(0.5, 0.5).offset == 0.021755670835397204
+/// test: EnvBRDFApprox(0.2, 0.1).scale == 0.44983206981951396
+/// test: EnvBRDFApprox(0.2, 0.1) == float3(0.458161212973, 0.458161212973, 0.458161212973) within 1e-4
+[node("Lighting/Ambient/Environment BRDF")]
+float3 EnvBRDFApprox(
+    [range(0, 1)] float roughness = 0.5,  ///< perceptual roughness
+    [range(0, 1)] float ndotv,            ///< cosine of normal and view
+    [color] float3 f0 = 0.04,             ///< reflectance looked at straight
+    out float scale,                      ///< of f0
+    out float offset                      ///< added to it; for the roughest surfaces a little below zero
+) {
+    float x = 1 - roughness;
+    float a = min(x * x, exp2(-9.28 * ndotv)) * x + 0.0425 - 0.0275 * roughness;
+    scale = 1.04 - 0.572 * roughness - 1.04 * a;
+    offset = 1.04 * a + 0.022 * roughness - 0.04;
+    return max(f0 * scale + offset, 0);
+}
+
+/// The same for insulators, whose straight reflectance is 4 %.
+///
+/// formula: min(x^2, 2^(-9.28 n.v)) x + 0.0425 - 0.0275 r, x = 1 - r
+/// source: Karis, "Physically Based Shading on Mobile", 2014
+/// test: EnvBRDFApproxNonmetal(0, 0) == 1.0425
+/// test: EnvBRDFApproxNonmetal(0.2, 0.1) == 0.4574691636350827
+/// test: EnvBRDFApproxNonmetal(1, 0.5) == 0.015
+[node("Lighting/Ambient/Environment BRDF Nonmetal")]
+float EnvBRDFApproxNonmetal(
+    [range(0, 1)] float roughness = 0.5,  ///< perceptual roughness
+    [range(0, 1)] float ndotv             ///< cosine of normal and view
+) {
+    float x = 1 - roughness;
+    return min(x * x, exp2(-9.28 * ndotv)) * x + 0.0425 - 0.0275 * roughness;
+}
+
+/// Lazarov's fit of how strongly a surface with a Blinn-Phong highlight mirrors the surroundings.
+///
+/// formula: t = (1 / 0.96, 0.475, 0.0175 / 0.96, 0.25) g + (0, 0, -0.015 / 0.96, 0.75),
+/// formula: offset = t.x min(t.y, 2^(-9.28 n.v)) + t.z, scale = t.w - offset
+/// source: Lazarov, "Getting More Physical in Call of Duty: Black Ops II", SIGGRAPH 2013
+/// test: EnvBRDFLazarov(1, 0.5).scale == 0.9556176465637075
+/// test: EnvBRDFLazarov(1, 0.5).offset == 0.044382353436292474
+/// test: EnvBRDFLazarov(0, 0.5).offset == -0.015625
+/// test: EnvBRDFLazarov(0, 0.5) == float3(0.015, 0.015, 0.015)
+[node("Lighting/Ambient/Environment BRDF Lazarov")]
+float3 EnvBRDFLazarov(
+    [range(0, 1)] float gloss = 0.5,  ///< 0 is dull, 1 a mirror
+    [range(0, 1)] float ndotv,        ///< cosine of normal and view
+    [color] float3 f0 = 0.04,         ///< reflectance looked at straight
+    out float scale,                  ///< of f0
+    out float offset                  ///< added to it
+) {
+    float4 t = float4(1 / 0.96, 0.475, 0.0175 / 0.96, 0.25) * gloss + float4(0, 0, -0.015 / 0.96, 0.75);
+    offset = t.x * min(t.y, exp2(-9.28 * ndotv)) + t.z;
+    scale = t.w - offset;
+    return saturate(f0 * scale + offset);
+}
+
+/// The split sum: what of pre-filtered surroundings a surface mirrors.
+///
+/// formula: prefiltered (f0 scale + f90 offset)
+/// source: Karis, "Real Shading in Unreal Engine 4", SIGGRAPH 2013
+/// test: SplitSum(float3(1, 1, 1), float3(0.04, 0.04, 0.04), 0.8, 0.05) == float3(0.082, 0.082, 0.082)
+/// test: SplitSum(float3(2, 1, 0), 1, 0.5, 0.25) == float3(1.5, 0.75, 0)
+[node("Lighting/Ambient/Split Sum")]
+float3 SplitSum(
+    [color] float3 prefiltered = 1,     ///< radiance of the surroundings, blurred by roughness
+    [color] float3 f0 = 0.04,           ///< reflectance looked at straight
+    [range(0, 1)] float scale,          ///< of f0
+    [range(0, 1)] float offset,         ///< of the grazing reflectance
+    [range(0, 1)] float f90 = 1         ///< grazing reflectance
+) {
+    return prefiltered * (f0 * scale + f90 * offset);
+}
+
+/// Which level of a blurred cube map a roughness reads.
+///
+/// formula: r (1.7 - 0.7 r) steps
+/// source: Unity built-in shaders, Unity_GlossyEnvironment
+/// test: MipFromRoughness(0.1) == 0.978
+/// test: MipFromRoughness(0.5) == 4.05
+/// test: MipFromRoughness(1, 4) == 4
+[node("Lighting/Ambient/Mip from Roughness")]
+float MipFromRoughness(
+    [range(0, 1)] float roughness = 0.5,  ///< perceptual roughness
+    [range(0, 12)] float steps = 6        ///< index of the last level that is used
+) {
+    return roughness * (1.7 - 0.7 * roughness) * steps;
+}
+
+/// Where a reflected ray meets the walls of a box, as seen from the point that a cube map was taken in.
+///
+/// Directions along a wall never meet it; their quotient is left out.
+///
+/// formula: position - center + t d, t = the smallest (wall - position) / d over the axes
+/// source: Lagarde and Zanuttini, "Local Image-based Lighting With Parallax-corrected Cubemaps", SIGGRAPH 2012
+/// test: BoxProjectedDirection(float3(0, 0, 1), float3(0, 0, 0), float3(0.1, 0.2, 0.3), -2, float3(2, 3, 4)) == float3(-0.1, -0.2, 3.7)
+/// test: BoxProjectedDirection(float3(1, 1, 0), float3(1, 0, 0), float3(0.1, 0.2, 0.3), -2, float3(2, 3, 4)) == float3(1.9, 0.8, -0.3)
+/// test: BoxProjectedDirection(float3(-0.3, 0.2, -0.9), float3(0.5, -0.5, 1), float3(0.1, 0.2, 0.3), -2, float3(2, 3, 4)) == float3(-0.6, -0.033333333333333326, -2.3)
+[node("Lighting/Ambient/Box Projected Direction")]
+float3 BoxProjectedDirection(
+    float3 direction,                           ///< reflected direction; its length does not matter
+    [unit("m")] float3 position = position_ws,  ///< the point that reflects, inside the box
+    [unit("m")] float3 center = 0,              ///< where the cube map was taken
+    [unit("m")] float3 box_min = -1,            ///< smallest corner of the box
+    [unit("m")] float3 box_max = 1              ///< largest corner of the box
+) {
+    float3 wall = direction > 0 ? box_max : box_min;
+    float3 is_along = step(abs(direction), 1e-6);
+    float3 times = (wall - position) / (direction + is_along) + is_along * 60000;
+    float nearest = min(min(times.x, times.y), times.z);
+    return position - center + direction * nearest;
+}
+
+/// The radiance of a texel that stands for more than 1, by Unity's decode instructions.
+///
+/// formula: instructions.x (instructions.w (a - 1) + 1)^instructions.y rgb
+/// source: Unity built-in shaders, DecodeHDR
+/// test: DecodeHDR(float4(0.5, 0.25, 0.125, 0.5), float4(5, 2.2, 0, 1)) == float3(0.5440941020600775, 0.27204705103003873, 0.13602352551501937)
+/// test: DecodeHDR(float4(2, 1, 0.5, 1), float4(1, 1, 0, 0)) == float3(2, 1, 0.5)
+[node("Lighting/Ambient/Decode HDR")]
+float3 DecodeHDR(
+    float4 encoded = 1,                          ///< the texel
+    float4 instructions = float4(1, 1, 0, 0)     ///< x: factor, y: exponent of alpha, w: 1 where alpha counts
+) {
+    float scale = instructions.w * (encoded.a - 1) + 1;
+    return instructions.x * pow(max(scale, 1e-6), instructions.y) * encoded.rgb;
+}
+
+/// Where a view-space normal reads a picture of a lit ball.
+///
+/// formula: 0.5 normalize(normal_vs).xy + 0.5
+/// source: Sloan et al., "The Lit Sphere", Graphics Interface 2001
+/// test: MatcapUV(float3(0, 0, 1)) == float2(0.5, 0.5)
+/// test: MatcapUV(float3(0.6, 0, 0.8)) == float2(0.8, 0.5)
+/// test: MatcapUV(float3(0, -3, 4)) == float2(0.5, 0.2)
+[node("Lighting/Ambient/Matcap UV")]
+float2 MatcapUV(
+    float3 normal_vs = float3(0, 0, 1)  ///< normal in view space: x right, y up, z to the viewer
+) {
+    return normalize(normal_vs).xy * 0.5 + 0.5;
+}
+
+/// Ambient occlusion, weakened or strengthened.
+///
+/// formula: lerp(1, occlusion, strength), then to the given power
+/// source: Unity built-in shaders, LerpOneTo
+/// test: OcclusionStrength(0.2, 0.5) == 0.6
+/// test: OcclusionStrength(0.5, 1, 2) == 0.25
+/// test: OcclusionStrength(0, 1, 2) == 0
+[node("Lighting/Ambient/Occlusion Strength")]
+float OcclusionStrength(
+    [range(0, 1)] float occlusion = 1,  ///< 1 open, 0 closed
+    [range(0, 1)] float strength = 1,   ///< 0 leaves everything open
+    [range(0, 8)] float power = 1       ///< above 1 darker
+) {
+    float open = lerp(1, saturate(occlusion), strength);
+    // Zero to the power of zero is not defined; zero to any other power stays zero.
+    return open > 0 ? pow(max(open, 1e-6), power) : 0;
+}
+
+/// Ambient occlusion of a bright surface, whose corners light one another.
+///
+/// formula: max(o, ((o a + b) o + c) o), a = 2.0404 rho - 0.3324, b = -4.7951 rho + 0.6417, c = 2.7552 rho + 0.6903
+/// source: Jimenez et al., "Practical Realtime Strategies for Accurate Indirect Occlusion", SIGGRAPH 2016
+/// test: OcclusionMultiBounce(0.5, float3(0.5, 0.5, 0.5)) == float3(0.6809625, 0.6809625, 0.6809625)
+/// test: OcclusionMultiBounce(0.2, float3(0.9, 0.9, 0.9)) == float3(0.49907208, 0.49907208, 0.49907208)
+/// test: OcclusionMultiBounce(0, float3(1, 1, 1)) == float3(0, 0, 0)
+[node("Lighting/Ambient/Occlusion Multi-Bounce")]
+float3 OcclusionMultiBounce(
+    [range(0, 1)] float occlusion = 1,  ///< 1 open, 0 closed
+    [color] float3 albedo = 0.5         ///< diffuse colour
+) {
+    float3 a = 2.0404 * albedo - 0.3324;
+    float3 b = 0.6417 - 4.7951 * albedo;
+    float3 c = 2.7552 * albedo + 0.6903;
+    return max(occlusion, ((occlusion * a + b) * occlusion + c) * occlusion);
+}
+
+/// How much of the mirrored surroundings ambient occlusion hides.
+///
+/// formula: saturate((n.v + o)^(2^(-16 r - 1)) - 1 + o)
+/// source: Lagarde and de Rousiers, "Moving Frostbite to PBR", SIGGRAPH 2014, section 4.10.2
+/// test: SpecularOcclusion(0.5, 0.5, 0.5) == 0.5
+/// test: SpecularOcclusion(1, 0.3, 0) == 0.44017542509913804
+/// test: SpecularOcclusion(0.2, 1, 0.4) == 1
+[node("Lighting/Ambient/Specular Occlusion")]
+float SpecularOcclusion(
+    [range(0, 1)] float ndotv,           ///< cosine of normal and view
+    [range(0, 1)] float occlusion = 1,   ///< 1 open, 0 closed
+    [range(0, 1)] float roughness = 0.5  ///< perceptual roughness
+) {
+    return saturate(pow(max(ndotv + occlusion, 1e-6), exp2(-16 * roughness - 1)) - 1 + occlusion);
 }

@@ -54,3 +54,206 @@ float BlinnPhongExponentFromAlpha(
     // The limits keep the exponent finite, and pow away from zero to the power of zero.
     return max(2 / max(alpha * alpha, 0.0001) - 2, 0.0001);
 }
+
+/// The Blinn-Phong roughness alpha of an exponent: the way back from BlinnPhongExponentFromAlpha.
+///
+/// formula: alpha = sqrt(2 / (exponent + 2))
+/// source: Walter et al., EGSR 2007, section 5.2
+/// test: AlphaFromBlinnPhongExponent(6) == 0.5
+/// test: AlphaFromBlinnPhongExponent(0) == 1
+/// test: AlphaFromBlinnPhongExponent(510) == 0.0625
+[node("Lighting/Distribution/Alpha from Blinn-Phong Exponent")]
+float AlphaFromBlinnPhongExponent(
+    [range(0, 20000)] float exponent = 32  ///< sharpness, 0 or more
+) {
+    return sqrt(2 / (max(exponent, 0) + 2));
+}
+
+/// The Phong exponent whose highlight is as wide as a Blinn-Phong one: the angle to the mirror direction is twice that
+/// to the half vector, so the exponent is a fourth.
+///
+/// formula: exponent / 4
+/// source: Fisher and Woo, "R.E versus N.H Specular Highlights", Graphics Gems IV, 1994
+/// test: PhongExponentFromBlinnPhong(128) == 32
+/// test: PhongExponentFromBlinnPhong(8) == 2
+[node("Lighting/Distribution/Phong Exponent from Blinn-Phong")]
+float PhongExponentFromBlinnPhong(
+    [range(0, 20000)] float exponent = 32  ///< of the Blinn-Phong highlight
+) {
+    return exponent * 0.25;
+}
+
+/// Blinn-Phong, normalised, of a roughness instead of an exponent.
+///
+/// formula: D = (n.h)^(2 / alpha^2 - 2) / (pi alpha^2)
+/// source: Walter et al., EGSR 2007, section 5.2
+/// test: DistributionBlinnPhongRoughness(1, 0.5) == 1.2732395447351628
+/// test: DistributionBlinnPhongRoughness(0.9, 0.5) == 0.6766516968935997
+/// test: DistributionBlinnPhongRoughness(0.5, 1) == 0.3183098861837907
+/// test: DistributionBlinnPhongRoughness(0, 0.25) == 0
+[node("Lighting/Distribution/Blinn-Phong Roughness")]
+float DistributionBlinnPhongRoughness(
+    [range(0, 1)] float ndoth,        ///< cosine of normal and half vector
+    [range(0, 1)] float alpha = 0.25  ///< roughness squared
+) {
+    float a2 = max(alpha * alpha, 1e-7);
+    // At alpha 1 the exponent is zero, and 0^0 is no number: a tiny base gives the 1 that is meant.
+    return pow(max(ndoth, 1e-7), 2 / a2 - 2) / (PI * a2);
+}
+
+/// Beckmann: facets whose slopes follow a normal distribution. Shorter tails than GGX.
+///
+/// formula: D = exp(((n.h)^2 - 1) / (alpha^2 (n.h)^2)) / (pi alpha^2 (n.h)^4)
+/// source: Cook and Torrance, "A Reflectance Model for Computer Graphics", ACM TOG 1(1), 1982
+/// test: DistributionBeckmann(1, 0.5) == 1.2732395447351628
+/// test: DistributionBeckmann(0.9, 0.5) == 0.7593708123748896
+/// test: DistributionBeckmann(0.5, 1) == 0.25356345704959005
+/// test: DistributionBeckmann(0, 0.5) == 0
+[node("Lighting/Distribution/Beckmann")]
+float DistributionBeckmann(
+    [range(0, 1)] float ndoth,        ///< cosine of normal and half vector
+    [range(0, 1)] float alpha = 0.25  ///< roughness squared
+) {
+    // Far from the normal the exponential is zero long before the division could overflow.
+    float c2 = max(ndoth * ndoth, 1e-7);
+    float a2 = max(alpha * alpha, 1e-7);
+    float tan2 = max(1 - ndoth, 0) * (1 + ndoth) / c2;
+    return exp(-tan2 / a2) / (PI * a2 * c2 * c2);
+}
+
+/// GGX as Unity's Standard shader computes it: with 0.0000001 beside the square, which lowers the peak of surfaces
+/// smoother than alpha 0.05 and puts out that of mirrors.
+///
+/// formula: D = alpha^2 / (pi (((n.h)^2 (alpha^2 - 1) + 1)^2 + 0.0000001))
+/// source: Unity built-in shaders, GGXTerm; Walter et al., EGSR 2007, eq. 33
+/// test: DistributionGGXUnity(1, 0.25) == 5.092827802548905
+/// test: DistributionGGXUnity(0.5, 0.25) == 0.03393890752256306
+/// test: DistributionGGXUnity(1, 1) == 0.31830985435280523
+[node("Lighting/Distribution/GGX Unity")]
+float DistributionGGXUnity(
+    [range(0, 1)] float ndoth,        ///< cosine of normal and half vector
+    [range(0, 1)] float alpha = 0.25  ///< roughness squared
+) {
+    float a2 = alpha * alpha;
+    float spread = (ndoth * a2 - ndoth) * ndoth + 1;
+    return INV_PI * a2 / (spread * spread + 1e-7);
+}
+
+/// GGX for half precision: 1 - (n.h)^2, which loses its digits near the peak, is the squared length of a cross product.
+///
+/// The result is limited to the largest number that half precision holds, which dims the peak of surfaces smoother
+/// than alpha 0.004.
+///
+/// formula: D = p^2 / pi, p = alpha / (|n x h|^2 + (n.h)^2 alpha^2)
+/// source: Guy and Agopian, "Physically Based Rendering in Filament", section 4.4.1 (Lagrange's identity)
+/// test: DistributionGGXMobile(float3(0, 0, 1), float3(0.6, 0, 0.8), 0.25) == 0.12433979929054328
+/// test: DistributionGGXMobile(float3(0, 0, 1), float3(0, 0, 1), 0.5) == 1.2732395447351628
+/// test: DistributionGGXMobile(float3(0, 1, 0), float3(0, 1, 0), 0.001) == 20850.570784583026
+[node("Lighting/Distribution/GGX Mobile")]
+float DistributionGGXMobile(
+    float3 normal = normal_ws,        ///< unit normal
+    float3 half_vector,               ///< unit half vector
+    [range(0, 1)] float alpha = 0.25  ///< roughness squared
+) {
+    float3 across = cross(normal, half_vector);
+    float a = dot(normal, half_vector) * alpha;
+    float p = alpha / max(dot(across, across) + a * a, 6e-8);
+    // The square root of 65504: the square of anything larger is infinite in half precision.
+    p = min(p, 255.937);
+    return min(p * p, 65504) * INV_PI;
+}
+
+// The parts of GTR's constant. With x = (gamma - 1) ln(alpha^2) it is mean * x / (1 - e^-x) / pi, which both closed
+// forms (of gamma 1 and of the rest) are; near zero the quotients are taken as series.
+float GTRMean(float a2) {
+    float d = a2 - 1;
+    float series = 1 / (1 - d * (0.5 - d * (1.0 / 3 - d * (0.25 - d * 0.2))));
+    return abs(d) < 0.01 ? series : d / log(a2);
+}
+
+// |x| / (1 - e^-|x|); the rest of the constant is e^min(x, 0).
+float GTRScale(float x) {
+    float m = abs(x);
+    float series = 1 + m * (0.5 + m * (1.0 / 12 - m * m / 720));
+    return m < 0.05 ? series : m / (1 - exp(-m));
+}
+
+/// The constant that normalises GTR.
+///
+/// formula: (gamma - 1) (alpha^2 - 1) / (pi (1 - alpha^(2 - 2 gamma))); gamma 1: (alpha^2 - 1) / (pi ln(alpha^2))
+/// source: Burley, "Physically Based Shading at Disney", SIGGRAPH 2012, appendix B
+/// test: GTRConstant(0.3, 2) == 0.028647889756541162
+/// test: GTRConstant(0.3, 1) == 0.12029424393411509
+/// test: GTRConstant(1, 1.5) == 0.3183098861837907
+/// test: GTRConstant(1, 1) == 0.3183098861837907
+[node("Lighting/Distribution/GTR Constant")]
+float GTRConstant(
+    [range(0, 1)] float alpha = 0.25,   ///< roughness squared, above 0
+    [range(0.1, 10)] float gamma = 1.5  ///< length of the tails: 1 is Berry's, 2 is GGX
+) {
+    float a2 = max(alpha * alpha, 1e-7);
+    float x = (gamma - 1) * log(a2);
+    return INV_PI * GTRMean(a2) * GTRScale(x) * exp(min(x, 0));
+}
+
+/// GTR, generalised Trowbridge-Reitz: GGX with tails of any length.
+///
+/// formula: D = c / (1 + (alpha^2 - 1) (n.h)^2)^gamma, c as GTRConstant's
+/// source: Burley, "Physically Based Shading at Disney", SIGGRAPH 2012, appendix B
+/// test: DistributionGTR(1, 0.3, 1) == 1.3366027103790554
+/// test: DistributionGTR(0.9, 0.3, 1.5) == 0.4604673691537846
+/// test: DistributionGTR(0.5, 0.5, 3) == 0.05934443758802033
+/// test: DistributionGTR(0.9, 0.5, 2) == 0.5165481539758866
+/// test: DistributionGTR(0.4, 1, 1) == 0.3183098861837907
+[node("Lighting/Distribution/GTR")]
+float DistributionGTR(
+    [range(0, 1)] float ndoth,          ///< cosine of normal and half vector
+    [range(0, 1)] float alpha = 0.25,   ///< roughness squared, above 0
+    [range(0.1, 10)] float gamma = 1.5  ///< length of the tails: 1 is Berry's, 2 is GGX
+) {
+    float a2 = max(alpha * alpha, 1e-7);
+    float x = (gamma - 1) * log(a2);
+    float spread = max(1 - ndoth, 0) * (1 + ndoth) + ndoth * ndoth * a2;
+    // The constant may be tiny and the power huge: their exponents are added first.
+    return INV_PI * GTRMean(a2) * GTRScale(x) * exp(min(x, 0) - gamma * log(max(spread, 1e-7)));
+}
+
+/// GTR with gamma 1, Berry's distribution: very long tails, as of a coat of lacquer.
+///
+/// formula: D = (alpha^2 - 1) / (pi ln(alpha^2) (1 + (alpha^2 - 1) (n.h)^2))
+/// source: Burley, "Physically Based Shading at Disney", SIGGRAPH 2012, appendix B
+/// test: DistributionGTR1(1, 0.3) == 1.3366027103790554
+/// test: DistributionGTR1(0.5, 0.001) == 0.03072000950769579
+/// test: DistributionGTR1(0.3, 1) == 0.3183098861837907
+[node("Lighting/Distribution/GTR 1")]
+float DistributionGTR1(
+    [range(0, 1)] float ndoth,       ///< cosine of normal and half vector
+    [range(0, 1)] float alpha = 0.1  ///< roughness squared, above 0
+) {
+    float a2 = max(alpha * alpha, 1e-7);
+    float spread = max(1 - ndoth, 0) * (1 + ndoth) + ndoth * ndoth * a2;
+    return GTRConstant(alpha, 1) / max(spread, 1e-7);
+}
+
+/// Anisotropic GGX (GTR with gamma 2): rougher along one direction than along the other, like brushed metal.
+///
+/// formula: D = 1 / (pi ax ay ((h.x / ax)^2 + (h.y / ay)^2 + (n.h)^2)^2)
+/// source: Burley, "Physically Based Shading at Disney", SIGGRAPH 2012, appendix B
+/// test: DistributionGGXAnisotropic(1, 0, 0, 0.2, 0.5) == 3.183098861837907
+/// test: DistributionGGXAnisotropic(0.8, 0.6, 0, 0.2, 0.5) == 0.034252798482269455
+/// test: DistributionGGXAnisotropic(0.8, 0, 0.6, 0.2, 0.5) == 0.7357384573404925
+[node("Lighting/Distribution/GGX Anisotropic")]
+float DistributionGGXAnisotropic(
+    [range(0, 1)] float ndoth,            ///< cosine of normal and half vector
+    [range(-1, 1)] float tdoth,           ///< cosine of tangent and half vector
+    [range(-1, 1)] float bdoth,           ///< cosine of bitangent and half vector
+    [range(0.001, 1)] float alpha_t = 0.25,  ///< roughness squared along the tangent
+    [range(0.001, 1)] float alpha_b = 0.25   ///< roughness squared along the bitangent
+) {
+    float at = max(alpha_t, 1e-4);
+    float ab = max(alpha_b, 1e-4);
+    float x = tdoth / at;
+    float y = bdoth / ab;
+    float spread = x * x + y * y + ndoth * ndoth;
+    return 1 / max(PI * at * ab * spread * spread, 1e-7);
+}

@@ -89,3 +89,235 @@ float AlphaFromRoughness(
 ) {
     return max(roughness * roughness, minimum);
 }
+
+/// The straight reflectance of insulators as an engine's colour space has it.
+enum WorkingSpace {
+    Linear,  ///< 0.04
+    Gamma    ///< 0.2209, the same encoded
+};
+
+/// The straight reflectance that the metallic workflow gives insulators.
+///
+/// formula: linear: 0.04; gamma: 0.220916301
+/// source: Unity built-in shaders, unity_ColorSpaceDielectricSpec
+/// test: DielectricF0() == 0.04
+/// test: DielectricF0(Gamma) == 0.220916301
+[node("Lighting/Setup/Dielectric F0")]
+float DielectricF0(
+    const WorkingSpace space = Linear  ///< colour space that lighting is computed in
+) {
+    return space == Linear ? 0.04 : 0.220916301;
+}
+
+/// The share of light that a surface between insulator and metal does not mirror.
+///
+/// formula: (1 - d) - metallic (1 - d), d as DielectricF0's
+/// source: Unity built-in shaders, OneMinusReflectivityFromMetallic
+/// test: OneMinusReflectivityFromMetallic(0) == 0.96
+/// test: OneMinusReflectivityFromMetallic(0.5) == 0.48
+/// test: OneMinusReflectivityFromMetallic(0, Gamma) == 0.779083699
+[node("Lighting/Setup/One Minus Reflectivity from Metallic")]
+float OneMinusReflectivityFromMetallic(
+    [range(0, 1)] float metallic = 0,  ///< 0 is a dielectric, 1 a metal
+    const WorkingSpace space = Linear  ///< colour space that lighting is computed in
+) {
+    return (1 - DielectricF0(space)) * (1 - metallic);
+}
+
+/// How a specular colour becomes one number.
+enum SpecularStrengthForm {
+    Largest,  ///< the strongest channel: no channel sends out more light than falls on it
+    Red       ///< the red one: what shader model 2 could afford
+};
+
+/// How much a surface mirrors, as one number.
+///
+/// formula: max(r, g, b), or r
+/// source: Unity built-in shaders, SpecularStrength
+/// test: SpecularStrength(float3(0.5, 0.2, 0.1)) == 0.5
+/// test: SpecularStrength(float3(0.1, 0.2, 0.75)) == 0.75
+/// test: SpecularStrength(float3(0.1, 0.2, 0.75), Red) == 0.1
+[node("Lighting/Setup/Specular Strength")]
+float SpecularStrength(
+    [color] float3 specular = 0.2,             ///< reflectance looked at straight
+    const SpecularStrengthForm form = Largest  ///< which channel counts
+) {
+    return form == Largest ? max(max(specular.r, specular.g), specular.b) : specular.r;
+}
+
+/// A diffuse colour scaled so that with the mirrored light it is not more than what falls in.
+///
+/// formula: monochrome: albedo (1 - max(specular)); colored: albedo (1 - specular); none: albedo
+/// source: Unity built-in shaders, EnergyConservationBetweenDiffuseAndSpecular
+/// test: ConserveEnergy(float3(1, 1, 1), float3(0.5, 0.2, 0.1)) == float3(0.5, 0.5, 0.5)
+/// test: ConserveEnergy(float3(1, 1, 1), float3(0.5, 0.2, 0.1), Colored) == float3(0.5, 0.8, 0.9)
+/// test: ConserveEnergy(float3(1, 0.5, 0), float3(0.5, 0.2, 0.1), None) == float3(1, 0.5, 0)
+/// test: ConserveEnergy(float3(1, 1, 1), float3(0.5, 0.2, 0.1), Colored).one_minus_reflectivity == 0.5
+[node("Lighting/Setup/Conserve Energy")]
+float3 ConserveEnergy(
+    [color] float3 albedo = 0.5,                         ///< diffuse colour
+    [color] float3 specular = 0.2,                       ///< reflectance looked at straight
+    const EnergyConservation conservation = Monochrome,  ///< how it is scaled
+    out float one_minus_reflectivity                     ///< 1 - the strongest specular channel
+) {
+    one_minus_reflectivity = 1 - SpecularStrength(specular, Largest);
+    float3 scale = conservation == Colored ? 1 - specular : float3(one_minus_reflectivity);
+    return conservation == None ? albedo : albedo * scale;
+}
+
+/// A diffuse colour for blending with pre-multiplied alpha: what is mirrored stays as the material fades.
+///
+/// formula: diffuse alpha; alpha' = 1 - r + alpha r, r = one minus reflectivity
+/// source: Unity built-in shaders, PreMultiplyAlpha
+/// test: PremultiplyAlpha(float3(0.5, 0.4, 0.3), 0.5, 0.2) == float3(0.25, 0.2, 0.15)
+/// test: PremultiplyAlpha(float3(0.5, 0.4, 0.3), 0.5, 0.2).out_alpha == 0.9
+/// test: PremultiplyAlpha(float3(0.5, 0.4, 0.3), 0, 0.96).out_alpha == 0.04
+[node("Lighting/Setup/Premultiply Alpha")]
+float3 PremultiplyAlpha(
+    [color] float3 diffuse_color = 0.5,                 ///< colour of the scattered light
+    [range(0, 1)] float alpha = 1,                      ///< coverage
+    [range(0, 1)] float one_minus_reflectivity = 0.96,  ///< share of the light that is not mirrored
+    out float out_alpha                                 ///< alpha to blend with: one, one minus source alpha
+) {
+    out_alpha = 1 - one_minus_reflectivity + alpha * one_minus_reflectivity;
+    return diffuse_color * alpha;
+}
+
+/// Smoothness, from perceptual roughness.
+///
+/// formula: 1 - roughness
+/// test: SmoothnessFromRoughness(0.25) == 0.75
+/// test: SmoothnessFromRoughness(0) == 1
+[node("Lighting/Setup/Smoothness from Roughness")]
+float SmoothnessFromRoughness(
+    [range(0, 1)] float roughness = 0.5  ///< perceptual roughness
+) {
+    return 1 - roughness;
+}
+
+/// Alpha, from smoothness, without a lower limit.
+///
+/// formula: (1 - smoothness)^2
+/// source: Unity built-in shaders, SmoothnessToRoughness
+/// test: AlphaFromSmoothness(0.1) == 0.81
+/// test: AlphaFromSmoothness(1) == 0
+[node("Lighting/Setup/Alpha from Smoothness")]
+float AlphaFromSmoothness(
+    [range(0, 1)] float smoothness = 0.5  ///< 0 is dull, 1 a mirror
+) {
+    return (1 - smoothness) * (1 - smoothness);
+}
+
+/// Perceptual roughness, from alpha.
+///
+/// formula: sqrt(alpha)
+/// source: Burley, "Physically Based Shading at Disney", SIGGRAPH 2012, section 5.4
+/// test: RoughnessFromAlpha(0.25) == 0.5
+/// test: RoughnessFromAlpha(0) == 0
+[node("Lighting/Setup/Roughness from Alpha")]
+float RoughnessFromAlpha(
+    [range(0, 1)] float alpha = 0.25  ///< roughness squared
+) {
+    return sqrt(max(alpha, 0));
+}
+
+/// The Blinn-Phong exponent that Unity gives a perceptual roughness.
+///
+/// formula: max(2 / max(roughness^4, 0.0001) - 2, 0.0001), from 0.0001 to 19998
+/// source: Unity built-in shaders, PerceptualRoughnessToSpecPower
+/// test: SpecPowerFromRoughness(0.25) == 510
+/// test: SpecPowerFromRoughness(0) == 19998
+/// test: SpecPowerFromRoughness(1) == 0.0001
+[node("Lighting/Setup/Spec Power from Roughness")]
+float SpecPowerFromRoughness(
+    [range(0, 1)] float roughness = 0.5  ///< perceptual roughness
+) {
+    return BlinnPhongExponentFromAlpha(roughness * roughness);
+}
+
+/// The perceptual roughness of a Blinn-Phong exponent.
+///
+/// formula: (2 / (exponent + 2))^(1/4)
+/// source: the inverse of SpecPowerFromRoughness
+/// test: RoughnessFromSpecPower(510) == 0.25
+/// test: RoughnessFromSpecPower(0) == 1
+[node("Lighting/Setup/Roughness from Spec Power")]
+float RoughnessFromSpecPower(
+    [range(0, 20000)] float exponent = 32  ///< Blinn-Phong exponent, 0 or more
+) {
+    return sqrt(AlphaFromBlinnPhongExponent(exponent));
+}
+
+/// The specular/gloss description of a metallic/roughness surface: always exact.
+///
+/// The specular workflow scales its diffuse colour by one minus the strongest specular channel; so that colour is
+/// given undone.
+///
+/// formula: specular = lerp(0.04, base_color, metallic), glossiness = 1 - roughness,
+/// formula: diffuse = base_color 0.96 (1 - metallic) / (1 - max(specular))
+/// source: the two set-ups of Unity's Standard shader, made equal
+/// test: SpecularFromMetallic(float3(0.8, 0.4, 0.1), 0, 0.3).specular == float3(0.04, 0.04, 0.04)
+/// test: SpecularFromMetallic(float3(0.8, 0.4, 0.1), 0, 0.3).diffuse == float3(0.8, 0.4, 0.1)
+/// test: SpecularFromMetallic(float3(0.8, 0.4, 0.1), 1, 0.3).specular == float3(0.8, 0.4, 0.1)
+/// test: SpecularFromMetallic(float3(0.8, 0.4, 0.1), 1, 0.3).diffuse == float3(0, 0, 0)
+/// test: SpecularFromMetallic(float3(0.8, 0.4, 0.1), 0.5, 0.3).diffuse == float3(0.384, 0.192, 0.048) / 0.58
+/// test: SpecularFromMetallic(float3(0.8, 0.4, 0.1), 0.5, 0.3).glossiness == 0.7
+[node("Lighting/Setup/Specular from Metallic")]
+void SpecularFromMetallic(
+    [color] float3 base_color = 0.5,      ///< colour of the surface
+    [range(0, 1)] float metallic = 0,     ///< 0 is a dielectric, 1 a metal
+    [range(0, 1)] float roughness = 0.5,  ///< perceptual roughness
+    out float3 diffuse,                   ///< base colour of the specular workflow
+    out float3 specular,                  ///< reflectance looked at straight
+    out float glossiness                  ///< 1 - roughness
+) {
+    specular = lerp(0.04, base_color, metallic);
+    float rest = 1 - SpecularStrength(specular, Largest);
+    // A white metal has no diffuse colour, whatever is divided by what is left.
+    diffuse = base_color * (0.96 * (1 - metallic)) / max(rest, 1e-4);
+    glossiness = 1 - roughness;
+}
+
+/// The metallic/roughness description of a specular/gloss surface, exact where one exists and close to it elsewhere.
+///
+/// One exists where the specular colour lies between 0.04 and the base colour. Elsewhere (a reflectance below 0.04, or
+/// a coloured one on a diffuse surface of another hue) the metallic share comes from the strongest channels and the
+/// base colour from both colours, weighted by it. `error` is the largest difference in any channel of the diffuse and
+/// the specular colour that come out of the description, 0 where it is exact.
+///
+/// formula: metallic m solves 0.04 (1 - m) + b m = s and 0.96 (1 - m) b = d for the strongest channel:
+/// formula: 0.04 m^2 + (d / 0.96 + s - 0.08) m + 0.04 - s = 0
+/// source: Khronos, KHR_materials_pbrSpecularGlossiness, appendix, with 0.96 for the diffuse share as here
+/// test: MetallicFromSpecular(float3(0.8, 0.4, 0.1), float3(0.04, 0.04, 0.04), 0.7).metallic == 0
+/// test: MetallicFromSpecular(float3(0.8, 0.4, 0.1), float3(0.04, 0.04, 0.04), 0.7).base_color == float3(0.8, 0.4, 0.1)
+/// test: MetallicFromSpecular(float3(0, 0, 0), float3(0.8, 0.4, 0.1), 0.7).metallic == 1
+/// test: MetallicFromSpecular(float3(0, 0, 0), float3(0.8, 0.4, 0.1), 0.7).base_color == float3(0.8, 0.4, 0.1)
+/// test: MetallicFromSpecular(float3(0.5, 0.5, 0.5), float3(0, 0, 0), 0.7).error == 0.04
+/// test: MetallicFromSpecular(float3(0.5, 0.5, 0.5), float3(0.2, 0.2, 0.2), 0.7).roughness == 0.3
+[node("Lighting/Setup/Metallic from Specular")]
+void MetallicFromSpecular(
+    [color] float3 diffuse = 0.5,          ///< base colour of the specular workflow
+    [color] float3 specular = 0.04,        ///< reflectance looked at straight
+    [range(0, 1)] float glossiness = 0.5,  ///< 1 - roughness
+    out float3 base_color,                 ///< colour of the surface
+    out float metallic,                    ///< 0 is a dielectric, 1 a metal
+    out float roughness,                   ///< perceptual roughness
+    out float error                        ///< largest difference in diffuse or specular colour
+) {
+    float3 scattered = diffuse * (1 - SpecularStrength(specular, Largest));
+    float d = SpecularStrength(scattered, Largest);
+    float s = SpecularStrength(specular, Largest);
+    float half_b = 0.5 * (d / 0.96 + s - 0.08);
+    float c = 0.04 - s;
+    // The root between 0 and 1 of 0.04 m^2 + 2 half_b m + c, in the form that loses no digits for a small c.
+    float root = sqrt(max(half_b * half_b - 0.04 * c, 0));
+    float plain = half_b > 0 ? -c / max(half_b + root, 1e-6) : (root - half_b) / 0.04;
+    metallic = saturate(s <= 0.04 ? 0 : plain);
+    float3 from_diffuse = scattered / max(0.96 * (1 - metallic), 1e-4);
+    float3 from_specular = (specular - 0.04 * (1 - metallic)) / max(metallic, 1e-4);
+    base_color = saturate(lerp(from_diffuse, from_specular, metallic * metallic));
+    roughness = 1 - glossiness;
+    float3 off_diffuse = abs(base_color * (0.96 * (1 - metallic)) - scattered);
+    float3 off_specular = abs(lerp(0.04, base_color, metallic) - specular);
+    error = max(SpecularStrength(off_diffuse, Largest), SpecularStrength(off_specular, Largest));
+}

@@ -160,6 +160,24 @@ constexpr Guard kGuards[] = {
     {"FractalNoise.gain", "0.5"},
     {"FractalNoise.lacunarity", "2"},
     {"DistributionBlinnPhong.exponent", "(abs(#) + 1)"},
+    {"SafeDivide.divisor", "(abs(#) + 0.5)"},
+    {"SafePower.base", "(abs(#) + 0.25)"},
+    {"SafePower.exponent", "clamp(#, -2, 2)"},
+    {"DecodeHDR.encoded", "(abs(#) + 0.25)"},
+    {"DecodeHDR.instructions", "clamp(#, 0.5, 2)"},
+    {"OcclusionStrength.occlusion", "clamp(#, 0.125, 1)"},
+    {"SpecularOcclusion.ndotv", "clamp(#, 0.125, 1)"},
+    {"FresnelConductor.n", "(abs(#) + 0.25)"},
+    {"BoxProjectedDirection.direction", "(abs(#) + 0.5)"},
+    {"MatcapUV.normal_vs", "(abs(#) + 0.5)"},
+    {"HalfVectorExact.view", "(abs(#) + 0.5)"},
+    {"HalfVectorExact.light_dir", "(abs(#) + 0.5)"},
+    {"LightVector.light_position", "(abs(#) + 5)"},
+    {"LightVector.position", "clamp(#, -2, 2)"},
+    {"InverseSquareAttenuation.distance", "(abs(#) + 0.5)"},
+    // Never along one another.
+    {"TangentFrame.normal", "(abs(#) + 0.5)"},
+    {"TangentFrame.tangent", "(float4(1, -1, 0.25, 1) + clamp(#, -0.125, 0.125))"},
 };
 
 class Generator {
@@ -258,8 +276,11 @@ private:
                                                  : port.type.back() - '0';
         std::string text = in.expression(width, dice_.below(2)).text;
         if (port.range) {
-            // Most ranges are 0 to 1. Beyond its range a node promises nothing.
-            const auto [low, high] = *port.range;
+            // Most ranges are 0 to 1. Beyond its range a node promises nothing, and at a roughness or a cosine of zero
+            // distributions and visibilities have their poles.
+            auto [low, high] = *port.range;
+            const bool has_pole = node.category == "Lighting/Distribution" || node.category == "Lighting/Visibility";
+            if (has_pole && low == 0) low = 0.125;
             text = "clamp(" + text + ", " + literal(std::max(low, -8.0)) + ", " + literal(std::min(high, 8.0)) + ")";
         }
         const std::string name = node.name + "." + port.name;

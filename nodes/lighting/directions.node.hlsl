@@ -1,0 +1,129 @@
+// The directions that lighting is made of, from where light, viewer and surface stand. All are in the world, and point
+// away from the surface.
+
+/// The vector from a point to a light, for a light that is given as Unity gives it: a position, or a direction.
+///
+/// formula: light.xyz - position light.w
+/// source: Unity built-in shaders, UnityWorldSpaceLightDir
+/// test: LightVector(float4(3, 4, 5, 1), float3(1, 1, 1)) == float3(2, 3, 4)
+/// test: LightVector(float4(0.6, 0.8, 0, 0), float3(1, 1, 1)) == float3(0.6, 0.8, 0)
+/// test: LightVector(float4(3, 5, 5, 1), float3(1, 1, 1)).distance == 6
+/// test: LightVector(float4(3, 5, 5, 1), float3(1, 1, 1)).direction == float3(1 / 3, 2 / 3, 2 / 3)
+[node("Lighting/Direction/Light Vector")]
+float3 LightVector(
+    float4 light_position = float4(0, 1, 0, 0),  ///< xyz: position, or direction to the light; w: 1 or 0
+    [unit("m")] float3 position = position_ws,   ///< the point that is lit
+    out float3 direction,                        ///< unit direction to the light
+    [unit("m")] out float distance               ///< length of the vector
+) {
+    float3 to_light = light_position.xyz - position * light_position.w;
+    float squared = max(dot(to_light, to_light), 1e-7);
+    direction = to_light * rsqrt(squared);
+    distance = sqrt(squared);
+    return to_light;
+}
+
+/// The direction half-way between light and viewer, of unit length wherever there is one.
+///
+/// HalfVector shrinks where the light is almost behind the surface, as Unity's does; this one divides by the true
+/// length.
+///
+/// formula: h = (l + v) / |l + v|
+/// source: Blinn, "Models of Light Reflection for Computer Synthesized Pictures", SIGGRAPH 1977
+/// test: HalfVectorExact(float3(0.6, 0, 0.8), float3(-0.6, 0, 0.8)) == float3(0, 0, 1)
+/// test: HalfVectorExact(float3(0, 0, 1), float3(0, 1, 0)) == float3(0, 0.7071067811865476, 0.7071067811865476)
+[node("Lighting/Half Vector Exact")]
+float3 HalfVectorExact(
+    float3 view = view_dir_ws,          ///< unit direction to the viewer
+    float3 light_dir = light.direction  ///< unit direction to the light
+) {
+    float3 sum = light_dir + view;
+    return sum * rsqrt(max(dot(sum, sum), 1e-7));
+}
+
+/// Where a mirror would send the view: the direction in which the surroundings are looked up.
+///
+/// formula: 2 (n.v) n - v
+/// source: Phong, "Illumination for Computer Generated Pictures", CACM 18(6), 1975
+/// test: ReflectionVector(float3(0.6, 0, 0.8), float3(0, 0, 1)) == float3(-0.6, 0, 0.8)
+/// test: ReflectionVector(float3(0, 1, 0), float3(0, 1, 0)) == float3(0, 1, 0)
+[node("Lighting/Direction/Reflection Vector")]
+float3 ReflectionVector(
+    float3 direction = view_dir_ws,  ///< unit direction to the viewer (or to the light: the mirror works both ways)
+    float3 normal = normal_ws        ///< unit normal
+) {
+    return 2 * dot(normal, direction) * normal - direction;
+}
+
+/// The cosine between light and view.
+///
+/// formula: l.v
+/// test: LdotV(float3(0.6, 0, 0.8), float3(0, 0, 1)) == 0.8
+/// test: LdotV(float3(0, 0, 1), float3(0.6, 0, -0.8), Signed) == -0.8
+/// test: LdotV(float3(0, 0, 1), float3(0.6, 0, -0.8), Clamped) == 0
+/// test: LdotV(float3(0, 0, 1), float3(0.6, 0, -0.8), Absolute) == 0.8
+[node("Lighting/Cosine/L.V")]
+float LdotV(
+    float3 light_dir = light.direction,  ///< unit direction to the light
+    float3 view = view_dir_ws,           ///< unit direction to the viewer
+    const CosineMode mode = Signed       ///< what becomes of a light opposite to the viewer
+) {
+    return CosineBetween(light_dir, view, mode);
+}
+
+/// The cosine between the mirrored light and the view: the argument of Phong's highlight.
+///
+/// formula: max(0, r.v), r = 2 (n.l) n - l
+/// source: Phong, "Illumination for Computer Generated Pictures", CACM 18(6), 1975
+/// test: RdotV(float3(0, 0, 1), float3(0.6, 0, 0.8), float3(-0.6, 0, 0.8)) == 1
+/// test: RdotV(float3(0, 0, 1), float3(0.6, 0, 0.8), float3(0, 0, 1)) == 0.8
+[node("Lighting/Cosine/R.V")]
+float RdotV(
+    float3 normal = normal_ws,           ///< unit normal
+    float3 light_dir = light.direction,  ///< unit direction to the light
+    float3 view = view_dir_ws            ///< unit direction to the viewer
+) {
+    return saturate(dot(ReflectionVector(light_dir, normal), view));
+}
+
+/// The cosine between normal and view, with the normal tilted to the viewer where it looks away.
+///
+/// A normal map can turn the normal of a visible pixel away from the viewer. The tilt lets such pixels end smoothly,
+/// where the absolute cosine would make them bright again.
+///
+/// formula: n' = n - min(n.v, 0) v, with 0.00001 on top; n.v = saturate(n'.v)
+/// source: Unity built-in shaders, BRDF1 with UNITY_HANDLE_CORRECTLY_NEGATIVE_NDOTV
+/// test: NdotVShifted(float3(0, 0, 1), float3(0, 0.6, 0.8)) == 0.8
+/// test: NdotVShifted(float3(0, 0, 1), float3(0, 0.8, -0.6)) == 0.00001 within 1e-2
+/// test: NdotVShifted(float3(0, 0, 1), float3(0.6, 0, 0.8)).shifted_normal == float3(0, 0, 1)
+[node("Lighting/Cosine/N.V Shifted")]
+float NdotVShifted(
+    float3 normal = normal_ws,  ///< unit normal
+    float3 view = view_dir_ws,  ///< unit direction to the viewer
+    out float3 shifted_normal   ///< the tilted normal, for the other cosines; no longer quite unit length
+) {
+    float cosine = dot(normal, view);
+    shifted_normal = cosine < 0 ? normal + view * (1e-5 - cosine) : normal;
+    return saturate(dot(shifted_normal, view));
+}
+
+/// A frame of unit vectors at right angles, from an interpolated normal and tangent.
+///
+/// formula: n = normalize(normal), t = normalize(tangent - n (n.tangent)), b = cross(n, t) w
+/// test: TangentFrame(float3(0, 0, 2), float4(3, 0, 3, 1)) == float3(1, 0, 0)
+/// test: TangentFrame(float3(0, 0, 2), float4(3, 0, 3, 1)).bitangent == float3(0, 1, 0)
+/// test: TangentFrame(float3(0, 0, 2), float4(3, 0, 3, -1)).bitangent == float3(0, -1, 0)
+/// test: TangentFrame(float3(0, 0, 2), float4(3, 0, 3, 1)).unit_normal == float3(0, 0, 1)
+[node("Lighting/Direction/Tangent Frame")]
+float3 TangentFrame(
+    float3 normal = geometry_normal_ws,       ///< normal, of any length but zero
+    float4 tangent = float4(1, 0, 0, 1),      ///< xyz: tangent, not along the normal; w: handedness, 1 or -1
+    out float3 bitangent,                     ///< unit bitangent
+    out float3 unit_normal                    ///< unit normal
+) {
+    unit_normal = normalize(normal);
+    float3 along = tangent.xyz - unit_normal * dot(unit_normal, tangent.xyz);
+    float3 unit_tangent = along * rsqrt(max(dot(along, along), 1e-7));
+    bitangent = cross(unit_normal, unit_tangent) * tangent.w;
+    return unit_tangent;
+}
