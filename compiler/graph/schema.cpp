@@ -155,7 +155,8 @@ std::string choose_by_kind() {
 Members make_definitions(const SchemaInput& input) {
     const std::vector<Row> rows = make_rows(input);
     Members material = object_schema(rows, ObjectKind::Material);
-    if (!input.workflows.empty()) material.emplace_back("allOf", surface_schema(input.workflows));
+    if (!input.workflows.empty())
+        material.emplace_back("allOf", surface_schema(input.workflows, input.lighting_models));
     Members node = object_schema(rows, ObjectKind::Node);
     node.emplace_back("oneOf", R"([{"required":["node"]},{"required":["expr"],"not":{"required":["in"]}}])");
     if (!input.nodes.empty()) node.emplace_back("allOf", node_ports_schema(input.nodes));

@@ -110,7 +110,14 @@ std::string model_name_schema(std::span<const ModelInfo> models) {
     return object({{"anyOf", list(names)}});
 }
 
-std::string surface_schema(std::span<const ModelInfo> workflows) {
+std::string surface_schema(std::span<const ModelInfo> workflows, std::span<const ModelInfo> models) {
+    // A lighting graph of the material's own may declare inputs; those of the library are known.
+    constexpr std::string_view kOfLibrary =
+        R"({"anyOf":[{"not":{"required":["lighting"]}},{"properties":{"lighting":{"type":"string","pattern":"^[^./]"}}}]})";
+    std::vector<std::string> of_models;
+    for (const ModelInfo& model : models) {
+        for (const SurfaceInputInfo& input : model.inputs) of_models.push_back(quoted(input.name));
+    }
     std::vector<std::string> cases;
     for (const ModelInfo& workflow : workflows) {
         Members inputs;
@@ -121,9 +128,14 @@ std::string surface_schema(std::span<const ModelInfo> workflows) {
             inputs.emplace_back(input.name,
                                 object({{"$ref", quoted("#/$defs/value")}, {"description", quoted(description)}}));
         }
-        // Inputs that the lighting model declares come on top, so others are not refused.
+        std::vector<std::string> names = of_models;
+        for (const auto& [name, schema] : inputs) names.push_back(quoted(name));
+        const std::string known = object({{"surface", object({{"propertyNames", object({{"enum", list(names)}})}})}});
         const std::string surface = object({{"surface", object({{"properties", object(inputs)}})}});
-        cases.push_back(when("workflow", workflow.name, object({{"properties", surface}})));
+        cases.push_back(when("workflow", workflow.name,
+                             object({{"properties", surface},
+                                     {"if", std::string(kOfLibrary)},
+                                     {"then", object({{"properties", known}})}})));
     }
     return list(cases);
 }

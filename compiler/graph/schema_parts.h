@@ -70,6 +70,6 @@ std::string node_ports_schema(std::span<const NodeInfo> nodes);
 void add_port_definitions(Members& definitions, std::span<const NodeInfo> nodes);
 std::string model_name_schema(std::span<const ModelInfo> models);
 // For each workflow the surface inputs, as an if and a then.
-std::string surface_schema(std::span<const ModelInfo> workflows);
+std::string surface_schema(std::span<const ModelInfo> workflows, std::span<const ModelInfo> models);
 
 }  // namespace patina::graph

@@ -116,7 +116,8 @@ private:
             return each_member([&](const JsonMember& member) {
                 std::string name;
                 append_quoted(name, member.key);
-                return Validator(schema_).valid(rule, *Tree(name).root, tree);
+                const Tree name_tree(name);
+                return valid(rule, *name_tree.root, name_tree);
             });
         }
         return known(keyword);
@@ -236,16 +237,17 @@ TEST(Schema, AcceptsEveryDocumentedGraph) {
 
 TEST(Schema, AcceptsWhatTheReaderAccepts) {
     const Tree schema(Library().schema());
-    for (const char* graph : {
-             R"({"patina":1,"workflow":"unlit","surface":{"a":0.5,"b":true,"c":[1,2],"d":"#fff","e":"#12345678"}})",
-             R"({"patina":1,"workflow":"unlit","surface":{"a":"n.out.xy","b":"$_A.rgb","c":"@uv0","d":"@other"}})",
-             R"({"patina":1,"workflow":"unlit","surface":{"a":"./a b.png","b":"../a.png","c":"/a.png"}})",
-             R"({"patina":1,"workflow":"unlit","lighting":"../my.lighting.json","meta":[1],"ui":null})",
-             R"({"patina":1,"workflow":"unlit","nodes":[{"id":"n","node":"NormalBlend","in":{"mode":"Reoriented"}}]})",
-             R"({"patina":1,"workflow":"unlit","nodes":[{"id":"n","node":"./own.node.hlsl","in":{"any":1}}]})",
-             R"({"patina":1,"kind":"workflow","name":"w","inputs":[{"name":"a","type":"color","gives":"b","as":"= $a"}],
+    for (
+        const char* graph : {
+            R"({"patina":1,"workflow":"unlit","lighting":"./own.lighting.json","surface":{"a":0.5,"b":true,"c":[1,2],"d":"#fff","e":"#12345678"}})",
+            R"({"patina":1,"workflow":"unlit","lighting":"./own.lighting.json","surface":{"a":"n.out.xy","b":"$_A.rgb","c":"@uv0","d":"@other"}})",
+            R"({"patina":1,"workflow":"unlit","lighting":"./own.lighting.json","surface":{"a":"./a b.png","b":"../a.png","c":"/a.png"}})",
+            R"({"patina":1,"workflow":"unlit","lighting":"../my.lighting.json","meta":[1],"ui":null})",
+            R"({"patina":1,"workflow":"unlit","nodes":[{"id":"n","node":"NormalBlend","in":{"mode":"Reoriented"}}]})",
+            R"({"patina":1,"workflow":"unlit","nodes":[{"id":"n","node":"./own.node.hlsl","in":{"any":1}}]})",
+            R"({"patina":1,"kind":"workflow","name":"w","inputs":[{"name":"a","type":"color","gives":"b","as":"= $a"}],
                  "surface":{"emission":"$b"}})",
-         }) {
+        }) {
         EXPECT_TRUE(Validator(schema).accepts(Tree(graph))) << graph;
     }
 }
@@ -259,6 +261,8 @@ TEST(Schema, RefusesWhatTheReaderRefuses) {
              R"({"patina":2,"workflow":"unlit"})",
              R"({"patina":1,"workflow":"unlitt"})",
              R"({"patina":1,"workflow":"unlit","nodez":[]})",
+             R"({"patina":1,"workflow":"unlit","surface":{"colr":1}})",
+             R"({"patina":1,"workflow":"metallic-roughness","lighting":"lambert","surface":{"color":1}})",
              R"({"patina":1,"workflow":"unlit","passes":[]})",
              R"({"patina":1,"workflow":"unlit","kind":"scene"})",
              R"({"patina":1,"workflow":"unlit","lighting":"phong"})",
