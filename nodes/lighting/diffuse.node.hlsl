@@ -24,14 +24,15 @@ enum HalfLambertCurve {
 
 /// Lambert's light wrapped around to the far side, so that no part of an object is flat black. It is not physical.
 ///
-/// formula: linear: max(0, scale n.l + offset); squared: the square of that
+/// formula: linear: scale n.l + offset, not clamped; squared: max(0, scale n.l + offset)^2
 /// source: Mitchell, McTaggart and Green, "Shading in Valve's Source Engine", SIGGRAPH 2006
 /// test: HalfLambert(1, Linear) == 1
 /// test: HalfLambert(-0.5, Linear) == 0.25
 /// test: HalfLambert(-0.5, Squared) == 0.0625
 /// test: HalfLambert(0.8660254037844387, Squared) == 0.8705127018922195
 /// test: HalfLambert(0.5, Linear, 0.75, 0.25) == 0.625
-/// test: HalfLambert(-1, Linear, 0.75, 0.25) == 0
+/// test: HalfLambert(-1, Linear, 0.75, 0.25) == -0.5
+/// test: HalfLambert(-1, Squared, 0.75, 0.25) == 0
 [node("Lighting/Diffuse/Half Lambert")]
 float HalfLambert(
     [range(-1, 1)] float ndotl,              ///< cosine of normal and light, Signed: not clamped
@@ -39,8 +40,9 @@ float HalfLambert(
     [range(0, 1)] float scale = 0.5,         ///< of the cosine; the sources call it alpha
     [range(0, 1)] float offset = 0.5         ///< added to it; the sources call it beta
 ) {
-    float wrapped = max(scale * ndotl + offset, 0);
-    return curve == Linear ? wrapped : wrapped * wrapped;
+    float wrapped = scale * ndotl + offset;
+    float lit = max(wrapped, 0);
+    return curve == Linear ? wrapped : lit * lit;
 }
 
 /// Lambert's BRDF with its 1 / pi, for light that is given as irradiance.

@@ -26,23 +26,25 @@ float VisibilitySmithJoint(
 /// Smith's masking-shadowing for GGX without its square roots.
 ///
 /// Exact at roughness 0 and 1; between them it is too dark at grazing angles. It is what Unity's Standard shader uses,
-/// with the 0.00001 that it adds to the denominator.
+/// with the 0.00001 that it adds to the denominator; with a guard of 0 it is the formula alone.
 ///
-/// formula: V = 0.5 / (n.l (n.v (1 - alpha) + alpha) + n.v (n.l (1 - alpha) + alpha) + 0.00001)
+/// formula: V = 0.5 / (n.l (n.v (1 - alpha) + alpha) + n.v (n.l (1 - alpha) + alpha) + guard)
 /// source: Hammon, "PBR Diffuse Lighting for GGX+Smith Microsurfaces", GDC 2017
 /// test: VisibilitySmithJointApproximate(1, 1, 0.25) == 0.24999875000624996
 /// test: VisibilitySmithJointApproximate(0.6, 0.3, 0.25) == 1.0100806044322337
 /// test: VisibilitySmithJointApproximate(0.5, 0, 1) == 0.9999800003999921
 /// test: VisibilitySmithJointApproximate(0, 0, 0.25) == 50000
+/// test: VisibilitySmithJointApproximate(0.5, 0.5, 0.1, 0) == 0.9090909090909091
 [node("Lighting/Visibility/Smith Joint Approximate")]
 float VisibilitySmithJointApproximate(
     [range(0, 1)] float ndotl,        ///< cosine of normal and light
     [range(0, 1)] float ndotv,        ///< cosine of normal and view
-    [range(0, 1)] float alpha = 0.25  ///< roughness squared
+    [range(0, 1)] float alpha = 0.25,  ///< roughness squared
+    [range(0, 0.001)] float guard = 0.00001  ///< added to the denominator
 ) {
     float view_part = ndotl * (ndotv * (1 - alpha) + alpha);
     float light_part = ndotv * (ndotl * (1 - alpha) + alpha);
-    return 0.5 / (view_part + light_part + 1e-5);
+    return 0.5 / (view_part + light_part + guard);
 }
 
 /// Smith's masking-shadowing for GGX with light and view taken as independent.
