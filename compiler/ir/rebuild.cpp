@@ -153,39 +153,21 @@ std::span<const Value> yielded(const Function& function, std::uint32_t block) {
     return function.args(function.blocks[block].insts.back());
 }
 
-namespace {
-
-void reserve_body(Function& made, const Function& like) {
-    made.insts.reserve(like.insts.size());
-    made.operands.reserve(like.operands.size());
-    made.blocks.reserve(like.blocks.size());
-    made.blocks.emplace_back().insts.reserve(like.blocks[0].insts.size());
+Function take_shell(Function& from) {
+    Function made = std::move(from);
+    from.insts = std::exchange(made.insts, {});
+    from.operands = std::exchange(made.operands, {});
+    from.blocks = std::exchange(made.blocks, {});
+    made.insts.reserve(from.insts.size());
+    made.operands.reserve(from.operands.size());
+    made.blocks.reserve(from.blocks.size());
+    made.blocks.emplace_back().insts.reserve(from.blocks[0].insts.size());
+    return made;
 }
-
-}  // namespace
 
 Function shell(const Function& from) {
-    Function made;
-    made.name = from.name;
-    made.params = from.params;
-    made.result = from.result;
-    made.origin = from.origin;
-    made.comment = from.comment;
-    made.always_inline = from.always_inline;
-    reserve_body(made, from);
-    return made;
-}
-
-Function take_shell(Function& from) {
-    Function made;
-    made.name = std::move(from.name);
-    made.params = std::move(from.params);
-    made.result = from.result;
-    made.origin = from.origin;
-    made.comment = std::move(from.comment);
-    made.always_inline = from.always_inline;
-    reserve_body(made, from);
-    return made;
+    Function copy = from;
+    return take_shell(copy);
 }
 
 void copy_plain(Copy& copy, Value value) {

@@ -209,8 +209,7 @@ float3 EnvBRDFApprox(
     out float scale,                      ///< of f0
     out float offset                      ///< added to it; for the roughest surfaces a little below zero
 ) {
-    float x = 1 - roughness;
-    float a = min(x * x, exp2(-9.28 * ndotv)) * x + 0.0425 - 0.0275 * roughness;
+    float a = EnvBRDFApproxNonmetal(roughness, ndotv);
     scale = 1.04 - 0.572 * roughness - 1.04 * a;
     offset = 1.04 * a + 0.022 * roughness - 0.04;
     return max(f0 * scale + offset, 0);

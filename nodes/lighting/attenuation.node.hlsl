@@ -13,10 +13,7 @@ float InverseSquareAttenuation(
     [range(0, 100)] [unit("m")] float distance = 1,  ///< from the light
     [range(0.01, 100)] [unit("m")] float range = 10  ///< where the light ends
 ) {
-    float ratio = distance / max(range, 1e-4);
-    float r2 = ratio * ratio;
-    float window = saturate(1 - r2 * r2);
-    return window * window / max(distance * distance, 0.0001);
+    return distance_attenuation(distance * distance, max(range, 1e-4));
 }
 
 /// A formula for the falloff that Unity's built-in point lights read from a texture.

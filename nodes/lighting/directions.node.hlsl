@@ -52,7 +52,7 @@ float3 ReflectionVector(
     float3 direction = view_dir_ws,  ///< unit direction to the viewer (or to the light: the mirror works both ways)
     float3 normal = normal_ws        ///< unit normal
 ) {
-    return 2 * dot(normal, direction) * normal - direction;
+    return reflect(-direction, normal);
 }
 
 /// The cosine between light and view.

@@ -160,9 +160,8 @@ float3 ConserveEnergy(
     const EnergyConservation conservation = Monochrome,  ///< how it is scaled
     out float one_minus_reflectivity                     ///< 1 - the strongest specular channel
 ) {
-    one_minus_reflectivity = 1 - SpecularStrength(specular, Largest);
-    float3 scale = conservation == Colored ? 1 - specular : float3(one_minus_reflectivity);
-    return conservation == None ? albedo : albedo * scale;
+    one_minus_reflectivity = SpecularSetup(albedo, specular, conservation).one_minus_reflectivity;
+    return SpecularSetup(albedo, specular, conservation).diffuse_color;
 }
 
 /// A diffuse colour for blending with pre-multiplied alpha: what is mirrored stays as the material fades.
@@ -271,10 +270,10 @@ void SpecularFromMetallic(
     out float3 specular,                  ///< reflectance looked at straight
     out float glossiness                  ///< 1 - roughness
 ) {
-    specular = lerp(0.04, base_color, metallic);
+    specular = MetallicSetup(base_color, metallic).f0;
     float rest = 1 - SpecularStrength(specular, Largest);
     // A white metal has no diffuse colour, whatever is divided by what is left.
-    diffuse = base_color * (0.96 * (1 - metallic)) / max(rest, 1e-4);
+    diffuse = MetallicSetup(base_color, metallic).diffuse_color / max(rest, 1e-4);
     glossiness = 1 - roughness;
 }
 
@@ -317,7 +316,7 @@ void MetallicFromSpecular(
     float3 from_specular = (specular - 0.04 * (1 - metallic)) / max(metallic, 1e-4);
     base_color = saturate(lerp(from_diffuse, from_specular, metallic * metallic));
     roughness = 1 - glossiness;
-    float3 off_diffuse = abs(base_color * (0.96 * (1 - metallic)) - scattered);
-    float3 off_specular = abs(lerp(0.04, base_color, metallic) - specular);
+    float3 off_diffuse = abs(MetallicSetup(base_color, metallic).diffuse_color - scattered);
+    float3 off_specular = abs(MetallicSetup(base_color, metallic).f0 - specular);
     error = max(SpecularStrength(off_diffuse, Largest), SpecularStrength(off_specular, Largest));
 }

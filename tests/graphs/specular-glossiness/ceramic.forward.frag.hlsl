@@ -211,9 +211,9 @@ FragmentOutput main(FragmentInput input)
     float visibility_difference = 1.0 - alpha;
     float visibility_sum = ndotv * visibility_difference + alpha;
 
-    float alpha_squared = alpha * alpha;
-
-    float distribution_product = 0.31830987 * alpha_squared;
+    // DistributionGGXUnity "distribution"
+    float a2 = alpha * alpha;
+    float distribution_product = 0.31830987 * a2;
 
     // FresnelSchlick "fresnel"
     float3 fresnel_difference = 1.0 - setup.f0;
@@ -247,8 +247,7 @@ FragmentOutput main(FragmentInput input)
         float light_part = ndotv * (ndotl * visibility_difference + alpha);
         float visibility = 0.5 / (view_part + light_part + 1e-05);
 
-        float spread = (ndoth * alpha_squared - ndoth) * ndoth + 1.0;
-
+        float spread = (ndoth * a2 - ndoth) * ndoth + 1.0;
         float distribution = distribution_product / (spread * spread + 1e-07);
 
         float3 fresnel = setup.f0 + fresnel_difference * SchlickWeight(ldoth);
@@ -271,7 +270,7 @@ FragmentOutput main(FragmentInput input)
         ambient_sh[8].xyz);
 
     // SurfaceReduction "reduction"
-    float reduction = 1.0 / (alpha_squared + 1.0);
+    float reduction = 1.0 / (a2 + 1.0);
 
     // GrazingTerm "grazing"
     float smoothness = 1.0 - roughness;
