@@ -5,6 +5,8 @@
 struct LightingSurface {
     float3 diffuseColor;  ///< diffuse albedo, linear
     float3 f0;            ///< specular reflectance at normal incidence, linear
+    float3 baseColor;     ///< colour of the surface: albedo of a dielectric, f0 of a metal
+    float metallic;       ///< 0 dielectric, 1 metal
     float roughness;      ///< perceptual roughness, 0 to 1
     float3 normal_ws;     ///< shaded normal in world space, unit
     float occlusion;      ///< ambient occlusion: 1 open, 0 closed
