@@ -1,4 +1,4 @@
-# Reference values: derived again from the papers, without Patina.
+# Reference values, derived again from the papers without Patina; and the rows and links of docs/sources.md.
 find_package(Python3 COMPONENTS Interpreter)
 
 # A test that is a script of Python; where there is none it is skipped and says so.
@@ -13,3 +13,4 @@ function(add_python_test name)
 endfunction()
 
 add_python_test(brdf_values ${CMAKE_CURRENT_SOURCE_DIR}/data/derive_brdf_values.py)
+add_python_test(sources ${CMAKE_CURRENT_SOURCE_DIR}/docs/sources.py ${CMAKE_SOURCE_DIR} $<TARGET_FILE:patina_cli>)
