@@ -51,6 +51,9 @@ struct SamplerState {
     int anisotropy = 1;  // 1 to 16
 };
 
+// When a property gets its value.
+enum class Binding { Uniform, Specialization, Variant };
+
 struct Property {
     std::string name;
     Span name_span;
@@ -66,6 +69,9 @@ struct Property {
     TextureUsage usage = TextureUsage::Color;
     bool tiling = false;
     SamplerState sampler;
+    // Variant: known when the graph is compiled; bool and enum.
+    Binding binding = Binding::Uniform;
+    Span binding_span;
 };
 
 // An input of a sub-graph, a workflow or (declared under "surface") a lighting model.

@@ -340,6 +340,11 @@ Typed GraphScope::property(const Expr& expr, nodelang::Scope&) {
         if (port.name == expr.text) return bound_property(port);
     }
     const auto& own = graph_.graph->properties;
+    for (const Property& property : own) {
+        const auto variant = lowering_.material.variants.find(&property);
+        if (property.name == expr.text && variant != lowering_.material.variants.end())
+            return variant_property(property, variant->second);
+    }
     const bool is_own = graph_.graph->kind == GraphKind::Material ||
                         std::any_of(own.begin(), own.end(), [&](const Property& p) { return p.name == expr.text; });
     const auto index = lowering_.material.property_index.find(expr.text);
@@ -372,6 +377,13 @@ Typed GraphScope::bound_property(const PortValue& port) {
         value.enumerators = &lowering_.enumerators.back();
     }
     return value;
+}
+
+Typed GraphScope::variant_property(const Property& property, double value) {
+    ir::Builder& b = *scope_.builder;
+    if (property.type == PropertyType::Bool) return {.value = b.constant(ir::kBool, {value}), .type = ir::kBool};
+    lowering_.enumerators.emplace_back(property.values.begin(), property.values.end());
+    return {.value = b.constant(ir::kInt, {value}), .type = ir::kInt, .enumerators = &lowering_.enumerators.back()};
 }
 
 Typed GraphScope::material_property(std::size_t index) {

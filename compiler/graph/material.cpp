@@ -160,6 +160,15 @@ bool set_default(Session& session, Property& property, const Expr& value) {
     return true;
 }
 
+// A property that is known when the graph is compiled: its default, or what the material says.
+void bind_variant(Session& session, Material& material, const Property& property, const PortValue* input) {
+    Property bound = property;
+    if (input && input->value && !set_default(session, bound, *input->value)) {
+        session.diagnostics.report(Code::NotConstant, input->value_span, fmt::format("'{}'", property.name));
+    }
+    material.variants[&property] = bound.value[0];
+}
+
 // What "lighting": { "in": ... } says: a constant is another default of the lighting graph's property, which can still
 // be set; anything else takes the property's place, and the material then has no such property.
 void bind_lighting_properties(Session& session, Material& material, std::span<const PortValue> inputs) {
@@ -167,6 +176,10 @@ void bind_lighting_properties(Session& session, Material& material, std::span<co
     for (const Property& property : own) {
         const auto input =
             std::find_if(inputs.begin(), inputs.end(), [&](const PortValue& p) { return p.name == property.name; });
+        if (property.binding == Binding::Variant) {
+            bind_variant(session, material, property, input == inputs.end() ? nullptr : &*input);
+            continue;
+        }
         if (input == inputs.end()) {
             add_property(session, material, property, material.lighting->graph->path);
             continue;

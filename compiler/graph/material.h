@@ -17,8 +17,9 @@ struct Material {
     const CheckedGraph* workflow = nullptr;
     const CheckedGraph* lighting = nullptr;
     std::string lighting_name;
-    std::vector<PortValue> lighting_inputs;    // values for the lighting graph's properties
-    std::vector<MaterialProperty> properties;  // in binding order
+    std::vector<PortValue> lighting_inputs;      // values for the lighting graph's properties
+    std::map<const Property*, double> variants;  // the lighting graph's properties that are known by now
+    std::vector<MaterialProperty> properties;    // in binding order
     std::map<std::string, std::size_t, std::less<>> property_index;
     bool is_preview = false;
 

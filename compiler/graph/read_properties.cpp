@@ -212,7 +212,10 @@ Property read_property(Reading& reading, const Json& json, UniqueNames& names) {
     property.span = json.span;
     check_keys(reading, json, ObjectKind::Property);
     read_name(reading, json, "property", property.name, property.name_span, names);
-    if (const Json* binding = json.find("as")) (void)read_word(reading, *binding, "as", "a binding time", kBindings);
+    if (const Json* binding = json.find("as")) {
+        property.binding = read_word(reading, *binding, "as", "a binding time", kBindings).value_or(Binding::Uniform);
+        property.binding_span = binding->span;
+    }
     property.label = read_text(reading, json, "label");
     property.group = read_text(reading, json, "group");
     property.help = read_text(reading, json, "help");
@@ -223,6 +226,11 @@ Property read_property(Reading& reading, const Json& json, UniqueNames& names) {
     if (!known) return property;  // what the other keys must hold depends on it
     property.type = *known;
     check_keys_of_type(reading, json, property);
+    if (property.binding == Binding::Variant && property.type != PropertyType::Bool &&
+        property.type != PropertyType::Enum) {
+        reading.diagnostics.report(Code::TypeMismatch, property.binding_span, fmt::format("'{}'", shown(property.name)),
+                                   to_string(property.type), "a bool or an enum");
+    }
     if (property.type == PropertyType::Enum) read_enum_values(reading, json, property);
     if (property.type == PropertyType::Texture2D) read_texture_keys(reading, json, property);
     if (has_range(property.type)) read_limits(reading, json, property.range, property.hard);

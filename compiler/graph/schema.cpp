@@ -60,6 +60,7 @@ std::vector<Row> make_rows(const SchemaInput& input) {
         {Free, "group", text(kText)},
         {Free, "note", text(kText)},
         {Free, "precision", words_schema(kPrecisions)},
+        {Lighting, "properties", list_of("lightingProperty")},
         {Free, "properties", list_of("property")},
         {Free, "nodes", list_of("node")},
         {Free, "inputs", list_of("input")},
@@ -87,7 +88,7 @@ std::vector<Row> make_rows(const SchemaInput& input) {
         {Free, "range", text(kRange)},
         {Free, "hard", text(kBoolean)},
         {Input, "as", R"({"type":"string","pattern":"^="})"},
-        {Free, "as", words_schema(kBindings)},
+        {Free, "as", R"({"enum":["uniform"]})"},
         {Free, "gives", text(kIdentifier)},
         {Free, "tiling", text(kBoolean)},
         {Free, "sampler", reference("sampler")},
@@ -161,6 +162,12 @@ Members make_definitions(const SchemaInput& input) {
     node.emplace_back("oneOf", R"([{"required":["node"]},{"required":["expr"],"not":{"required":["in"]}}])");
     if (!input.nodes.empty()) node.emplace_back("allOf", node_ports_schema(input.nodes));
 
+    // Only a lighting graph has variants so far.
+    std::vector<Row> lighting_rows = rows;
+    for (Row& row : lighting_rows) {
+        if (row.key == "as" && row.kind == ObjectKind::Free) row.schema = words_schema(kBindings);
+    }
+
     Members definitions = {
         {"identifier", std::string(kIdentifier)},
         {"value", value_schema(input.semantics)},
@@ -169,6 +176,7 @@ Members make_definitions(const SchemaInput& input) {
         {"lighting", object(object_schema(rows, ObjectKind::Lighting))},
         {"workflow", object(object_schema(rows, ObjectKind::Workflow))},
         {"property", object(object_schema(rows, ObjectKind::Property))},
+        {"lightingProperty", object(object_schema(lighting_rows, ObjectKind::Property))},
         {"node", object(node)},
         {"input", object(object_schema(rows, ObjectKind::Input))},
         {"sampler", object(object_schema(rows, ObjectKind::Sampler))},

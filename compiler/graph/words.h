@@ -53,12 +53,10 @@ inline constexpr std::array kTextureUsages = {
 
 inline constexpr std::array<std::string_view, 4> kDefaultTextures = {"white", "black", "gray", "bump"};
 
-// When a property gets its value.
-enum class Binding { Uniform, Specialization, Variant };
 inline constexpr std::array kBindings = {
     Word<Binding>{"uniform", Binding::Uniform},
     Word<Binding>{"specialization", Binding::Specialization, true},
-    Word<Binding>{"variant", Binding::Variant, true},
+    Word<Binding>{"variant", Binding::Variant},
 };
 
 inline constexpr std::array kWraps = {
