@@ -131,6 +131,16 @@ private:
     std::vector<targets::Plan> plans_;  // shared by the languages that print the stage as it is
 };
 
+// The sources are gone when a program runs.
+void add_places(Program& program, const ir::Module& stage, const SourceMap& sources) {
+    for (const ir::Function& function : stage.functions) {
+        for (const ir::Probe& probe : function.probes) {
+            const Position at = sources.resolve(probe.span.begin);
+            program.places[probe.span.begin] = {.file = std::string(at.file), .line = at.line, .column = at.column};
+        }
+    }
+}
+
 // The interpreter's stages: lowered and linked without folding, and never tidied.
 std::shared_ptr<const Program> keep_program(graph::Session& session, const graph::Material& material) {
     graph::Lowered lowered = graph::lower(session, material, {.fold = false});
@@ -141,6 +151,8 @@ std::shared_ptr<const Program> keep_program(graph::Session& session, const graph
     for (const graph::LoweredPass& pass : linked.lowered.passes) {
         LinkedPass made = link_pass(linked, pass, false, unused, session.options);
         const std::string name(pass.declaration->name);
+        add_places(*program, made.vertex, session.sources);
+        add_places(*program, made.fragment, session.sources);
         program->stages.push_back({.pass = name, .stage = Stage::Vertex, .module = std::move(made.vertex)});
         program->stages.push_back({.pass = name, .stage = Stage::Fragment, .module = std::move(made.fragment)});
     }

@@ -155,9 +155,29 @@ Outcome<std::vector<InputSource>> fragment_sources(const Interpreter& vertex, co
     return result;
 }
 
+// A part of the picture, in samples.
+struct Window {
+    int x = 0, y = 0, width = 0, height = 0;
+
+    bool holds(int at_x, int at_y) const { return at_x >= x && at_y >= y && at_x < x + width && at_y < y + height; }
+};
+
 struct Canvas {
+    Window window;
     Image color;
     std::vector<float> depth;
+
+    std::span<float> color_at(int x, int y) { return color.at(x - window.x, y - window.y); }
+    float& depth_at(int x, int y) { return depth[std::size_t(y - window.y) * window.width + (x - window.x)]; }
+};
+
+// A sample that passed the depth test, and what computed it.
+struct Fragment {
+    const ScreenTriangle* triangle = nullptr;
+    std::size_t index = 0;  // of the triangle, among the mesh's
+    Quad quad;
+    int lane = 0;
+    bool is_discarded = false;
 };
 
 // Everything that the threads share and only read, and the canvas, in which each has rows of its own.
@@ -167,7 +187,10 @@ struct Job {
     Precision precision = Precision::Float;
     std::vector<InputSource> sources{};
     std::vector<ScreenTriangle> triangles{};
+    std::vector<std::size_t> sources_of{};  // by triangle: the mesh's, before clipping
+    int width = 0, height = 0;              // of the picture, in samples
     Canvas* canvas = nullptr;
+    std::function<void(const Fragment&)> on_fragment{};  // told of every fragment, if there is one thread only
 };
 
 void gather_inputs(const Job& job, const ScreenTriangle& triangle, const Quad& quad, QuadInputs& inputs) {
@@ -208,37 +231,50 @@ void write_pixel(const State& state, std::span<float> pixel, const std::vector<d
 void shade_rows(const Job& job, int first_row, int row_step) {
     Interpreter fragment = make_interpreter(*job.draw, Stage::Fragment, job.precision);
     Canvas& canvas = *job.canvas;
-    int width = canvas.color.width, height = canvas.color.height;
     QuadInputs inputs;
     for (std::size_t i = 0; i < job.triangles.size(); i++) {
         const ScreenTriangle& triangle = job.triangles[i];
         if (first_row == 0 && i % 64 == 0 && job.draw->progress)
             job.draw->progress(double(i) / double(job.triangles.size()));
-        for_each_quad(triangle, width, height, first_row, row_step, [&](const Quad& quad) {
+        for_each_quad(triangle, job.width, job.height, first_row, row_step, [&](const Quad& quad) {
             // The stage never writes depth, so testing before it gives the same picture as testing after it.
             std::array<bool, 4> visible{};
             for (int lane = 0; lane < 4; lane++) {
-                if (!quad.covered[lane]) continue;
-                std::size_t at = std::size_t(quad.y + lane / 2) * width + quad.x + lane % 2;
-                visible[lane] = job.state.depth_test(float(quad.depth[lane]), canvas.depth[at]);
+                int x = quad.x + lane % 2, y = quad.y + lane / 2;
+                if (!quad.covered[lane] || !canvas.window.holds(x, y)) continue;
+                visible[lane] = job.state.depth_test(float(quad.depth[lane]), canvas.depth_at(x, y));
             }
             if (!visible[0] && !visible[1] && !visible[2] && !visible[3]) return;
 
             gather_inputs(job, triangle, quad, inputs);
             QuadOutputs outputs = fragment.run(inputs);
             for (int lane = 0; lane < 4; lane++) {
-                if (!visible[lane] || outputs.discarded[lane]) continue;
+                if (!visible[lane]) continue;
+                if (job.on_fragment) {
+                    job.on_fragment({.triangle = &triangle,
+                                     .index = job.sources_of[i],
+                                     .quad = quad,
+                                     .lane = lane,
+                                     .is_discarded = outputs.discarded[lane]});
+                }
+                if (outputs.discarded[lane]) continue;
                 int x = quad.x + lane % 2, y = quad.y + lane / 2;
-                write_pixel(job.state, canvas.color.at(x, y), outputs.lanes[lane]);
-                if (job.state.depth_write) canvas.depth[std::size_t(y) * width + x] = float(quad.depth[lane]);
+                write_pixel(job.state, canvas.color_at(x, y), outputs.lanes[lane]);
+                if (job.state.depth_write) canvas.depth_at(x, y) = float(quad.depth[lane]);
             }
         });
     }
 }
 
-}  // namespace
+Canvas make_canvas(const Scene& scene, const Window& window) {
+    const glm::vec4& back = scene.background;
+    return {.window = window,
+            .color = make_image(window.width, window.height, back.r, back.g, back.b, back.a),
+            .depth = std::vector<float>(std::size_t(window.width) * window.height, 1.0f)};
+}
 
-Outcome<Image> cpu_draw(const Draw& draw, Precision precision) {
+// Everything up to the fragment stage; the canvas is the caller's.
+Outcome<Job> make_job(const Draw& draw, Precision precision) {
     Outcome<const Pass*> pass = drawable_pass(draw);
     if (!pass) return Failure{pass.error};
     if (!draw.program) return Failure{"the material was compiled without its program"};
@@ -255,30 +291,123 @@ Outcome<Image> cpu_draw(const Draw& draw, Precision precision) {
     Outcome<std::vector<ClipVertex>> vertices = run_vertices(vertex, scene.mesh);
     if (!vertices) return Failure{vertices.error};
 
-    int width = scene.width * scene.samples, height = scene.height * scene.samples;
-    const glm::vec4& back = scene.background;
-    Canvas canvas{.color = make_image(width, height, back.r, back.g, back.b, back.a),
-                  .depth = std::vector<float>(std::size_t(width) * height, 1.0f)};
     Job job{.draw = &draw,
             .state = state.value,
             .precision = precision,
             .sources = std::move(sources.value),
-            .canvas = &canvas};
+            .width = scene.width * scene.samples,
+            .height = scene.height * scene.samples};
     const std::vector<std::uint32_t>& indices = scene.mesh.indices;
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
         auto corner = [&](std::size_t k) -> const ClipVertex& { return vertices.value[indices[i + k]]; };
-        for (ScreenTriangle& t : clip_to_screen(corner(0), corner(1), corner(2), width, height))
-            if (t.is_front ? job.state.draws_front : job.state.draws_back) job.triangles.push_back(std::move(t));
+        for (ScreenTriangle& t : clip_to_screen(corner(0), corner(1), corner(2), job.width, job.height)) {
+            if (!(t.is_front ? job.state.draws_front : job.state.draws_back)) continue;
+            job.triangles.push_back(std::move(t));
+            job.sources_of.push_back(i / 3);
+        }
     }
+    return job;
+}
+
+// --- one pixel, watched
+
+// The fragment that each sample of a pixel shows; where all were discarded, the nearest of those.
+struct Sample {
+    std::optional<Fragment> drawn, discarded;
+
+    void add(const Fragment& fragment) {
+        if (!fragment.is_discarded) {
+            drawn = fragment;
+        } else if (!discarded || fragment.quad.depth[fragment.lane] < discarded->quad.depth[discarded->lane]) {
+            discarded = fragment;
+        }
+    }
+};
+
+// Of the samples that `has`, the one nearest to the middle of the pixel; -1: none has.
+template <class Predicate>
+int most_central(int samples, Predicate has) {
+    int best = -1;
+    double least = 0;
+    for (int i = 0; i < samples * samples; i++) {
+        double x = i % samples + 0.5 - samples * 0.5, y = i / samples + 0.5 - samples * 0.5;
+        if (!has(i) || (best >= 0 && x * x + y * y >= least)) continue;
+        best = i;
+        least = x * x + y * y;
+    }
+    return best;
+}
+
+// The vertex stage of one vertex of the mesh.
+std::vector<TracedValue> trace_vertex(Interpreter& stage, const Vertex& vertex) {
+    QuadInputs quad;
+    for (std::vector<double>& lane : quad.lanes) {
+        for (const StageValue& input : stage.inputs())
+            append_attribute(vertex, *vertex_source(input.name), input.components, lane);
+    }
+    return stage.trace(quad, 0);
+}
+
+}  // namespace
+
+Outcome<Image> cpu_draw(const Draw& draw, Precision precision) {
+    Outcome<Job> job = make_job(draw, precision);
+    if (!job) return Failure{job.error};
+    Canvas canvas = make_canvas(*draw.scene, {.width = job.value.width, .height = job.value.height});
+    job.value.canvas = &canvas;
 
     // Rows of quads are dealt out in turn. No two threads touch one pixel, so the picture does not depend on their
     // number.
     int threads = int(std::clamp(std::thread::hardware_concurrency(), 1u, 8u));
     std::vector<std::thread> others;
-    for (int i = 1; i < threads; i++) others.emplace_back([&, i] { shade_rows(job, i, threads); });
-    shade_rows(job, 0, threads);
+    for (int i = 1; i < threads; i++) others.emplace_back([&, i] { shade_rows(job.value, i, threads); });
+    shade_rows(job.value, 0, threads);
     for (std::thread& other : others) other.join();
-    return box_filtered(canvas.color, scene.samples);
+    return box_filtered(canvas.color, draw.scene->samples);
+}
+
+Outcome<PixelTrace> cpu_trace(const Draw& draw, int x, int y, Precision precision) {
+    Outcome<Job> made = make_job(draw, precision);
+    if (!made) return Failure{made.error};
+    Job& job = made.value;
+    const Scene& scene = *draw.scene;
+    int samples = scene.samples;
+    Canvas canvas = make_canvas(scene, {.x = x * samples, .y = y * samples, .width = samples, .height = samples});
+    const Window& window = canvas.window;
+    std::vector<Sample> shown(std::size_t(samples) * samples);
+    job.canvas = &canvas;
+    job.on_fragment = [&](const Fragment& fragment) {
+        int column = fragment.quad.x + fragment.lane % 2 - window.x,
+            row = fragment.quad.y + fragment.lane / 2 - window.y;
+        shown[std::size_t(row) * samples + column].add(fragment);
+    };
+    for (int row = window.y / 2; row <= (window.y + samples - 1) / 2; row++) shade_rows(job, row, job.height);
+
+    PixelTrace trace;
+    auto copy_color = [](std::span<const float> from, std::array<float, 4>& to) {
+        std::copy_n(from.begin(), to.size(), to.begin());
+    };
+    copy_color(box_filtered(canvas.color, samples).at(0, 0), trace.color);
+    int sample = most_central(samples, [&](int i) { return shown[i].drawn.has_value(); });
+    if (sample < 0) sample = most_central(samples, [&](int i) { return shown[i].discarded.has_value(); });
+    if (sample < 0) return trace;
+    trace.is_covered = true;
+    trace.is_discarded = !shown[sample].drawn;
+    trace.sample_x = sample % samples;
+    trace.sample_y = sample / samples;
+    copy_color(canvas.color.at(trace.sample_x, trace.sample_y), trace.sample_color);
+
+    const Fragment& fragment = trace.is_discarded ? *shown[sample].discarded : *shown[sample].drawn;
+    Interpreter stage = make_interpreter(draw, Stage::Fragment, precision);
+    QuadInputs inputs;
+    gather_inputs(job, *fragment.triangle, fragment.quad, inputs);
+    trace.values = stage.trace(inputs, unsigned(fragment.lane));
+    Interpreter vertices = make_interpreter(draw, Stage::Vertex, precision);
+    for (std::size_t corner = 0; corner < 3; corner++) {
+        std::uint32_t index = scene.mesh.indices[3 * fragment.index + corner];
+        trace.corners[corner] = trace_vertex(vertices, scene.mesh.vertices[index]);
+    }
+    return trace;
 }
 
 }  // namespace patina::runtime

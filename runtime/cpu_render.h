@@ -12,4 +12,19 @@ namespace patina::runtime {
 
 Outcome<Image> cpu_draw(const Draw& draw, Precision precision = Precision::Float);
 
+// What one pixel of that picture is made of.
+struct PixelTrace {
+    bool is_covered = false;    // by the mesh; if not, there is nothing but the background's colour
+    bool is_discarded = false;  // every fragment was, such as in the holes of a cutout; `values` are of the nearest
+    // Of the pixel's samples the one that is traced: nearest to the middle of those that show the material.
+    int sample_x = 0, sample_y = 0;                     // 0 to samples - 1, right and down
+    std::vector<TracedValue> values{};                  // of the fragment stage
+    std::array<std::vector<TracedValue>, 3> corners{};  // of the vertex stage, at the triangle's corners
+    std::array<float, 4> sample_color{};                // what the sample shows, linear
+    std::array<float, 4> color{};                       // what the pixel shows: all its samples, averaged
+};
+
+// The pixel at `x`, `y` from the top left, inside the picture. It runs that pixel and no other.
+Outcome<PixelTrace> cpu_trace(const Draw& draw, int x, int y, Precision precision = Precision::Float);
+
 }  // namespace patina::runtime

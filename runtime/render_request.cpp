@@ -4,7 +4,6 @@
 #include <filesystem>
 
 #include "patina/validate.h"
-#include "runtime/cpu_render.h"
 #include "runtime/scene_text.h"
 
 namespace patina::runtime {
@@ -115,6 +114,64 @@ std::string open_machine(const RenderRequest& request, RenderMachine& machine) {
     return "";
 }
 
+// A draw and everything that it points to.
+struct Prepared {
+    Scene scene;
+    Result compiled;
+    LoadedTextures loaded;
+    std::vector<BlockBytes> blocks;
+    Draw draw;
+};
+
+// Compiles the graph and resolves what the request says about it. False: `outcome` says why not.
+bool prepare(const Compiler& compiler, const RenderRequest& request, Prepared& made, RenderOutcome& outcome) {
+    const auto refuse = [&](std::string error) {
+        outcome.error = std::move(error);
+        return false;
+    };
+    Outcome<Scene> scene = read_scene(request);
+    if (!scene) return refuse(scene.error);
+    made.scene = std::move(scene.value);
+
+    bool on_cpu = request.via == "cpu";
+    made.compiled =
+        compiler.compile_file(request.graph, {.targets = {request.via == "hlsl" ? Target::Hlsl : Target::Glsl},
+                                              .passes = {},
+                                              .include_dirs = request.include_dirs,
+                                              .loader = {},
+                                              .preview = request.preview,
+                                              .dump = {},
+                                              .keep_programs = on_cpu});
+    outcome.diagnostics = made.compiled.diagnostics;
+    if (!made.compiled.ok) return false;
+
+    const Reflection& reflection = made.compiled.reflection;
+    Outcome<MaterialValues> values = material_values(reflection, request.overrides);
+    if (!values) return refuse(values.error);
+    for (const std::string& warning : values.value.warnings)
+        outcome.diagnostics.push_back(complaint(request, Severity::Warning, "soft-range", warning));
+    const std::string graph_folder = std::filesystem::path(request.graph).parent_path().string();
+    made.loaded = load_textures(reflection, graph_folder, values.value.textures, request.exact_textures);
+    for (const std::string& error : made.loaded.errors)
+        outcome.diagnostics.push_back(complaint(request, Severity::Error, "bad-texture", error));
+    if (!made.loaded.errors.empty()) return false;
+    add_engine_textures(made.loaded.textures, reflection, made.scene);
+    made.blocks = fill_blocks(reflection, values.value, made.scene);
+
+    made.draw = {.reflection = &reflection,
+                 .pass = choose_pass(reflection, request.pass),
+                 .scene = &made.scene,
+                 .blocks = made.blocks,
+                 .textures = made.loaded.textures,
+                 .program = made.compiled.program.get(),
+                 .progress = request.progress};
+    if (!on_cpu) return true;
+    if (std::string names = anisotropic_textures(reflection, made.draw.pass); !names.empty())
+        outcome.diagnostics.push_back(complaint(request, Severity::Warning, "no-anisotropy",
+                                                "the CPU reference samples without anisotropy: " + names));
+    return true;
+}
+
 RenderOutcome draw_on_gpu(const RenderRequest& request, const Result& compiled, Draw draw, RenderMachine& machine,
                           RenderOutcome outcome) {
     Target target = request.via == "hlsl" ? Target::Hlsl : Target::Glsl;
@@ -153,49 +210,30 @@ RenderOutcome render(const Compiler& compiler, const RenderRequest& request, Ren
     RenderOutcome outcome;
     if (request.via != "glsl" && request.via != "hlsl" && request.via != "cpu")
         return failed({}, "there is no way to render via '" + request.via + "'; there are: glsl, hlsl, cpu");
-    Outcome<Scene> scene = read_scene(request);
-    if (!scene) return failed({}, scene.error);
-
-    bool on_cpu = request.via == "cpu";
-    Result compiled =
-        compiler.compile_file(request.graph, {.targets = {request.via == "hlsl" ? Target::Hlsl : Target::Glsl},
-                                              .passes = {},
-                                              .include_dirs = request.include_dirs,
-                                              .loader = {},
-                                              .preview = request.preview,
-                                              .dump = {},
-                                              .keep_programs = on_cpu});
-    outcome.diagnostics = compiled.diagnostics;
-    if (!compiled.ok) return outcome;
-
-    const Reflection& reflection = compiled.reflection;
-    Outcome<MaterialValues> values = material_values(reflection, request.overrides);
-    if (!values) return failed(std::move(outcome), values.error);
-    for (const std::string& warning : values.value.warnings)
-        outcome.diagnostics.push_back(complaint(request, Severity::Warning, "soft-range", warning));
-    const std::string graph_folder = std::filesystem::path(request.graph).parent_path().string();
-    LoadedTextures loaded = load_textures(reflection, graph_folder, values.value.textures, request.exact_textures);
-    for (const std::string& error : loaded.errors)
-        outcome.diagnostics.push_back(complaint(request, Severity::Error, "bad-texture", error));
-    if (!loaded.errors.empty()) return outcome;
-    add_engine_textures(loaded.textures, reflection, scene.value);
-    std::vector<BlockBytes> blocks = fill_blocks(reflection, values.value, scene.value);
-
-    Draw draw{.reflection = &reflection,
-              .pass = choose_pass(reflection, request.pass),
-              .scene = &scene.value,
-              .blocks = blocks,
-              .textures = loaded.textures,
-              .program = compiled.program.get(),
-              .progress = request.progress};
-    if (!on_cpu) return draw_on_gpu(request, compiled, draw, machine, std::move(outcome));
-    if (std::string names = anisotropic_textures(reflection, draw.pass); !names.empty())
-        outcome.diagnostics.push_back(complaint(request, Severity::Warning, "no-anisotropy",
-                                                "the CPU reference samples without anisotropy: " + names));
-    Outcome<Image> image = cpu_draw(draw);
+    Prepared prepared;
+    if (!prepare(compiler, request, prepared, outcome)) return outcome;
+    if (request.via != "cpu") {
+        return draw_on_gpu(request, prepared.compiled, prepared.draw, machine, std::move(outcome));
+    }
+    Outcome<Image> image = cpu_draw(prepared.draw);
     if (!image) return failed(std::move(outcome), image.error);
     outcome.image = std::move(image.value);
     outcome.ok = true;
+    return outcome;
+}
+
+TraceOutcome trace(const Compiler& compiler, RenderRequest request, int x, int y, Precision precision) {
+    request.via = "cpu";
+    RenderOutcome drawn;
+    Prepared prepared;
+    const bool is_prepared = prepare(compiler, request, prepared, drawn);
+    TraceOutcome outcome{.diagnostics = std::move(drawn.diagnostics), .error = std::move(drawn.error)};
+    if (!is_prepared) return outcome;
+    Outcome<PixelTrace> traced = cpu_trace(prepared.draw, x, y, precision);
+    outcome.error = traced.error;
+    outcome.trace = std::move(traced.value);
+    outcome.pass = prepared.draw.pass;
+    outcome.ok = outcome.error.empty();
     return outcome;
 }
 

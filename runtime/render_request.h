@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "patina/patina.h"
+#include "runtime/cpu_render.h"
 #include "runtime/image.h"
 #include "runtime/renderer.h"
 
@@ -53,5 +54,17 @@ struct RenderMachine {
 };
 
 RenderOutcome render(const Compiler& compiler, const RenderRequest& request, RenderMachine& machine);
+
+struct TraceOutcome {
+    bool ok = false;
+    PixelTrace trace{};
+    std::string pass{};  // the one that was run
+    std::vector<Diagnostic> diagnostics{};
+    std::string error{};  // as a RenderOutcome's
+};
+
+// What the pixel at `x`, `y` (inside the picture, from the top left) of that picture is made of, from the CPU
+// reference.
+TraceOutcome trace(const Compiler& compiler, RenderRequest request, int x, int y, Precision precision);
 
 }  // namespace patina::runtime

@@ -10,7 +10,13 @@ struct ProgramStage {
     Stage stage;
     ir::Module module;
 };
+// Where a probe of a stage stands in the graphs.
+struct ProgramPlace {
+    std::string file;
+    int line = 0, column = 0;
+};
 struct Program {
     std::vector<ProgramStage> stages;
+    std::map<std::uint32_t, ProgramPlace> places{};  // by where the probe's span begins
 };
 }  // namespace patina

@@ -1,7 +1,5 @@
 // patina eval: what one node, one lighting term or one lighting model computes, by the CPU reference.
 #include <fmt/format.h>
-#include <rapidjson/stringbuffer.h>
-#include <rapidjson/writer.h>
 
 #include <charconv>
 #include <cmath>
@@ -10,6 +8,7 @@
 #include <optional>
 
 #include "compiler/cli/commands.h"
+#include "compiler/cli/json_numbers.h"
 #include "compiler/cli/terms.h"
 #include "runtime/model.h"
 
@@ -34,31 +33,13 @@ std::string as_text(const EvalOutput& output, bool all_digits) {
     return text;
 }
 
-using Writer = rapidjson::Writer<rapidjson::StringBuffer>;
-
-// JSON has no infinities; they are written as strings, which Python's float() and JavaScript's Number() read.
-void write_number(Writer& writer, double value) {
-    if (std::isfinite(value)) {
-        const std::string digits = fmt::format("{}", value);
-        writer.RawValue(digits.data(), digits.size(), rapidjson::kNumberType);
-    } else {
-        writer.String(std::isnan(value) ? "NaN" : value > 0 ? "Infinity" : "-Infinity");
-    }
-}
-
 std::string as_json(const std::vector<EvalOutput>& outputs) {
     rapidjson::StringBuffer buffer;
-    Writer writer(buffer);
+    JsonWriter writer(buffer);
     writer.StartObject();
     for (const EvalOutput& output : outputs) {
         writer.Key(output.name.c_str());
-        if (output.values.size() == 1) {
-            write_number(writer, output.values.front());
-            continue;
-        }
-        writer.StartArray();
-        for (double value : output.values) write_number(writer, value);
-        writer.EndArray();
+        write_numbers(writer, output.values);
     }
     writer.EndObject();
     return std::string(buffer.GetString()) + "\n";

@@ -18,7 +18,7 @@ int become_renderer(char** argv) {
     const std::string renderer = (self.parent_path() / "patina-render").string();
     execv(renderer.c_str(), argv);
     complain(open_console(), "missing-program",
-             "cannot start '" + renderer + "', which 'patina render' and 'patina snapshot' need");
+             "cannot start '" + renderer + "', which 'patina " + argv[1] + "' needs");
     return static_cast<int>(Exit::Machine);
 }
 
@@ -26,12 +26,13 @@ int become_renderer(char** argv) {
 
 int main(int argc, char** argv) {
     const std::string_view first = argc > 1 ? argv[1] : "";
-    if (first == "render" || first == "snapshot") return become_renderer(argv);
+    if (first == "render" || first == "snapshot" || first == "trace") return become_renderer(argv);
 
     Program program(kSummary);
     add_compile(program);
     add_check(program);
     program.app.add_subcommand("render", kRenderSummary);
+    program.app.add_subcommand("trace", kTraceSummary);
     program.app.add_subcommand("snapshot", kSnapshotSummary);
     add_new(program);
     add_fmt(program);

@@ -4,8 +4,7 @@
 
 #include "compiler/cli/commands.h"
 #include "compiler/cli/files.h"
-#include "runtime/mesh.h"
-#include "runtime/render_request.h"
+#include "compiler/cli/picture_options.h"
 
 namespace patina::cli {
 namespace {
@@ -50,46 +49,9 @@ Exit render_graph(const Console& console, const Arguments& arguments, const Comp
     return Exit::Ok;
 }
 
-// Empty, or what is wrong with the word.
-std::string is_time(const std::string& word) {
-    double seconds = 0;
-    if (!CLI::detail::lexical_cast(word, seconds)) return {};  // that it is no number is said already
-    return runtime::is_time(seconds) ? "" : "'" + word + "' is not a number of seconds that a shader can hold";
-}
-
-void add_scene_options(CLI::App& command, runtime::RenderRequest& request) {
-    std::vector<std::string> meshes;
-    for (std::string_view name : runtime::mesh_names()) meshes.emplace_back(name);
-    std::string list;
-    for (const std::string& mesh : meshes) list += (list.empty() ? "" : "|") + mesh;
-    command.add_option("--mesh", request.mesh, "What to look at (sphere)")
-        ->type_name(list)
-        ->check(one_of("a mesh", std::move(meshes)));
-    command.add_option("--size", request.size, "Width and height in pixels (512)")
-        ->type_name("N")
-        ->check(CLI::Range(1, 8192));
-    command.add_option("--samples", request.samples, "Along each axis of a pixel (4: 16 in all)")
-        ->type_name("N")
-        ->check(CLI::Range(1, 16));
-    command.add_option("--time", request.time, "Seconds (0)")->type_name("T")->check(is_time);
-    command
-        .add_option("--light", request.lights, "Replaces the lights, e.g. 'point position=1,2,0 color=#f80'; or none")
-        ->type_name("LIGHT")
-        ->allow_extra_args(false);
-    command.add_option("--ambient", request.ambient, "A colour, or 'sky=#9ab horizon=0.2 ground=0.05'")
-        ->type_name("LIGHT");
-    command.add_option("--camera", request.camera, "'position=2,1,3 target=0,0,0 fov=35'")->type_name("CAMERA");
-}
-
 // Everything that can be known to be wrong before the first graph is read.
 void complete(Arguments& arguments) {
-    for (const std::string& text : arguments.set) {
-        const std::size_t equals = text.find('=');
-        if (equals == text.npos || equals == 0) {
-            throw CLI::ValidationError("--set", "'" + text + "' is not of the form NAME=VALUE");
-        }
-        arguments.request.overrides[text.substr(0, equals)] = text.substr(equals + 1);
-    }
+    take_overrides(arguments.set, arguments.request);
     const std::string ending = std::filesystem::path(arguments.output).extension().string();
     if (!ending.empty() && !is_picture(arguments.output) && !std::filesystem::is_directory(arguments.output)) {
         throw CLI::ValidationError("--output",
@@ -119,16 +81,12 @@ void add_render(Program& program) {
         .add_option("--node", request.preview,
                     "Show this port, unlit: mask, rust.amount, or layers/mask in a sub-graph")
         ->type_name("PORT");
-    command.add_option("--set", arguments->set, "Give a property a value: _Roughness=0.2, _MainTex=rust.png")
-        ->type_name("NAME=VALUE")
-        ->allow_extra_args(false);
-    add_scene_options(command, request);
+    add_picture_options(command, arguments->set, request);
     command.add_option("--via", request.via, "Which shaders to run (glsl)")
         ->type_name("glsl|hlsl|cpu")
         ->check(one_of("a way to render", {"glsl", "hlsl", "cpu"}));
     command.add_option("--device", request.device, "Part of a GPU's name (the software renderer)")->type_name("NAME");
     command.add_flag("--vulkan-validation", request.validation, "Turn on the Khronos validation layer");
-    add_include_option(command, request.include_dirs);
     command.parse_complete_callback([arguments] { complete(*arguments); });
 
     set_work(program, command, [arguments](const Console& console) {

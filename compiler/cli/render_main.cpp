@@ -6,5 +6,6 @@ int main(int argc, char** argv) {
     Program program(kSummary);
     add_render(program);
     add_snapshot(program);
+    add_trace(program);
     return run(program, argc, argv);
 }

@@ -38,6 +38,33 @@ std::string_view GraphScope::what_graph() const {
     return {};
 }
 
+std::string_view GraphScope::outermost_kind() const {
+    if (outer_) return outer_->outermost_kind();
+    switch (graph_.graph->kind) {
+        case GraphKind::Material:
+        case GraphKind::Subgraph: return "material";
+        case GraphKind::Lighting: return "lighting";
+        case GraphKind::Workflow: return "workflow";
+    }
+    return {};
+}
+
+void GraphScope::watch(ir::Probe::Kind kind, std::string id, std::string_view port, const Typed& value, Span span) {
+    if (lowering_.emitter.options().fold || !value.ok()) return;
+    ir::Probe probe{
+        .kind = kind, .graph = outermost_kind(), .id = std::move(id), .ports = {}, .value = value.value, .span = span};
+    if (value.outputs) {
+        probe.ports = value.outputs->names;
+    } else if (value.type.kind == ir::Kind::Struct) {
+        for (const ir::Member& member : lowering_.out.module.structs[value.type.ref].members) {
+            probe.ports.push_back(member.name);
+        }
+    } else {
+        probe.ports.emplace_back(port.empty() ? "out" : port);
+    }
+    scope_.builder->function().probes.push_back(std::move(probe));
+}
+
 bool GraphScope::uses_half(const Node& node) const {
     if (node.precision != Precision::Inherit) return node.precision == Precision::Half;
     return graph_.graph->precision == Precision::Half;
@@ -76,6 +103,7 @@ void GraphScope::emit_node(std::uint32_t index) {
     if (!resolved.ok) return;
     if (node.vertex_stage && !scope_.in_vertex_stage) {
         values_[index] = interpolated(index);
+        watch(ir::Probe::Kind::Node, id_path(node.id), {}, values_[index], node.span);
         return;
     }
     ir::Module& module = lowering_.out.module;
@@ -107,6 +135,7 @@ void GraphScope::emit_node(std::uint32_t index) {
     }
     if (value.ok() && !resolved.subgraph) b.name(value.value, module.intern(node.id));
     values_[index] = value;
+    watch(ir::Probe::Kind::Node, path, {}, value, node.span);
     lowering_.session.diagnostics.set_context({}, {});
     b.set_origin(outer_origin);
 }

@@ -42,6 +42,8 @@ public:
         property_scope_ = &scope;
     }
     bool needs_quad() const { return needs_quad_; }
+    // Lets a trace show the value; where values are folded there is none. `port`: empty for all that the value has.
+    void watch(ir::Probe::Kind kind, std::string id, std::string_view port, const Typed& value, Span span);
 
     // --- emitting
     // Emits the marked nodes in order.
@@ -79,6 +81,7 @@ private:
     bool uses_half(const Node& node) const;
     std::string id_path(std::string_view id) const;
     std::string_view what_graph() const;
+    std::string_view outermost_kind() const;
 
     Lowering& lowering_;
     const CheckedGraph& graph_;

@@ -201,6 +201,12 @@ std::vector<bool> pixel_nodes(const CheckedGraph& graph) {
     return pixel;
 }
 
+// Where a surface input gets its value.
+Span span_of(std::span<const PortValue> ports, const Input& input) {
+    const auto port = std::find_if(ports.begin(), ports.end(), [&](const auto& p) { return p.name == input.name; });
+    return port == ports.end() ? input.name_span : port->name_span;
+}
+
 // surface(): everything that the workflow and the lighting model ask of the graph, in one struct.
 ir::FunctionId lower_surface(Lowering& lowering, std::vector<const Input*>& members) {
     ir::Module& module = lowering.out.module;
@@ -220,6 +226,7 @@ ir::FunctionId lower_surface(Lowering& lowering, std::vector<const Input*>& memb
         const Type type = input_type(lowering, *input);
         const Typed value = surface_value(lowering, scope, inputs, *input, type);
         good = good && value.ok();
+        scope.watch(ir::Probe::Kind::Output, "surface", input->name, value, span_of(graph.graph->surface, *input));
         made.members.push_back({input->name, type});
         values.push_back(value.value);
         members.push_back(input);
@@ -271,6 +278,8 @@ ir::FunctionId lower_setup(Lowering& lowering, const FunctionDecl& slot, ir::Fun
         }
         if (!value.ok()) return {};
         builder.name(value.value, module.intern(member.name));
+        scope.watch(ir::Probe::Kind::Output, "surface", member.name, value,
+                    port == workflow.graph->surface.end() ? workflow.graph->span : port->name_span);
         values.push_back(value.value);
     }
     function.result = type;
@@ -321,7 +330,11 @@ ir::FunctionId lower_lighting(Lowering& lowering, const FunctionDecl& slot, cons
         function.params.push_back({std::string(param.name), type, is_light ? ir::Rate::Light : ir::Rate::Pixel});
         const Typed value{.value = builder.param(static_cast<std::uint32_t>(function.params.size() - 1)), .type = type};
         scope.give(param.name, value);
-        if (function.params.size() == 1) scope.shadow_by(value);
+        if (function.params.size() == 1) {
+            scope.shadow_by(value);
+        } else {
+            scope.watch(ir::Probe::Kind::Given, fmt::format("@{}", param.name), {}, value, output.name_span);
+        }
     }
     scope.emit_nodes(lighting.reachable(std::span(&output, 1)));
     lowering.session.diagnostics.set_context(lowering.material.lighting_name, output.name);
@@ -331,6 +344,10 @@ ir::FunctionId lower_lighting(Lowering& lowering, const FunctionDecl& slot, cons
     const Typed value = scope.value_as(output, function.result, fmt::format("the output '{}'", output.name));
     lowering.session.diagnostics.set_context({}, {});
     if (!value.ok()) return {};
+    scope.watch(ir::Probe::Kind::Output, output.name, {}, value, output.name_span);
+    std::erase_if(function.probes, [&](const ir::Probe& probe) {
+        return probe.kind == ir::Probe::Kind::Given && std::ranges::count(function.operands, probe.value) == 0;
+    });
     builder.ret(value.value);
     needs_quad = scope.needs_quad();
     if (per_light && needs_quad) refuse_derivatives_per_light(lowering, function);
@@ -392,6 +409,7 @@ void lower_vertex_outputs(Lowering& lowering) {
                                      scope.scope(), port.value_span, fmt::format("the vertex output '{}'", port.name));
         lowering.session.diagnostics.set_context({}, {});
         if (!value.ok()) continue;
+        scope.watch(ir::Probe::Kind::Output, "vertex", port.name, value, port.name_span);
         builder.ret(value.value);
         lowering.out.semantics[semantic->second].override = add_function(module, std::move(function));
     }

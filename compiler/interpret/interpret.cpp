@@ -47,6 +47,18 @@ void run_branch(Machine& machine, const Branch& branch, Mask active) {
     }
 }
 
+int light_of(const Machine& machine, const double* index) {
+    return static_cast<int>(index[machine.watcher ? machine.watcher->lane : 0]);
+}
+
+void watch(Machine& machine, std::uint32_t which, Mask active) {
+    Watcher* watcher = machine.watcher;
+    if (!watcher || (active >> watcher->lane & 1) == 0) return;
+    const Watched& watched = machine.watched[which];
+    Sighting& seen = watcher->sightings.emplace_back(Sighting{.watched = which, .light = machine.light});
+    for (Slot i = 0; i < watched.count; ++i) seen.values.push_back(machine.at(watched.slot + i)[watcher->lane]);
+}
+
 // Each lane has its own bounds; the block runs until all are done, and a lane that is done keeps what it carried.
 void run_loop(Machine& machine, const Loop& loop, Mask active) {
     move(machine, loop.initial, kAllLanes);
@@ -55,6 +67,7 @@ void run_loop(Machine& machine, const Loop& loop, Mask active) {
         double* index = machine.at(loop.index);
         const double* end = machine.at(loop.end);
         const Mask running = active & lanes_where([&](unsigned lane) { return index[lane] < end[lane]; });
+        if (loop.is_over_lights) machine.light = running == 0 ? -1 : light_of(machine, index);
         if (running == 0) return;
         run_block(machine, loop.block, running);
         move(machine, loop.next, running);
@@ -88,6 +101,7 @@ void run_step(Machine& machine, const Step& step, Mask active) {
             machine.discarded |= active & lanes_where([&](unsigned lane) { return condition[lane] != 0; });
             return;
         }
+        case Step::Kind::Watch: watch(machine, step.data, active); return;
     }
 }
 

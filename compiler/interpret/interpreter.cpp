@@ -5,6 +5,7 @@
 
 #include "compiler/assemble/program.h"
 #include "compiler/interpret/machine.h"
+#include "compiler/interpret/trace.h"
 #include "patina/interpret.h"
 
 namespace patina {
@@ -87,6 +88,7 @@ private:
 }  // namespace
 
 struct Interpreter::Impl {
+    const Program* program = nullptr;
     const ir::Module* module = nullptr;  // null: the program has no such stage
     Machine machine;
     std::vector<StageValue> inputs, outputs;
@@ -98,6 +100,7 @@ Interpreter::Interpreter(const Program& program, std::string_view pass, Stage st
         return candidate.pass == pass && candidate.stage == stage;
     });
     if (found == program.stages.end()) return;
+    impl_->program = &program;
     impl_->module = &found->module;
     impl_->machine = interpret::make_machine(found->module, found->module.stage.entry, precision);
     impl_->inputs = stage_values(found->module.stage.inputs);
@@ -153,6 +156,15 @@ void Interpreter::set_texture(std::string_view name, std::shared_ptr<const Textu
             globals[i].type.kind == ir::Kind::Sampler && globals[i].set == found->set && globals[i].slot == found->slot;
         if (&globals[i] == &*found || is_its_sampler) interpret::set_texture(impl_->machine, ir::GlobalId{i}, texture);
     }
+}
+
+std::vector<TracedValue> Interpreter::trace(const QuadInputs& quad, unsigned lane) {
+    if (!impl_->module) return {};
+    interpret::Watcher watcher{.lane = lane};
+    impl_->machine.watcher = &watcher;
+    run(quad);
+    impl_->machine.watcher = nullptr;
+    return interpret::traced_values(*impl_->program, *impl_->module, impl_->machine, watcher.sightings);
 }
 
 QuadOutputs Interpreter::run(const QuadInputs& quad) {

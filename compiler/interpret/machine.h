@@ -37,7 +37,7 @@ struct Shape {
 };
 
 struct Step {
-    enum class Kind : std::uint8_t { Compute, Copy, Branch, Loop, Call, Discard };
+    enum class Kind : std::uint8_t { Compute, Copy, Branch, Loop, Call, Discard, Watch };
     Kind kind = Kind::Compute;
     bool rounds_to_half = false;
     std::array<Shape, 2> shapes{};  // of the first two operands
@@ -45,7 +45,7 @@ struct Step {
     Slot to = kNowhere;
     std::uint32_t count = 0;  // components of the result
     std::array<Slot, 5> from{};
-    std::uint32_t data = 0;  // Branch, Loop, Call: which; an op's kernel says what else
+    std::uint32_t data = 0;  // Branch, Loop, Call, Watch: which; an op's kernel says what else
 };
 
 struct Move {
@@ -65,6 +65,7 @@ struct Loop {
     Slot end = kNowhere;
     Slot index = kNowhere;
     std::uint32_t block = 0;
+    bool is_over_lights = false;
     std::vector<Move> initial{};
     std::vector<Move> next{};
     // Where a carried value becomes another carried value, all of them go through a place in between.
@@ -77,12 +78,31 @@ struct CallSite {
     Move result{};
 };
 
+// A probe of a function, and where its value lies whenever the function returns.
+struct Watched {
+    std::uint32_t function = 0;
+    std::uint32_t probe = 0;  // into Function::probes
+    Slot slot = kNowhere;
+    std::uint32_t count = 0;  // components
+};
+// What was seen there in one lane.
+struct Sighting {
+    std::uint32_t watched = 0;
+    int light = -1;  // inside a loop over lights: which
+    std::vector<double> values{};
+};
+struct Watcher {
+    unsigned lane = 0;
+    std::vector<Sighting> sightings{};
+};
+
 struct Machine {
     Precision precision = Precision::Float;
     std::vector<std::vector<Step>> blocks{};
     std::vector<Branch> branches{};
     std::vector<Loop> loops{};
     std::vector<CallSite> calls{};
+    std::vector<Watched> watched{};
     std::uint32_t entry = 0;  // a block
     Slot first_argument = 0;
     std::vector<ir::Type> argument_types{};  // scalar or opaque, one per component, end to end
@@ -92,6 +112,8 @@ struct Machine {
     std::vector<double> memory{};
     std::vector<std::shared_ptr<const TextureData>> textures{};  // by Module::globals; null: not bound
     Mask discarded = 0;
+    Watcher* watcher = nullptr;  // null: no one watches
+    int light = -1;
 
     double* at(Slot slot) { return memory.data() + std::size_t{slot} * kLanes; }
     const double* at(Slot slot) const { return memory.data() + std::size_t{slot} * kLanes; }

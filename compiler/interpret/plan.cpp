@@ -88,6 +88,7 @@ private:
     void result(Value value);
     void yield(Value value);
     void give_back(Value value);
+    void watch();
     void discard_if(Value value);
 
     Slot part(Type composite, Slot first, std::uint32_t index) const;
@@ -396,7 +397,11 @@ void Planner::branch(Value value) {
 void Planner::loop(Value value) {
     const Inst& i = inst(value);
     const std::span<const Value> args = function_->args(i);
-    Loop made{.begin = slot(args[0]), .end = slot(args[1]), .index = reserve(1), .block = block_index(i.data)};
+    Loop made{.begin = slot(args[0]),
+              .end = slot(args[1]),
+              .index = reserve(1),
+              .block = block_index(i.data),
+              .is_over_lights = i.is_light_loop};
     const std::span<const Value> initial = args.subspan(2);
     const std::uint32_t count = total_size(initial);
     const Slot carried = reserve(count);
@@ -443,7 +448,21 @@ void Planner::result(Value value) {
 // The If or For moves the operands.
 void Planner::yield(Value) {}
 
+// Every value of the frame is still there.
+void Planner::watch() {
+    const auto function = static_cast<std::uint32_t>(function_ - module_.functions.data());
+    for (std::uint32_t p = 0; p < function_->probes.size(); ++p) {
+        const Value value = function_->probes[p].value;
+        add({.kind = Step::Kind::Watch, .data = static_cast<std::uint32_t>(machine_.watched.size())});
+        machine_.watched.push_back({.function = function,
+                                    .probe = p,
+                                    .slot = slot(value),
+                                    .count = static_cast<std::uint32_t>(size(inst(value).type))});
+    }
+}
+
 void Planner::give_back(Value value) {
+    watch();
     if (inst(value).operand_count > 0) place_->result = operand(value, 0);
 }
 

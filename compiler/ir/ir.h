@@ -65,6 +65,22 @@ struct Param {
     Rate rate = Rate::Pixel;
 };
 
+// A value that has a name in a graph, for whoever watches the function run (interpret/). Rebuilding a function drops
+// them: only the unoptimised stages have any.
+struct Probe {
+    enum class Kind : std::uint8_t {
+        Node,    // of the graph, by its id path
+        Output,  // of the graph itself: "surface", "direct"
+        Given,   // to the graph: "@light"
+    };
+    Kind kind = Kind::Node;
+    std::string_view graph{};          // "material", "workflow", "lighting"
+    std::string id{};                  // "rust/height"
+    std::vector<std::string> ports{};  // "out", or one for each member of a struct
+    Value value{};
+    Span span{};
+};
+
 struct Function {
     std::string name{};
     std::vector<Param> params{};
@@ -75,6 +91,7 @@ struct Function {
     OriginId origin{};
     std::string comment{};       // one line, printed above the function
     bool always_inline = false;  // recipes and pass bodies: they are spelled out where they are called
+    std::vector<Probe> probes{};
 
     const Inst& operator[](Value v) const { return insts[v.index]; }
     std::span<const Value> args(const Inst& inst) const {

@@ -46,6 +46,25 @@ struct StageValue {
     bool is_builtin = false;  // "position" output; "front_facing" (0 or 1) and "frag_coord" inputs
 };
 
+// What one port of a graph was worth while a quad ran.
+struct TracedValue {
+    enum class Kind {
+        Node,    // `node` is an id path: "rust", "rust/height" in the sub-graph of the node "rust"
+        Output,  // of the graph itself: "surface" and the input's name, "direct", "indirect", "final", "vertex"
+        Given,   // to the graph: "@light", "@sum"
+    };
+    Kind kind = Kind::Node;
+    std::string graph;  // "material", "workflow" or "lighting"
+    std::string node;
+    std::string port;            // "out", or the output's name
+    std::string type;            // "float3"
+    std::vector<double> values;  // components; matrices row by row; bool 0 or 1
+    int light = -1;              // which light, where the value is another for each
+    std::string file;            // the place in the graph's text
+    int line = 0, column = 0;    // from 1
+};
+std::string_view to_string(TracedValue::Kind kind);  // "node", "output", "given"
+
 class Interpreter {
 public:
     Interpreter(const Program& program, std::string_view pass, Stage stage, Precision precision);
@@ -62,6 +81,10 @@ public:
     void set_texture(std::string_view name, std::shared_ptr<const TextureData> texture);
 
     QuadOutputs run(const QuadInputs& quad);
+    // Runs the quad and tells what every node was worth in one lane (0 to 3): graph after graph in the order in which
+    // they run, nodes after those that they read, and what changes with the light after what does not. What nothing
+    // asked for in this stage is not there.
+    std::vector<TracedValue> trace(const QuadInputs& quad, unsigned lane);
 
 private:
     struct Impl;

@@ -1,0 +1,37 @@
+// Numbers as JSON, with all their digits.
+//
+//   rapidjson::StringBuffer buffer;
+//   JsonWriter writer(buffer);
+//   write_numbers(writer, output.values);
+#pragma once
+
+#include <fmt/format.h>
+#include <rapidjson/stringbuffer.h>
+#include <rapidjson/writer.h>
+
+#include <cmath>
+#include <span>
+
+namespace patina::cli {
+
+using JsonWriter = rapidjson::Writer<rapidjson::StringBuffer>;
+
+// JSON has no infinities; they are written as strings, which Python's float() and JavaScript's Number() read.
+inline void write_number(JsonWriter& writer, double value) {
+    if (std::isfinite(value)) {
+        const std::string digits = fmt::format("{}", value);
+        writer.RawValue(digits.data(), digits.size(), rapidjson::kNumberType);
+    } else {
+        writer.String(std::isnan(value) ? "NaN" : value > 0 ? "Infinity" : "-Infinity");
+    }
+}
+
+// One number as itself, several as a list.
+inline void write_numbers(JsonWriter& writer, std::span<const double> values) {
+    if (values.size() == 1) return write_number(writer, values.front());
+    writer.StartArray();
+    for (double value : values) write_number(writer, value);
+    writer.EndArray();
+}
+
+}  // namespace patina::cli

@@ -1,0 +1,59 @@
+#include "compiler/cli/picture_options.h"
+
+#include "runtime/mesh.h"
+
+namespace patina::cli {
+namespace {
+
+// Empty, or what is wrong with the word.
+std::string is_time(const std::string& word) {
+    double seconds = 0;
+    if (!CLI::detail::lexical_cast(word, seconds)) return {};  // that it is no number is said already
+    return runtime::is_time(seconds) ? "" : "'" + word + "' is not a number of seconds that a shader can hold";
+}
+
+void add_scene_options(CLI::App& command, runtime::RenderRequest& request) {
+    std::vector<std::string> meshes;
+    for (std::string_view name : runtime::mesh_names()) meshes.emplace_back(name);
+    std::string list;
+    for (const std::string& mesh : meshes) list += (list.empty() ? "" : "|") + mesh;
+    command.add_option("--mesh", request.mesh, "What to look at (sphere)")
+        ->type_name(list)
+        ->check(one_of("a mesh", std::move(meshes)));
+    command.add_option("--size", request.size, "Width and height in pixels (512)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 8192));
+    command.add_option("--samples", request.samples, "Along each axis of a pixel (4: 16 in all)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 16));
+    command.add_option("--time", request.time, "Seconds (0)")->type_name("T")->check(is_time);
+    command
+        .add_option("--light", request.lights, "Replaces the lights, e.g. 'point position=1,2,0 color=#f80'; or none")
+        ->type_name("LIGHT")
+        ->allow_extra_args(false);
+    command.add_option("--ambient", request.ambient, "A colour, or 'sky=#9ab horizon=0.2 ground=0.05'")
+        ->type_name("LIGHT");
+    command.add_option("--camera", request.camera, "'position=2,1,3 target=0,0,0 fov=35'")->type_name("CAMERA");
+}
+
+}  // namespace
+
+void add_picture_options(CLI::App& command, std::vector<std::string>& set, runtime::RenderRequest& request) {
+    command.add_option("--set", set, "Give a property a value: _Roughness=0.2, _MainTex=rust.png")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
+    add_scene_options(command, request);
+    add_include_option(command, request.include_dirs);
+}
+
+void take_overrides(const std::vector<std::string>& set, runtime::RenderRequest& request) {
+    for (const std::string& text : set) {
+        const std::size_t equals = text.find('=');
+        if (equals == text.npos || equals == 0) {
+            throw CLI::ValidationError("--set", "'" + text + "' is not of the form NAME=VALUE");
+        }
+        request.overrides[text.substr(0, equals)] = text.substr(equals + 1);
+    }
+}
+
+}  // namespace patina::cli

@@ -1,0 +1,288 @@
+// patina trace: what every node of a graph is worth at one pixel of its picture, by the CPU reference.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <memory>
+
+#include "compiler/base/text.h"
+#include "compiler/cli/commands.h"
+#include "compiler/cli/json_numbers.h"
+#include "compiler/cli/picture_options.h"
+#include "runtime/image.h"
+
+namespace patina::cli {
+namespace {
+
+struct Arguments {
+    std::string pixel;
+    std::vector<std::string> set;
+    std::string node;
+    bool in_double = false;
+    bool places = false;
+    bool json = false;
+    int x = 0, y = 0;
+    runtime::RenderRequest request;
+};
+
+// A row of the table: a value, and at which corner of the triangle; -1: at the pixel.
+struct Row {
+    const TracedValue* value = nullptr;
+    int corner = -1;
+};
+
+// --- which rows
+
+// "rust" is the node and what is inside it; "rust.amount" one port.
+bool is_wanted(const TracedValue& value, const std::string& wanted) {
+    return wanted.empty() || value.node == wanted || value.node.starts_with(wanted + "/") ||
+           value.node + "." + value.port == wanted;
+}
+
+std::vector<Row> rows_of(const runtime::PixelTrace& trace, const std::string& wanted) {
+    std::vector<Row> rows;
+    for (int corner = 0; corner < 3; ++corner) {
+        for (const TracedValue& value : trace.corners[static_cast<std::size_t>(corner)]) {
+            if (is_wanted(value, wanted)) rows.push_back({&value, corner});
+        }
+    }
+    for (const TracedValue& value : trace.values) {
+        if (is_wanted(value, wanted)) rows.push_back({&value, -1});
+    }
+    return rows;
+}
+
+Exit no_such_node(const Console& console, const runtime::PixelTrace& trace, const std::string& wanted) {
+    std::vector<std::string_view> known;
+    for (const Row& row : rows_of(trace, {})) known.push_back(row.value->node);
+    const std::string_view near = nearest(wanted, known);
+    complain(console, "unknown-node",
+             "no node '" + wanted + "' was computed" +
+                 (near.empty() ? std::string() : "; did you mean '" + std::string(near) + "'?"));
+    return Exit::Wrong;
+}
+
+// --- as text
+
+// "material", "lighting, light 0"
+std::string section_of(const Row& row) {
+    std::string section = row.value->graph;
+    if (row.corner >= 0) section += fmt::format(", vertex stage, corner {} of the triangle", row.corner);
+    if (row.value->light >= 0) section += fmt::format(", light {}", row.value->light);
+    return section;
+}
+
+std::string text_of(const TracedValue& value) {
+    std::string text;
+    for (double number : value.values) {
+        if (!text.empty()) text += ", ";
+        text += value.type.starts_with("bool") ? (number != 0 ? "true" : "false") : fmt::format("{:.6g}", number);
+    }
+    return text;
+}
+
+std::string place_of(const TracedValue& value) {
+    return value.line == 0 ? value.file : fmt::format("{}:{}:{}", value.file, value.line, value.column);
+}
+
+void print_table(const Console& console, const std::vector<Row>& rows, bool places) {
+    std::size_t node = 4, port = 4, type = 4, number = 5;
+    for (const Row& row : rows) {
+        node = std::max(node, row.value->node.size());
+        port = std::max(port, row.value->port.size());
+        type = std::max(type, row.value->type.size());
+        number = std::max(number, text_of(*row.value).size());
+    }
+    const auto line = [&](std::string_view a, std::string_view b, std::string_view c, std::string_view d,
+                          std::string_view e) {
+        std::string text = fmt::format("  {:<{}}  {:<{}}  {:<{}}  {}", a, node, b, port, c, type, d);
+        if (places) text = fmt::format("{:<{}}  {}", text, 8 + node + port + type + number, e);
+        print(text.substr(0, text.find_last_not_of(' ') + 1) + "\n");
+    };
+    line("NODE", "PORT", "TYPE", "VALUE", "PLACE");
+    std::string section;
+    for (const Row& row : rows) {
+        const TracedValue& value = *row.value;
+        if (const std::string own = section_of(row); own != section) {
+            print("\n" + heading(console, own) + "\n");
+            section = own;
+        }
+        line(value.node, value.port, value.type, text_of(value), place_of(value));
+    }
+}
+
+std::string color_text(const std::array<float, 4>& color) {
+    return fmt::format("{:.6g}, {:.6g}, {:.6g}, {:.6g}", color[0], color[1], color[2], color[3]);
+}
+
+// What a PNG keeps of it.
+std::string as_hex(const std::array<float, 4>& color) {
+    runtime::Image pixel = runtime::make_image(1, 1, color[0], color[1], color[2], color[3]);
+    runtime::encode_srgb(pixel);
+    pixel = runtime::quantized(pixel);
+    std::string hex = "#";
+    for (int c = 0; c < 3; ++c) hex += fmt::format("{:02x}", static_cast<int>(255 * pixel.pixels[c] + 0.5f));
+    return hex;
+}
+
+void print_text(const Console& console, const Arguments& arguments, const runtime::PixelTrace& trace,
+                const std::vector<Row>& rows) {
+    const int size = arguments.request.size, samples = arguments.request.samples;
+    std::string title =
+        fmt::format("{}, pixel {},{} of {} x {}", arguments.request.graph, arguments.x, arguments.y, size, size);
+    if (trace.is_covered && samples > 1) {
+        title += fmt::format(", sample {},{} of {} x {}", trace.sample_x, trace.sample_y, samples, samples);
+    }
+    print(heading(console, title) + "\n");
+    if (!trace.is_covered) {
+        print("the mesh does not cover it: nothing was computed\n");
+    } else {
+        if (trace.is_discarded) print("every fragment here was discarded; the values are those of the nearest one\n");
+        print("\n");
+        print_table(console, rows, arguments.places);
+        if (samples > 1) print("\nsample  " + color_text(trace.sample_color));
+    }
+    print("\npixel   " + color_text(trace.color) + "  " + as_hex(trace.color) + " in sRGB\n");
+}
+
+// --- as JSON
+
+void write_color(JsonWriter& writer, const char* key, const std::array<float, 4>& color) {
+    writer.Key(key);
+    const std::array<double, 4> numbers = {color[0], color[1], color[2], color[3]};
+    write_numbers(writer, numbers);
+}
+
+void write_row(JsonWriter& writer, const Row& row) {
+    const TracedValue& value = *row.value;
+    const auto text = [&](const char* key, std::string_view word) {
+        writer.Key(key);
+        writer.String(word.data(), static_cast<rapidjson::SizeType>(word.size()));
+    };
+    const auto count = [&](const char* key, int number) {
+        writer.Key(key);
+        writer.Int(number);
+    };
+    writer.StartObject();
+    text("graph", value.graph);
+    text("kind", to_string(value.kind));
+    text("node", value.node);
+    text("port", value.port);
+    text("type", value.type);
+    writer.Key("value");
+    write_numbers(writer, value.values);
+    if (row.corner >= 0) count("corner", row.corner);
+    if (value.light >= 0) count("light", value.light);
+    if (!value.file.empty()) text("file", value.file);
+    if (value.line > 0) {
+        count("line", value.line);
+        count("column", value.column);
+    }
+    writer.EndObject();
+}
+
+std::string as_json(const Arguments& arguments, const runtime::TraceOutcome& outcome, const std::vector<Row>& rows) {
+    const runtime::PixelTrace& trace = outcome.trace;
+    rapidjson::StringBuffer buffer;
+    JsonWriter writer(buffer);
+    const auto key = [&](const char* name) -> JsonWriter& {
+        writer.Key(name);
+        return writer;
+    };
+    const auto pair = [&](const char* name, int a, int b) {
+        key(name).StartArray();
+        writer.Int(a);
+        writer.Int(b);
+        writer.EndArray();
+    };
+    writer.StartObject();
+    key("graph").String(arguments.request.graph.c_str());
+    key("pass").String(outcome.pass.c_str());
+    key("precision").String(arguments.in_double ? "double" : "float");
+    key("size").Int(arguments.request.size);
+    key("samples").Int(arguments.request.samples);
+    pair("pixel", arguments.x, arguments.y);
+    key("covered").Bool(trace.is_covered);
+    if (trace.is_covered) {
+        key("discarded").Bool(trace.is_discarded);
+        pair("sample", trace.sample_x, trace.sample_y);
+    }
+    key("values").StartArray();
+    for (const Row& row : rows) write_row(writer, row);
+    writer.EndArray();
+    if (trace.is_covered) write_color(writer, "sample_color", trace.sample_color);
+    write_color(writer, "color", trace.color);
+    writer.EndObject();
+    return std::string(buffer.GetString()) + "\n";
+}
+
+Exit trace_pixel(const Console& console, const Arguments& arguments) {
+    const Compiler compiler;
+    const Precision precision = arguments.in_double ? Precision::Double : Precision::Float;
+    const runtime::TraceOutcome outcome =
+        runtime::trace(compiler, arguments.request, arguments.x, arguments.y, precision);
+    report(console, outcome.diagnostics);
+    if (!outcome.error.empty()) complain(console, "cannot-render", outcome.error);
+    if (!outcome.ok) return Exit::Wrong;
+    const std::vector<Row> rows = rows_of(outcome.trace, arguments.node);
+    if (outcome.trace.is_covered && rows.empty() && !arguments.node.empty()) {
+        return no_such_node(console, outcome.trace, arguments.node);
+    }
+    if (arguments.json) {
+        print(as_json(arguments, outcome, rows));
+    } else {
+        print_text(console, arguments, outcome.trace, rows);
+    }
+    return Exit::Ok;
+}
+
+// --- the command line
+
+// "120,80": two whole numbers.
+bool read_pixel(std::string_view text, int& x, int& y) {
+    const char* end = text.data() + text.size();
+    const auto [comma, first] = std::from_chars(text.data(), end, x);
+    if (first != std::errc() || comma == end || *comma != ',') return false;
+    const auto [rest, second] = std::from_chars(comma + 1, end, y);
+    return second == std::errc() && rest == end;
+}
+
+void complete(Arguments& arguments) {
+    take_overrides(arguments.set, arguments.request);
+    if (!read_pixel(arguments.pixel, arguments.x, arguments.y)) {
+        throw CLI::ValidationError("--pixel", "'" + arguments.pixel + "' is not of the form X,Y");
+    }
+    const int size = arguments.request.size;
+    if (arguments.x < 0 || arguments.y < 0 || arguments.x >= size || arguments.y >= size) {
+        throw CLI::ValidationError(
+            "--pixel", fmt::format("{},{} is outside of the picture, whose pixels are 0,0 to {},{}: --size changes it",
+                                   arguments.x, arguments.y, size - 1, size - 1));
+    }
+}
+
+}  // namespace
+
+void add_trace(Program& program) {
+    CLI::App& command = add_command(
+        program, "trace", kTraceSummary,
+        {"patina trace rust.graph.json --pixel 256,200", "patina trace rust.graph.json --pixel 256,200 --node rust",
+         "patina trace rust.graph.json --pixel 20,30 --size 64 --mesh torus --set _Roughness=0.2 --places",
+         "patina trace rust.graph.json --pixel 256,200 --light 'point position=1,2,0' --double --json"});
+    auto arguments = std::make_shared<Arguments>();
+    command.add_option("GRAPH", arguments->request.graph, "A material graph (JSON)")->required()->type_name(" ");
+    command.add_option("--pixel", arguments->pixel, "From the top left of the picture that 'patina render' makes")
+        ->required()
+        ->type_name("X,Y");
+    command
+        .add_option("--node", arguments->node,
+                    "Only this node and what is inside it, or one port: rust, rust/height, rust.amount")
+        ->type_name("ID");
+    command.add_flag("--places", arguments->places, "Say where in the graph's text each value stands");
+    command.add_flag("--double", arguments->in_double, "Compute in double; default: 32-bit float, as a GPU does");
+    command.add_flag("--json", arguments->json, "Print everything as one JSON object, with all digits");
+    add_picture_options(command, arguments->set, arguments->request);
+    command.parse_complete_callback([arguments] { complete(*arguments); });
+    set_work(program, command, [arguments](const Console& console) { return trace_pixel(console, *arguments); });
+}
+
+}  // namespace patina::cli
