@@ -50,7 +50,8 @@ Outcome<Scene> read_scene(const RenderRequest& request) {
     Scene scene{.mesh = std::move(*mesh),
                 .camera = default_camera(request.mesh),
                 .lights = default_lights(),
-                .ambient = default_ambient(),
+                .ambient = studio_environment()->ambient(),
+                .environment = studio_environment(),
                 .time = float(request.time),
                 .width = request.size,
                 .height = request.size,
@@ -69,6 +70,7 @@ Outcome<Scene> read_scene(const RenderRequest& request) {
         Outcome<SphericalHarmonics> ambient = parse_ambient(request.ambient);
         if (!ambient) return Failure{ambient.error};
         scene.ambient = ambient.value;
+        scene.environment = nullptr;
     }
     if (!request.camera.empty()) {
         Outcome<Camera> camera = parse_camera(request.camera, scene.camera);
@@ -176,6 +178,7 @@ RenderOutcome render(const Compiler& compiler, const RenderRequest& request, Ren
     for (const std::string& error : loaded.errors)
         outcome.diagnostics.push_back(complaint(request, Severity::Error, "bad-texture", error));
     if (!loaded.errors.empty()) return outcome;
+    add_engine_textures(loaded.textures, reflection, scene.value);
     std::vector<BlockBytes> blocks = fill_blocks(reflection, values.value, scene.value);
 
     Draw draw{.reflection = &reflection,

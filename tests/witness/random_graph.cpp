@@ -253,6 +253,8 @@ private:
     static bool is_usable(const NodeInfo& node) {
         // A hash: its result has nothing to do with how near two inputs are.
         if (node.name == "Random") return false;
+        // Thousands of steps a pixel, on domains of their own.
+        if (node.name == "SplitSumIntegral") return false;
         return std::all_of(node.ports.begin(), node.ports.end(), [&](const PortInfo& port) {
             // Light is known to lighting graphs only, and textures are not numbers.
             return port.type != "Texture2D" && (port.is_output || !port.type.starts_with("Sampler"));
