@@ -1,35 +1,36 @@
-// patina eval: what one node computes, by the CPU reference.
+// patina eval: what one node, one lighting term or one lighting model computes, by the CPU reference.
 #include <fmt/format.h>
 #include <rapidjson/stringbuffer.h>
 #include <rapidjson/writer.h>
 
+#include <charconv>
 #include <cmath>
+#include <map>
 #include <memory>
+#include <optional>
 
 #include "compiler/cli/commands.h"
+#include "compiler/cli/terms.h"
+#include "runtime/model.h"
 
 namespace patina::cli {
 namespace {
 
 struct Arguments {
-    std::string node;
-    std::vector<std::string> values;
+    std::vector<std::string> words;  // a node, unless a term or a model is asked for; then name=value
+    std::string term, model, workflow = "metallic-roughness";
     bool single = false;
     bool json = false;
 };
 
-std::vector<std::pair<std::string, std::string>> split(const std::vector<std::string>& values) {
-    std::vector<std::pair<std::string, std::string>> pairs;
-    for (const std::string& value : values) {
-        const std::size_t equals = value.find('=');
-        pairs.emplace_back(value.substr(0, equals), value.substr(equals + 1));
-    }
-    return pairs;
-}
+using Pairs = std::vector<std::pair<std::string, std::string>>;
 
-std::string as_text(const EvalOutput& output) {
+// `all_digits`: so many that they read back as the same double.
+std::string as_text(const EvalOutput& output, bool all_digits) {
     std::string text;
-    for (double value : output.values) text += (text.empty() ? "" : ", ") + fmt::format("{:.9g}", value);
+    for (double value : output.values) {
+        text += (text.empty() ? "" : ", ") + (all_digits ? fmt::format("{}", value) : fmt::format("{:.9g}", value));
+    }
     return text;
 }
 
@@ -63,39 +64,134 @@ std::string as_json(const std::vector<EvalOutput>& outputs) {
     return std::string(buffer.GetString()) + "\n";
 }
 
-Exit evaluate(const Console& console, const Arguments& arguments) {
-    const Compiler compiler;
-    const EvalResult result = compiler.evaluate(arguments.node, split(arguments.values), arguments.single);
+void print_outputs(const Arguments& arguments, const std::vector<EvalOutput>& outputs, bool all_digits) {
+    if (arguments.json) {
+        print(as_json(outputs));
+    } else if (outputs.size() == 1) {
+        print(as_text(outputs.front(), all_digits) + "\n");
+    } else {
+        for (const EvalOutput& output : outputs) print(output.name + " = " + as_text(output, all_digits) + "\n");
+    }
+}
+
+Exit evaluate_node(const Console& console, const Arguments& arguments, const std::string& node, const Pairs& values) {
+    const EvalResult result = Compiler().evaluate(node, values, arguments.single);
     report(console, result.diagnostics);
     if (!result.ok) return Exit::Wrong;
-    if (arguments.json) {
-        print(as_json(result.outputs));
-    } else if (result.outputs.size() == 1) {
-        print(as_text(result.outputs.front()) + "\n");
-    } else {
-        for (const EvalOutput& output : result.outputs) print(output.name + " = " + as_text(output) + "\n");
-    }
+    print_outputs(arguments, result.outputs, false);
     return Exit::Ok;
+}
+
+Exit evaluate_term(const Console& console, const Arguments& arguments, const Pairs& values) {
+    const TermResult result = cli::evaluate_term(Compiler(), arguments.term, values, arguments.single);
+    if (!result.error.empty()) complain(console, "bad-term", result.error);
+    if (result.error.empty()) report(console, result.diagnostics);
+    if (!result.ok) return Exit::Wrong;
+    print_outputs(arguments, result.outputs, true);
+    return Exit::Ok;
+}
+
+// Three numbers, or nothing.
+std::optional<runtime::Triple> read_triple(const std::string& text) {
+    runtime::Triple triple{};
+    const char* at = text.data();
+    const char* end = at + text.size();
+    for (std::size_t i = 0; i < 3; ++i) {
+        while (at != end && (*at == ' ' || (i > 0 && *at == ','))) ++at;
+        const auto [next, failure] = std::from_chars(at, end, triple[i]);
+        if (failure != std::errc() || !std::isfinite(triple[i])) return {};
+        at = next;
+        if (i == 0 && at == end) return runtime::Triple{triple[0], triple[0], triple[0]};
+    }
+    if (at != end) return {};
+    return triple;
+}
+
+Exit evaluate_model(const Console& console, const Arguments& arguments, const Pairs& values) {
+    runtime::ModelChoice choice{.model = arguments.model, .workflow = arguments.workflow};
+    runtime::ModelPoint point;
+    runtime::ModelLight light;
+    const std::map<std::string, runtime::Triple*> triples = {{"n", &point.n},
+                                                             {"l", &point.l},
+                                                             {"v", &point.v},
+                                                             {"t", &point.t},
+                                                             {"light", &light.light},
+                                                             {"ambient", &light.ambient},
+                                                             {"environment", &light.environment}};
+    for (const auto& [name, text] : values) {
+        const auto triple = triples.find(name);
+        if (triple == triples.end()) {
+            choice.values.emplace_back(name, text);
+            continue;
+        }
+        const std::optional<runtime::Triple> numbers = read_triple(text);
+        const bool is_direction = name.size() == 1;
+        if (!numbers || (is_direction && *numbers == runtime::Triple{})) {
+            complain(console, "bad-value",
+                     fmt::format("'{}' is three numbers{}, not '{}'", name, is_direction ? ", not all 0" : "", text));
+            return Exit::Wrong;
+        }
+        *triple->second = *numbers;
+    }
+    const Compiler compiler;
+    runtime::Model model(compiler, choice, arguments.single ? Precision::Float : Precision::Double);
+    report(console, model.diagnostics());
+    if (!model.ok()) return Exit::Wrong;
+    const runtime::Triple color = model.color(point, light);
+    print_outputs(arguments, {{.name = "out", .type = "float3", .values = {color.begin(), color.end()}}}, false);
+    return Exit::Ok;
+}
+
+Exit evaluate(const Console& console, const Arguments& arguments) {
+    const bool is_node = arguments.term.empty() && arguments.model.empty();
+    std::string node;
+    Pairs pairs;
+    for (const std::string& word : arguments.words) {
+        const std::size_t equals = word.find('=');
+        if (equals != word.npos && equals > 0) {
+            pairs.emplace_back(word.substr(0, equals), word.substr(equals + 1));
+        } else if (is_node && node.empty() && pairs.empty()) {
+            node = word;
+        } else {
+            complain(console, "bad-value", "'" + word + "' is not of the form name=value");
+            return Exit::Usage;
+        }
+    }
+    if (!arguments.term.empty()) return evaluate_term(console, arguments, pairs);
+    if (!arguments.model.empty()) return evaluate_model(console, arguments, pairs);
+    if (node.empty()) {
+        complain(console, "bad-value", "say which node, --term or --model");
+        return Exit::Usage;
+    }
+    return evaluate_node(console, arguments, node, pairs);
 }
 
 }  // namespace
 
 void add_eval(Program& program) {
-    CLI::App& command = add_command(
-        program, "eval", "Compute one node on the CPU",
-        {"patina eval Lerp from=0 to=10 t=0.25", "patina eval NdotL normal=0,0,1 light_dir=0,0.6,0.8",
-         "patina eval DistributionGGX ndoth=0.9 alpha=0.25 --json", "patina eval wave.node.hlsl uv=0.5,0.5"});
+    CLI::App& command =
+        add_command(program, "eval", "Compute one node, lighting term or lighting model on the CPU",
+                    {"patina eval Lerp from=0 to=10 t=0.25", "patina eval NdotL normal=0,0,1 light_dir=0,0.6,0.8",
+                     "patina eval DistributionGGX ndoth=0.9 alpha=0.25 --json", "patina eval wave.node.hlsl uv=0.5,0.5",
+                     "patina eval --model unity-brdf1 n=0,0,1 l=0,0.6,0.8 v=0,0,1 baseColor=1,0.8,0.2 metallic=1",
+                     "patina eval --model phong --workflow specular-glossiness l=1,0,1 v=-1,0,1 _Normalization=Classic",
+                     "patina eval --term D_GGX a2=0.1 NoH=0.9"});
     auto arguments = std::make_shared<Arguments>();
-    command.add_option("NODE", arguments->node, "A node of the library, or the file of one (.node.hlsl)")
-        ->required()
-        ->type_name(" ");
     command
-        .add_option("NAME=VALUE", arguments->values, "Inputs as a graph writes them: 0.5, 0,0,1, #ff8800, true, a word")
-        ->type_name(" ")
-        ->check([](const std::string& word) {
-            return word.find('=') != word.npos && word.front() != '=' ? std::string()
-                                                                      : "'" + word + "' is not of the form name=value";
-        });
+        .add_option("NODE NAME=VALUE", arguments->words,
+                    "A node of the library or the file of one (.node.hlsl), and its inputs as a graph writes them: "
+                    "0.5, 0,0,1, #ff8800, true, a word")
+        ->type_name(" ");
+    CLI::Option* model = command.add_option(
+        "--model", arguments->model,
+        "A lighting model or the file of one: what it sends to the viewer, for one light of E/pi = 1. Inputs: n, l, v, "
+        "t (normal, to the light, to the viewer, tangent), light, ambient (E/pi), environment (radiance), and the "
+        "surface's and the model's own");
+    command.add_option("--workflow", arguments->workflow, "What the surface of --model is described by")->needs(model);
+    command
+        .add_option("--term", arguments->term,
+                    "A term of the lighting reference, by its name and inputs there (tests/data/terms.json)")
+        ->excludes(model);
     command.add_flag("--float", arguments->single, "Compute in 32-bit float, as a GPU does; default: double");
     command.add_flag("--json", arguments->json, "Print every output by name with all digits");
     set_work(program, command, [arguments](const Console& console) { return evaluate(console, *arguments); });

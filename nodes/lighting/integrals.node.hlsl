@@ -77,3 +77,30 @@ float SplitSumIntegral(
     total = scale + offset;
     return scale;
 }
+
+/// Coefficients of light whose radiance depends on the height z of the direction alone, as a sky's does.
+///
+/// Give its radiance at three heights above the horizon and at the same three below it: z = 0.1127017, 0.5 and
+/// 0.8872983. The result is exact where it is a polynomial of z, up to the third degree, above and another below. The
+/// other six coefficients are zero.
+///
+/// formula: c_l = 2 pi integral of L(z) Y_l0(z) dz from -1 to 1, by Gauss and Legendre's rule of three points in each half
+/// source: Ramamoorthi and Hanrahan, SIGGRAPH 2001; Abramowitz and Stegun, "Handbook of Mathematical Functions", 25.4.30
+/// test: SHFromZonal(float3(1, 1, 1), float3(1, 1, 1)) == 3.5449077018110318
+/// test: SHFromZonal(float3(1, 1, 1), float3(0, 0, 0)).l1 == 1.5349900619197328
+/// test: SHFromZonal(float3(0.1127016653792583, 0.5, 0.8872983346207417), float3(0, 0, 0)).l2 == 0.4954159122007514
+[node("Lighting/Ambient/SH from Zonal")]
+float SHFromZonal(
+    float3 above,  ///< radiance at the three heights above the horizon, from low to high
+    float3 below,  ///< radiance at the three heights below it, from near the horizon to far below
+    out float l1,  ///< coefficient of l = 1, m = 0: along z
+    out float l2   ///< coefficient of l = 2, m = 0: 3 z^2 - 1
+) {
+    float3 z = float3(0.1127016653792583, 0.5, 0.8872983346207417);
+    float3 weight = float3(5, 8, 5) * (TWO_PI / 18);
+    float3 even = (above + below) * weight;
+    float3 odd = (above - below) * weight;
+    l1 = 0.4886025119029199 * dot(odd, z);
+    l2 = 0.31539156525252005 * dot(even, 3 * z * z - 1);
+    return 0.28209479177387814 * (even.x + even.y + even.z);
+}

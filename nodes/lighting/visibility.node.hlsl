@@ -353,3 +353,26 @@ float MaskingFromVisibility(
 ) {
     return 4 * ndotl * ndotv * visibility;
 }
+
+/// Smith's masking-shadowing for anisotropic GGX with light and view taken as independent, as Disney's model has it.
+///
+/// formula: V = 1 / ((n.v + |(at t.v, ab b.v, n.v)|) (n.l + |(at t.l, ab b.l, n.l)|))
+/// source: Burley, "Physically Based Shading at Disney", SIGGRAPH 2012, and its reference implementation
+/// test: VisibilitySmithAnisotropicSeparable(1, 0, 0, 1, 0, 0, 0.25, 0.5) == 0.25
+/// test: VisibilitySmithAnisotropicSeparable(0.6, 0.8, 0, 0.8, 0.6, 0, 0.25, 0.25) == VisibilitySmithSeparable(0.6, 0.8, 0.25)
+/// test: VisibilitySmithAnisotropicSeparable(0.6, 0, 0.8, 1, 0, 0, 0.1, 0.75) == 1 / (2 * (0.6 + sqrt(0.72)))
+[node("Lighting/Visibility/Smith Anisotropic Separable")]
+float VisibilitySmithAnisotropicSeparable(
+    [range(0, 1)] float ndotl,                ///< cosine of normal and light
+    [range(-1, 1)] float tdotl,               ///< cosine of tangent and light
+    [range(-1, 1)] float bdotl,               ///< cosine of bitangent and light
+    [range(0, 1)] float ndotv,                ///< cosine of normal and view
+    [range(-1, 1)] float tdotv,               ///< cosine of tangent and view
+    [range(-1, 1)] float bdotv,               ///< cosine of bitangent and view
+    [range(0.001, 1)] float alpha_t = 0.25,   ///< roughness squared along the tangent
+    [range(0.001, 1)] float alpha_b = 0.25    ///< roughness squared along the bitangent
+) {
+    float view_part = ndotv + length(float3(alpha_t * tdotv, alpha_b * bdotv, ndotv));
+    float light_part = ndotl + length(float3(alpha_t * tdotl, alpha_b * bdotl, ndotl));
+    return 1 / max(view_part * light_part, 1e-5);
+}
