@@ -187,9 +187,16 @@ void bind_lighting_properties(Session& session, Material& material, std::span<co
         if (!input->value) continue;
         if (property.range) check_range(session, *input->value, *property.range, property.hard, property.name);
         Property bound = property;
-        if (set_default(session, bound, *input->value)) {
+        const bool is_file = property.type == PropertyType::Texture2D && input->value->kind == Expr::Kind::File;
+        if (is_file) {
+            bound.texture = std::string(input->value->text);
+            bound.default_span = input->value->span;
+        }
+        if (is_file || set_default(session, bound, *input->value)) {
+            // A file is named from the graph that names it.
+            const std::string& from = is_file ? material.graph->graph->path : material.lighting->graph->path;
             session.file_properties.push_back(std::move(bound));
-            add_property(session, material, session.file_properties.back(), material.lighting->graph->path);
+            add_property(session, material, session.file_properties.back(), from);
         } else {
             material.lighting_inputs.push_back(*input);
         }

@@ -31,7 +31,7 @@ float3 measured_row(Texture2D table, int row, float line, float column, int2 cou
     float share = clamp(line - float(low), 0, 1);
     // Half a turn around the half vector exchanges light and view: the last column's neighbour is the first.
     int left = int(floor(column));
-    int right = left + 1 >= counts.x ? 0 : left + 1;
+    int right = left + 1 >= counts.x ? int(0) : left + 1;
     float way = column - float(left);
     int begin = left < 0 ? counts.x - 1 : left;
     float3 below = lerp(measured_texel(table, row, low, begin, counts), measured_texel(table, row, low, right, counts), way);
