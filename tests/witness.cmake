@@ -2,7 +2,7 @@
 add_library(patina_witness STATIC witness/bench.cpp witness/random_graph.cpp)
 target_include_directories(patina_witness PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(patina_witness PUBLIC patina_runtime GTest::gtest PRIVATE patina_options)
-foreach(name half library quads random_graphs)
+foreach(name cubes half library quads random_graphs)
   add_executable(witness_${name}_test witness/${name}_test.cpp)
   target_link_libraries(witness_${name}_test PRIVATE patina_options patina_witness GTest::gtest_main)
 endforeach()
@@ -10,6 +10,7 @@ add_executable(witness_terms_test witness/terms_test.cpp witness/term_graphs.cpp
 target_include_directories(witness_terms_test PRIVATE ${RAPIDJSON_INCLUDE})
 target_link_libraries(witness_terms_test PRIVATE patina_options patina_witness patina_terms GTest::gtest_main)
 
+add_test(NAME witness_cubes COMMAND witness_cubes_test)
 add_test(NAME witness_half COMMAND witness_half_test)
 add_test(NAME witness_library COMMAND witness_library_test)
 add_test(NAME witness_quads COMMAND witness_quads_test)
