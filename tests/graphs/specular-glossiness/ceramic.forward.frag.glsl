@@ -78,9 +78,10 @@ vec3 NormalReconstructZ(vec2 xy)
 }
 
 // A tangent-space normal from the texel of a normal map.
-vec3 UnpackNormal(vec4 encoded, float scale)
+vec3 UnpackNormalRedGreen(vec4 encoded, float scale)
 {
-    return NormalReconstructZ((encoded.xy * 2.0 - 1.0) * scale);
+    vec2 xy = (encoded.xy * 2.0 - 1.0) * scale;
+    return NormalReconstructZ(xy);
 }
 
 // A normal from tangent space, in the world.
@@ -94,7 +95,7 @@ Surface surface(vec2 uv0, vec3 geometry_normal_ws, vec3 tangent_ws, vec3 bitange
 {
     // SampleNormalMap "bumps"
     vec4 bumps_texel = texture(sampler2D(_NormalTex, sampler_NormalTex), uv0);
-    vec3 bumps = UnpackNormal(bumps_texel, 1.0);
+    vec3 bumps = UnpackNormalRedGreen(bumps_texel, 1.0);
 
     Surface s;
     s.baseColor = _Glaze.xyz;

@@ -84,9 +84,10 @@ float3 NormalReconstructZ(float2 xy)
 }
 
 // A tangent-space normal from the texel of a normal map.
-float3 UnpackNormal(float4 encoded, float scale)
+float3 UnpackNormalRedGreen(float4 encoded, float scale)
 {
-    return NormalReconstructZ((encoded.xy * 2.0 - 1.0) * scale);
+    float2 xy = (encoded.xy * 2.0 - 1.0) * scale;
+    return NormalReconstructZ(xy);
 }
 
 // A normal from tangent space, in the world.
@@ -100,7 +101,7 @@ Surface surface(float2 uv0, float3 geometry_normal_ws, float3 tangent_ws, float3
 {
     // SampleNormalMap "bumps"
     float4 bumps_texel = _NormalTex.Sample(sampler_NormalTex, uv0);
-    float3 bumps = UnpackNormal(bumps_texel, 1.0);
+    float3 bumps = UnpackNormalRedGreen(bumps_texel, 1.0);
 
     Surface s;
     s.baseColor = _Glaze.xyz;
