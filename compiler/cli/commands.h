@@ -1,6 +1,6 @@
 // The subcommands, one function and one file each. `patina` holds those that touch no pictures; `render`, `snapshot`,
-// `trace` and `import` live in a second program, `patina-render`, which `patina` turns into when they are asked for: the image
-// library that they load takes longer to start than a whole compilation.
+// `trace` and `import` live in a second program, `patina-render`, which `patina` turns into when they are asked for:
+// the image library that they load takes longer to start than a whole compilation.
 #pragma once
 
 #include "compiler/cli/program.h"
