@@ -216,7 +216,7 @@ NodeFileResult Compiler::check_node_file(const std::string& path, const CompileO
 }
 
 EvalResult Compiler::evaluate(std::string_view node, std::span<const std::pair<std::string, std::string>> arguments,
-                              bool single) const {
+                              bool single, std::span<const NamedValue> names) const {
     const CompileOptions options;
     graph::Session session(*impl_->library, options);
     Diagnostics& diagnostics = session.diagnostics;
@@ -227,13 +227,31 @@ EvalResult Compiler::evaluate(std::string_view node, std::span<const std::pair<s
         diagnostics.set_context(name, {});
         if (!diagnostics.has_errors()) {
             Evaluation evaluation =
-                evaluate_call({session.library, callee->declarations, session.sources}, callee->function, values,
+                evaluate_call({session.library, callee->declarations, session.sources, names}, callee->function, values,
                               single ? Precision::Float : Precision::Double, diagnostics, {});
             result.outputs = std::move(evaluation.outputs);
         }
     }
     result.ok = !diagnostics.has_errors();
     result.diagnostics = to_public(diagnostics, session.sources);
+    return result;
+}
+
+EvalResult Compiler::evaluate_expression(std::string_view expression, std::span<const NamedValue> names,
+                                         bool single) const {
+    const CompileOptions options;
+    graph::Session session(*impl_->library, options);
+    EvalResult result;
+    const nodelang::Expr* parsed =
+        read_argument(std::string(expression), session.sources, session.ast, session.diagnostics);
+    if (parsed) {
+        Evaluation evaluation =
+            patina::evaluate_expression({session.library, session.library.declarations, session.sources, names},
+                                        *parsed, single ? Precision::Float : Precision::Double, session.diagnostics);
+        result.outputs = std::move(evaluation.outputs);
+    }
+    result.ok = !session.diagnostics.has_errors();
+    result.diagnostics = to_public(session.diagnostics, session.sources);
     return result;
 }
 

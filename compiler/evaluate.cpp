@@ -19,8 +19,15 @@ namespace {
 // Outside a graph there is no mesh and no camera: a port that would read them must be given.
 class NoGraph : public nodelang::Environment {
 public:
-    explicit NoGraph(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
-    Typed name(const Expr& expr, nodelang::Scope&) override {
+    NoGraph(Diagnostics& diagnostics, std::span<const NamedValue> names) : diagnostics_(diagnostics), names_(names) {}
+    Typed name(const Expr& expr, nodelang::Scope& scope) override {
+        for (const NamedValue& named : names_) {
+            if (named.name != expr.text || named.values.empty() || named.values.size() > 4) continue;
+            std::vector<ir::Value> parts;
+            for (double value : named.values) parts.push_back(scope.builder->constant(ir::kFloat, {value}));
+            const ir::Type type = ir::Type::vector(ir::Scalar::Float, static_cast<unsigned>(parts.size()));
+            return {.value = parts.size() == 1 ? parts[0] : scope.builder->construct(type, parts), .type = type};
+        }
         diagnostics_.report(Code::UnknownName, expr.span, "value", expr.text);
         return {};
     }
@@ -38,8 +45,13 @@ public:
         return {};
     }
 
+    bool hides(std::string_view name) const override {
+        return std::any_of(names_.begin(), names_.end(), [&](const NamedValue& named) { return named.name == name; });
+    }
+
 private:
     Diagnostics& diagnostics_;
+    std::span<const NamedValue> names_;
 };
 
 struct Bench {
@@ -53,7 +65,7 @@ struct Bench {
     Bench(const EvaluationContext& context, Diagnostics& diagnostics)
         : emitter(module, diagnostics, {.fold = false}),
           builder(module, function, {.fold = false}),
-          environment(diagnostics) {
+          environment(diagnostics, context.names) {
         graph::declare_engine(context.library, emitter);
         function.name = "evaluate";
         scope.builder = &builder;
@@ -214,6 +226,19 @@ Evaluation evaluate_call(const EvaluationContext& context, const nodelang::Funct
     Evaluation evaluation;
     Bench bench(context, diagnostics);
     const Typed value = bench.emitter.call(function, context.declarations, arguments, bench.scope, span, false);
+    if (!value.ok()) return evaluation;
+    tolerance_of(bench.module, evaluation.relative, evaluation.absolute);
+    const std::vector<double> flat = bench.run(value, precision);
+    evaluation.outputs = split_outputs(bench.module, value, flat);
+    evaluation.ok = true;
+    return evaluation;
+}
+
+Evaluation evaluate_expression(const EvaluationContext& context, const Expr& expr, Precision precision,
+                               Diagnostics& diagnostics) {
+    Evaluation evaluation;
+    Bench bench(context, diagnostics);
+    const Typed value = bench.emitter.primary(bench.emitter.expression(expr, bench.scope), bench.scope, expr.span);
     if (!value.ok()) return evaluation;
     tolerance_of(bench.module, evaluation.relative, evaluation.absolute);
     const std::vector<double> flat = bench.run(value, precision);

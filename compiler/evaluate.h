@@ -11,6 +11,7 @@ struct EvaluationContext {
     const graph::Library& library;
     const nodelang::Declarations& declarations;
     const SourceMap& sources;
+    std::span<const NamedValue> names = {};  // what expressions may read besides
 };
 
 // One call, not folded, in the interpreter. Fills outputs; reports into `diagnostics`.
@@ -22,6 +23,9 @@ struct Evaluation {
 Evaluation evaluate_call(const EvaluationContext& context, const nodelang::FunctionDecl& function,
                          std::span<const nodelang::Expr* const> arguments, Precision precision,
                          Diagnostics& diagnostics, Span span);
+
+Evaluation evaluate_expression(const EvaluationContext& context, const nodelang::Expr& expr, Precision precision,
+                               Diagnostics& diagnostics);
 
 // Errors in the functions of a file, whether anything calls them or not.
 void check_functions(const EvaluationContext& context, const nodelang::Ast& ast, Diagnostics& diagnostics);

@@ -74,13 +74,15 @@ GpuImage make_gpu_image(Gpu& gpu, const ImageInfo& wanted) {
     image.width = wanted.width;
     image.height = wanted.height;
     image.levels = wanted.levels;
+    image.faces = wanted.faces;
     VkImageCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
+    info.flags = wanted.faces == 6 ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0;
     info.imageType = VK_IMAGE_TYPE_2D;
     info.format = wanted.format;
     info.extent = {wanted.width, wanted.height, 1};
     info.mipLevels = wanted.levels;
-    info.arrayLayers = 1;
+    info.arrayLayers = wanted.faces;
     info.samples = VK_SAMPLE_COUNT_1_BIT;
     info.tiling = VK_IMAGE_TILING_OPTIMAL;
     info.usage = wanted.usage;
@@ -98,9 +100,9 @@ GpuImage make_gpu_image(Gpu& gpu, const ImageInfo& wanted) {
     VkImageViewCreateInfo view{};
     view.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
     view.image = handle;
-    view.viewType = VK_IMAGE_VIEW_TYPE_2D;
+    view.viewType = wanted.faces == 6 ? VK_IMAGE_VIEW_TYPE_CUBE : VK_IMAGE_VIEW_TYPE_2D;
     view.format = wanted.format;
-    view.subresourceRange = {wanted.aspect, 0, wanted.levels, 0, 1};
+    view.subresourceRange = {wanted.aspect, 0, wanted.levels, 0, wanted.faces};
     VkImageView view_handle = VK_NULL_HANDLE;
     if (!gpu.check(vkCreateImageView(device, &view, nullptr, &view_handle), "make an image view")) return {};
     image.view = {device, view_handle};
@@ -134,7 +136,7 @@ void transition(VkCommandBuffer commands, const GpuImage& image, VkImageLayout f
     barrier.newLayout = to;
     barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     barrier.image = image.handle.get();
-    barrier.subresourceRange = {aspect, 0, image.levels, 0, 1};
+    barrier.subresourceRange = {aspect, 0, image.levels, 0, image.faces};
     VkDependencyInfo dependency{};
     dependency.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
     dependency.imageMemoryBarrierCount = 1;

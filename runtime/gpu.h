@@ -74,10 +74,11 @@ struct GpuImage {
     Memory memory;
     Owned<VkImage, vkDestroyImage> handle;
     ViewHandle view;
-    std::uint32_t width = 0, height = 0, levels = 1;
+    std::uint32_t width = 0, height = 0, levels = 1, faces = 1;
 };
 struct ImageInfo {
     std::uint32_t width = 1, height = 1, levels = 1;
+    std::uint32_t faces = 1;  // 6: a cube
     VkFormat format = VK_FORMAT_UNDEFINED;
     VkImageUsageFlags usage = 0;
     VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;

@@ -59,7 +59,7 @@ std::vector<Need> needs_of(const VkPhysicalDeviceLimits& limits, const Draw& dra
     }
 
     // Both stages see everything that the reflection has.
-    const std::size_t textures = reflection.textures.size(), buffers = uniform_buffer_count(reflection);
+    const std::size_t textures = draw.textures.size(), buffers = uniform_buffer_count(reflection);
     std::uint32_t sets = 0;
     for (const Block& block : reflection.blocks) sets = std::max(sets, block.set + 1);
     for (const Texture& texture : reflection.textures) sets = std::max(sets, texture.set + 1);

@@ -80,6 +80,7 @@ Outcome<Slots> find_slots(const Reflection& reflection, VkBuffer uniforms, std::
     }
     for (const Texture& texture : reflection.textures) {
         const BoundTexture* bound = find_named(textures, texture.name);
+        if (!bound && !texture.is_material) continue;  // no pass reads it
         if (!bound) return Failure{"nobody loaded the texture '" + texture.name + "'"};
         slots[{texture.set, texture.binding}] = {
             .type = VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE,

@@ -49,7 +49,8 @@ Outcome<Scene> read_scene(const RenderRequest& request) {
     Scene scene{.mesh = std::move(*mesh),
                 .camera = default_camera(request.mesh),
                 .lights = default_lights(),
-                .ambient = default_ambient(),
+                .ambient = studio_environment()->ambient(),
+                .environment = studio_environment(),
                 .time = float(request.time),
                 .width = request.size,
                 .height = request.size,
@@ -68,6 +69,7 @@ Outcome<Scene> read_scene(const RenderRequest& request) {
         Outcome<SphericalHarmonics> ambient = parse_ambient(request.ambient);
         if (!ambient) return Failure{ambient.error};
         scene.ambient = ambient.value;
+        scene.environment = nullptr;
     }
     if (!request.camera.empty()) {
         Outcome<Camera> camera = parse_camera(request.camera, scene.camera);
@@ -153,6 +155,7 @@ bool prepare(const Compiler& compiler, const RenderRequest& request, Prepared& m
     for (const std::string& error : made.loaded.errors)
         outcome.diagnostics.push_back(complaint(request, Severity::Error, "bad-texture", error));
     if (!made.loaded.errors.empty()) return false;
+    add_engine_textures(made.loaded.textures, reflection, made.scene);
     made.blocks = fill_blocks(reflection, values.value, made.scene);
 
     made.draw = {.reflection = &reflection,

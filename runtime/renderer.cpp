@@ -66,12 +66,14 @@ bool supports_linear_filter(const Device& device, VkFormat format) {
 
 Outcome<GpuImage> upload(Gpu& gpu, const LoadedTexture& texture) {
     const std::vector<TextureLevel>& levels = texture.data->levels;
+    const auto faces = static_cast<std::uint32_t>(texture.data->faces);
     VkFormat format = vulkan_format(texture.format);
     if (!supports_linear_filter(gpu.device, format))
         return Failure{"'" + gpu.device.name + "' cannot filter the float texture '" + texture.name + "'"};
     GpuImage image = make_gpu_image(gpu, {.width = std::uint32_t(levels.front().width),
                                           .height = std::uint32_t(levels.front().height),
                                           .levels = std::uint32_t(levels.size()),
+                                          .faces = faces,
                                           .format = format,
                                           .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
     std::vector<VkBufferImageCopy> copies;
@@ -80,10 +82,10 @@ Outcome<GpuImage> upload(Gpu& gpu, const LoadedTexture& texture) {
         copies.push_back({.bufferOffset = size,
                           .bufferRowLength = 0,
                           .bufferImageHeight = 0,
-                          .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, i, 0, 1},
+                          .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, i, 0, faces},
                           .imageOffset = {0, 0, 0},
                           .imageExtent = {std::uint32_t(levels[i].width), std::uint32_t(levels[i].height), 1}});
-        size += std::size_t(levels[i].width) * levels[i].height * texel_size(texture.format);
+        size += std::size_t(levels[i].width) * levels[i].height * faces * texel_size(texture.format);
     }
     Buffer staging = make_buffer(gpu, size, VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
     if (!gpu.error.empty()) return Failure{gpu.error};

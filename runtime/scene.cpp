@@ -6,57 +6,12 @@
 #include <numbers>
 
 namespace patina::runtime {
-namespace {
-
-// Normalisation of the basis: sqrt(1 / 4pi), sqrt(3 / 4pi), sqrt(15 / 4pi), sqrt(5 / 16pi), sqrt(15 / 16pi).
-constexpr float kK0 = 0.28209479177387814f;
-constexpr float kK1 = 0.48860251190291992f;
-constexpr float kK2 = 1.0925484305920792f;
-constexpr float kK3 = 0.31539156525252005f;
-constexpr float kK4 = 0.5462742152960396f;
-
-}  // namespace
-
-std::array<float, 9> spherical_harmonics_basis(glm::vec3 d) {
-    return {kK0,
-            kK1 * d.y,
-            kK1 * d.z,
-            kK1 * d.x,
-            kK2 * d.x * d.y,
-            kK2 * d.y * d.z,
-            kK3 * (3 * d.z * d.z - 1),
-            kK2 * d.x * d.z,
-            kK4 * (d.x * d.x - d.y * d.y)};
-}
-
-SphericalHarmonics constant_ambient(glm::vec3 radiance) {
-    SphericalHarmonics result;
-    result.coefficients[0] = radiance / kK0;
-    return result;
-}
-
-SphericalHarmonics gradient_ambient(glm::vec3 sky, glm::vec3 horizon, glm::vec3 ground) {
-    // On the unit sphere y^2 = 1/3 - (3z^2 - 1)/6 - (x^2 - y^2)/2: each term is one basis function.
-    glm::vec3 linear = (sky - ground) / 2.0f;
-    glm::vec3 square = (sky + ground) / 2.0f - horizon;
-    SphericalHarmonics result;
-    result.coefficients[0] = (horizon + square / 3.0f) / kK0;
-    result.coefficients[1] = linear / kK1;
-    result.coefficients[6] = square * (-1.0f / 6) / kK3;
-    result.coefficients[8] = square * (-1.0f / 2) / kK4;
-    return result;
-}
-
 std::vector<Light> default_lights() {
     return {
         {.direction = {-0.6f, 0.8f, 0.8f}, .color = glm::vec3(0.95f, 0.92f, 0.88f)},
         {.direction = {0.9f, 0.1f, 0.5f}, .color = glm::vec3(0.10f, 0.12f, 0.16f)},
         {.direction = {0.5f, 0.5f, -0.8f}, .color = glm::vec3(0.35f)},
     };
-}
-
-SphericalHarmonics default_ambient() {
-    return gradient_ambient({0.30f, 0.34f, 0.40f}, {0.17f, 0.17f, 0.18f}, {0.07f, 0.065f, 0.06f});
 }
 
 Camera default_camera(std::string_view mesh) {
@@ -83,7 +38,8 @@ Scene default_scene(std::string_view mesh) {
     return {.mesh = make_mesh(mesh).value_or(Mesh{}),
             .camera = default_camera(mesh),
             .lights = default_lights(),
-            .ambient = default_ambient()};
+            .ambient = studio_environment()->ambient(),
+            .environment = studio_environment()};
 }
 
 Scene fullscreen_scene(int width, int height) {

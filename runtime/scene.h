@@ -7,10 +7,12 @@
 
 #include <array>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
 
+#include "runtime/environment.h"
 #include "runtime/mesh.h"
 
 namespace patina::runtime {
@@ -37,18 +39,6 @@ struct Light {
 
 inline constexpr std::size_t kMostLights = 16;
 
-// Radiance in nine coefficients, order l(l+1)+m, of the real basis without the Condon-Shortley sign, evaluated on world
-// x, y and z directly: Y1 = 0.4886 y, Y2 = 0.4886 z, Y3 = 0.4886 x ... (Ramamoorthi and Hanrahan 2001).
-struct SphericalHarmonics {
-    std::array<glm::vec3, 9> coefficients{};
-};
-SphericalHarmonics constant_ambient(glm::vec3 radiance);
-// The radiance horizon + (sky - ground) / 2 * y + ((sky + ground) / 2 - horizon) * y^2: exactly the three colours at
-// up, horizontal and down, with no ringing.
-SphericalHarmonics gradient_ambient(glm::vec3 sky, glm::vec3 horizon, glm::vec3 ground);
-// The basis at a unit direction.
-std::array<float, 9> spherical_harmonics_basis(glm::vec3 direction);
-
 // A number of seconds that a shader's float can hold.
 bool is_time(double seconds);
 
@@ -56,19 +46,20 @@ struct Scene {
     Mesh mesh{};
     glm::mat4 object_to_world{1};
     Camera camera{};
-    std::vector<Light> lights{};  // at most kMostLights
-    SphericalHarmonics ambient{};
-    float time = 0;  // seconds
+    std::vector<Light> lights{};                       // at most kMostLights
+    SphericalHarmonics ambient{};                      // what is around, for diffuse light
+    std::shared_ptr<const Environment> environment{};  // the same for mirrors; null: what `ambient` says
+    float time = 0;                                    // seconds
     int width = 512, height = 512;
     int samples = 1;                                // per pixel along each axis: 4 averages 16
     glm::vec4 background{0.03f, 0.03f, 0.032f, 1};  // linear
 };
 
-// The studio that `patina render` uses: a key light from the upper left front, a weak cool fill, a rim, a soft sky, and
-// a camera that frames the mesh. An unknown mesh name gives a scene without triangles: ask mesh_names() first.
+// The studio that `patina render` uses: a key light from the upper left front, a weak cool fill, a rim, the studio
+// environment, and a camera that frames the mesh. An unknown mesh name gives a scene without triangles: ask
+// mesh_names() first.
 Scene default_scene(std::string_view mesh);
 std::vector<Light> default_lights();
-SphericalHarmonics default_ambient();
 Camera default_camera(std::string_view mesh);
 
 // Width by height pixels of one quad, straight from clip space, unlit, one sample a pixel, on transparent black.

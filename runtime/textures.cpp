@@ -63,6 +63,12 @@ std::string default_source(const Texture& texture, const std::string& graph_fold
     return (std::filesystem::path(graph_folder) / texture.default_value).lexically_normal().generic_string();
 }
 
+std::shared_ptr<const TextureData> engine_texture(const std::string& name, const Scene& scene) {
+    if (name == "split_sum_table") return split_sum_table();
+    if (name != "environment_map") return nullptr;
+    return scene.environment ? scene.environment->map() : Environment(scene.ambient).map();
+}
+
 }  // namespace
 
 std::vector<TextureLevel> mip_chain(const Image& linear) {
@@ -80,10 +86,22 @@ Image default_texture(const std::string& name) {
     return image;
 }
 
+void add_engine_textures(std::vector<LoadedTexture>& textures, const Reflection& reflection, const Scene& scene) {
+    for (const Texture& texture : reflection.textures) {
+        if (texture.is_material) continue;
+        bool is_read = std::any_of(reflection.passes.begin(), reflection.passes.end(), [&](const Pass& pass) {
+            return std::count(pass.textures.begin(), pass.textures.end(), texture.name) > 0;
+        });
+        std::shared_ptr<const TextureData> data = is_read ? engine_texture(texture.name, scene) : nullptr;
+        if (data) textures.push_back({.name = texture.name, .data = std::move(data)});
+    }
+}
+
 LoadedTextures load_textures(const Reflection& reflection, const std::string& graph_folder,
                              const std::map<std::string, std::string>& files, bool exact) {
     LoadedTextures result;
     for (const Texture& texture : reflection.textures) {
+        if (!texture.is_material) continue;
         auto chosen = files.find(texture.name);
         Outcome<LoadedTexture> loaded = load_texture(
             texture, chosen == files.end() ? default_source(texture, graph_folder) : chosen->second, exact);

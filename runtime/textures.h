@@ -14,6 +14,7 @@
 #include "patina/reflection.h"
 #include "runtime/image.h"
 #include "runtime/outcome.h"
+#include "runtime/scene.h"
 
 namespace patina::runtime {
 
@@ -38,9 +39,12 @@ std::vector<TextureLevel> mip_chain(const Image& linear);
 Image default_texture(const std::string& name);
 
 struct LoadedTextures {
-    std::vector<LoadedTexture> textures{};  // one for each of the reflection that could be loaded, in its order
+    std::vector<LoadedTexture> textures{};  // one for each of the material that could be loaded, in its order
     std::vector<std::string> errors{};      // one for each that could not, with its name
 };
+
+// What the scene gives to a material that reads it: its environment and the table of the split sum.
+void add_engine_textures(std::vector<LoadedTexture>& textures, const Reflection& reflection, const Scene& scene);
 
 // The reflection's own defaults are files below `graph_folder`. `files` maps texture names to a default's name or a
 // file, as one opens it, and wins over them.

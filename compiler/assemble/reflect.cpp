@@ -23,10 +23,14 @@ std::uint32_t buffers_of(const ir::Module& module, std::uint32_t set) {
                                                     [&](const ir::UniformBlock& b) { return b.set == set; }));
 }
 
+bool is_texture(const ir::Global& global) {
+    return global.type.kind == ir::Kind::Texture2D || global.type.kind == ir::Kind::TextureCube;
+}
+
 std::uint32_t textures_of(const ir::Module& module, std::uint32_t set) {
     return static_cast<std::uint32_t>(
         std::count_if(module.globals.begin(), module.globals.end(),
-                      [&](const ir::Global& g) { return g.set == set && g.type.kind == ir::Kind::Texture2D; }));
+                      [&](const ir::Global& g) { return g.set == set && is_texture(g); }));
 }
 
 Block reflect_block(const ir::Module& module, const ir::UniformBlock& block) {
@@ -67,27 +71,37 @@ std::string default_texture(const graph::MaterialProperty& entry, const std::str
     return entry.is_file ? path_from_graph(entry.texture_path, graph) : entry.texture_path;
 }
 
-Texture reflect_texture(const ir::Module& module, const graph::MaterialProperty& entry,
-                        const graph::PropertyGlobals& globals, const std::string& graph) {
-    const Property& property = *entry.property;
-    const ir::Global& texture = module.globals[globals.texture.index];
-    const ir::Global& sampler = module.globals[globals.sampler.index];
+// Where a texture and its sampler are bound, and what the shaders call them.
+Texture bound_texture(const ir::Module& module, const ir::Global& texture, const ir::Global& sampler) {
     const std::uint32_t buffers = buffers_of(module, texture.set), textures = textures_of(module, texture.set);
-    return {.name = property.name,
+    return {.name = texture.name,
             .identifier = texture.name,
-            .dimension = "2d",
-            .usage = std::string(text_of(graph::kTextureUsages, property.usage)),
-            .default_value = default_texture(entry, graph),
+            .dimension = texture.type.kind == ir::Kind::TextureCube ? "cube" : "2d",
+            .usage = "data",
+            .default_value = {},
+            .is_material = texture.set == graph::kMaterialSet,
             .set = texture.set,
             .binding = buffers + texture.slot,
             .hlsl_register = hlsl_register('t', texture.slot, texture.set),
             .sampler_name = sampler.name,
             .sampler_binding = buffers + textures + sampler.slot,
             .sampler_register = hlsl_register('s', sampler.slot, sampler.set),
-            .tiling = globals.tiling ? module.globals[globals.tiling.index].name : "",
-            .sampler = {.wrap = std::string(text_of(graph::kWraps, property.sampler.wrap)),
-                        .filter = std::string(text_of(graph::kFilters, property.sampler.filter)),
-                        .anisotropy = property.sampler.anisotropy}};
+            .tiling = {},
+            .sampler = {.wrap = "clamp", .filter = "linear", .anisotropy = 1}};
+}
+
+Texture reflect_texture(const ir::Module& module, const graph::MaterialProperty& entry,
+                        const graph::PropertyGlobals& globals, const std::string& graph) {
+    const Property& property = *entry.property;
+    Texture made = bound_texture(module, module.globals[globals.texture.index], module.globals[globals.sampler.index]);
+    made.name = property.name;
+    made.usage = text_of(graph::kTextureUsages, property.usage);
+    made.default_value = default_texture(entry, graph);
+    if (globals.tiling) made.tiling = module.globals[globals.tiling.index].name;
+    made.sampler = {.wrap = std::string(text_of(graph::kWraps, property.sampler.wrap)),
+                    .filter = std::string(text_of(graph::kFilters, property.sampler.filter)),
+                    .anisotropy = property.sampler.anisotropy};
+    return made;
 }
 
 patina::Property reflect_property(const ir::Module& module, const Property& property,
@@ -154,6 +168,10 @@ Pass reflect_pass(const graph::Material& material, const graph::Lowered& lowered
             break;
         }
     }
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        const ir::Global& global = lowered.module.globals[i];
+        if (used[i] && global.set == graph::kEngineSet && is_texture(global)) pass.textures.push_back(global.name);
+    }
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
         const ir::GlobalId texture = lowered.property_globals[i].texture;
         if (texture && used[texture.index]) pass.textures.push_back(material.properties[i].property->name);
@@ -199,6 +217,11 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
     made.meta = graph.meta;
     for (const ir::UniformBlock& block : lowered.module.blocks)
         made.blocks.push_back(reflect_block(lowered.module, block));
+    for (std::size_t i = 0; i < lowered.module.globals.size(); ++i) {
+        const ir::Global& global = lowered.module.globals[i];
+        if (global.set == graph::kEngineSet && is_texture(global))
+            made.textures.push_back(bound_texture(lowered.module, global, lowered.module.globals[i + 1]));
+    }
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
         const graph::MaterialProperty& entry = material.properties[i];
         made.properties.push_back(reflect_property(lowered.module, *entry.property, lowered.property_globals[i]));

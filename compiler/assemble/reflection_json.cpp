@@ -124,7 +124,8 @@ void write_texture(Writer& writer, const Texture& texture) {
     json.text("identifier", texture.identifier);
     json.text("dimension", texture.dimension);
     json.text("usage", texture.usage);
-    json.text("default", texture.default_value);
+    json.flag("material", texture.is_material);
+    json.text_if("default", texture.default_value);
     json.number("set", texture.set);
     json.number("binding", texture.binding);
     json.text("register", texture.hlsl_register);

@@ -8,6 +8,7 @@
 
 #include "compiler/cli/commands.h"
 #include "compiler/cli/files.h"
+#include "compiler/cli/model_cost.h"
 #include "compiler/cli/pages.h"
 
 namespace patina::cli {
@@ -34,10 +35,6 @@ void add_picture(Page& page, const std::string& folder, const std::string& name,
     page.sections.insert(before, std::move(section));
 }
 
-std::string row(const std::string& name, std::string_view doc) {
-    return fmt::format("| [{}]({}.md) | {} |\n", name, name, escaped(first_sentence(doc)));
-}
-
 void add_nodes(Pages& pages, const Compiler& compiler, const std::string& folder) {
     std::string index =
         std::string(kWritten) +
@@ -49,7 +46,7 @@ void add_nodes(Pages& pages, const Compiler& compiler, const std::string& folder
             category = node.category;
             index += "\n## " + category + "\n\n| node | |\n|---|---|\n";
         }
-        index += row(node.name, node.doc);
+        index += fmt::format("| [{}]({}.md) | {} |\n", node.name, node.name, escaped(first_sentence(node.doc)));
         Page page = node_page(node, node.name);
         add_picture(page, folder + "/nodes", "plots/" + node.name + ".svg", "its value");
         pages["nodes/" + node.name + ".md"] = to_markdown(page, kIndex);
@@ -61,9 +58,13 @@ void add_models(Pages& pages, const Compiler& compiler, const std::string& folde
     std::string index =
         std::string(kWritten) +
         "# Lighting models\n\nEach is a graph of [nodes](../nodes/README.md); `patina model NAME` shows the "
-        "same. [The gallery](../gallery.md) has their pictures side by side.\n\n| model | |\n|---|---|\n";
+        "same. [The gallery](../gallery.md) has their pictures side by side. What one costs is the size of its "
+        "optimised "
+        "fragment shader, in SPIR-V instructions; its page says of which.\n\n"
+        "| model | cost | |\n|---|---|---|\n";
     for (const ModelInfo& model : compiler.lighting_models()) {
-        index += row(model.name, model.doc);
+        index += fmt::format("| [{}]({}.md) | {} | {} |\n", model.name, model.name,
+                             cost_of(compiler, model).instructions, escaped(first_sentence(model.doc)));
         Page page = model_page(compiler, model);
         add_picture(page, folder + "/models", "pictures/" + model.name + ".png", "rendered");
         pages["models/" + model.name + ".md"] = to_markdown(page, kIndex);

@@ -1,171 +1,204 @@
-// patina eval: what one node computes, by the CPU reference.
+// patina eval: what one node, one lighting term or one lighting model computes, by the CPU reference.
 #include <fmt/format.h>
 
+#include <charconv>
+#include <cmath>
+#include <map>
 #include <memory>
+#include <optional>
 
 #include "compiler/cli/commands.h"
 #include "compiler/cli/json_numbers.h"
 #include "compiler/cli/sweep.h"
+#include "compiler/cli/terms.h"
+#include "runtime/model.h"
 
 namespace patina::cli {
 namespace {
 
 struct Arguments {
-    std::string node;
-    std::vector<std::string> values;
+    std::vector<std::string> words;  // a node, unless a term or a model is asked for; then name=value
+    std::string term, model, workflow = "metallic-roughness";
     bool single = false;
     bool json = false;
 };
 
-Values split(const std::vector<std::string>& values) {
-    Values pairs;
-    for (const std::string& value : values) {
-        const std::size_t equals = value.find('=');
-        pairs.emplace_back(value.substr(0, equals), value.substr(equals + 1));
-    }
-    return pairs;
-}
-
-std::string as_text(const EvalOutput& output) {
+// `all_digits`: so many that they read back as the same double.
+std::string as_text(const EvalOutput& output, bool all_digits) {
     std::string text;
-    for (double value : output.values) text += (text.empty() ? "" : ", ") + fmt::format("{:.9g}", value);
-    return text;
-}
-
-void write_outputs(JsonWriter& writer, const std::vector<EvalOutput>& outputs) {
-    for (const EvalOutput& output : outputs) {
-        writer.Key(output.name.c_str());
-        write_numbers(writer, output.values);
+    for (double value : output.values) {
+        text += (text.empty() ? "" : ", ") + (all_digits ? fmt::format("{}", value) : fmt::format("{:.9g}", value));
     }
+    return text;
 }
 
 std::string as_json(const std::vector<EvalOutput>& outputs) {
     rapidjson::StringBuffer buffer;
     JsonWriter writer(buffer);
     writer.StartObject();
-    write_outputs(writer, outputs);
+    for (const EvalOutput& output : outputs) {
+        writer.Key(output.name.c_str());
+        write_numbers(writer, output.values);
+    }
     writer.EndObject();
     return std::string(buffer.GetString()) + "\n";
 }
 
-// --- sweeps: a row for each combination
+// --- one evaluation: its outputs, or nothing after a message
 
-struct SweepRow {
-    std::vector<double> at;  // by axis
-    std::vector<EvalOutput> outputs;
-};
+using Outputs = std::optional<std::vector<EvalOutput>>;
 
-// The outputs of vectors are columns of their own: "out.x", "out.y".
-std::string as_csv(const std::vector<std::string>& names, const std::vector<SweepRow>& rows) {
-    std::string text = fmt::format("{}", fmt::join(names, ","));
-    for (const EvalOutput& output : rows.front().outputs) {
-        const std::size_t count = output.values.size();
-        for (std::size_t i = 0; i < count; ++i) {
-            text += "," + output.name;
-            if (count > 1) text += count <= 4 ? fmt::format(".{}", "xyzw"[i]) : fmt::format(".{}", i);
-        }
-    }
-    text += "\n";
-    for (const SweepRow& row : rows) {
-        text += fmt::format("{}", fmt::join(row.at, ","));
-        for (const EvalOutput& output : row.outputs) text += fmt::format(",{}", fmt::join(output.values, ","));
-        text += "\n";
-    }
-    return text;
+Outputs evaluate_node(const Console& console, const Arguments& arguments, const Compiler& compiler,
+                      const std::string& node, const Values& values) {
+    EvalResult result = compiler.evaluate(node, values, arguments.single);
+    report(console, result.diagnostics);
+    if (!result.ok) return {};
+    return std::move(result.outputs);
 }
 
-std::string as_json(const std::vector<std::string>& names, const std::vector<SweepRow>& rows) {
-    rapidjson::StringBuffer buffer;
-    JsonWriter writer(buffer);
-    writer.StartArray();
-    for (const SweepRow& row : rows) {
-        writer.StartObject();
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            writer.Key(names[i].c_str());
-            write_number(writer, row.at[i]);
-        }
-        write_outputs(writer, row.outputs);
-        writer.EndObject();
-    }
-    writer.EndArray();
-    return std::string(buffer.GetString()) + "\n";
+Outputs evaluate_term(const Console& console, const Arguments& arguments, const Compiler& compiler,
+                      const Values& values) {
+    TermResult result = cli::evaluate_term(compiler, arguments.term, values, arguments.single);
+    if (!result.error.empty()) complain(console, "bad-term", result.error);
+    if (result.error.empty()) report(console, result.diagnostics);
+    if (!result.ok) return {};
+    return std::move(result.outputs);
 }
 
-Exit sweep(const Console& console, const Arguments& arguments, const Compiler& compiler, const Values& values,
-           const std::vector<Axis>& axes) {
-    std::vector<std::string> names;
-    for (const Axis& axis : axes) names.push_back(values[axis.index].first);
-    std::vector<SweepRow> rows;
-    for (const Values& point : combinations(values, axes)) {
-        EvalResult result = compiler.evaluate(arguments.node, point, arguments.single);
-        if (!result.ok || rows.empty()) report(console, result.diagnostics);
-        if (!result.ok) return Exit::Wrong;
-        SweepRow& row = rows.emplace_back(SweepRow{.at = {}, .outputs = std::move(result.outputs)});
-        for (const Axis& axis : axes) row.at.push_back(std::stod(point[axis.index].second));
+// Three numbers, or nothing.
+std::optional<runtime::Triple> read_triple(const std::string& text) {
+    runtime::Triple triple{};
+    const char* at = text.data();
+    const char* end = at + text.size();
+    for (std::size_t i = 0; i < 3; ++i) {
+        while (at != end && (*at == ' ' || (i > 0 && *at == ','))) ++at;
+        const auto [next, failure] = std::from_chars(at, end, triple[i]);
+        if (failure != std::errc() || !std::isfinite(triple[i])) return {};
+        at = next;
+        if (i == 0 && at == end) return runtime::Triple{triple[0], triple[0], triple[0]};
     }
-    print(arguments.json ? as_json(names, rows) : as_csv(names, rows));
-    return Exit::Ok;
+    if (at != end) return {};
+    return triple;
+}
+
+Outputs evaluate_model(const Console& console, const Arguments& arguments, const Compiler& compiler,
+                       const Values& values) {
+    runtime::ModelChoice choice{.model = arguments.model, .workflow = arguments.workflow};
+    runtime::ModelPoint point;
+    runtime::ModelLight light;
+    const std::map<std::string, runtime::Triple*> triples = {{"n", &point.n},
+                                                             {"l", &point.l},
+                                                             {"v", &point.v},
+                                                             {"t", &point.t},
+                                                             {"light", &light.light},
+                                                             {"ambient", &light.ambient},
+                                                             {"environment", &light.environment}};
+    for (const auto& [name, text] : values) {
+        const auto triple = triples.find(name);
+        if (triple == triples.end()) {
+            choice.values.emplace_back(name, text);
+            continue;
+        }
+        const std::optional<runtime::Triple> numbers = read_triple(text);
+        const bool is_direction = name.size() == 1;
+        if (!numbers || (is_direction && *numbers == runtime::Triple{})) {
+            complain(console, "bad-value",
+                     fmt::format("'{}' is three numbers{}, not '{}'", name, is_direction ? ", not all 0" : "", text));
+            return {};
+        }
+        *triple->second = *numbers;
+    }
+    runtime::Model model(compiler, choice, arguments.single ? Precision::Float : Precision::Double);
+    report(console, model.diagnostics());
+    if (!model.ok()) return {};
+    const runtime::Triple color = model.color(point, light);
+    return std::vector<EvalOutput>{{.name = "out", .type = "float3", .values = {color.begin(), color.end()}}};
+}
+
+// --- all of it
+
+void print_outputs(const Arguments& arguments, const std::vector<EvalOutput>& outputs) {
+    const bool all_digits = !arguments.term.empty();
+    if (arguments.json) {
+        print(as_json(outputs));
+    } else if (outputs.size() == 1) {
+        print(as_text(outputs.front(), all_digits) + "\n");
+    } else {
+        for (const EvalOutput& output : outputs) print(output.name + " = " + as_text(output, all_digits) + "\n");
+    }
 }
 
 Exit evaluate(const Console& console, const Arguments& arguments) {
-    const Compiler compiler;
-    const Values values = split(arguments.values);
-    if (const std::vector<Axis> axes = axes_of(values); !axes.empty()) {
-        return sweep(console, arguments, compiler, values, axes);
+    const bool is_node = arguments.term.empty() && arguments.model.empty();
+    std::string node;
+    Values values;
+    for (const std::string& word : arguments.words) {
+        const std::size_t equals = word.find('=');
+        if (equals != word.npos && equals > 0) {
+            values.emplace_back(word.substr(0, equals), word.substr(equals + 1));
+        } else if (is_node && node.empty() && values.empty()) {
+            node = word;
+        } else {
+            complain(console, "bad-value", "'" + word + "' is not of the form name=value");
+            return Exit::Usage;
+        }
     }
-    const EvalResult result = compiler.evaluate(arguments.node, values, arguments.single);
-    report(console, result.diagnostics);
-    if (!result.ok) return Exit::Wrong;
-    if (arguments.json) {
-        print(as_json(result.outputs));
-    } else if (result.outputs.size() == 1) {
-        print(as_text(result.outputs.front()) + "\n");
-    } else {
-        for (const EvalOutput& output : result.outputs) print(output.name + " = " + as_text(output) + "\n");
+    if (is_node && node.empty()) {
+        complain(console, "bad-value", "say which node, --term or --model");
+        return Exit::Usage;
     }
-    return Exit::Ok;
-}
-
-// Empty, or what is wrong with "name=value".
-std::string check_value(const std::string& word) {
-    const std::size_t equals = word.find('=');
-    if (equals == word.npos || equals == 0) return "'" + word + "' is not of the form name=value";
     std::string error;
-    numbers_of(std::string_view(word).substr(equals + 1), error);
-    return error;
-}
-
-void complete(const Arguments& arguments) {
-    double steps = 1;
-    for (const Axis& axis : axes_of(split(arguments.values))) steps *= static_cast<double>(axis.numbers.size());
-    if (steps > kMostSteps) {
-        throw CLI::ValidationError("NAME=VALUE",
-                                   fmt::format("the ranges have {:.0f} combinations, more than the {} that "
-                                               "one table may have",
-                                               steps, kMostSteps));
+    const std::vector<Axis> axes = axes_of(values, error);
+    if (!error.empty()) {
+        complain(console, "bad-value", error);
+        return Exit::Usage;
     }
+    const Compiler compiler;
+    const auto evaluate_at = [&](const Values& at) {
+        if (!arguments.term.empty()) return evaluate_term(console, arguments, compiler, at);
+        if (!arguments.model.empty()) return evaluate_model(console, arguments, compiler, at);
+        return evaluate_node(console, arguments, compiler, node, at);
+    };
+    std::vector<SweepRow> rows;
+    for (const Values& at : combinations(values, axes)) {
+        Outputs outputs = evaluate_at(at);
+        if (!outputs) return Exit::Wrong;
+        if (axes.empty()) print_outputs(arguments, *outputs);
+        rows.push_back({.values = at, .outputs = std::move(*outputs)});
+    }
+    if (!axes.empty()) print(arguments.json ? sweep_json(axes, rows) : sweep_csv(axes, rows));
+    return Exit::Ok;
 }
 
 }  // namespace
 
 void add_eval(Program& program) {
     CLI::App& command = add_command(
-        program, "eval", "Compute one node on the CPU",
-        {"patina eval Lerp from=0 to=10 t=0.25", "patina eval DistributionGGX ndoth=0..1:101 alpha=0.25 >ggx.csv",
-         "patina eval NdotL normal=0,0,1 light_dir=0,0.6,0.8",
-         "patina eval DistributionGGX ndoth=0.9 alpha=0.25 --json", "patina eval wave.node.hlsl uv=0.5,0.5"});
+        program, "eval", "Compute one node, lighting term or lighting model on the CPU",
+        {"patina eval Lerp from=0 to=10 t=0.25", "patina eval NdotL normal=0,0,1 light_dir=0,0.6,0.8",
+         "patina eval DistributionGGX ndoth=0.9 alpha=0.25 --json",
+         "patina eval DistributionGGX ndoth=0..1:101 alpha=0.25 >ggx.csv", "patina eval wave.node.hlsl uv=0.5,0.5",
+         "patina eval --model unity-brdf1 n=0,0,1 l=0,0.6,0.8 v=0,0,1 baseColor=1,0.8,0.2 metallic=1",
+         "patina eval --model phong --workflow specular-glossiness l=1,0,1 v=-1,0,1 _Normalization=Classic",
+         "patina eval --term D_GGX a2=0.1 NoH=0.9"});
     auto arguments = std::make_shared<Arguments>();
-    command.add_option("NODE", arguments->node, "A node of the library, or the file of one (.node.hlsl)")
-        ->required()
-        ->type_name(" ");
     command
-        .add_option("NAME=VALUE", arguments->values,
-                    "Inputs as a graph writes them: 0.5, 0,0,1, #ff8800, true, a word; FROM..TO:COUNT makes a table")
-        ->type_name(" ")
-        ->check(check_value);
+        .add_option("NODE NAME=VALUE", arguments->words,
+                    "A node of the library or the file of one (.node.hlsl), and its inputs as a graph writes them: "
+                    "0.5, 0,0,1, #ff8800, true, a word; FROM..TO:COUNT makes a table")
+        ->type_name(" ");
+    CLI::Option* model = command.add_option(
+        "--model", arguments->model,
+        "A lighting model or the file of one: what it sends to the viewer, for one light of E/pi = 1. Inputs: n, l, v, "
+        "t (normal, to the light, to the viewer, tangent), light, ambient (E/pi), environment (radiance), and the "
+        "surface's and the model's own");
+    command.add_option("--workflow", arguments->workflow, "What the surface of --model is described by")->needs(model);
+    command
+        .add_option("--term", arguments->term,
+                    "A term of the lighting reference, by its name and inputs there (tests/data/terms.json)")
+        ->excludes(model);
     command.add_flag("--float", arguments->single, "Compute in 32-bit float, as a GPU does; default: double");
     command.add_flag("--json", arguments->json, "Print every output by name with all digits");
-    command.parse_complete_callback([arguments] { complete(*arguments); });
     set_work(program, command, [arguments](const Console& console) { return evaluate(console, *arguments); });
 }
 

@@ -45,7 +45,10 @@ void collect_semantics(std::string_view text, std::span<const SemanticInfo> know
         }
         for (std::string_view name : {text.substr(at + 1, whole - at - 1), text.substr(at + 1, end - at - 1)}) {
             const auto found = std::ranges::find(known, name, &SemanticInfo::name);
-            if (found == known.end()) continue;
+            // A struct's member that no semantic is: an input that the model declares.
+            const bool has_members = std::ranges::any_of(
+                known, [&](const SemanticInfo& info) { return info.name.starts_with(std::string(name) + "."); });
+            if (found == known.end() || has_members) continue;
             // Where the lit surface has a value of the same name, a lighting graph means that.
             const auto lit = std::ranges::find(known, "surface." + std::string(name), &SemanticInfo::name);
             read[static_cast<std::size_t>((lit == known.end() ? found : lit) - known.begin())] = true;

@@ -24,10 +24,16 @@ ir::GlobalId add_block_global(ir::Module& module, std::uint32_t block, const std
     return {static_cast<std::uint32_t>(module.globals.size() - 1)};
 }
 
-ir::GlobalId add_resource(ir::Module& module, std::string name, ir::Kind kind, std::uint32_t slot, Span span) {
-    module.globals.push_back(
-        {.name = std::move(name), .type = Type::of(kind), .slot = slot, .set = kMaterialSet, .span = span});
+ir::GlobalId add_resource(ir::Module& module, std::string name, ir::Kind kind, std::uint32_t set, std::uint32_t slot,
+                          Span span) {
+    module.globals.push_back({.name = std::move(name), .type = Type::of(kind), .slot = slot, .set = set, .span = span});
     return {static_cast<std::uint32_t>(module.globals.size() - 1)};
+}
+
+std::optional<ir::Kind> texture_kind(std::string_view type) {
+    if (type == "Texture2D") return ir::Kind::Texture2D;
+    if (type == "TextureCube") return ir::Kind::TextureCube;
+    return {};
 }
 
 }  // namespace
@@ -77,9 +83,17 @@ void add_member(ir::UniformBlock& block, const ir::Module& module, std::string n
 void declare_engine(const Library& library, nodelang::Emitter& emitter) {
     ir::Module& module = emitter.module();
     const nodelang::Scope scope{.declarations = &library.declarations};
+    std::uint32_t textures = 0;
     for (const nodelang::VariableDecl& variable : library.ast.variables) {
         const nodelang::Attribute* attribute = variable.attribute("extern");
         if (!attribute) continue;
+        if (const std::optional<ir::Kind> kind = texture_kind(variable.type.name)) {
+            const std::string texture(variable.name);
+            emitter.set_extern(&variable, add_resource(module, texture, *kind, kEngineSet, textures, variable.span));
+            add_resource(module, texture + "_sampler", ir::Kind::Sampler, kEngineSet, textures, variable.span);
+            ++textures;
+            continue;
+        }
         const std::string_view name = nodelang::attribute_text(*attribute);
         auto block = std::find_if(module.blocks.begin(), module.blocks.end(),
                                   [&](const ir::UniformBlock& b) { return b.name == name; });
@@ -109,8 +123,9 @@ std::vector<PropertyGlobals> declare_material(const Material& material, ir::Modu
             made.value = add_block_global(module, block, property.name, property_type(property.type), property.span);
             continue;
         }
-        made.texture = add_resource(module, property.name, ir::Kind::Texture2D, slot, property.span);
-        made.sampler = add_resource(module, "sampler" + property.name, ir::Kind::Sampler, slot, property.span);
+        made.texture = add_resource(module, property.name, ir::Kind::Texture2D, kMaterialSet, slot, property.span);
+        made.sampler =
+            add_resource(module, "sampler" + property.name, ir::Kind::Sampler, kMaterialSet, slot, property.span);
         if (property.tiling) {
             made.tiling = add_block_global(module, block, property.name + "_ST", ir::kFloat4, property.span);
         }

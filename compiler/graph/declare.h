@@ -21,7 +21,8 @@ struct PropertyGlobals {
 // The type of a numeric property's value in its block.
 ir::Type property_type(PropertyType type);
 
-// Declares every [extern] variable of the library; one block per name, in order of appearance.
+// Declares every [extern] variable of the library: numbers in one block per name, textures each with a sampler behind
+// it, all in order of appearance.
 void declare_engine(const Library& library, nodelang::Emitter& emitter);
 // One entry per Material::properties.
 std::vector<PropertyGlobals> declare_material(const Material& material, ir::Module& module);

@@ -132,6 +132,15 @@ void Interpreter::set_block(std::string_view name, std::span<const std::byte> by
     }
 }
 
+void Interpreter::set_value(std::string_view name, std::span<const double> components) {
+    if (!impl_->module) return;
+    const ir::Module& module = *impl_->module;
+    for (std::uint32_t i = 0; i < module.globals.size(); ++i) {
+        if (module.globals[i].in_block() && module.globals[i].name == name)
+            interpret::set_uniform(impl_->machine, module, ir::GlobalId{i}, components);
+    }
+}
+
 // A texture brings its sampler's state: the sampler of the same slot is bound with it.
 void Interpreter::set_texture(std::string_view name, std::shared_ptr<const TextureData> texture) {
     if (!impl_->module) return;

@@ -1,7 +1,7 @@
 // Texture reads, as Vulkan describes them ("Texel Input Operations"), on RGBA texels in linear floats.
 //
 // Left out: anisotropy (a footprint that is longer than wide is sampled as a square, so such places are blurrier than
-// on a GPU), and cube maps: nothing in the public interface brings their texels, so a cube is opaque black.
+// on a GPU).
 #include <algorithm>
 #include <cmath>
 
@@ -45,8 +45,9 @@ std::size_t wrapped(double index, int size, Wrap wrap) {
     return static_cast<std::size_t>(std::clamp(inside, 0.0, size - 1.0));
 }
 
-const float* texel_at(const TextureLevel& level, std::size_t x, std::size_t y) {
-    return level.texels.data() + 4 * (y * static_cast<std::size_t>(level.width) + x);
+const float* texel_at(const TextureLevel& level, std::size_t x, std::size_t y, std::size_t face = 0) {
+    const auto width = static_cast<std::size_t>(level.width), height = static_cast<std::size_t>(level.height);
+    return level.texels.data() + 4 * ((face * height + y) * width + x);
 }
 
 Texel nearest(const Reader& reader, const TextureLevel& level, double u, double v) {
@@ -74,7 +75,81 @@ Texel bilinear(const Reader& reader, const TextureLevel& level, double u, double
     return sum;
 }
 
-Texel at_level(const Reader& reader, double u, double v, double lod) {
+// --- cubes
+
+// Where a direction meets the cube: the face, and the place on it from 0 to 1 (Vulkan, "Cube Map Face Selection").
+struct OnFace {
+    std::size_t face = 0;
+    double u = 0, v = 0;
+};
+using Direction = std::array<double, 3>;
+
+OnFace on_face(const Direction& d) {
+    const double x = std::abs(d[0]), y = std::abs(d[1]), z = std::abs(d[2]);
+    const auto place = [](std::size_t face, double s, double t, double major) -> OnFace {
+        return {face, 0.5 * (s / major + 1), 0.5 * (t / major + 1)};
+    };
+    if (z >= x && z >= y) return d[2] >= 0 ? place(4, d[0], -d[1], z) : place(5, -d[0], -d[1], z);
+    if (y >= x) return d[1] >= 0 ? place(2, d[0], d[2], y) : place(3, d[0], -d[2], y);
+    return d[0] >= 0 ? place(0, -d[2], -d[1], x) : place(1, d[2], -d[1], x);
+}
+
+// The way back; u and v may lie a little outside.
+Direction through(const OnFace& place) {
+    const double s = 2 * place.u - 1, t = 2 * place.v - 1;
+    switch (place.face) {
+        case 0: return {1, -t, -s};
+        case 1: return {-1, -t, s};
+        case 2: return {s, 1, t};
+        case 3: return {s, -1, -t};
+        case 4: return {s, -t, 1};
+        default: return {-s, -t, -1};
+    }
+}
+
+// A texel of a face, or of its neighbour where it lies beyond one edge. Beyond two there is none.
+const float* cube_texel(const TextureLevel& level, std::size_t face, double x, double y) {
+    const double size = level.width;
+    const auto inside = [&](double i) { return i >= 0 && i < size; };
+    const auto index = [&](double i) { return static_cast<std::size_t>(std::clamp(i, 0.0, size - 1)); };
+    if (inside(x) && inside(y)) return texel_at(level, index(x), index(y), face);
+    if (!inside(x) && !inside(y)) return nullptr;
+    // A hair beyond the edge, where the place along it is still the same.
+    const auto centre = [&](double i) { return i < 0 ? -1e-6 : i >= size ? 1 + 1e-6 : (i + 0.5) / size; };
+    const OnFace beyond = on_face(through({.face = face, .u = centre(x), .v = centre(y)}));
+    return texel_at(level, index(std::floor(beyond.u * size)), index(std::floor(beyond.v * size)), beyond.face);
+}
+
+// Filtered over the edges; at a corner, where three faces meet, the missing texel is the mean of the others.
+Texel cube_bilinear(const TextureLevel& level, const OnFace& place) {
+    const double x = place.u * level.width - 0.5, y = place.v * level.width - 0.5;
+    const double left = std::floor(x), top = std::floor(y);
+    const std::array column_weights = {1 - (x - left), x - left}, row_weights = {1 - (y - top), y - top};
+    std::array<const float*, 4> texels{};
+    for (std::size_t k = 0; k < 4; ++k) {
+        texels[k] = cube_texel(level, place.face, left + static_cast<double>(k & 1), top + static_cast<double>(k >> 1));
+    }
+    Texel sum{};
+    for (std::size_t k = 0; k < 4; ++k) {
+        const double weight = column_weights[k & 1] * row_weights[k >> 1];
+        for (std::size_t c = 0; c < 4; ++c) {
+            double value = 0;
+            if (texels[k]) {
+                value = texels[k][c];
+            } else {
+                for (const float* other : texels) value += other ? other[c] / 3.0 : 0;
+            }
+            sum[c] += weight * value;
+        }
+    }
+    return sum;
+}
+
+// --- levels
+
+// `bilinear_at` and `nearest_at` read one level.
+template <class Linear, class Nearest>
+Texel mixed_levels(const Reader& reader, double lod, Linear bilinear_at, Nearest nearest_at) {
     // fmin and fmax let a level that is not a number be level 0.
     const double level = std::fmin(std::fmax(lod, 0.0), reader.last_level());
     const auto whole = [&](double l) -> const TextureLevel& {
@@ -82,14 +157,35 @@ Texel at_level(const Reader& reader, double u, double v, double lod) {
     };
     if (!reader.is_linear) {
         const double near_level = std::fmax(std::ceil(level + 0.5) - 1, 0.0);
-        return nearest(reader, whole(std::fmin(near_level, reader.last_level())), u, v);
+        return nearest_at(whole(std::fmin(near_level, reader.last_level())));
     }
     const double finer = std::floor(level), weight = level - finer;
-    Texel mixed = bilinear(reader, whole(finer), u, v);
+    Texel mixed = bilinear_at(whole(finer));
     if (weight == 0) return mixed;
-    const Texel coarse = bilinear(reader, whole(finer + 1), u, v);
+    const Texel coarse = bilinear_at(whole(finer + 1));
     for (std::size_t c = 0; c < 4; ++c) mixed[c] += (coarse[c] - mixed[c]) * weight;
     return mixed;
+}
+
+Texel at_level(const Reader& reader, double u, double v, double lod) {
+    return mixed_levels(
+        reader, lod, [&](const TextureLevel& level) { return bilinear(reader, level, u, v); },
+        [&](const TextureLevel& level) { return nearest(reader, level, u, v); });
+}
+
+Texel at_level(const Reader& reader, const Direction& direction, double lod) {
+    const OnFace place = on_face(direction);
+    if (!std::isfinite(place.u) || !std::isfinite(place.v)) return kNothing;
+    const auto nearest_at = [&](const TextureLevel& level) -> Texel {
+        const double last = level.width - 1;
+        const auto index = [&](double at) {
+            return static_cast<std::size_t>(std::clamp(std::floor(at * level.width), 0.0, last));
+        };
+        const float* texel = texel_at(level, index(place.u), index(place.v), place.face);
+        return {texel[0], texel[1], texel[2], texel[3]};
+    };
+    return mixed_levels(
+        reader, lod, [&](const TextureLevel& level) { return cube_bilinear(level, place); }, nearest_at);
 }
 
 // The level of detail of a footprint: log2 of the longer of its two sides, in texels of level 0.
@@ -148,6 +244,56 @@ double level(const Step& step, const Machine& machine, const Reader& reader, uns
     return implicit_level(step, machine, reader) + bias;
 }
 
+Direction direction_of(const Step& step, const Machine& machine, unsigned which, unsigned lane) {
+    return {operand(step, machine, which, 0, lane), operand(step, machine, which, 1, lane),
+            operand(step, machine, which, 2, lane)};
+}
+
+// The footprint on the face that the pixel itself looks at.
+double cube_level(const Reader& reader, const Direction& at, const Direction& dx, const Direction& dy) {
+    const OnFace place = on_face(at);
+    const auto moved = [&](const Direction& by) -> std::array<double, 2> {
+        // A small step: the derivative of the place on the face along `by`.
+        constexpr double kStep = 1e-4;
+        const Direction to = {at[0] + kStep * by[0], at[1] + kStep * by[1], at[2] + kStep * by[2]};
+        const OnFace next = on_face(to);
+        if (next.face != place.face) return {0, 0};
+        return {(next.u - place.u) / kStep, (next.v - place.v) / kStep};
+    };
+    return level_of(reader, moved(dx), moved(dy));
+}
+
+Direction difference(const Direction& a, const Direction& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+template <Op op>
+double level_in_cube(const Step& step, const Machine& machine, const Reader& reader, unsigned lane) {
+    if constexpr (op == Op::SampleLevel) return operand(step, machine, 3, 0, lane);
+    const Direction at = direction_of(step, machine, 2, op == Op::SampleGrad ? lane : 0);
+    if constexpr (op == Op::SampleGrad) {
+        return cube_level(reader, at, direction_of(step, machine, 3, lane), direction_of(step, machine, 4, lane));
+    }
+    const double bias = op == Op::SampleBias ? operand(step, machine, 3, 0, lane) : 0;
+    return cube_level(reader, at, difference(direction_of(step, machine, 2, 1), at),
+                      difference(direction_of(step, machine, 2, 2), at)) +
+           bias;
+}
+
+template <Op op>
+void cube_kernel(const Step& step, Machine& machine) {
+    for (unsigned lane = 0; lane < kLanes; ++lane) {
+        const TextureData* texture = bound(step, machine, 0, lane);
+        if (!texture || texture->faces != 6) {
+            store(step, machine, lane, kUnbound);
+            continue;
+        }
+        const Reader reader = make_reader(step, machine, *texture, lane);
+        const Direction direction = direction_of(step, machine, 2, lane);
+        store(step, machine, lane, at_level(reader, direction, level_in_cube<op>(step, machine, reader, lane)));
+    }
+}
+
 template <Op op>
 void sample_kernel(const Step& step, Machine& machine) {
     for (unsigned lane = 0; lane < kLanes; ++lane) {
@@ -192,15 +338,16 @@ void size_kernel(const Step& step, Machine& machine) {
     }
 }
 
-void cube_kernel(const Step& step, Machine& machine) {
-    for (unsigned lane = 0; lane < kLanes; ++lane) store(step, machine, lane, {0, 0, 0, 1});
-}
-
 }  // namespace
 
 Kernel sampling_kernel(Op op, ir::Kind texture) {
     if (op == Op::TextureSize) return size_kernel;
-    if (texture == ir::Kind::TextureCube) return cube_kernel;
+    if (texture == ir::Kind::TextureCube) {
+        if (op == Op::Sample) return cube_kernel<Op::Sample>;
+        if (op == Op::SampleBias) return cube_kernel<Op::SampleBias>;
+        if (op == Op::SampleLevel) return cube_kernel<Op::SampleLevel>;
+        return op == Op::SampleGrad ? cube_kernel<Op::SampleGrad> : nullptr;
+    }
     if (op == Op::Sample) return sample_kernel<Op::Sample>;
     if (op == Op::SampleBias) return sample_kernel<Op::SampleBias>;
     if (op == Op::SampleLevel) return sample_kernel<Op::SampleLevel>;

@@ -55,6 +55,8 @@ Type Emitter::type(const TypeName& name, const Scope& scope) {
         base = Type::vector(Scalar::Float, std::max(1u, scope.generic_width));
     } else if (name.name == "Texture2D") {
         base = texture2d();
+    } else if (name.name == "TextureCube") {
+        base = texture_cube();
     } else if (name.name == "SamplerState") {
         base = Type::of(ir::Kind::Sampler);
     } else if (name.name == "void") {
@@ -66,8 +68,9 @@ Type Emitter::type(const TypeName& name, const Scope& scope) {
         } else if (scope.declarations->enumeration(name.name)) {
             base = ir::kInt;
         } else {
-            std::vector<std::string_view> known = {"bool",   "int",    "uint",   "half",     "float",    "float2",
-                                                   "float3", "float4", "floatN", "float3x3", "float4x4", "Texture2D"};
+            std::vector<std::string_view> known = {"bool",     "int",       "uint",       "half",   "float",
+                                                   "float2",   "float3",    "float4",     "floatN", "float3x3",
+                                                   "float4x4", "Texture2D", "TextureCube"};
             diagnostics_.report(Code::UnknownType, name.span, name.name)
                 .note(Diagnostics::suggestion(name.name, known));
             return Type::error();
@@ -114,8 +117,18 @@ Type Emitter::texture2d() {
     return *texture2d_;
 }
 
+Type Emitter::texture_cube() {
+    if (!texture_cube_) {
+        module_.structs.push_back(
+            {.name = "TextureCube",
+             .members = {{"texture", Type::of(ir::Kind::TextureCube)}, {"sampler", Type::of(ir::Kind::Sampler)}}});
+        texture_cube_ = Type::structure(static_cast<std::uint32_t>(module_.structs.size() - 1));
+    }
+    return *texture_cube_;
+}
+
 bool Emitter::is_texture(Type type) const {
-    return texture2d_ && type == *texture2d_;
+    return (texture2d_ && type == *texture2d_) || (texture_cube_ && type == *texture_cube_);
 }
 
 Typed Emitter::make_texture(Value texture, Value sampler, Value tiling, Scope& scope) {
@@ -127,6 +140,11 @@ Typed Emitter::make_texture(Value texture, Value sampler, Value tiling, Scope& s
     const Value inverse = b.emit(Op::Div, ir::kFloat2, {b.splat_constant(ir::kFloat2, 1), size});
     const Value texel_size = b.construct(ir::kFloat4, std::array{inverse, size});
     return {.value = b.construct(bundle, std::array{texture, sampler, texel_size, tiling}), .type = bundle};
+}
+
+Typed Emitter::make_cube(Value texture, Value sampler, Scope& scope) {
+    const Type bundle = texture_cube();
+    return {.value = scope.builder->construct(bundle, std::array{texture, sampler}), .type = bundle};
 }
 
 Value Emitter::zero(Type type, Scope& scope) {

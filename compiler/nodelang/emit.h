@@ -116,9 +116,11 @@ public:
     // --- types
     ir::Type type(const TypeName& name, const Scope& scope);  // reports unknown types
     ir::Type structure(const StructDecl& decl, const Declarations& home);
-    ir::Type texture2d();  // the struct {texture, sampler, texelSize, tiling}
+    ir::Type texture2d();     // the struct {texture, sampler, texelSize, tiling}
+    ir::Type texture_cube();  // the struct {texture, sampler}
     // Makes a texture's value from its parts.
     Typed make_texture(ir::Value texture, ir::Value sampler, ir::Value tiling, Scope& scope);
+    Typed make_cube(ir::Value texture, ir::Value sampler, Scope& scope);
     bool is_texture(ir::Type type) const;
     const Outputs* intern(Outputs outputs);
 
@@ -223,7 +225,7 @@ private:
     std::map<std::string, Slot> slots_;
     std::map<const VariableDecl*, ir::GlobalId> externs_;
     std::map<const VariableDecl*, double> statics_;
-    std::optional<ir::Type> texture2d_;
+    std::optional<ir::Type> texture2d_, texture_cube_;
     std::deque<Outputs> outputs_;
     std::vector<const FunctionDecl*> active_;  // for recursion
     std::deque<std::vector<std::string_view>> enumerator_lists_;

@@ -472,7 +472,7 @@ Typed Emitter::method(const Expr& expr, Scope& scope) {
         std::size_t count;
         bool sampler;
     };
-    static constexpr Method kMethods[] = {
+    static constexpr Method kMethods2D[] = {
         {"Sample", Op::Sample, {ir::kFloat2}, 1, true},
         {"SampleBias", Op::SampleBias, {ir::kFloat2, ir::kFloat}, 2, true},
         {"SampleLevel", Op::SampleLevel, {ir::kFloat2, ir::kFloat}, 2, true},
@@ -480,15 +480,24 @@ Typed Emitter::method(const Expr& expr, Scope& scope) {
         {"Load", Op::TexelLoad, {Type::vector(Scalar::Int, 2), ir::kInt}, 2, false},
         {"Size", Op::TextureSize, {ir::kInt}, 1, false},
     };
+    static constexpr Method kMethodsCube[] = {
+        {"Sample", Op::Sample, {ir::kFloat3}, 1, true},
+        {"SampleBias", Op::SampleBias, {ir::kFloat3, ir::kFloat}, 2, true},
+        {"SampleLevel", Op::SampleLevel, {ir::kFloat3, ir::kFloat}, 2, true},
+        {"SampleGrad", Op::SampleGrad, {ir::kFloat3, ir::kFloat3, ir::kFloat3}, 3, true},
+        {"Size", Op::TextureSize, {ir::kInt}, 1, false},
+    };
     const Typed object = primary(expression(*expr.args[0], scope), scope, expr.args[0]->span);
     if (!object.ok()) return {};
-    const auto row =
-        std::find_if(std::begin(kMethods), std::end(kMethods), [&](const Method& m) { return m.name == expr.text; });
-    if (!is_texture(object.type) || row == std::end(kMethods)) {
+    const std::span<const Method> methods = texture_cube_ && object.type == *texture_cube_
+                                                ? std::span<const Method>(kMethodsCube)
+                                                : std::span<const Method>(kMethods2D);
+    const auto row = std::find_if(methods.begin(), methods.end(), [&](const Method& m) { return m.name == expr.text; });
+    if (!is_texture(object.type) || row == methods.end()) {
         DiagnosticRecord& record = diagnostics_.report(Code::UnknownName, expr.name_span, "method", expr.text);
         if (is_texture(object.type)) {
             std::vector<std::string_view> names;
-            for (const Method& m : kMethods) names.push_back(m.name);
+            for (const Method& m : methods) names.push_back(m.name);
             record.note(Diagnostics::suggestion(expr.text, names));
         } else {
             record.note(fmt::format("{} has no methods", module_.type_name(object.type)));

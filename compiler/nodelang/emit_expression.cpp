@@ -115,8 +115,15 @@ Typed Emitter::name(const Expr& expr, Scope& scope) {
 Typed Emitter::extern_value(const VariableDecl& variable, Scope& scope) {
     const auto global = externs_.find(&variable);
     if (global == externs_.end()) return {};
+    const auto read = [&](std::uint32_t index) {
+        return scope.builder->emit(Op::Global, module_.globals[index].type, {}, index);
+    };
     const Type type = module_.globals[global->second.index].type;
-    return {.value = scope.builder->emit(Op::Global, type, {}, global->second.index), .type = type};
+    const Value value = read(global->second.index);
+    if (!type.is_opaque()) return {.value = value, .type = type};
+    const Value sampler = read(global->second.index + 1);  // declared with its texture
+    if (type.kind == ir::Kind::TextureCube) return make_cube(value, sampler, scope);
+    return make_texture(value, sampler, scope.builder->constant(ir::kFloat4, {1, 1, 0, 0}), scope);
 }
 
 Typed Emitter::file_constant(const VariableDecl& variable, Scope& scope) {

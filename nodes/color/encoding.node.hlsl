@@ -73,3 +73,37 @@ float3 SrgbToLinearApproximate(
 ) {
     return color * (color * (color * 0.305306011 + 0.682171111) + 0.012522878);
 }
+
+/// Linear colour to sRGB as Unity's shaders have it where they are exact: above 1 a plain power.
+///
+/// formula: 12.92 c up to 0.0031308, 1.055 c^0.4166667 - 0.055 up to 1, c^0.45454545 above
+/// source: Unity built-in shaders, LinearToGammaSpaceExact; IEC 61966-2-1:1999
+/// test: LinearToSrgbUnity(0.002) == float3(0.02584, 0.02584, 0.02584)
+/// test: LinearToSrgbUnity(float3(0, 0.5, 2)) == float3(0, 0.7353569647913258, 1.3703509804026013)
+/// test: LinearToSrgbUnity(float3(-1, 1, 1)) == float3(0, 1, 1)
+[node("Color/Linear to sRGB Unity")]
+float3 LinearToSrgbUnity(
+    float3 color = 0  ///< linear colour; below zero counts as zero
+) {
+    float3 dark = max(color, 0) * 12.92;
+    float3 light = 1.055 * pow(max(color, 0.0031308), 0.4166667) - 0.055;
+    float3 above = pow(max(color, 1), 0.45454545);
+    return color <= 0.0031308 ? dark : color < 1 ? light : above;
+}
+
+/// sRGB colour to linear as Unity's shaders have it where they are exact: above 1 a plain power.
+///
+/// formula: c / 12.92 up to 0.04045, ((c + 0.055) / 1.055)^2.4 up to 1, c^2.2 above
+/// source: Unity built-in shaders, GammaToLinearSpaceExact; IEC 61966-2-1:1999
+/// test: SrgbToLinearUnity(0.02) == float3(0.0015479876160990713, 0.0015479876160990713, 0.0015479876160990713)
+/// test: SrgbToLinearUnity(float3(0, 0.5, 1.5)) == float3(0, 0.21404114048223255, 2.440061485194822)
+/// test: SrgbToLinearUnity(float3(-1.292, 1, 1)) == float3(-0.1, 1, 1)
+[node("Color/sRGB to Linear Unity")]
+float3 SrgbToLinearUnity(
+    float3 color = 0  ///< sRGB colour
+) {
+    float3 dark = color / 12.92;
+    float3 light = pow((max(color, 0.04045) + 0.055) / 1.055, 2.4);
+    float3 above = pow(max(color, 1), 2.2);
+    return color <= 0.04045 ? dark : color < 1 ? light : above;
+}

@@ -325,18 +325,18 @@ float3 DecodeHDR(
     return instructions.x * pow(max(scale, 1e-6), instructions.y) * encoded.rgb;
 }
 
-/// Where a view-space normal reads a picture of a lit ball.
+/// Where a view-space normal reads a picture of a lit ball: a normal that points up reads the top of the picture.
 ///
-/// formula: 0.5 normalize(normal_vs).xy + 0.5
+/// formula: (0.5 + 0.5 n.x, 0.5 - 0.5 n.y), n = normalize(normal_vs); where v grows upwards it is 0.5 n.xy + 0.5
 /// source: Sloan et al., "The Lit Sphere", Graphics Interface 2001
 /// test: MatcapUV(float3(0, 0, 1)) == float2(0.5, 0.5)
 /// test: MatcapUV(float3(0.6, 0, 0.8)) == float2(0.8, 0.5)
-/// test: MatcapUV(float3(0, -3, 4)) == float2(0.5, 0.2)
+/// test: MatcapUV(float3(0, -3, 4)) == float2(0.5, 0.8)
 [node("Lighting/Ambient/Matcap UV")]
 float2 MatcapUV(
     float3 normal_vs = float3(0, 0, 1)  ///< normal in view space: x right, y up, z to the viewer
 ) {
-    return normalize(normal_vs).xy * 0.5 + 0.5;
+    return normalize(normal_vs).xy * float2(0.5, -0.5) + 0.5;
 }
 
 /// Ambient occlusion, weakened or strengthened.

@@ -139,6 +139,30 @@ float DistributionGGXUnity(
     return INV_PI * a2 / (spread * spread + 1e-7);
 }
 
+/// GGX as Unity's second model computes it: with 0.00001 in the denominator, which lowers the peak of surfaces smoother
+/// than alpha 0.03.
+///
+/// formula: D = alpha^2 / (pi ((n.h)^2 (alpha^2 - 1) + 1.00001)^2)
+/// source: Unity built-in shaders, BRDF2_Unity_PBS; Walter et al., EGSR 2007, eq. 33
+/// test: DistributionGGXMinimalist(1, 1) == 0.31830352008155866
+/// test: DistributionGGXMinimalist(1, 0.5) == 1.2731376916828072
+/// test: DistributionGGXMinimalist(0.5, 0.25) == 0.033938026762228596
+/// test: DistributionGGXMinimalist(1, 0) == 0
+[node("Lighting/Distribution/GGX Minimalist")]
+float DistributionGGXMinimalist(
+    [range(0, 1)] float ndoth,        ///< cosine of normal and half vector
+    [range(0, 1)] float alpha = 0.25  ///< roughness squared
+) {
+    float peak = MinimalistPeak(ndoth, alpha);
+    return INV_PI * peak * peak;
+}
+
+// The square root of pi D, which even half precision can square.
+float MinimalistPeak(float ndoth, float alpha) {
+    float spread = (1 - ndoth) * (1 + ndoth) + ndoth * ndoth * alpha * alpha;
+    return alpha / (spread + 1e-5);
+}
+
 /// GGX for half precision: 1 - (n.h)^2, which loses its digits near the peak, is the squared length of a cross product.
 ///
 /// The result is limited to the largest number that half precision holds, which dims the peak of surfaces smoother
@@ -158,8 +182,8 @@ float DistributionGGXMobile(
     float3 across = cross(normal, half_vector);
     float a = dot(normal, half_vector) * alpha;
     float p = alpha / max(dot(across, across) + a * a, 6e-8);
-    // The square root of 65504: the square of anything larger is infinite in half precision.
-    p = min(p, 255.937);
+    // Just above the square root of 65504: the square of anything larger could be infinite in half precision.
+    p = min(p, 255.9375);
     return min(p * p, 65504) * INV_PI;
 }
 

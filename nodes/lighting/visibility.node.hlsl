@@ -171,6 +171,22 @@ float SmithMasking(
     return 2 * cosine / max(cosine + sqrt(c2 + alpha * alpha * max(1 - c2, 0)), 1e-5);
 }
 
+/// One direction's part of the separable Smith visibility for GGX: that of the light times that of the view is V.
+///
+/// formula: G1 / (2 c) = 1 / (c + sqrt(c^2 + alpha^2 (1 - c^2)))
+/// source: Walter et al., EGSR 2007, eq. 34; Disney's BRDF Explorer uses it for the clearcoat, with alpha 0.25
+/// test: SmithVisibilityFactor(0.6, 0.25) == 0.8113883008418966
+/// test: SmithVisibilityFactor(1, 0.5) == 0.5
+/// test: SmithVisibilityFactor(0, 0.25) == 4
+[node("Lighting/Visibility/Smith Factor")]
+float SmithVisibilityFactor(
+    [range(0, 1)] float cosine,       ///< cosine of normal and direction
+    [range(0, 1)] float alpha = 0.25  ///< roughness squared
+) {
+    float c2 = cosine * cosine;
+    return 1 / max(cosine + sqrt(c2 + alpha * alpha * max(1 - c2, 0)), 1e-5);
+}
+
 /// Smith's joint masking-shadowing for GGX: the share of facets that light and viewer both see.
 ///
 /// formula: G = 1 / (1 + lambda(n.v) + lambda(n.l))
@@ -238,6 +254,23 @@ float VisibilityKelemen(
     [range(0, 1)] float ldoth  ///< cosine of light (or view) and half vector
 ) {
     return 0.25 / max(ldoth * ldoth, 1e-4);
+}
+
+/// Schüler's visibility with Fresnel's curve folded in: both are close to one over the squared cosine. It then needs no
+/// Fresnel term but the reflectance f0.
+///
+/// formula: V F = 1 / (4 max(0.1, (l.h)^2) (alpha + 0.5))
+/// source: Schüler, "An Efficient and Physically Plausible Real Time Shading Model", ShaderX 7, 2009
+/// source: Unity built-in shaders, BRDF2_Unity_PBS
+/// test: VisibilityMinimalist(1, 0.5) == 0.25
+/// test: VisibilityMinimalist(0.5, 0) == 2
+/// test: VisibilityMinimalist(0, 0.5) == 2.5
+[node("Lighting/Visibility/Minimalist")]
+float VisibilityMinimalist(
+    [range(0, 1)] float ldoth,        ///< cosine of light (or view) and half vector
+    [range(0, 1)] float alpha = 0.25  ///< roughness squared
+) {
+    return 0.25 / (max(ldoth * ldoth, 0.1) * (alpha + 0.5));
 }
 
 /// Neumann's visibility: divides by the larger cosine, so that nothing grows without end at grazing angles.
@@ -319,4 +352,27 @@ float MaskingFromVisibility(
     [range(0, 1)] float ndotv           ///< cosine of normal and view
 ) {
     return 4 * ndotl * ndotv * visibility;
+}
+
+/// Smith's masking-shadowing for anisotropic GGX with light and view taken as independent, as Disney's model has it.
+///
+/// formula: V = 1 / ((n.v + |(at t.v, ab b.v, n.v)|) (n.l + |(at t.l, ab b.l, n.l)|))
+/// source: Burley, "Physically Based Shading at Disney", SIGGRAPH 2012, and its reference implementation
+/// test: VisibilitySmithAnisotropicSeparable(1, 0, 0, 1, 0, 0, 0.25, 0.5) == 0.25
+/// test: VisibilitySmithAnisotropicSeparable(0.6, 0.8, 0, 0.8, 0.6, 0, 0.25, 0.25) == VisibilitySmithSeparable(0.6, 0.8, 0.25)
+/// test: VisibilitySmithAnisotropicSeparable(0.6, 0, 0.8, 1, 0, 0, 0.1, 0.75) == 1 / (2 * (0.6 + sqrt(0.72)))
+[node("Lighting/Visibility/Smith Anisotropic Separable")]
+float VisibilitySmithAnisotropicSeparable(
+    [range(0, 1)] float ndotl,                ///< cosine of normal and light
+    [range(-1, 1)] float tdotl,               ///< cosine of tangent and light
+    [range(-1, 1)] float bdotl,               ///< cosine of bitangent and light
+    [range(0, 1)] float ndotv,                ///< cosine of normal and view
+    [range(-1, 1)] float tdotv,               ///< cosine of tangent and view
+    [range(-1, 1)] float bdotv,               ///< cosine of bitangent and view
+    [range(0.001, 1)] float alpha_t = 0.25,   ///< roughness squared along the tangent
+    [range(0.001, 1)] float alpha_b = 0.25    ///< roughness squared along the bitangent
+) {
+    float view_part = ndotv + length(float3(alpha_t * tdotv, alpha_b * bdotv, ndotv));
+    float light_part = ndotl + length(float3(alpha_t * tdotl, alpha_b * bdotl, ndotl));
+    return 1 / max(view_part * light_part, 1e-5);
 }

@@ -1,6 +1,6 @@
-// Lights and ambient light: the engine seam. An engine may replace the [extern] functions; their bodies are what the
-// runtime and the CPU reference use.
-// Units: a light's colour and the ambient irradiance are E/pi, what a white Lambert surface sends out.
+// Lights: the engine seam. An engine may replace the [extern] functions; their bodies are what the runtime and the CPU
+// reference use.
+// Units: a light's colour is E/pi, what a white Lambert surface that faces it sends out.
 
 /// One light, as seen from a point.
 struct Light {
@@ -25,8 +25,6 @@ const int MAX_LIGHTS = 16;
 [extern("Lights")] float4 light_color[16];     // rgb: colour times intensity; w: range in metres
 [extern("Lights")] float4 light_axis[16];      // xyz: direction that a spot shines along
 [extern("Lights")] float4 light_cone[16];      // cosines of a spot's half angles: x inner, y outer
-
-[extern("Ambient")] float4 ambient_sh[9];  // radiance coefficients, order l(l+1)+m, z up as in Ramamoorthi & Hanrahan 2001
 
 /// Colour times attenuation times shadow.
 [member]
@@ -74,25 +72,4 @@ Light light_at(int index, float3 position) {
 [semantic("pixel")]
 Light light(float3 position = position_ws) {
     return light_at(0, position);
-}
-
-/// Light that arrives at a surface from all around, divided by pi: a colour times it is radiance.
-///
-/// source: Ramamoorthi & Hanrahan, "An Efficient Representation for Irradiance Environment Maps", SIGGRAPH 2001
-[node("Lighting/Ambient/Ambient Irradiance")] [extern]
-float3 AmbientIrradiance(
-    float3 normal = normal_ws  ///< unit normal in world space
-) {
-    return EvaluateSH9(normal, ambient_sh[0].rgb, ambient_sh[1].rgb, ambient_sh[2].rgb, ambient_sh[3].rgb,
-                       ambient_sh[4].rgb, ambient_sh[5].rgb, ambient_sh[6].rgb, ambient_sh[7].rgb, ambient_sh[8].rgb);
-}
-
-/// Radiance that arrives from a direction, as a surface of that roughness reflects it. Without an environment map it is
-/// the ambient light of that direction, which is right for a rough surface and soft for a smooth one.
-[node("Lighting/Ambient/Environment Radiance")] [extern]
-float3 EnvironmentRadiance(
-    float3 direction = normal_ws,              ///< unit direction in world space
-    [range(0, 1)] float roughness = 0.5  ///< perceptual roughness
-) {
-    return AmbientIrradiance(direction);
 }

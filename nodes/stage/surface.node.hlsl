@@ -3,16 +3,17 @@
 
 /// What lighting knows about a point of a surface.
 struct LightingSurface {
-    float3 diffuseColor;  ///< diffuse albedo, linear
-    float3 f0;            ///< specular reflectance at normal incidence, linear
-    float3 baseColor;     ///< colour of the surface: albedo of a dielectric, f0 of a metal
-    float metallic;       ///< 0 dielectric, 1 metal
-    float roughness;      ///< perceptual roughness, 0 to 1
-    float3 normal_ws;     ///< shaded normal in world space, unit
-    float occlusion;      ///< ambient occlusion: 1 open, 0 closed
-    float3 emission;      ///< radiance that the surface sends out by itself
-    float alpha;          ///< coverage
-    float alphaClip;      ///< a cutout surface is cut where alpha is below it
+    float3 diffuseColor;          ///< diffuse albedo, linear
+    float3 f0;                    ///< specular reflectance at normal incidence, linear
+    float3 baseColor;             ///< colour of the surface: albedo of a dielectric, f0 of a metal
+    float metallic;               ///< 0 dielectric, 1 metal
+    float oneMinusReflectivity;   ///< what the specular reflection leaves to the diffuse one
+    float roughness;              ///< perceptual roughness, 0 to 1
+    float3 normal_ws;             ///< shaded normal in world space, unit
+    float occlusion;              ///< ambient occlusion: 1 open, 0 closed
+    float3 emission;              ///< radiance that the surface sends out by itself
+    float alpha;                  ///< coverage
+    float alphaClip;              ///< a cutout surface is cut where alpha is below it
 };
 
 /// The surface that is being lit.
@@ -30,10 +31,4 @@ float alphaRoughness(LightingSurface surface) {
 [member]
 float smoothness(LightingSurface surface) {
     return 1 - surface.roughness;
-}
-
-/// What the specular reflection leaves to the diffuse one.
-[member]
-float oneMinusReflectivity(LightingSurface surface) {
-    return 1 - max(max(surface.f0.r, surface.f0.g), surface.f0.b);
 }

@@ -21,20 +21,37 @@ float3 NormalReconstructZ(
     return float3(xy, sqrt(saturate(1 - dot(xy, xy))));
 }
 
+/// Which channels of a normal map hold what.
+enum NormalEncoding {
+    RedGreen,      ///< x and y; z is computed, so two-channel formats serve as well as three
+    RedAlphaGreen, ///< x is red times alpha: the same formats, and those that keep x in alpha and leave red at 1
+    AlphaGreen,    ///< x in alpha, y in green: what block compression keeps best
+    RedGreenBlue   ///< x, y and z; a scale then leaves it shorter or longer than 1
+};
+
 /// A tangent-space normal from the texel of a normal map.
 ///
-/// Red and green hold x and y, 0.5 being zero; z is computed, so two-channel formats serve as well as three.
-///
-/// formula: xy = (2 rg - 1) scale, z = sqrt(1 - x^2 - y^2)
+/// formula: xy = (2 texel - 1) scale, z = sqrt(1 - x^2 - y^2), or 2 blue - 1
+/// source: the encodings: Unity built-in shaders, UnpackScaleNormal
 /// test: UnpackNormal(float4(0.5, 0.5, 1, 1)) == float3(0, 0, 1)
 /// test: UnpackNormal(float4(0.8, 0.7, 0, 1)) == float3(0.6, 0.4, 0.6928203230275509)
 /// test: UnpackNormal(float4(0.8, 0.7, 1, 1), 0.5) == float3(0.3, 0.2, 0.9327379053088815)
+/// test: UnpackNormal(float4(1, 0.7, 1, 0.8), 0.5, RedAlphaGreen) == float3(0.3, 0.2, 0.9327379053088815)
+/// test: UnpackNormal(float4(0.8, 0.7, 0, 1), 1, RedAlphaGreen) == float3(0.6, 0.4, 0.6928203230275509)
+/// test: UnpackNormal(float4(1, 0.7, 1, 0.8), 0.5, AlphaGreen) == float3(0.3, 0.2, 0.9327379053088815)
+/// test: UnpackNormal(float4(0.8, 0.3, 0.9, 1), 0.5, RedGreenBlue) == float3(0.3, -0.2, 0.8)
 [node("Vector/Normal/Unpack")]
 float3 UnpackNormal(
     float4 encoded = float4(0.5, 0.5, 1, 1),  ///< the texel, not decoded from sRGB
-    [range(-2, 2)] float scale = 1            ///< how strong the bumps are; below zero they turn into dents
+    [range(-2, 2)] float scale = 1,           ///< how strong the bumps are; below zero they turn into dents
+    const NormalEncoding encoding = RedGreen  ///< which channels hold what
 ) {
-    return NormalReconstructZ((encoded.rg * 2 - 1) * scale);
+    float2 xy = encoded.rg;
+    if (encoding == RedAlphaGreen) { xy = float2(encoded.r * encoded.a, encoded.g); }
+    if (encoding == AlphaGreen) { xy = encoded.ag; }
+    xy = (xy * 2 - 1) * scale;
+    if (encoding == RedGreenBlue) { return float3(xy, encoded.b * 2 - 1); }
+    return NormalReconstructZ(xy);
 }
 
 /// A tangent-space normal with its slope made weaker or stronger.

@@ -26,9 +26,13 @@ struct Setting {
     Setting(const Reflection& reflection, const Inputs& inputs)
         : scene(runtime::fullscreen_scene(inputs.width, inputs.height)) {
         scene.time = inputs.time;
-        scene.ambient = runtime::default_ambient();
-        for (const Texture& texture : reflection.textures)
+        scene.ambient = runtime::studio_environment()->ambient();
+        scene.environment = runtime::studio_environment();
+        for (const Texture& texture : reflection.textures) {
+            if (!texture.is_material) continue;
             textures.push_back({.name = texture.name, .data = inputs.data, .format = runtime::TexelFormat::Float32});
+        }
+        runtime::add_engine_textures(textures, reflection, scene);
         const auto values = runtime::material_values(reflection, {});
         EXPECT_TRUE(values) << values.error;
         blocks = runtime::fill_blocks(reflection, values.value, scene);

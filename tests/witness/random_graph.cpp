@@ -149,6 +149,8 @@ constexpr Guard kGuards[] = {
     {"Normalize.value", "(abs(#) + 0.125)"},
     {"NormalTangentToWorld.normal_ts", "(abs(#) + 0.5)"},
     {"NormalTangentToWorld.normal", "(abs(#) + 0.5)"},
+    {"NormalBlend.base", "(abs(#) + 0.5)"},
+    {"NormalBlend.detail", "(abs(#) + 0.5)"},
     // The angle of no direction at all is whatever a machine likes.
     {"ArcTangent2.run", "(abs(#) + 0.5)"},
     {"PolarCoordinates.uv", "(abs(#) + 5)"},
@@ -159,7 +161,23 @@ constexpr Guard kGuards[] = {
     {"Flipbook.rows", "2"},
     {"FractalNoise.gain", "0.5"},
     {"FractalNoise.lacunarity", "2"},
+    // Its exponential must not be so small that some processors flush it to zero.
+    {"DistributionBeckmann.ndoth", "clamp(#, 0.5, 1)"},
+    {"DistributionBeckmann.alpha", "clamp(#, 0.5, 1)"},
     {"DistributionBlinnPhong.exponent", "(abs(#) + 1)"},
+    {"PhongHighlight.exponent", "(abs(#) + 1)"},
+    {"BlinnPhongHighlight.exponent", "(abs(#) + 1)"},
+    {"BlinnPhongHighlight.view", "(abs(#) + 0.5)"},
+    {"BlinnPhongHighlight.light_dir", "(abs(#) + 0.5)"},
+    {"PhongHighlightUnity.smoothness", "clamp(#, 0.25, 0.75)"},
+    {"MinimalistHighlight.smoothness", "clamp(#, 0, 0.75)"},
+    {"SampleGGXCosine.u", "clamp(#, 0, 0.9)"},
+    {"LinearToSrgbUnity.color", "clamp(#, 0, 4)"},
+    {"SrgbToLinearUnity.color", "clamp(#, 0, 4)"},
+    {"EncodeLightLdr.color", "clamp(#, -4, 4)"},
+    {"DecodeLightLdr.encoded", "(abs(#) + 0.125)"},
+    {"DecodeGBufferNormal.encoded", "(abs(#) + 1)"},
+    {"ParallaxOffset.view_ts", "(abs(#) + 0.5)"},
     {"SafeDivide.divisor", "(abs(#) + 0.5)"},
     {"SafePower.base", "(abs(#) + 0.25)"},
     {"SafePower.exponent", "clamp(#, -2, 2)"},
@@ -175,6 +193,8 @@ constexpr Guard kGuards[] = {
     {"LightVector.light_position", "(abs(#) + 5)"},
     {"LightVector.position", "clamp(#, -2, 2)"},
     {"InverseSquareAttenuation.distance", "(abs(#) + 0.5)"},
+    {"FourPointLights.light_z", "(abs(#) + 5)"},
+    {"FourPointLights.position", "clamp(#, -2, 2)"},
     // Never along one another.
     {"TangentFrame.normal", "(abs(#) + 0.5)"},
     {"TangentFrame.tangent", "(float4(1, -1, 0.25, 1) + clamp(#, -0.125, 0.125))"},
@@ -233,6 +253,8 @@ private:
     static bool is_usable(const NodeInfo& node) {
         // A hash: its result has nothing to do with how near two inputs are.
         if (node.name == "Random") return false;
+        // Thousands of steps a pixel, on domains of their own.
+        if (node.name == "SplitSumIntegral") return false;
         return std::all_of(node.ports.begin(), node.ports.end(), [&](const PortInfo& port) {
             // Light is known to lighting graphs only, and textures are not numbers.
             return port.type != "Texture2D" && (port.is_output || !port.type.starts_with("Sampler"));

@@ -18,14 +18,16 @@ namespace patina {
 
 enum class Precision { Float, Double };
 
-// A texture that the interpreter reads: linear RGBA texels, level 0 first; rows from the top, as a GPU stores them.
+// A texture that the interpreter reads: linear RGBA texels, level 0 first; rows from the top, as a GPU stores them. A
+// cube has its six faces one behind the other in each level: +X, -X, +Y, -Y, +Z, -Z, laid out as Vulkan has them.
 struct TextureLevel {
     int width = 0, height = 0;
-    std::vector<float> texels;  // 4 * width * height
+    std::vector<float> texels;  // 4 * width * height, for each face
 };
 struct TextureData {
     std::vector<TextureLevel> levels;
     Sampler sampler;
+    int faces = 1;  // 6: a cube, whose sides are square
 };
 
 // Values of all stage inputs for the four pixels of a quad (0 1 / 2 3: right is +x, down is +y), components end to end
@@ -74,6 +76,8 @@ public:
 
     // Bytes of a uniform block as the reflection lays it out.
     void set_block(std::string_view name, std::span<const std::byte> bytes);
+    // One member of a uniform block by its name, component by component, with all the digits of a double.
+    void set_value(std::string_view name, std::span<const double> components);
     void set_texture(std::string_view name, std::shared_ptr<const TextureData> texture);
 
     QuadOutputs run(const QuadInputs& quad);

@@ -198,6 +198,12 @@ struct EvalResult {
     std::vector<EvalOutput> outputs;  // the primary one first
 };
 
+// A number or vector (one to four components) that expressions may read by its name.
+struct NamedValue {
+    std::string name;
+    std::vector<double> values;
+};
+
 class Compiler {
 public:
     Compiler();
@@ -222,9 +228,13 @@ public:
     NodeFileResult check_node_file(const std::string& path, const CompileOptions& options = {}) const;
 
     // Runs one node, of the library or of a .node.hlsl file, on the CPU with arguments in the graph format's value
-    // grammar without links ("0.5", "0,0,1", "Reoriented", "#ff8800"). `single` computes in float rather than double.
+    // grammar without links ("0.5", "0,0,1", "Reoriented", "#ff8800"), or expressions over `names`. `single` computes
+    // in float rather than double.
     EvalResult evaluate(std::string_view node, std::span<const std::pair<std::string, std::string>> arguments,
-                        bool single = false) const;
+                        bool single = false, std::span<const NamedValue> names = {}) const;
+    // The value of an expression of the node language over `names`: "sqrt(a2) * PI".
+    EvalResult evaluate_expression(std::string_view expression, std::span<const NamedValue> names,
+                                   bool single = false) const;
 
     // JSON Schema (draft 2020-12) of the graph format, with the library's nodes, ports and words.
     std::string schema() const;

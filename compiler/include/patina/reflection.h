@@ -42,6 +42,7 @@ struct Texture {
     std::string dimension = "2d";  // 2d | cube
     std::string usage = "color";   // color: sRGB, decoded when sampled | data: linear | normal: tangent-space, 2x - 1
     std::string default_value;     // white | black | gray | bump, or a file: its path from the compiled graph's folder
+    bool is_material = true;       // false: the engine's own, which has no default
     std::uint32_t set = 0;
     std::uint32_t binding = 0;
     std::string hlsl_register;  // "t0, space1"

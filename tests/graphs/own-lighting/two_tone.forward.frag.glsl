@@ -22,7 +22,7 @@ layout(set = 0, binding = 2, std140) uniform Lights
     vec4 light_cone[16];
 };
 
-layout(set = 0, binding = 3, std140) uniform Ambient
+layout(set = 0, binding = 4, std140) uniform Ambient
 {
     vec4 ambient_sh[9];
 };

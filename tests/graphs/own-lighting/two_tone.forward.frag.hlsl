@@ -21,7 +21,7 @@ cbuffer Lights : register(b2, space0)
     float4 light_cone[16];
 };
 
-cbuffer Ambient : register(b3, space0)
+cbuffer Ambient : register(b4, space0)
 {
     float4 ambient_sh[9];
 };

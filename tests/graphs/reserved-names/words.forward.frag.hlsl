@@ -5,6 +5,7 @@ struct MetallicSetupResult
 {
     float3 diffuse_color;
     float3 f0;
+    float one_minus_reflectivity;
 };
 
 struct Surface
@@ -47,7 +48,7 @@ cbuffer Lights : register(b2, space0)
     float4 light_cone[16];
 };
 
-cbuffer Ambient : register(b3, space0)
+cbuffer Ambient : register(b4, space0)
 {
     float4 ambient_sh[9];
 };
@@ -62,6 +63,8 @@ cbuffer Material : register(b0, space1)
     float main_;
 };
 
+TextureCube environment_map : register(t0, space0);
+SamplerState environment_map_sampler : register(s0, space0);
 Texture2D texture_ : register(t0, space1);
 SamplerState samplertexture : register(s0, space1);
 
@@ -103,6 +106,7 @@ MetallicSetupResult MetallicSetup(float3 base_color, float metallic)
     MetallicSetupResult metallic_setup_result;
     metallic_setup_result.diffuse_color = base_color * one_minus_reflectivity;
     metallic_setup_result.f0 = lerp(float3(0.04, 0.04, 0.04), base_color, metallic);
+    metallic_setup_result.one_minus_reflectivity = one_minus_reflectivity;
     return metallic_setup_result;
 }
 
@@ -162,6 +166,12 @@ float3 EvaluateSH9(float3 normal, float3 sh0, float3 sh1, float3 sh2, float3 sh3
     irradiance += sh6 * (0.07884789 * (3.0 * normal.z * normal.z - 1.0));
     irradiance += sh8 * (0.13656856 * (normal.x * normal.x - normal.y * normal.y));
     return max(irradiance, 0.0);
+}
+
+// Which level of a blurred cube map a roughness reads.
+float MipFromRoughness(float roughness, float steps)
+{
+    return roughness * (1.7 - 0.7 * roughness) * steps;
 }
 
 FragmentOutput main(FragmentInput input)
@@ -248,22 +258,20 @@ FragmentOutput main(FragmentInput input)
     float3 reflected = reflect(-view_dir_ws, normal_ws);
 
     // EnvironmentRadiance "environment"
-    float3 environment = EvaluateSH9(reflected, ambient_sh[0].xyz, ambient_sh[1].xyz, ambient_sh[2].xyz,
-        ambient_sh[3].xyz, ambient_sh[4].xyz, ambient_sh[5].xyz, ambient_sh[6].xyz, ambient_sh[7].xyz,
-        ambient_sh[8].xyz);
+    float mip_from_roughness = MipFromRoughness(saturate(material.roughness), 6.0);
+    float4 environment_texel = environment_map.SampleLevel(environment_map_sampler, reflected, mip_from_roughness);
 
     // SurfaceReduction "reduction"
     float reduction = 1.0 / (a2 + 1.0);
 
     // GrazingTerm "grazing"
     float smoothness = 1.0 - material.roughness;
-    float oneMinusReflectivity = 1.0 - max(max(setup.f0.x, setup.f0.y), setup.f0.z);
-    float grazing = saturate(smoothness + 1.0 - oneMinusReflectivity);
+    float grazing = saturate(smoothness + 1.0 - setup.one_minus_reflectivity);
 
     // FresnelLerp "reflectance"
     float3 reflectance = lerp(setup.f0, grazing.xxx, SchlickWeight(ndotv));
 
-    float3 product = (setup.diffuse_color * ambient + reduction * reflectance * environment) * material.occlusion;
+    float3 product = (setup.diffuse_color * ambient + reduction * reflectance * environment_texel.xyz) * material.occlusion;
     FragmentOutput output;
     output.color = float4(direct_sum + product + material.emission, material.alpha);
     return output;

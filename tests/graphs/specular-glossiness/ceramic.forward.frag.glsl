@@ -6,6 +6,7 @@ struct SpecularSetupMonochromeResult
 {
     vec3 diffuse_color;
     vec3 f0;
+    float one_minus_reflectivity;
 };
 
 struct Surface
@@ -48,7 +49,7 @@ layout(set = 0, binding = 2, std140) uniform Lights
     vec4 light_cone[16];
 };
 
-layout(set = 0, binding = 3, std140) uniform Ambient
+layout(set = 0, binding = 4, std140) uniform Ambient
 {
     vec4 ambient_sh[9];
 };
@@ -59,6 +60,8 @@ layout(set = 1, binding = 0, std140) uniform Material
     float _Glossiness;
 };
 
+layout(set = 0, binding = 5) uniform textureCube environment_map;
+layout(set = 0, binding = 7) uniform sampler environment_map_sampler;
 layout(set = 1, binding = 1) uniform texture2D _NormalTex;
 layout(set = 1, binding = 2) uniform sampler sampler_NormalTex;
 
@@ -111,6 +114,7 @@ SpecularSetupMonochromeResult SpecularSetupMonochrome(vec3 base_color, vec3 spec
     SpecularSetupMonochromeResult specular_setup_monochrome_result;
     specular_setup_monochrome_result.diffuse_color = base_color * one_minus_reflectivity;
     specular_setup_monochrome_result.f0 = specular;
+    specular_setup_monochrome_result.one_minus_reflectivity = one_minus_reflectivity;
     return specular_setup_monochrome_result;
 }
 
@@ -169,6 +173,12 @@ vec3 EvaluateSH9(vec3 normal, vec3 sh0, vec3 sh1, vec3 sh2, vec3 sh3, vec3 sh4, 
     irradiance += sh6 * (0.07884789 * (3.0 * normal.z * normal.z - 1.0));
     irradiance += sh8 * (0.13656856 * (normal.x * normal.x - normal.y * normal.y));
     return max(irradiance, 0.0);
+}
+
+// Which level of a blurred cube map a roughness reads.
+float MipFromRoughness(float roughness, float steps)
+{
+    return roughness * (1.7 - 0.7 * roughness) * steps;
 }
 
 void main()
@@ -257,21 +267,20 @@ void main()
     vec3 reflected = reflect(-view_dir_ws, normal_ws);
 
     // EnvironmentRadiance "environment"
-    vec3 environment = EvaluateSH9(reflected, ambient_sh[0].xyz, ambient_sh[1].xyz, ambient_sh[2].xyz,
-        ambient_sh[3].xyz, ambient_sh[4].xyz, ambient_sh[5].xyz, ambient_sh[6].xyz, ambient_sh[7].xyz,
-        ambient_sh[8].xyz);
+    float mip_from_roughness = MipFromRoughness(clamp(roughness, 0.0, 1.0), 6.0);
+    vec4 environment_texel = textureLod(samplerCube(environment_map, environment_map_sampler), reflected,
+        mip_from_roughness);
 
     // SurfaceReduction "reduction"
     float reduction = 1.0 / (a2 + 1.0);
 
     // GrazingTerm "grazing"
     float smoothness = 1.0 - roughness;
-    float oneMinusReflectivity = 1.0 - max(max(setup.f0.x, setup.f0.y), setup.f0.z);
-    float grazing = clamp(smoothness + 1.0 - oneMinusReflectivity, 0.0, 1.0);
+    float grazing = clamp(smoothness + 1.0 - setup.one_minus_reflectivity, 0.0, 1.0);
 
     // FresnelLerp "reflectance"
     vec3 reflectance = mix(setup.f0, vec3(grazing), SchlickWeight(ndotv));
 
-    vec3 product = (setup.diffuse_color * ambient + reduction * reflectance * environment) * material.occlusion;
+    vec3 product = (setup.diffuse_color * ambient + reduction * reflectance * environment_texel.xyz) * material.occlusion;
     out_color = vec4(direct_sum + product + material.emission, material.alpha);
 }

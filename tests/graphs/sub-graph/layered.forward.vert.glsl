@@ -11,7 +11,7 @@ layout(set = 0, binding = 1, std140) uniform Camera
     vec3 camera_forward_ws;
 };
 
-layout(set = 0, binding = 4, std140) uniform Object
+layout(set = 0, binding = 3, std140) uniform Object
 {
     mat4 object_to_world;
     mat4 world_to_object;

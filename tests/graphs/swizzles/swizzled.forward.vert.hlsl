@@ -10,7 +10,7 @@ cbuffer Camera : register(b1, space0)
     float3 camera_forward_ws;
 };
 
-cbuffer Object : register(b4, space0)
+cbuffer Object : register(b3, space0)
 {
     float4x4 object_to_world;
     float4x4 world_to_object;

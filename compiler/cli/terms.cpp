@@ -1,0 +1,308 @@
+#include "compiler/cli/terms.h"
+
+#include <fmt/format.h>
+#include <rapidjson/document.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <map>
+#include <optional>
+
+#include "compiler/cli/term_data.h"
+#include "runtime/model.h"
+
+namespace patina::cli {
+namespace {
+
+using Json = rapidjson::Value;
+
+const rapidjson::Document& terms() {
+    static const rapidjson::Document kTerms = [] {
+        rapidjson::Document document;
+        document.Parse(kTermData);
+        return document;
+    }();
+    return kTerms;
+}
+
+// --- inputs
+
+// The numbers of a word, or nothing if it holds anything else.
+std::optional<std::vector<double>> read_numbers(const std::string& word) {
+    std::vector<double> numbers;
+    const char* at = word.data();
+    const char* end = at + word.size();
+    while (at != end) {
+        if (std::isspace(static_cast<unsigned char>(*at)) || *at == ',' || *at == '[' || *at == ']') {
+            ++at;
+            continue;
+        }
+        double value = 0;
+        const auto [next, failure] = std::from_chars(at + (*at == '+' ? 1 : 0), end, value);
+        if (failure != std::errc()) return {};
+        numbers.push_back(value);
+        at = next;
+    }
+    if (numbers.empty()) return {};
+    return numbers;
+}
+
+// What expressions read, and the words that choices are made by.
+struct Inputs {
+    std::vector<NamedValue> values;
+    std::map<std::string, std::string> words;
+
+    bool has(const std::string& name) const {
+        return std::any_of(values.begin(), values.end(), [&](const NamedValue& v) { return v.name == name; });
+    }
+};
+
+// A list of more than four numbers is read in parts of `width`: name_0, name_1, ...
+void add_input(Inputs& inputs, const std::string& name, std::vector<double> numbers, std::size_t width) {
+    if (width == 0 && numbers.size() <= 4) {
+        inputs.values.push_back({name, std::move(numbers)});
+        return;
+    }
+    const std::size_t step = std::max<std::size_t>(width, 1);
+    for (std::size_t at = 0, i = 0; at + step <= numbers.size(); at += step, ++i) {
+        const auto begin = numbers.begin() + static_cast<std::ptrdiff_t>(at);
+        inputs.values.push_back({name + "_" + std::to_string(i), {begin, begin + static_cast<std::ptrdiff_t>(step)}});
+    }
+}
+
+// Names that a term's expressions read, as far as they are inputs: "NoH" of "sqrt(NoH)".
+bool reads_unknown(const std::string& expression, const std::vector<std::string>& known, const Inputs& inputs) {
+    for (std::size_t at = 0; at < expression.size();) {
+        if (!std::isalpha(static_cast<unsigned char>(expression[at])) && expression[at] != '_') {
+            const bool is_number = std::isdigit(static_cast<unsigned char>(expression[at])) != 0;
+            ++at;
+            while (is_number && at < expression.size() && std::isalnum(static_cast<unsigned char>(expression[at])))
+                ++at;
+            continue;
+        }
+        std::size_t end = at;
+        while (end < expression.size() &&
+               (std::isalnum(static_cast<unsigned char>(expression[end])) || expression[end] == '_'))
+            ++end;
+        const std::string word = expression.substr(at, end - at);
+        if (std::find(known.begin(), known.end(), word) != known.end() && !inputs.has(word)) return true;
+        at = end;
+    }
+    return false;
+}
+
+// --- one evaluation
+
+class Evaluation {
+public:
+    Evaluation(const Compiler& compiler, const Json& term, bool single)
+        : compiler_(compiler), term_(term), single_(single) {}
+
+    TermResult run(const TermInputs& given) {
+        const bool good = read_inputs(given) && (!term_.HasMember("let") || let()) &&
+                          (!term_.HasMember("node") || node()) && (!term_.HasMember("model") || model()) && outputs();
+        // What could not be worked out for want of an input is best told by the input's name.
+        const std::vector<std::string> missing = not_given();
+        if (!good && result_.error.empty() && !missing.empty())
+            fail(fmt::format("the term needs a value for {}", fmt::join(missing, ", ")));
+        result_.ok = good;
+        return std::move(result_);
+    }
+
+private:
+    bool fail(std::string error) {
+        result_.error = std::move(error);
+        return false;
+    }
+
+    bool read_inputs(const TermInputs& given) {
+        for (const Json& name : term_["inputs"].GetArray()) known_.emplace_back(name.GetString());
+        for (const auto& [name, word] : given) {
+            if (std::find(known_.begin(), known_.end(), name) == known_.end()) {
+                return fail(fmt::format("the term has no input '{}'; it has {}", name, fmt::join(known_, ", ")));
+            }
+            if (inputs_.has(name) || inputs_.words.contains(name))
+                return fail(fmt::format("'{}' is given twice", name));
+            std::optional<std::vector<double>> numbers = read_numbers(word);
+            inputs_.words[name] = word;
+            if (!numbers) continue;
+            std::size_t width = 0;
+            if (const auto widths = term_.FindMember("widths"); widths != term_.MemberEnd()) {
+                const auto found = widths->value.FindMember(name.c_str());
+                if (found != widths->value.MemberEnd()) width = found->value.GetUint();
+            }
+            add_input(inputs_, name, std::move(*numbers), width);
+        }
+        return true;
+    }
+
+    // The text that a port is given: an expression, or a choice by an input's word.
+    std::optional<std::string> text_of(const Json& mapping) {
+        if (mapping.IsString()) {
+            const std::string expression = mapping.GetString();
+            if (reads_unknown(expression, not_given(), inputs_)) return {};
+            return expression;
+        }
+        const std::string by = mapping["by"].GetString();
+        const auto word = inputs_.words.find(by);
+        if (word == inputs_.words.end()) return {};
+        const auto chosen = mapping.FindMember(word->second.c_str());
+        if (chosen == mapping.MemberEnd()) {
+            std::vector<std::string> words;
+            for (const auto& member : mapping.GetObject()) {
+                if (std::string_view(member.name.GetString()) != "by") words.emplace_back(member.name.GetString());
+            }
+            fail(fmt::format("'{}' is no '{}'; there are {}", word->second, by, fmt::join(words, ", ")));
+            return {};
+        }
+        return chosen->value.GetString();
+    }
+    std::vector<std::string> not_given() const {
+        std::vector<std::string> names;
+        for (const std::string& name : known_) {
+            if (!inputs_.words.contains(name)) names.push_back(name);
+        }
+        return names;
+    }
+
+    std::optional<std::vector<double>> value(const std::string& expression) {
+        EvalResult made = compiler_.evaluate_expression(expression, inputs_.values, single_);
+        if (!made.ok) {
+            result_.diagnostics = std::move(made.diagnostics);
+            return {};
+        }
+        return std::move(made.outputs.front().values);
+    }
+
+    bool let() {
+        for (const auto& member : term_["let"].GetObject()) {
+            std::optional<std::vector<double>> made = value(member.value.GetString());
+            if (!made) return false;
+            inputs_.values.push_back({member.name.GetString(), std::move(*made)});
+        }
+        return true;
+    }
+
+    bool node() {
+        std::vector<std::pair<std::string, std::string>> arguments;
+        for (const auto& port : term_["in"].GetObject()) {
+            const std::optional<std::string> text = text_of(port.value);
+            if (!result_.error.empty()) return false;
+            if (text) arguments.emplace_back(port.name.GetString(), *text);
+        }
+        EvalResult made = compiler_.evaluate(term_["node"].GetString(), arguments, single_, inputs_.values);
+        if (!made.ok) {
+            result_.diagnostics = std::move(made.diagnostics);
+            return false;
+        }
+        for (EvalOutput& output : made.outputs) inputs_.values.push_back({output.name, std::move(output.values)});
+        return true;
+    }
+
+    // {n, l, v, t} and {light, ambient, environment}, each an expression or left out.
+    bool model() {
+        runtime::ModelChoice choice{.model = term_["model"].GetString(), .workflow = term_["workflow"].GetString()};
+        runtime::ModelPoint point;
+        runtime::ModelLight light;
+        const std::map<std::string, runtime::Triple*> triples = {{"n", &point.n},
+                                                                 {"l", &point.l},
+                                                                 {"v", &point.v},
+                                                                 {"t", &point.t},
+                                                                 {"light", &light.light},
+                                                                 {"ambient", &light.ambient},
+                                                                 {"environment", &light.environment}};
+        for (const auto& port : term_["in"].GetObject()) {
+            const std::optional<std::string> text = text_of(port.value);
+            if (!result_.error.empty()) return false;
+            if (!text) continue;
+            std::optional<std::vector<double>> numbers = value(*text);
+            if (!numbers) return false;
+            const auto triple = triples.find(port.name.GetString());
+            if (triple == triples.end()) {
+                choice.values.emplace_back(port.name.GetString(), fmt::format("{}", fmt::join(*numbers, ",")));
+            } else if (numbers->size() == 3) {
+                std::copy(numbers->begin(), numbers->end(), triple->second->begin());
+            }
+        }
+        runtime::Model evaluated(compiler_, choice, single_ ? Precision::Float : Precision::Double);
+        if (!evaluated.ok()) {
+            result_.diagnostics = evaluated.diagnostics();
+            return false;
+        }
+        const runtime::Triple color = evaluated.color(point, light);
+        inputs_.values.push_back({"out", {color.begin(), color.end()}});
+        return true;
+    }
+
+    // A list that is as long as an input's: "i_7" is left out where the input has seven parts.
+    bool is_beyond(const std::string& part) const {
+        for (const std::string& name : known_) {
+            const std::size_t at = part.find(name + "_");
+            if (at == part.npos || inputs_.has(name)) continue;
+            const std::size_t end = part.find_first_not_of("0123456789", at + name.size() + 1);
+            if (!inputs_.has(part.substr(at, end - at))) return true;
+        }
+        return false;
+    }
+
+    bool add_output(const std::string& name, const Json& mapping) {
+        EvalOutput output{.name = name, .type = {}, .values = {}};
+        const auto append = [&](const Json& part) {
+            std::optional<std::vector<double>> made = value(part.GetString());
+            if (made) output.values.insert(output.values.end(), made->begin(), made->end());
+            return made.has_value();
+        };
+        if (!mapping.IsArray()) {
+            if (!append(mapping)) return false;
+        } else {
+            for (const Json& part : mapping.GetArray()) {
+                if (!is_beyond(part.GetString()) && !append(part)) return false;
+            }
+        }
+        result_.outputs.push_back(std::move(output));
+        return true;
+    }
+
+    bool outputs() {
+        const auto out = term_.FindMember("out");
+        if (out == term_.MemberEnd()) {
+            static const Json kPrimary("out");
+            return add_output("out", kPrimary);
+        }
+        if (!out->value.IsObject()) return add_output("out", out->value);
+        for (const auto& member : out->value.GetObject()) {
+            if (!add_output(member.name.GetString(), member.value)) return false;
+        }
+        return true;
+    }
+
+    const Compiler& compiler_;
+    const Json& term_;
+    bool single_;
+    Inputs inputs_;
+    std::vector<std::string> known_;
+    TermResult result_;
+};
+
+}  // namespace
+
+TermResult evaluate_term(const Compiler& compiler, const std::string& term, const TermInputs& inputs, bool single) {
+    const auto found = terms().FindMember(term.c_str());
+    if (found == terms().MemberEnd()) {
+        const std::string near = suggestion(term, term_names());
+        return {.ok = false,
+                .error = fmt::format("there is no term '{}'{}{}", term, near.empty() ? "" : "; ", near),
+                .diagnostics = {},
+                .outputs = {}};
+    }
+    return Evaluation(compiler, found->value, single).run(inputs);
+}
+
+std::vector<std::string> term_names() {
+    std::vector<std::string> names;
+    for (const auto& member : terms().GetObject()) names.emplace_back(member.name.GetString());
+    return names;
+}
+
+}  // namespace patina::cli

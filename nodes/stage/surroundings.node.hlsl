@@ -1,0 +1,50 @@
+// Light from all around: the engine seam. An engine may replace the [extern] functions; their bodies are what the runtime
+// and the CPU reference use.
+// Units: radiance; the ambient irradiance is E/pi, what a white Lambert surface sends out.
+
+[extern("Ambient")] float4 ambient_sh[9];  // radiance coefficients, order l(l+1)+m, z up as in Ramamoorthi & Hanrahan 2001
+
+[extern] TextureCube environment_map;  // radiance; each level is blurred as a rougher surface mirrors it
+[extern] Texture2D split_sum_table;    // x: n.v, y: perceptual roughness; red: scale of f0, green: offset
+
+/// Light that arrives at a surface from all around, divided by pi: a colour times it is radiance.
+///
+/// source: Ramamoorthi & Hanrahan, "An Efficient Representation for Irradiance Environment Maps", SIGGRAPH 2001
+[node("Lighting/Ambient/Ambient Irradiance")] [extern]
+float3 AmbientIrradiance(
+    float3 normal = normal_ws  ///< unit normal in world space
+) {
+    return EvaluateSH9(normal, ambient_sh[0].rgb, ambient_sh[1].rgb, ambient_sh[2].rgb, ambient_sh[3].rgb,
+                       ambient_sh[4].rgb, ambient_sh[5].rgb, ambient_sh[6].rgb, ambient_sh[7].rgb, ambient_sh[8].rgb);
+}
+
+/// Radiance that arrives from a direction, as a surface of that roughness reflects it: the surroundings, blurred by the
+/// surface's GGX lobe.
+///
+/// source: Karis, "Real Shading in Unreal Engine 4", SIGGRAPH 2013; levels as in Unity's reflection probes
+[node("Lighting/Ambient/Environment Radiance")] [extern]
+float3 EnvironmentRadiance(
+    float3 direction = normal_ws,        ///< unit direction in world space
+    [range(0, 1)] float roughness = 0.5  ///< perceptual roughness
+) {
+    return environment_map.SampleLevel(direction, MipFromRoughness(saturate(roughness))).rgb;
+}
+
+/// The table of the split sum: how strongly a rough surface mirrors light that comes from everywhere alike.
+///
+/// The reflectance is f0 scale + f90 offset, for GGX with Smith's exact joint visibility. scale + offset is the share of
+/// light that one reflection of a perfect mirror's facets sends back: what is missing has bounced between them.
+///
+/// formula: scale = mean of (1 - F) w, offset = mean of F w, F = (1 - v.h)^5, w = 4 V (n.l) (v.h) / (n.h)
+/// source: Karis, "Real Shading in Unreal Engine 4", SIGGRAPH 2013
+[node("Lighting/Ambient/Split Sum Table")] [extern]
+void SplitSumTable(
+    [range(0, 1)] float roughness = 0.5,  ///< perceptual roughness
+    [range(0, 1)] float ndotv,            ///< cosine of normal and view
+    out float scale,                      ///< of f0
+    out float offset                      ///< of f90
+) {
+    float4 texel = split_sum_table.SampleLevel(float2(ndotv, roughness), 0);
+    scale = texel.x;
+    offset = texel.y;
+}

@@ -1,0 +1,69 @@
+// Light from all around a scene, in the three forms that shaders take: nine coefficients for what is diffuse, a cube
+// map blurred level by level for what is mirrored, and the table of the split sum, which belongs to no environment.
+// Made on the CPU from a function of the direction.
+//
+//   Environment sunset([](glm::vec3 d) { return glm::vec3(d.y > 0 ? 1 : 0.2f); }, 64);
+//   scene.ambient = sunset.ambient();   texture = sunset.map();
+#pragma once
+
+#include <array>
+#include <functional>
+#include <glm/glm.hpp>
+#include <memory>
+#include <mutex>
+
+#include "patina/interpret.h"
+
+namespace patina::runtime {
+
+// Radiance in nine coefficients, order l(l+1)+m, of the real basis without the Condon-Shortley sign, evaluated on world
+// x, y and z directly: Y1 = 0.4886 y, Y2 = 0.4886 z, Y3 = 0.4886 x ... (Ramamoorthi and Hanrahan 2001).
+struct SphericalHarmonics {
+    std::array<glm::vec3, 9> coefficients{};
+};
+SphericalHarmonics constant_ambient(glm::vec3 radiance);
+// The radiance horizon + (sky - ground) / 2 * y + ((sky + ground) / 2 - horizon) * y^2: exactly the three colours at
+// up, horizontal and down, with no ringing.
+SphericalHarmonics gradient_ambient(glm::vec3 sky, glm::vec3 horizon, glm::vec3 ground);
+// The basis at a unit direction.
+std::array<float, 9> spherical_harmonics_basis(glm::vec3 direction);
+
+// Linear radiance that arrives from a unit direction of the world.
+using Radiance = std::function<glm::vec3(glm::vec3)>;
+
+// Levels of an environment's map, and how rough the surface is that level `level` is blurred for: 0 at the first, 1 at
+// the last, as MipFromRoughness reads them.
+inline constexpr int kEnvironmentLevels = 7;
+float roughness_of_level(int level);
+
+class Environment {
+public:
+    // `face_size`: texels along a face of the cube, a power of two, 64 or more (the last level has 1 or more).
+    Environment(Radiance radiance, int face_size);
+    // What the coefficients describe, smooth as it is.
+    explicit Environment(const SphericalHarmonics& ambient);
+
+    glm::vec3 radiance(glm::vec3 direction) const { return radiance_(direction); }
+    const SphericalHarmonics& ambient() const { return ambient_; }
+    // A cube; made when first asked for, by one thread.
+    std::shared_ptr<const TextureData> map() const;
+
+private:
+    Radiance radiance_;
+    int face_size_;
+    SphericalHarmonics ambient_;
+    mutable std::once_flag made_;
+    mutable std::shared_ptr<const TextureData> map_;
+};
+
+// A dim room with a sky above and three soft boxes: a large one at the upper left front, a tall cool one on the right
+// and a strip behind. The same object each time.
+std::shared_ptr<const Environment> studio_environment();
+
+// 64 x 64 texels; x: n.v, y: perceptual roughness, both from 0 to 1 at the outer edges. Red is the share of f0, green
+// that of f90, for GGX with Smith's exact joint visibility (Karis, SIGGRAPH 2013). The same object each time.
+std::shared_ptr<const TextureData> split_sum_table();
+// One entry of it, by quadrature: {scale, offset}. `alpha`: roughness squared; both from 0 to 1.
+std::array<double, 2> split_sum(double alpha, double ndotv, int samples);
+
+}  // namespace patina::runtime

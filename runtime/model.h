@@ -1,0 +1,57 @@
+// A lighting model at one point of a surface, in double precision on the CPU: what it sends to the viewer for one light
+// and for even surroundings. Behind `patina eval --model`; proofs of the models are built on it.
+//
+//   Model model(compiler, {.model = "unity-brdf1", .values = {{"baseColor", "1,0.5,0.2"}, {"metallic", "1"}}});
+//   if (model.ok()) model.direct({.l = {0, 0.6, 0.8}, .v = {0, 0, 1}});   // {r, g, b}
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "patina/interpret.h"
+
+namespace patina::runtime {
+
+using Triple = std::array<double, 3>;
+
+struct ModelChoice {
+    std::string model;  // "unity-brdf1", or the file of a lighting graph
+    std::string workflow = "metallic-roughness";
+    // Surface inputs ("roughness"), or properties of the lighting graph ("_Normalization"), in the graph format's value
+    // grammar without links: "0.5", "1,0.5,0.2", "#ff8800", "true", "Classic". The rest keeps its defaults.
+    std::vector<std::pair<std::string, std::string>> values{};
+};
+
+// Directions of the world, of any length but 0: shaded normal, to the light, to the viewer, along the tangent (at right
+// angles to the normal; the bitangent is cross(n, t)).
+struct ModelPoint {
+    Triple n{0, 0, 1}, l{0, 0, 1}, v{0, 0, 1}, t{1, 0, 0};
+};
+
+// What falls in, linear. The light and the ambient irradiance are E/pi, the environment is radiance.
+struct ModelLight {
+    Triple light{1, 1, 1}, ambient{0, 0, 0}, environment{0, 0, 0};
+};
+
+class Model {
+public:
+    Model(const Compiler& compiler, const ModelChoice& choice, Precision precision = Precision::Double);
+    ~Model();
+    Model(Model&&) noexcept;
+
+    bool ok() const;  // false: only diagnostics() may be asked
+    const std::vector<Diagnostic>& diagnostics() const;
+
+    // Radiance to the viewer. For a light of colour 1 this is pi times the BRDF times n.l.
+    Triple direct(const ModelPoint& point);
+    Triple color(const ModelPoint& point, const ModelLight& light);
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace patina::runtime

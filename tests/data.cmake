@@ -1,0 +1,16 @@
+# Reference values, derived again from the papers without Patina; and the rows and links of docs/sources.md.
+find_package(Python3 COMPONENTS Interpreter)
+
+# A test that is a script of Python; where there is none it is skipped and says so.
+function(add_python_test name)
+  if(Python3_Interpreter_FOUND)
+    add_test(NAME ${name} COMMAND Python3::Interpreter -B ${ARGN})
+  else()
+    message(STATUS "The test ${name} is skipped: there is no Python 3")
+    add_test(NAME ${name} COMMAND ${CMAKE_COMMAND} -E echo "skipped: there is no Python 3")
+    set_tests_properties(${name} PROPERTIES SKIP_REGULAR_EXPRESSION "skipped: there is no Python 3")
+  endif()
+endfunction()
+
+add_python_test(brdf_values ${CMAKE_CURRENT_SOURCE_DIR}/data/derive_brdf_values.py)
+add_python_test(sources ${CMAKE_CURRENT_SOURCE_DIR}/docs/sources.py ${CMAKE_SOURCE_DIR} $<TARGET_FILE:patina_cli>)
