@@ -14,6 +14,9 @@ void add_fmt(Program& program);
 void add_eval(Program& program);
 void add_nodes(Program& program);
 void add_node(Program& program);
+void add_models(Program& program);
+void add_model(Program& program);
+void add_docs(Program& program);
 void add_schema(Program& program);
 
 void add_render(Program& program);

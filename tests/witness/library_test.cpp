@@ -130,7 +130,7 @@ TEST_F(LibraryTest, EveryWordOfADropDownIsTested) {
     const std::vector<NodeTest> tests = all_tests();
     for (const NodeInfo& node : bench->compiler().nodes()) {
         for (const PortInfo& port : node.ports) {
-            for (const std::string& word : port.enumerators) {
+            for (const auto& [word, doc] : port.enumerators) {
                 const bool is_default = port.default_value == word;
                 const auto uses = [&](const NodeTest& test) {
                     if (test.node != node.name) return false;
