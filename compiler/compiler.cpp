@@ -90,7 +90,7 @@ std::vector<const nodelang::Expr*> read_arguments(graph::Session& session, const
         const nodelang::Expr*& value = values[static_cast<std::size_t>(param - function.params.begin())];
         if (value) session.diagnostics.report(Code::DuplicateKey, value->span, name);
         value = read_argument(text, session.sources, session.ast, session.diagnostics);
-        if (const auto range = graph::range_of(*param); range && value) {
+        if (const auto range = graph::range_of(param->attributes); range && value) {
             graph::check_range(session, *value, *range, false, name);
         }
     }

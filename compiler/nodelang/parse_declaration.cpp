@@ -13,12 +13,12 @@ struct AttributeInfo {
     std::string_view place, name;
 };
 constexpr AttributeInfo kAttributes[] = {
-    {kFunction, "node"},          {kFunction, "member"},    {kFunction, "semantic"}, {kFunction, "extern"},
-    {kFunction, "slot"},          {kFunction, "pass"},      {kFunction, "vertex"},   {kFunction, "fragment"},
-    {kParameter, "range"},        {kParameter, "color"},    {kParameter, "unit"},    {kParameter, "hidden"},
-    {kParameter, "per_light"},    {kVariable, "attribute"}, {kVariable, "extern"},   {kVariable, "builtin"},
-    {kVariable, "semantic"},      {kVariable, "given"},     {kVariable, "static"},   {kVariable, "unit"},
-    {kVariable, "vertex_output"},
+    {kFunction, "node"},    {kFunction, "member"},        {kFunction, "semantic"},  {kFunction, "extern"},
+    {kFunction, "slot"},    {kFunction, "pass"},          {kFunction, "vertex"},    {kFunction, "fragment"},
+    {kFunction, "range"},   {kParameter, "range"},        {kParameter, "color"},    {kParameter, "unit"},
+    {kParameter, "hidden"}, {kParameter, "per_light"},    {kVariable, "attribute"}, {kVariable, "extern"},
+    {kVariable, "builtin"}, {kVariable, "semantic"},      {kVariable, "given"},     {kVariable, "static"},
+    {kVariable, "unit"},    {kVariable, "vertex_output"},
 };
 
 bool is_number(const Expr& expr) {
