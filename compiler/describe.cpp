@@ -42,12 +42,15 @@ PortInfo describe_param(const nodelang::ParamDecl& param, const EvaluationContex
                   .doc = doc_line(param.doc),
                   .enumerators = {}};
     if (param.initial) port.default_value = default_text(*param.initial, context);
-    port.range = graph::range_of(param);
+    port.range = graph::range_of(param.attributes);
     for (const nodelang::Attribute& attribute : param.attributes) {
         if (attribute.name == "unit") port.unit = nodelang::attribute_text(attribute);
     }
     if (const nodelang::EnumDecl* enumeration = context.declarations.enumeration(param.type.name)) {
-        port.enumerators.assign(enumeration->values.begin(), enumeration->values.end());
+        for (std::size_t i = 0; i < enumeration->values.size(); ++i) {
+            const std::string_view doc = i < enumeration->docs.size() ? enumeration->docs[i] : std::string_view();
+            port.enumerators.push_back({.name = std::string(enumeration->values[i]), .doc = doc_line(doc)});
+        }
     }
     return port;
 }
@@ -75,7 +78,7 @@ Doc read_doc(std::string_view comment) {
         std::string_view line = comment.substr(at, end - at);
         at = end + 1;
         line = trim(line);
-        if (line.starts_with("///")) line.remove_prefix(3);
+        while (line.starts_with('/')) line.remove_prefix(1);
         line = trim(line);
         const auto keyword = [&](std::string_view word, std::string& into) {
             if (!line.starts_with(word)) return false;
@@ -86,7 +89,7 @@ Doc read_doc(std::string_view comment) {
         if (line.starts_with("test:")) {
             const std::string_view text = trim(line.substr(5));
             doc.tests.push_back({.text = text, .offset = static_cast<std::uint32_t>(text.data() - comment.data())});
-        } else if (!keyword("formula:", doc.formula) && !keyword("source:", doc.source)) {
+        } else if (!keyword("formula:", doc.formula) && !keyword("source:", doc.source) && !keyword("use:", doc.use)) {
             doc.text += line;
             doc.text += '\n';
         }
@@ -104,6 +107,7 @@ NodeInfo describe_node(const nodelang::FunctionDecl& function, const EvaluationC
     node.doc = std::move(doc.text);
     node.formula = std::move(doc.formula);
     node.source = std::move(doc.source);
+    for (const Doc::TestLine& test : doc.tests) node.tests.emplace_back(test.text);
     node.file = context.sources.file(function.name_span.begin);
     for (const nodelang::ParamDecl& param : function.params) {
         const bool hidden = std::any_of(param.attributes.begin(), param.attributes.end(),
@@ -115,7 +119,7 @@ NodeInfo describe_node(const nodelang::FunctionDecl& function, const EvaluationC
                               .type = std::string(function.result.name),
                               .is_output = true,
                               .default_value = {},
-                              .range = {},
+                              .range = graph::range_of(function.attributes),
                               .unit = {},
                               .doc = {},
                               .enumerators = {}});
@@ -154,17 +158,6 @@ std::vector<SemanticInfo> describe_semantics(const graph::Library& library) {
         }
     }
     return all;
-}
-
-ModelInfo describe_model(const graph::Graph& graph, const std::string& name, const SourceMap& sources) {
-    ModelInfo model{.name = name, .doc = graph.name, .inputs = {}};
-    for (const graph::Input& input : graph.inputs) {
-        model.inputs.push_back({.name = input.name,
-                                .type = input.type,
-                                .default_value = std::string(sources.text(input.default_span)),
-                                .doc = input.help});
-    }
-    return model;
 }
 
 }  // namespace patina

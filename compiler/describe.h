@@ -10,7 +10,7 @@ namespace patina {
 // A doc comment taken apart: text without slashes, and the lines that begin with a keyword.
 struct Doc {
     std::string text;
-    std::string formula, source;
+    std::string formula, source, use;
     struct TestLine {
         std::string_view text;     // behind "test:"; points into the comment
         std::uint32_t offset = 0;  // of its first byte in the comment

@@ -52,6 +52,11 @@ std::string_view SourceMap::file(std::uint32_t offset) const {
     return file ? std::string_view(file->path) : std::string_view();
 }
 
+std::string_view SourceMap::text_before(std::uint32_t offset) const {
+    const File* file = find(offset);
+    return file ? std::string_view(file->text).substr(0, offset - file->begin) : std::string_view();
+}
+
 std::string_view SourceMap::file_text(std::uint32_t begin) const {
     const File* file = find(begin);
     return file ? std::string_view(file->text) : std::string_view();

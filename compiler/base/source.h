@@ -48,6 +48,8 @@ public:
     std::string_view text(Span span) const;
     // The path of the file that holds the offset; empty if none does.
     std::string_view file(std::uint32_t offset) const;
+    // The text of the offset's file that stands before it.
+    std::string_view text_before(std::uint32_t offset) const;
     // The whole text of the file whose first byte is `begin`.
     std::string_view file_text(std::uint32_t begin) const;
 

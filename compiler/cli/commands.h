@@ -1,6 +1,6 @@
 // The subcommands, one function and one file each. `patina` holds those that touch no pictures; `render`, `snapshot`,
-// `trace` and `import` live in a second program, `patina-render`, which `patina` turns into when they are asked for: the image
-// library that they load takes longer to start than a whole compilation.
+// `trace` and `import` live in a second program, `patina-render`, which `patina` turns into when they are asked for:
+// the image library that they load takes longer to start than a whole compilation.
 #pragma once
 
 #include "compiler/cli/program.h"
@@ -14,6 +14,9 @@ void add_fmt(Program& program);
 void add_eval(Program& program);
 void add_nodes(Program& program);
 void add_node(Program& program);
+void add_models(Program& program);
+void add_model(Program& program);
+void add_docs(Program& program);
 void add_schema(Program& program);
 
 void add_render(Program& program);

@@ -9,6 +9,7 @@
 
 #include "compiler/cli/commands.h"
 #include "compiler/cli/json_numbers.h"
+#include "compiler/cli/sweep.h"
 #include "compiler/cli/terms.h"
 #include "runtime/model.h"
 
@@ -21,8 +22,6 @@ struct Arguments {
     bool single = false;
     bool json = false;
 };
-
-using Pairs = std::vector<std::pair<std::string, std::string>>;
 
 // `all_digits`: so many that they read back as the same double.
 std::string as_text(const EvalOutput& output, bool all_digits) {
@@ -45,31 +44,25 @@ std::string as_json(const std::vector<EvalOutput>& outputs) {
     return std::string(buffer.GetString()) + "\n";
 }
 
-void print_outputs(const Arguments& arguments, const std::vector<EvalOutput>& outputs, bool all_digits) {
-    if (arguments.json) {
-        print(as_json(outputs));
-    } else if (outputs.size() == 1) {
-        print(as_text(outputs.front(), all_digits) + "\n");
-    } else {
-        for (const EvalOutput& output : outputs) print(output.name + " = " + as_text(output, all_digits) + "\n");
-    }
-}
+// --- one evaluation: its outputs, or nothing after a message
 
-Exit evaluate_node(const Console& console, const Arguments& arguments, const std::string& node, const Pairs& values) {
-    const EvalResult result = Compiler().evaluate(node, values, arguments.single);
+using Outputs = std::optional<std::vector<EvalOutput>>;
+
+Outputs evaluate_node(const Console& console, const Arguments& arguments, const Compiler& compiler,
+                      const std::string& node, const Values& values) {
+    EvalResult result = compiler.evaluate(node, values, arguments.single);
     report(console, result.diagnostics);
-    if (!result.ok) return Exit::Wrong;
-    print_outputs(arguments, result.outputs, false);
-    return Exit::Ok;
+    if (!result.ok) return {};
+    return std::move(result.outputs);
 }
 
-Exit evaluate_term(const Console& console, const Arguments& arguments, const Pairs& values) {
-    const TermResult result = cli::evaluate_term(Compiler(), arguments.term, values, arguments.single);
+Outputs evaluate_term(const Console& console, const Arguments& arguments, const Compiler& compiler,
+                      const Values& values) {
+    TermResult result = cli::evaluate_term(compiler, arguments.term, values, arguments.single);
     if (!result.error.empty()) complain(console, "bad-term", result.error);
     if (result.error.empty()) report(console, result.diagnostics);
-    if (!result.ok) return Exit::Wrong;
-    print_outputs(arguments, result.outputs, true);
-    return Exit::Ok;
+    if (!result.ok) return {};
+    return std::move(result.outputs);
 }
 
 // Three numbers, or nothing.
@@ -88,7 +81,8 @@ std::optional<runtime::Triple> read_triple(const std::string& text) {
     return triple;
 }
 
-Exit evaluate_model(const Console& console, const Arguments& arguments, const Pairs& values) {
+Outputs evaluate_model(const Console& console, const Arguments& arguments, const Compiler& compiler,
+                       const Values& values) {
     runtime::ModelChoice choice{.model = arguments.model, .workflow = arguments.workflow};
     runtime::ModelPoint point;
     runtime::ModelLight light;
@@ -110,58 +104,88 @@ Exit evaluate_model(const Console& console, const Arguments& arguments, const Pa
         if (!numbers || (is_direction && *numbers == runtime::Triple{})) {
             complain(console, "bad-value",
                      fmt::format("'{}' is three numbers{}, not '{}'", name, is_direction ? ", not all 0" : "", text));
-            return Exit::Wrong;
+            return {};
         }
         *triple->second = *numbers;
     }
-    const Compiler compiler;
     runtime::Model model(compiler, choice, arguments.single ? Precision::Float : Precision::Double);
     report(console, model.diagnostics());
-    if (!model.ok()) return Exit::Wrong;
+    if (!model.ok()) return {};
     const runtime::Triple color = model.color(point, light);
-    print_outputs(arguments, {{.name = "out", .type = "float3", .values = {color.begin(), color.end()}}}, false);
-    return Exit::Ok;
+    return std::vector<EvalOutput>{{.name = "out", .type = "float3", .values = {color.begin(), color.end()}}};
+}
+
+// --- all of it
+
+void print_outputs(const Arguments& arguments, const std::vector<EvalOutput>& outputs) {
+    const bool all_digits = !arguments.term.empty();
+    if (arguments.json) {
+        print(as_json(outputs));
+    } else if (outputs.size() == 1) {
+        print(as_text(outputs.front(), all_digits) + "\n");
+    } else {
+        for (const EvalOutput& output : outputs) print(output.name + " = " + as_text(output, all_digits) + "\n");
+    }
 }
 
 Exit evaluate(const Console& console, const Arguments& arguments) {
     const bool is_node = arguments.term.empty() && arguments.model.empty();
     std::string node;
-    Pairs pairs;
+    Values values;
     for (const std::string& word : arguments.words) {
         const std::size_t equals = word.find('=');
         if (equals != word.npos && equals > 0) {
-            pairs.emplace_back(word.substr(0, equals), word.substr(equals + 1));
-        } else if (is_node && node.empty() && pairs.empty()) {
+            values.emplace_back(word.substr(0, equals), word.substr(equals + 1));
+        } else if (is_node && node.empty() && values.empty()) {
             node = word;
         } else {
             complain(console, "bad-value", "'" + word + "' is not of the form name=value");
             return Exit::Usage;
         }
     }
-    if (!arguments.term.empty()) return evaluate_term(console, arguments, pairs);
-    if (!arguments.model.empty()) return evaluate_model(console, arguments, pairs);
-    if (node.empty()) {
+    if (is_node && node.empty()) {
         complain(console, "bad-value", "say which node, --term or --model");
         return Exit::Usage;
     }
-    return evaluate_node(console, arguments, node, pairs);
+    std::string error;
+    const std::vector<Axis> axes = axes_of(values, error);
+    if (!error.empty()) {
+        complain(console, "bad-value", error);
+        return Exit::Usage;
+    }
+    const Compiler compiler;
+    const auto evaluate_at = [&](const Values& at) {
+        if (!arguments.term.empty()) return evaluate_term(console, arguments, compiler, at);
+        if (!arguments.model.empty()) return evaluate_model(console, arguments, compiler, at);
+        return evaluate_node(console, arguments, compiler, node, at);
+    };
+    std::vector<SweepRow> rows;
+    for (const Values& at : combinations(values, axes)) {
+        Outputs outputs = evaluate_at(at);
+        if (!outputs) return Exit::Wrong;
+        if (axes.empty()) print_outputs(arguments, *outputs);
+        rows.push_back({.values = at, .outputs = std::move(*outputs)});
+    }
+    if (!axes.empty()) print(arguments.json ? sweep_json(axes, rows) : sweep_csv(axes, rows));
+    return Exit::Ok;
 }
 
 }  // namespace
 
 void add_eval(Program& program) {
-    CLI::App& command =
-        add_command(program, "eval", "Compute one node, lighting term or lighting model on the CPU",
-                    {"patina eval Lerp from=0 to=10 t=0.25", "patina eval NdotL normal=0,0,1 light_dir=0,0.6,0.8",
-                     "patina eval DistributionGGX ndoth=0.9 alpha=0.25 --json", "patina eval wave.node.hlsl uv=0.5,0.5",
-                     "patina eval --model unity-brdf1 n=0,0,1 l=0,0.6,0.8 v=0,0,1 baseColor=1,0.8,0.2 metallic=1",
-                     "patina eval --model phong --workflow specular-glossiness l=1,0,1 v=-1,0,1 _Normalization=Classic",
-                     "patina eval --term D_GGX a2=0.1 NoH=0.9"});
+    CLI::App& command = add_command(
+        program, "eval", "Compute one node, lighting term or lighting model on the CPU",
+        {"patina eval Lerp from=0 to=10 t=0.25", "patina eval NdotL normal=0,0,1 light_dir=0,0.6,0.8",
+         "patina eval DistributionGGX ndoth=0.9 alpha=0.25 --json",
+         "patina eval DistributionGGX ndoth=0..1:101 alpha=0.25 >ggx.csv", "patina eval wave.node.hlsl uv=0.5,0.5",
+         "patina eval --model unity-brdf1 n=0,0,1 l=0,0.6,0.8 v=0,0,1 baseColor=1,0.8,0.2 metallic=1",
+         "patina eval --model phong --workflow specular-glossiness l=1,0,1 v=-1,0,1 _Normalization=Classic",
+         "patina eval --term D_GGX a2=0.1 NoH=0.9"});
     auto arguments = std::make_shared<Arguments>();
     command
         .add_option("NODE NAME=VALUE", arguments->words,
                     "A node of the library or the file of one (.node.hlsl), and its inputs as a graph writes them: "
-                    "0.5, 0,0,1, #ff8800, true, a word")
+                    "0.5, 0,0,1, #ff8800, true, a word; FROM..TO:COUNT makes a table")
         ->type_name(" ");
     CLI::Option* model = command.add_option(
         "--model", arguments->model,

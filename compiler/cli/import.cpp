@@ -89,8 +89,7 @@ void add_import(Program& program) {
                     {"patina import gold-paint.binary          # gold-paint.exr and gold-paint.graph.json beside it",
                      "patina import *.binary -o measured && patina render measured/gold-paint.graph.json"});
     auto arguments = std::make_shared<Arguments>();
-    command
-        .add_option("FILES", arguments->files, "Measured BRDFs in the form of the MERL database (.binary)")
+    command.add_option("FILES", arguments->files, "Measured BRDFs in the form of the MERL database (.binary)")
         ->required()
         ->type_name(" ");
     command.add_option("-o,--output", arguments->folder, "Folder to write to; default: beside each file")

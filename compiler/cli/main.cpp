@@ -40,6 +40,9 @@ int main(int argc, char** argv) {
     add_eval(program);
     add_nodes(program);
     add_node(program);
+    add_models(program);
+    add_model(program);
+    add_docs(program);
     add_schema(program);
     program.app.footer("'patina COMMAND --help' shows options and examples.");
     return run(program, argc, argv);

@@ -6,7 +6,8 @@
 
 #include "compiler/base/text.h"
 #include "compiler/cli/commands.h"
-#include "compiler/cli/node_json.h"
+#include "compiler/cli/library_json.h"
+#include "compiler/cli/page.h"
 
 namespace patina::cli {
 namespace {
@@ -28,18 +29,6 @@ std::string lower(std::string_view text) {
 bool is_within(std::string_view category, std::string_view wanted) {
     const std::string whole = lower(category) + '/', part = lower(wanted) + (wanted.ends_with('/') ? "" : "/");
     return wanted.empty() || whole.starts_with(part);
-}
-
-std::string_view first_sentence(std::string_view doc) {
-    const std::size_t line = doc.find('\n');
-    std::size_t stop = doc.find(". ");
-    // "Rec. 709" does not end a sentence.
-    while (stop != std::string_view::npos && stop + 2 < doc.size() && doc[stop + 2] >= '0' && doc[stop + 2] <= '9') {
-        stop = doc.find(". ", stop + 1);
-    }
-    std::string_view sentence = doc.substr(0, std::min(line, stop));
-    if (sentence.ends_with('.')) sentence.remove_suffix(1);
-    return sentence;
 }
 
 Exit unknown_category(const Console& console, const Compiler& compiler, const std::string& wanted) {

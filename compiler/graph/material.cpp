@@ -30,7 +30,7 @@ const CheckedGraph* find_workflow(Session& session, const Graph& graph) {
             .note(Diagnostics::suggestion(graph.workflow, keys(workflows)));
         return nullptr;
     }
-    return check_graph(session, found->second);
+    return check_graph(session, found->second.get());
 }
 
 const CheckedGraph* find_lighting(Session& session, const Graph& graph, const Graph& workflow, std::string& name) {
@@ -58,7 +58,7 @@ const CheckedGraph* find_lighting(Session& session, const Graph& graph, const Gr
             .note("a lighting graph of your own is named by its file: \"./toon.lighting.json\"");
         return nullptr;
     }
-    return check_graph(session, found->second);
+    return check_graph(session, found->second.get());
 }
 
 void add_property(Session& session, Material& material, const Property& property, const std::string& from) {
@@ -213,7 +213,7 @@ void bind_lighting_properties(Session& session, Material& material, std::span<co
 // Turns the material into one that shows a port, by the workflow that says it can show things.
 bool make_preview(Session& session, Graph& graph, const Shown& shown) {
     for (const auto& [name, workflow] : session.library.workflows) {
-        if (workflow->preview_input.empty()) continue;
+        if (!workflow.get() || workflow.get()->preview_input.empty()) continue;
         const Expr* value = parse_shown(session, shown);
         if (!value) return false;
         const auto is_node = [&](const Node& node) { return node.id == shown.text; };
@@ -226,8 +226,10 @@ bool make_preview(Session& session, Graph& graph, const Shown& shown) {
         graph.workflow = name;
         graph.lighting = {};
         graph.surface.clear();
-        graph.surface.push_back(
-            {.name = workflow->preview_input, .name_span = value->span, .value_span = value->span, .value = value});
+        graph.surface.push_back({.name = workflow.get()->preview_input,
+                                 .name_span = value->span,
+                                 .value_span = value->span,
+                                 .value = value});
         return true;
     }
     return false;

@@ -32,7 +32,7 @@ std::string port_schema(const PortInfo& port) {
         return object({{"$ref", quoted("#/$defs/value")}, {"description", quoted(describe_port(port))}});
     }
     std::vector<std::string> words;
-    for (const std::string& word : port.enumerators) words.push_back(quoted(word));
+    for (const EnumeratorInfo& enumerator : port.enumerators) words.push_back(quoted(enumerator.name));
     return object({{"enum", list(words)}, {"description", quoted(describe_port(port))}});
 }
 
@@ -116,12 +116,12 @@ std::string surface_schema(std::span<const ModelInfo> workflows, std::span<const
         R"({"anyOf":[{"not":{"required":["lighting"]}},{"properties":{"lighting":{"type":"string","pattern":"^[^./]"}}}]})";
     std::vector<std::string> of_models;
     for (const ModelInfo& model : models) {
-        for (const SurfaceInputInfo& input : model.inputs) of_models.push_back(quoted(input.name));
+        for (const ModelInputInfo& input : model.inputs) of_models.push_back(quoted(input.name));
     }
     std::vector<std::string> cases;
     for (const ModelInfo& workflow : workflows) {
         Members inputs;
-        for (const SurfaceInputInfo& input : workflow.inputs) {
+        for (const ModelInputInfo& input : workflow.inputs) {
             std::string description = input.type;
             if (!input.doc.empty()) description += ": " + input.doc;
             if (!input.default_value.empty()) description += " (default " + input.default_value + ")";

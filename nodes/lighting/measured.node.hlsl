@@ -10,7 +10,7 @@
 /// test: MerlThetaHalfIndex(0.17453292519943295) == 30
 /// test: MerlThetaHalfIndex(0.7853981633974483) == 63
 /// test: MerlThetaHalfIndex(1.5707963267948966) == 89
-[node("Lighting/Measured/MERL Theta Half Index")]
+[node("Lighting/Measured/MERL Theta Half Index")] [range(0, 89)]
 float MerlThetaHalfIndex(
     [range(0, 1.5707963)] [unit("rad")] float theta_half = 0  ///< angle between normal and half vector
 ) {

@@ -103,6 +103,17 @@ TEST(Library, HasNoErrors) {
     for (const Diagnostic& d : compiler.library_diagnostics()) ADD_FAILURE() << to_text(d);
 }
 
+// In the comment above its graph; see docs/graph-format.md.
+TEST(Models, SayWhenToUseThemAndWhereTheyComeFrom) {
+    for (const ModelInfo& model : Compiler().lighting_models()) {
+        EXPECT_FALSE(model.doc == model.title) << model.file << ": there is no comment above the graph";
+        EXPECT_FALSE(model.use.empty()) << model.file << ": the comment has no line 'use:'";
+        const bool is_lit = model.name != "unlit";
+        EXPECT_TRUE(!is_lit || !model.source.empty()) << model.file << ": the comment has no line 'source:'";
+        EXPECT_TRUE(!is_lit || !model.formula.empty()) << model.file << ": the comment has no line 'formula:'";
+    }
+}
+
 // What a node's manual page offers to paste can be pasted, if nothing has to be filled in.
 TEST(ManualPage, OffersANodeThatCompiles) {
     const Compiler compiler;

@@ -172,7 +172,7 @@ PortInfo input(std::string name, std::string type, std::string default_value, st
     port.name = std::move(name);
     port.type = std::move(type);
     port.default_value = std::move(default_value);
-    port.enumerators = std::move(words);
+    for (std::string& word : words) port.enumerators.push_back({.name = std::move(word), .doc = {}});
     return port;
 }
 
@@ -185,6 +185,14 @@ NodeInfo node(std::string name, std::vector<PortInfo> ports) {
     PortInfo output = input("out", "float", "");
     output.is_output = true;
     info.ports.push_back(output);
+    return info;
+}
+
+ModelInfo model(std::string name, std::string doc, std::vector<ModelInputInfo> inputs = {}) {
+    ModelInfo info;
+    info.name = std::move(name);
+    info.doc = std::move(doc);
+    info.inputs = std::move(inputs);
     return info;
 }
 
@@ -201,11 +209,10 @@ struct Library {
     };
     std::vector<SemanticInfo> semantics = {{"uv0", "float2", "texture coordinates", "vertex"},
                                            {"light.direction", "float3", "", "light"}};
-    std::vector<ModelInfo> workflows = {{"metallic-roughness", "Metal.", {{"metallic", "float", "0", "0 or 1"}}},
-                                        {"metallic-smoothness", "", {}},
-                                        {"specular-glossiness", "", {}},
-                                        {"unlit", "", {}}};
-    std::vector<ModelInfo> lighting_models = {{"unity-brdf1", "", {}}, {"lambert", "Matt.", {}}};
+    std::vector<ModelInfo> workflows = {model("metallic-roughness", "Metal.", {{"metallic", "float", "0", "0 or 1"}}),
+                                        model("metallic-smoothness", ""), model("specular-glossiness", ""),
+                                        model("unlit", "")};
+    std::vector<ModelInfo> lighting_models = {model("unity-brdf1", ""), model("lambert", "Matt.")};
 
     std::string schema() const { return make_schema({nodes, semantics, workflows, lighting_models}); }
 };

@@ -292,7 +292,7 @@ private:
     }
 
     std::string port_value(const NodeInfo& node, const PortInfo& port, int wide, bool half) {
-        if (!port.enumerators.empty()) return dice_.pick(port.enumerators);
+        if (!port.enumerators.empty()) return dice_.pick(port.enumerators).name;
         if (port.type == "int") return "= " + std::to_string(1 + dice_.below(3));
         Expressions in = over_values(half);
         if (port.type == "bool") return "= " + in.expression(0, 1).text;

@@ -103,6 +103,9 @@ struct Result {
 };
 
 // --- the node library, for tools
+struct EnumeratorInfo {
+    std::string name, doc;
+};
 struct PortInfo {
     std::string name;
     std::string type;  // "float", "floatN", "Texture2D", or an enum's name
@@ -111,26 +114,50 @@ struct PortInfo {
     std::optional<std::array<double, 2>> range;
     std::string unit;
     std::string doc;
-    std::vector<std::string> enumerators;
+    std::vector<EnumeratorInfo> enumerators;
 };
 struct NodeInfo {
     std::string name;      // as "node" names it
     std::string category;  // "Lighting/Distribution"
     std::string doc;       // paragraphs, plain text
     std::string formula;
-    std::string source;           // the paper
-    std::vector<PortInfo> ports;  // inputs in order, then outputs, the primary one first
-    std::string file;             // where it is defined
+    std::string source;              // the paper
+    std::vector<PortInfo> ports;     // inputs in order, then outputs, the primary one first
+    std::string file;                // where it is defined
+    std::vector<std::string> tests;  // "Lerp(0, 10, 0.25) == 2.5"
 };
 struct SemanticInfo {
     std::string name, type, doc, rate;
 };
-struct SurfaceInputInfo {
-    std::string name, type, default_value, doc;
+// What a workflow or a lighting model may be given: an input of the surface, or a property.
+struct ModelInputInfo {
+    std::string name, type;
+    std::string default_value;  // as written: "[0.5, 0.5, 0.5]", "\"@geometry_normal_ws\""; empty: none
+    std::string doc;
+    std::optional<std::array<double, 2>> range{};
+    std::vector<std::string> values{};  // of an enum
+    std::string gives{};                // this input is another way to say that one: "normal_ws"
+    bool is_variant = false;            // a property that is known when the graph is compiled
 };
+struct ModelNodeInfo {
+    std::string id;
+    std::string node;  // its name in the library; empty: an expression
+    std::string expr;
+    std::vector<std::pair<std::string, std::string>> inputs;  // port, and the value as written
+    std::string doc;                                          // the comment above it
+};
+// A workflow or a lighting model. Its documentation is the comment above its graph, with the keywords of a node's.
 struct ModelInfo {
-    std::string name, doc;
-    std::vector<SurfaceInputInfo> inputs;
+    std::string name;   // as "workflow" and "lighting" name it
+    std::string title;  // "Blinn-Phong"
+    std::string doc;    // paragraphs, plain text
+    std::string formula, source;
+    std::string use;  // when to use it
+    std::string file;
+    std::vector<ModelInputInfo> inputs;      // of the surface; a lighting model's own
+    std::vector<ModelInputInfo> properties;  // of a lighting model
+    std::vector<ModelNodeInfo> nodes;
+    std::vector<std::pair<std::string, std::string>> outputs;  // "direct" and so on, and the value as written
 };
 
 // A `test:` line of a node's comment: `call` should equal `expected` within the tolerances.
@@ -188,8 +215,8 @@ public:
     // `path` names the text in messages and output files; relative files are looked up beside it.
     Result compile_text(const std::string& path, std::string text, const CompileOptions& options = {}) const;
 
-    // Errors of the built-in library itself; empty in a release.
-    const std::vector<Diagnostic>& library_diagnostics() const;
+    // Errors of the built-in library itself, all of which is read for this; empty in a release.
+    std::vector<Diagnostic> library_diagnostics() const;
     const std::vector<NodeInfo>& nodes() const;  // by category, then name
     const NodeInfo* node(std::string_view name) const;
     const std::vector<SemanticInfo>& semantics() const;

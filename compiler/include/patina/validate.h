@@ -19,6 +19,9 @@ struct Validated {
 // Thread-safe.
 Validated validate(const Shader& shader);
 
+// What `spirv-opt -O` makes of it; empty if it is not valid.
+std::vector<std::uint32_t> optimised(const std::vector<std::uint32_t>& spirv);
+
 // Readable SPIR-V.
 std::string disassemble(const std::vector<std::uint32_t>& spirv);
 

@@ -9,6 +9,7 @@
 #include <charconv>
 #include <memory>
 #include <spirv-tools/libspirv.hpp>
+#include <spirv-tools/optimizer.hpp>
 
 namespace patina {
 namespace {
@@ -173,6 +174,14 @@ Validated validate(const Shader& shader) {
     initialise_glslang();
     Validated result;
     result.ok = compile(shader, result) && check_spirv(shader, result);
+    return result;
+}
+
+std::vector<std::uint32_t> optimised(const std::vector<std::uint32_t>& spirv) {
+    spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_3);
+    optimizer.RegisterPerformancePasses();
+    std::vector<std::uint32_t> result;
+    if (!optimizer.Run(spirv.data(), spirv.size(), &result)) result.clear();
     return result;
 }
 

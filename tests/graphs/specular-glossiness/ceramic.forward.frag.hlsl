@@ -5,7 +5,6 @@ struct SpecularSetupMonochromeResult
 {
     float3 diffuse_color;
     float3 f0;
-    float one_minus_reflectivity;
 };
 
 struct Surface
@@ -121,8 +120,20 @@ SpecularSetupMonochromeResult SpecularSetupMonochrome(float3 base_color, float3 
     SpecularSetupMonochromeResult specular_setup_monochrome_result;
     specular_setup_monochrome_result.diffuse_color = base_color * one_minus_reflectivity;
     specular_setup_monochrome_result.f0 = specular;
-    specular_setup_monochrome_result.one_minus_reflectivity = one_minus_reflectivity;
     return specular_setup_monochrome_result;
+}
+
+// The metallic/roughness description of a specular/gloss surface, exact where one exists and close to it elsewhere.
+float MetallicFromSpecular(float3 diffuse, float3 specular)
+{
+    float s = max(max(specular.x, specular.y), specular.z);
+    float3 scattered = diffuse * (1.0 - s);
+    float d = max(max(scattered.x, scattered.y), scattered.z);
+    float half_b = 0.5 * (d / 0.96 + s - 0.08);
+    float c = 0.04 - s;
+    float root = sqrt(max(half_b * half_b - 0.04 * c, 0.0));
+    float plain = half_b > 0.0 ? (s - 0.04) / max(half_b + root, 1e-06) : (root - half_b) / 0.04;
+    return saturate(s <= 0.04 ? 0.0 : plain);
 }
 
 // The inverse square law, with a window that ends it smoothly at the light's range.
@@ -201,6 +212,10 @@ FragmentOutput main(FragmentInput input)
     // SpecularSetup "setup"
     SpecularSetupMonochromeResult setup = SpecularSetupMonochrome(material.baseColor, material.specular);
 
+    // MetallicFromSpecular "metal"
+    float metal = MetallicFromSpecular(material.baseColor, material.specular);
+
+    float oneMinusReflectivity = 0.96 * (1.0 - metal);
     float roughness = 1.0 - material.glossiness;
     float3 normal_ws = normalize(material.normal_ws);
     int count = min(light_count, 16);
@@ -284,7 +299,7 @@ FragmentOutput main(FragmentInput input)
 
     // GrazingTerm "grazing"
     float smoothness = 1.0 - roughness;
-    float grazing = saturate(smoothness + 1.0 - setup.one_minus_reflectivity);
+    float grazing = saturate(smoothness + 1.0 - oneMinusReflectivity);
 
     // FresnelLerp "reflectance"
     float3 reflectance = lerp(setup.f0, grazing.xxx, SchlickWeight(ndotv));

@@ -1,0 +1,141 @@
+// patina docs: the reference as Markdown, a page for each node and lighting model, and an index of each kind.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "compiler/cli/commands.h"
+#include "compiler/cli/files.h"
+#include "compiler/cli/model_cost.h"
+#include "compiler/cli/pages.h"
+
+namespace patina::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+    std::string folder;
+    bool check = false;
+};
+
+using Pages = std::map<std::string, std::string>;  // path below the folder -> text
+
+constexpr const char* kIndex = "README.md";
+constexpr const char* kFolders[] = {"nodes", "models"};
+
+// Pictures that lie beside the pages (scripts/pictures draws them) go before the section that says where it is used.
+void add_picture(Page& page, const std::string& folder, const std::string& name, std::string_view caption) {
+    if (!fs::exists(folder + "/" + name)) return;
+    const auto before = std::ranges::find(page.sections, "In a graph", &Section::title);
+    Section section{.title = "Picture"};
+    section.pictures.push_back({.path = name, .caption = page.title + ": " + std::string(caption)});
+    page.sections.insert(before, std::move(section));
+}
+
+void add_nodes(Pages& pages, const Compiler& compiler, const std::string& folder) {
+    std::string index =
+        std::string(kWritten) +
+        "# Nodes\n\nEach says what it computes, from which paper, and what must hold; `patina node NAME` "
+        "shows the same.\n";
+    std::string category;
+    for (const NodeInfo& node : compiler.nodes()) {
+        if (node.category != category) {
+            category = node.category;
+            index += "\n## " + category + "\n\n| node | |\n|---|---|\n";
+        }
+        index += fmt::format("| [{}]({}.md) | {} |\n", node.name, node.name, escaped(first_sentence(node.doc)));
+        Page page = node_page(node, node.name);
+        add_picture(page, folder + "/nodes", "plots/" + node.name + ".svg", "its value");
+        pages["nodes/" + node.name + ".md"] = to_markdown(page, kIndex);
+    }
+    pages[std::string("nodes/") + kIndex] = index;
+}
+
+void add_models(Pages& pages, const Compiler& compiler, const std::string& folder) {
+    std::string index =
+        std::string(kWritten) +
+        "# Lighting models\n\nEach is a graph of [nodes](../nodes/README.md); `patina model NAME` shows the "
+        "same. [The gallery](../gallery.md) has their pictures side by side. What one costs is the size of its "
+        "optimised "
+        "fragment shader, in SPIR-V instructions; its page says of which.\n\n"
+        "| model | cost | |\n|---|---|---|\n";
+    for (const ModelInfo& model : compiler.lighting_models()) {
+        index += fmt::format("| [{}]({}.md) | {} | {} |\n", model.name, model.name,
+                             cost_of(compiler, model).instructions, escaped(first_sentence(model.doc)));
+        Page page = model_page(compiler, model);
+        add_picture(page, folder + "/models", "pictures/" + model.name + ".png", "rendered");
+        pages["models/" + model.name + ".md"] = to_markdown(page, kIndex);
+    }
+    pages[std::string("models/") + kIndex] = index;
+}
+
+// Pages that were written here once and that nothing makes any more.
+std::vector<std::string> stale(const Pages& pages, const std::string& folder) {
+    std::vector<std::string> paths;
+    for (const char* kind : kFolders) {
+        std::error_code none;
+        for (const fs::directory_entry& entry : fs::directory_iterator(fs::path(folder) / kind, none)) {
+            const std::string path = std::string(kind) + "/" + entry.path().filename().string();
+            if (!path.ends_with(".md") || pages.contains(path)) continue;
+            std::string error;
+            const std::optional<std::string> text = read_file(entry.path().string(), error);
+            if (text && text->starts_with(kWritten)) paths.push_back(path);
+        }
+    }
+    std::ranges::sort(paths);
+    return paths;
+}
+
+Exit compare(const Console& console, const Pages& pages, const std::string& folder) {
+    std::vector<std::string> different;
+    for (const auto& [path, text] : pages) {
+        std::string error;
+        const std::optional<std::string> there = read_file(folder + "/" + path, error);
+        if (there != text) different.push_back(path);
+    }
+    for (const std::string& path : stale(pages, folder)) different.push_back(path);
+    for (const std::string& path : different) {
+        complain(console, "stale-page", join_path(folder, path) + " is not what 'patina docs " + folder + "' writes");
+    }
+    return different.empty() ? Exit::Ok : Exit::Wrong;
+}
+
+Exit write_docs(const Console& console, const Arguments& arguments) {
+    const Compiler compiler;
+    Pages pages;
+    add_nodes(pages, compiler, arguments.folder);
+    add_models(pages, compiler, arguments.folder);
+    if (arguments.check) return compare(console, pages, arguments.folder);
+    OutputFiles files;
+    for (const auto& [path, text] : pages) files.add(join_path(arguments.folder, path), text);
+    if (std::string error = commit(files); !error.empty()) {
+        complain(console, "cannot-write", error);
+        return Exit::Wrong;
+    }
+    for (const std::string& path : stale(pages, arguments.folder)) {
+        std::error_code ignored;
+        fs::remove(fs::path(arguments.folder) / path, ignored);
+    }
+    say(console, fmt::format("{}: {} pages", arguments.folder, pages.size()));
+    return Exit::Ok;
+}
+
+}  // namespace
+
+void add_docs(Program& program) {
+    CLI::App& command = add_command(program, "docs", "Write the reference of nodes and lighting models as Markdown",
+                                    {"patina docs docs", "patina docs docs --check"});
+    auto arguments = std::make_shared<Arguments>();
+    command
+        .add_option("DIR", arguments->folder,
+                    "Gets nodes/*.md and models/*.md; pages of nodes and models that are gone are removed")
+        ->required()
+        ->type_name(" ");
+    command.add_flag("--check", arguments->check, "Write nothing; exit code 1 if a page is not what would be written");
+    set_work(program, command, [arguments](const Console& console) { return write_docs(console, *arguments); });
+}
+
+}  // namespace patina::cli

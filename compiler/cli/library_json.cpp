@@ -1,0 +1,171 @@
+#include "compiler/cli/library_json.h"
+
+#include <rapidjson/prettywriter.h>
+#include <rapidjson/stringbuffer.h>
+
+#include "compiler/cli/pages.h"
+
+namespace patina::cli {
+namespace {
+
+using Writer = rapidjson::PrettyWriter<rapidjson::StringBuffer>;
+
+void write_text(Writer& writer, const char* key, const std::string& text) {
+    if (text.empty()) return;
+    writer.Key(key);
+    writer.String(text.c_str());
+}
+
+void write_range(Writer& writer, const std::optional<std::array<double, 2>>& range) {
+    if (!range) return;
+    writer.Key("range");
+    writer.StartArray();
+    for (double limit : *range) writer.Double(limit);
+    writer.EndArray();
+}
+
+void write_texts(Writer& writer, const char* key, std::span<const std::string> texts) {
+    if (texts.empty()) return;
+    writer.Key(key);
+    writer.StartArray();
+    for (const std::string& text : texts) writer.String(text.c_str());
+    writer.EndArray();
+}
+
+void write_pairs(Writer& writer, const char* key, std::span<const std::pair<std::string, std::string>> pairs) {
+    if (pairs.empty()) return;
+    writer.Key(key);
+    writer.StartObject();
+    for (const auto& [name, value] : pairs) {
+        writer.Key(name.c_str());
+        writer.String(value.c_str());
+    }
+    writer.EndObject();
+}
+
+void write_port(Writer& writer, const PortInfo& port) {
+    writer.StartObject();
+    write_text(writer, "name", port.name);
+    write_text(writer, "type", port.type);
+    write_text(writer, "default", port.default_value);
+    write_range(writer, port.range);
+    write_text(writer, "unit", port.unit);
+    write_text(writer, "doc", port.doc);
+    std::vector<std::string> names, docs;
+    for (const EnumeratorInfo& enumerator : port.enumerators) {
+        names.push_back(enumerator.name);
+        docs.push_back(enumerator.doc);
+    }
+    write_texts(writer, "values", names);
+    write_texts(writer, "value_docs", docs);
+    writer.EndObject();
+}
+
+void write_ports(Writer& writer, const char* key, const NodeInfo& node, bool outputs) {
+    writer.Key(key);
+    writer.StartArray();
+    for (const PortInfo& port : node.ports) {
+        if (port.is_output == outputs) write_port(writer, port);
+    }
+    writer.EndArray();
+}
+
+void write_node(Writer& writer, const NodeInfo& node) {
+    writer.StartObject();
+    write_text(writer, "name", node.name);
+    write_text(writer, "category", node.category);
+    write_text(writer, "doc", node.doc);
+    write_text(writer, "formula", node.formula);
+    write_text(writer, "source", node.source);
+    write_text(writer, "file", node.file);
+    write_ports(writer, "inputs", node, false);
+    write_ports(writer, "outputs", node, true);
+    write_texts(writer, "tests", node.tests);
+    writer.EndObject();
+}
+
+void write_inputs(Writer& writer, const char* key, std::span<const ModelInputInfo> inputs) {
+    if (inputs.empty()) return;
+    writer.Key(key);
+    writer.StartArray();
+    for (const ModelInputInfo& input : inputs) {
+        writer.StartObject();
+        write_text(writer, "name", input.name);
+        write_text(writer, "type", input.type);
+        write_text(writer, "default", input.default_value);
+        write_range(writer, input.range);
+        write_texts(writer, "values", input.values);
+        if (input.is_variant) {
+            writer.Key("variant");
+            writer.Bool(true);
+        }
+        write_text(writer, "doc", input.doc);
+        writer.EndObject();
+    }
+    writer.EndArray();
+}
+
+void write_model(Writer& writer, const Compiler& compiler, const ModelInfo& model) {
+    writer.StartObject();
+    write_text(writer, "name", model.name);
+    write_text(writer, "title", model.title);
+    write_text(writer, "doc", model.doc);
+    write_text(writer, "use", model.use);
+    write_text(writer, "formula", model.formula);
+    write_text(writer, "source", model.source);
+    write_text(writer, "file", model.file);
+    write_inputs(writer, "inputs", model.inputs);
+    write_inputs(writer, "properties", model.properties);
+    write_texts(writer, "reads", semantics_read(compiler, model));
+    writer.Key("nodes");
+    writer.StartArray();
+    for (const ModelNodeInfo& node : model.nodes) {
+        writer.StartObject();
+        write_text(writer, "id", node.id);
+        write_text(writer, "node", node.node);
+        write_text(writer, "expr", node.expr);
+        write_pairs(writer, "in", node.inputs);
+        write_text(writer, "doc", node.doc);
+        writer.EndObject();
+    }
+    writer.EndArray();
+    write_pairs(writer, "outputs", model.outputs);
+    writer.EndObject();
+}
+
+template <class Write>
+std::string as_text(Write write) {
+    rapidjson::StringBuffer buffer;
+    Writer writer(buffer);
+    writer.SetIndent(' ', 2);
+    write(writer);
+    return std::string(buffer.GetString()) + "\n";
+}
+
+}  // namespace
+
+std::string to_json(const NodeInfo& node) {
+    return as_text([&](Writer& writer) { write_node(writer, node); });
+}
+
+std::string to_json(std::span<const NodeInfo* const> nodes) {
+    return as_text([&](Writer& writer) {
+        writer.StartArray();
+        for (const NodeInfo* node : nodes) write_node(writer, *node);
+        writer.EndArray();
+    });
+}
+
+std::string to_json(const Compiler& compiler, const ModelInfo& model) {
+    return as_text([&](Writer& writer) { write_model(writer, compiler, model); });
+}
+
+std::string to_json(const Compiler& compiler, std::span<const ModelInfo> models) {
+    return as_text([&](Writer& writer) {
+        writer.StartArray();
+        for (const ModelInfo& model : models) write_model(writer, compiler, model);
+        writer.EndArray();
+    });
+}
+
+}  // namespace patina::cli

@@ -1,0 +1,16 @@
+// Nodes and lighting models of the library as JSON, for `nodes --json`, `model --json` and so on: everything that is
+// known of them, empty fields left out.
+#pragma once
+
+#include <string>
+
+#include "patina/patina.h"
+
+namespace patina::cli {
+
+std::string to_json(const NodeInfo& node);
+std::string to_json(std::span<const NodeInfo* const> nodes);
+std::string to_json(const Compiler& compiler, const ModelInfo& model);
+std::string to_json(const Compiler& compiler, std::span<const ModelInfo> models);
+
+}  // namespace patina::cli

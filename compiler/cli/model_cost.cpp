@@ -1,0 +1,71 @@
+#include "compiler/cli/model_cost.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "patina/validate.h"
+
+namespace patina::cli {
+namespace {
+
+constexpr std::string_view kWorkflow = "metallic-roughness";
+constexpr std::string_view kPass = "forward";
+
+// An input that the mesh answers by itself, or that is another way to say one, stays open.
+bool takes_property(const ModelInputInfo& input) {
+    return input.gives.empty() && input.default_value.find('@') == std::string::npos;
+}
+
+std::string material_of(const Compiler& compiler, const ModelInfo& model) {
+    std::string properties, surface;
+    const auto add = [&](const std::vector<ModelInputInfo>& inputs) {
+        for (const ModelInputInfo& input : inputs) {
+            if (!takes_property(input)) continue;
+            const std::string_view comma = properties.empty() ? "" : ", ";
+            properties += fmt::format(R"({}{{ "name": "_{}", "type": "{}" }})", comma, input.name, input.type);
+            surface +=
+                fmt::format(R"({}"{}": "$_{}{}")", comma, input.name, input.name, input.type == "color" ? ".rgb" : "");
+        }
+    };
+    const std::vector<ModelInfo>& workflows = compiler.workflows();
+    const auto workflow = std::ranges::find(workflows, kWorkflow, &ModelInfo::name);
+    if (workflow != workflows.end()) add(workflow->inputs);
+    add(model.inputs);
+    return fmt::format(
+        R"({{ "patina": 1, "workflow": "{}", "lighting": "{}", "properties": [ {} ], "surface": {{ {} }} }})",
+        kWorkflow, model.name, properties, surface);
+}
+
+constexpr std::size_t kHeaderWords = 5;
+constexpr std::uint32_t kOpFunction = 54, kOpFunctionEnd = 56;
+
+void count(const std::vector<std::uint32_t>& spirv, ModelCost& cost) {
+    bool in_function = false;
+    for (std::size_t at = kHeaderWords; at < spirv.size();) {
+        const std::uint32_t op = spirv[at] & 0xffffu, words = spirv[at] >> 16;
+        in_function = in_function || op == kOpFunction;
+        ++cost.instructions;
+        cost.in_functions += in_function;
+        in_function = in_function && op != kOpFunctionEnd;
+        at += std::max(words, 1u);
+    }
+}
+
+}  // namespace
+
+ModelCost cost_of(const Compiler& compiler, const ModelInfo& model) {
+    ModelCost cost{.workflow = std::string(kWorkflow), .pass = std::string(kPass)};
+    CompileOptions options;
+    options.targets = {Target::Glsl};
+    options.passes = {cost.pass};
+    const Result result = compiler.compile_text("cost.graph.json", material_of(compiler, model), options);
+    for (const Shader& shader : result.shaders) {
+        if (shader.stage != Stage::Fragment) continue;
+        const Validated validated = validate(shader);
+        if (validated.ok) count(optimised(validated.spirv), cost);
+    }
+    return cost;
+}
+
+}  // namespace patina::cli

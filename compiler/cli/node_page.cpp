@@ -1,0 +1,77 @@
+// The page of one node.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "compiler/base/text.h"
+#include "compiler/cli/pages.h"
+
+namespace patina::cli {
+namespace {
+
+// "0 to 1; in m; default 0.5"
+std::string facts_of(const PortInfo& port) {
+    std::vector<std::string> facts;
+    if (port.range) facts.push_back(shortest((*port.range)[0]) + " to " + shortest((*port.range)[1]));
+    if (!port.unit.empty()) facts.push_back("in " + port.unit);
+    if (!port.is_output)
+        facts.push_back(port.default_value.empty() ? "needs a value" : "default " + port.default_value);
+    return fmt::format("{}", fmt::join(facts, "; "));
+}
+
+Section ports(const NodeInfo& node, bool outputs) {
+    Section section{.title = outputs ? "Outputs" : "Inputs",
+                    .columns = {outputs ? "output" : "input", "type", outputs ? "range" : "range and default", "what"}};
+    for (const PortInfo& port : node.ports) {
+        if (port.is_output != outputs) continue;
+        Entry& entry = section.entries.emplace_back(
+            Entry{.name = port.name, .type = port.type, .facts = facts_of(port), .doc = port.doc});
+        for (const EnumeratorInfo& choice : port.enumerators) entry.choices.emplace_back(choice.name, choice.doc);
+    }
+    return section;
+}
+
+// A default as a graph writes it: float3(0, 0, 1) is [0, 0, 1], and a word stands in quotes.
+std::string as_json(const std::string& value) {
+    constexpr std::string_view kNumber = "0123456789.-+e";
+    if (value.empty()) return "\"...\"";
+    if (value == "true" || value == "false" || value.find_first_not_of(kNumber) == value.npos) return value;
+    const std::size_t open = value.find('(');
+    const std::string list = open == value.npos ? "" : value.substr(open + 1, value.size() - open - 2);
+    const bool is_vector = value.starts_with("float") && value.ends_with(')') &&
+                           list.find_first_not_of(std::string(kNumber) + ", ") == list.npos;
+    return is_vector ? "[" + list + "]" : '"' + value + '"';
+}
+
+// The node with every input at its default, ready to paste into "nodes".
+std::string example(const NodeInfo& node, const std::string& name) {
+    std::string inputs;
+    for (const PortInfo& port : node.ports) {
+        if (port.is_output) continue;
+        inputs += fmt::format("{}\"{}\": {}", inputs.empty() ? "" : ", ", port.name, as_json(port.default_value));
+    }
+    // A file is named from the graph's own folder.
+    const std::string file = "./" + std::filesystem::path(name).filename().generic_string();
+    const std::string id =
+        fmt::format("{{ \"id\": \"my_node\", \"node\": \"{}\"", name.ends_with(".hlsl") ? file : name);
+    return inputs.empty() ? id + " }" : id + ", \"in\": { " + inputs + " } }";
+}
+
+}  // namespace
+
+Page node_page(const NodeInfo& node, const std::string& name) {
+    Page page{.title = node.name, .place = node.category, .sections = {}};
+    page.sections = {
+        {.title = {}, .text = node.doc},
+        {.title = "Formula", .code = node.formula},
+        {.title = "Source", .text = node.source},
+        ports(node, false),
+        ports(node, true),
+        {.title = "In a graph", .code = example(node, name), .language = "json"},
+        {.title = "Examples", .code = fmt::format("{}", fmt::join(node.tests, "\n")), .language = "hlsl"},
+        {.title = "File", .text = node.file, .link = "../../" + node.file},
+    };
+    return page;
+}
+
+}  // namespace patina::cli
