@@ -1,4 +1,4 @@
-// patina_textures DIR: paints the textures of the example graphs and writes them as PNG files. The files are committed;
+// patina_textures DIR: paints the textures of the example graphs and writes them. The files are committed;
 // this program is how they came to be, and how to change them.
 #include <cstdio>
 #include <filesystem>
@@ -26,4 +26,10 @@ int main(int argc, char** argv) {
             std::puts(path.c_str());
         }
     }
+    const std::string table = (folder / "satin_paint.exr").string();
+    if (std::string error = save_satin_paint(table); !error.empty()) {
+        std::fprintf(stderr, "%s: %s\n", table.c_str(), error.c_str());
+        return 1;
+    }
+    std::puts(table.c_str());
 }

@@ -29,4 +29,7 @@ Set ivy_leaves();
 // lit_ball: a mirroring ball in a studio, for matcaps
 Set lit_ball();
 
+// A table as `patina import` makes it of a measured material. An error message, or empty.
+std::string save_satin_paint(const std::string& path);
+
 }  // namespace textures
