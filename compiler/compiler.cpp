@@ -90,7 +90,7 @@ std::vector<const nodelang::Expr*> read_arguments(graph::Session& session, const
         const nodelang::Expr*& value = values[static_cast<std::size_t>(param - function.params.begin())];
         if (value) session.diagnostics.report(Code::DuplicateKey, value->span, name);
         value = read_argument(text, session.sources, session.ast, session.diagnostics);
-        if (const auto range = graph::range_of(*param); range && value) {
+        if (const auto range = graph::range_of(param->attributes); range && value) {
             graph::check_range(session, *value, *range, false, name);
         }
     }
@@ -121,7 +121,6 @@ std::string_view to_string(Stage stage) {
 
 Compiler::Compiler() : impl_(std::make_unique<Impl>()) {
     impl_->library = graph::load_library(nodelang::embedded_files());
-    impl_->library_diagnostics = to_public(impl_->library->diagnostics, impl_->library->sources);
 }
 Compiler::~Compiler() = default;
 Compiler::Compiler(Compiler&&) noexcept = default;
@@ -138,16 +137,29 @@ void Compiler::Impl::describe() const {
         });
         semantics = describe_semantics(*library);
         for (const auto& [name, graph] : library->workflows) {
-            workflows.push_back(describe_model(*graph, name, library->sources));
+            if (graph.get()) workflows.push_back(describe_model(*graph.get(), name, library->sources));
         }
         for (const auto& [name, graph] : library->lighting_models) {
-            lighting_models.push_back(describe_model(*graph, name, library->sources));
+            if (graph.get()) lighting_models.push_back(describe_model(*graph.get(), name, library->sources));
         }
     });
 }
 
-const std::vector<Diagnostic>& Compiler::library_diagnostics() const {
-    return impl_->library_diagnostics;
+std::vector<Diagnostic> Compiler::library_diagnostics() const {
+    const graph::Library& library = *impl_->library;
+    std::vector<Diagnostic> all;
+    const auto add = [&](const Diagnostics& some) {
+        const std::vector<Diagnostic> made = to_public(some, library.sources);
+        all.insert(all.end(), made.begin(), made.end());
+    };
+    add(library.diagnostics);
+    for (const nodelang::FunctionDecl& function : library.ast.functions) {
+        if (const Diagnostics* errors = nodelang::body_errors(function)) add(*errors);
+    }
+    for (const auto* graphs : {&library.workflows, &library.lighting_models}) {
+        for (const auto& [name, graph] : *graphs) add(graph.diagnostics());
+    }
+    return all;
 }
 const std::vector<NodeInfo>& Compiler::nodes() const {
     impl_->describe();

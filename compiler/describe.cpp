@@ -42,7 +42,7 @@ PortInfo describe_param(const nodelang::ParamDecl& param, const EvaluationContex
                   .doc = doc_line(param.doc),
                   .enumerators = {}};
     if (param.initial) port.default_value = default_text(*param.initial, context);
-    port.range = graph::range_of(param);
+    port.range = graph::range_of(param.attributes);
     for (const nodelang::Attribute& attribute : param.attributes) {
         if (attribute.name == "unit") port.unit = nodelang::attribute_text(attribute);
     }
@@ -119,7 +119,7 @@ NodeInfo describe_node(const nodelang::FunctionDecl& function, const EvaluationC
                               .type = std::string(function.result.name),
                               .is_output = true,
                               .default_value = {},
-                              .range = {},
+                              .range = graph::range_of(function.attributes),
                               .unit = {},
                               .doc = {},
                               .enumerators = {}});

@@ -10,7 +10,6 @@ namespace patina {
 
 struct Compiler::Impl {
     std::unique_ptr<graph::Library> library;
-    std::vector<Diagnostic> library_diagnostics;
 
     // Filled by describe() under `once`.
     mutable std::once_flag once;

@@ -196,30 +196,56 @@ std::shared_ptr<const Environment> studio_environment() {
     return kStudio;
 }
 
+namespace {
+
+// A point of [0, 1] moved towards both ends, and by how much the steps shrink there: an integrand that has a root or
+// ends with a slope at either end then ends flat, for which the midpoint rule is at its best.
+struct Crowded {
+    double at, step;
+};
+Crowded crowded(int index, int count) {
+    double s = (index + 0.5) / count;
+    return {s * s * (3 - 2 * s), 6 * s * (1 - s) / count};
+}
+
+}  // namespace
+
 std::array<double, 2> split_sum(double alpha, double ndotv, int samples) {
-    // Half vectors by the distribution of GGX (Walter 2007, eq. 35 and 36): w = 4 V (n.l) (v.h) / (n.h) is what is
-    // left.
-    double a2 = alpha * alpha;
-    double view_x = std::sqrt(std::max(1 - ndotv * ndotv, 0.0)), view_root = std::sqrt(ndotv * ndotv * (1 - a2) + a2);
+    // A mirror has one half vector: its F is the offset.
+    double grazing = std::pow(1 - ndotv, 5);
+    if (alpha < 1e-4) return {1 - grazing, grazing};
+    // Half vectors in polar coordinates, tan(angle) = alpha sinh(x), in which GGX times its solid angle is smooth. The
+    // light is above the surface all around up to the first angle, and nowhere from the second on.
+    double a2 = alpha * alpha, view_angle = std::acos(ndotv), view_sine = std::sin(view_angle);
+    double view_root = std::sqrt(ndotv * ndotv * (1 - a2) + a2);
+    double highest = std::min(kPi / 4 + view_angle / 2, kPi / 2 - 1e-9);
+    std::array<double, 3> ends = {0, std::asinh(std::tan(kPi / 4 - view_angle / 2) / alpha),
+                                  std::asinh(std::tan(highest) / alpha)};
     double scale = 0, offset = 0;
-    for (int i = 0; i < samples; i++) {
-        double u = (i + 0.5) / samples;
-        double cos2 = (1 - u) / (1 + (a2 - 1) * u), ndoth = std::sqrt(cos2);
-        double sine = std::sqrt(std::max(1 - cos2, 0.0));
-        for (int k = 0; k < samples; k++) {
-            double phi = kPi * (k + 0.5) / samples;  // the other half mirrors this one
-            double vdoth = view_x * sine * std::cos(phi) + ndotv * ndoth;
-            double ndotl = 2 * vdoth * ndoth - ndotv;
-            if (ndotl <= 0 || vdoth <= 0) continue;
-            double light_root = std::sqrt(ndotl * ndotl * (1 - a2) + a2);
-            double weight = 2 * ndotl * vdoth / (ndoth * (ndotl * view_root + ndotv * light_root));
-            double fresnel = std::pow(1 - vdoth, 5);
-            scale += (1 - fresnel) * weight;
-            offset += fresnel * weight;
+    int around = std::max(1, samples / 2);  // the other half mirrors this one
+    for (std::size_t part = 0; part < 2; part++) {
+        for (int i = 0; i < samples; i++) {
+            double length = ends[part + 1] - ends[part];
+            double x = ends[part] + length * crowded(i, samples).at;
+            double tangent = alpha * std::sinh(x), ndoth = 1 / std::sqrt(1 + tangent * tangent), sine = tangent * ndoth;
+            double share = 2 * std::sinh(x) / std::pow(std::cosh(x), 3) * length * crowded(i, samples).step / kPi;
+            double edge = (ndotv / (2 * ndoth) - ndotv * ndoth) / std::max(view_sine * sine, 1e-12);
+            double last = std::acos(std::clamp(edge, -1.0, 1.0));
+            for (int k = 0; k < around; k++) {
+                double phi = last * crowded(k, around).at;
+                double vdoth = view_sine * sine * std::cos(phi) + ndotv * ndoth, ndotl = 2 * vdoth * ndoth - ndotv;
+                if (ndotl <= 0 || vdoth <= 0) continue;
+                // w = 4 V (n.l) (v.h) / (n.h), with Smith's exact joint V.
+                double light_root = std::sqrt(ndotl * ndotl * (1 - a2) + a2);
+                double weight = 2 * ndotl * vdoth / (ndoth * (ndotl * view_root + ndotv * light_root));
+                weight *= share * last * crowded(k, around).step;
+                double fresnel = std::pow(1 - vdoth, 5);
+                scale += (1 - fresnel) * weight;
+                offset += fresnel * weight;
+            }
         }
     }
-    double count = double(samples) * samples;
-    return {scale / count, offset / count};
+    return {scale, offset};
 }
 
 std::shared_ptr<const TextureData> split_sum_table() {
@@ -227,9 +253,10 @@ std::shared_ptr<const TextureData> split_sum_table() {
         constexpr int kSize = 64, kSamples = 32;
         TextureLevel level{.width = kSize, .height = kSize, .texels = {}};
         for (int y = 0; y < kSize; y++) {
-            double roughness = (y + 0.5) / kSize;
+            double roughness = double(y) / (kSize - 1);
             for (int x = 0; x < kSize; x++) {
-                auto [scale, offset] = split_sum(roughness * roughness, (x + 0.5) / kSize, kSamples);
+                double root = double(x) / (kSize - 1);
+                auto [scale, offset] = split_sum(roughness * roughness, root * root, kSamples);
                 level.texels.insert(level.texels.end(), {float(scale), float(offset), 0, 1});
             }
         }

@@ -60,8 +60,9 @@ private:
 // and a strip behind. The same object each time.
 std::shared_ptr<const Environment> studio_environment();
 
-// 64 x 64 texels; x: n.v, y: perceptual roughness, both from 0 to 1 at the outer edges. Red is the share of f0, green
-// that of f90, for GGX with Smith's exact joint visibility (Karis, SIGGRAPH 2013). The same object each time.
+// 64 x 64 texels; x: square root of n.v, y: perceptual roughness, both from 0 to 1 at the centres of the outer texels:
+// the node SplitSumTable reads it so, to 0.3 %. Red is the share of f0, green that of f90, for GGX with Smith's exact
+// joint visibility (Karis, SIGGRAPH 2013). The same object each time.
 std::shared_ptr<const TextureData> split_sum_table();
 // One entry of it, by quadrature: {scale, offset}. `alpha`: roughness squared; both from 0 to 1.
 std::array<double, 2> split_sum(double alpha, double ndotv, int samples);

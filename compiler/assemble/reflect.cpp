@@ -217,17 +217,17 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
     made.meta = graph.meta;
     for (const ir::UniformBlock& block : lowered.module.blocks)
         made.blocks.push_back(reflect_block(lowered.module, block));
-    for (std::size_t i = 0; i < lowered.module.globals.size(); ++i) {
-        const ir::Global& global = lowered.module.globals[i];
-        if (global.set == graph::kEngineSet && is_texture(global))
-            made.textures.push_back(bound_texture(lowered.module, global, lowered.module.globals[i + 1]));
-    }
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
         const graph::MaterialProperty& entry = material.properties[i];
         made.properties.push_back(reflect_property(lowered.module, *entry.property, lowered.property_globals[i]));
         if (entry.property->type == PropertyType::Texture2D) {
             made.textures.push_back(reflect_texture(lowered.module, entry, lowered.property_globals[i], graph.path));
         }
+    }
+    for (std::size_t i = 0; i < lowered.module.globals.size(); ++i) {
+        const ir::Global& global = lowered.module.globals[i];
+        if (global.set == graph::kEngineSet && is_texture(global))
+            made.textures.push_back(bound_texture(lowered.module, global, lowered.module.globals[i + 1]));
     }
     for (const LinkedPass& pass : passes) made.passes.push_back(reflect_pass(material, lowered, pass));
     for (const targets::SetShifts& shift : binding_shifts(lowered.module)) {

@@ -1,6 +1,6 @@
-// The subcommands, one function and one file each. `patina` holds those that make no pictures; `render`, `snapshot` and
-// `trace` live in a second program, `patina-render`, which `patina` turns into when they are asked for: the image
-// library that they load takes longer to start than a whole compilation.
+// The subcommands, one function and one file each. `patina` holds those that touch no pictures; `render`, `snapshot`,
+// `trace` and `import` live in a second program, `patina-render`, which `patina` turns into when they are asked for:
+// the image library that they load takes longer to start than a whole compilation.
 #pragma once
 
 #include "compiler/cli/program.h"
@@ -22,6 +22,7 @@ void add_schema(Program& program);
 void add_render(Program& program);
 void add_snapshot(Program& program);
 void add_trace(Program& program);
+void add_import(Program& program);
 
 inline constexpr const char* kSummary =
     "Patina compiles material node graphs to readable GLSL and HLSL.\n"
@@ -29,5 +30,6 @@ inline constexpr const char* kSummary =
 inline constexpr const char* kRenderSummary = "Render graphs to pictures";
 inline constexpr const char* kSnapshotSummary = "Compare renders with reference pictures";
 inline constexpr const char* kTraceSummary = "Show what every node is worth at one pixel";
+inline constexpr const char* kImportSummary = "Make graphs of what was made elsewhere: measured materials";
 
 }  // namespace patina::cli

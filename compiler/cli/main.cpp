@@ -26,7 +26,7 @@ int become_renderer(char** argv) {
 
 int main(int argc, char** argv) {
     const std::string_view first = argc > 1 ? argv[1] : "";
-    if (first == "render" || first == "snapshot" || first == "trace") return become_renderer(argv);
+    if (first == "render" || first == "snapshot" || first == "trace" || first == "import") return become_renderer(argv);
 
     Program program(kSummary);
     add_compile(program);
@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
     program.app.add_subcommand("render", kRenderSummary);
     program.app.add_subcommand("trace", kTraceSummary);
     program.app.add_subcommand("snapshot", kSnapshotSummary);
+    program.app.add_subcommand("import", kImportSummary);
     add_new(program);
     add_fmt(program);
     add_eval(program);

@@ -7,5 +7,6 @@ int main(int argc, char** argv) {
     add_render(program);
     add_snapshot(program);
     add_trace(program);
+    add_import(program);
     return run(program, argc, argv);
 }

@@ -91,7 +91,8 @@ void check_ports(Session& session, const Node& node, const ResolvedNode& resolve
         }
         for (const nodelang::ParamDecl& param : resolved.function->params) {
             if (param.name != port.name) continue;
-            if (const auto range = range_of(param)) check_range(session, *port.value, *range, false, port.name);
+            if (const auto range = range_of(param.attributes))
+                check_range(session, *port.value, *range, false, port.name);
         }
     }
 }
@@ -206,8 +207,8 @@ std::vector<bool> CheckedGraph::reachable(std::uint32_t node) const {
     return seen;
 }
 
-std::optional<std::array<double, 2>> range_of(const nodelang::ParamDecl& param) {
-    for (const nodelang::Attribute& attribute : param.attributes) {
+std::optional<std::array<double, 2>> range_of(std::span<const nodelang::Attribute> attributes) {
+    for (const nodelang::Attribute& attribute : attributes) {
         if (attribute.name != "range" || attribute.args.size() != 2) continue;
         std::array<double, 2> range{};
         for (std::size_t i : {0u, 1u}) {

@@ -53,8 +53,8 @@ const NodeFile* load_node_file(Session& session, const std::string& path, Span w
 // Nodes of `graph` that an expression names.
 void collect_reads(const nodelang::Expr& expr, const CheckedGraph& graph, std::vector<std::uint32_t>& reads);
 
-// What a parameter's [range] says.
-std::optional<std::array<double, 2>> range_of(const nodelang::ParamDecl& param);
+// What [range] says, of a parameter or of what a function returns.
+std::optional<std::array<double, 2>> range_of(std::span<const nodelang::Attribute> attributes);
 // Complains about a literal outside a range.
 void check_range(Session& session, const nodelang::Expr& value, std::array<double, 2> range, bool hard,
                  std::string_view name);

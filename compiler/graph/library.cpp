@@ -61,22 +61,23 @@ void collect_passes(Library& library) {
     }
 }
 
+// Models go by their file's stem, as users name them: "unity-brdf1".
 void add_graph(Library& library, std::uint32_t base, std::string_view path) {
-    const std::unique_ptr<Json> json = parse_json(library.sources, base, library.diagnostics);
-    if (!json) return;
-    std::shared_ptr<Graph> graph =
-        read_graph(*json, std::string(path), library.sources, library.ast, library.diagnostics, {});
-    if (!graph) return;
-    // Models go by their file's stem, as users name them: "unity-brdf1".
     const std::size_t slash = path.rfind('/') + 1;
-    std::string key(path.substr(slash, path.find('.', slash) - slash));
-    if (graph->kind == GraphKind::Workflow)
-        library.workflows[key] = std::move(graph);
-    else if (graph->kind == GraphKind::Lighting)
-        library.lighting_models[key] = std::move(graph);
+    auto& graphs = path.ends_with(".workflow.json") ? library.workflows : library.lighting_models;
+    graphs.try_emplace(std::string(path.substr(slash, path.find('.', slash) - slash)), library.sources, base,
+                       std::string(path));
 }
 
 }  // namespace
+
+const std::shared_ptr<Graph>& LibraryGraph::get() const {
+    std::call_once(once_, [this] {
+        const std::unique_ptr<Json> json = parse_json(sources_, base_, diagnostics_);
+        if (json) graph_ = read_graph(*json, path_, sources_, ast_, diagnostics_, {});
+    });
+    return graph_;
+}
 
 std::unique_ptr<Library> load_library(std::span<const nodelang::EmbeddedFile> files) {
     auto library = std::make_unique<Library>();
@@ -87,7 +88,7 @@ std::unique_ptr<Library> load_library(std::span<const nodelang::EmbeddedFile> fi
             graphs.emplace_back(base, file.path);
         } else {
             nodelang::parse_file({.text = library->sources.file_text(base), .base = base}, library->ast,
-                                 library->diagnostics);
+                                 library->diagnostics, nodelang::Bodies::WhenAsked);
         }
     }
     nodelang::index_declarations(library->ast, library->declarations, library->diagnostics);

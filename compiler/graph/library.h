@@ -7,6 +7,7 @@
 
 #include <map>
 #include <memory>
+#include <mutex>
 
 #include "compiler/base/diagnostics.h"
 #include "compiler/graph/graph.h"
@@ -40,6 +41,27 @@ struct PassDecl {
     const nodelang::FunctionDecl* fragment = nullptr;
 };
 
+// A workflow or a lighting model of the library: read when first asked for, by any thread.
+class LibraryGraph {
+public:
+    LibraryGraph(const SourceMap& sources, std::uint32_t base, std::string path)
+        : sources_(sources), base_(base), path_(std::move(path)) {}
+
+    // Null if it cannot be read.
+    const std::shared_ptr<Graph>& get() const;
+    // What was wrong with it.
+    const Diagnostics& diagnostics() const { return get(), diagnostics_; }
+
+private:
+    const SourceMap& sources_;
+    std::uint32_t base_;
+    std::string path_;
+    mutable std::once_flag once_;
+    mutable nodelang::Ast ast_;
+    mutable Diagnostics diagnostics_;
+    mutable std::shared_ptr<Graph> graph_;
+};
+
 struct Library {
     SourceMap sources;
     nodelang::Ast ast;
@@ -48,8 +70,8 @@ struct Library {
     std::vector<SemanticDecl> semantics;
     std::map<std::string_view, std::uint32_t> semantic_index;
     std::vector<PassDecl> passes;
-    std::map<std::string, std::shared_ptr<Graph>, std::less<>> workflows;
-    std::map<std::string, std::shared_ptr<Graph>, std::less<>> lighting_models;
+    std::map<std::string, LibraryGraph, std::less<>> workflows;
+    std::map<std::string, LibraryGraph, std::less<>> lighting_models;
 };
 
 std::unique_ptr<Library> load_library(std::span<const nodelang::EmbeddedFile> files);

@@ -30,7 +30,7 @@ const CheckedGraph* find_workflow(Session& session, const Graph& graph) {
             .note(Diagnostics::suggestion(graph.workflow, keys(workflows)));
         return nullptr;
     }
-    return check_graph(session, found->second);
+    return check_graph(session, found->second.get());
 }
 
 const CheckedGraph* find_lighting(Session& session, const Graph& graph, const Graph& workflow, std::string& name) {
@@ -58,7 +58,7 @@ const CheckedGraph* find_lighting(Session& session, const Graph& graph, const Gr
             .note("a lighting graph of your own is named by its file: \"./toon.lighting.json\"");
         return nullptr;
     }
-    return check_graph(session, found->second);
+    return check_graph(session, found->second.get());
 }
 
 void add_property(Session& session, Material& material, const Property& property, const std::string& from) {
@@ -187,9 +187,16 @@ void bind_lighting_properties(Session& session, Material& material, std::span<co
         if (!input->value) continue;
         if (property.range) check_range(session, *input->value, *property.range, property.hard, property.name);
         Property bound = property;
-        if (set_default(session, bound, *input->value)) {
+        const bool is_file = property.type == PropertyType::Texture2D && input->value->kind == Expr::Kind::File;
+        if (is_file) {
+            bound.texture = std::string(input->value->text);
+            bound.default_span = input->value->span;
+        }
+        if (is_file || set_default(session, bound, *input->value)) {
+            // A file is named from the graph that names it.
+            const std::string& from = is_file ? material.graph->graph->path : material.lighting->graph->path;
             session.file_properties.push_back(std::move(bound));
-            add_property(session, material, session.file_properties.back(), material.lighting->graph->path);
+            add_property(session, material, session.file_properties.back(), from);
         } else {
             material.lighting_inputs.push_back(*input);
         }
@@ -206,7 +213,7 @@ void bind_lighting_properties(Session& session, Material& material, std::span<co
 // Turns the material into one that shows a port, by the workflow that says it can show things.
 bool make_preview(Session& session, Graph& graph, const Shown& shown) {
     for (const auto& [name, workflow] : session.library.workflows) {
-        if (workflow->preview_input.empty()) continue;
+        if (!workflow.get() || workflow.get()->preview_input.empty()) continue;
         const Expr* value = parse_shown(session, shown);
         if (!value) return false;
         const auto is_node = [&](const Node& node) { return node.id == shown.text; };
@@ -219,8 +226,10 @@ bool make_preview(Session& session, Graph& graph, const Shown& shown) {
         graph.workflow = name;
         graph.lighting = {};
         graph.surface.clear();
-        graph.surface.push_back(
-            {.name = workflow->preview_input, .name_span = value->span, .value_span = value->span, .value = value});
+        graph.surface.push_back({.name = workflow.get()->preview_input,
+                                 .name_span = value->span,
+                                 .value_span = value->span,
+                                 .value = value});
         return true;
     }
     return false;

@@ -11,7 +11,7 @@ namespace {
 // The first workflow that shows a single value, or the first that does not.
 std::string workflow_name(const Library& library, bool shows_value) {
     for (const auto& [name, workflow] : library.workflows) {
-        if (workflow->preview_input.empty() != shows_value) return name;
+        if (workflow.get() && workflow.get()->preview_input.empty() != shows_value) return name;
     }
     return {};
 }

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -94,6 +95,8 @@ struct ParamDecl {
     std::string_view doc{};  // text of the trailing `///<` or of the @-lines of the function's comment
 };
 
+struct UnreadBody;
+
 struct FunctionDecl {
     std::string_view name{};
     Span name_span{};
@@ -104,7 +107,8 @@ struct FunctionDecl {
     std::string_view doc{};       // the /// lines, with the slashes
     std::uint32_t doc_begin = 0;  // global offset of doc's first byte
     bool has_body = false;
-    Statements body{};
+    Statements body{};                           // ask body_of() (parse.h): it may not have been read yet
+    std::shared_ptr<const UnreadBody> unread{};  // the text of a body that is parsed when first asked for
 
     const Attribute* attribute(std::string_view attribute_name) const {
         for (const Attribute& a : attributes) {

@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "compiler/nodelang/emit.h"
+#include "compiler/nodelang/parse.h"
 
 namespace patina::nodelang {
 
@@ -119,7 +120,7 @@ Emitter::Instance Emitter::emit_function(const FunctionDecl& function, const Dec
     scope.result = instance.result;
     made.result = instance.result;
     Value returned;
-    const bool returns = statements(function.body, 0, scope, returned);
+    const bool returns = statements(body_of(function), 0, scope, returned);
     if (diagnostics_.error_count() != errors) return {.id = {}, .result = Type::error()};
     instance.rounds = scope.rounds;
     if (!returns) {
@@ -169,7 +170,7 @@ ir::FunctionId Emitter::semantic_function(const FunctionDecl& function, const De
     Value returned;
     const std::size_t errors = diagnostics_.error_count();
     active_.push_back(&function);
-    const bool returns = statements(function.body, 0, scope, returned);
+    const bool returns = statements(body_of(function), 0, scope, returned);
     active_.pop_back();
     if (diagnostics_.error_count() != errors) return {};
     if (!returns) {

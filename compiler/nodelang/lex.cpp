@@ -11,11 +11,13 @@ namespace {
 constexpr std::string_view kNoBreakSpace = "\xc2\xa0";
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
-// Longest first: the first that fits is the token.
-constexpr std::string_view kPunctuation[] = {"<<", ">>", "<=", ">=", "==", "!=", "&&", "||", "++", "--", "+=",
-                                             "-=", "*=", "/=", "%=", "&=", "|=", "^=", "+",  "-",  "*",  "/",
-                                             "%",  "<",  ">",  "=",  "!",  "&",  "|",  "^",  "~",  "?",  ":",
-                                             ";",  ",",  ".",  "(",  ")",  "[",  "]",  "{",  "}"};
+// 2 where the two characters are one operator, 1 where the first stands for itself, 0 where it means nothing.
+constexpr std::size_t punctuation_length(char first, char second) {
+    constexpr std::string_view kDoubled = "<>=&|+-", kBeforeEquals = "<>!+-*/%&|^", kAlone = "+-*/%<>=!&|^~?:;,.()[]{}";
+    if (kAlone.find(first) == std::string_view::npos) return 0;
+    if (second == first && kDoubled.find(first) != std::string_view::npos) return 2;
+    return second == '=' && kBeforeEquals.find(first) != std::string_view::npos ? 2 : 1;
+}
 
 // Not <cctype>: the language does not change with the locale.
 constexpr bool is_digit(char c) {
@@ -241,12 +243,11 @@ void Lexer::graph_name(Token& token) {
 }
 
 void Lexer::punctuation(Token& token) {
-    const auto found = std::find_if(std::begin(kPunctuation), std::end(kPunctuation),
-                                    [&](std::string_view candidate) { return looking_at(candidate); });
-    if (found == std::end(kPunctuation)) return bad_character(token);
+    const std::size_t length = punctuation_length(at(here_), at(here_ + 1));
+    if (length == 0) return bad_character(token);
     token.kind = Token::Kind::Punctuation;
-    token.text = *found;
-    here_ += found->size();
+    token.text = text_.text.substr(here_, length);
+    here_ += length;
 }
 
 void Lexer::bad_character(Token& token) {

@@ -32,7 +32,10 @@ struct Token {
     std::string_view doc;           // whole lines, slashes included; empty if there are none
     std::string_view trailing_doc;  // what follows `///<` on the line of the token before, without the spaces around it
 
-    bool is(std::string_view punctuation) const { return kind == Kind::Punctuation && text == punctuation; }
+    bool is(std::string_view punctuation) const {  // of one or two characters
+        return kind == Kind::Punctuation && text.size() == punctuation.size() && text.front() == punctuation.front() &&
+               text.back() == punctuation.back();
+    }
     bool is_word(std::string_view word) const { return kind == Kind::Word && text == word; }
 };
 
@@ -45,6 +48,9 @@ public:
 
     // The next token; at the end of the text End, again and again.
     Token next();
+
+    // Skips what lies between.
+    void go_to(std::size_t offset) { here_ = offset; }
 
     Span span(std::size_t begin, std::size_t end) const { return {text_.at(begin), text_.at(end)}; }
 

@@ -22,7 +22,7 @@ bool is_too_large(Text text, Diagnostics& diagnostics) {
 
 }  // namespace
 
-void parse_file(Text text, Ast& ast, Diagnostics& diagnostics) {
+void parse_file(Text text, Ast& ast, Diagnostics& diagnostics, Bodies bodies) {
     if (is_too_large(text, diagnostics)) return;
     // Comments become documentation, so they must be text too.
     if (std::size_t bad = 0; !is_utf8(text.text, bad)) {
@@ -30,7 +30,26 @@ void parse_file(Text text, Ast& ast, Diagnostics& diagnostics) {
         diagnostics.report(Code::NotUtf8, {text.at(bad), text.at(bad + 1)}, bad + 1, unsigned{byte});
         return;
     }
-    Parser(text, Lexer::Place::File, ast, diagnostics).file();
+    Parser(text, Lexer::Place::File, ast, diagnostics, bodies).file();
+}
+
+namespace {
+
+const UnreadBody& read_body(const UnreadBody& body) {
+    std::call_once(body.once, [&] {
+        Parser(body.text, Lexer::Place::File, body.ast, body.diagnostics).function_body(body.statements);
+    });
+    return body;
+}
+
+}  // namespace
+
+const Statements& body_of(const FunctionDecl& function) {
+    return function.unread ? read_body(*function.unread).statements : function.body;
+}
+
+const Diagnostics* body_errors(const FunctionDecl& function) {
+    return function.unread ? &read_body(*function.unread).diagnostics : nullptr;
 }
 
 const Expr* parse_expression(Text text, Ast& ast, Diagnostics& diagnostics) {
@@ -43,12 +62,13 @@ const Expr* parse_link(Text text, Ast& ast, Diagnostics& diagnostics) {
     return Parser(text, Lexer::Place::Graph, ast, diagnostics).link();
 }
 
-Parser::Parser(Text text, Lexer::Place place, Ast& ast, Diagnostics& diagnostics)
+Parser::Parser(Text text, Lexer::Place place, Ast& ast, Diagnostics& diagnostics, Bodies bodies)
     : text_(text),
       place_(place),
       ast_(ast),
       diagnostics_(diagnostics),
       errors_before_(diagnostics.error_count()),
+      bodies_(bodies),
       lexer_(text, place, diagnostics) {
     now_ = lexer_.next();
     after_ = lexer_.next();

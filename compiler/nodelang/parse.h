@@ -23,7 +23,16 @@ struct Text {
 // Deeper nesting of expressions or blocks is refused (the parser and the emitter recurse).
 inline constexpr int kMaxNesting = 200;
 
-void parse_file(Text text, Ast& ast, Diagnostics& diagnostics);
+// When the bodies of a file's functions are read: a text that may hold mistakes is read whole; of the library, a
+// compilation needs a few functions out of hundreds.
+enum class Bodies { Now, WhenAsked };
+void parse_file(Text text, Ast& ast, Diagnostics& diagnostics, Bodies bodies = Bodies::Now);
+
+// The statements of a function; any thread may ask. Mistakes in a body that is read only now go to body_errors().
+const Statements& body_of(const FunctionDecl& function);
+// What was wrong with a body that was read when asked for: it is asked for now.
+const Diagnostics* body_errors(const FunctionDecl& function);
+
 // An expression of a graph: may read $properties and @semantics.
 const Expr* parse_expression(Text text, Ast& ast, Diagnostics& diagnostics);
 // A link of a graph: `id`, `id.port`, `id.port.swizzle`, `$property...`, `@semantic...` and nothing else.

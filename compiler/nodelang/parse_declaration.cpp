@@ -13,12 +13,12 @@ struct AttributeInfo {
     std::string_view place, name;
 };
 constexpr AttributeInfo kAttributes[] = {
-    {kFunction, "node"},          {kFunction, "member"},    {kFunction, "semantic"}, {kFunction, "extern"},
-    {kFunction, "slot"},          {kFunction, "pass"},      {kFunction, "vertex"},   {kFunction, "fragment"},
-    {kParameter, "range"},        {kParameter, "color"},    {kParameter, "unit"},    {kParameter, "hidden"},
-    {kParameter, "per_light"},    {kVariable, "attribute"}, {kVariable, "extern"},   {kVariable, "builtin"},
-    {kVariable, "semantic"},      {kVariable, "given"},     {kVariable, "static"},   {kVariable, "unit"},
-    {kVariable, "vertex_output"},
+    {kFunction, "node"},    {kFunction, "member"},        {kFunction, "semantic"},  {kFunction, "extern"},
+    {kFunction, "slot"},    {kFunction, "pass"},          {kFunction, "vertex"},    {kFunction, "fragment"},
+    {kFunction, "range"},   {kParameter, "range"},        {kParameter, "color"},    {kParameter, "unit"},
+    {kParameter, "hidden"}, {kParameter, "per_light"},    {kVariable, "attribute"}, {kVariable, "extern"},
+    {kVariable, "builtin"}, {kVariable, "semantic"},      {kVariable, "given"},     {kVariable, "static"},
+    {kVariable, "unit"},    {kVariable, "vertex_output"},
 };
 
 bool is_number(const Expr& expr) {
@@ -213,13 +213,40 @@ bool Parser::function(FunctionDecl decl, std::size_t begin) {
     if (!parameters(decl)) return false;
     if (now().is("{")) {
         decl.has_body = true;
-        if (!block(decl.body)) return false;
+        if (bodies_ == Bodies::WhenAsked) {
+            leave_unread(decl);
+        } else if (!block(decl.body)) {
+            return false;
+        }
     } else if (!end_of_statement()) {
         return false;
     }
     decl.span = span_from(begin);
     ast_.functions.push_back(std::move(decl));
     return true;
+}
+
+// Goes behind the '}' that closes the '{' here, and notes where the two are.
+void Parser::leave_unread(FunctionDecl& function) {
+    const std::size_t begin = now().begin;
+    std::size_t at = begin;
+    int depth = 0;
+    while (at < text_.text.size()) {
+        const char c = text_.text[at++];
+        if (c == '/' && text_.text.substr(at).starts_with("/"))
+            at = std::min(text_.text.find('\n', at), text_.text.size());
+        if (c == '/' && text_.text.substr(at).starts_with("*"))
+            at = std::min(text_.text.find("*/", at), text_.text.size());
+        if (c == '{') ++depth;
+        if (c == '}' && --depth == 0) break;
+    }
+    auto unread = std::make_shared<UnreadBody>();
+    unread->text = {.text = text_.text.substr(begin, at - begin), .base = text_.at(begin)};
+    function.unread = std::move(unread);
+    lexer_.go_to(at);
+    last_end_ = at;
+    now_ = lexer_.next();
+    after_ = lexer_.next();
 }
 
 bool Parser::parameters(FunctionDecl& function) {

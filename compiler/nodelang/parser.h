@@ -7,6 +7,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <mutex>
 #include <span>
 
 #include "compiler/nodelang/lex.h"
@@ -26,11 +27,22 @@ struct Node {
     explicit operator bool() const { return expr != nullptr; }
 };
 
+// A body that has been skipped, and what it holds once it has been read.
+struct UnreadBody {
+    Text text{};
+    mutable std::once_flag once{};
+    mutable Ast ast{};
+    mutable Statements statements{};
+    mutable Diagnostics diagnostics{};
+};
+
 class Parser {
 public:
-    Parser(Text text, Lexer::Place place, Ast& ast, Diagnostics& diagnostics);
+    Parser(Text text, Lexer::Place place, Ast& ast, Diagnostics& diagnostics, Bodies bodies = Bodies::Now);
 
     void file();
+    // The text is a function's body with its braces.
+    void function_body(Statements& into) { block(into); }
     const Expr* whole_expression();
     const Expr* link();
 
@@ -118,6 +130,7 @@ private:
     bool variable(VariableDecl decl);
     bool function(FunctionDecl decl, std::size_t begin);
     bool parameters(FunctionDecl& function);
+    void leave_unread(FunctionDecl& function);
     bool parameter(ParamDecl& into);
 
     Text text_;
@@ -125,6 +138,7 @@ private:
     Ast& ast_;
     Diagnostics& diagnostics_;
     std::size_t errors_before_;  // what had been reported before this text was read
+    Bodies bodies_;
     Lexer lexer_;
     Token now_;
     Token after_;               // the one behind now_

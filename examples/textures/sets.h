@@ -26,5 +26,7 @@ Set painted_tiles();
 Set mossy_rock();
 // leaves (alpha: cut-out), leaves_normal
 Set ivy_leaves();
+// lit_ball: a mirroring ball in a studio, for matcaps
+Set lit_ball();
 
 }  // namespace textures

@@ -61,7 +61,7 @@ enum SurfaceReductionForm {
 /// test: SurfaceReduction(1) == 0.5
 /// test: SurfaceReduction(0.09, Gamma) == 0.99244
 /// test: SurfaceReduction(0.09, SimpleLinear) == 0.984448
-[node("Lighting/Ambient/Surface Reduction")]
+[node("Lighting/Ambient/Surface Reduction")] [range(0.48, 1)]
 float SurfaceReduction(
     [range(0, 1)] float alpha = 0.25,         ///< roughness squared
     const SurfaceReductionForm form = Linear  ///< which curve
@@ -79,7 +79,7 @@ float SurfaceReduction(
 /// test: GrazingTerm(0.5, 0.96) == 0.54
 /// test: GrazingTerm(0.9, 0.5) == 1
 /// test: GrazingTerm(0.1, 1) == 0.1
-[node("Lighting/Ambient/Grazing Term")]
+[node("Lighting/Ambient/Grazing Term")] [range(0, 1)]
 float GrazingTerm(
     [range(0, 1)] float smoothness = 0.5,              ///< 1 - perceptual roughness
     [range(0, 1)] float one_minus_reflectivity = 0.96  ///< share of the light that is not mirrored
@@ -240,7 +240,7 @@ float EnvBRDFApproxNonmetal(
 /// test: EnvBRDFLazarov(1, 0.5).offset == 0.044382353436292474
 /// test: EnvBRDFLazarov(0, 0.5).offset == -0.015625
 /// test: EnvBRDFLazarov(0, 0.5) == float3(0.015, 0.015, 0.015)
-[node("Lighting/Ambient/Environment BRDF Lazarov")]
+[node("Lighting/Ambient/Environment BRDF Lazarov")] [range(0, 1)]
 float3 EnvBRDFLazarov(
     [range(0, 1)] float gloss = 0.5,  ///< 0 is dull, 1 a mirror
     [range(0, 1)] float ndotv,        ///< cosine of normal and view
@@ -278,7 +278,7 @@ float3 SplitSum(
 /// test: MipFromRoughness(0.1) == 0.978
 /// test: MipFromRoughness(0.5) == 4.05
 /// test: MipFromRoughness(1, 4) == 4
-[node("Lighting/Ambient/Mip from Roughness")]
+[node("Lighting/Ambient/Mip from Roughness")] [range(0, 12)]
 float MipFromRoughness(
     [range(0, 1)] float roughness = 0.5,  ///< perceptual roughness
     [range(0, 12)] float steps = 6        ///< index of the last level that is used
@@ -332,7 +332,7 @@ float3 DecodeHDR(
 /// test: MatcapUV(float3(0, 0, 1)) == float2(0.5, 0.5)
 /// test: MatcapUV(float3(0.6, 0, 0.8)) == float2(0.8, 0.5)
 /// test: MatcapUV(float3(0, -3, 4)) == float2(0.5, 0.8)
-[node("Lighting/Ambient/Matcap UV")]
+[node("Lighting/Ambient/Matcap UV")] [range(0, 1)]
 float2 MatcapUV(
     float3 normal_vs = float3(0, 0, 1)  ///< normal in view space: x right, y up, z to the viewer
 ) {
@@ -346,7 +346,7 @@ float2 MatcapUV(
 /// test: OcclusionStrength(0.2, 0.5) == 0.6
 /// test: OcclusionStrength(0.5, 1, 2) == 0.25
 /// test: OcclusionStrength(0, 1, 2) == 0
-[node("Lighting/Ambient/Occlusion Strength")]
+[node("Lighting/Ambient/Occlusion Strength")] [range(0, 1)]
 float OcclusionStrength(
     [range(0, 1)] float occlusion = 1,  ///< 1 open, 0 closed
     [range(0, 1)] float strength = 1,   ///< 0 leaves everything open
@@ -382,7 +382,7 @@ float3 OcclusionMultiBounce(
 /// test: SpecularOcclusion(0.5, 0.5, 0.5) == 0.5
 /// test: SpecularOcclusion(1, 0.3, 0) == 0.44017542509913804
 /// test: SpecularOcclusion(0.2, 1, 0.4) == 1
-[node("Lighting/Ambient/Specular Occlusion")]
+[node("Lighting/Ambient/Specular Occlusion")] [range(0, 1)]
 float SpecularOcclusion(
     [range(0, 1)] float ndotv,           ///< cosine of normal and view
     [range(0, 1)] float occlusion = 1,   ///< 1 open, 0 closed

@@ -8,7 +8,7 @@
 /// test: InverseSquareAttenuation(0.5, 10) == 3.9999500001562502
 /// test: InverseSquareAttenuation(4, 4) == 0
 /// test: InverseSquareAttenuation(0, 1) == 10000
-[node("Lighting/Attenuation/Inverse Square")]
+[node("Lighting/Attenuation/Inverse Square")] [range(0, 10000)]
 float InverseSquareAttenuation(
     [range(0, 100)] [unit("m")] float distance = 1,  ///< from the light
     [range(0.01, 100)] [unit("m")] float range = 10  ///< where the light ends
@@ -24,7 +24,7 @@ float InverseSquareAttenuation(
 /// test: UnityAttenuation(0.9) == 0.023529411764705875
 /// test: UnityAttenuation(0) == 1
 /// test: UnityAttenuation(1.2) == 0
-[node("Lighting/Attenuation/Unity Falloff")]
+[node("Lighting/Attenuation/Unity Falloff")] [range(0, 1)]
 float UnityAttenuation(
     [range(0, 1)] float distance_over_range = 0.5  ///< distance from the light, in units of its range
 ) {
@@ -39,7 +39,7 @@ float UnityAttenuation(
 /// test: RangeAttenuation(0, 4) == 1
 /// test: RangeAttenuation(2, 4) == 0.87890625
 /// test: RangeAttenuation(5, 4) == 0
-[node("Lighting/Attenuation/Range Window")]
+[node("Lighting/Attenuation/Range Window")] [range(0, 1)]
 float RangeAttenuation(
     [range(0, 100)] [unit("m")] float distance = 1,  ///< from the light
     [range(0.01, 100)] [unit("m")] float range = 10  ///< where the light ends
@@ -57,7 +57,7 @@ float RangeAttenuation(
 /// test: SpotAttenuation(float3(0, 0, 1), float3(0, 0, -1), 0.9, 0.8) == 1
 /// test: SpotAttenuation(float3(0.6, 0, 0.8), float3(0, 0, -1), 0.9, 0.7) == 0.25
 /// test: SpotAttenuation(float3(0.8, 0, 0.6), float3(0, 0, -1), 0.9, 0.7) == 0
-[node("Lighting/Attenuation/Spot Cone")]
+[node("Lighting/Attenuation/Spot Cone")] [range(0, 1)]
 float SpotAttenuation(
     float3 light_dir = light.direction,  ///< unit direction to the light
     float3 axis = float3(0, -1, 0),      ///< unit direction that the spot shines along
@@ -74,7 +74,7 @@ float SpotAttenuation(
 /// source: Unity built-in shaders, ShadeVertexLightsFull and Shade4PointLights
 /// test: VertexLightAttenuation(4, 0.25) == 0.5
 /// test: VertexLightAttenuation(0, 25) == 1
-[node("Lighting/Attenuation/Vertex Light")]
+[node("Lighting/Attenuation/Vertex Light")] [range(0, 1)]
 float VertexLightAttenuation(
     [range(0, 10000)] float distance_squared = 1,  ///< from the light, in square metres
     [range(0, 1000)] float falloff = 0.25          ///< 25 / range^2

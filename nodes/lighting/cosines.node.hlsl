@@ -23,7 +23,7 @@ float CosineBetween(float3 from, float3 to, const CosineMode mode) {
 /// test: NdotL(float3(0, 0, 1), float3(0.6, 0, -0.8)) == 0
 /// test: NdotL(float3(0, 0, 1), float3(0.6, 0, -0.8), Absolute) == 0.8
 /// test: NdotL(float3(0, 0, 1), float3(0.6, 0, -0.8), Signed) == -0.8
-[node("Lighting/Cosine/N.L")]
+[node("Lighting/Cosine/N.L")] [range(-1, 1)]
 float NdotL(
     float3 normal = normal_ws,           ///< unit normal
     float3 light_dir = light.direction,  ///< unit direction to the light
@@ -39,7 +39,7 @@ float NdotL(
 /// test: NdotV(float3(0, 0, 1), float3(0, 0.6, -0.8)) == 0
 /// test: NdotV(float3(0, 0, 1), float3(0, 0.6, -0.8), Absolute) == 0.8
 /// test: NdotV(float3(0, 0, 1), float3(0, 0.6, -0.8), Signed) == -0.8
-[node("Lighting/Cosine/N.V")]
+[node("Lighting/Cosine/N.V")] [range(-1, 1)]
 float NdotV(
     float3 normal = normal_ws,       ///< unit normal
     float3 view = view_dir_ws,       ///< unit direction to the viewer
@@ -58,7 +58,7 @@ float NdotV(
 /// test: HalfVector(float3(0, 0, 1), float3(0, 1, 0)) == float3(0, 0.7071067811865476, 0.7071067811865476)
 /// test: HalfVector(float3(0.6, 0, 0.8), float3(0, 1, 0)) == float3(0.6, 1, 0.8) / 1.4142135623730951
 /// test: HalfVector(float3(0, 0, 1), float3(0, 0, -1)) == float3(0, 0, 0)
-[node("Lighting/Half Vector")]
+[node("Lighting/Half Vector")] [range(-1, 1)]
 float3 HalfVector(
     float3 view = view_dir_ws,          ///< unit direction to the viewer
     float3 light_dir = light.direction  ///< unit direction to the light
@@ -72,7 +72,7 @@ float3 HalfVector(
 /// formula: n.h
 /// test: NdotH(float3(0, 0, 1), float3(0.6, 0, 0.8)) == 0.8
 /// test: NdotH(float3(0, 0, 1), float3(0.6, 0, -0.8)) == 0
-[node("Lighting/Cosine/N.H")]
+[node("Lighting/Cosine/N.H")] [range(0, 1)]
 float NdotH(
     float3 normal = normal_ws,  ///< unit normal
     float3 half_vector          ///< unit half vector
@@ -85,7 +85,7 @@ float NdotH(
 /// formula: l.h = v.h
 /// test: LdotH(float3(0.6, 0, 0.8), float3(0, 0, 1)) == 0.8
 /// test: LdotH(float3(0, 0, 1), float3(0, 0, -1)) == 0
-[node("Lighting/Cosine/L.H")]
+[node("Lighting/Cosine/L.H")] [range(0, 1)]
 float LdotH(
     float3 light_dir = light.direction,  ///< unit direction to the light
     float3 half_vector                   ///< unit half vector

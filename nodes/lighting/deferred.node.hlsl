@@ -6,7 +6,7 @@
 /// source: Unity built-in shaders, UnityStandardDataToGbuffer
 /// test: EncodeGBufferNormal(float3(0.6, 0, 0.8)) == float3(0.8, 0.5, 0.9)
 /// test: EncodeGBufferNormal(float3(-0.48, 0.6, 0.64)) == float3(0.26, 0.8, 0.82)
-[node("Lighting/Deferred/Encode Normal")]
+[node("Lighting/Deferred/Encode Normal")] [range(0, 1)]
 float3 EncodeGBufferNormal(
     float3 normal = normal_ws  ///< unit normal
 ) {
@@ -20,7 +20,7 @@ float3 EncodeGBufferNormal(
 /// test: DecodeGBufferNormal(float3(0.8, 0.5, 0.9)) == float3(0.6, 0, 0.8)
 /// test: DecodeGBufferNormal(float3(0.26, 0.8, 0.82)) == float3(-0.48, 0.6, 0.64)
 /// test: DecodeGBufferNormal(float3(0.5, 0.5, 0.75)) == float3(0, 0, 1)
-[node("Lighting/Deferred/Decode Normal")]
+[node("Lighting/Deferred/Decode Normal")] [range(-1, 1)]
 float3 DecodeGBufferNormal(
     float3 encoded = float3(0.5, 0.5, 1)  ///< the texel
 ) {

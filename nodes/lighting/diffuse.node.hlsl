@@ -9,7 +9,7 @@
 /// source: Lambert, "Photometria", 1760
 /// test: LambertDiffuse(0.5) == 0.5
 /// test: LambertDiffuse(-0.5) == 0
-[node("Lighting/Diffuse/Lambert")]
+[node("Lighting/Diffuse/Lambert")] [range(0, 1)]
 float LambertDiffuse(
     [range(-1, 1)] float ndotl  ///< cosine of normal and light; below zero the light is behind
 ) {
@@ -70,7 +70,7 @@ float3 LambertBrdf(
 /// test: DisneyDiffuse(0.5, 0.5, 0.5, 0.5) == 0.98443603515625
 /// test: DisneyDiffuse(0.1, 0.1, 0.1, 0) == 0.4966796100249999
 /// test: DisneyDiffuse(0, 0, 1, 1) == 6.25
-[node("Lighting/Diffuse/Disney")]
+[node("Lighting/Diffuse/Disney")] [range(0.25, 6.25)]
 float DisneyDiffuse(
     [range(0, 1)] float ndotv,           ///< cosine of normal and view
     [range(0, 1)] float ndotl,           ///< cosine of normal and light

@@ -13,7 +13,7 @@
 float3 LightVector(
     float4 light_position = float4(0, 1, 0, 0),  ///< xyz: position, or direction to the light; w: 1 or 0
     [unit("m")] float3 position = position_ws,   ///< the point that is lit
-    out float3 direction,                        ///< unit direction to the light
+    [range(-1, 1)] out float3 direction,         ///< unit direction to the light
     [unit("m")] out float distance               ///< length of the vector
 ) {
     float3 to_light = light_position.xyz - position * light_position.w;
@@ -32,7 +32,7 @@ float3 LightVector(
 /// source: Blinn, "Models of Light Reflection for Computer Synthesized Pictures", SIGGRAPH 1977
 /// test: HalfVectorExact(float3(0.6, 0, 0.8), float3(-0.6, 0, 0.8)) == float3(0, 0, 1)
 /// test: HalfVectorExact(float3(0, 0, 1), float3(0, 1, 0)) == float3(0, 0.7071067811865476, 0.7071067811865476)
-[node("Lighting/Half Vector Exact")]
+[node("Lighting/Half Vector Exact")] [range(-1, 1)]
 float3 HalfVectorExact(
     float3 view = view_dir_ws,          ///< unit direction to the viewer
     float3 light_dir = light.direction  ///< unit direction to the light
@@ -47,7 +47,7 @@ float3 HalfVectorExact(
 /// source: Phong, "Illumination for Computer Generated Pictures", CACM 18(6), 1975
 /// test: ReflectionVector(float3(0.6, 0, 0.8), float3(0, 0, 1)) == float3(-0.6, 0, 0.8)
 /// test: ReflectionVector(float3(0, 1, 0), float3(0, 1, 0)) == float3(0, 1, 0)
-[node("Lighting/Direction/Reflection Vector")]
+[node("Lighting/Direction/Reflection Vector")] [range(-1, 1)]
 float3 ReflectionVector(
     float3 direction = view_dir_ws,  ///< unit direction to the viewer (or to the light: the mirror works both ways)
     float3 normal = normal_ws        ///< unit normal
@@ -62,7 +62,7 @@ float3 ReflectionVector(
 /// test: LdotV(float3(0, 0, 1), float3(0.6, 0, -0.8), Signed) == -0.8
 /// test: LdotV(float3(0, 0, 1), float3(0.6, 0, -0.8), Clamped) == 0
 /// test: LdotV(float3(0, 0, 1), float3(0.6, 0, -0.8), Absolute) == 0.8
-[node("Lighting/Cosine/L.V")]
+[node("Lighting/Cosine/L.V")] [range(-1, 1)]
 float LdotV(
     float3 light_dir = light.direction,  ///< unit direction to the light
     float3 view = view_dir_ws,           ///< unit direction to the viewer
@@ -77,7 +77,7 @@ float LdotV(
 /// source: Phong, "Illumination for Computer Generated Pictures", CACM 18(6), 1975
 /// test: RdotV(float3(0, 0, 1), float3(0.6, 0, 0.8), float3(-0.6, 0, 0.8)) == 1
 /// test: RdotV(float3(0, 0, 1), float3(0.6, 0, 0.8), float3(0, 0, 1)) == 0.8
-[node("Lighting/Cosine/R.V")]
+[node("Lighting/Cosine/R.V")] [range(0, 1)]
 float RdotV(
     float3 normal = normal_ws,           ///< unit normal
     float3 light_dir = light.direction,  ///< unit direction to the light
@@ -96,7 +96,7 @@ float RdotV(
 /// test: NdotVShifted(float3(0, 0, 1), float3(0, 0.6, 0.8)) == 0.8
 /// test: NdotVShifted(float3(0, 0, 1), float3(0, 0.8, -0.6)) == 0.00001 within 1e-2
 /// test: NdotVShifted(float3(0, 0, 1), float3(0.6, 0, 0.8)).shifted_normal == float3(0, 0, 1)
-[node("Lighting/Cosine/N.V Shifted")]
+[node("Lighting/Cosine/N.V Shifted")] [range(0, 1)]
 float NdotVShifted(
     float3 normal = normal_ws,  ///< unit normal
     float3 view = view_dir_ws,  ///< unit direction to the viewer
@@ -114,12 +114,12 @@ float NdotVShifted(
 /// test: TangentFrame(float3(0, 0, 2), float4(3, 0, 3, 1)).bitangent == float3(0, 1, 0)
 /// test: TangentFrame(float3(0, 0, 2), float4(3, 0, 3, -1)).bitangent == float3(0, -1, 0)
 /// test: TangentFrame(float3(0, 0, 2), float4(3, 0, 3, 1)).unit_normal == float3(0, 0, 1)
-[node("Lighting/Direction/Tangent Frame")]
+[node("Lighting/Direction/Tangent Frame")] [range(-1, 1)]
 float3 TangentFrame(
-    float3 normal = geometry_normal_ws,       ///< normal, of any length but zero
-    float4 tangent = float4(1, 0, 0, 1),      ///< xyz: tangent, not along the normal; w: handedness, 1 or -1
-    out float3 bitangent,                     ///< unit bitangent
-    out float3 unit_normal                    ///< unit normal
+    float3 normal = geometry_normal_ws,    ///< normal, of any length but zero
+    float4 tangent = float4(1, 0, 0, 1),   ///< xyz: tangent, not along the normal; w: handedness, 1 or -1
+    [range(-1, 1)] out float3 bitangent,   ///< unit bitangent
+    [range(-1, 1)] out float3 unit_normal  ///< unit normal
 ) {
     unit_normal = normalize(normal);
     float3 along = tangent.xyz - unit_normal * dot(unit_normal, tangent.xyz);

@@ -16,10 +16,11 @@ float DistributionGGX(
     [range(0, 1)] float alpha = 0.25  ///< roughness squared
 ) {
     // The denominator as 1 - (n.h)^2 and a sum: near the peak the formula as printed loses its digits. The limit keeps
-    // a perfect mirror finite and leaves every peak as it is.
-    float a2 = alpha * alpha;
-    float d = (1 - ndoth) * (1 + ndoth) + ndoth * ndoth * a2;
-    return a2 / max(PI * d * d, 1e-20);
+    // a perfect mirror finite: it is as rough as alpha 0.0004. The quotient is squared rather than its parts, which half
+    // precision could not hold.
+    float a = max(alpha, 0.0004);
+    float p = a / ((1 - ndoth) * (1 + ndoth) + ndoth * a * (ndoth * a));
+    return p * p * INV_PI;
 }
 
 /// Blinn-Phong, normalised: a round highlight without tails.
@@ -47,7 +48,7 @@ float DistributionBlinnPhong(
 /// test: BlinnPhongExponentFromAlpha(0.5625) == 4.320987654320987
 /// test: BlinnPhongExponentFromAlpha(0) == 19998
 /// test: BlinnPhongExponentFromAlpha(1) == 0.0001
-[node("Lighting/Distribution/Blinn-Phong Exponent from Alpha")]
+[node("Lighting/Distribution/Blinn-Phong Exponent from Alpha")] [range(0.0001, 19998)]
 float BlinnPhongExponentFromAlpha(
     [range(0, 1)] float alpha = 0.25  ///< roughness squared
 ) {
@@ -62,7 +63,7 @@ float BlinnPhongExponentFromAlpha(
 /// test: AlphaFromBlinnPhongExponent(6) == 0.5
 /// test: AlphaFromBlinnPhongExponent(0) == 1
 /// test: AlphaFromBlinnPhongExponent(510) == 0.0625
-[node("Lighting/Distribution/Alpha from Blinn-Phong Exponent")]
+[node("Lighting/Distribution/Alpha from Blinn-Phong Exponent")] [range(0, 1)]
 float AlphaFromBlinnPhongExponent(
     [range(0, 20000)] float exponent = 32  ///< sharpness, 0 or more
 ) {
@@ -76,7 +77,7 @@ float AlphaFromBlinnPhongExponent(
 /// source: Fisher and Woo, "R.E versus N.H Specular Highlights", Graphics Gems IV, 1994
 /// test: PhongExponentFromBlinnPhong(128) == 32
 /// test: PhongExponentFromBlinnPhong(8) == 2
-[node("Lighting/Distribution/Phong Exponent from Blinn-Phong")]
+[node("Lighting/Distribution/Phong Exponent from Blinn-Phong")] [range(0, 5000)]
 float PhongExponentFromBlinnPhong(
     [range(0, 20000)] float exponent = 32  ///< of the Blinn-Phong highlight
 ) {
@@ -114,11 +115,12 @@ float DistributionBeckmann(
     [range(0, 1)] float ndoth,        ///< cosine of normal and half vector
     [range(0, 1)] float alpha = 0.25  ///< roughness squared
 ) {
-    // Far from the normal the exponential is zero long before the division could overflow.
-    float c2 = max(ndoth * ndoth, 1e-7);
+    // Far from the normal the exponential is zero long before the limit of c2 is met. There are two divisions because
+    // half precision could not hold the product.
+    float c2 = max(ndoth * ndoth, 0.001);
     float a2 = max(alpha * alpha, 1e-7);
     float tan2 = max(1 - ndoth, 0) * (1 + ndoth) / c2;
-    return exp(-tan2 / a2) / (PI * a2 * c2 * c2);
+    return exp(-tan2 / a2) / (PI * a2) / (c2 * c2);
 }
 
 /// GGX as Unity's Standard shader computes it: with 0.0000001 beside the square, which lowers the peak of surfaces

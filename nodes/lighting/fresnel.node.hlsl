@@ -9,7 +9,7 @@
 /// test: SchlickWeight(0.5) == 0.03125
 /// test: SchlickWeight(0) == 1
 /// test: SchlickWeight(1.000001) == 0
-[node("Lighting/Fresnel/Schlick Weight")]
+[node("Lighting/Fresnel/Schlick Weight")] [range(0, 1)]
 float SchlickWeight(
     [range(0, 1)] float cosine  ///< cosine of the angle of incidence
 ) {
@@ -26,7 +26,7 @@ float SchlickWeight(
 /// test: FresnelSchlick(0.02, 0.1) == float3(0.5986802, 0.5986802, 0.5986802)
 /// test: FresnelSchlick(0.04, 1) == float3(0.04, 0.04, 0.04)
 /// test: FresnelSchlick(0.04, 0, 0.7) == float3(0.7, 0.7, 0.7)
-[node("Lighting/Fresnel/Schlick")]
+[node("Lighting/Fresnel/Schlick")] [range(0, 1)]
 float3 FresnelSchlick(
     [color] float3 f0 = 0.04,    ///< reflectance looked at straight
     [range(0, 1)] float cosine,  ///< cosine of light and half vector
@@ -44,7 +44,7 @@ float3 FresnelSchlick(
 /// test: FresnelLerp(0.04, 0.7, 0.6) == float3(0.0467584, 0.0467584, 0.0467584)
 /// test: FresnelLerp(0.04, 0.7, 0.2) == float3(0.2562688, 0.2562688, 0.2562688)
 /// test: FresnelLerp(float3(0.1, 0.2, 0.3), 0.7, 0) == float3(0.7, 0.7, 0.7)
-[node("Lighting/Fresnel/Lerp")]
+[node("Lighting/Fresnel/Lerp")] [range(0, 1)]
 float3 FresnelLerp(
     [color] float3 f0 = 0.04,   ///< reflectance looked at straight
     [color] float3 f90 = 1,     ///< reflectance at a grazing angle
@@ -60,7 +60,7 @@ float3 FresnelLerp(
 /// test: FresnelLerpFast(0.04, 0.7, 1) == float3(0.04, 0.04, 0.04)
 /// test: FresnelLerpFast(0.04, 0.7, 0.2) == float3(0.310336, 0.310336, 0.310336)
 /// test: FresnelLerpFast(0.04, 0.7, 0.6) == float3(0.056896, 0.056896, 0.056896)
-[node("Lighting/Fresnel/Lerp Fast")]
+[node("Lighting/Fresnel/Lerp Fast")] [range(0, 1)]
 float3 FresnelLerpFast(
     [color] float3 f0 = 0.04,   ///< reflectance looked at straight
     [color] float3 f90 = 1,     ///< reflectance at a grazing angle
@@ -77,7 +77,7 @@ float3 FresnelLerpFast(
 /// test: FresnelSchlickRoughness(0.04, 0.6, 0.3) == float3(0.0467584, 0.0467584, 0.0467584)
 /// test: FresnelSchlickRoughness(0.04, 0.2, 0.3) == float3(0.2562688, 0.2562688, 0.2562688)
 /// test: FresnelSchlickRoughness(float3(0.2, 0.5, 0.9), 0, 0.6) == float3(0.4, 0.5, 0.9)
-[node("Lighting/Fresnel/Schlick Roughness")]
+[node("Lighting/Fresnel/Schlick Roughness")] [range(0, 1)]
 float3 FresnelSchlickRoughness(
     [color] float3 f0 = 0.04,            ///< reflectance looked at straight
     [range(0, 1)] float cosine,          ///< cosine of normal and view
@@ -93,7 +93,7 @@ float3 FresnelSchlickRoughness(
 /// test: FresnelSphericalGaussian(0.04, 0.2) == float3(0.3525773422802083, 0.3525773422802083, 0.3525773422802083)
 /// test: FresnelSphericalGaussian(0.04, 0.8) == float3(0.041699765111226, 0.041699765111226, 0.041699765111226)
 /// test: FresnelSphericalGaussian(1, 0.3) == float3(1, 1, 1)
-[node("Lighting/Fresnel/Spherical Gaussian")]
+[node("Lighting/Fresnel/Spherical Gaussian")] [range(0, 1)]
 float3 FresnelSphericalGaussian(
     [color] float3 f0 = 0.04,   ///< reflectance looked at straight
     [range(0, 1)] float cosine  ///< cosine of light and half vector
@@ -109,7 +109,7 @@ float3 FresnelSphericalGaussian(
 /// test: FresnelDielectric(0.2, 1.5) == 0.3388943909565793
 /// test: FresnelDielectric(0.8, 1 / 1.5) == 0.11414110022135383
 /// test: FresnelDielectric(0.5, 1 / 1.5) == 1
-[node("Lighting/Fresnel/Dielectric")]
+[node("Lighting/Fresnel/Dielectric")] [range(0, 1)]
 float FresnelDielectric(
     [range(0, 1)] float cosine,       ///< cosine of the angle of incidence
     [range(0.25, 4)] float eta = 1.5  ///< index of refraction behind the surface over that before it
@@ -130,11 +130,11 @@ float FresnelDielectric(
 /// test: FresnelConductor(1, 0.2, 3.9) == float3(0.951951951951952, 0.951951951951952, 0.951951951951952)
 /// test: FresnelConductor(0.6, 0.2, 3.9) == float3(0.9481898551584201, 0.9481898551584201, 0.9481898551584201)
 /// test: FresnelConductor(0.2, 1.5, 0) == float3(0.3388943909565793, 0.3388943909565793, 0.3388943909565793)
-[node("Lighting/Fresnel/Conductor")]
+[node("Lighting/Fresnel/Conductor")] [range(0, 1)]
 float3 FresnelConductor(
-    [range(0, 1)] float cosine,                    ///< cosine of the angle of incidence
-    float3 n = float3(0.18, 0.42, 1.37),  ///< index of refraction, of red, green and blue light; this is gold
-    float3 k = float3(3.42, 2.35, 1.77)   ///< coefficient of extinction
+    [range(0, 1)] float cosine,                          ///< cosine of the angle of incidence
+    [range(0, 10)] float3 n = float3(0.18, 0.42, 1.37),  ///< index of refraction, of red, green and blue; this is gold
+    [range(0, 10)] float3 k = float3(3.42, 2.35, 1.77)   ///< coefficient of extinction
 ) {
     float c = saturate(cosine);
     float c2 = c * c;
@@ -157,7 +157,7 @@ float3 FresnelConductor(
 /// test: F0FromIor(1, 1.5) == 0.04
 /// test: F0FromIor(1, 1.33) == 0.020059312199524774
 /// test: F0FromIor(1.5, 1.5) == 0
-[node("Lighting/Fresnel/F0 from IOR")]
+[node("Lighting/Fresnel/F0 from IOR")] [range(0, 1)]
 float F0FromIor(
     [range(1, 4)] float before = 1,   ///< index of refraction where the light comes from: 1 is air
     [range(1, 4)] float behind = 1.5  ///< index of refraction of the surface
@@ -173,7 +173,7 @@ float F0FromIor(
 /// test: IorFromF0(0.04) == 1.5
 /// test: IorFromF0(0.25) == 3
 /// test: IorFromF0(0) == 1
-[node("Lighting/Fresnel/IOR from F0")]
+[node("Lighting/Fresnel/IOR from F0")] [range(1, 400)]
 float IorFromF0(
     [range(0, 0.99)] float f0 = 0.04  ///< reflectance looked at straight
 ) {
@@ -187,10 +187,10 @@ float IorFromF0(
 /// source: Born and Wolf, "Principles of Optics", section 14.2
 /// test: F0FromConductor(0.2, 3.9) == float3(0.951951951951952, 0.951951951951952, 0.951951951951952)
 /// test: F0FromConductor(1.5, 0) == float3(0.04, 0.04, 0.04)
-[node("Lighting/Fresnel/F0 from Conductor")]
+[node("Lighting/Fresnel/F0 from Conductor")] [range(0, 1)]
 float3 F0FromConductor(
-    float3 n = float3(0.18, 0.42, 1.37),  ///< index of refraction, of red, green and blue light; this is gold
-    float3 k = float3(3.42, 2.35, 1.77)   ///< coefficient of extinction
+    [range(0, 10)] float3 n = float3(0.18, 0.42, 1.37),  ///< index of refraction, of red, green and blue; this is gold
+    [range(0, 10)] float3 k = float3(3.42, 2.35, 1.77)   ///< coefficient of extinction
 ) {
     float3 k2 = k * k;
     return ((n - 1) * (n - 1) + k2) / ((n + 1) * (n + 1) + k2);
@@ -202,7 +202,7 @@ float3 F0FromConductor(
 /// source: Burley, "Physically Based Shading at Disney", SIGGRAPH 2012, section 5.5
 /// test: F0FromSpecularLevel(0.5) == 0.04
 /// test: F0FromSpecularLevel(1) == 0.08
-[node("Lighting/Fresnel/F0 from Specular Level")]
+[node("Lighting/Fresnel/F0 from Specular Level")] [range(0, 0.08)]
 float F0FromSpecularLevel(
     [range(0, 1)] float specular = 0.5  ///< specular level
 ) {

@@ -22,11 +22,11 @@ enum EnergyConservation {
 /// test: MetallicSetup(float3(0.8, 0.4, 0.1), 1).f0 == float3(0.8, 0.4, 0.1)
 [node("Lighting/Setup/Metallic")]
 void MetallicSetup(
-    [color] float3 base_color = 0.5,   ///< colour of the surface
-    [range(0, 1)] float metallic = 0,  ///< 0 is a dielectric, 1 a metal
-    out float3 diffuse_color,          ///< colour of the scattered light
-    out float3 f0,                     ///< reflectance looked at straight
-    out float one_minus_reflectivity   ///< share of the light that is not mirrored
+    [color] float3 base_color = 0.5,                ///< colour of the surface
+    [range(0, 1)] float metallic = 0,               ///< 0 is a dielectric, 1 a metal
+    [range(0, 1)] out float3 diffuse_color,         ///< colour of the scattered light
+    [range(0, 1)] out float3 f0,                    ///< reflectance looked at straight
+    [range(0, 1)] out float one_minus_reflectivity  ///< share of the light that is not mirrored
 ) {
     const float dielectric = 0.04;
     one_minus_reflectivity = (1 - dielectric) * (1 - metallic);
@@ -49,9 +49,9 @@ void SpecularSetup(
     [color] float3 base_color = 0.5,                     ///< colour of the scattered light, before conservation
     [color] float3 specular = 0.2,                       ///< reflectance looked at straight
     const EnergyConservation conservation = Monochrome,  ///< how the diffuse colour is scaled
-    out float3 diffuse_color,                            ///< colour of the scattered light
-    out float3 f0,                                       ///< reflectance looked at straight
-    out float one_minus_reflectivity                     ///< share of the light that is not mirrored
+    [range(0, 1)] out float3 diffuse_color,              ///< colour of the scattered light
+    [range(0, 1)] out float3 f0,                         ///< reflectance looked at straight
+    [range(0, 1)] out float one_minus_reflectivity       ///< share of the light that is not mirrored
 ) {
     one_minus_reflectivity = 1 - max(max(specular.r, specular.g), specular.b);
     diffuse_color = base_color;
@@ -65,7 +65,7 @@ void SpecularSetup(
 /// formula: 1 - smoothness
 /// test: RoughnessFromSmoothness(0.75) == 0.25
 /// test: RoughnessFromSmoothness(1) == 0
-[node("Lighting/Setup/Roughness from Smoothness")]
+[node("Lighting/Setup/Roughness from Smoothness")] [range(0, 1)]
 float RoughnessFromSmoothness(
     [range(0, 1)] float smoothness = 0.5  ///< 0 is dull, 1 a mirror
 ) {
@@ -82,7 +82,7 @@ float RoughnessFromSmoothness(
 /// test: AlphaFromRoughness(0.5) == 0.25
 /// test: AlphaFromRoughness(0) == 0.002
 /// test: AlphaFromRoughness(0.01, 0) == 0.0001
-[node("Lighting/Setup/Alpha from Roughness")]
+[node("Lighting/Setup/Alpha from Roughness")] [range(0, 1)]
 float AlphaFromRoughness(
     [range(0, 1)] float roughness = 0.5,   ///< perceptual roughness
     [range(0, 0.1)] float minimum = 0.002  ///< lower limit of the result
@@ -102,7 +102,7 @@ enum WorkingSpace {
 /// source: Unity built-in shaders, unity_ColorSpaceDielectricSpec
 /// test: DielectricF0() == 0.04
 /// test: DielectricF0(Gamma) == 0.220916301
-[node("Lighting/Setup/Dielectric F0")]
+[node("Lighting/Setup/Dielectric F0")] [range(0, 1)]
 float DielectricF0(
     const WorkingSpace space = Linear  ///< colour space that lighting is computed in
 ) {
@@ -116,7 +116,7 @@ float DielectricF0(
 /// test: OneMinusReflectivityFromMetallic(0) == 0.96
 /// test: OneMinusReflectivityFromMetallic(0.5) == 0.48
 /// test: OneMinusReflectivityFromMetallic(0, Gamma) == 0.779083699
-[node("Lighting/Setup/One Minus Reflectivity from Metallic")]
+[node("Lighting/Setup/One Minus Reflectivity from Metallic")] [range(0, 1)]
 float OneMinusReflectivityFromMetallic(
     [range(0, 1)] float metallic = 0,  ///< 0 is a dielectric, 1 a metal
     const WorkingSpace space = Linear  ///< colour space that lighting is computed in
@@ -137,7 +137,7 @@ enum SpecularStrengthForm {
 /// test: SpecularStrength(float3(0.5, 0.2, 0.1)) == 0.5
 /// test: SpecularStrength(float3(0.1, 0.2, 0.75)) == 0.75
 /// test: SpecularStrength(float3(0.1, 0.2, 0.75), Red) == 0.1
-[node("Lighting/Setup/Specular Strength")]
+[node("Lighting/Setup/Specular Strength")] [range(0, 1)]
 float SpecularStrength(
     [color] float3 specular = 0.2,             ///< reflectance looked at straight
     const SpecularStrengthForm form = Largest  ///< which channel counts
@@ -153,12 +153,12 @@ float SpecularStrength(
 /// test: ConserveEnergy(float3(1, 1, 1), float3(0.5, 0.2, 0.1), Colored) == float3(0.5, 0.8, 0.9)
 /// test: ConserveEnergy(float3(1, 0.5, 0), float3(0.5, 0.2, 0.1), None) == float3(1, 0.5, 0)
 /// test: ConserveEnergy(float3(1, 1, 1), float3(0.5, 0.2, 0.1), Colored).one_minus_reflectivity == 0.5
-[node("Lighting/Setup/Conserve Energy")]
+[node("Lighting/Setup/Conserve Energy")] [range(0, 1)]
 float3 ConserveEnergy(
     [color] float3 albedo = 0.5,                         ///< diffuse colour
     [color] float3 specular = 0.2,                       ///< reflectance looked at straight
     const EnergyConservation conservation = Monochrome,  ///< how it is scaled
-    out float one_minus_reflectivity                     ///< 1 - the strongest specular channel
+    [range(0, 1)] out float one_minus_reflectivity       ///< 1 - the strongest specular channel
 ) {
     one_minus_reflectivity = SpecularSetup(albedo, specular, conservation).one_minus_reflectivity;
     return SpecularSetup(albedo, specular, conservation).diffuse_color;
@@ -171,12 +171,12 @@ float3 ConserveEnergy(
 /// test: PremultiplyAlpha(float3(0.5, 0.4, 0.3), 0.5, 0.2) == float3(0.25, 0.2, 0.15)
 /// test: PremultiplyAlpha(float3(0.5, 0.4, 0.3), 0.5, 0.2).out_alpha == 0.9
 /// test: PremultiplyAlpha(float3(0.5, 0.4, 0.3), 0, 0.96).out_alpha == 0.04
-[node("Lighting/Setup/Premultiply Alpha")]
+[node("Lighting/Setup/Premultiply Alpha")] [range(0, 1)]
 float3 PremultiplyAlpha(
     [color] float3 diffuse_color = 0.5,                 ///< colour of the scattered light
     [range(0, 1)] float alpha = 1,                      ///< coverage
     [range(0, 1)] float one_minus_reflectivity = 0.96,  ///< share of the light that is not mirrored
-    out float out_alpha                                 ///< alpha to blend with: one, one minus source alpha
+    [range(0, 1)] out float out_alpha                   ///< alpha to blend with: one, one minus source alpha
 ) {
     out_alpha = 1 - one_minus_reflectivity + alpha * one_minus_reflectivity;
     return diffuse_color * alpha;
@@ -187,7 +187,7 @@ float3 PremultiplyAlpha(
 /// formula: 1 - roughness
 /// test: SmoothnessFromRoughness(0.25) == 0.75
 /// test: SmoothnessFromRoughness(0) == 1
-[node("Lighting/Setup/Smoothness from Roughness")]
+[node("Lighting/Setup/Smoothness from Roughness")] [range(0, 1)]
 float SmoothnessFromRoughness(
     [range(0, 1)] float roughness = 0.5  ///< perceptual roughness
 ) {
@@ -200,7 +200,7 @@ float SmoothnessFromRoughness(
 /// source: Unity built-in shaders, SmoothnessToRoughness
 /// test: AlphaFromSmoothness(0.1) == 0.81
 /// test: AlphaFromSmoothness(1) == 0
-[node("Lighting/Setup/Alpha from Smoothness")]
+[node("Lighting/Setup/Alpha from Smoothness")] [range(0, 1)]
 float AlphaFromSmoothness(
     [range(0, 1)] float smoothness = 0.5  ///< 0 is dull, 1 a mirror
 ) {
@@ -213,7 +213,7 @@ float AlphaFromSmoothness(
 /// source: Burley, "Physically Based Shading at Disney", SIGGRAPH 2012, section 5.4
 /// test: RoughnessFromAlpha(0.25) == 0.5
 /// test: RoughnessFromAlpha(0) == 0
-[node("Lighting/Setup/Roughness from Alpha")]
+[node("Lighting/Setup/Roughness from Alpha")] [range(0, 1)]
 float RoughnessFromAlpha(
     [range(0, 1)] float alpha = 0.25  ///< roughness squared
 ) {
@@ -227,7 +227,7 @@ float RoughnessFromAlpha(
 /// test: SpecPowerFromRoughness(0.25) == 510
 /// test: SpecPowerFromRoughness(0) == 19998
 /// test: SpecPowerFromRoughness(1) == 0.0001
-[node("Lighting/Setup/Spec Power from Roughness")]
+[node("Lighting/Setup/Spec Power from Roughness")] [range(0.0001, 19998)]
 float SpecPowerFromRoughness(
     [range(0, 1)] float roughness = 0.5  ///< perceptual roughness
 ) {
@@ -240,7 +240,7 @@ float SpecPowerFromRoughness(
 /// source: the inverse of SpecPowerFromRoughness
 /// test: RoughnessFromSpecPower(510) == 0.25
 /// test: RoughnessFromSpecPower(0) == 1
-[node("Lighting/Setup/Roughness from Spec Power")]
+[node("Lighting/Setup/Roughness from Spec Power")] [range(0, 1)]
 float RoughnessFromSpecPower(
     [range(0, 20000)] float exponent = 32  ///< Blinn-Phong exponent, 0 or more
 ) {
@@ -266,9 +266,9 @@ void SpecularFromMetallic(
     [color] float3 base_color = 0.5,      ///< colour of the surface
     [range(0, 1)] float metallic = 0,     ///< 0 is a dielectric, 1 a metal
     [range(0, 1)] float roughness = 0.5,  ///< perceptual roughness
-    out float3 diffuse,                   ///< base colour of the specular workflow
-    out float3 specular,                  ///< reflectance looked at straight
-    out float glossiness                  ///< 1 - roughness
+    [range(0, 1)] out float3 diffuse,     ///< base colour of the specular workflow
+    [range(0, 1)] out float3 specular,    ///< reflectance looked at straight
+    [range(0, 1)] out float glossiness    ///< 1 - roughness
 ) {
     specular = MetallicSetup(base_color, metallic).f0;
     float rest = 1 - SpecularStrength(specular, Largest);
@@ -298,10 +298,10 @@ void MetallicFromSpecular(
     [color] float3 diffuse = 0.5,          ///< base colour of the specular workflow
     [color] float3 specular = 0.04,        ///< reflectance looked at straight
     [range(0, 1)] float glossiness = 0.5,  ///< 1 - roughness
-    out float3 base_color,                 ///< colour of the surface
-    out float metallic,                    ///< 0 is a dielectric, 1 a metal
-    out float roughness,                   ///< perceptual roughness
-    out float error                        ///< largest difference in diffuse or specular colour
+    [range(0, 1)] out float3 base_color,   ///< colour of the surface
+    [range(0, 1)] out float metallic,      ///< 0 is a dielectric, 1 a metal
+    [range(0, 1)] out float roughness,     ///< perceptual roughness
+    [range(0, 1)] out float error          ///< largest difference in diffuse or specular colour
 ) {
     float3 scattered = diffuse * (1 - SpecularStrength(specular, Largest));
     float d = SpecularStrength(scattered, Largest);

@@ -26,7 +26,8 @@ float VisibilitySmithJoint(
 /// Smith's masking-shadowing for GGX without its square roots.
 ///
 /// Exact at roughness 0 and 1; between them it is too dark at grazing angles. It is what Unity's Standard shader uses,
-/// with the 0.00001 that it adds to the denominator; with a guard of 0 it is the formula alone.
+/// with the 0.00001 that it adds to the denominator; with a guard of 0 it is the formula alone, which has no value where
+/// both cosines are 0.
 ///
 /// formula: V = 0.5 / (n.l (n.v (1 - alpha) + alpha) + n.v (n.l (1 - alpha) + alpha) + guard)
 /// source: Hammon, "PBR Diffuse Lighting for GGX+Smith Microsurfaces", GDC 2017
@@ -37,10 +38,10 @@ float VisibilitySmithJoint(
 /// test: VisibilitySmithJointApproximate(0.5, 0.5, 0.1, 0) == 0.9090909090909091
 [node("Lighting/Visibility/Smith Joint Approximate")]
 float VisibilitySmithJointApproximate(
-    [range(0, 1)] float ndotl,        ///< cosine of normal and light
-    [range(0, 1)] float ndotv,        ///< cosine of normal and view
-    [range(0, 1)] float alpha = 0.25,  ///< roughness squared
-    [range(0, 0.001)] float guard = 0.00001  ///< added to the denominator
+    [range(0, 1)] float ndotl,                       ///< cosine of normal and light
+    [range(0, 1)] float ndotv,                       ///< cosine of normal and view
+    [range(0, 1)] float alpha = 0.25,                ///< roughness squared
+    [range(0.0000001, 0.001)] float guard = 0.00001  ///< added to the denominator
 ) {
     float view_part = ndotl * (ndotv * (1 - alpha) + alpha);
     float light_part = ndotv * (ndotl * (1 - alpha) + alpha);
@@ -84,9 +85,9 @@ enum SchlickRemapping {
 /// test: VisibilitySchlick(0.6, 0.3, 0.5, Beckmann) == 0.8365253419235278
 [node("Lighting/Visibility/Schlick")]
 float VisibilitySchlick(
-    [range(0, 1)] float ndotl,                    ///< cosine of normal and light
-    [range(0, 1)] float ndotv,                    ///< cosine of normal and view
-    [range(0, 1)] float roughness = 0.5,          ///< perceptual roughness
+    [range(0, 1)] float ndotl,                  ///< cosine of normal and light
+    [range(0, 1)] float ndotv,                  ///< cosine of normal and view
+    [range(0, 1)] float roughness = 0.5,        ///< perceptual roughness
     const SchlickRemapping remapping = Ambient  ///< how k follows from it
 ) {
     float k = 0.5 * roughness * roughness;
@@ -161,7 +162,7 @@ float SmithLambda(
 /// test: SmithMasking(1, 0.5) == 1
 /// test: SmithMasking(0.5, 0.5) == 0.8610017480861207
 /// test: SmithMasking(0.1, 0.1) == 0.8296436322557342
-[node("Lighting/Visibility/Smith Masking G1")]
+[node("Lighting/Visibility/Smith Masking G1")] [range(0, 1)]
 float SmithMasking(
     [range(0, 1)] float cosine,       ///< cosine of normal and direction
     [range(0, 1)] float alpha = 0.25  ///< roughness squared
@@ -193,7 +194,7 @@ float SmithVisibilityFactor(
 /// source: Heitz, JCGT 3(2), 2014, eq. 99
 /// test: SmithMaskingShadowing(0.9, 0.1, 0.6) == 0.2819099113151851
 /// test: SmithMaskingShadowing(1, 1, 1) == 1
-[node("Lighting/Visibility/Smith Masking-Shadowing G2")]
+[node("Lighting/Visibility/Smith Masking-Shadowing G2")] [range(0, 1)]
 float SmithMaskingShadowing(
     [range(0, 1)] float ndotl,        ///< cosine of normal and light
     [range(0, 1)] float ndotv,        ///< cosine of normal and view
@@ -208,7 +209,7 @@ float SmithMaskingShadowing(
 /// source: Burley, "Physically Based Shading at Disney", SIGGRAPH 2012, section 5.6
 /// test: DisneyMasking(0.5, 0.5) == 0.8346742918437764
 /// test: DisneyMasking(1, 0) == 1
-[node("Lighting/Visibility/Disney Masking G1")]
+[node("Lighting/Visibility/Disney Masking G1")] [range(0, 1)]
 float DisneyMasking(
     [range(0, 1)] float cosine,          ///< cosine of normal and direction
     [range(0, 1)] float roughness = 0.5  ///< perceptual roughness
@@ -223,7 +224,7 @@ float DisneyMasking(
 /// source: Torrance and Sparrow 1967; Cook and Torrance, ACM TOG 1(1), 1982
 /// test: MaskingCookTorrance(0.5, 0.5, 1, 0.5) == 1
 /// test: MaskingCookTorrance(0.6, 0.2, 0.95, 0.7) == 0.5428571428571429
-[node("Lighting/Visibility/Cook-Torrance G")]
+[node("Lighting/Visibility/Cook-Torrance G")] [range(0, 1)]
 float MaskingCookTorrance(
     [range(0, 1)] float ndotl,  ///< cosine of normal and light
     [range(0, 1)] float ndotv,  ///< cosine of normal and view

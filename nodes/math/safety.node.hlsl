@@ -12,7 +12,8 @@ floatN SafeDivide(
     floatN fallback = 0   ///< the result where the divisor is zero
 ) {
     floatN is_zero = step(abs(divisor), 1e-30);
-    return lerp(dividend / (divisor + is_zero), fallback, is_zero);
+    // No mixture of the two: where the quotient is infinite, zero times it would be no number.
+    return is_zero > 0.5 ? fallback : dividend / (divisor + is_zero);
 }
 
 /// A power of anything: a base below zero counts as zero, and zero to a power of zero or less is zero.
@@ -26,9 +27,9 @@ floatN SafePower(
     floatN base = 1,     ///< what is raised
     floatN exponent = 2  ///< to which power
 ) {
-    // The exponent is zero as well, so that no infinity is multiplied away.
+    // Of anything else the power of one is taken, so that no infinity is multiplied away.
     floatN is_positive = 1 - step(base, 0);
-    return pow(max(base, 1e-30), exponent * is_positive) * is_positive;
+    return pow(max(base, 0) + (1 - is_positive), exponent) * is_positive;
 }
 
 /// The value itself where it is a finite number, else another.
@@ -52,7 +53,7 @@ floatN FiniteOr(
 /// test: NormalizeFloored(float3(0, 3, 4)) == float3(0, 0.6, 0.8)
 /// test: NormalizeFloored(float3(0.01, 0, 0)) == float3(0.31622776601683794, 0, 0)
 /// test: NormalizeFloored(float3(0, 0, 0)) == float3(0, 0, 0)
-[node("Math/Safe/Normalize Floored")]
+[node("Math/Safe/Normalize Floored")] [range(-1, 1)]
 float3 NormalizeFloored(
     float3 value  ///< any vector
 ) {

@@ -5,7 +5,9 @@
 [extern("Ambient")] float4 ambient_sh[9];  // radiance coefficients, order l(l+1)+m, z up as in Ramamoorthi & Hanrahan 2001
 
 [extern] TextureCube environment_map;  // radiance; each level is blurred as a rougher surface mirrors it
-[extern] Texture2D split_sum_table;    // x: n.v, y: perceptual roughness; red: scale of f0, green: offset
+// x: square root of n.v, y: perceptual roughness, from 0 to 1 at the centres of the outer of 64 x 64 texels; red: scale of
+// f0, green: offset
+[extern] Texture2D split_sum_table;
 
 /// Light that arrives at a surface from all around, divided by pi: a colour times it is radiance.
 ///
@@ -44,7 +46,9 @@ void SplitSumTable(
     out float scale,                      ///< of f0
     out float offset                      ///< of f90
 ) {
-    float4 texel = split_sum_table.SampleLevel(float2(ndotv, roughness), 0);
+    // The root gives grazing views, where both change fastest, most of the table.
+    float2 place = float2(sqrt(saturate(ndotv)), saturate(roughness));
+    float4 texel = split_sum_table.SampleLevel(place * (63.0 / 64) + 0.5 / 64, 0);
     scale = texel.x;
     offset = texel.y;
 }

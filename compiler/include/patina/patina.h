@@ -215,8 +215,8 @@ public:
     // `path` names the text in messages and output files; relative files are looked up beside it.
     Result compile_text(const std::string& path, std::string text, const CompileOptions& options = {}) const;
 
-    // Errors of the built-in library itself; empty in a release.
-    const std::vector<Diagnostic>& library_diagnostics() const;
+    // Errors of the built-in library itself, all of which is read for this; empty in a release.
+    std::vector<Diagnostic> library_diagnostics() const;
     const std::vector<NodeInfo>& nodes() const;  // by category, then name
     const NodeInfo* node(std::string_view name) const;
     const std::vector<SemanticInfo>& semantics() const;

@@ -1,5 +1,5 @@
 [node("Test/F")]
-[range(0, 1)]
+[color]
 float F([rnage(0, 1)] float a = 1, [range(0)] float b = 1) {
     [unroll] for (int i = 0; i < 3; i++) { a += b; }
     return a;

@@ -6,7 +6,6 @@ struct SpecularSetupMonochromeResult
 {
     vec3 diffuse_color;
     vec3 f0;
-    float one_minus_reflectivity;
 };
 
 struct Surface
@@ -78,9 +77,10 @@ vec3 NormalReconstructZ(vec2 xy)
 }
 
 // A tangent-space normal from the texel of a normal map.
-vec3 UnpackNormal(vec4 encoded, float scale)
+vec3 UnpackNormalRedGreen(vec4 encoded, float scale)
 {
-    return NormalReconstructZ((encoded.xy * 2.0 - 1.0) * scale);
+    vec2 xy = (encoded.xy * 2.0 - 1.0) * scale;
+    return NormalReconstructZ(xy);
 }
 
 // A normal from tangent space, in the world.
@@ -94,7 +94,7 @@ Surface surface(vec2 uv0, vec3 geometry_normal_ws, vec3 tangent_ws, vec3 bitange
 {
     // SampleNormalMap "bumps"
     vec4 bumps_texel = texture(sampler2D(_NormalTex, sampler_NormalTex), uv0);
-    vec3 bumps = UnpackNormal(bumps_texel, 1.0);
+    vec3 bumps = UnpackNormalRedGreen(bumps_texel, 1.0);
 
     Surface s;
     s.baseColor = _Glaze.xyz;
@@ -114,8 +114,20 @@ SpecularSetupMonochromeResult SpecularSetupMonochrome(vec3 base_color, vec3 spec
     SpecularSetupMonochromeResult specular_setup_monochrome_result;
     specular_setup_monochrome_result.diffuse_color = base_color * one_minus_reflectivity;
     specular_setup_monochrome_result.f0 = specular;
-    specular_setup_monochrome_result.one_minus_reflectivity = one_minus_reflectivity;
     return specular_setup_monochrome_result;
+}
+
+// The metallic/roughness description of a specular/gloss surface, exact where one exists and close to it elsewhere.
+float MetallicFromSpecular(vec3 diffuse, vec3 specular)
+{
+    float s = max(max(specular.x, specular.y), specular.z);
+    vec3 scattered = diffuse * (1.0 - s);
+    float d = max(max(scattered.x, scattered.y), scattered.z);
+    float half_b = 0.5 * (d / 0.96 + s - 0.08);
+    float c = 0.04 - s;
+    float root = sqrt(max(half_b * half_b - 0.04 * c, 0.0));
+    float plain = half_b > 0.0 ? (s - 0.04) / max(half_b + root, 1e-06) : (root - half_b) / 0.04;
+    return clamp(s <= 0.04 ? 0.0 : plain, 0.0, 1.0);
 }
 
 // The inverse square law, with a window that ends it smoothly at the light's range.
@@ -192,6 +204,10 @@ void main()
     // SpecularSetup "setup"
     SpecularSetupMonochromeResult setup = SpecularSetupMonochrome(material.baseColor, material.specular);
 
+    // MetallicFromSpecular "metal"
+    float metal = MetallicFromSpecular(material.baseColor, material.specular);
+
+    float oneMinusReflectivity = 0.96 * (1.0 - metal);
     float roughness = 1.0 - material.glossiness;
     vec3 normal_ws = normalize(material.normal_ws);
     int count = min(light_count, 16);
@@ -276,7 +292,7 @@ void main()
 
     // GrazingTerm "grazing"
     float smoothness = 1.0 - roughness;
-    float grazing = clamp(smoothness + 1.0 - setup.one_minus_reflectivity, 0.0, 1.0);
+    float grazing = clamp(smoothness + 1.0 - oneMinusReflectivity, 0.0, 1.0);
 
     // FresnelLerp "reflectance"
     vec3 reflectance = mix(setup.f0, vec3(grazing), SchlickWeight(ndotv));

@@ -5,7 +5,6 @@ struct SpecularSetupMonochromeResult
 {
     float3 diffuse_color;
     float3 f0;
-    float one_minus_reflectivity;
 };
 
 struct Surface
@@ -84,9 +83,10 @@ float3 NormalReconstructZ(float2 xy)
 }
 
 // A tangent-space normal from the texel of a normal map.
-float3 UnpackNormal(float4 encoded, float scale)
+float3 UnpackNormalRedGreen(float4 encoded, float scale)
 {
-    return NormalReconstructZ((encoded.xy * 2.0 - 1.0) * scale);
+    float2 xy = (encoded.xy * 2.0 - 1.0) * scale;
+    return NormalReconstructZ(xy);
 }
 
 // A normal from tangent space, in the world.
@@ -100,7 +100,7 @@ Surface surface(float2 uv0, float3 geometry_normal_ws, float3 tangent_ws, float3
 {
     // SampleNormalMap "bumps"
     float4 bumps_texel = _NormalTex.Sample(sampler_NormalTex, uv0);
-    float3 bumps = UnpackNormal(bumps_texel, 1.0);
+    float3 bumps = UnpackNormalRedGreen(bumps_texel, 1.0);
 
     Surface s;
     s.baseColor = _Glaze.xyz;
@@ -120,8 +120,20 @@ SpecularSetupMonochromeResult SpecularSetupMonochrome(float3 base_color, float3 
     SpecularSetupMonochromeResult specular_setup_monochrome_result;
     specular_setup_monochrome_result.diffuse_color = base_color * one_minus_reflectivity;
     specular_setup_monochrome_result.f0 = specular;
-    specular_setup_monochrome_result.one_minus_reflectivity = one_minus_reflectivity;
     return specular_setup_monochrome_result;
+}
+
+// The metallic/roughness description of a specular/gloss surface, exact where one exists and close to it elsewhere.
+float MetallicFromSpecular(float3 diffuse, float3 specular)
+{
+    float s = max(max(specular.x, specular.y), specular.z);
+    float3 scattered = diffuse * (1.0 - s);
+    float d = max(max(scattered.x, scattered.y), scattered.z);
+    float half_b = 0.5 * (d / 0.96 + s - 0.08);
+    float c = 0.04 - s;
+    float root = sqrt(max(half_b * half_b - 0.04 * c, 0.0));
+    float plain = half_b > 0.0 ? (s - 0.04) / max(half_b + root, 1e-06) : (root - half_b) / 0.04;
+    return saturate(s <= 0.04 ? 0.0 : plain);
 }
 
 // The inverse square law, with a window that ends it smoothly at the light's range.
@@ -200,6 +212,10 @@ FragmentOutput main(FragmentInput input)
     // SpecularSetup "setup"
     SpecularSetupMonochromeResult setup = SpecularSetupMonochrome(material.baseColor, material.specular);
 
+    // MetallicFromSpecular "metal"
+    float metal = MetallicFromSpecular(material.baseColor, material.specular);
+
+    float oneMinusReflectivity = 0.96 * (1.0 - metal);
     float roughness = 1.0 - material.glossiness;
     float3 normal_ws = normalize(material.normal_ws);
     int count = min(light_count, 16);
@@ -283,7 +299,7 @@ FragmentOutput main(FragmentInput input)
 
     // GrazingTerm "grazing"
     float smoothness = 1.0 - roughness;
-    float grazing = saturate(smoothness + 1.0 - setup.one_minus_reflectivity);
+    float grazing = saturate(smoothness + 1.0 - oneMinusReflectivity);
 
     // FresnelLerp "reflectance"
     float3 reflectance = lerp(setup.f0, grazing.xxx, SchlickWeight(ndotv));

@@ -1,0 +1,168 @@
+// The example graphs, and the library's lighting models. Every graph of examples/ compiles without a complaint, and
+// both other compilers accept its shaders; its picture, in the scene of its snapshot, is the same through GLSL, HLSL
+// and the CPU. Every lighting model works under every workflow, with each of its choices.
+#include <gtest/gtest.h>
+#include <rapidjson/document.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "patina/validate.h"
+#include "runtime/compare.h"
+#include "runtime/snapshot_file.h"
+
+namespace patina::runtime {
+namespace {
+
+namespace fs = std::filesystem;
+
+const Compiler& compiler() {
+    static const Compiler kCompiler;
+    return kCompiler;
+}
+
+// Files in and below a folder whose names end so, sorted.
+std::vector<std::string> files_of(const fs::path& folder, const std::string& ending) {
+    std::vector<std::string> files;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.path().string().ends_with(ending)) files.push_back(entry.path().lexically_normal());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+// A name for a test: letters, digits and underscores.
+std::string word(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+    return text;
+}
+
+void expect_accepted(const Result& result) {
+    for (const Diagnostic& d : result.diagnostics) ADD_FAILURE() << to_text(d);
+    ASSERT_TRUE(result.ok);
+    EXPECT_EQ(result.shaders.size(), 4u);  // two stages, two targets
+    for (const Shader& shader : result.shaders) {
+        const Validated validated = validate(shader);
+        EXPECT_TRUE(validated.ok) << shader.file_name << "\n" << validated.log;
+    }
+}
+
+// --- every example
+
+class Example : public testing::TestWithParam<std::string> {};
+
+TEST_P(Example, CompilesForBothTargets) {
+    expect_accepted(compiler().compile_file(GetParam()));
+}
+
+TEST_P(Example, HasAPicture) {
+    for (const std::string& file : files_of("tests/snapshots", ".snapshot.json")) {
+        const ReadSnapshot read = read_snapshot(file);
+        if (read.file && fs::path(read.file->request.graph).lexically_normal() == GetParam()) return;
+    }
+    ADD_FAILURE() << "no *.snapshot.json in tests/snapshots shows " << GetParam();
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Example, testing::ValuesIn(files_of("examples", ".graph.json")),
+                         [](const auto& info) { return word(fs::path(info.param).stem().stem()); });
+
+// --- pictures of them
+
+// At an outline, and at a hard step of the material, the two may fall to different sides.
+void expect_alike(const Image& glsl, const Image& other, const char* via) {
+    const Comparison difference = compare(glsl, other, 3.01 / 255);
+    EXPECT_TRUE(difference.same_size);
+    EXPECT_LE(difference.share, 0.005) << via << ", the worst at " << difference.worst_x << ", " << difference.worst_y;
+    EXPECT_LE(difference.average, 0.001) << via;
+}
+
+class Picture : public testing::TestWithParam<std::string> {};
+
+TEST_P(Picture, IsTheSameThroughGlslHlslAndTheCpu) {
+    static RenderMachine machine;
+    const ReadSnapshot read = read_snapshot(GetParam());
+    ASSERT_TRUE(read.file);
+    RenderRequest request = read.file->request;
+    request.exact_textures = true;
+    request.validation = true;
+    const auto draw = [&](const char* via) {
+        request.via = via;
+        RenderOutcome outcome = render(compiler(), request, machine);
+        for (const Diagnostic& d : outcome.diagnostics) {
+            if (d.code != "no-anisotropy") ADD_FAILURE() << via << ": " << to_text(d);
+        }
+        EXPECT_TRUE(outcome.ok) << via << ": " << outcome.error;
+        encode_srgb(outcome.image);
+        return outcome;
+    };
+    const RenderOutcome cpu = draw("cpu"), glsl = draw("glsl"), hlsl = draw("hlsl");
+    if (!cpu.ok || !glsl.ok || !hlsl.ok) return;
+    expect_alike(glsl.image, hlsl.image, "hlsl");
+    // The CPU says where it samples textures otherwise.
+    if (cpu.diagnostics.empty()) expect_alike(glsl.image, cpu.image, "cpu");
+}
+
+std::vector<std::string> pictures() {
+    std::vector<std::string> files = files_of("tests/snapshots", ".snapshot.json");
+    std::erase_if(files, [](const std::string& file) {
+        const ReadSnapshot read = read_snapshot(file);
+        return !read.file || !fs::path(read.file->request.graph).lexically_normal().string().starts_with("examples/") ||
+               !read.file->request.preview.empty();
+    });
+    return files;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Picture, testing::ValuesIn(pictures()),
+                         [](const auto& info) { return word(fs::path(info.param).stem().stem()); });
+
+// --- every model under every workflow
+
+// A model's choices: each word of each of its variants, as "in" says it, and one empty text for its defaults.
+std::vector<std::string> choices_of(const std::string& model) {
+    std::ifstream file("nodes/lighting/" + model + ".lighting.json");
+    std::stringstream text;
+    text << file.rdbuf();
+    rapidjson::Document json;
+    json.Parse<rapidjson::kParseCommentsFlag | rapidjson::kParseTrailingCommasFlag>(text.str().c_str());
+    EXPECT_TRUE(json.IsObject()) << model;
+    std::vector<std::string> choices = {""};
+    if (!json.IsObject() || !json.HasMember("properties")) return choices;
+    for (const auto& property : json["properties"].GetArray()) {
+        if (!property.HasMember("as") || std::string_view(property["as"].GetString()) != "variant") continue;
+        const std::string name = property["name"].GetString();
+        if (std::string_view(property["type"].GetString()) == "bool") {
+            for (const char* value : {"true", "false"}) choices.push_back("\"" + name + "\": " + value);
+            continue;
+        }
+        for (const auto& value : property["values"].GetArray())
+            choices.push_back("\"" + name + "\": \"" + value.GetString() + "\"");
+    }
+    return choices;
+}
+
+class Model : public testing::TestWithParam<std::string> {};
+
+TEST_P(Model, WorksUnderEveryWorkflow) {
+    for (const ModelInfo& workflow : compiler().workflows()) {
+        for (const std::string& choice : choices_of(GetParam())) {
+            const std::string text = R"({ "patina": 1, "workflow": ")" + workflow.name +
+                                     R"(", "lighting": { "use": ")" + GetParam() + R"(", "in": { )" + choice + " } } }";
+            SCOPED_TRACE(text);
+            expect_accepted(compiler().compile_text("model.graph.json", text));
+        }
+    }
+}
+
+std::vector<std::string> models() {
+    std::vector<std::string> names;
+    for (const ModelInfo& model : compiler().lighting_models()) names.push_back(model.name);
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Model, testing::ValuesIn(models()), [](const auto& info) { return word(info.param); });
+
+}  // namespace
+}  // namespace patina::runtime
