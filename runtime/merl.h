@@ -1,5 +1,5 @@
-// Tables of measured isotropic BRDFs in the form of the MERL database (Matusik et al., SIGGRAPH 2003): angles of the half
-// vector and of the difference vector (Rusinkiewicz, EGWR 1998), the first with the spacing of a square. Reading,
+// Tables of measured isotropic BRDFs in the form of the MERL database (Matusik et al., SIGGRAPH 2003): angles of the
+// half vector and of the difference vector (Rusinkiewicz, EGWR 1998), the first with the spacing of a square. Reading,
 // writing, sampling a known BRDF, and the texture that the node MeasuredBRDF reads.
 //
 //   Outcome<MerlTable> table = read_merl("gold-paint.binary");
@@ -17,14 +17,15 @@ namespace patina::runtime {
 
 struct MerlTable {
     int half = 90, difference = 90, azimuth = 180;  // angles: theta_h, theta_d, phi_d
-    // BRDF in 1/sr, red, green and blue each as a whole: [(half * difference_count + difference) * azimuth_count + azimuth]
+    // BRDF in 1/sr, red, green and blue each as a whole: [(half * difference_count + difference) * azimuth_count +
+    // azimuth]
     std::array<std::vector<double>, 3> channels{};
 
     std::size_t entries() const { return std::size_t(half) * std::size_t(difference) * std::size_t(azimuth); }
 };
 
-// Three 32-bit counts, then doubles, little-endian, scaled by the database's factors. A file that is not exactly as long
-// as its counts say, or whose counts are no table's, is refused.
+// Three 32-bit counts, then doubles, little-endian, scaled by the database's factors. A file that is not exactly as
+// long as its counts say, or whose counts are no table's, is refused.
 Outcome<MerlTable> read_merl(const std::string& path);
 std::string write_merl(const std::string& path, const MerlTable& table);
 

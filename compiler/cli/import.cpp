@@ -53,21 +53,24 @@ Exit import_table(const Console& console, const Arguments& arguments, const std:
         return Exit::Wrong;
     }
     const fs::path folder = arguments.folder.empty() ? fs::path(file).parent_path() : fs::path(arguments.folder);
-    std::error_code failure;
-    if (!folder.empty()) fs::create_directories(folder, failure);
     const std::string picture = (folder / (name + ".exr")).string(), graph = (folder / (name + ".graph.json")).string();
-    if (fs::exists(graph, failure)) {
-        complain(console, "cannot-write", fmt::format("'{}' exists already; it may hold work of yours", graph));
+    std::error_code failure;
+    for (const std::string& path : {picture, graph}) {
+        if (!fs::exists(path, failure)) continue;
+        complain(console, "cannot-write", fmt::format("'{}' exists already; it may hold work of yours", path));
         return Exit::Wrong;
     }
-    std::string error = runtime::save_exr(picture, runtime::as_texture(table.value));
+    // The graph first: it makes the folder.
+    OutputFiles files;
+    files.add(graph, graph_of(name));
+    const bool is_new_folder = !folder.empty() && !fs::exists(folder, failure);
+    std::string error = commit(files);
     if (error.empty()) {
-        OutputFiles files;
-        files.add(graph, graph_of(name));
-        error = commit(files);
-        if (!error.empty()) fs::remove(picture, failure);
+        error = runtime::save_exr(picture, runtime::as_texture(table.value));
+        if (!error.empty()) fs::remove(graph, failure);
     }
     if (!error.empty()) {
+        if (is_new_folder) fs::remove(folder, failure);  // if there is nothing in it
         complain(console, "cannot-write", error);
         return Exit::Wrong;
     }

@@ -32,7 +32,10 @@ struct Setting {
         }
         for (const Texture& texture : reflection.textures) {
             if (!texture.is_material) continue;
-            textures.push_back({.name = texture.name, .data = inputs.data, .format = runtime::TexelFormat::Float32});
+            const auto found = inputs.textures.find(texture.name);
+            textures.push_back({.name = texture.name,
+                                .data = found == inputs.textures.end() ? inputs.data : found->second,
+                                .format = runtime::TexelFormat::Float32});
         }
         runtime::add_engine_textures(textures, reflection, scene);
         const auto values = runtime::material_values(reflection, inputs.values);

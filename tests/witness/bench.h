@@ -41,7 +41,8 @@ struct Material {
 
 struct Inputs {
     int width = 1, height = 1;
-    std::shared_ptr<const TextureData> data{};  // of every texture of the material
+    std::shared_ptr<const TextureData> data{};  // of every texture of the material but these
+    std::map<std::string, std::shared_ptr<const TextureData>> textures{};
     float time = 0;
     const runtime::Scene* scene = nullptr;        // what is drawn, size and time included; null: the whole picture
     std::map<std::string, std::string> values{};  // property -> word, as in runtime/material_values.h
