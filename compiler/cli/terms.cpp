@@ -250,8 +250,10 @@ private:
         EvalOutput output{.name = name, .type = {}, .values = {}};
         const auto append = [&](const Json& part) {
             std::optional<std::vector<double>> made = value(part.GetString());
-            if (made) output.values.insert(output.values.end(), made->begin(), made->end());
-            return made.has_value();
+            if (!made) return false;
+            output.values.insert(output.values.end(), made->begin(), made->end());
+            result_.widths.push_back(made->size());
+            return true;
         };
         if (!mapping.IsArray()) {
             if (!append(mapping)) return false;
@@ -294,7 +296,8 @@ TermResult evaluate_term(const Compiler& compiler, const std::string& term, cons
         return {.ok = false,
                 .error = fmt::format("there is no term '{}'{}{}", term, near.empty() ? "" : "; ", near),
                 .diagnostics = {},
-                .outputs = {}};
+                .outputs = {},
+                .widths = {}};
     }
     return Evaluation(compiler, found->value, single).run(inputs);
 }

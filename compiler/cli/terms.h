@@ -21,6 +21,7 @@ struct TermResult {
     std::string error;                    // of the words; empty if `diagnostics` say it
     std::vector<Diagnostic> diagnostics;  // of the library
     std::vector<EvalOutput> outputs;
+    std::vector<std::size_t> widths;  // how many numbers each expression of "out" gave, in order
 };
 
 // Inputs as words: "0.5", "0,0,1", "[[1,0],[0,1]]" (brackets and white space do not matter), "gamma", "true".

@@ -84,14 +84,30 @@ struct OnFace {
 };
 using Direction = std::array<double, 3>;
 
-OnFace on_face(const Direction& d) {
+// Of two that are as long, z wins over y, and y over x.
+std::size_t face_of(const Direction& d) {
     const double x = std::abs(d[0]), y = std::abs(d[1]), z = std::abs(d[2]);
-    const auto place = [](std::size_t face, double s, double t, double major) -> OnFace {
-        return {face, 0.5 * (s / major + 1), 0.5 * (t / major + 1)};
-    };
-    if (z >= x && z >= y) return d[2] >= 0 ? place(4, d[0], -d[1], z) : place(5, -d[0], -d[1], z);
-    if (y >= x) return d[1] >= 0 ? place(2, d[0], d[2], y) : place(3, d[0], -d[2], y);
-    return d[0] >= 0 ? place(0, -d[2], -d[1], x) : place(1, d[2], -d[1], x);
+    if (z >= x && z >= y) return d[2] >= 0 ? 4 : 5;
+    if (y >= x) return d[1] >= 0 ? 2 : 3;
+    return d[0] >= 0 ? 0 : 1;
+}
+
+// A direction in the axes of a face: to the right, down, and out of the cube.
+Direction in_face(std::size_t face, const Direction& d) {
+    switch (face) {
+        case 0: return {-d[2], -d[1], d[0]};
+        case 1: return {d[2], -d[1], -d[0]};
+        case 2: return {d[0], d[2], d[1]};
+        case 3: return {d[0], -d[2], -d[1]};
+        case 4: return {d[0], -d[1], d[2]};
+        default: return {-d[0], -d[1], -d[2]};
+    }
+}
+
+OnFace on_face(const Direction& d) {
+    const std::size_t face = face_of(d);
+    const Direction at = in_face(face, d);
+    return {face, 0.5 * (at[0] / at[2] + 1), 0.5 * (at[1] / at[2] + 1)};
 }
 
 // The way back; u and v may lie a little outside.
@@ -249,16 +265,14 @@ Direction direction_of(const Step& step, const Machine& machine, unsigned which,
             operand(step, machine, which, 2, lane)};
 }
 
-// The footprint on the face that the pixel itself looks at.
-double cube_level(const Reader& reader, const Direction& at, const Direction& dx, const Direction& dy) {
-    const OnFace place = on_face(at);
+// The footprint on the face that the pixel itself looks at: the derivatives of the place on it.
+double cube_level(const Reader& reader, const Direction& direction, const Direction& dx, const Direction& dy) {
+    const std::size_t face = face_of(direction);
+    const Direction at = in_face(face, direction);
     const auto moved = [&](const Direction& by) -> std::array<double, 2> {
-        // A small step: the derivative of the place on the face along `by`.
-        constexpr double kStep = 1e-4;
-        const Direction to = {at[0] + kStep * by[0], at[1] + kStep * by[1], at[2] + kStep * by[2]};
-        const OnFace next = on_face(to);
-        if (next.face != place.face) return {0, 0};
-        return {(next.u - place.u) / kStep, (next.v - place.v) / kStep};
+        const Direction way = in_face(face, by);
+        const double scale = 0.5 / (at[2] * at[2]);
+        return {(way[0] * at[2] - at[0] * way[2]) * scale, (way[1] * at[2] - at[1] * way[2]) * scale};
     };
     return level_of(reader, moved(dx), moved(dy));
 }

@@ -343,12 +343,129 @@ TEST(InterpreterTexture, AnyTextureMayBeReadByAnySampler) {
     EXPECT_EQ(interpreter.run(quad_at(-0.125, 0.5)).lanes[0], (Flat{8, 1}));
 }
 
-TEST(InterpreterTexture, CubesHaveNoTexelsYet) {
+// --- cubes. Expected texels are worked out from the table in Vulkan's "Cube Map Face Selection".
+
+// Red is 100 for each face, 10 for each row and 1 for each column.
+std::shared_ptr<const TextureData> counted_cube(int size, const std::string& filter) {
+    TextureLevel texels{.width = size, .height = size, .texels = {}};
+    for (int face = 0; face < 6; ++face) {
+        const TextureLevel side = level(size, size, [&](int x, int y) {
+            return std::array{float(100 * face + 10 * y + x), 0.0f, 0.0f, 1.0f};
+        });
+        texels.texels.insert(texels.texels.end(), side.texels.begin(), side.texels.end());
+    }
+    return std::make_shared<TextureData>(TextureData{.levels = {texels}, .sampler = {.filter = filter}, .faces = 6});
+}
+
+std::shared_ptr<const TextureData> numbered_cube(int size, const std::string& filter) {
+    TextureData cube = *numbered(size, filter);
+    cube.faces = 6;
+    for (TextureLevel& one : cube.levels) {
+        const std::vector<float> side = one.texels;
+        for (int face = 1; face < 6; ++face) one.texels.insert(one.texels.end(), side.begin(), side.end());
+    }
+    return std::make_shared<TextureData>(std::move(cube));
+}
+
+double red_of_cube(std::shared_ptr<const TextureData> data, std::array<double, 3> direction, double lod = 0) {
     FragmentStage stage;
     stage.module.globals[0].type = Type::of(Kind::TextureCube);
-    const Value direction = stage.b.constant(kFloat3, {0, 0, 1});
-    Interpreter interpreter = stage.finish(stage.b.emit(Op::Sample, {stage.texture(), stage.sampler(), direction}));
-    EXPECT_EQ(interpreter.run(quad_at(0, 0)).lanes[0], (Flat{0, 0, 0, 1}));
+    const Value way = stage.b.constant(kFloat3, {direction[0], direction[1], direction[2]});
+    Interpreter interpreter =
+        stage.finish(stage.b.emit(Op::SampleLevel, {stage.texture(), stage.sampler(), way, stage.scalar(lod)}));
+    interpreter.set_texture("_MainTex", std::move(data));
+    return interpreter.run(quad_at(0, 0)).lanes[3].at(0);
+}
+
+TEST(InterpreterCube, ADirectionChoosesAFaceAndATexel) {
+    const auto cube = counted_cube(4, "nearest");
+    EXPECT_EQ(red_of_cube(cube, {2, -0.5, 1.5}), 20);    // +X: s -z, t -y
+    EXPECT_EQ(red_of_cube(cube, {-2, -0.5, 1.5}), 123);  // -X: s z, t -y
+    EXPECT_EQ(red_of_cube(cube, {0.5, 2, 1.5}), 232);    // +Y: s x, t z
+    EXPECT_EQ(red_of_cube(cube, {0.5, -2, 1.5}), 302);   // -Y: s x, t -z
+    EXPECT_EQ(red_of_cube(cube, {0.5, 1.5, 2}), 402);    // +Z: s x, t -y
+    EXPECT_EQ(red_of_cube(cube, {0.5, 1.5, -2}), 501);   // -Z: s -x, t -y
+    // Of any length, and with one at the very edge.
+    EXPECT_EQ(red_of_cube(cube, {2e-6, -0.5e-6, 1.5e-6}), 20);
+    EXPECT_EQ(red_of_cube(cube, {0.5e8, 1.5e8, -2e8}), 501);
+    // Ties: z wins over y, and y over x.
+    EXPECT_EQ(red_of_cube(cube, {1, 1, 1}), 403);
+    EXPECT_EQ(red_of_cube(cube, {1, 0.5, 1}), 413);
+    EXPECT_EQ(red_of_cube(cube, {1, 1, 0.5}), 233);
+    EXPECT_EQ(red_of_cube(cube, {-1, -1, -1}), 533);
+}
+
+// Two texels a side: a texel's middle is at 0.5 or -0.5 of the face's half, a quarter of a texel from the edge at 0.75.
+TEST(InterpreterCube, FiltersOverItsEdges) {
+    const auto cube = counted_cube(2, "linear");
+    EXPECT_EQ(red_of_cube(cube, {0.5, 0.5, 1}), 401);  // the middle of a texel
+    EXPECT_EQ(red_of_cube(cube, {0, 0, 1}), 405.5);    // the middle of a face
+    EXPECT_EQ(red_of_cube(cube, {1, 0.5, 1}), 200.5);  // half of +Z's (1, 0), half of +X's (0, 0)
+    EXPECT_EQ(red_of_cube(cube, {0.75, 0.5, 1}), 0.75 * 401 + 0.25 * 0);
+    EXPECT_EQ(red_of_cube(cube, {1, 0.5, 0.75}), 0.75 * 0 + 0.25 * 401);
+    // Where the neighbour's rows run the other way: +Y's (1, 0) and +X's (1, 0); -Y's (0, 1) and -Z's (1, 1).
+    EXPECT_EQ(red_of_cube(cube, {1, 1, -0.5}), (201 + 1) / 2.0);
+    EXPECT_EQ(red_of_cube(cube, {-0.5, -1, -1}), (310 + 511) / 2.0);
+    EXPECT_EQ(red_of_cube(cube, {-0.5, -1, -0.75}), 0.75 * 310 + 0.25 * 511);
+    // -X's (0, 1) and -Z's (1, 1): the far side of the cube.
+    EXPECT_EQ(red_of_cube(cube, {-1, -0.5, -1}), (110 + 511) / 2.0);
+}
+
+// Three texels meet at a corner: +Z's (1, 0), +X's (0, 0) and +Y's (1, 1). The fourth is their mean.
+TEST(InterpreterCube, FiltersAtItsCorners) {
+    const auto cube = counted_cube(2, "linear");
+    const double sum = 401 + 0 + 211;
+    EXPECT_NEAR(red_of_cube(cube, {1, 1, 1}), sum / 3, 1e-12);
+    // A quarter of a texel from both edges.
+    EXPECT_NEAR(red_of_cube(cube, {0.75, 0.75, 1}), 0.5625 * 401 + 0.1875 * (0 + 211) + 0.0625 * sum / 3, 1e-12);
+    EXPECT_NEAR(red_of_cube(cube, {1, 0.75, 0.75}), 0.5625 * 0 + 0.1875 * (401 + 211) + 0.0625 * sum / 3, 1e-12);
+    // -X's (0, 1), -Y's (0, 1) and -Z's (1, 1).
+    EXPECT_NEAR(red_of_cube(cube, {-1, -1, -1}), (110 + 310 + 511) / 3.0, 1e-12);
+    // A face of one texel is all corners.
+    EXPECT_NEAR(red_of_cube(counted_cube(1, "linear"), {1, 1, 1}), (400 + 0 + 200) / 3.0, 1e-12);
+}
+
+TEST(InterpreterCube, Levels) {
+    const auto linear = numbered_cube(8, "linear"), nearest = numbered_cube(8, "nearest");
+    EXPECT_EQ(red_of_cube(linear, {1, 2, 3}, 1.25), 1.25);
+    EXPECT_EQ(red_of_cube(linear, {1, 2, 3}, -2), 0);
+    EXPECT_NEAR(red_of_cube(linear, {1, 2, 3}, 99), 3, 1e-12);
+    EXPECT_EQ(red_of_cube(linear, {1, 2, 3}, std::nan("")), 0);
+    EXPECT_EQ(red_of_cube(nearest, {1, 2, 3}, 1.4), 1);
+    EXPECT_EQ(red_of_cube(nearest, {1, 2, 3}, 1.6), 2);
+
+    // On +Z, 16 texels a side: a step of 1/8 across is one texel. With a depth of 2 the step is half as long there.
+    const auto red = [](Op op, double depth, std::array<double, 2> dx, std::array<double, 2> dy) {
+        FragmentStage stage;
+        Builder& b = stage.b;
+        stage.module.globals[0].type = Type::of(Kind::TextureCube);
+        const Value way = b.construct(kFloat3, std::array{stage.uv, stage.scalar(depth)});
+        std::vector<Value> args = {stage.texture(), stage.sampler(), way};
+        if (op == Op::SampleBias) args.push_back(stage.scalar(0.5));
+        if (op == Op::SampleGrad) {
+            args.push_back(b.constant(kFloat3, {0, 0, dx[0]}));
+            args.push_back(b.constant(kFloat3, {dy[0], dy[1], 0}));
+        }
+        Interpreter interpreter = stage.finish(b.emit(op, kFloat4, args));
+        interpreter.set_texture("_MainTex", numbered_cube(16, "linear"));
+        return interpreter.run(quad_at(-0.5, 0.125, dx, dy)).lanes[0].at(0);
+    };
+    const double texel = 0.125;
+    EXPECT_NEAR(red(Op::Sample, 1, {texel, 0}, {0, texel}), 0, 1e-12);
+    EXPECT_NEAR(red(Op::Sample, 1, {4 * texel, 0}, {0, texel}), 2, 1e-12);
+    EXPECT_NEAR(red(Op::Sample, 2, {4 * texel, 0}, {0, texel}), 1, 1e-12);
+    EXPECT_NEAR(red(Op::SampleBias, 1, {0, 2 * texel}, {texel, 0}), 1.5, 1e-12);
+    EXPECT_NEAR(red(Op::SampleGrad, 1, {0, 0}, {3 * texel, 4 * texel}), std::log2(5), 1e-12);
+    // Away by 1/2 of the depth: the place, 4 texels and 1 from the middle, moves towards it by half of that.
+    EXPECT_NEAR(red(Op::SampleGrad, 1, {0.5, 0}, {0, 0}), std::log2(std::hypot(2, 0.5)), 1e-12);
+}
+
+TEST(InterpreterCube, WhatIsNoCubeIsWhite) {
+    EXPECT_EQ(red_of_cube(nullptr, {0, 0, 1}), 1);
+    EXPECT_EQ(red_of_cube(numbered(8, "linear"), {0, 0, 1}, 2), 1);
+    // And there is nothing in the direction of nothing.
+    EXPECT_EQ(red_of_cube(numbered_cube(8, "linear"), {0, 0, 0}, 2), 0);
+    EXPECT_EQ(red_of_cube(numbered_cube(8, "linear"), {std::nan(""), 1, 0}, 2), 0);
 }
 
 // The language's Texture2D: a struct of texture, sampler and numbers, handed to a function.

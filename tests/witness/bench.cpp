@@ -24,16 +24,18 @@ struct Setting {
     std::vector<runtime::BlockBytes> blocks;
 
     Setting(const Reflection& reflection, const Inputs& inputs)
-        : scene(runtime::fullscreen_scene(inputs.width, inputs.height)) {
-        scene.time = inputs.time;
-        scene.ambient = runtime::studio_environment()->ambient();
-        scene.environment = runtime::studio_environment();
+        : scene(inputs.scene ? *inputs.scene : runtime::fullscreen_scene(inputs.width, inputs.height)) {
+        if (!inputs.scene) {
+            scene.time = inputs.time;
+            scene.ambient = runtime::studio_environment()->ambient();
+            scene.environment = runtime::studio_environment();
+        }
         for (const Texture& texture : reflection.textures) {
             if (!texture.is_material) continue;
             textures.push_back({.name = texture.name, .data = inputs.data, .format = runtime::TexelFormat::Float32});
         }
         runtime::add_engine_textures(textures, reflection, scene);
-        const auto values = runtime::material_values(reflection, {});
+        const auto values = runtime::material_values(reflection, inputs.values);
         EXPECT_TRUE(values) << values.error;
         blocks = runtime::fill_blocks(reflection, values.value, scene);
     }

@@ -41,8 +41,10 @@ struct Material {
 
 struct Inputs {
     int width = 1, height = 1;
-    std::shared_ptr<const TextureData> data{};
+    std::shared_ptr<const TextureData> data{};  // of every texture of the material
     float time = 0;
+    const runtime::Scene* scene = nullptr;        // what is drawn, size and time included; null: the whole picture
+    std::map<std::string, std::string> values{};  // property -> word, as in runtime/material_values.h
 };
 
 // Opens the device with the validation layer on. Whatever fails becomes a failure of the running test.

@@ -161,9 +161,10 @@ constexpr Guard kGuards[] = {
     {"Flipbook.rows", "2"},
     {"FractalNoise.gain", "0.5"},
     {"FractalNoise.lacunarity", "2"},
-    // Its exponential must not be so small that some processors flush it to zero.
+    // An exponential or a power must not be so small that some processors flush it to zero.
     {"DistributionBeckmann.ndoth", "clamp(#, 0.5, 1)"},
     {"DistributionBeckmann.alpha", "clamp(#, 0.5, 1)"},
+    {"DistributionBlinnPhongRoughness.ndoth", "clamp(#, 0.5, 1)"},
     {"DistributionBlinnPhong.exponent", "(abs(#) + 1)"},
     {"PhongHighlight.exponent", "(abs(#) + 1)"},
     {"BlinnPhongHighlight.exponent", "(abs(#) + 1)"},
@@ -187,6 +188,8 @@ constexpr Guard kGuards[] = {
     {"SpecularOcclusion.ndotv", "clamp(#, 0.125, 1)"},
     {"FresnelConductor.n", "(abs(#) + 0.25)"},
     {"BoxProjectedDirection.direction", "(abs(#) + 0.5)"},
+    // Which texel of a cube lies in the direction of nothing, no one says.
+    {"EnvironmentRadiance.direction", "((abs(#) + 0.5) * float3(-1, 1, -1))"},
     {"MatcapUV.normal_vs", "(abs(#) + 0.5)"},
     {"HalfVectorExact.view", "(abs(#) + 0.5)"},
     {"HalfVectorExact.light_dir", "(abs(#) + 0.5)"},
