@@ -159,14 +159,17 @@ Exit evaluate(const Console& console, const Arguments& arguments) {
         if (!arguments.model.empty()) return evaluate_model(console, arguments, compiler, at);
         return evaluate_node(console, arguments, compiler, node, at);
     };
-    std::vector<SweepRow> rows;
-    for (const Values& at : combinations(values, axes)) {
-        Outputs outputs = evaluate_at(at);
+    std::vector<SweepRow> rows = rows_of(values, axes);
+    for (SweepRow& row : rows) {
+        Outputs outputs = evaluate_at(row.values);
         if (!outputs) return Exit::Wrong;
-        if (axes.empty()) print_outputs(arguments, *outputs);
-        rows.push_back({.values = at, .outputs = std::move(*outputs)});
+        row.outputs = std::move(*outputs);
     }
-    if (!axes.empty()) print(arguments.json ? sweep_json(axes, rows) : sweep_csv(axes, rows));
+    if (axes.empty()) {
+        print_outputs(arguments, rows.front().outputs);
+    } else {
+        print(arguments.json ? sweep_json(axes, rows) : sweep_csv(axes, rows));
+    }
     return Exit::Ok;
 }
 

@@ -42,10 +42,28 @@ std::optional<std::vector<double>> numbers_of(std::string_view text, std::string
     return numbers;
 }
 
-std::vector<std::string> numbers_at(const std::vector<Axis>& axes, const SweepRow& row) {
-    std::vector<std::string> numbers;
-    for (const Axis& axis : axes) numbers.push_back(row.values[axis.index].second);
-    return numbers;
+bool is_word(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+// The text with each $name replaced.
+std::string with(const std::string& text, const std::string& name, const std::string& number) {
+    const std::string wanted = "$" + name;
+    std::string result;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = at + wanted.size();
+        if (text.compare(at, wanted.size(), wanted) == 0 && (end == text.size() || !is_word(text[end]))) {
+            result += "(" + number + ")";
+            at = end;
+        } else {
+            result += text[at++];
+        }
+    }
+    return result;
+}
+
+bool is_read(const Values& values, const std::string& name) {
+    return std::ranges::any_of(values, [&](const auto& value) { return with(value.second, name, "") != value.second; });
 }
 
 }  // namespace
@@ -54,11 +72,13 @@ std::vector<Axis> axes_of(const Values& values, std::string& error) {
     std::vector<Axis> axes;
     double rows = 1;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        std::optional<std::vector<double>> numbers = numbers_of(values[i].second, error);
+        const auto& [name, text] = values[i];
+        std::optional<std::vector<double>> numbers = numbers_of(text, error);
         if (!error.empty()) return {};
         if (!numbers) continue;
         rows *= static_cast<double>(numbers->size());
-        axes.push_back({.index = i, .name = values[i].first, .numbers = std::move(*numbers)});
+        axes.push_back(
+            {.index = i, .name = name, .numbers = std::move(*numbers), .is_variable = is_read(values, name)});
     }
     if (rows > kMostRows) {
         error = fmt::format("the ranges have {:.0f} combinations, more than the {} rows that a table may have", rows,
@@ -67,17 +87,26 @@ std::vector<Axis> axes_of(const Values& values, std::string& error) {
     return axes;
 }
 
-std::vector<Values> combinations(const Values& values, const std::vector<Axis>& axes) {
-    std::vector<Values> all = {values};
+std::vector<SweepRow> rows_of(const Values& values, const std::vector<Axis>& axes) {
+    std::vector<SweepRow> all = {{.at = {}, .values = values}};
     for (const Axis& axis : axes) {
-        std::vector<Values> more;
-        for (const Values& before : all) {
+        std::vector<SweepRow> more;
+        for (const SweepRow& before : all) {
             for (double number : axis.numbers) {
-                more.push_back(before);
-                more.back()[axis.index].second = shortest(number);
+                SweepRow& row = more.emplace_back(before);
+                row.at.push_back(number);
+                const std::string digits = shortest(number);
+                for (auto& [name, text] : row.values) text = with(text, axis.name, digits);
+                row.values[axis.index].second = digits;
             }
         }
         all = std::move(more);
+    }
+    for (SweepRow& row : all) {
+        for (std::size_t i = axes.size(); i-- > 0;) {
+            const auto at = row.values.begin() + static_cast<std::ptrdiff_t>(axes[i].index);
+            if (axes[i].is_variable) row.values.erase(at);
+        }
     }
     return all;
 }
@@ -96,7 +125,7 @@ std::string sweep_csv(const std::vector<Axis>& axes, const std::vector<SweepRow>
     }
     std::string text = fmt::format("{}\n", fmt::join(names, ","));
     for (const SweepRow& row : rows) {
-        text += fmt::format("{}", fmt::join(numbers_at(axes, row), ","));
+        text += fmt::format("{}", fmt::join(row.at, ","));
         for (const EvalOutput& output : row.outputs) text += fmt::format(",{}", fmt::join(output.values, ","));
         text += "\n";
     }
@@ -109,10 +138,9 @@ std::string sweep_json(const std::vector<Axis>& axes, const std::vector<SweepRow
     writer.StartArray();
     for (const SweepRow& row : rows) {
         writer.StartObject();
-        for (const Axis& axis : axes) {
-            writer.Key(axis.name.c_str());
-            const std::string& number = row.values[axis.index].second;
-            writer.RawValue(number.data(), number.size(), rapidjson::kNumberType);
+        for (std::size_t i = 0; i < axes.size(); ++i) {
+            writer.Key(axes[i].name.c_str());
+            write_number(writer, row.at[i]);
         }
         for (const EvalOutput& output : row.outputs) {
             writer.Key(output.name.c_str());

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "compiler/cli/model_cost.h"
 #include "patina/patina.h"
 #include "tests/bench/figures.h"
 #include "tests/bench/long_graphs.h"
@@ -102,6 +103,16 @@ void print_sizes() {
     }
 }
 
+// Of each model's fragment shader, as its page has it.
+void print_costs() {
+    const Compiler compiler;
+    std::printf("\nSPIR-V instructions of a lighting model's fragment shader after spirv-opt -O\n");
+    for (const ModelInfo& model : compiler.lighting_models()) {
+        const cli::ModelCost cost = cli::cost_of(compiler, model);
+        std::printf("  %-24s %5zu\n", model.name.c_str(), static_cast<std::size_t>(cost.instructions));
+    }
+}
+
 void print_figures(const Figures& figures) {
     std::printf("\n");
     figures.time("library", 0);
@@ -113,6 +124,7 @@ void print_figures(const Figures& figures) {
         figures.ratio(shape + "5000", shape + "10000", 2.5);
     }
     print_sizes();
+    print_costs();
 }
 
 }  // namespace

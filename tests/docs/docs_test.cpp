@@ -114,6 +114,35 @@ TEST(Models, SayWhenToUseThemAndWhereTheyComeFrom) {
     }
 }
 
+// What scripts/pictures draws: nothing is left out.
+TEST(Pictures, ShowEveryLightingTermModelAndExample) {
+    const fs::path docs = tests_folder().parent_path() / "docs", root = docs.parent_path();
+    const std::string plots = read_file(docs / "nodes/plots.json"), gallery = read_file(docs / "gallery.md");
+    const Compiler compiler;
+    for (const NodeInfo& node : compiler.nodes()) {
+        if (node.category != "Lighting" && !node.category.starts_with("Lighting/")) continue;
+        const bool is_plotted = plots.find("\"node\": \"" + node.name + "\"") != plots.npos;
+        const bool is_without = plots.find("\"" + node.name + "\": \"") != plots.npos;
+        EXPECT_NE(is_plotted, is_without) << node.name << " is to be in docs/nodes/plots.json, once";
+        EXPECT_EQ(is_plotted, fs::exists(docs / ("nodes/plots/" + node.name + ".svg"))) << "run scripts/pictures plots";
+    }
+    for (const ModelInfo& model : compiler.lighting_models()) {
+        const std::string picture = "models/pictures/" + model.name + ".png";
+        EXPECT_TRUE(fs::exists(docs / picture) && gallery.find(picture) != gallery.npos)
+            << "run scripts/pictures models";
+    }
+    int examples = 0;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / "examples")) {
+        const std::string path = fs::relative(entry.path(), root / "examples").string();
+        if (!path.ends_with(".graph.json")) continue;
+        ++examples;
+        const std::string picture = "gallery/" + path.substr(0, path.size() - 11) + ".png";
+        EXPECT_TRUE(fs::exists(docs / picture) && gallery.find(picture) != gallery.npos)
+            << picture << ": run scripts/pictures examples";
+    }
+    EXPECT_GE(examples, 10);
+}
+
 // What a node's manual page offers to paste can be pasted, if nothing has to be filled in.
 TEST(ManualPage, OffersANodeThatCompiles) {
     const Compiler compiler;
