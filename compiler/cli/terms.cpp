@@ -268,6 +268,13 @@ private:
 
     bool outputs() {
         const auto out = term_.FindMember("out");
+        if (term_.HasMember("channel")) {
+            const bool has_color = std::any_of(inputs_.values.begin(), inputs_.values.end(), [&](const NamedValue& v) {
+                return v.values.size() == 3 && inputs_.words.contains(v.name);
+            });
+            const Json channel(rapidjson::StringRef(has_color ? "out" : "out.x"));
+            return add_output("out", channel);
+        }
         if (out == term_.MemberEnd()) {
             static const Json kPrimary("out");
             return add_output("out", kPrimary);

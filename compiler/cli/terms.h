@@ -5,7 +5,8 @@
 //
 // "in" gives ports expressions over the term's inputs; a port whose inputs are not given keeps its default. "out" is an
 // expression over the node's outputs and the term's inputs, or several: a list is one vector, an object has names.
-// Instead of a node there may be a "model" with a "workflow", or nothing, and "out" says it all.
+// With "channel" the node works on colours, and the term on one number unless it is given a colour. Instead of a node
+// there may be a "model" with a "workflow", or nothing, and "out" says it all.
 #pragma once
 
 #include <string>

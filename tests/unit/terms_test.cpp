@@ -70,6 +70,17 @@ TEST(Terms, EveryValueInFloat) {
     }
 }
 
+// Schlick's curve of each channel: 0.04 + 0.96 / 32, 0.5 + 0.5 / 32 and 1 at a cosine of a half.
+TEST(Terms, WorkOnColoursWhereTheirNodesDo) {
+    const Compiler compiler;
+    const TermResult result = evaluate_term(compiler, "F_Schlick", {{"F0", "[0.04, 0.5, 1]"}, {"cos", "0.5"}}, false);
+    ASSERT_TRUE(result.ok) << result.error;
+    ASSERT_EQ(result.outputs.front().values.size(), 3u);
+    EXPECT_NEAR(result.outputs.front().values[0], 0.07, 1e-15);
+    EXPECT_NEAR(result.outputs.front().values[1], 0.515625, 1e-15);
+    EXPECT_NEAR(result.outputs.front().values[2], 1, 1e-15);
+}
+
 TEST(Terms, BadWordsAreToldApart) {
     const Compiler compiler;
     const auto error = [&](const std::string& term, const TermInputs& inputs) {

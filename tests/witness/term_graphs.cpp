@@ -178,7 +178,9 @@ std::string term_graph(const Compiler& compiler, const Json& term, const RowInpu
     if (term.HasMember("node")) writer.add_node();
 
     std::vector<std::string> parts;
-    if (term.HasMember("out")) {
+    if (term.HasMember("channel")) {
+        parts.emplace_back("out.x");
+    } else if (term.HasMember("out")) {
         append_parts(term["out"], parts);
     } else {
         parts.emplace_back("out");
