@@ -90,6 +90,16 @@ std::array<float, 4> texel_of(const std::string& default_value) {
 
 }  // namespace
 
+std::map<std::string, Triple*> named_inputs(ModelPoint& point, ModelLight& light) {
+    return {{"n", &point.n},
+            {"l", &point.l},
+            {"v", &point.v},
+            {"t", &point.t},
+            {"light", &light.light},
+            {"ambient", &light.ambient},
+            {"environment", &light.environment}};
+}
+
 struct Model::Impl {
     std::vector<Diagnostic> diagnostics;
     std::shared_ptr<const Program> program;

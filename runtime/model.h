@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -35,6 +36,9 @@ struct ModelPoint {
 struct ModelLight {
     Triple light{1, 1, 1}, ambient{0, 0, 0}, environment{0, 0, 0};
 };
+
+// What `patina eval` calls them: n, l, v, t, light, ambient, environment.
+std::map<std::string, Triple*> named_inputs(ModelPoint& point, ModelLight& light);
 
 class Model {
 public:

@@ -86,13 +86,7 @@ Outputs evaluate_model(const Console& console, const Arguments& arguments, const
     runtime::ModelChoice choice{.model = arguments.model, .workflow = arguments.workflow};
     runtime::ModelPoint point;
     runtime::ModelLight light;
-    const std::map<std::string, runtime::Triple*> triples = {{"n", &point.n},
-                                                             {"l", &point.l},
-                                                             {"v", &point.v},
-                                                             {"t", &point.t},
-                                                             {"light", &light.light},
-                                                             {"ambient", &light.ambient},
-                                                             {"environment", &light.environment}};
+    const std::map<std::string, runtime::Triple*> triples = runtime::named_inputs(point, light);
     for (const auto& [name, text] : values) {
         const auto triple = triples.find(name);
         if (triple == triples.end()) {

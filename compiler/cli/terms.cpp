@@ -205,13 +205,7 @@ private:
         runtime::ModelChoice choice{.model = term_["model"].GetString(), .workflow = term_["workflow"].GetString()};
         runtime::ModelPoint point;
         runtime::ModelLight light;
-        const std::map<std::string, runtime::Triple*> triples = {{"n", &point.n},
-                                                                 {"l", &point.l},
-                                                                 {"v", &point.v},
-                                                                 {"t", &point.t},
-                                                                 {"light", &light.light},
-                                                                 {"ambient", &light.ambient},
-                                                                 {"environment", &light.environment}};
+        const std::map<std::string, runtime::Triple*> triples = runtime::named_inputs(point, light);
         for (const auto& port : term_["in"].GetObject()) {
             const std::optional<std::string> text = text_of(port.value);
             if (!result_.error.empty()) return false;
