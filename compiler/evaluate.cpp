@@ -73,6 +73,24 @@ struct Bench {
         scope.environment = &environment;
     }
 
+    // Complains of a value that only a renderer has; false then.
+    bool is_whole(Diagnostics& diagnostics) const {
+        const auto read = [&](const ir::Function& made) {
+            return std::find_if(made.insts.begin(), made.insts.end(),
+                                [](const ir::Inst& inst) { return inst.op == ir::Op::Global; });
+        };
+        std::vector<const ir::Function*> functions = {&function};
+        for (const ir::Function& made : module.functions) functions.push_back(&made);
+        for (const ir::Function* made : functions) {
+            const auto found = read(*made);
+            if (found == made->insts.end()) continue;
+            diagnostics.report(Code::SemanticNotHere, {}, module.globals[found->data].name, "an evaluation of one node")
+                .note("a renderer binds it: `patina render --node`, `patina trace` and `patina eval --model` have it");
+            return false;
+        }
+        return true;
+    }
+
     // Runs what has been emitted; the flattened value.
     std::vector<double> run(Typed value, Precision precision) {
         function.result = value.type;
@@ -226,7 +244,7 @@ Evaluation evaluate_call(const EvaluationContext& context, const nodelang::Funct
     Evaluation evaluation;
     Bench bench(context, diagnostics);
     const Typed value = bench.emitter.call(function, context.declarations, arguments, bench.scope, span, false);
-    if (!value.ok()) return evaluation;
+    if (!value.ok() || !bench.is_whole(diagnostics)) return evaluation;
     tolerance_of(bench.module, evaluation.relative, evaluation.absolute);
     const std::vector<double> flat = bench.run(value, precision);
     evaluation.outputs = split_outputs(bench.module, value, flat);
@@ -239,7 +257,7 @@ Evaluation evaluate_expression(const EvaluationContext& context, const Expr& exp
     Evaluation evaluation;
     Bench bench(context, diagnostics);
     const Typed value = bench.emitter.primary(bench.emitter.expression(expr, bench.scope), bench.scope, expr.span);
-    if (!value.ok()) return evaluation;
+    if (!value.ok() || !bench.is_whole(diagnostics)) return evaluation;
     tolerance_of(bench.module, evaluation.relative, evaluation.absolute);
     const std::vector<double> flat = bench.run(value, precision);
     evaluation.outputs = split_outputs(bench.module, value, flat);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <thread>
 
 #include "runtime/cube.h"
 
@@ -46,6 +47,15 @@ SphericalHarmonics project(const Radiance& radiance) {
     return result;
 }
 
+// Runs `work` for 0 to 5, each on a thread.
+template <class Work>
+void on_each_face(const Work& work) {
+    std::vector<std::thread> threads;
+    for (int face = 1; face < 6; face++) threads.emplace_back(work, face);
+    work(0);
+    for (std::thread& thread : threads) thread.join();
+}
+
 // Van der Corput's sequence in base 2.
 double radical_inverse(std::uint32_t bits) {
     bits = (bits << 16) | (bits >> 16);
@@ -56,43 +66,127 @@ double radical_inverse(std::uint32_t bits) {
     return bits * (1.0 / 4294967296.0);
 }
 
-// Directions around +z in which a surface of that roughness, looked at along its normal, mirrors, and n.l of each.
-std::vector<glm::vec3> mirrored_directions(float roughness, int count) {
-    double a2 = std::pow(double(roughness), 4);
-    std::vector<glm::vec3> result;
+// The radiance on the faces of a cube, and halves of it down to one texel a face: what a sample stands for is as wide
+// as the samples are far apart (Krivanek and Colbert, "Real-time Shading with Filtered Importance Sampling", EGSR
+// 2008).
+class Pyramid {
+public:
+    Pyramid(const Radiance& radiance, int size) : size_(size) {
+        std::vector<glm::vec3>& base = levels_.emplace_back(std::size_t(6) * size * size);
+        on_each_face([&](int face) {
+            for (int y = 0; y < size; y++)
+                for (int x = 0; x < size; x++) base[at(size, face, x, y)] = radiance(cube_direction(face, x, y, size));
+        });
+        for (int half = size / 2; half > 0; half /= 2) {
+            std::vector<glm::vec3> next(std::size_t(6) * half * half);
+            const std::vector<glm::vec3>& before = levels_.back();
+            for (int face = 0; face < 6; face++) {
+                for (int y = 0; y < half; y++) {
+                    for (int x = 0; x < half; x++) {
+                        next[at(half, face, x, y)] =
+                            (before[at(2 * half, face, 2 * x, 2 * y)] + before[at(2 * half, face, 2 * x + 1, 2 * y)] +
+                             before[at(2 * half, face, 2 * x, 2 * y + 1)] +
+                             before[at(2 * half, face, 2 * x + 1, 2 * y + 1)]) /
+                            4.0f;
+                    }
+                }
+            }
+            levels_.push_back(std::move(next));
+        }
+    }
+
+    int size() const { return size_; }
+
+    glm::vec3 look(glm::vec3 direction, float level) const {
+        const float highest = float(levels_.size() - 1), lod = std::clamp(level, 0.0f, highest);
+        const CubePlace place = cube_place(direction);
+        const int finer = int(lod);
+        const glm::vec3 fine = bilinear(finer, place);
+        return lod == float(finer) ? fine : glm::mix(fine, bilinear(finer + 1, place), lod - float(finer));
+    }
+
+private:
+    static std::size_t at(int size, int face, int x, int y) {
+        return (std::size_t(face) * size + std::size_t(y)) * size + std::size_t(x);
+    }
+    glm::vec3 bilinear(int level, const CubePlace& place) const {
+        const int size = size_ >> level;
+        const float x = place.u * float(size) - 0.5f, y = place.v * float(size) - 0.5f;
+        const float left = std::floor(x), top = std::floor(y);
+        const std::vector<glm::vec3>& texels = levels_[std::size_t(level)];
+        const auto texel = [&](float column, float row) {
+            if (column >= 0 && row >= 0 && column < float(size) && row < float(size))
+                return texels[at(size, place.face, int(column), int(row))];
+            // Beyond an edge: the neighbour's texel that lies there.
+            const CubePlace beyond = cube_place(cube_direction(place.face, int(column), int(row), size));
+            const auto inside = [&](float share) { return std::clamp(int(share * float(size)), 0, size - 1); };
+            return texels[at(size, beyond.face, inside(beyond.u), inside(beyond.v))];
+        };
+        return glm::mix(glm::mix(texel(left, top), texel(left + 1, top), x - left),
+                        glm::mix(texel(left, top + 1), texel(left + 1, top + 1), x - left), y - top);
+    }
+
+    int size_;
+    std::vector<std::vector<glm::vec3>> levels_;
+};
+
+// A direction around +z in which a surface, looked at along its normal, mirrors.
+struct Mirrored {
+    glm::vec3 direction;
+    float weight;  // with n.l in it
+    float level;   // of the pyramid, as wide as the sample
+};
+
+std::vector<Mirrored> mirrored_directions(float roughness, int count, int size) {
+    double a2 = std::pow(double(roughness), 4), texel = 4 * kPi / (6.0 * size * size);
+    std::vector<Mirrored> result;
     for (int i = 0; i < count; i++) {
-        double u = (i + 0.5) / count, phi = 2 * kPi * radical_inverse(std::uint32_t(i));
+        // More of them in the tail, and each for less of it.
+        double s = (i + 0.5) / count, u = 1 - (1 - s) * (1 - s), weight = 2 * (1 - s);
+        double phi = 2 * kPi * radical_inverse(std::uint32_t(i));
         double cos2 = (1 - u) / (1 + (a2 - 1) * u), sin2 = std::max(1 - cos2, 0.0);
         // l = 2 (v.h) h - v with v = (0, 0, 1)
         double along = 2 * cos2 - 1, across = 2 * std::sqrt(cos2 * sin2);
-        if (along > 0) result.emplace_back(across * std::cos(phi), across * std::sin(phi), along);
+        if (along <= 0) continue;
+        // Its probability by solid angle: D (n.h) / (4 (v.h)), and here v is n.
+        double root = cos2 * (a2 - 1) + 1, density = a2 / (kPi * root * root) / 4;
+        double wide = weight / (2 * count * density);
+        // Faces of fewer than 16 texels are too coarse for what is blurred no more than that.
+        float level = float(std::clamp(0.5 * std::log2(wide / texel) + 0.5, 0.0, std::log2(size) - 4.0));
+        // In pairs, so that the lobe does not lean.
+        for (double side : {across, -across}) {
+            result.push_back({{side * std::cos(phi), side * std::sin(phi), along}, float(along * weight), level});
+        }
     }
     return result;
 }
 
 // The mean of what is mirrored, weighted by n.l (Karis, SIGGRAPH 2013), for a view along the normal.
-TextureLevel blurred(const Radiance& radiance, int level, int size) {
-    std::vector<glm::vec3> around = {{0, 0, 1}};
+TextureLevel blurred(const Pyramid& pyramid, int level, int size) {
+    std::vector<Mirrored> around = {{{0, 0, 1}, 1, 0}};
     // Coarser levels have fewer texels, each of which looks at more of the surroundings.
-    if (level > 0) around = mirrored_directions(roughness_of_level(level), std::min(16 << 2 * level, 1024));
-    TextureLevel result{.width = size, .height = size, .texels = {}};
-    for (int face = 0; face < 6; face++) {
+    constexpr int kSamples[kEnvironmentLevels] = {1, 16, 48, 96, 256, 1024};
+    if (level > 0) around = mirrored_directions(roughness_of_level(level), kSamples[level], pyramid.size());
+    TextureLevel result{.width = size, .height = size, .texels = std::vector<float>(std::size_t(24) * size * size)};
+    on_each_face([&](int face) {
+        float* texel = result.texels.data() + std::size_t(4) * size * size * face;
         for (int y = 0; y < size; y++) {
-            for (int x = 0; x < size; x++) {
+            for (int x = 0; x < size; x++, texel += 4) {
                 glm::vec3 normal = cube_direction(face, x, y, size);
                 glm::vec3 helper = std::abs(normal.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
                 glm::vec3 tangent = glm::normalize(glm::cross(helper, normal)), bitangent = glm::cross(normal, tangent);
-                glm::vec3 sum(0);
-                float weights = 0;
-                for (glm::vec3 l : around) {
-                    sum += radiance(tangent * l.x + bitangent * l.y + normal * l.z) * l.z;
-                    weights += l.z;
+                glm::dvec3 sum(0);
+                double weights = 0;
+                for (const Mirrored& l : around) {
+                    glm::vec3 towards = tangent * l.direction.x + bitangent * l.direction.y + normal * l.direction.z;
+                    sum += glm::dvec3(pyramid.look(towards, l.level) * l.weight);
+                    weights += l.weight;
                 }
                 sum /= weights;
-                result.texels.insert(result.texels.end(), {sum.x, sum.y, sum.z, 1});
+                texel[0] = float(sum.x), texel[1] = float(sum.y), texel[2] = float(sum.z), texel[3] = 1;
             }
         }
-    }
+    });
     return result;
 }
 
@@ -178,94 +272,23 @@ Environment::Environment(Radiance radiance, int face_size)
 
 Environment::Environment(const SphericalHarmonics& ambient)
     : radiance_([ambient](glm::vec3 direction) { return evaluate(ambient, direction); }),
-      face_size_(64),
+      face_size_(256),
       ambient_(ambient) {}
 
 std::shared_ptr<const TextureData> Environment::map() const {
     std::call_once(made_, [this] {
         TextureData data{.levels = {}, .sampler = {.wrap = "clamp", .filter = "linear", .anisotropy = 1}, .faces = 6};
+        const Pyramid pyramid(radiance_, face_size_);
         for (int level = 0; level < kEnvironmentLevels; level++)
-            data.levels.push_back(blurred(radiance_, level, std::max(face_size_ >> level, 1)));
+            data.levels.push_back(blurred(pyramid, level, std::max(face_size_ >> level, 1)));
         map_ = std::make_shared<const TextureData>(std::move(data));
     });
     return map_;
 }
 
 std::shared_ptr<const Environment> studio_environment() {
-    static const auto kStudio = std::make_shared<const Environment>(studio_radiance, 128);
+    static const auto kStudio = std::make_shared<const Environment>(studio_radiance, 256);
     return kStudio;
-}
-
-namespace {
-
-// A point of [0, 1] moved towards both ends, and by how much the steps shrink there. What is integrated, root or slope
-// at an end and all, then ends flat up to its second derivative, for which the midpoint rule is of the fourth order.
-struct Crowded {
-    double at, step;
-};
-Crowded crowded(int index, int count) {
-    double s = (index + 0.5) / count;
-    return {s * s * s * (10 + s * (6 * s - 15)), 30 * s * s * (1 - s) * (1 - s) / count};
-}
-
-}  // namespace
-
-std::array<double, 2> split_sum(double alpha, double ndotv, int samples) {
-    // A mirror has one half vector: its F is the offset.
-    double grazing = std::pow(1 - ndotv, 5);
-    if (alpha < 1e-4) return {1 - grazing, grazing};
-    // Half vectors in polar coordinates, tan(angle) = alpha sinh(x), in which GGX times its solid angle is smooth. The
-    // light is above the surface all around up to the first angle, and nowhere from the second on.
-    double a2 = alpha * alpha, view_angle = std::acos(ndotv), view_sine = std::sin(view_angle);
-    double view_root = std::sqrt(ndotv * ndotv * (1 - a2) + a2);
-    double highest = std::min(kPi / 4 + view_angle / 2, kPi / 2 - 1e-9);
-    std::array<double, 3> ends = {0, std::asinh(std::tan(kPi / 4 - view_angle / 2) / alpha),
-                                  std::asinh(std::tan(highest) / alpha)};
-    double scale = 0, offset = 0;
-    int around = std::max(1, samples / 2);  // the other half mirrors this one
-    for (std::size_t part = 0; part < 2; part++) {
-        for (int i = 0; i < samples; i++) {
-            double length = ends[part + 1] - ends[part];
-            double x = ends[part] + length * crowded(i, samples).at;
-            double tangent = alpha * std::sinh(x), ndoth = 1 / std::sqrt(1 + tangent * tangent), sine = tangent * ndoth;
-            double share = 2 * std::sinh(x) / std::pow(std::cosh(x), 3) * length * crowded(i, samples).step / kPi;
-            double edge = (ndotv / (2 * ndoth) - ndotv * ndoth) / std::max(view_sine * sine, 1e-12);
-            double last = std::acos(std::clamp(edge, -1.0, 1.0));
-            for (int k = 0; k < around; k++) {
-                double phi = last * crowded(k, around).at;
-                double vdoth = view_sine * sine * std::cos(phi) + ndotv * ndoth, ndotl = 2 * vdoth * ndoth - ndotv;
-                if (ndotl <= 0 || vdoth <= 0) continue;
-                // w = 4 V (n.l) (v.h) / (n.h), with Smith's exact joint V.
-                double light_root = std::sqrt(ndotl * ndotl * (1 - a2) + a2);
-                double weight = 2 * ndotl * vdoth / (ndoth * (ndotl * view_root + ndotv * light_root));
-                weight *= share * last * crowded(k, around).step;
-                double fresnel = std::pow(1 - vdoth, 5);
-                scale += (1 - fresnel) * weight;
-                offset += fresnel * weight;
-            }
-        }
-    }
-    return {scale, offset};
-}
-
-std::shared_ptr<const TextureData> split_sum_table() {
-    static const auto kTable = [] {
-        constexpr int kSize = 64, kSamples = 24;
-        TextureLevel level{.width = kSize, .height = kSize, .texels = {}};
-        for (int y = 0; y < kSize; y++) {
-            double roughness = double(y) / (kSize - 1);
-            for (int x = 0; x < kSize; x++) {
-                double root = double(x) / (kSize - 1);
-                auto [scale, offset] = split_sum(roughness * roughness, root * root, kSamples);
-                level.texels.insert(level.texels.end(), {float(scale), float(offset), 0, 1});
-            }
-        }
-        TextureData data{.levels = {std::move(level)},
-                         .sampler = {.wrap = "clamp", .filter = "linear", .anisotropy = 1},
-                         .faces = 1};
-        return std::make_shared<const TextureData>(std::move(data));
-    }();
-    return kTable;
 }
 
 }  // namespace patina::runtime

@@ -28,17 +28,18 @@ SphericalHarmonics gradient_ambient(glm::vec3 sky, glm::vec3 horizon, glm::vec3 
 // The basis at a unit direction.
 std::array<float, 9> spherical_harmonics_basis(glm::vec3 direction);
 
-// Linear radiance that arrives from a unit direction of the world.
+// Linear radiance that arrives from a unit direction of the world; asked by several threads at once.
 using Radiance = std::function<glm::vec3(glm::vec3)>;
 
 // Levels of an environment's map, and how rough the surface is that level `level` is blurred for: 0 at the first, 1 at
 // the last, as MipFromRoughness reads them.
-inline constexpr int kEnvironmentLevels = 7;
+inline constexpr int kEnvironmentLevels = 6;
 float roughness_of_level(int level);
 
 class Environment {
 public:
-    // `face_size`: texels along a face of the cube, a power of two, 64 or more (the last level has 1 or more).
+    // `face_size`: texels along a face of the cube, a power of two, 256 or more: the last level has 8 or more, fewer of
+    // which would show as facets.
     Environment(Radiance radiance, int face_size);
     // What the coefficients describe, smooth as it is.
     explicit Environment(const SphericalHarmonics& ambient);
@@ -59,12 +60,5 @@ private:
 // A dim room with a sky above and three soft boxes: a large one at the upper left front, a tall cool one on the right
 // and a strip behind. The same object each time.
 std::shared_ptr<const Environment> studio_environment();
-
-// 64 x 64 texels; x: square root of n.v, y: perceptual roughness, both from 0 to 1 at the centres of the outer texels:
-// the node SplitSumTable reads it so, to 0.3 %. Red is the share of f0, green that of f90, for GGX with Smith's exact
-// joint visibility (Karis, SIGGRAPH 2013). The same object each time.
-std::shared_ptr<const TextureData> split_sum_table();
-// One entry of it, by quadrature: {scale, offset}. `alpha`: roughness squared; both from 0 to 1.
-std::array<double, 2> split_sum(double alpha, double ndotv, int samples);
 
 }  // namespace patina::runtime

@@ -29,7 +29,8 @@ Outcome<MerlTable> read_merl(const std::string& path) {
     std::error_code failure;
     const std::uintmax_t size = std::filesystem::file_size(path, failure);
     std::ifstream file(path, std::ios::binary);
-    if (failure || !file) return Failure{"cannot read '" + path + "'"};
+    if (failure || !file)
+        return Failure{"cannot read '" + path + "': " + (failure ? failure.message() : "no such file")};
     std::array<std::int32_t, 3> counts{};
     if (size < sizeof counts || !file.read(reinterpret_cast<char*>(counts.data()), sizeof counts))
         return Failure{"'" + path + "' is no MERL table: it has " + std::to_string(size) + " bytes"};
@@ -50,7 +51,8 @@ Outcome<MerlTable> read_merl(const std::string& path) {
         file.read(reinterpret_cast<char*>(channel.data()), std::streamsize(channel.size() * sizeof(double)));
         if (!file) return Failure{"cannot read '" + path + "'"};
         for (double& value : channel) {
-            if (!std::isfinite(value)) return Failure{"'" + path + "' holds a value that is not a number"};
+            // Beyond that a texture of floats holds nothing; what was measured is below a million.
+            if (!(std::abs(value) < 1e30)) return Failure{"'" + path + "' holds a value that is no reflectance"};
             value *= kScale[c];
         }
     }

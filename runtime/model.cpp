@@ -1,19 +1,26 @@
 #include "runtime/model.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "runtime/environment.h"
+#include "runtime/split_sum.h"
 
 namespace patina::runtime {
 namespace {
 
 // A word of the command line as a JSON value: a number, a list of numbers, true, false, or a string.
 std::string as_json(const std::string& word) {
-    const bool is_number_list = !word.empty() && word.find_first_not_of("0123456789+-.eE, ") == word.npos &&
-                                word.front() != 'e' && word.front() != 'E';
-    if (is_number_list) return word.find(',') == word.npos ? word : "[" + word + "]";
+    if (const std::optional<std::vector<double>> numbers = read_numbers(word)) {
+        std::string text;
+        for (double number : *numbers) text += fmt::format("{}{}", text.empty() ? "" : ", ", number);
+        return numbers->size() == 1 ? text : "[" + text + "]";
+    }
     if (word == "true" || word == "false") return word;
     std::string text = "\"";
     for (char c : word) {
@@ -46,7 +53,7 @@ Result compile(const Compiler& compiler, const ModelChoice& choice, const Words&
     options.targets = {};
     options.passes = {"forward"};
     options.keep_programs = true;
-    return compiler.compile_text("model.graph.json", material, options);
+    return compiler.compile_text("--model", material, options);
 }
 
 // What the surface does not have may be a property of the lighting graph; if that has none of the name either, the
@@ -89,6 +96,25 @@ std::array<float, 4> texel_of(const std::string& default_value) {
 }
 
 }  // namespace
+
+std::optional<std::vector<double>> read_numbers(const std::string& word) {
+    std::vector<double> numbers;
+    const char* at = word.data();
+    const char* end = at + word.size();
+    while (at != end) {
+        if (std::isspace(static_cast<unsigned char>(*at)) || *at == ',' || *at == '[' || *at == ']') {
+            ++at;
+            continue;
+        }
+        double value = 0;
+        const auto [next, failure] = std::from_chars(at + (*at == '+' ? 1 : 0), end, value);
+        if (failure != std::errc() || !std::isfinite(value)) return {};
+        numbers.push_back(value);
+        at = next;
+    }
+    if (numbers.empty()) return {};
+    return numbers;
+}
 
 std::map<std::string, Triple*> named_inputs(ModelPoint& point, ModelLight& light) {
     return {{"n", &point.n},
@@ -146,8 +172,16 @@ const std::vector<Diagnostic>& Model::diagnostics() const {
 }
 
 // The point is the world's origin; the camera stands where v points to.
-Triple Model::Impl::run(const ModelPoint& point, const ModelLight& light, bool with_environment) {
+Triple Model::Impl::run(const ModelPoint& given, const ModelLight& light, bool with_environment) {
     const auto four = [](const Triple& t) { return std::array{t[0], t[1], t[2], 0.0}; };
+    // Only the way that they point counts; the squares of very long and very short ones would not fit.
+    ModelPoint point = given;
+    for (Triple* direction : {&point.n, &point.l, &point.v, &point.t}) {
+        const double largest =
+            std::max({std::abs((*direction)[0]), std::abs((*direction)[1]), std::abs((*direction)[2])});
+        if (largest > 0 && (largest > 1e6 || largest < 1e-6))
+            for (double& component : *direction) component /= largest;
+    }
     stage->set_value("camera_position_ws", point.v);
     stage->set_value("light_position", four(point.l));  // w = 0: a direction
     stage->set_value("light_color", four(light.light));

@@ -8,6 +8,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,6 +37,10 @@ struct ModelPoint {
 struct ModelLight {
     Triple light{1, 1, 1}, ambient{0, 0, 0}, environment{0, 0, 0};
 };
+
+// The numbers of a word: "0.5", "0,0,1", "[[1, 0], [0, .5]]" (brackets and spaces do not matter); nothing if it holds
+// anything else, or a number that no double holds.
+std::optional<std::vector<double>> read_numbers(const std::string& word);
 
 // What `patina eval` calls them: n, l, v, t, light, ambient, environment.
 std::map<std::string, Triple*> named_inputs(ModelPoint& point, ModelLight& light);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "runtime/split_sum.h"
+
 namespace patina::runtime {
 namespace {
 

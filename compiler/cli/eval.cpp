@@ -1,11 +1,11 @@
 // patina eval: what one node, one lighting term or one lighting model computes, by the CPU reference.
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "compiler/cli/commands.h"
 #include "compiler/cli/json_numbers.h"
@@ -65,20 +65,11 @@ Outputs evaluate_term(const Console& console, const Arguments& arguments, const 
     return std::move(result.outputs);
 }
 
-// Three numbers, or nothing.
+// Three numbers, or one for all three; or nothing.
 std::optional<runtime::Triple> read_triple(const std::string& text) {
-    runtime::Triple triple{};
-    const char* at = text.data();
-    const char* end = at + text.size();
-    for (std::size_t i = 0; i < 3; ++i) {
-        while (at != end && (*at == ' ' || (i > 0 && *at == ','))) ++at;
-        const auto [next, failure] = std::from_chars(at, end, triple[i]);
-        if (failure != std::errc() || !std::isfinite(triple[i])) return {};
-        at = next;
-        if (i == 0 && at == end) return runtime::Triple{triple[0], triple[0], triple[0]};
-    }
-    if (at != end) return {};
-    return triple;
+    const std::optional<std::vector<double>> numbers = runtime::read_numbers(text);
+    if (!numbers || (numbers->size() != 1 && numbers->size() != 3)) return {};
+    return runtime::Triple{numbers->front(), numbers->size() == 3 ? (*numbers)[1] : numbers->front(), numbers->back()};
 }
 
 Outputs evaluate_model(const Console& console, const Arguments& arguments, const Compiler& compiler,
@@ -87,7 +78,12 @@ Outputs evaluate_model(const Console& console, const Arguments& arguments, const
     runtime::ModelPoint point;
     runtime::ModelLight light;
     const std::map<std::string, runtime::Triple*> triples = runtime::named_inputs(point, light);
+    std::set<std::string> given;
     for (const auto& [name, text] : values) {
+        if (!given.insert(name).second) {
+            complain(console, "bad-value", fmt::format("'{}' is given twice", name));
+            return {};
+        }
         const auto triple = triples.find(name);
         if (triple == triples.end()) {
             choice.values.emplace_back(name, text);

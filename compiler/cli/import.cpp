@@ -60,14 +60,15 @@ Exit import_table(const Console& console, const Arguments& arguments, const std:
         complain(console, "cannot-write", fmt::format("'{}' exists already; it may hold work of yours", path));
         return Exit::Wrong;
     }
-    // The graph first: it makes the folder.
-    OutputFiles files;
-    files.add(graph, graph_of(name));
+    // The graph last: where it is, its table is.
     const bool is_new_folder = !folder.empty() && !fs::exists(folder, failure);
-    std::string error = commit(files);
+    if (!folder.empty()) fs::create_directories(folder, failure);
+    std::string error = runtime::save_exr(picture, runtime::as_texture(table.value));
     if (error.empty()) {
-        error = runtime::save_exr(picture, runtime::as_texture(table.value));
-        if (!error.empty()) fs::remove(graph, failure);
+        OutputFiles files;
+        files.add(graph, graph_of(name));
+        error = commit(files);
+        if (!error.empty()) fs::remove(picture, failure);
     }
     if (!error.empty()) {
         if (is_new_folder) fs::remove(folder, failure);  // if there is nothing in it

@@ -28,26 +28,6 @@ const rapidjson::Document& terms() {
 
 // --- inputs
 
-// The numbers of a word, or nothing if it holds anything else.
-std::optional<std::vector<double>> read_numbers(const std::string& word) {
-    std::vector<double> numbers;
-    const char* at = word.data();
-    const char* end = at + word.size();
-    while (at != end) {
-        if (std::isspace(static_cast<unsigned char>(*at)) || *at == ',' || *at == '[' || *at == ']') {
-            ++at;
-            continue;
-        }
-        double value = 0;
-        const auto [next, failure] = std::from_chars(at + (*at == '+' ? 1 : 0), end, value);
-        if (failure != std::errc()) return {};
-        numbers.push_back(value);
-        at = next;
-    }
-    if (numbers.empty()) return {};
-    return numbers;
-}
-
 // What expressions read, and the words that choices are made by.
 struct Inputs {
     std::vector<NamedValue> values;
@@ -102,10 +82,6 @@ public:
     TermResult run(const TermInputs& given) {
         const bool good = read_inputs(given) && (!term_.HasMember("let") || let()) &&
                           (!term_.HasMember("node") || node()) && (!term_.HasMember("model") || model()) && outputs();
-        // What could not be worked out for want of an input is best told by the input's name.
-        const std::vector<std::string> missing = not_given();
-        if (!good && result_.error.empty() && !missing.empty())
-            fail(fmt::format("the term needs a value for {}", fmt::join(missing, ", ")));
         result_.ok = good;
         return std::move(result_);
     }
@@ -116,17 +92,34 @@ private:
         return false;
     }
 
+    // The names in a list of the term, "optional" or "words".
+    std::vector<std::string> names_in(const char* list) const {
+        std::vector<std::string> names;
+        const auto found = term_.FindMember(list);
+        if (found == term_.MemberEnd()) return names;
+        for (const Json& name : found->value.GetArray()) names.emplace_back(name.GetString());
+        return names;
+    }
+    static bool contains(const std::vector<std::string>& names, const std::string& name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    }
+
     bool read_inputs(const TermInputs& given) {
-        for (const Json& name : term_["inputs"].GetArray()) known_.emplace_back(name.GetString());
+        known_ = names_in("inputs");
+        const std::vector<std::string> words = names_in("words"), optional = names_in("optional");
         for (const auto& [name, word] : given) {
-            if (std::find(known_.begin(), known_.end(), name) == known_.end()) {
-                return fail(fmt::format("the term has no input '{}'; it has {}", name, fmt::join(known_, ", ")));
+            if (!contains(known_, name)) {
+                return fail(known_.empty()
+                                ? fmt::format("the term has no inputs, and so no '{}'", name)
+                                : fmt::format("the term has no input '{}'; it has {}", name, fmt::join(known_, ", ")));
             }
-            if (inputs_.has(name) || inputs_.words.contains(name))
-                return fail(fmt::format("'{}' is given twice", name));
-            std::optional<std::vector<double>> numbers = read_numbers(word);
+            if (inputs_.words.contains(name)) return fail(fmt::format("'{}' is given twice", name));
             inputs_.words[name] = word;
-            if (!numbers) continue;
+            std::optional<std::vector<double>> numbers = runtime::read_numbers(word);
+            if (!numbers) {
+                if (contains(words, name)) continue;
+                return fail(fmt::format("'{}' is a number or a list of them, not '{}'", name, word));
+            }
             std::size_t width = 0;
             if (const auto widths = term_.FindMember("widths"); widths != term_.MemberEnd()) {
                 const auto found = widths->value.FindMember(name.c_str());
@@ -134,6 +127,9 @@ private:
             }
             add_input(inputs_, name, std::move(*numbers), width);
         }
+        std::vector<std::string> missing = not_given();
+        std::erase_if(missing, [&](const std::string& name) { return contains(optional, name); });
+        if (!missing.empty()) return fail(fmt::format("the term needs a value for {}", fmt::join(missing, ", ")));
         return true;
     }
 
@@ -142,6 +138,10 @@ private:
         if (mapping.IsString()) {
             const std::string expression = mapping.GetString();
             if (reads_unknown(expression, not_given(), inputs_)) return {};
+            if (is_beyond(expression)) {
+                fail(fmt::format("the inputs have too few numbers for '{}'", expression));
+                return {};
+            }
             return expression;
         }
         const std::string by = mapping["by"].GetString();
@@ -231,10 +231,13 @@ private:
 
     // A list that is as long as an input's: "i_7" is left out where the input has seven parts.
     bool is_beyond(const std::string& part) const {
+        const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
         for (const std::string& name : known_) {
             const std::size_t at = part.find(name + "_");
-            if (at == part.npos || inputs_.has(name)) continue;
-            const std::size_t end = part.find_first_not_of("0123456789", at + name.size() + 1);
+            if (at == part.npos || (at > 0 && is_word(part[at - 1]))) continue;
+            const std::size_t digits = at + name.size() + 1;
+            const std::size_t end = part.find_first_not_of("0123456789", digits);
+            if (end == digits || digits == part.size()) continue;
             if (!inputs_.has(part.substr(at, end - at))) return true;
         }
         return false;
@@ -295,7 +298,9 @@ TermResult evaluate_term(const Compiler& compiler, const std::string& term, cons
     if (found == terms().MemberEnd()) {
         const std::string near = suggestion(term, term_names());
         return {.ok = false,
-                .error = fmt::format("there is no term '{}'{}{}", term, near.empty() ? "" : "; ", near),
+                .error = near.empty()
+                             ? fmt::format("there is no term '{}'; there are {}", term, fmt::join(term_names(), ", "))
+                             : fmt::format("there is no term '{}'; {}", term, near),
                 .diagnostics = {},
                 .outputs = {},
                 .widths = {}};

@@ -3,7 +3,8 @@
 //
 //   "D_GGX": { "node": "DistributionGGX", "in": { "ndoth": "NoH", "alpha": "sqrt(a2)" } }
 //
-// "in" gives ports expressions over the term's inputs; a port whose inputs are not given keeps its default. "out" is an
+// "in" gives ports expressions over the term's inputs, all of which must be given but the "optional" ones, whose ports
+// keep their defaults; "words" are inputs that need not be numbers. "out" is an
 // expression over the node's outputs and the term's inputs, or several: a list is one vector, an object has names.
 // With "channel" the node works on colours, and the term on one number unless it is given a colour. Instead of a node
 // there may be a "model" with a "workflow", or nothing, and "out" says it all.

@@ -316,13 +316,16 @@ float3 BoxProjectedDirection(
 /// source: Unity built-in shaders, DecodeHDR
 /// test: DecodeHDR(float4(0.5, 0.25, 0.125, 0.5), float4(5, 2.2, 0, 1)) == float3(0.5440941020600775, 0.27204705103003873, 0.13602352551501937)
 /// test: DecodeHDR(float4(2, 1, 0.5, 1), float4(1, 1, 0, 0)) == float3(2, 1, 0.5)
+/// test: DecodeHDR(float4(0.5, 0.25, 0.125, 0.5), float4(5, 2.2, 0, 1), Gamma) == float3(1.25, 0.625, 0.3125)
 [node("Lighting/Ambient/Decode HDR")]
 float3 DecodeHDR(
     float4 encoded = 1,                          ///< the texel
-    float4 instructions = float4(1, 1, 0, 0)     ///< x: factor, y: exponent of alpha, w: 1 where alpha counts
+    float4 instructions = float4(1, 1, 0, 0),    ///< x: factor, y: exponent of alpha, w: 1 where alpha counts
+    const WorkingSpace space = Linear            ///< colour space that lighting is computed in; in gamma, y does not count
 ) {
     float scale = instructions.w * (encoded.a - 1) + 1;
-    return instructions.x * pow(max(scale, 1e-6), instructions.y) * encoded.rgb;
+    float factor = space == Linear ? pow(max(scale, 1e-6), instructions.y) : scale;
+    return instructions.x * factor * encoded.rgb;
 }
 
 /// Where a view-space normal reads a picture of a lit ball: a normal that points up reads the top of the picture.
@@ -336,7 +339,7 @@ float3 DecodeHDR(
 float2 MatcapUV(
     float3 normal_vs = float3(0, 0, 1)  ///< normal in view space: x right, y up, z to the viewer
 ) {
-    return normalize(normal_vs).xy * float2(0.5, -0.5) + 0.5;
+    return normal_vs.xy * rsqrt(max(dot(normal_vs, normal_vs), 1e-7)) * float2(0.5, -0.5) + 0.5;
 }
 
 /// Ambient occlusion, weakened or strengthened.
@@ -377,7 +380,7 @@ float3 OcclusionMultiBounce(
 
 /// How much of the mirrored surroundings ambient occlusion hides.
 ///
-/// formula: saturate((n.v + o)^(2^(-16 r - 1)) - 1 + o)
+/// formula: saturate((n.v + o)^(2^(-16 alpha - 1)) - 1 + o)
 /// source: Lagarde and de Rousiers, "Moving Frostbite to PBR", SIGGRAPH 2014, section 4.10.2
 /// test: SpecularOcclusion(0.5, 0.5, 0.5) == 0.5
 /// test: SpecularOcclusion(1, 0.3, 0) == 0.44017542509913804
@@ -386,7 +389,7 @@ float3 OcclusionMultiBounce(
 float SpecularOcclusion(
     [range(0, 1)] float ndotv,           ///< cosine of normal and view
     [range(0, 1)] float occlusion = 1,   ///< 1 open, 0 closed
-    [range(0, 1)] float roughness = 0.5  ///< perceptual roughness
+    [range(0, 1)] float alpha = 0.25     ///< roughness squared
 ) {
-    return saturate(pow(max(ndotv + occlusion, 1e-6), exp2(-16 * roughness - 1)) - 1 + occlusion);
+    return saturate(pow(max(ndotv + occlusion, 1e-6), exp2(-16 * alpha - 1)) - 1 + occlusion);
 }

@@ -3,7 +3,8 @@
 /// The inverse square law, ended smoothly at the light's range.
 ///
 /// formula: saturate(1 - (distance / range)^4)^2 / max(distance^2, 0.0001)
-/// source: Karis, "Real Shading in Unreal Engine 4", SIGGRAPH 2013, eq. 9
+/// source: Lagarde and de Rousiers, "Moving Frostbite to PBR", SIGGRAPH 2014, listing 4; the window is that of Karis, "Real
+/// source: Shading in Unreal Engine 4", SIGGRAPH 2013, eq. 9
 /// test: InverseSquareAttenuation(2, 4) == 0.2197265625
 /// test: InverseSquareAttenuation(0.5, 10) == 3.9999500001562502
 /// test: InverseSquareAttenuation(4, 4) == 0

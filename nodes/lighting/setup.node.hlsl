@@ -277,27 +277,72 @@ void SpecularFromMetallic(
     glossiness = 1 - roughness;
 }
 
-/// The metallic/roughness description of a specular/gloss surface, exact where one exists and close to it elsewhere.
+/// How well MetallicFromSpecular fits a surface that has no exact description.
+enum MetallicFit {
+    Quick,  ///< metallic from the strongest channels
+    Best    ///< metallic searched for: too slow for a picture, right for converting a material once
+};
+
+// The base colour whose diffuse and specular colours are equally far off in each channel, for a given metallic: no other
+// is nearer. Exact where one is.
+float3 fitted_base_color(float3 scattered, float3 specular, float metallic) {
+    float dielectric = 1 - metallic;
+    return saturate((scattered + specular - 0.04 * dielectric) / (0.96 * dielectric + metallic));
+}
+
+// The largest difference in any channel of the diffuse and the specular colour.
+float metallic_fit_error(float3 scattered, float3 specular, float metallic) {
+    float3 base_color = fitted_base_color(scattered, specular, metallic);
+    float3 off_diffuse = abs(MetallicSetup(base_color, metallic).diffuse_color - scattered);
+    float3 off_specular = abs(MetallicSetup(base_color, metallic).f0 - specular);
+    return max(SpecularStrength(off_diffuse, Largest), SpecularStrength(off_specular, Largest));
+}
+
+// The metallic of the smallest error: the best of 64, then the golden section between its neighbours.
+float best_metallic(float3 scattered, float3 specular, float quick) {
+    float best = quick;
+    float least = metallic_fit_error(scattered, specular, quick);
+    for (int i = 0; i < 65; i++) {
+        float error = metallic_fit_error(scattered, specular, float(i) / 64);
+        best = error < least ? float(i) / 64 : best;
+        least = min(error, least);
+    }
+    float low = max(best - 1.0 / 64, 0);
+    float high = min(best + 1.0 / 64, 1);
+    for (int k = 0; k < 16; k++) {
+        float a = lerp(high, low, 0.6180339887);
+        float b = lerp(low, high, 0.6180339887);
+        bool left = metallic_fit_error(scattered, specular, a) < metallic_fit_error(scattered, specular, b);
+        low = left ? low : a;
+        high = left ? b : high;
+    }
+    float middle = 0.5 * (low + high);
+    return metallic_fit_error(scattered, specular, middle) < least ? middle : best;
+}
+
+/// The metallic/roughness description of a specular/gloss surface, exact where one exists and the nearest elsewhere.
 ///
 /// One exists where the specular colour lies between 0.04 and the base colour. Elsewhere (a reflectance below 0.04, or
-/// a coloured one on a diffuse surface of another hue) the metallic share comes from the strongest channels and the
-/// base colour from both colours, weighted by it. `error` is the largest difference in any channel of the diffuse and
-/// the specular colour that come out of the description, 0 where it is exact.
+/// a coloured one on a diffuse surface of another hue) the base colour is the best for its metallic, and `fit` says
+/// where that comes from. `error` is the largest difference in any channel of the diffuse and the specular colour that
+/// come out of the description, 0 where it is exact.
 ///
 /// formula: metallic m solves 0.04 (1 - m) + b m = s and 0.96 (1 - m) b = d for the strongest channel:
-/// formula: 0.04 m^2 + (d / 0.96 + s - 0.08) m + 0.04 - s = 0
+/// formula: 0.04 m^2 + (d / 0.96 + s - 0.08) m + 0.04 - s = 0; b = (d + s - 0.04 (1 - m)) / (0.96 (1 - m) + m)
 /// source: Khronos, KHR_materials_pbrSpecularGlossiness, appendix, with 0.96 for the diffuse share as here
 /// test: MetallicFromSpecular(float3(0.8, 0.4, 0.1), float3(0.04, 0.04, 0.04), 0.7).metallic == 0
 /// test: MetallicFromSpecular(float3(0.8, 0.4, 0.1), float3(0.04, 0.04, 0.04), 0.7).base_color == float3(0.8, 0.4, 0.1)
 /// test: MetallicFromSpecular(float3(0, 0, 0), float3(0.8, 0.4, 0.1), 0.7).metallic == 1
 /// test: MetallicFromSpecular(float3(0, 0, 0), float3(0.8, 0.4, 0.1), 0.7).base_color == float3(0.8, 0.4, 0.1)
-/// test: MetallicFromSpecular(float3(0.5, 0.5, 0.5), float3(0, 0, 0), 0.7).error == 0.04
+/// test: MetallicFromSpecular(float3(0, 0, 0), float3(0, 0, 0), 0.7).error == 0.04
+/// test: MetallicFromSpecular(float3(0, 0, 0), float3(0, 0, 0), 0.7, Best).error == 0 within 1e-3
 /// test: MetallicFromSpecular(float3(0.5, 0.5, 0.5), float3(0.2, 0.2, 0.2), 0.7).roughness == 0.3
 [node("Lighting/Setup/Metallic from Specular")]
 void MetallicFromSpecular(
     [color] float3 diffuse = 0.5,          ///< base colour of the specular workflow
     [color] float3 specular = 0.04,        ///< reflectance looked at straight
     [range(0, 1)] float glossiness = 0.5,  ///< 1 - roughness
+    const MetallicFit fit = Quick,         ///< where no description is exact
     [range(0, 1)] out float3 base_color,   ///< colour of the surface
     [range(0, 1)] out float metallic,      ///< 0 is a dielectric, 1 a metal
     [range(0, 1)] out float roughness,     ///< perceptual roughness
@@ -312,11 +357,8 @@ void MetallicFromSpecular(
     float root = sqrt(max(half_b * half_b - 0.04 * c, 0));
     float plain = half_b > 0 ? -c / max(half_b + root, 1e-6) : (root - half_b) / 0.04;
     metallic = saturate(s <= 0.04 ? 0 : plain);
-    float3 from_diffuse = scattered / max(0.96 * (1 - metallic), 1e-4);
-    float3 from_specular = (specular - 0.04 * (1 - metallic)) / max(metallic, 1e-4);
-    base_color = saturate(lerp(from_diffuse, from_specular, metallic * metallic));
+    if (fit == Best) { metallic = best_metallic(scattered, specular, metallic); }
+    base_color = fitted_base_color(scattered, specular, metallic);
     roughness = 1 - glossiness;
-    float3 off_diffuse = abs(MetallicSetup(base_color, metallic).diffuse_color - scattered);
-    float3 off_specular = abs(MetallicSetup(base_color, metallic).f0 - specular);
-    error = max(SpecularStrength(off_diffuse, Largest), SpecularStrength(off_specular, Largest));
+    error = metallic_fit_error(scattered, specular, metallic);
 }

@@ -39,7 +39,8 @@ float shadow(int index, float3 position) {
 }
 
 /// The inverse square law, with a window that ends it smoothly at the light's range.
-/// source: Karis, "Real Shading in Unreal Engine 4", SIGGRAPH 2013, eq. 9
+/// source: Lagarde and de Rousiers, "Moving Frostbite to PBR", SIGGRAPH 2014, listing 4; the window is that of Karis, "Real
+/// source: Shading in Unreal Engine 4", SIGGRAPH 2013, eq. 9
 float distance_attenuation(float distance_squared, float range) {
     float ratio = distance_squared / (range * range);
     float window = saturate(1 - ratio * ratio);

@@ -4,6 +4,8 @@
 
 [extern("Ambient")] float4 ambient_sh[9];  // radiance coefficients, order l(l+1)+m, z up as in Ramamoorthi & Hanrahan 2001
 
+const float ENVIRONMENT_STEPS = 5;  // level of the map that is blurred for a roughness of 1
+
 [extern] TextureCube environment_map;  // radiance; each level is blurred as a rougher surface mirrors it
 // x: square root of n.v, y: perceptual roughness, from 0 to 1 at the centres of the outer of 64 x 64 texels; red: scale of
 // f0, green: offset
@@ -29,7 +31,7 @@ float3 EnvironmentRadiance(
     float3 direction = normal_ws,        ///< unit direction in world space
     [range(0, 1)] float roughness = 0.5  ///< perceptual roughness
 ) {
-    return environment_map.SampleLevel(direction, MipFromRoughness(saturate(roughness))).rgb;
+    return environment_map.SampleLevel(direction, MipFromRoughness(saturate(roughness), ENVIRONMENT_STEPS)).rgb;
 }
 
 /// The table of the split sum: how strongly a rough surface mirrors light that comes from everywhere alike.

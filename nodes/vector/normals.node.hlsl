@@ -85,10 +85,14 @@ float3 NormalBlend(
     float3 detail = float3(0, 0, 1),         ///< unit normal of the layer above
     const NormalBlendMode mode = Reoriented  ///< how they are combined
 ) {
-    if (mode == Whiteout) { return normalize(float3(base.xy + detail.xy, base.z * detail.z)); }
+    if (mode == Whiteout) {
+        float3 sum = float3(base.xy + detail.xy, base.z * detail.z);
+        return sum * rsqrt(max(dot(sum, sum), 1e-7));
+    }
     float3 tilted = base + float3(0, 0, 1);
     float3 mirrored = detail * float3(-1, -1, 1);
-    return tilted * (dot(tilted, mirrored) / tilted.z) - mirrored;
+    // A base that points straight into the surface has no tilt to speak of.
+    return tilted * (dot(tilted, mirrored) / max(tilted.z, 1e-4)) - mirrored;
 }
 
 /// A normal from tangent space, in the world.

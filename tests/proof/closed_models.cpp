@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "runtime/environment.h"
+#include "runtime/split_sum.h"
 
 namespace patina::proof {
 namespace {
@@ -111,7 +112,7 @@ Color phong_classic(const Surface& s, const Directions& d) {
 }
 Color phong_normalized(const Surface& s, const Directions& d) {
     const double alpha = std::max(s.roughness * s.roughness, 0.002);
-    const double exponent = std::max(2 / std::max(alpha * alpha, 1e-4) - 2, 1e-4) / 4;
+    const double exponent = std::max(std::max(2 / std::max(alpha * alpha, 1e-4) - 2, 1e-4) / 4, 1.0);
     const double lobe = (exponent + 2) / 2 * std::pow(mirror_cosine(d), exponent) * clamped(dot(d.n, d.l));
     return plus(lambert(s, d), times(s.f0(), mirror_cosine(d) > 0 ? lobe : 0));
 }
@@ -279,7 +280,7 @@ Color energy_conserving_environment(const Surface& s, const Directions& d) {
     const double nv = absolute_nv(d);
     const SplitSum e = split_sum(s, nv);
     // Lagarde's specular occlusion.
-    const double open = clamped(std::pow(nv + s.occlusion, std::exp2(-16 * s.roughness - 1)) - 1 + s.occlusion);
+    const double open = clamped(std::pow(nv + s.occlusion, std::exp2(-16 * s.roughness * s.roughness - 1)) - 1 + s.occlusion);
     return times(mixed(whole_albedo(gray(0.04), e), whole_albedo(s.base, e), s.metallic), open);
 }
 

@@ -125,7 +125,7 @@ TEST_F(Merl, RefusesFilesThatAreNoTables) {
             std::vector<double> spoilt = numbers;
             spoilt[place] = bad;
             write({2, 2, 4}, spoilt);
-            expect_refused("a value that is not a number");
+            expect_refused("a value that is no reflectance");
         }
     }
     fs::remove(path);

@@ -92,6 +92,13 @@ TEST(Terms, BadWordsAreToldApart) {
     EXPECT_EQ(error("D_GGX", {{"a2", "0.5"}, {"NdotH", "1"}}), "the term has no input 'NdotH'; it has a2, NoH");
     EXPECT_EQ(error("D_GGX", {{"a2", "0.5"}}), "the term needs a value for NoH");
     EXPECT_EQ(error("D_GGX", {{"a2", "0.5"}, {"a2", "1"}}), "'a2' is given twice");
+    for (const char* word : {"abc", "", "nan", "1e-400", "0.5x"}) {
+        EXPECT_EQ(error("D_GGX", {{"a2", word}, {"NoH", "1"}}),
+                  std::string("'a2' is a number or a list of them, not '") + word + "'");
+    }
+    EXPECT_EQ(error("unity_sh_pack", {{"radiance_sh_zup", "1,2,3"}}),
+              "the inputs have too few numbers for 'radiance_sh_zup_0'");
+    EXPECT_EQ(error("sh_cosine_factors", {{"x", "1"}}), "the term has no input 'x'; it has l");
     EXPECT_EQ(error("OneMinusReflectivityFromMetallic", {{"metallic", "0"}, {"colorspace", "srgb"}}),
               "'srgb' is no 'colorspace'; there are linear, gamma");
 }

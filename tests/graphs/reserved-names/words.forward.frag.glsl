@@ -250,7 +250,7 @@ void main()
     vec3 reflected = reflect(-view_dir_ws, normal_ws);
 
     // EnvironmentRadiance "environment"
-    float mip_from_roughness = MipFromRoughness(clamp(material.roughness, 0.0, 1.0), 6.0);
+    float mip_from_roughness = MipFromRoughness(clamp(material.roughness, 0.0, 1.0), 5.0);
     vec4 environment_texel = textureLod(samplerCube(environment_map, environment_map_sampler), reflected,
         mip_from_roughness);
 

@@ -258,7 +258,7 @@ FragmentOutput main(FragmentInput input)
     float3 reflected = reflect(-view_dir_ws, normal_ws);
 
     // EnvironmentRadiance "environment"
-    float mip_from_roughness = MipFromRoughness(saturate(material.roughness), 6.0);
+    float mip_from_roughness = MipFromRoughness(saturate(material.roughness), 5.0);
     float4 environment_texel = environment_map.SampleLevel(environment_map_sampler, reflected, mip_from_roughness);
 
     // SurfaceReduction "reduction"

@@ -6,6 +6,13 @@ struct SpecularSetupMonochromeResult
 {
     vec3 diffuse_color;
     vec3 f0;
+    float one_minus_reflectivity;
+};
+
+struct MetallicSetupResult
+{
+    vec3 diffuse_color;
+    vec3 f0;
 };
 
 struct Surface
@@ -17,6 +24,12 @@ struct Surface
     float occlusion;
     vec3 emission;
     float alpha;
+};
+
+struct MetallicFromSpecularQuickResult
+{
+    float metallic;
+    float error;
 };
 
 struct Light
@@ -114,11 +127,38 @@ SpecularSetupMonochromeResult SpecularSetupMonochrome(vec3 base_color, vec3 spec
     SpecularSetupMonochromeResult specular_setup_monochrome_result;
     specular_setup_monochrome_result.diffuse_color = base_color * one_minus_reflectivity;
     specular_setup_monochrome_result.f0 = specular;
+    specular_setup_monochrome_result.one_minus_reflectivity = one_minus_reflectivity;
     return specular_setup_monochrome_result;
 }
 
-// The metallic/roughness description of a specular/gloss surface, exact where one exists and close to it elsewhere.
-float MetallicFromSpecular(vec3 diffuse, vec3 specular)
+vec3 fitted_base_color(vec3 scattered, vec3 specular, float metallic)
+{
+    float dielectric = 1.0 - metallic;
+    return clamp((scattered + specular - 0.04 * dielectric) / (0.96 * dielectric + metallic), 0.0, 1.0);
+}
+
+// Diffuse colour and reflectance of a surface between plastic and metal.
+MetallicSetupResult MetallicSetup(vec3 base_color, float metallic)
+{
+    float one_minus_reflectivity = 0.96 * (1.0 - metallic);
+    MetallicSetupResult metallic_setup_result;
+    metallic_setup_result.diffuse_color = base_color * one_minus_reflectivity;
+    metallic_setup_result.f0 = mix(vec3(0.04), base_color, metallic);
+    return metallic_setup_result;
+}
+
+float metallic_fit_error(vec3 scattered, vec3 specular, float metallic)
+{
+    vec3 base_color = fitted_base_color(scattered, specular, metallic);
+    MetallicSetupResult metallic_setup_result = MetallicSetup(base_color, metallic);
+    vec3 off_diffuse = abs(metallic_setup_result.diffuse_color - scattered);
+    vec3 off_specular = abs(metallic_setup_result.f0 - specular);
+    float limited = max(max(off_specular.x, off_specular.y), off_specular.z);
+    return max(max(max(off_diffuse.x, off_diffuse.y), off_diffuse.z), limited);
+}
+
+// The metallic/roughness description of a specular/gloss surface, exact where one exists and the nearest elsewhere.
+MetallicFromSpecularQuickResult MetallicFromSpecularQuick(vec3 diffuse, vec3 specular)
 {
     float s = max(max(specular.x, specular.y), specular.z);
     vec3 scattered = diffuse * (1.0 - s);
@@ -127,7 +167,11 @@ float MetallicFromSpecular(vec3 diffuse, vec3 specular)
     float c = 0.04 - s;
     float root = sqrt(max(half_b * half_b - 0.04 * c, 0.0));
     float plain = half_b > 0.0 ? (s - 0.04) / max(half_b + root, 1e-06) : (root - half_b) / 0.04;
-    return clamp(s <= 0.04 ? 0.0 : plain, 0.0, 1.0);
+    float metallic = clamp(s <= 0.04 ? 0.0 : plain, 0.0, 1.0);
+    MetallicFromSpecularQuickResult metallic_from_specular_quick_result;
+    metallic_from_specular_quick_result.metallic = metallic;
+    metallic_from_specular_quick_result.error = metallic_fit_error(scattered, specular, metallic);
+    return metallic_from_specular_quick_result;
 }
 
 // The inverse square law, with a window that ends it smoothly at the light's range.
@@ -205,9 +249,10 @@ void main()
     SpecularSetupMonochromeResult setup = SpecularSetupMonochrome(material.baseColor, material.specular);
 
     // MetallicFromSpecular "metal"
-    float metal = MetallicFromSpecular(material.baseColor, material.specular);
+    MetallicFromSpecularQuickResult metal = MetallicFromSpecularQuick(material.baseColor, material.specular);
 
-    float oneMinusReflectivity = 0.96 * (1.0 - metal);
+    float product = 0.96 * (1.0 - metal.metallic);
+    float oneMinusReflectivity = mix(product, setup.one_minus_reflectivity, clamp(metal.error * 50.0, 0.0, 1.0));
     float roughness = 1.0 - material.glossiness;
     vec3 normal_ws = normalize(material.normal_ws);
     int count = min(light_count, 16);
@@ -283,7 +328,7 @@ void main()
     vec3 reflected = reflect(-view_dir_ws, normal_ws);
 
     // EnvironmentRadiance "environment"
-    float mip_from_roughness = MipFromRoughness(clamp(roughness, 0.0, 1.0), 6.0);
+    float mip_from_roughness = MipFromRoughness(clamp(roughness, 0.0, 1.0), 5.0);
     vec4 environment_texel = textureLod(samplerCube(environment_map, environment_map_sampler), reflected,
         mip_from_roughness);
 
@@ -297,6 +342,6 @@ void main()
     // FresnelLerp "reflectance"
     vec3 reflectance = mix(setup.f0, vec3(grazing), SchlickWeight(ndotv));
 
-    vec3 product = (setup.diffuse_color * ambient + reduction * reflectance * environment_texel.xyz) * material.occlusion;
-    out_color = vec4(direct_sum + product + material.emission, material.alpha);
+    vec3 product_2 = (setup.diffuse_color * ambient + reduction * reflectance * environment_texel.xyz) * material.occlusion;
+    out_color = vec4(direct_sum + product_2 + material.emission, material.alpha);
 }

@@ -5,6 +5,13 @@ struct SpecularSetupMonochromeResult
 {
     float3 diffuse_color;
     float3 f0;
+    float one_minus_reflectivity;
+};
+
+struct MetallicSetupResult
+{
+    float3 diffuse_color;
+    float3 f0;
 };
 
 struct Surface
@@ -16,6 +23,12 @@ struct Surface
     float occlusion;
     float3 emission;
     float alpha;
+};
+
+struct MetallicFromSpecularQuickResult
+{
+    float metallic;
+    float error;
 };
 
 struct Light
@@ -120,11 +133,38 @@ SpecularSetupMonochromeResult SpecularSetupMonochrome(float3 base_color, float3 
     SpecularSetupMonochromeResult specular_setup_monochrome_result;
     specular_setup_monochrome_result.diffuse_color = base_color * one_minus_reflectivity;
     specular_setup_monochrome_result.f0 = specular;
+    specular_setup_monochrome_result.one_minus_reflectivity = one_minus_reflectivity;
     return specular_setup_monochrome_result;
 }
 
-// The metallic/roughness description of a specular/gloss surface, exact where one exists and close to it elsewhere.
-float MetallicFromSpecular(float3 diffuse, float3 specular)
+float3 fitted_base_color(float3 scattered, float3 specular, float metallic)
+{
+    float dielectric = 1.0 - metallic;
+    return saturate((scattered + specular - 0.04 * dielectric) / (0.96 * dielectric + metallic));
+}
+
+// Diffuse colour and reflectance of a surface between plastic and metal.
+MetallicSetupResult MetallicSetup(float3 base_color, float metallic)
+{
+    float one_minus_reflectivity = 0.96 * (1.0 - metallic);
+    MetallicSetupResult metallic_setup_result;
+    metallic_setup_result.diffuse_color = base_color * one_minus_reflectivity;
+    metallic_setup_result.f0 = lerp(float3(0.04, 0.04, 0.04), base_color, metallic);
+    return metallic_setup_result;
+}
+
+float metallic_fit_error(float3 scattered, float3 specular, float metallic)
+{
+    float3 base_color = fitted_base_color(scattered, specular, metallic);
+    MetallicSetupResult metallic_setup_result = MetallicSetup(base_color, metallic);
+    float3 off_diffuse = abs(metallic_setup_result.diffuse_color - scattered);
+    float3 off_specular = abs(metallic_setup_result.f0 - specular);
+    float limited = max(max(off_specular.x, off_specular.y), off_specular.z);
+    return max(max(max(off_diffuse.x, off_diffuse.y), off_diffuse.z), limited);
+}
+
+// The metallic/roughness description of a specular/gloss surface, exact where one exists and the nearest elsewhere.
+MetallicFromSpecularQuickResult MetallicFromSpecularQuick(float3 diffuse, float3 specular)
 {
     float s = max(max(specular.x, specular.y), specular.z);
     float3 scattered = diffuse * (1.0 - s);
@@ -133,7 +173,11 @@ float MetallicFromSpecular(float3 diffuse, float3 specular)
     float c = 0.04 - s;
     float root = sqrt(max(half_b * half_b - 0.04 * c, 0.0));
     float plain = half_b > 0.0 ? (s - 0.04) / max(half_b + root, 1e-06) : (root - half_b) / 0.04;
-    return saturate(s <= 0.04 ? 0.0 : plain);
+    float metallic = saturate(s <= 0.04 ? 0.0 : plain);
+    MetallicFromSpecularQuickResult metallic_from_specular_quick_result;
+    metallic_from_specular_quick_result.metallic = metallic;
+    metallic_from_specular_quick_result.error = metallic_fit_error(scattered, specular, metallic);
+    return metallic_from_specular_quick_result;
 }
 
 // The inverse square law, with a window that ends it smoothly at the light's range.
@@ -213,9 +257,10 @@ FragmentOutput main(FragmentInput input)
     SpecularSetupMonochromeResult setup = SpecularSetupMonochrome(material.baseColor, material.specular);
 
     // MetallicFromSpecular "metal"
-    float metal = MetallicFromSpecular(material.baseColor, material.specular);
+    MetallicFromSpecularQuickResult metal = MetallicFromSpecularQuick(material.baseColor, material.specular);
 
-    float oneMinusReflectivity = 0.96 * (1.0 - metal);
+    float product = 0.96 * (1.0 - metal.metallic);
+    float oneMinusReflectivity = lerp(product, setup.one_minus_reflectivity, saturate(metal.error * 50.0));
     float roughness = 1.0 - material.glossiness;
     float3 normal_ws = normalize(material.normal_ws);
     int count = min(light_count, 16);
@@ -291,7 +336,7 @@ FragmentOutput main(FragmentInput input)
     float3 reflected = reflect(-view_dir_ws, normal_ws);
 
     // EnvironmentRadiance "environment"
-    float mip_from_roughness = MipFromRoughness(saturate(roughness), 6.0);
+    float mip_from_roughness = MipFromRoughness(saturate(roughness), 5.0);
     float4 environment_texel = environment_map.SampleLevel(environment_map_sampler, reflected, mip_from_roughness);
 
     // SurfaceReduction "reduction"
@@ -304,8 +349,8 @@ FragmentOutput main(FragmentInput input)
     // FresnelLerp "reflectance"
     float3 reflectance = lerp(setup.f0, grazing.xxx, SchlickWeight(ndotv));
 
-    float3 product = (setup.diffuse_color * ambient + reduction * reflectance * environment_texel.xyz) * material.occlusion;
+    float3 product_2 = (setup.diffuse_color * ambient + reduction * reflectance * environment_texel.xyz) * material.occlusion;
     FragmentOutput output;
-    output.color = float4(direct_sum + product + material.emission, material.alpha);
+    output.color = float4(direct_sum + product_2 + material.emission, material.alpha);
     return output;
 }
