@@ -39,7 +39,8 @@ const std::vector<Row>& rows() {
         {"LightVector.light_position", {{0, 1, 0, 0}, {0, 0, 0, 1}, {5, -2, 3, 1}}, {}, true},
         {"LightVector.position", {{0, 0, 0}, {5, -2, 3}}},
         {"FourPointLights.falloff", numbers({0, 0.25, 1000}), {0, 25}},
-        {"MatcapUV.normal_vs", {{0, 0, 1}, {0, 0, -1}, {3, 0, 0}, {0.6, 0.8, 1e-4}}, {0.01, 2}},
+        {"MatcapUV.normal_vs", {{0, 0, 1}, {0, 0, -1}, {3, 0, 0}, {0.6, 0.8, 1e-4}, {0, 0, 0}}, {0.01, 2}},
+        {"NormalReconstructZ.xy", {{0, 0}, {1, 0}, {0.6, -0.8}, {1, 1}, {-3, 2}}, {-1, 1}},
         {"HueRotate.angle", numbers({0, 2, -7})},
         {"TangentFrame.normal", {{0, 0, 1}, {0, -3, 0}, {0.01, 0, 0}}, {0.01, 2}},
         // Not along the normal.

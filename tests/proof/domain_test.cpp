@@ -22,7 +22,8 @@ bool is_tried(const FunctionDecl& function) {
     const nodelang::Attribute* node = function.attribute("node");
     if (!node) return false;
     const std::string_view path = nodelang::attribute_text(*node);
-    return path.starts_with("Lighting/") || path.starts_with("Color/") || path.starts_with("Math/Safe/");
+    return path.starts_with("Lighting/") || path.starts_with("Color/") || path.starts_with("Math/Safe/") ||
+           path.starts_with("Vector/Normal/") || path == "Vector/Safe Normalize";
 }
 
 bool takes_texture(const FunctionDecl& function) {
