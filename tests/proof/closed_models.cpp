@@ -280,7 +280,8 @@ Color energy_conserving_environment(const Surface& s, const Directions& d) {
     const double nv = absolute_nv(d);
     const SplitSum e = split_sum(s, nv);
     // Lagarde's specular occlusion.
-    const double open = clamped(std::pow(nv + s.occlusion, std::exp2(-16 * s.roughness * s.roughness - 1)) - 1 + s.occlusion);
+    const double open =
+        clamped(std::pow(nv + s.occlusion, std::exp2(-16 * s.roughness * s.roughness - 1)) - 1 + s.occlusion);
     return times(mixed(whole_albedo(gray(0.04), e), whole_albedo(s.base, e), s.metallic), open);
 }
 
