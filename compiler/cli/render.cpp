@@ -80,7 +80,8 @@ void add_render(Program& program) {
     command
         .add_option("--node", request.preview,
                     "Show this port, unlit: mask, rust.amount, or layers/mask in a sub-graph")
-        ->type_name("PORT");
+        ->type_name("PORT")
+        ->check([](const std::string& port) { return port.empty() ? std::string("it is empty") : std::string(); });
     add_picture_options(command, arguments->set, request);
     command.add_option("--via", request.via, "Which shaders to run (glsl)")
         ->type_name("glsl|hlsl|cpu")

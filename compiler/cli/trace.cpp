@@ -276,7 +276,8 @@ void add_trace(Program& program) {
     command
         .add_option("--node", arguments->node,
                     "Only this node and what is inside it, or one port: rust, rust/height, rust.amount")
-        ->type_name("ID");
+        ->type_name("ID")
+        ->check([](const std::string& id) { return id.empty() ? std::string("it is empty") : std::string(); });
     command.add_flag("--places", arguments->places, "Say where in the graph's text each value stands");
     command.add_flag("--double", arguments->in_double, "Compute in double; default: 32-bit float, as a GPU does");
     command.add_flag("--json", arguments->json, "Print everything as one JSON object, with all digits");
