@@ -36,6 +36,14 @@ std::string first_sentence(std::string_view doc) {
     return start == std::string::npos ? std::string() : line.substr(start);
 }
 
+// A body that was read only now must be as sound as one that was read with its file.
+const Statements& body_of(const FunctionDecl& function, Diagnostics& diagnostics) {
+    const Diagnostics* errors = body_errors(function);
+    if (errors && errors->has_errors())
+        diagnostics.report(Code::Internal, function.name_span, fmt::format("the body of '{}' is wrong", function.name));
+    return nodelang::body_of(function);
+}
+
 }  // namespace
 
 const Emitter::Instance& Emitter::instantiate(const FunctionDecl& function, const Declarations& home,
@@ -120,7 +128,7 @@ Emitter::Instance Emitter::emit_function(const FunctionDecl& function, const Dec
     scope.result = instance.result;
     made.result = instance.result;
     Value returned;
-    const bool returns = statements(body_of(function), 0, scope, returned);
+    const bool returns = statements(body_of(function, diagnostics_), 0, scope, returned);
     if (diagnostics_.error_count() != errors) return {.id = {}, .result = Type::error()};
     instance.rounds = scope.rounds;
     if (!returns) {
@@ -170,7 +178,7 @@ ir::FunctionId Emitter::semantic_function(const FunctionDecl& function, const De
     Value returned;
     const std::size_t errors = diagnostics_.error_count();
     active_.push_back(&function);
-    const bool returns = statements(body_of(function), 0, scope, returned);
+    const bool returns = statements(body_of(function, diagnostics_), 0, scope, returned);
     active_.pop_back();
     if (diagnostics_.error_count() != errors) return {};
     if (!returns) {
