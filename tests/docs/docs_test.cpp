@@ -105,7 +105,8 @@ TEST(Library, HasNoErrors) {
 
 // In the comment above its graph; see docs/graph-format.md.
 TEST(Models, SayWhenToUseThemAndWhereTheyComeFrom) {
-    for (const ModelInfo& model : Compiler().lighting_models()) {
+    const Compiler compiler;
+    for (const ModelInfo& model : compiler.lighting_models()) {
         EXPECT_FALSE(model.doc == model.title) << model.file << ": there is no comment above the graph";
         EXPECT_FALSE(model.use.empty()) << model.file << ": the comment has no line 'use:'";
         const bool is_lit = model.name != "unlit";

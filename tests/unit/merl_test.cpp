@@ -32,7 +32,8 @@ protected:
     void write(std::array<std::int32_t, 3> counts, const std::vector<double>& numbers, std::size_t cut = 0) const {
         std::string bytes(sizeof counts + numbers.size() * sizeof(double), '\0');
         std::memcpy(bytes.data(), counts.data(), sizeof counts);
-        std::memcpy(bytes.data() + sizeof counts, numbers.data(), numbers.size() * sizeof(double));
+        std::copy_n(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double),
+                    bytes.begin() + sizeof counts);
         bytes.resize(bytes.size() - cut);
         std::ofstream(path, std::ios::binary) << bytes;
     }
