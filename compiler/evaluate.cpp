@@ -137,6 +137,17 @@ std::vector<EvalOutput> split_outputs(const ir::Module& module, const Typed& val
     return outputs;
 }
 
+// Runs what was emitted for `value`, unless it could not be.
+Evaluation evaluated(Bench& bench, const Typed& value, Precision precision, Diagnostics& diagnostics) {
+    Evaluation evaluation;
+    if (!value.ok() || !bench.is_whole(diagnostics)) return evaluation;
+    tolerance_of(bench.module, evaluation.relative, evaluation.absolute);
+    const std::vector<double> flat = bench.run(value, precision);
+    evaluation.outputs = split_outputs(bench.module, value, flat);
+    evaluation.ok = true;
+    return evaluation;
+}
+
 std::optional<std::vector<double>> constant(const EvaluationContext& context, const Expr& expr,
                                             std::optional<ir::Type> type, Diagnostics& diagnostics) {
     Bench bench(context, diagnostics);
@@ -241,28 +252,16 @@ std::optional<NodeTest> read_test(const EvaluationContext& context, const nodela
 Evaluation evaluate_call(const EvaluationContext& context, const nodelang::FunctionDecl& function,
                          std::span<const Expr* const> arguments, Precision precision, Diagnostics& diagnostics,
                          Span span) {
-    Evaluation evaluation;
     Bench bench(context, diagnostics);
-    const Typed value = bench.emitter.call(function, context.declarations, arguments, bench.scope, span, false);
-    if (!value.ok() || !bench.is_whole(diagnostics)) return evaluation;
-    tolerance_of(bench.module, evaluation.relative, evaluation.absolute);
-    const std::vector<double> flat = bench.run(value, precision);
-    evaluation.outputs = split_outputs(bench.module, value, flat);
-    evaluation.ok = true;
-    return evaluation;
+    return evaluated(bench, bench.emitter.call(function, context.declarations, arguments, bench.scope, span, false),
+                     precision, diagnostics);
 }
 
 Evaluation evaluate_expression(const EvaluationContext& context, const Expr& expr, Precision precision,
                                Diagnostics& diagnostics) {
-    Evaluation evaluation;
     Bench bench(context, diagnostics);
-    const Typed value = bench.emitter.primary(bench.emitter.expression(expr, bench.scope), bench.scope, expr.span);
-    if (!value.ok() || !bench.is_whole(diagnostics)) return evaluation;
-    tolerance_of(bench.module, evaluation.relative, evaluation.absolute);
-    const std::vector<double> flat = bench.run(value, precision);
-    evaluation.outputs = split_outputs(bench.module, value, flat);
-    evaluation.ok = true;
-    return evaluation;
+    const Typed value = bench.emitter.expression(expr, bench.scope);
+    return evaluated(bench, bench.emitter.primary(value, bench.scope, expr.span), precision, diagnostics);
 }
 
 void check_functions(const EvaluationContext& context, const nodelang::Ast& ast, Diagnostics& diagnostics) {
