@@ -143,7 +143,7 @@ std::vector<Mirrored> mirrored_directions(float roughness, int count, int size) 
     for (int i = 0; i < count; i++) {
         // More of them in the tail, and each for less of it.
         double s = (i + 0.5) / count, u = 1 - (1 - s) * (1 - s), weight = 2 * (1 - s);
-        double phi = 2 * kPi * radical_inverse(std::uint32_t(i));
+        double phi = kPi * radical_inverse(std::uint32_t(i));
         double cos2 = (1 - u) / (1 + (a2 - 1) * u), sin2 = std::max(1 - cos2, 0.0);
         // l = 2 (v.h) h - v with v = (0, 0, 1)
         double along = 2 * cos2 - 1, across = 2 * std::sqrt(cos2 * sin2);
@@ -153,7 +153,7 @@ std::vector<Mirrored> mirrored_directions(float roughness, int count, int size) 
         double wide = weight / (2 * count * density);
         // Faces of fewer than 16 texels are too coarse for what is blurred no more than that.
         float level = float(std::clamp(0.5 * std::log2(wide / texel) + 0.5, 0.0, std::log2(size) - 4.0));
-        // In pairs, so that the lobe does not lean.
+        // In pairs, so that the lobe does not lean; azimuths are half a turn, or the pairs would fall on one another.
         for (double side : {across, -across}) {
             result.push_back({{side * std::cos(phi), side * std::sin(phi), along}, float(along * weight), level});
         }
