@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "patina/interpret.h"
 #include "runtime/environment.h"
 #include "runtime/mesh.h"
 
@@ -28,6 +29,16 @@ struct Camera {
 
 enum class LightKind { Directional, Point, Spot };
 
+// What a rendering path that cannot compute every light per pixel does with this one.
+enum class LightImportance { Auto, Important, NotImportant };
+
+struct LightShadow {
+    bool casts = false;
+    float strength = 1;        // 0 to 1: how dark
+    float bias = 0.05f;        // metres along the light's direction
+    float normal_bias = 0.4f;  // texels of the shadow map that a surface is shrunk by, along its normal
+};
+
 struct Light {
     LightKind kind = LightKind::Directional;
     glm::vec3 position{0, 2, 2};        // point and spot
@@ -35,6 +46,19 @@ struct Light {
     glm::vec3 color{1};                 // linear, times intensity; E / pi: what a white Lambert surface sends out
     float range = 10;                   // metres; no light beyond
     float inner_angle = 20, outer_angle = 30;  // degrees from a spot's axis: full light within, none outside
+    LightImportance importance = LightImportance::Auto;
+    LightShadow shadow{};
+    std::shared_ptr<const TextureData> cookie{};  // what the light shines through: its red; null: nothing
+    float cookie_size = 10;  // metres that a directional light's cookie spans; a spot's fills its cone
+};
+
+enum class FogMode { None, Linear, Exponential, ExponentialSquared };
+
+struct Fog {
+    FogMode mode = FogMode::None;
+    glm::vec3 color{0.5f};      // linear
+    float density = 0.05f;      // exponential: per metre
+    float start = 5, end = 50;  // linear: metres
 };
 
 inline constexpr std::size_t kMostLights = 16;
@@ -49,7 +73,8 @@ struct Scene {
     std::vector<Light> lights{};                       // at most kMostLights
     SphericalHarmonics ambient{};                      // what is around, for diffuse light
     std::shared_ptr<const Environment> environment{};  // the same for mirrors; null: what `ambient` says
-    float time = 0;                                    // seconds
+    Fog fog{};
+    float time = 0;  // seconds
     int width = 512, height = 512;
     int samples = 1;                                // per pixel along each axis: 4 averages 16
     glm::vec4 background{0.03f, 0.03f, 0.032f, 1};  // linear

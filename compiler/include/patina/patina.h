@@ -72,7 +72,12 @@ using Loader = std::function<std::optional<std::string>(const std::string& path)
 
 struct CompileOptions {
     std::vector<Target> targets = {Target::Glsl, Target::Hlsl};
-    std::vector<std::string> passes;        // empty: every pass that the material takes part in
+    // A rendering path of the library, or a file that holds one: "deferred", "./mine.pass.hlsl". A material that the
+    // path cannot take is compiled for the path's fallback, with a warning; the reflection says for which.
+    std::string path = "forward";
+    std::vector<std::string> passes{};  // these passes of any path instead
+    // Parts of the passes that can be had or left out, and their values: "shadows", "true".
+    std::vector<std::pair<std::string, std::string>> switches{};
     std::vector<std::string> include_dirs;  // searched for files after the graph's own folder
     Loader loader;                          // default: the file system
     // "mask", "rust.amount", or "layers/mask" inside the sub-graph of the node "layers": compile a material that shows

@@ -43,6 +43,7 @@ struct Texture {
     std::string usage = "color";   // color: sRGB, decoded when sampled | data: linear | normal: tangent-space, 2x - 1
     std::string default_value;     // white | black | gray | bump, or a file: its path from the compiled graph's folder
     bool is_material = true;       // false: the engine's own, which has no default
+    std::string reads{};           // the target of another pass that is to be bound here: "gbuffer_normal", "depth"
     std::uint32_t set = 0;
     std::uint32_t binding = 0;
     std::string hlsl_register;  // "t0, space1"
@@ -74,31 +75,56 @@ struct VertexInput {
     std::string hlsl_semantic;
 };
 
+// An image that a pass draws into. Passes that name the same target draw into the same image.
 struct RenderTarget {
-    std::string name;
+    std::string name;  // "color": what is shown in the end
     std::uint32_t location = 0;
-    std::string blend_source = "one";  // Vulkan's words in lower case: one, zero, src_alpha, one_minus_src_alpha
+    std::string format = "rgba16f";    // rgba8 | rgb10a2 | rgba16f | rgba32f | r32f
+    std::string blend_source = "one";  // Vulkan's words in lower case: one, zero, src_alpha, one_minus_src_alpha, ...
     std::string blend_destination = "zero";
+};
+
+struct Stencil {
+    std::string test = "always";  // as a depth test
+    std::string pass = "keep";    // what happens where both tests pass: keep | replace
+    std::string reference;        // lighting: a number that the materials of one lighting pass share; empty: unused
 };
 
 // A pass of the material: two stages and the fixed-function state that goes with them.
 struct Pass {
     std::string name;
-    std::string draws = "objects";  // objects | fullscreen
-    std::string cull = "back";      // back | front | off; front faces are counter-clockwise
+    std::string draws = "objects";  // objects | fullscreen | light-volumes
+    std::string each = "once";      // once | light: once for each of `lights`, which is then the only one it sees
+    // all | main: the brightest directional light, while the others come as vertex lights and in the ambient light |
+    // further: those that count per pixel beside the main one | directional | local: point and spot | shadowed | none
+    std::string lights = "all";
+    std::string camera = "any";  // any | perspective: another camera needs the path `fallback`
+    std::string fallback;        // a path; empty: none
+    std::string cull = "back";   // back | front | off; front faces are counter-clockwise
+    std::string depth_target = "depth";
     bool depth_write = true;
-    std::string depth_test = "lessEqual";  // as in `render`: never, less, equal, lessEqual, greater, ...
+    std::string depth_test = "lessEqual";         // as in `render`: never, less, equal, lessEqual, greater, ...
+    double depth_bias = 0, depth_slope_bias = 0;  // as Vulkan's: in units of the depth format, and times the slope
+    Stencil stencil;
     int queue = 2000;
-    std::vector<RenderTarget> targets;
+    std::vector<RenderTarget> targets;  // none: only depth
     std::vector<VertexInput> vertex_inputs;
     std::vector<std::string> blocks;    // names of the blocks that either stage reads
     std::vector<std::string> textures;  // names of the textures that either stage reads
 };
 
+// A part of the passes that can be had or left out: shadows, fog.
+struct Switch {
+    std::string name;
+    bool value = false;
+};
+
 struct Reflection {
     std::string name;
     std::string workflow, lighting;
-    std::string surface = "opaque";  // opaque | cutout
+    std::string surface = "opaque";  // opaque | cutout | fade | transparent | additive | multiply
+    std::string path = "forward";    // the rendering path that the passes belong to
+    std::vector<Switch> switches{};
     std::vector<Property> properties;
     std::vector<Block> blocks;
     std::vector<Texture> textures;

@@ -1,0 +1,39 @@
+// Several objects, each with a material, seen together: what a scene file (patina/scene.h) says, with its meshes made
+// and its numbers turned into matrices. Which shaders draw it, and in which order, is frame_plan.h.
+//
+//   World world{.view = default_scene(""), .materials = {{.name = "rust", .graph = "rust.graph.json"}},
+//               .objects = {{.name = "ball", .mesh = sphere, .material = 0}}};
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "runtime/scene.h"
+
+namespace patina::runtime {
+
+struct WorldMaterial {
+    std::string name{};
+    std::string graph{};                             // a file
+    std::map<std::string, std::string> overrides{};  // property -> its value in words, as material_values() takes them
+};
+
+struct WorldObject {
+    std::string name{};
+    std::shared_ptr<const Mesh> mesh{};
+    glm::mat4 object_to_world{1};
+    std::size_t material = 0;   // index into World::materials
+    std::string lightmap{};     // a file: baked light, looked up by the mesh's second texture coordinates; empty: none
+    std::string shadow_mask{};  // a file: baked shadow of each of four lights; empty: none
+};
+
+struct World {
+    Scene view{};  // camera, lights, surroundings, fog, time, size; its mesh and its object_to_world are unused
+    std::vector<WorldMaterial> materials{};
+    std::vector<WorldObject> objects{};
+    int pixel_light_count = 4;  // lights that the additive path computes per pixel where they are not "important"
+};
+
+}  // namespace patina::runtime
