@@ -111,3 +111,35 @@ float3 FourPointLights(
     float4 amount = ndotl / (1 + squared * falloff);
     return color0 * amount.x + color1 * amount.y + color2 * amount.z + color3 * amount.w;
 }
+
+/// Where a light's cookie is read: the picture that the light shines through.
+///
+/// A spot light projects it as a camera would, a directional light straight along its rays.
+///
+/// formula: uv = p.xy / p.w; lit where p.w > 0
+/// source: Unity built-in shaders, UnitySpotCookie
+/// test: CookieUV(float4(1, 3, 2, 4)) == float2(0.25, 0.75)
+/// test: CookieUV(float4(1, 3, 2, 4)).lit == 1
+/// test: CookieUV(float4(1, 3, 2, -4)).lit == 0
+/// test: CookieUV(float4(1, 3, 2, 0)).lit == 0
+/// test: CookieUV(float4(0.25, -0.5, 7, 1)) == float2(0.25, -0.5)
+[node("Lighting/Attenuation/Cookie UV")]
+float2 CookieUV(
+    float4 place,                  ///< the point that is lit, by the matrix from the world to the cookie; w is not divided
+    [range(0, 1)] out float lit    ///< 1 in front of the light, 0 behind it
+) {
+    lit = place.w > 0 ? 1 : 0;
+    return place.xy / max(place.w, 1e-4);
+}
+
+/// How much of a light its cookie lets through.
+///
+/// formula: cookie(p.xy / p.w) where p.w > 0, else 0
+/// source: Unity built-in shaders, UnitySpotCookie; there it is alpha that counts
+[node("Lighting/Attenuation/Cookie")]
+float CookieAttenuation(
+    Texture2D cookie,  ///< red: how much passes
+    float4 place       ///< the point that is lit, by the matrix from the world to the cookie; w is not divided
+) {
+    return cookie.SampleLevel(CookieUV(place), 0).r * CookieUV(place).lit;
+}

@@ -25,3 +25,71 @@ float3 SubtractMainLight(
     float3 shadowed = max(lightmap - taken, shadow_color);
     return min(lightmap, lerp(shadowed, lightmap, fade));
 }
+
+/// How the texels of a lightmap hold light that is brighter than 1.
+enum LightmapEncoding {
+    FullHDR,    ///< as it is, in floats
+    DoubleLDR,  ///< half of it: up to 2 in gamma space
+    RGBM        ///< with a factor in alpha: up to 5 in gamma space
+};
+
+/// The light of a lightmap's texel.
+///
+/// The ranges are those of gamma space, 2 and 5, raised to 2.2 where lighting is computed in linear space.
+///
+/// formula: linear: c, 2^2.2 c, (5 a)^2.2 c; gamma: c, 2 c, 5 a c
+/// source: Unity built-in shaders, DecodeLightmap
+/// test: DecodeLightmap(float4(3, 2, 1, 0)) == float3(3, 2, 1)
+/// test: DecodeLightmap(float4(1, 0.5, 0, 0.3), DoubleLDR) == float3(4.59479341998814, 2.29739670999407, 0)
+/// test: DecodeLightmap(float4(1, 0.5, 0, 0.3), DoubleLDR, Gamma) == float3(2, 1, 0)
+/// test: DecodeLightmap(float4(0.3, 0.6, 0.9, 0.2), RGBM) == float3(0.3, 0.6, 0.9)
+/// test: DecodeLightmap(float4(0.3, 0.6, 0.9, 1), RGBM) == float3(10.347972460959115, 20.69594492191823, 31.043917382877346)
+/// test: DecodeLightmap(float4(0.3, 0.6, 0.9, 0.5), RGBM, Gamma) == float3(0.75, 1.5, 2.25)
+[node("Lighting/Lightmap/Decode Lightmap")]
+float3 DecodeLightmap(
+    float4 encoded,                             ///< the texel
+    const LightmapEncoding encoding = FullHDR,  ///< how it holds light
+    const WorkingSpace space = Linear           ///< colour space that lighting is computed in
+) {
+    if (encoding == FullHDR) { return encoded.rgb; }
+    if (encoding == DoubleLDR) { return encoded.rgb * (space == Linear ? 4.59479342 : 2); }
+    return DecodeHDR(encoded, float4(space == Linear ? 34.4932415 : 5, 2.2, 0, 1), space);
+}
+
+/// Light in 8 bits a channel: alpha is a factor for the other three, so that what is bright and what is dark keep their
+/// precision. DecodeHDR reads it, with the range, an exponent of 1, 0 and 1.
+///
+/// Light above the range loses its hue where a target cuts it off at 1.
+///
+/// formula: m = ceil(255 max(r, g, b, 0.02 range) / range) / 255; (c / (range m), m)
+/// source: Unity built-in shaders, UnityEncodeRGBM
+/// test: EncodeRGBM(float3(5, 2.5, 0), 5) == float4(1, 0.5, 0, 1)
+/// test: EncodeRGBM(float3(0.5, 0.25, 1), 5) == float4(0.5, 0.25, 1, 0.2)
+/// test: EncodeRGBM(float3(0, 0, 0), 5) == float4(0, 0, 0, 0.023529411764705882)
+[node("Lighting/Lightmap/Encode RGBM")]
+float4 EncodeRGBM(
+    [color] float3 color = 1,         ///< light, 0 or more
+    [range(0.1, 100)] float range = 5 ///< the brightest light that can be held
+) {
+    float3 share = color / range;
+    float factor = ceil(max(max(max(share.r, share.g), share.b), 0.02) * 255) / 255;
+    return float4(share / factor, factor);
+}
+
+/// The light of a lightmap that also holds where most of it comes from, on a surface with bumps.
+///
+/// formula: c (n . (d.xyz - 0.5) + 0.5) / max(d.w, 0.0001)
+/// source: Unity built-in shaders, DecodeDirectionalLightmap
+/// test: DirectionalLightmap(float3(1, 0.5, 0.25), float4(0.5, 0.5, 1, 0.5), float3(0, 0, 1)) == float3(2, 1, 0.5)
+/// test: DirectionalLightmap(float3(1, 0.5, 0.25), float4(0.5, 0.5, 1, 0.5), float3(0.6, 0, 0.8)) == float3(1.8, 0.9, 0.45)
+/// test: DirectionalLightmap(float3(1, 0.5, 0.25), float4(0.5, 0.5, 1, 0.5), float3(0, 0, -1)) == float3(0, 0, 0)
+/// test: DirectionalLightmap(float3(1, 0.5, 0.25), float4(0.75, 0.25, 0.5, 1), float3(0, 1, 0)) == float3(0.25, 0.125, 0.0625)
+[node("Lighting/Lightmap/Directional Lightmap")]
+float3 DirectionalLightmap(
+    [color] float3 lightmap = 1,                    ///< light on the surface without bumps, decoded
+    float4 direction = float4(0.5, 0.5, 0.5, 0.5),  ///< xyz: 0.5 d + 0.5, d towards the light, shorter the more it is spread; w: what n . (d.xyz - 0.5) + 0.5 is without bumps
+    float3 normal = normal_ws                       ///< unit normal
+) {
+    float half_lambert = dot(normal, direction.xyz - 0.5) + 0.5;
+    return lightmap * (half_lambert / max(direction.w, 1e-4));
+}

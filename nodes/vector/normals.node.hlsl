@@ -127,3 +127,40 @@ float3 WorldToTangent(
 ) {
     return float3(dot(tangent, direction), dot(bitangent, direction), dot(normal, direction));
 }
+
+// How far from the middle the stereographic map of a normal is read as 1: at 121 degrees from the viewer.
+const float STEREOGRAPHIC_SCALE = 1.7777;
+
+/// A view-space normal in two numbers, by stereographic projection from the point behind it.
+///
+/// Normals up to 121 degrees from the direction to the viewer lie within 0 and 1: more than a perspective view shows. One
+/// that points straight away has no place.
+///
+/// formula: 0.5 + 0.5 n.xy / (1.7777 (1 + n.z))
+/// source: Unity built-in shaders, EncodeViewNormalStereo
+/// test: EncodeNormalStereographic(float3(0, 0, 1)) == float2(0.5, 0.5)
+/// test: EncodeNormalStereographic(float3(0.6, 0, 0.8)) == float2(0.5937541017419512, 0.5)
+/// test: EncodeNormalStereographic(float3(-0.48, 0.6, 0.64)) == float2(0.41767932529975016, 0.6029008433753122)
+/// test: EncodeNormalStereographic(float3(0, 0, -1)) == float2(0.5, 0.5)
+[node("Vector/Normal/Encode Stereographic")]
+float2 EncodeNormalStereographic(
+    float3 normal_vs = normal_vs  ///< unit normal in view space: x right, y up, z to the viewer
+) {
+    return normal_vs.xy * (0.5 / STEREOGRAPHIC_SCALE / max(1 + normal_vs.z, 1e-4)) + 0.5;
+}
+
+/// The view-space normal that EncodeNormalStereographic wrote.
+///
+/// formula: p = 1.7777 (2 e - 1), g = 2 / (p.p + 1), n = (g p, g - 1)
+/// source: Unity built-in shaders, DecodeViewNormalStereo
+/// test: DecodeNormalStereographic(float2(0.5, 0.5)) == float3(0, 0, 1)
+/// test: DecodeNormalStereographic(float2(0.5937541017419512, 0.5)) == float3(0.6, 0, 0.8)
+/// test: DecodeNormalStereographic(float2(0.41767932529975016, 0.6029008433753122)) == float3(-0.48, 0.6, 0.64)
+[node("Vector/Normal/Decode Stereographic")] [range(-1, 1)]
+float3 DecodeNormalStereographic(
+    [range(0, 1)] float2 encoded = 0.5  ///< the two numbers
+) {
+    float2 p = STEREOGRAPHIC_SCALE * (2 * encoded - 1);
+    float g = 2 / (dot(p, p) + 1);
+    return float3(g * p, g - 1);
+}

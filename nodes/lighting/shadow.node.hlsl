@@ -1,0 +1,138 @@
+// Shadow maps: how much of a light arrives, from the depths that the light itself sees; and how that is mixed with
+// shadows that were computed before.
+
+/// How much of a tent of base width 5 lies before a place, as a share of the whole.
+///
+/// It is the integral of (1 - |t| / 2.5) / 2.5 up to t: 1/2 + v - v |v| / 2, v = t / 2.5 within -1 to 1.
+float3 Tent5Share(float3 t) {
+    float3 v = clamp(t / 2.5, -1, 1);
+    return v * (1 - 0.5 * abs(v)) + 0.5;
+}
+
+/// What each of six texels in a row weighs in a filter that is a tent five texels wide: the tent's share over the texel.
+///
+/// The tent is (1 - |t| / 2.5) / 2.5, t in texels from its peak. The six texels lie around that border between two texels
+/// which is nearest to the peak. Together they weigh 1.
+///
+/// formula: w_i = S(i - 2 - offset) - S(i - 3 - offset), i = 0 to 5, S the tent's integral:
+/// formula: S(t) = 1/2 + v - v |v| / 2, v = t / 2.5 within -1 to 1
+/// source: percentage-closer filtering: Reeves, Salesin and Cook, "Rendering Antialiased Shadows with Depth Maps", SIGGRAPH
+/// source: 1987; there the filter is a box
+/// test: TentWeights5(0).before == float3(0.02, 0.16, 0.32)
+/// test: TentWeights5(0).after == float3(0.32, 0.16, 0.02)
+/// test: TentWeights5(0.25).before == float3(0.005, 0.12, 0.28)
+/// test: TentWeights5(0.25).after == float3(0.35, 0.2, 0.045)
+/// test: TentWeights5(0.5).before == float3(0, 0.08, 0.24)
+/// test: TentWeights5(-0.5).before == float3(0.08, 0.24, 0.36)
+[node("Lighting/Shadow/Tent Weights")]
+void TentWeights5(
+    [range(-0.5, 0.5)] float offset = 0,  ///< of the tent's peak from the border, in texels
+    [range(0, 0.36)] out float3 before,   ///< weights of the three texels before the border, the outermost first
+    [range(0, 0.36)] out float3 after     ///< of the three behind it, the outermost last
+) {
+    float3 lower = Tent5Share(float3(-2, -1, 0) - offset);
+    float3 upper = Tent5Share(float3(1, 2, 3) - offset);
+    before = lower - float3(0, lower.xy);
+    after = upper - float3(lower.z, upper.xy);
+}
+
+/// How much of a light arrives, by percentage-closer filtering of its shadow map with a tent five texels wide.
+///
+/// The depth is compared with each of 6 x 6 texels, which are read one by one at their centres, and the outcomes are
+/// weighted. Beyond the map's borders and behind its far end everything is lit.
+///
+/// formula: sum over i, j of w_i(x) w_j(y) [depth <= map_ij], the weights those of TentWeights5
+/// source: Reeves, Salesin and Cook, "Rendering Antialiased Shadows with Depth Maps", SIGGRAPH 1987
+[node("Lighting/Shadow/Sample Tent 5x5")] [range(0, 1)]
+float SampleShadowTent5x5(
+    Texture2D map,                    ///< red: depth of what the light sees first, 0 near to 1 far
+    float2 uv,                        ///< where in the map, 0 to 1 from the top left
+    [range(0, 1)] float depth,        ///< depth of the point that is lit, its bias taken off
+    float texel,                      ///< 1 / size of the whole texture in texels, which is square
+    float4 tile = float4(1, 1, 0, 0)  ///< which part of the texture the map is: size (xy) and upper left corner (zw)
+) {
+    float2 peak = (uv * tile.xy + tile.zw) / texel;
+    float2 border = floor(peak + 0.5);
+    float2 offset = peak - border;
+    // Centres of the map's outermost texels: a neighbouring map is never read.
+    float2 first = tile.zw + 0.5 * texel;
+    float2 last = tile.zw + tile.xy - 0.5 * texel;
+    float3 left = clamp((border.x + float3(-2.5, -1.5, -0.5)) * texel, first.x, last.x);
+    float3 right = clamp((border.x + float3(0.5, 1.5, 2.5)) * texel, first.x, last.x);
+    float3 left_weights = TentWeights5(offset.x).before;
+    float3 right_weights = TentWeights5(offset.x).after;
+    float lit = 0;
+    for (int row = 0; row < 6; row++) {
+        float upper_edge = float(row) - 3;
+        float v = clamp((border.y + upper_edge + 0.5) * texel, first.y, last.y);
+        float3 left_depths = float3(map.SampleLevel(float2(left.x, v), 0).r, map.SampleLevel(float2(left.y, v), 0).r,
+                                    map.SampleLevel(float2(left.z, v), 0).r);
+        float3 right_depths = float3(map.SampleLevel(float2(right.x, v), 0).r, map.SampleLevel(float2(right.y, v), 0).r,
+                                     map.SampleLevel(float2(right.z, v), 0).r);
+        float of_row = dot(left_weights, step(depth, left_depths)) + dot(right_weights, step(depth, right_depths));
+        float2 shares = Tent5Share(float3(upper_edge, upper_edge + 1, 0) - offset.y).xy;
+        lit += (shares.y - shares.x) * of_row;
+    }
+    float2 from_middle = abs(uv - 0.5);
+    return max(from_middle.x, from_middle.y) <= 0.5 && depth <= 1 ? lit : 1;
+}
+
+/// How far shadows have faded where a light's shadows end: 0 near the camera, 1 where there are none any more.
+///
+/// formula: saturate(distance scale + offset)
+/// source: Unity built-in shaders, UnityComputeShadowFade
+/// test: ShadowFade(45, 0.1, -4) == 0.5
+/// test: ShadowFade(30, 0.1, -4) == 0
+/// test: ShadowFade(60, 0.1, -4) == 1
+[node("Lighting/Shadow/Fade")] [range(0, 1)]
+float ShadowFade(
+    [range(0, 1000)] [unit("m")] float distance,  ///< from the camera
+    [range(0, 100)] float scale = 0.1,            ///< 1 / length of the fade in metres
+    [range(-1000, 1)] float offset = -4           ///< minus the distance where the fade begins, times scale
+) {
+    return saturate(distance * scale + offset);
+}
+
+/// One light's shadow in a shadow mask: each channel holds that of another light.
+///
+/// formula: saturate(mask . selector)
+/// source: Unity built-in shaders, UnitySampleBakedOcclusion
+/// test: ShadowMaskChannel(float4(0.1, 0.4, 0.6, 0.9), float4(0, 0, 1, 0)) == 0.6
+/// test: ShadowMaskChannel(float4(0.1, 0.4, 0.6, 0.9), float4(1, 0, 0, 1)) == 1
+/// test: ShadowMaskChannel(float4(0.1, 0.4, 0.6, 0.9), 0) == 0
+[node("Lighting/Shadow/Mask Channel")] [range(0, 1)]
+float ShadowMaskChannel(
+    float4 mask = 1,                      ///< the texel: 1 lit, 0 in shadow
+    float4 selector = float4(1, 0, 0, 0)  ///< 1 in the light's channel, 0 in the others
+) {
+    return saturate(dot(mask, selector));
+}
+
+/// What baked shadows do beside those of moving objects.
+enum ShadowMixing {
+    Shadowmask,          ///< both darken; baked shadows alone reach far
+    DistanceShadowmask,  ///< real-time shadows near the camera, baked ones where they have faded
+    RealtimeOnly         ///< nothing was baked
+};
+
+/// Real-time and baked shadows of one light, as one.
+///
+/// formula: Shadowmask: min(saturate(realtime + fade), baked); DistanceShadowmask: lerp(realtime, baked, fade);
+/// formula: RealtimeOnly: saturate(realtime + fade)
+/// source: Unity built-in shaders, UnityMixRealtimeAndBakedShadows
+/// test: MixRealtimeAndBakedShadow(0.25, 0.75, 0.25) == 0.5
+/// test: MixRealtimeAndBakedShadow(0.25, 0.75, 1) == 0.75
+/// test: MixRealtimeAndBakedShadow(0.25, 0.75, 0.25, DistanceShadowmask) == 0.375
+/// test: MixRealtimeAndBakedShadow(0.25, 0.75, 0.25, RealtimeOnly) == 0.5
+/// test: MixRealtimeAndBakedShadow(0.25, 0.75, 1, RealtimeOnly) == 1
+[node("Lighting/Shadow/Mix Realtime and Baked")] [range(0, 1)]
+float MixRealtimeAndBakedShadow(
+    [range(0, 1)] float realtime = 1,        ///< of the shadow map: 1 lit, 0 in shadow
+    [range(0, 1)] float baked = 1,           ///< of the shadow mask
+    [range(0, 1)] float fade = 0,            ///< how far real-time shadows have faded: 1 where there are none any more
+    const ShadowMixing mixing = Shadowmask   ///< how
+) {
+    if (mixing == DistanceShadowmask) { return lerp(realtime, baked, fade); }
+    if (mixing == RealtimeOnly) { return saturate(realtime + fade); }
+    return min(saturate(realtime + fade), baked);
+}
