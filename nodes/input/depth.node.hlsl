@@ -3,8 +3,8 @@
 
 /// How a camera projects.
 enum CameraProjection {
-    Perspective,   ///< what is far away is small
-    Orthographic   ///< sizes do not depend on distance
+    Perspective,  ///< what is far away is small
+    Orthographic  ///< sizes do not depend on distance
 };
 
 /// Distance from the camera's plane of a depth in the depth buffer.
@@ -17,10 +17,10 @@ enum CameraProjection {
 /// test: LinearEyeDepth(0.25, 2, 10, Orthographic) == 4
 [node("Input/Depth/Linear Eye Depth")]
 float LinearEyeDepth(
-    [range(0, 1)] float depth,                              ///< of the depth buffer
-    [range(0.001, 100)] [unit("m")] float near_plane = 0.1, ///< distance of the near plane
-    [range(0.1, 10000)] [unit("m")] float far_plane = 100,  ///< distance of the far plane
-    const CameraProjection projection = Perspective         ///< the camera's
+    [range(0, 1)] float depth,                               ///< of the depth buffer
+    [range(0.001, 100)] [unit("m")] float near_plane = 0.1,  ///< distance of the near plane
+    [range(0.1, 10000)] [unit("m")] float far_plane = 100,   ///< distance of the far plane
+    const CameraProjection projection = Perspective          ///< the camera's
 ) {
     if (projection == Orthographic) { return lerp(near_plane, far_plane, depth); }
     return near_plane * far_plane / lerp(far_plane, near_plane, depth);
@@ -36,10 +36,10 @@ float LinearEyeDepth(
 /// test: Linear01Depth(0.25, 2, 10, Orthographic) == 0.4
 [node("Input/Depth/Linear 01 Depth")]
 float Linear01Depth(
-    [range(0, 1)] float depth,                              ///< of the depth buffer
-    [range(0.001, 100)] [unit("m")] float near_plane = 0.1, ///< distance of the near plane
-    [range(0.1, 10000)] [unit("m")] float far_plane = 100,  ///< distance of the far plane
-    const CameraProjection projection = Perspective         ///< the camera's
+    [range(0, 1)] float depth,                               ///< of the depth buffer
+    [range(0.001, 100)] [unit("m")] float near_plane = 0.1,  ///< distance of the near plane
+    [range(0.1, 10000)] [unit("m")] float far_plane = 100,   ///< distance of the far plane
+    const CameraProjection projection = Perspective          ///< the camera's
 ) {
     return LinearEyeDepth(depth, near_plane, far_plane, projection) / far_plane;
 }

@@ -125,8 +125,8 @@ float3 FourPointLights(
 /// test: CookieUV(float4(0.25, -0.5, 7, 1)) == float2(0.25, -0.5)
 [node("Lighting/Attenuation/Cookie UV")]
 float2 CookieUV(
-    float4 place,                  ///< the point that is lit, by the matrix from the world to the cookie; w is not divided
-    [range(0, 1)] out float lit    ///< 1 in front of the light, 0 behind it
+    float4 place,                ///< the point that is lit, by the matrix from the world to the cookie; w not divided
+    [range(0, 1)] out float lit  ///< 1 in front of the light, 0 behind it
 ) {
     lit = place.w > 0 ? 1 : 0;
     return place.xy / max(place.w, 1e-4);
@@ -139,7 +139,7 @@ float2 CookieUV(
 [node("Lighting/Attenuation/Cookie")]
 float CookieAttenuation(
     Texture2D cookie,  ///< red: how much passes
-    float4 place       ///< the point that is lit, by the matrix from the world to the cookie; w is not divided
+    float4 place       ///< the point that is lit, by the matrix from the world to the cookie; w not divided
 ) {
     return cookie.SampleLevel(CookieUV(place), 0).r * CookieUV(place).lit;
 }

@@ -13,9 +13,9 @@
 /// test: FogLinear(11, 10, 10) == 0
 [node("Lighting/Fog/Linear")] [range(0, 1)]
 float FogLinear(
-    [range(0, 1000)] [unit("m")] float distance,     ///< from the camera
-    [range(0, 1000)] [unit("m")] float start = 0,    ///< where the fog begins
-    [range(0, 1000)] [unit("m")] float end = 300     ///< where nothing else is seen
+    [range(0, 1000)] [unit("m")] float distance,   ///< from the camera
+    [range(0, 1000)] [unit("m")] float start = 0,  ///< where the fog begins
+    [range(0, 1000)] [unit("m")] float end = 300   ///< where nothing else is seen
 ) {
     return saturate((end - distance) / max(end - start, 1e-4));
 }

@@ -68,8 +68,8 @@ float3 DecodeLightmap(
 /// test: EncodeRGBM(float3(0, 0, 0), 5) == float4(0, 0, 0, 0.023529411764705882)
 [node("Lighting/Lightmap/Encode RGBM")]
 float4 EncodeRGBM(
-    [color] float3 color = 1,         ///< light, 0 or more
-    [range(0.1, 100)] float range = 5 ///< the brightest light that can be held
+    [color] float3 color = 1,          ///< light, 0 or more
+    [range(0.1, 100)] float range = 5  ///< the brightest light that can be held
 ) {
     float3 share = color / range;
     float factor = ceil(max(max(max(share.r, share.g), share.b), 0.02) * 255) / 255;
@@ -78,7 +78,7 @@ float4 EncodeRGBM(
 
 /// The light of a lightmap that also holds where most of it comes from, on a surface with bumps.
 ///
-/// formula: c (n . (d.xyz - 0.5) + 0.5) / max(d.w, 0.0001)
+/// formula: c (n . (t.xyz - 0.5) + 0.5) / max(t.w, 0.0001), t the texel
 /// source: Unity built-in shaders, DecodeDirectionalLightmap
 /// test: DirectionalLightmap(float3(1, 0.5, 0.25), float4(0.5, 0.5, 1, 0.5), float3(0, 0, 1)) == float3(2, 1, 0.5)
 /// test: DirectionalLightmap(float3(1, 0.5, 0.25), float4(0.5, 0.5, 1, 0.5), float3(0.6, 0, 0.8)) == float3(1.8, 0.9, 0.45)
@@ -86,9 +86,9 @@ float4 EncodeRGBM(
 /// test: DirectionalLightmap(float3(1, 0.5, 0.25), float4(0.75, 0.25, 0.5, 1), float3(0, 1, 0)) == float3(0.25, 0.125, 0.0625)
 [node("Lighting/Lightmap/Directional Lightmap")]
 float3 DirectionalLightmap(
-    [color] float3 lightmap = 1,                    ///< light on the surface without bumps, decoded
-    float4 direction = float4(0.5, 0.5, 0.5, 0.5),  ///< xyz: 0.5 d + 0.5, d towards the light, shorter the more it is spread; w: what n . (d.xyz - 0.5) + 0.5 is without bumps
-    float3 normal = normal_ws                       ///< unit normal
+    [color] float3 lightmap = 1,     ///< light on the surface without bumps, decoded
+    [range(0, 1)] float4 direction,  ///< xyz: 0.5 d + 0.5, d to the light, short if spread; w: the dividend without bumps
+    float3 normal = normal_ws        ///< unit normal
 ) {
     float half_lambert = dot(normal, direction.xyz - 0.5) + 0.5;
     return lightmap * (half_lambert / max(direction.w, 1e-4));

@@ -102,7 +102,7 @@ float ShadowFade(
 /// test: ShadowMaskChannel(float4(0.1, 0.4, 0.6, 0.9), 0) == 0
 [node("Lighting/Shadow/Mask Channel")] [range(0, 1)]
 float ShadowMaskChannel(
-    float4 mask = 1,                      ///< the texel: 1 lit, 0 in shadow
+    [range(0, 1)] float4 mask = 1,        ///< the texel: 1 lit, 0 in shadow
     float4 selector = float4(1, 0, 0, 0)  ///< 1 in the light's channel, 0 in the others
 ) {
     return saturate(dot(mask, selector));
@@ -127,10 +127,10 @@ enum ShadowMixing {
 /// test: MixRealtimeAndBakedShadow(0.25, 0.75, 1, RealtimeOnly) == 1
 [node("Lighting/Shadow/Mix Realtime and Baked")] [range(0, 1)]
 float MixRealtimeAndBakedShadow(
-    [range(0, 1)] float realtime = 1,        ///< of the shadow map: 1 lit, 0 in shadow
-    [range(0, 1)] float baked = 1,           ///< of the shadow mask
-    [range(0, 1)] float fade = 0,            ///< how far real-time shadows have faded: 1 where there are none any more
-    const ShadowMixing mixing = Shadowmask   ///< how
+    [range(0, 1)] float realtime = 1,       ///< of the shadow map: 1 lit, 0 in shadow
+    [range(0, 1)] float baked = 1,          ///< of the shadow mask
+    [range(0, 1)] float fade = 0,           ///< how far real-time shadows have faded: 1 where there are none any more
+    const ShadowMixing mixing = Shadowmask  ///< how
 ) {
     if (mixing == DistanceShadowmask) { return lerp(realtime, baked, fade); }
     if (mixing == RealtimeOnly) { return saturate(realtime + fade); }

@@ -36,6 +36,12 @@ const std::vector<Row>& rows() {
          {{1, 1, 0, 0}, {34.493242, 2.2, 0, 1}, {4.59479380, 1, 0, 1}, {1, 0, 0, 1}},
          {},
          true},
+        {"DecodeLightmap.encoded", {{0, 0, 0, 0}, {1, 1, 1, 0}, {1, 1, 1, 1}, {64, 1, 0, 1}}, {0, 1}},
+        // No fog and the three kinds: density, start, end. Where fog starts and ends at once, it is a wall.
+        {"FogFactor.settings",
+         {{0, 0.1, 10, 30}, {1, 0, 10, 30}, {1, 0, 5, 5}, {2, 10, 0, 0}, {3, 10, 0, 0}, {3, 0, 0, 0}},
+         {},
+         true},
         {"LightVector.light_position", {{0, 1, 0, 0}, {0, 0, 0, 1}, {5, -2, 3, 1}}, {}, true},
         {"LightVector.position", {{0, 0, 0}, {5, -2, 3}}},
         {"FourPointLights.falloff", numbers({0, 0.25, 1000}), {0, 25}},
