@@ -1,6 +1,6 @@
 # Properties that the lighting terms must have, shown by evaluating them millions of times. One executable a file, and
 # what they share.
-add_library(patina_proof STATIC proof/closed_models.cpp proof/domain.cpp proof/term.cpp)
+add_library(patina_proof STATIC proof/closed_models.cpp proof/domain.cpp proof/lowered.cpp proof/term.cpp)
 target_include_directories(patina_proof PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(patina_proof PUBLIC patina patina_lighting GTest::gtest PRIVATE patina_options)
 file(GLOB proof_tests CONFIGURE_DEPENDS proof/*_test.cpp)
