@@ -161,6 +161,7 @@ std::shared_ptr<const Program> keep_program(graph::Session& session, const graph
 
 void compile_graph(graph::Session& session, std::uint32_t base, const std::string& path, Result& result) {
     const CompileOptions& options = session.options;
+    graph::find_path(session);
     const std::shared_ptr<graph::Graph> graph = read(session, base, path);
     if (!graph) return;
     const std::unique_ptr<graph::Material> material = graph::resolve_material(session, graph, options.preview);

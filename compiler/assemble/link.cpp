@@ -1,6 +1,7 @@
 #include "compiler/assemble/link.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace patina::assemble {
 
@@ -30,6 +31,34 @@ std::vector<SemanticId> needs_of(const ir::Function& function, const std::vector
     }
     std::sort(needs.begin(), needs.end());
     needs.erase(std::unique(needs.begin(), needs.end()), needs.end());
+    return needs;
+}
+
+// The needs of every function. One that a pass replaces needs what its replacement does, too, so that callers hand on
+// the same in every pass; what a stage does not read is pruned.
+std::vector<std::vector<SemanticId>> all_needs(const graph::Lowered& lowered, std::span<const ir::Function> functions) {
+    std::vector<std::vector<SemanticId>> needs(functions.size());
+    for (std::uint32_t i = 0; i < functions.size(); ++i) needs[i] = needs_of(functions[i], needs);
+    const auto join = [&](ir::FunctionId into, ir::FunctionId from) {
+        std::vector<SemanticId> both;
+        std::set_union(needs[into.index].begin(), needs[into.index].end(), needs[from.index].begin(),
+                       needs[from.index].end(), std::back_inserter(both));
+        const bool grows = both.size() > needs[into.index].size();
+        needs[into.index] = std::move(both);
+        return grows;
+    };
+    for (bool grows = true; grows;) {
+        grows = false;
+        for (const graph::LoweredPass& pass : lowered.passes) {
+            for (const auto& [old, made] : pass.replaced) grows |= join(old, made) || join(made, old);
+        }
+        if (!grows) break;
+        for (std::uint32_t i = 0; i < functions.size(); ++i) {
+            for (const ir::Inst& inst : functions[i].insts) {
+                if (inst.op == Op::Call) join({i}, {inst.data});
+            }
+        }
+    }
     return needs;
 }
 
@@ -73,8 +102,9 @@ void thread_function(const ir::Module& module, ir::Function& function, const std
 
 class EntryBuilder {
 public:
-    EntryBuilder(const Linked& linked, ir::StageKind stage, ir::BuildOptions options)
+    EntryBuilder(const Linked& linked, const graph::LoweredPass& pass, ir::StageKind stage, ir::BuildOptions options)
         : linked_(linked),
+          pass_(pass),
           module_(linked.lowered.module),
           builder_(module_, entry_, options),
           imported_(linked.functions.size()) {
@@ -122,20 +152,34 @@ public:
     }
 
 private:
-    // The stage's copy of a function, with those that it calls before it.
-    ir::FunctionId imported(ir::FunctionId function) {
+    // The stage's copy of a function, with those that it calls before it. What a pass puts in the place of a function of
+    // the seam may call that function.
+    ir::FunctionId imported(ir::FunctionId function, ir::FunctionId replaced = {}) {
+        const auto other = in_vertex_stage() || function == replaced ? std::nullopt : pass_.replacement_of(function);
+        if (other) return imported(*other, function);
         if (imported_[function.index]) return imported_[function.index];
         ir::Function copy = linked_.functions[function.index];
         for (ir::Inst& inst : copy.insts) {
-            if (inst.op == Op::Call) inst.data = imported({inst.data}).index;
+            if (inst.op == Op::Call) inst.data = imported({inst.data}, replaced).index;
         }
         module_.functions.push_back(std::move(copy));
         return imported_[function.index] = {static_cast<std::uint32_t>(module_.functions.size() - 1)};
     }
 
+    // A pass's own recipe may read what it is a recipe for: then it means the usual one.
+    std::optional<Value> given(SemanticId semantic) {
+        const auto recipe = in_vertex_stage() ? std::nullopt : pass_.recipe_of(semantic);
+        if (!recipe || std::find(giving_.begin(), giving_.end(), semantic) != giving_.end()) return {};
+        giving_.push_back(semantic);
+        const Value made = call(*recipe);
+        giving_.pop_back();
+        return made;
+    }
+
     bool in_vertex_stage() const { return module_.stage.kind == ir::StageKind::Vertex; }
 
     Value make(SemanticId semantic, bool original) {
+        if (const std::optional<Value> made = given(semantic)) return *made;
         const graph::SemanticRecipe& recipe = linked_.lowered.semantics[semantic.index];
         switch (recipe.source) {
             case Source::Attribute:
@@ -199,6 +243,8 @@ private:
     }
 
     const Linked& linked_;
+    const graph::LoweredPass& pass_;
+    std::vector<SemanticId> giving_;
     ir::Module module_;
     ir::Function entry_{};
     ir::Builder builder_;
@@ -211,25 +257,40 @@ private:
 Linked link(graph::Lowered lowered) {
     std::vector<ir::Function> functions = std::move(lowered.module.functions);
     lowered.module.functions.clear();
-    std::vector<std::vector<SemanticId>> needs(functions.size());
+    const std::vector<std::vector<SemanticId>> needs = all_needs(lowered, functions);
     for (std::uint32_t i = 0; i < functions.size(); ++i) {
-        needs[i] = needs_of(functions[i], needs);
         thread_function(lowered.module, functions[i], needs[i], needs);
     }
-    return {.lowered = std::move(lowered), .functions = std::move(functions), .needs = std::move(needs)};
+    return {.lowered = std::move(lowered), .functions = std::move(functions), .needs = needs};
 }
 
 ir::Module link_fragment(const Linked& linked, const graph::LoweredPass& pass, ir::BuildOptions options) {
-    EntryBuilder entry(linked, ir::StageKind::Fragment, options);
-    const Value color = entry.call(pass.fragment);
-    const Type type = entry.builder().type(color);
-    return entry.finish("Targets", {{.name = "color", .type = type, .location = 0, .semantic = "SV_Target0"}},
-                        {&color, 1});
+    EntryBuilder entry(linked, pass, ir::StageKind::Fragment, options);
+    const Value result = entry.call(pass.fragment);
+    const Type type = entry.builder().type(result);
+    std::vector<ir::StageVariable> outputs;
+    std::vector<Value> values;
+    const auto add = [&](std::string name, Type of, Value value) {
+        const auto location = static_cast<std::uint32_t>(outputs.size());
+        outputs.push_back({.name = std::move(name),
+                           .type = of,
+                           .location = location,
+                           .semantic = "SV_Target" + std::to_string(location)});
+        values.push_back(value);
+    };
+    if (type.kind == ir::Kind::Struct) {
+        const std::vector<ir::Member> members = entry.module().structs[type.ref].members;
+        for (std::uint32_t i = 0; i < members.size(); ++i)
+            add(members[i].name, members[i].type, entry.builder().extract(result, i));
+    } else {
+        add("color", type, result);
+    }
+    return entry.finish("Targets", std::move(outputs), values);
 }
 
 ir::Module link_vertex(const Linked& linked, const graph::LoweredPass& pass, ir::Module& fragment,
                        ir::BuildOptions options) {
-    EntryBuilder entry(linked, ir::StageKind::Vertex, options);
+    EntryBuilder entry(linked, pass, ir::StageKind::Vertex, options);
     std::vector<ir::StageVariable> outputs;
     std::vector<Value> values;
     std::uint32_t location = 0;

@@ -140,16 +140,41 @@ void mark_used(const ir::Module& stage, std::vector<bool>& used) {
     }
 }
 
+// What a surface kind means for depth and order where the material says nothing; Unity's queues.
+struct SurfaceRow {
+    graph::SurfaceKind kind;
+    int queue;
+    bool depth_write;
+};
+constexpr SurfaceRow kSurfaceRows[] = {
+    {graph::SurfaceKind::Opaque, 2000, true},       {graph::SurfaceKind::Cutout, 2450, true},
+    {graph::SurfaceKind::Fade, 3000, false},        {graph::SurfaceKind::Transparent, 3000, false},
+    {graph::SurfaceKind::Additive, 3000, false},    {graph::SurfaceKind::Multiply, 3000, false},
+};
+
+const SurfaceRow& row_of(graph::SurfaceKind kind) {
+    return *std::find_if(std::begin(kSurfaceRows), std::end(kSurfaceRows),
+                         [&](const SurfaceRow& row) { return row.kind == kind; });
+}
+
 Pass reflect_pass(const graph::Material& material, const graph::Lowered& lowered, const LinkedPass& linked) {
     const graph::RenderState& render = material.graph->graph->render;
-    Pass pass;
-    pass.name = linked.pass->declaration->name;
-    pass.cull = text_of(graph::kCulls, render.cull);
-    pass.depth_write = render.depth_write.value_or(true);
-    pass.depth_test = text_of(graph::kCompares, render.depth_test.value_or(graph::Compare::LessEqual));
-    pass.queue = render.queue.value_or(render.surface == graph::SurfaceKind::Cutout ? 2450 : 2000);
-    for (const ir::StageVariable& output : linked.fragment.stage.outputs) {
-        pass.targets.push_back({.name = output.name, .location = output.location});
+    const graph::PassDecl& declaration = *linked.pass->declaration;
+    const SurfaceRow& surface = row_of(render.surface);
+    Pass pass = declaration.state;
+    if (pass.draws == "objects") {
+        if (!declaration.has_cull) pass.cull = text_of(graph::kCulls, render.cull);
+        if (!declaration.has_depth) {
+            pass.depth_write = render.depth_write.value_or(surface.depth_write);
+            pass.depth_test = text_of(graph::kCompares, render.depth_test.value_or(graph::Compare::LessEqual));
+        }
+        pass.queue = render.queue.value_or(surface.queue);
+    }
+    if (const graph::BlendRow* blend = graph::blend_of(declaration, text_of(graph::kSurfaceKinds, render.surface))) {
+        for (RenderTarget& target : pass.targets) {
+            target.blend_source = blend->source;
+            target.blend_destination = blend->destination;
+        }
     }
     for (const ir::StageVariable& input : linked.vertex.stage.inputs) {
         if (input.builtin != ir::Builtin::None) continue;
@@ -170,7 +195,7 @@ Pass reflect_pass(const graph::Material& material, const graph::Lowered& lowered
     }
     for (std::size_t i = 0; i < used.size(); ++i) {
         const ir::Global& global = lowered.module.globals[i];
-        if (used[i] && global.set == graph::kEngineSet && is_texture(global)) pass.textures.push_back(global.name);
+        if (used[i] && global.set != graph::kMaterialSet && is_texture(global)) pass.textures.push_back(global.name);
     }
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
         const ir::GlobalId texture = lowered.property_globals[i].texture;
@@ -199,7 +224,7 @@ std::string layout_hash(const Reflection& reflection) {
 
 std::vector<targets::SetShifts> binding_shifts(const ir::Module& module) {
     std::vector<targets::SetShifts> shifts;
-    for (const std::uint32_t set : {graph::kEngineSet, graph::kMaterialSet}) {
+    for (const std::uint32_t set : {graph::kEngineSet, graph::kMaterialSet, graph::kTargetSet}) {
         const std::uint32_t buffers = buffers_of(module, set);
         shifts.push_back(
             {.set = set, .buffers = 0, .textures = buffers, .samplers = buffers + textures_of(module, set)});
@@ -214,6 +239,8 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
     made.workflow = graph.workflow;
     made.lighting = material.lighting_name;
     made.surface = text_of(graph::kSurfaceKinds, graph.render.surface);
+    made.path = lowered.path;
+    for (const auto& [name, value] : lowered.switches) made.switches.push_back({.name = name, .value = value});
     made.meta = graph.meta;
     for (const ir::UniformBlock& block : lowered.module.blocks)
         made.blocks.push_back(reflect_block(lowered.module, block));
@@ -224,13 +251,25 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
             made.textures.push_back(reflect_texture(lowered.module, entry, lowered.property_globals[i], graph.path));
         }
     }
+    for (const LinkedPass& pass : passes) made.passes.push_back(reflect_pass(material, lowered, pass));
     for (std::size_t i = 0; i < lowered.module.globals.size(); ++i) {
         const ir::Global& global = lowered.module.globals[i];
-        if (global.set == graph::kEngineSet && is_texture(global))
-            made.textures.push_back(bound_texture(lowered.module, global, lowered.module.globals[i + 1]));
+        if (global.set == graph::kMaterialSet || !is_texture(global)) continue;
+        // What no pass reads is bound nowhere.
+        const bool is_read = std::any_of(made.passes.begin(), made.passes.end(), [&](const Pass& pass) {
+            return std::count(pass.textures.begin(), pass.textures.end(), global.name) > 0;
+        });
+        if (!is_read && global.set == graph::kTargetSet) continue;
+        made.textures.push_back(bound_texture(lowered.module, global, lowered.module.globals[i + 1]));
+        if (const auto target = lowered.reads.find(static_cast<std::uint32_t>(i)); target != lowered.reads.end()) {
+            made.textures.back().reads = target->second;
+            made.textures.back().sampler.filter = "nearest";
+        }
     }
-    for (const LinkedPass& pass : passes) made.passes.push_back(reflect_pass(material, lowered, pass));
     for (const targets::SetShifts& shift : binding_shifts(lowered.module)) {
+        const bool is_bound = std::any_of(made.textures.begin(), made.textures.end(),
+                                          [&](const Texture& texture) { return texture.set == shift.set; });
+        if (shift.set == graph::kTargetSet && !is_bound) continue;
         made.hlsl_shifts.push_back(
             {.set = shift.set, .textures = shift.textures, .samplers = shift.samplers, .buffers = shift.buffers});
     }

@@ -12,6 +12,7 @@ namespace {
 struct Arguments {
     std::vector<std::string> graphs;
     std::vector<std::string> include_dirs;
+    PathOptions path;
 };
 
 bool check_graph(const Console& console, const Compiler& compiler, const Arguments& arguments,
@@ -19,6 +20,8 @@ bool check_graph(const Console& console, const Compiler& compiler, const Argumen
     CompileOptions options;
     options.include_dirs = arguments.include_dirs;
     options.accept_parts = true;
+    options.path = arguments.path.path;
+    options.switches = arguments.path.switches();
     const Result result = compiler.compile_file(graph, options);
     report(console, result.diagnostics);
     bool ok = result.ok;
@@ -68,6 +71,7 @@ void add_check(Program& program) {
     command.add_option("GRAPH", arguments->graphs, "Graphs (JSON), and files of nodes (.node.hlsl)")
         ->required()
         ->type_name(" ");
+    add_path_options(command, arguments->path);
     add_include_option(command, arguments->include_dirs);
 
     set_work(program, command, [arguments](const Console& console) {

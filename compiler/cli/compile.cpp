@@ -16,6 +16,7 @@ struct Arguments {
     std::vector<std::string> include_dirs;
     std::vector<std::string> dump;
     std::string folder;
+    PathOptions path;
     bool validate = false;
     bool depfile = false;
 
@@ -32,6 +33,8 @@ CompileOptions options_of(const Arguments& arguments) {
     if (arguments.wants("hlsl")) options.targets.push_back(Target::Hlsl);
     options.include_dirs = arguments.include_dirs;
     options.dump = arguments.dump;
+    options.path = arguments.path.path;
+    options.switches = arguments.path.switches();
     return options;
 }
 
@@ -90,7 +93,8 @@ void add_compile(Program& program) {
     CLI::App& command = add_command(
         program, "compile", "Compile graphs to shaders",
         {"patina compile rust.graph.json -o out", "patina compile *.graph.json -t glsl --validate -o out",
-         "patina compile rust.graph.json -t spirv -o out --depfile", "patina compile rust.graph.json --dump tidy"});
+         "patina compile rust.graph.json -t spirv -o out --depfile",
+         "patina compile rust.graph.json --path deferred -D shadows -o out", "patina compile rust.graph.json --dump tidy"});
     auto arguments = std::make_shared<Arguments>();
     command.add_option("GRAPH", arguments->graphs, "Material graphs (JSON)")->required()->type_name(" ");
     command.add_option("-t,--target", arguments->targets, "glsl, hlsl, spirv, with commas between (glsl,hlsl)")
@@ -108,6 +112,7 @@ void add_compile(Program& program) {
         ->delimiter(',')
         ->allow_extra_args(false)
         ->check(one_of("a stage", {"graph", "ir", "linked", "tidy", "rates"}));
+    add_path_options(command, arguments->path);
     add_include_option(command, arguments->include_dirs);
     command.parse_complete_callback([arguments] { refuse_equal_outputs(arguments->graphs, ".*", "compile"); });
 

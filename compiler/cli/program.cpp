@@ -86,6 +86,26 @@ void add_include_option(CLI::App& command, std::vector<std::string>& folders) {
         ->allow_extra_args(false);
 }
 
+std::vector<std::pair<std::string, std::string>> PathOptions::switches() const {
+    std::vector<std::pair<std::string, std::string>> made;
+    for (const std::string& define : defines) {
+        const std::size_t equals = define.find('=');
+        made.emplace_back(define.substr(0, equals), equals == define.npos ? "true" : define.substr(equals + 1));
+    }
+    return made;
+}
+
+void add_path_options(CLI::App& command, PathOptions& options) {
+    command
+        .add_option("--path", options.path,
+                    "Rendering path: forward, forward-add, vertex, deferred, ... ('patina paths' lists them), or a file "
+                    "of your own, x.pass.hlsl (forward)")
+        ->type_name("PATH");
+    command.add_option("-D,--define", options.defines, "Turn a part of the path on: shadows, fog, ...")
+        ->type_name("NAME[=VALUE]")
+        ->allow_extra_args(false);
+}
+
 std::function<std::string(std::string)> one_of(std::string what, std::vector<std::string> words) {
     return [what = std::move(what), words = std::move(words)](const std::string& word) -> std::string {
         for (const std::string& known : words) {

@@ -38,6 +38,15 @@ void set_work(Program& program, CLI::App& command, std::function<Exit(const Cons
 // -I, repeatable, the same wherever graphs are read.
 void add_include_option(CLI::App& command, std::vector<std::string>& folders);
 
+// --path and -D: how a scene is drawn, and what of it.
+struct PathOptions {
+    std::string path = "forward";
+    std::vector<std::string> defines;
+    // "shadows=true" -> ("shadows", "true"); "shadows" alone is true.
+    std::vector<std::pair<std::string, std::string>> switches() const;
+};
+void add_path_options(CLI::App& command, PathOptions& options);
+
 // A check for an option whose value is one of a few words; complains with a suggestion.
 std::function<std::string(std::string)> one_of(std::string what, std::vector<std::string> words);
 

@@ -162,7 +162,7 @@ const NodeFile* load_node_file(Session& session, const std::string& path, Span w
     }
     if (session.diagnostics.error_count() != errors) return nullptr;
     if (!file->node) {
-        session.diagnostics.report(Code::NoNodeInFile, where)
+        session.diagnostics.report(Code::NoNodeInFile, where, "[node]")
             .note({*base, *base}, "write [node(\"Category/Title\")] before one");
         return nullptr;
     }

@@ -80,18 +80,29 @@ void add_member(ir::UniformBlock& block, const ir::Module& module, std::string n
     block.size = round_up(offset + e.size, 16);
 }
 
-void declare_engine(const Library& library, nodelang::Emitter& emitter) {
+EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations& declarations,
+                             nodelang::Emitter& emitter) {
+    EngineGlobals made;
     ir::Module& module = emitter.module();
-    const nodelang::Scope scope{.declarations = &library.declarations};
-    std::uint32_t textures = 0;
-    for (const nodelang::VariableDecl& variable : library.ast.variables) {
+    const nodelang::Scope scope{.declarations = &declarations};
+    std::uint32_t textures = 0, targets = 0;
+    for (const nodelang::VariableDecl* each : stages.externs) {
+        const nodelang::VariableDecl& variable = *each;
         const nodelang::Attribute* attribute = variable.attribute("extern");
-        if (!attribute) continue;
         if (const std::optional<ir::Kind> kind = texture_kind(variable.type.name)) {
             const std::string texture(variable.name);
-            emitter.set_extern(&variable, add_resource(module, texture, *kind, kEngineSet, textures, variable.span));
-            add_resource(module, texture + "_sampler", ir::Kind::Sampler, kEngineSet, textures, variable.span);
-            ++textures;
+            const std::uint32_t set = attribute ? kEngineSet : kTargetSet;
+            std::uint32_t& slot = attribute ? textures : targets;
+            const ir::GlobalId global = add_resource(module, texture, *kind, set, slot, variable.span);
+            emitter.set_extern(&variable, global);
+            if (const nodelang::Attribute* reads = variable.attribute("reads"))
+                made.reads[global.index] = nodelang::attribute_text(*reads);
+            add_resource(module, texture + "_sampler", ir::Kind::Sampler, set, slot, variable.span);
+            ++slot;
+            continue;
+        }
+        if (!attribute) {
+            emitter.diagnostics().report(Code::BadAttribute, variable.span, "reads", "stands before a Texture2D");
             continue;
         }
         const std::string_view name = nodelang::attribute_text(*attribute);
@@ -107,8 +118,11 @@ void declare_engine(const Library& library, nodelang::Emitter& emitter) {
         }
         const Type type = emitter.type(variable.type, scope);
         const auto index = static_cast<std::uint32_t>(block - module.blocks.begin());
-        emitter.set_extern(&variable, add_block_global(module, index, std::string(variable.name), type, variable.span));
+        const ir::GlobalId global = add_block_global(module, index, std::string(variable.name), type, variable.span);
+        emitter.set_extern(&variable, global);
+        if (variable.attribute("per_object")) made.per_object.insert(global.index);
     }
+    return made;
 }
 
 std::vector<PropertyGlobals> declare_material(const Material& material, ir::Module& module) {

@@ -2,6 +2,9 @@
 // textures and samplers (from its properties), laid out so that GLSL's std140 and an HLSL cbuffer agree on every byte.
 #pragma once
 
+#include <map>
+#include <set>
+
 #include "compiler/graph/material.h"
 #include "compiler/ir/ir.h"
 #include "compiler/nodelang/emit.h"
@@ -10,6 +13,7 @@ namespace patina::graph {
 
 inline constexpr std::uint32_t kEngineSet = 0;
 inline constexpr std::uint32_t kMaterialSet = 1;
+inline constexpr std::uint32_t kTargetSet = 2;  // targets of other passes
 
 struct PropertyGlobals {
     ir::GlobalId value;    // numeric properties
@@ -21,9 +25,14 @@ struct PropertyGlobals {
 // The type of a numeric property's value in its block.
 ir::Type property_type(PropertyType type);
 
-// Declares every [extern] variable of the library: numbers in one block per name, textures each with a sampler behind
-// it, all in order of appearance.
-void declare_engine(const Library& library, nodelang::Emitter& emitter);
+// Declares every [extern] and [reads] variable: numbers in one block per name, textures each with a sampler behind it,
+// all in order of appearance.
+struct EngineGlobals {
+    std::set<std::uint32_t> per_object;          // of the object that is drawn
+    std::map<std::uint32_t, std::string> reads;  // textures that are targets of other passes
+};
+EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations& declarations,
+                             nodelang::Emitter& emitter);
 // One entry per Material::properties.
 std::vector<PropertyGlobals> declare_material(const Material& material, ir::Module& module);
 

@@ -101,7 +101,7 @@ struct LightingUse {
     bool present = false;
 };
 
-enum class SurfaceKind { Opaque, Cutout };
+enum class SurfaceKind { Opaque, Cutout, Fade, Transparent, Additive, Multiply };
 enum class Cull { Back, Front, Off };
 enum class Compare { Never, Less, Equal, LessEqual, Greater, NotEqual, GreaterEqual, Always };
 struct RenderState {

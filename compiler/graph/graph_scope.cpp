@@ -355,7 +355,7 @@ Typed GraphScope::name(const Expr& expr, nodelang::Scope&) {
     for (const Node& node : graph_.graph->nodes) known.push_back(node.id);
     if (inputs_.contains(expr.text) || lowering_.material.property_index.contains(expr.text)) {
         record.note(fmt::format("an input or property is read as '${}'", expr.text));
-    } else if (lowering_.session.library.semantic_index.contains(expr.text)) {
+    } else if (lowering_.session.stages->semantic_index.contains(expr.text)) {
         record.note(fmt::format("a semantic is read as '@{}'", expr.text));
     } else {
         record.note(Diagnostics::suggestion(expr.text, known));
@@ -440,14 +440,14 @@ Typed GraphScope::material_property(std::size_t index) {
 namespace {
 
 // Whether a semantic is made of where its pixel lies. Which side is seen does not count: vertices see the front.
-bool reads_pixel(const Library& library, const SemanticDecl& semantic) {
+bool reads_pixel(const Stages& stages, const SemanticDecl& semantic) {
     if (semantic.source == Source::Builtin) return semantic.name != "front_facing";
     if (!semantic.function) return false;
     return std::any_of(semantic.function->params.begin(), semantic.function->params.end(), [&](const auto& param) {
         const nodelang::Expr* read = param.initial;
         while (read && read->kind == nodelang::Expr::Kind::Member) read = read->args[0];
-        const auto found = read ? library.semantic_index.find(read->text) : library.semantic_index.end();
-        return found != library.semantic_index.end() && reads_pixel(library, library.semantics[found->second]);
+        const SemanticDecl* found = read ? stages.semantic(read->text) : nullptr;
+        return found && reads_pixel(stages, *found);
     });
 }
 
@@ -455,8 +455,8 @@ bool reads_pixel(const Library& library, const SemanticDecl& semantic) {
 
 Typed GraphScope::semantic(std::string_view name, Span span, nodelang::Scope& scope) {
     if (const auto given = given_.find(name); given != given_.end()) return given->second;
-    const Library& library = lowering_.session.library;
-    const auto found = library.semantic_index.find(name);
+    const Stages& stages = *lowering_.session.stages;
+    const auto found = stages.semantic_index.find(name);
     if (shadow_.ok()) {
         const auto& members = lowering_.out.module.structs[shadow_.type.ref].members;
         for (std::uint32_t i = 0; i < members.size(); ++i) {
@@ -464,9 +464,11 @@ Typed GraphScope::semantic(std::string_view name, Span span, nodelang::Scope& sc
                 return {.value = scope.builder->extract(shadow_.value, i), .type = members[i].type};
         }
     }
-    if (found == library.semantic_index.end()) {
+    if (found == stages.semantic_index.end() || stages.semantics[found->second].is_of_pass) {
         std::vector<std::string_view> known;
-        for (const SemanticDecl& semantic : library.semantics) known.push_back(semantic.name);
+        for (const SemanticDecl& semantic : stages.semantics) {
+            if (!semantic.is_of_pass) known.push_back(semantic.name);
+        }
         DiagnosticRecord& record = lowering_.session.diagnostics.report(Code::UnknownSemantic, span, name);
         const std::string_view near = nearest(name, known);
         if (!near.empty())
@@ -475,7 +477,7 @@ Typed GraphScope::semantic(std::string_view name, Span span, nodelang::Scope& sc
             record.note("docs/graph-format.md lists them");
         return {};
     }
-    const SemanticDecl& semantic = library.semantics[found->second];
+    const SemanticDecl& semantic = stages.semantics[found->second];
     const bool per_light = graph_.graph->kind == GraphKind::Lighting && name == "light";
     if (semantic.source == Source::Given || per_light) {
         lowering_.session.diagnostics.report(Code::SemanticNotHere, span, name, what_graph())
@@ -487,7 +489,7 @@ Typed GraphScope::semantic(std::string_view name, Span span, nodelang::Scope& sc
     if (semantic.source == Source::Extern) return lowering_.emitter.extern_value(*semantic.variable, scope);
     const Type type = lowering_.out.module.semantics[found->second].type;
     if (type.is_error()) return {};
-    if (scope_.in_vertex_stage && (semantic.source == Source::Builtin || reads_pixel(library, semantic))) {
+    if (scope_.in_vertex_stage && (semantic.source == Source::Builtin || reads_pixel(stages, semantic))) {
         lowering_.session.diagnostics.report(Code::NoSuchStageValue, span, name, "vertex");
         return {};
     }

@@ -9,6 +9,13 @@
 
 namespace patina::graph {
 
+// A slot that is derived from others (lower_parts.cpp): made when a pass first asks for it.
+struct Part {
+    nodelang::Slot slot{};
+    std::string why_not{};  // it cannot be had
+    ir::Origin where{};     // and this is in the way
+};
+
 // Shared by all scopes of one lowering.
 struct Lowering {
     Session& session;
@@ -23,6 +30,13 @@ struct Lowering {
     };
     std::map<std::string, Interpolator> interpolators;
     std::vector<std::string> active_interpolators;
+    std::map<std::string_view, Part> parts;  // slots that are derived from others, as far as they were asked for
+    std::set<std::uint32_t> per_object;      // globals of the object that is drawn
+
+    bool is_on(const SwitchDecl& wanted) const;
+    // Of a slot's function; empty: it is another function.
+    std::string_view slot_name(ir::FunctionId function) const;
+    bool is_packing(std::string_view slot) const;  // it stores and restores members, whatever reads them
 };
 
 class GraphScope : public nodelang::Environment {

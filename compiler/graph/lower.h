@@ -17,13 +17,23 @@ struct SemanticRecipe {
 
 struct LoweredPass {
     const PassDecl* declaration = nullptr;
-    ir::FunctionId vertex, fragment;
+    ir::FunctionId vertex{}, fragment{};
+    std::vector<std::pair<ir::SemanticId, ir::FunctionId>> recipes{};   // its own, in the fragment stage
+    std::vector<std::pair<ir::FunctionId, ir::FunctionId>> replaced{};  // functions of the seam, and what it puts there
+
+    std::optional<ir::FunctionId> recipe_of(ir::SemanticId semantic) const;
+    std::optional<ir::FunctionId> replacement_of(ir::FunctionId function) const;
 };
+// How a pass blends surfaces of a kind; null: it does not draw them.
+const BlendRow* blend_of(const PassDecl& pass, std::string_view surface);
 
 struct Lowered {
     ir::Module module;
     std::vector<SemanticRecipe> semantics;
+    std::string path;  // that the passes belong to: the wanted one, or its fallback
     std::vector<LoweredPass> passes;
+    std::vector<std::pair<std::string, bool>> switches;
+    std::map<std::uint32_t, std::string> reads;  // by global: the target of another pass that it shows
     std::vector<PropertyGlobals> property_globals;  // one per Material::properties
 };
 

@@ -267,7 +267,7 @@ void check_surface(Session& session, const Material& material) {
 
 void check_vertex(Session& session, const Graph& graph) {
     std::vector<std::string_view> names;
-    for (const SemanticDecl& semantic : session.library.semantics) {
+    for (const SemanticDecl& semantic : session.stages->semantics) {
         if (semantic.is_vertex_output) names.push_back(semantic.name);
     }
     for (const PortValue& port : graph.vertex) {

@@ -9,6 +9,7 @@
 
 #include "compiler/graph/check.h"
 #include "compiler/graph/json.h"
+#include "compiler/nodelang/parse.h"
 
 namespace patina::graph {
 namespace {
@@ -48,7 +49,12 @@ std::vector<std::string> candidates(const Session& session, const std::string& n
 }  // namespace
 
 Session::Session(const Library& the_library, const CompileOptions& the_options)
-    : library(the_library), options(the_options), sources(&the_library.sources) {}
+    : library(the_library),
+      options(the_options),
+      declarations(&the_library.declarations),
+      stages(&the_library.stages),
+      path(the_options.path),
+      sources(&the_library.sources) {}
 
 std::string find_file(Session& session, const std::string& name, const std::string& from) {
     for (std::string& path : candidates(session, name, from)) {
@@ -84,6 +90,32 @@ std::optional<std::uint32_t> load_source(Session& session, const std::string& pa
     }
     session.dependencies.push_back(path);
     return session.sources.add(path, std::move(*text));
+}
+
+void find_path(Session& session) {
+    const std::string& wanted = session.options.path;
+    if (!wanted.ends_with(".hlsl")) {
+        std::vector<std::string_view> known = session.stages->paths();
+        known.push_back(kAllPaths);
+        if (std::find(known.begin(), known.end(), wanted) != known.end()) return;
+        session.diagnostics.report(Code::UnknownWord, {}, wanted, "a rendering path")
+            .note(Diagnostics::suggestion(wanted, known));
+        return;
+    }
+    const std::optional<std::uint32_t> base = load_source(session, wanted, {});
+    if (!base) return;
+    auto file = std::make_unique<PassFile>();
+    nodelang::parse_file({.text = session.sources.file_text(*base), .base = *base}, file->ast, session.diagnostics);
+    file->declarations.parent = &session.library.declarations;
+    nodelang::index_declarations(file->ast, file->declarations, session.diagnostics);
+    file->stages = session.library.stages;
+    collect_stages(file->ast, file->declarations, session.sources, file->stages, session.diagnostics);
+    session.path = file_stem(wanted);
+    if (file->stages.passes_of(session.path).empty() && !session.diagnostics.has_errors())
+        session.diagnostics.report(Code::NoNodeInFile, {*base, *base}, "[pass]");
+    session.declarations = &file->declarations;
+    session.stages = &file->stages;
+    session.pass_file = std::move(file);
 }
 
 std::string file_stem(std::string_view path) {

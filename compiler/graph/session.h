@@ -18,11 +18,26 @@ struct NodeFile {
     const nodelang::FunctionDecl* node = nullptr;  // the function marked [node]
 };
 
+// Stands for every path of the library at once.
+inline constexpr std::string_view kAllPaths = "all";
+
+// A user's .pass.hlsl, on top of the library.
+struct PassFile {
+    nodelang::Ast ast;
+    nodelang::Declarations declarations;
+    Stages stages;  // the library's, and what the file adds
+};
+
 struct Session {
     Session(const Library& library, const CompileOptions& options);
 
     const Library& library;
     const CompileOptions& options;
+    // Of the library, unless the wanted path is a file.
+    const nodelang::Declarations* declarations;
+    const Stages* stages;
+    std::string path;  // the name of the wanted path
+    std::unique_ptr<PassFile> pass_file;
     SourceMap sources;
     Diagnostics diagnostics;
     nodelang::Ast ast;
@@ -40,6 +55,8 @@ std::string find_file(Session& session, const std::string& name, const std::stri
 void report_not_found(Session& session, const std::string& name, const std::string& from, Span where);
 // Loads a file's text into the source map and notes the dependency. Reports CannotRead at `where`.
 std::optional<std::uint32_t> load_source(Session& session, const std::string& path, Span where);
+// Makes the wanted path known: one of the library, or of a file, which is read. Reports what is wrong with it.
+void find_path(Session& session);
 // "dir/x.graph.json" -> "x"
 std::string file_stem(std::string_view path);
 

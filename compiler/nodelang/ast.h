@@ -122,7 +122,15 @@ struct MemberDecl {
     TypeName type{};
     std::string_view name{};
     Span span{};
+    std::vector<Attribute> attributes{};
     std::string_view doc{};
+
+    const Attribute* attribute(std::string_view attribute_name) const {
+        for (const Attribute& a : attributes) {
+            if (a.name == attribute_name) return &a;
+        }
+        return nullptr;
+    }
 };
 struct StructDecl {
     std::string_view name{};

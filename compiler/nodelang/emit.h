@@ -11,6 +11,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <map>
 #include <optional>
 
@@ -91,6 +92,12 @@ struct Slot {
     bool needs_quad = false;
 };
 
+// One of the functions that a declaration has become.
+struct InstanceInfo {
+    ir::FunctionId id;
+    bool half = false;
+};
+
 class Emitter {
 public:
     Emitter(ir::Module& module, Diagnostics& diagnostics, ir::BuildOptions options);
@@ -132,7 +139,18 @@ public:
     void check_function(const FunctionDecl& function, const Declarations& home);
     // A function that is not generic and takes only plain parameters, as it stands.
     ir::FunctionId plain_function(const FunctionDecl& function, const Declarations& home);
+    // A function in the place of another: parameters without a default are its own, the others are semantics.
+    ir::FunctionId given_function(const FunctionDecl& function, const Declarations& home, Environment& environment,
+                                  bool half);
+    std::vector<InstanceInfo> instances_of(const FunctionDecl& function) const;
     void set_slot(std::string_view name, Slot slot) { slots_[std::string(name)] = slot; }
+    const Slot* find_slot(std::string_view name) const;
+    std::string_view slot_name(ir::FunctionId function) const;  // empty: it is no slot's
+    // Asked for a slot, or a static, that has not been set. A maker that has none reports why at the place.
+    using SlotMaker = std::function<const Slot*(const FunctionDecl& slot, Span at)>;
+    using StaticMaker = std::function<std::optional<double>(const VariableDecl& variable)>;
+    void set_slot_maker(SlotMaker maker) { slot_maker_ = std::move(maker); }
+    void set_static_maker(StaticMaker maker) { static_maker_ = std::move(maker); }
     // extern variables and functions are known by their declaration.
     void set_extern(const VariableDecl* variable, ir::GlobalId global) { externs_[variable] = global; }
 
@@ -207,6 +225,9 @@ private:
     bool store(const Expr& target, Typed value, Scope& scope);
     ir::Value return_value(const Stmt* stmt, Scope& scope);
     ir::Value zero(ir::Type type, Scope& scope);
+    std::optional<double> static_value(const VariableDecl* variable) const;
+    ir::FunctionId outer_function(const FunctionDecl& function, const Declarations& home, Environment& environment,
+                                  Scope scope, bool may_take, bool* needs_quad);
 
     ir::Module& module_;
     Diagnostics& diagnostics_;
@@ -225,6 +246,8 @@ private:
     std::map<std::string, Slot> slots_;
     std::map<const VariableDecl*, ir::GlobalId> externs_;
     std::map<const VariableDecl*, double> statics_;
+    SlotMaker slot_maker_;
+    StaticMaker static_maker_;
     std::optional<ir::Type> texture2d_, texture_cube_;
     std::deque<Outputs> outputs_;
     std::vector<const FunctionDecl*> active_;  // for recursion

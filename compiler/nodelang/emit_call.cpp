@@ -281,9 +281,17 @@ unsigned Emitter::deduce_width(const FunctionDecl& function, std::span<const Arg
 }
 
 Typed Emitter::call_slot(const FunctionDecl& function, const Expr& expr, Scope& scope) {
-    const auto slot = slots_.find(std::string(function.name));
-    if (slot == slots_.end() || expr.args.size() != function.params.size()) {
-        diagnostics_.report(Code::Internal, expr.span, fmt::format("the slot '{}' is empty", function.name));
+    if (expr.args.size() != function.params.size()) {
+        diagnostics_.report(Code::ArgumentCount, expr.name_span, function.name, function.params.size(),
+                            expr.args.size());
+        return {};
+    }
+    const std::size_t errors = diagnostics_.error_count();
+    const Slot* slot = find_slot(function.name);
+    if (!slot && slot_maker_) slot = slot_maker_(function, expr.name_span);
+    if (!slot) {
+        if (diagnostics_.error_count() == errors)
+            diagnostics_.report(Code::Internal, expr.span, fmt::format("the slot '{}' is empty", function.name));
         return {};
     }
     std::vector<Value> values;
@@ -292,8 +300,8 @@ Typed Emitter::call_slot(const FunctionDecl& function, const Expr& expr, Scope& 
         if (!value.ok()) return {};
         values.push_back(value.value);
     }
-    if (slot->second.needs_quad && scope.needs_quad) *scope.needs_quad = true;
-    return {.value = scope.builder->call(slot->second.function, values), .type = slot->second.result};
+    if (slot->needs_quad && scope.needs_quad) *scope.needs_quad = true;
+    return {.value = scope.builder->call(slot->function, values), .type = slot->result};
 }
 
 // --- what the language itself offers

@@ -99,9 +99,8 @@ Typed Emitter::name(const Expr& expr, Scope& scope) {
     const VariableDecl* variable = scope.declarations->variable(expr.text);
     if (variable && !(scope.environment && scope.environment->hides(expr.text))) {
         if (variable->is_const) return file_constant(*variable, scope);
-        if (const auto known = statics_.find(variable); known != statics_.end()) {
-            return {.value = scope.builder->constant(ir::kBool, {known->second}), .type = ir::kBool};
-        }
+        if (const std::optional<double> known = static_value(variable))
+            return {.value = scope.builder->constant(ir::kBool, {*known}), .type = ir::kBool};
         if (externs_.contains(variable) && !scope.environment) return extern_value(*variable, scope);
     }
     if (scope.environment) return scope.environment->name(expr, scope);
@@ -110,6 +109,11 @@ Typed Emitter::name(const Expr& expr, Scope& scope) {
     diagnostics_.report(Code::UnknownName, expr.span, "variable", expr.text)
         .note(Diagnostics::suggestion(expr.text, known));
     return {};
+}
+
+std::optional<double> Emitter::static_value(const VariableDecl* variable) const {
+    if (const auto known = statics_.find(variable); known != statics_.end()) return known->second;
+    return static_maker_ ? static_maker_(*variable) : std::nullopt;
 }
 
 Typed Emitter::extern_value(const VariableDecl& variable, Scope& scope) {
@@ -320,8 +324,7 @@ std::optional<double> Emitter::constant_value(const Expr& expr, const Scope& sco
             if (variable && variable->is_const && variable->value && !variable->type.array_size) {
                 return constant_value(*variable->value, scope);
             }
-            if (const auto known = statics_.find(variable); known != statics_.end()) return known->second;
-            return {};
+            return variable ? static_value(variable) : std::nullopt;
         }
         case Expr::Kind::Unary: {
             const std::optional<double> a = of(0);

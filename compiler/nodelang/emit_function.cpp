@@ -153,42 +153,89 @@ ir::FunctionId Emitter::plain_function(const FunctionDecl& function, const Decla
 
 ir::FunctionId Emitter::semantic_function(const FunctionDecl& function, const Declarations& home,
                                           Environment& environment, bool in_vertex_stage, bool* needs_quad) {
+    Scope scope{.declarations = &home, .function = &function};
+    scope.in_vertex_stage = in_vertex_stage;
+    return outer_function(function, home, environment, std::move(scope), false, needs_quad);
+}
+
+ir::FunctionId Emitter::given_function(const FunctionDecl& function, const Declarations& home,
+                                       Environment& environment, bool half) {
+    return outer_function(function, home, environment,
+                          {.declarations = &home, .half = half, .function = &function}, true, nullptr);
+}
+
+// A function that can read semantics: they are the defaults of its parameters.
+ir::FunctionId Emitter::outer_function(const FunctionDecl& function, const Declarations& home,
+                                       Environment& environment, Scope scope, bool may_take, bool* needs_quad) {
     ir::Function made{};
     made.name = function.name;
     made.always_inline = true;
     ir::Builder builder(module_, made, options_);
     bool quad = false;
-    Scope scope{.builder = &builder, .declarations = &home, .function = &function, .needs_quad = &quad};
-    scope.in_vertex_stage = in_vertex_stage;
+    scope.builder = &builder;
+    scope.needs_quad = &quad;
     for (const ParamDecl& param : function.params) {
         const Type param_type = type(param.type, scope);
+        if (!param.initial && may_take) {
+            made.params.push_back({std::string(param.name), param_type, ir::Rate::Pixel});
+            const Value value = builder.param(static_cast<std::uint32_t>(made.params.size() - 1));
+            scope.locals.push_back({.name = param.name,
+                                    .value = {.value = value, .type = param_type},
+                                    .is_const = false,
+                                    .constant = {}});
+            continue;
+        }
         if (!param.initial) {
             diagnostics_.report(Code::MissingInput, param.span, function.name, param.name);
             return {};
         }
         Scope outside{.builder = &builder, .declarations = &home, .environment = &environment};
-        outside.in_vertex_stage = in_vertex_stage;
+        outside.in_vertex_stage = scope.in_vertex_stage;
         const Typed value = convert(default_value(*param.initial, home, outside, param_type), param_type, outside,
                                     param.initial->span, "the default");
         if (!value.ok()) return {};
         scope.locals.push_back({.name = param.name, .value = value, .is_const = false, .constant = {}});
         if (param.is_const) scope.locals.back().constant = constant_value(*param.initial, outside);
     }
-    made.result = scope.result = type(function.result, scope);
+    const bool is_void = function.result.name == "void";
+    if (is_void) module_.structs.push_back({.name = made.name + "Result", .members = {}});
+    made.result = scope.result =
+        is_void ? Type::structure(static_cast<std::uint32_t>(module_.structs.size() - 1)) : type(function.result, scope);
     Value returned;
     const std::size_t errors = diagnostics_.error_count();
     active_.push_back(&function);
     const bool returns = statements(body_of(function, diagnostics_), 0, scope, returned);
     active_.pop_back();
     if (diagnostics_.error_count() != errors) return {};
-    if (!returns) {
+    if (!returns && !is_void) {
         diagnostics_.report(Code::MissingReturn, function.name_span, function.name);
         return {};
     }
+    if (!returns) returned = return_value(nullptr, scope);
     builder.ret(returned);
     if (needs_quad) *needs_quad = quad;
     module_.functions.push_back(std::move(made));
     return {static_cast<std::uint32_t>(module_.functions.size() - 1)};
+}
+
+std::vector<InstanceInfo> Emitter::instances_of(const FunctionDecl& function) const {
+    std::vector<InstanceInfo> made;
+    for (const auto& [key, instance] : instances_) {
+        if (key.function == &function && instance.id) made.push_back({.id = instance.id, .half = key.half});
+    }
+    return made;
+}
+
+const Slot* Emitter::find_slot(std::string_view name) const {
+    const auto found = slots_.find(std::string(name));
+    return found == slots_.end() ? nullptr : &found->second;
+}
+
+std::string_view Emitter::slot_name(ir::FunctionId function) const {
+    for (const auto& [name, slot] : slots_) {
+        if (slot.function == function) return name;
+    }
+    return {};
 }
 
 }  // namespace patina::nodelang

@@ -8,17 +8,61 @@ namespace patina::nodelang {
 namespace {
 
 // What may stand before which declaration. ([light] stands before a loop.)
-constexpr std::string_view kFunction = "a function", kParameter = "a parameter", kVariable = "a variable";
+constexpr std::string_view kFunction = "a function", kParameter = "a parameter", kVariable = "a variable",
+                           kMember = "a member";
 struct AttributeInfo {
     std::string_view place, name;
 };
 constexpr AttributeInfo kAttributes[] = {
-    {kFunction, "node"},    {kFunction, "member"},        {kFunction, "semantic"},  {kFunction, "extern"},
-    {kFunction, "slot"},    {kFunction, "pass"},          {kFunction, "vertex"},    {kFunction, "fragment"},
-    {kFunction, "range"},   {kParameter, "range"},        {kParameter, "color"},    {kParameter, "unit"},
-    {kParameter, "hidden"}, {kParameter, "per_light"},    {kVariable, "attribute"}, {kVariable, "extern"},
-    {kVariable, "builtin"}, {kVariable, "semantic"},      {kVariable, "given"},     {kVariable, "static"},
-    {kVariable, "unit"},    {kVariable, "vertex_output"},
+    {kFunction, "node"},
+    {kFunction, "member"},
+    {kFunction, "semantic"},
+    {kFunction, "extern"},
+    {kFunction, "range"},
+    // What a pass may call, and how it comes about.
+    {kFunction, "slot"},
+    {kFunction, "part"},
+    {kFunction, "without"},
+    {kFunction, "pack"},
+    {kFunction, "unpack"},
+    {kFunction, "otherwise"},
+    // A pass and how it draws.
+    {kFunction, "pass"},
+    {kFunction, "vertex"},
+    {kFunction, "fragment"},
+    {kFunction, "gives"},
+    {kFunction, "draws"},
+    {kFunction, "each"},
+    {kFunction, "lights"},
+    {kFunction, "camera"},
+    {kFunction, "fallback"},
+    {kFunction, "cull"},
+    {kFunction, "blend"},
+    {kFunction, "depth"},
+    {kFunction, "depth_target"},
+    {kFunction, "depth_bias"},
+    {kFunction, "stencil"},
+    {kFunction, "target"},
+    {kFunction, "optional"},
+    {kFunction, "needs"},
+    {kFunction, "holds"},
+    {kParameter, "range"},
+    {kParameter, "color"},
+    {kParameter, "unit"},
+    {kParameter, "hidden"},
+    {kParameter, "per_light"},
+    {kVariable, "attribute"},
+    {kVariable, "extern"},
+    {kVariable, "reads"},
+    {kVariable, "builtin"},
+    {kVariable, "semantic"},
+    {kVariable, "given"},
+    {kVariable, "static"},
+    {kVariable, "switch"},
+    {kVariable, "per_object"},
+    {kVariable, "unit"},
+    {kVariable, "vertex_output"},
+    {kMember, "target"},
 };
 
 bool is_number(const Expr& expr) {
@@ -155,6 +199,8 @@ bool Parser::structure(std::vector<Attribute> marks, std::string_view doc) {
     while (!now().is("}")) {
         MemberDecl& member = decl.members.emplace_back();
         Token member_name;
+        if (!attributes(member.attributes)) return false;
+        check_attributes(member.attributes, kMember);
         if (!type_name(member.type, "a member or '}'") || !name("a name for the member", member_name)) return false;
         member.name = member_name.text;
         member.span = span(member_name);

@@ -7,6 +7,7 @@
 
 [extern("Camera")] float4x4 world_to_clip;
 [extern("Camera")] float4x4 world_to_view;
+[extern("Camera")] float4x4 clip_to_world;
 /// Camera position in world space.
 [extern("Camera")] [semantic("uniform")] float3 camera_position_ws;
 [extern("Camera")] float view_is_orthographic;  // 1 or 0
@@ -29,6 +30,22 @@ float3 position_vs(float3 position = position_ws) {
 [semantic("pixel")]
 float3 normal_vs(float3 normal = normal_ws) {
     return normalize(mul(world_to_view, float4(normal, 0)).xyz);
+}
+
+[reads("color")] Texture2D color_texture;
+[reads("depth")] Texture2D depth_texture;
+
+/// What has been drawn so far behind this pixel, linear. The material is drawn after all that do not read it.
+[semantic("pixel")]
+float3 scene_color(float2 uv = screen_uv) {
+    return color_texture.SampleLevel(uv, 0).rgb;
+}
+
+/// Distance in metres, along the camera's axis, of what has been drawn so far behind this pixel.
+[semantic("pixel")]
+float scene_depth(float2 uv = screen_uv) {
+    float3 behind = WorldFromDepth(uv, depth_texture.SampleLevel(uv, 0).r, clip_to_world);
+    return dot(behind - camera_position_ws, camera_forward_ws);
 }
 
 /// Position on the screen, 0 to 1 from the top left.

@@ -20,3 +20,26 @@ float3 indirect(LightingSurface surface) {
 float3 final(LightingSurface surface, LightSum sum) {
     return sum.direct + sum.indirect + surface.emission;
 }
+
+/// What one light adds to the picture: the part of `final` that is linear in sum.direct. Only that member is read.
+[slot] [part("final", "sum.direct")]
+float3 added(LightingSurface surface, LightSum sum);
+
+/// `added`, of the light that is alone in the list.
+float3 added_by_light(LightingSurface surface, float3 position) {
+    LightSum one;
+    one.direct = direct(surface, light_at(0, position));
+    return added(surface, one);
+}
+
+/// `final` over all lights of the list.
+float3 lit_by_all(LightingSurface surface, float3 position) {
+    float3 direct_sum = float3(0);
+    [light] for (int i = 0; i < min(light_count, MAX_LIGHTS); i++) {
+        direct_sum += direct(surface, light_at(i, position));
+    }
+    LightSum total;
+    total.direct = direct_sum;
+    total.indirect = indirect(surface);
+    return final(surface, total);
+}

@@ -23,8 +23,23 @@ const int MAX_LIGHTS = 16;
 [extern("Lights")] int light_count;
 [extern("Lights")] float4 light_position[16];  // xyz: direction to a directional light, else position; w: type
 [extern("Lights")] float4 light_color[16];     // rgb: colour times intensity; w: range in metres
-[extern("Lights")] float4 light_axis[16];      // xyz: direction that a spot shines along
-[extern("Lights")] float4 light_cone[16];      // cosines of a spot's half angles: x inner, y outer
+[extern("Lights")] float4 light_axis[16];      // xyz: direction that a spot shines along; w: 1 if it has the cookie
+[extern("Lights")] float4 light_cone[16];      // cosines of a spot's half angles: x inner, y outer; z: number of the
+                                               // light in the scene; w: number of its shadow map, or -1
+[extern("Lights")] int vertex_light_count;     // lights behind the first `light_count` that count per vertex, up to four
+
+/// Lights cast shadows.
+[switch("shadow-caster")] bool shadows;
+[extern("Lights")] float4x4 world_to_shadow[4];  // to the map's clip space
+[extern("Lights")] float4 shadow_tile[4];        // xy: size of the map in the texture, zw: its upper left corner
+[extern("Lights")] float4 shadow_settings[4];    // x: strength
+[extern("Lights")] float shadow_texel;           // 1 / width of the texture in texels
+[reads("shadow_map")] Texture2D shadow_map;      // red: depth, 0 near to 1 far; up to four maps
+
+/// A light shines through a picture.
+[switch] bool cookies;
+[extern("Lights")] float4x4 world_to_cookie;
+[extern] Texture2D light_cookie;
 
 /// Colour times attenuation times shadow.
 [member]
@@ -32,10 +47,28 @@ float3 radiance(Light light) {
     return light.color * (light.attenuation * light.shadow);
 }
 
-/// How much of a light reaches a point: 1 lit, 0 in shadow.
+/// How much of the light in slot `index` reaches a point: 1 lit, 0 in shadow.
 [extern]
 float shadow(int index, float3 position) {
-    return 1;
+    if (!shadows) { return 1; }
+    int map = int(light_cone[index].w);
+    float lit = 1;
+    if (map >= 0) {
+        float4 place = mul(world_to_shadow[map], float4(position, 1));
+        float3 at = place.xyz / place.w;
+        float2 uv = at.xy * float2(0.5, -0.5) + 0.5;
+        float share = SampleShadowTent5x5(shadow_map, uv, at.z, shadow_texel, shadow_tile[map]);
+        lit = lerp(1, share, shadow_settings[map].x);
+    }
+    return lit;
+}
+
+/// How much of the light in slot `index` its cookie lets through.
+[extern]
+float light_through_cookie(int index, float3 position) {
+    if (!cookies) { return 1; }
+    float passes = CookieAttenuation(light_cookie, mul(world_to_cookie, float4(position, 1)));
+    return light_axis[index].w > 0.5 ? passes : 1;
 }
 
 /// The inverse square law, with a window that ends it smoothly at the light's range.
@@ -47,7 +80,7 @@ float distance_attenuation(float distance_squared, float range) {
     return window * window / max(distance_squared, 0.0001);
 }
 
-/// Light number `index` as seen from `position` (world space).
+/// The light in slot `index` of the list, as seen from `position` (world space).
 [extern]
 Light light_at(int index, float3 position) {
     int slot = clamp(index, 0, MAX_LIGHTS - 1);
@@ -63,8 +96,9 @@ Light light_at(int index, float3 position) {
     float4 cone = light_cone[slot];
     float spot = saturate((cosine - cone.y) / max(cone.x - cone.y, 0.001));
     light.attenuation *= place.w > 1.5 ? spot * spot : 1;
-    light.shadow = shadow(index, position);
-    light.index = index;
+    light.attenuation *= light_through_cookie(slot, position);
+    light.shadow = shadow(slot, position);
+    light.index = int(cone.z);
     light.type = int(place.w);
     return light;
 }

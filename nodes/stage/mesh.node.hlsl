@@ -23,9 +23,11 @@
 [static("cull", "off", "front")] bool two_sided;
 /// The material is cut out where alpha is below alphaClip.
 [static("surface", "cutout")] bool alpha_clip;
+/// The material lets through what is behind it, and still mirrors as if it were whole.
+[static("surface", "transparent")] bool premultiplied;
 
-[extern("Object")] float4x4 object_to_world;
-[extern("Object")] float4x4 world_to_object;
+[extern("Object")] [per_object] float4x4 object_to_world;
+[extern("Object")] [per_object] float4x4 world_to_object;
 
 /// Position in world space.
 [semantic("vertex")]

@@ -32,3 +32,14 @@ float alphaRoughness(LightingSurface surface) {
 float smoothness(LightingSurface surface) {
     return 1 - surface.roughness;
 }
+
+/// The surface as it is lit: a transparent one scatters light only as far as it covers what is behind it, and still
+/// mirrors as if it were whole.
+LightingSurface as_lit(LightingSurface surface) {
+    LightingSurface lit = surface;
+    if (premultiplied) {
+        lit.diffuseColor = PremultiplyAlpha(surface.diffuseColor, surface.alpha, surface.oneMinusReflectivity).out;
+        lit.alpha = PremultiplyAlpha(surface.diffuseColor, surface.alpha, surface.oneMinusReflectivity).out_alpha;
+    }
+    return lit;
+}

@@ -31,7 +31,7 @@ Term::Term(const nodelang::FunctionDecl& function, const nodelang::Declarations&
     Diagnostics diagnostics;
     ir::Module module;
     nodelang::Emitter emitter(module, diagnostics, {.fold = false});
-    graph::declare_engine(library(), emitter);
+    graph::declare_engine(library().stages, library().declarations, emitter);
     ir::Function outer{};
     outer.name = "term";
     ir::Builder builder(module, outer, {.fold = false});

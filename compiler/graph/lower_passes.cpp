@@ -1,0 +1,252 @@
+// The passes of the wanted path, lowered: their two functions, their own recipes of semantics, and the functions of the
+// seam that they replace. A material that a path cannot take is lowered for the path's fallback.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/graph/lowering.h"
+#include "compiler/graph/words.h"
+
+namespace patina::graph {
+namespace {
+
+using ir::Op;
+using nodelang::Attribute;
+using nodelang::FunctionDecl;
+using nodelang::VariableDecl;
+
+class Passes {
+public:
+    explicit Passes(Lowering& lowering)
+        : lowering_(lowering), stages_(*lowering.session.stages), environment_(lowering) {}
+
+    void run() {
+        nodelang::Emitter& emitter = lowering_.emitter;
+        emitter.set_slot_maker([this](const FunctionDecl& slot, Span at) { return slot_of(slot, at); });
+        emitter.set_static_maker([this](const VariableDecl& variable) { return static_value(variable); });
+        const std::vector<std::string>& wanted = lowering_.session.options.passes;
+        if (wanted.empty() && lowering_.session.path == kAllPaths) {
+            lower_all();
+        } else if (wanted.empty()) {
+            lower_path(lowering_.session.path);
+        } else {
+            lowering_.out.path = lowering_.session.path;
+            for (const std::string& name : wanted) named_pass(name);
+        }
+    }
+
+private:
+    // --- which passes
+
+    void named_pass(const std::string& name) {
+        const PassDecl* pass = stages_.pass(name);
+        if (!pass) {
+            std::vector<std::string_view> known;
+            for (const PassDecl& each : stages_.passes) known.push_back(each.name);
+            lowering_.session.diagnostics.report(Code::UnknownPass, {}, name)
+                .note(Diagnostics::suggestion(name, known));
+        } else if (const Refusal refusal = lower_pass(*pass)) {
+            report(Code::PassRefused, refusal, pass->name, refusal.reason);
+        }
+    }
+
+    // Every pass that can draw the material.
+    void lower_all() {
+        lowering_.out.path = kAllPaths;
+        for (const bool optional : {true, false}) {
+            for (const PassDecl& pass : stages_.passes) {
+                if (pass.is_optional == optional) lower_pass(pass);
+            }
+        }
+    }
+
+    void lower_path(const std::string& path) {
+        Lowered& out = lowering_.out;
+        out.passes.clear();
+        out.path = path;
+        std::vector<const PassDecl*> passes;
+        for (const SwitchDecl& each : stages_.switches) {
+            const PassDecl* brought = each.brings.empty() ? nullptr : stages_.pass(each.brings);
+            const bool is_there = std::find(passes.begin(), passes.end(), brought) != passes.end();
+            if (brought && !is_there && lowering_.is_on(each) && brought->path != path) passes.push_back(brought);
+        }
+        const std::size_t own = passes.size();
+        for (const PassDecl* pass : stages_.passes_of(path)) passes.push_back(pass);
+        // Others may ask whether an optional pass is there.
+        std::vector<const PassDecl*> order = passes;
+        std::stable_partition(order.begin(), order.end(), [](const PassDecl* p) { return p->is_optional; });
+        for (const PassDecl* pass : order) {
+            const Refusal refusal = lower_pass(*pass);
+            if (!refusal || pass->is_optional) continue;
+            const bool is_own = std::find(passes.begin() + std::ptrdiff_t(own), passes.end(), pass) != passes.end();
+            if (is_own && !pass->state.fallback.empty()) {
+                report(Code::PathRefused, refusal, path, pass->state.fallback, refusal.reason);
+                if (!stages_.passes_of(pass->state.fallback).empty() && pass->state.fallback != path)
+                    return lower_path(pass->state.fallback);
+            }
+            if (has_blend(*pass)) {
+                report(Code::PassRefused, refusal, pass->name, refusal.reason);
+            } else if (is_own) {
+                report(Code::PassLeftOut, refusal, pass->name, refusal.reason);
+            }
+        }
+        std::sort(out.passes.begin(), out.passes.end(), [&](const LoweredPass& a, const LoweredPass& b) {
+            return std::find(passes.begin(), passes.end(), a.declaration) <
+                   std::find(passes.begin(), passes.end(), b.declaration);
+        });
+    }
+
+    template <class... Words>
+    void report(Code code, const Refusal& refusal, const Words&... words) {
+        const Span whole = lowering_.material.graph->graph->span;
+        const bool is_graph = refusal.where.span.begin != refusal.where.span.end;
+        lowering_.session.diagnostics.report(code, is_graph ? refusal.where.span : Span{whole.begin, whole.begin + 1}, words...)
+            .at(refusal.where.id);
+    }
+
+    // --- one pass
+
+    std::string_view surface() const {
+        return text_of(kSurfaceKinds, lowering_.material.graph->graph->render.surface);
+    }
+
+    bool has_blend(const PassDecl& pass) const {
+        return pass.state.draws != "objects" || blend_of(pass, surface()) || pass.blends.empty();
+    }
+
+    Refusal lower_pass(const PassDecl& pass) {
+        if (!pass.vertex || !pass.fragment) return {};  // reported when its file was read
+        if (!has_blend(pass)) return {.reason = fmt::format("it does not draw '{}' surfaces", surface())};
+        for (const std::string_view name : pass.needs) {
+            const auto slot = std::find_if(stages_.slots.begin(), stages_.slots.end(),
+                                           [&](const FunctionDecl* s) { return s->name == name; });
+            if (slot == stages_.slots.end()) return {.reason = fmt::format("it needs '{}', which nothing makes", name)};
+            const Part* part = is_part(**slot) ? &part_of(lowering_, **slot) : nullptr;
+            if (part && !part->slot.function) return {.reason = part->why_not, .where = part->where};
+        }
+        const nodelang::Declarations& declarations = *lowering_.session.declarations;
+        nodelang::Emitter& emitter = lowering_.emitter;
+        LoweredPass made{.declaration = &pass};
+        made.vertex = emitter.semantic_function(*pass.vertex, declarations, environment_, true);
+        made.fragment = emitter.semantic_function(*pass.fragment, declarations, environment_, false);
+        if (!made.vertex || !made.fragment) return {};
+        lower_recipes();
+        lower_given(made);
+        lower_recipes();
+        if (lowering_.session.diagnostics.has_errors()) return {};
+        if (Refusal refusal = refusal_of(lowering_, made)) return refusal;
+        lowering_.out.passes.push_back(std::move(made));
+        return {};
+    }
+
+    void lower_given(LoweredPass& pass) {
+        nodelang::Emitter& emitter = lowering_.emitter;
+        const nodelang::Declarations& declarations = *lowering_.session.declarations;
+        for (const GivenDecl& given : stages_.given) {
+            if (std::find(given.passes.begin(), given.passes.end(), pass.declaration->name) == given.passes.end())
+                continue;
+            if (const auto found = stages_.semantic_index.find(given.what); found != stages_.semantic_index.end()) {
+                const ir::FunctionId made =
+                    emitter.semantic_function(*given.function, declarations, environment_, false);
+                if (made) pass.recipes.push_back({{found->second}, made});
+                continue;
+            }
+            const FunctionDecl* replaced = declarations.function(given.what);
+            if (!replaced || !replaced->attribute("extern")) {
+                lowering_.session.diagnostics.report(Code::BadAttribute, given.function->name_span, "gives",
+                                                     fmt::format("names '{}', which is neither a semantic nor a "
+                                                                 "function marked [extern]",
+                                                                 given.what));
+                continue;
+            }
+            for (const nodelang::InstanceInfo& instance : emitter.instances_of(*replaced)) {
+                const ir::FunctionId made = emitter.given_function(*given.function, declarations, environment_,
+                                                                   instance.half);
+                if (made) replace(pass, given, instance.id, made);
+            }
+        }
+    }
+
+    void replace(LoweredPass& pass, const GivenDecl& given, ir::FunctionId old, ir::FunctionId made) {
+        const ir::Module& module = lowering_.out.module;
+        const ir::Function &before = module[old], &now = module[made];
+        const bool fits = before.result == now.result &&
+                          std::equal(before.params.begin(), before.params.end(), now.params.begin(), now.params.end(),
+                                     [](const ir::Param& a, const ir::Param& b) { return a.type == b.type; });
+        if (fits) return pass.replaced.push_back({old, made});
+        lowering_.session.diagnostics.report(
+            Code::BadAttribute, given.function->name_span, "gives",
+            fmt::format("replaces '{}', whose parameters and result it must have; further ones need a semantic as "
+                        "their default",
+                        given.what));
+    }
+
+    // Recipes of every semantic that a function reads, and of those that the recipes read.
+    void lower_recipes() {
+        Lowered& out = lowering_.out;
+        for (; next_ < out.module.functions.size(); ++next_) {
+            for (std::size_t i = 0; i < out.module.functions[next_].insts.size(); ++i) {
+                const ir::Inst inst = out.module.functions[next_].insts[i];
+                if (inst.op != Op::Semantic) continue;
+                SemanticRecipe& recipe = out.semantics[inst.data];
+                if (!recipe.declaration || !recipe.declaration->function || recipe.recipe) continue;
+                const ir::FunctionId made = lowering_.emitter.semantic_function(
+                    *recipe.declaration->function, *lowering_.session.declarations, environment_, false);
+                if (!made) return;  // a fault in the library or the user's file, reported
+                out.semantics[inst.data].recipe = made;
+            }
+        }
+    }
+
+    // --- what pass functions ask for
+
+    const nodelang::Slot* slot_of(const FunctionDecl& slot, Span at) {
+        if (!is_part(slot)) return nullptr;
+        const Part& part = part_of(lowering_, slot);
+        if (part.slot.function) return &part.slot;
+        lowering_.session.diagnostics.report(Code::PassRefused, at, slot.name, part.why_not);
+        return nullptr;
+    }
+
+    std::optional<double> static_value(const VariableDecl& variable) {
+        const Attribute* attribute = variable.attribute("static");
+        if (!attribute) return {};
+        const std::string_view key = nodelang::attribute_text(*attribute), name = nodelang::attribute_text(*attribute, 1);
+        if (key == "pass") {
+            const auto& passes = lowering_.out.passes;
+            return std::any_of(passes.begin(), passes.end(),
+                               [&](const LoweredPass& p) { return p.declaration->name == name; });
+        }
+        if (key != "slot") return {};
+        for (const FunctionDecl* slot : stages_.slots) {
+            if (slot->name != name) continue;
+            if (!is_part(*slot)) return lowering_.emitter.find_slot(name) != nullptr;
+            const Part& part = part_of(lowering_, *slot);
+            remark(*slot, part);
+            return bool(part.slot.function);
+        }
+        return 0;
+    }
+
+    // Says once what a part's absence costs.
+    void remark(const FunctionDecl& slot, const Part& part) {
+        const Attribute* otherwise = slot.attribute("otherwise");
+        if (part.slot.function || !otherwise || !remarked_.insert(slot.name).second) return;
+        report(Code::PathLoses, {.reason = {}, .where = part.where}, lowering_.out.path,
+               nodelang::attribute_text(*otherwise), part.why_not);
+    }
+
+    Lowering& lowering_;
+    const Stages& stages_;
+    LibraryEnvironment environment_;
+    std::size_t next_ = 0;  // function whose semantics have not been looked at
+    std::set<std::string_view> remarked_;
+};
+
+}  // namespace
+
+void lower_passes(Lowering& lowering) {
+    Passes(lowering).run();
+}
+
+}  // namespace patina::graph

@@ -1,0 +1,190 @@
+// The attributes that say how a pass draws: which words each takes, and where they end up in the reflection.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "compiler/graph/stages.h"
+#include "compiler/graph/words.h"
+
+namespace patina::graph {
+namespace {
+
+using nodelang::Attribute;
+using nodelang::Expr;
+using Words = std::span<const std::string_view>;
+
+constexpr std::size_t kMostTargets = 8;  // of Vulkan's and Direct3D 12's
+
+constexpr std::array<std::string_view, 3> kDraws = {"objects", "fullscreen", "light-volumes"};
+constexpr std::array<std::string_view, 2> kEach = {"once", "light"};
+constexpr std::array<std::string_view, 7> kLights = {"all", "main", "further", "directional", "local", "shadowed", "none"};
+constexpr std::array<std::string_view, 2> kCameras = {"any", "perspective"};
+constexpr std::array<std::string_view, 3> kCullWords = {"back", "front", "off"};
+constexpr std::array<std::string_view, 2> kDepthWrites = {"write", "keep"};
+constexpr std::array<std::string_view, 2> kStencilOps = {"keep", "replace"};
+constexpr std::array<std::string_view, 2> kStencilReferences = {"lighting", ""};
+constexpr std::array<std::string_view, 5> kFormats = {"rgba8", "rgb10a2", "rgba16f", "rgba32f", "r32f"};
+constexpr std::array<std::string_view, 10> kBlendFactors = {
+    "one",       "zero",      "src_alpha",           "one_minus_src_alpha", "dst_alpha", "one_minus_dst_alpha",
+    "src_color", "dst_color", "one_minus_src_color", "one_minus_dst_color"};
+
+template <class Table>
+std::vector<std::string_view> texts(const Table& table) {
+    std::vector<std::string_view> made;
+    for (const auto& word : table) made.push_back(word.text);
+    return made;
+}
+
+// Takes the arguments of one attribute, in order; what is wrong with one is said at it.
+class Arguments {
+public:
+    Arguments(const Attribute& attribute, Diagnostics& diagnostics) : attribute_(attribute), diagnostics_(diagnostics) {}
+
+    bool count(std::size_t least, std::size_t most, std::string_view example) {
+        if (attribute_.args.size() >= least && attribute_.args.size() <= most) return true;
+        diagnostics_.report(Code::BadAttribute, attribute_.span, attribute_.name, fmt::format("reads like this: {}", example));
+        return false;
+    }
+
+    bool is_left() const { return next_ < attribute_.args.size(); }
+
+    // Any text; empty if there is none.
+    std::string_view text() {
+        const Expr& given = *attribute_.args[next_++];
+        if (given.kind != Expr::Kind::File)
+            diagnostics_.report(Code::BadAttribute, given.span, attribute_.name, "takes words in quotes");
+        return given.text;
+    }
+
+    std::string_view word(Words words, std::string_view what) {
+        const Span span = attribute_.args[next_]->span;
+        const std::string_view given = text();
+        if (std::find(words.begin(), words.end(), given) != words.end()) return given;
+        diagnostics_.report(Code::UnknownWord, span, given, what).note(Diagnostics::suggestion(given, words));
+        return words.front();
+    }
+
+    double number() {
+        const Expr& given = *attribute_.args[next_++];
+        const bool is_negative = given.kind == Expr::Kind::Unary && given.text == "-";
+        const Expr& digits = is_negative ? *given.args[0] : given;
+        if (digits.kind != Expr::Kind::Number)
+            diagnostics_.report(Code::BadAttribute, given.span, attribute_.name, "takes numbers here");
+        return is_negative ? -digits.number : digits.number;
+    }
+
+private:
+    const Attribute& attribute_;
+    Diagnostics& diagnostics_;
+    std::size_t next_ = 0;
+};
+
+void read_blend(Arguments& in, std::size_t count, PassDecl& pass) {
+    BlendRow row{};
+    if (count != 2) row.surface = in.word(texts(kSurfaceKinds), "a surface kind");
+    row.source = in.word(kBlendFactors, "a blend factor");
+    row.destination = in.word(kBlendFactors, "a blend factor");
+    pass.blends.push_back(row);
+}
+
+void read_depth(Arguments& in, PassDecl& pass) {
+    pass.has_depth = true;
+    pass.state.depth_test = in.word(texts(kCompares), "a depth test");
+    pass.state.depth_write = in.word(kDepthWrites, "what a pass does with depth") == "write";
+}
+
+void read_stencil(Arguments& in, PassDecl& pass) {
+    pass.state.stencil.test = in.word(texts(kCompares), "a stencil test");
+    pass.state.stencil.pass = in.word(kStencilOps, "a stencil operation");
+    pass.state.stencil.reference = in.word(kStencilReferences, "a stencil reference");
+}
+
+struct StateRow {
+    std::string_view name;
+    std::size_t least, most;
+    std::string_view example;
+    void (*read)(Arguments&, std::size_t count, PassDecl&);
+};
+constexpr StateRow kState[] = {
+    {"draws", 1, 1, "[draws(\"objects\")]",
+     [](Arguments& in, std::size_t, PassDecl& p) { p.state.draws = in.word(kDraws, "what a pass draws"); }},
+    {"each", 1, 1, "[each(\"light\")]",
+     [](Arguments& in, std::size_t, PassDecl& p) { p.state.each = in.word(kEach, "how often a pass draws"); }},
+    {"lights", 1, 1, "[lights(\"all\")]",
+     [](Arguments& in, std::size_t, PassDecl& p) { p.state.lights = in.word(kLights, "a set of lights"); }},
+    {"camera", 1, 1, "[camera(\"perspective\")]",
+     [](Arguments& in, std::size_t, PassDecl& p) { p.state.camera = in.word(kCameras, "a camera"); }},
+    {"fallback", 1, 1, "[fallback(\"forward\")]",
+     [](Arguments& in, std::size_t, PassDecl& p) { p.state.fallback = in.text(); }},
+    {"cull", 1, 1, "[cull(\"front\")]",
+     [](Arguments& in, std::size_t, PassDecl& p) {
+         p.has_cull = true;
+         p.state.cull = in.word(kCullWords, "a way to cull");
+     }},
+    {"blend", 2, 3, "[blend(\"fade\", \"src_alpha\", \"one\")] or, for every surface, [blend(\"one\", \"one\")]",
+     read_blend},
+    {"depth", 2, 2, "[depth(\"lessEqual\", \"keep\")]",
+     [](Arguments& in, std::size_t, PassDecl& p) { read_depth(in, p); }},
+    {"depth_target", 1, 1, "[depth_target(\"depth\")]",
+     [](Arguments& in, std::size_t, PassDecl& p) { p.state.depth_target = in.text(); }},
+    {"depth_bias", 2, 2, "[depth_bias(1, 1.5)]",
+     [](Arguments& in, std::size_t, PassDecl& p) {
+         p.state.depth_bias = in.number();
+         p.state.depth_slope_bias = in.number();
+     }},
+    {"stencil", 3, 3, "[stencil(\"always\", \"replace\", \"lighting\")]",
+     [](Arguments& in, std::size_t, PassDecl& p) { read_stencil(in, p); }},
+    {"optional", 0, 0, "[optional]", [](Arguments&, std::size_t, PassDecl& p) { p.is_optional = true; }},
+};
+
+void read_target(const Attribute& attribute, RenderTarget& target, Diagnostics& diagnostics) {
+    Arguments in(attribute, diagnostics);
+    if (!in.count(2, 2, "[target(\"color\", \"rgba16f\")]")) return;
+    target.name = in.text();
+    target.format = in.word(kFormats, "a target format");
+}
+
+// A pass returns one colour, a struct of them, or nothing.
+void read_targets(const nodelang::FunctionDecl& fragment, const nodelang::Declarations& declarations, PassDecl& pass,
+                  Diagnostics& diagnostics) {
+    if (fragment.result.name == "void") return;
+    if (const nodelang::StructDecl* structure = declarations.structure(fragment.result.name)) {
+        for (const nodelang::MemberDecl& member : structure->members) {
+            RenderTarget& target = pass.state.targets.emplace_back();
+            target.location = static_cast<std::uint32_t>(pass.state.targets.size() - 1);
+            const Attribute* attribute = member.attribute("target");
+            if (attribute) {
+                read_target(*attribute, target, diagnostics);
+            } else {
+                diagnostics.report(Code::BadAttribute, member.span, "target",
+                                   fmt::format("is missing at '{}': [target(\"color\", \"rgba16f\")]", member.name));
+            }
+        }
+    } else {
+        pass.state.targets = {{.name = "color", .location = 0, .format = "rgba16f"}};
+        if (const Attribute* attribute = fragment.attribute("target"))
+            read_target(*attribute, pass.state.targets.front(), diagnostics);
+    }
+    if (pass.state.targets.size() > kMostTargets)
+        diagnostics.report(Code::TooMany, fragment.name_span, pass.state.targets.size(), "targets", kMostTargets);
+}
+
+}  // namespace
+
+void read_pass_state(const nodelang::FunctionDecl& fragment, const nodelang::Declarations& declarations, PassDecl& pass,
+                     Diagnostics& diagnostics) {
+    for (const Attribute& attribute : fragment.attributes) {
+        if (attribute.name == "needs") pass.needs = attribute_words(attribute);
+        if (attribute.name == "holds") pass.holds = attribute_words(attribute);
+        const auto row = std::find_if(std::begin(kState), std::end(kState),
+                                      [&](const StateRow& r) { return r.name == attribute.name; });
+        if (row == std::end(kState)) continue;
+        Arguments in(attribute, diagnostics);
+        if (in.count(row->least, row->most, row->example)) row->read(in, attribute.args.size(), pass);
+    }
+    read_targets(fragment, declarations, pass, diagnostics);
+}
+
+}  // namespace patina::graph

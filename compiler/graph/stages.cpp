@@ -1,0 +1,171 @@
+#include "compiler/graph/stages.h"
+
+#include <algorithm>
+
+namespace patina::graph {
+namespace {
+
+using nodelang::Attribute;
+using nodelang::FunctionDecl;
+using nodelang::VariableDecl;
+
+bool is_of_pass(const SourceMap& sources, Span span) {
+    return std::string_view(sources.resolve(span.begin).file).ends_with(".pass.hlsl");
+}
+
+std::string stem(std::string_view path) {
+    const std::string_view name = path.substr(path.find_last_of("/\\") + 1);
+    return std::string(name.substr(0, name.find('.', 1)));
+}
+
+std::optional<Source> source_of(const VariableDecl& variable) {
+    if (variable.attribute("attribute")) return Source::Attribute;
+    if (variable.attribute("builtin")) return Source::Builtin;
+    if (variable.attribute("given")) return Source::Given;
+    if (variable.attribute("extern") && variable.attribute("semantic")) return Source::Extern;
+    return {};
+}
+
+std::optional<Source> source_of(std::string_view rate) {
+    if (rate == "vertex") return Source::Vertex;
+    if (rate == "pixel") return Source::Pixel;
+    if (rate == "uniform") return Source::Uniform;
+    return {};
+}
+
+class Collector {
+public:
+    Collector(const nodelang::Declarations& declarations, const SourceMap& sources, Stages& stages,
+              Diagnostics& diagnostics)
+        : declarations_(declarations), sources_(sources), stages_(stages), diagnostics_(diagnostics) {}
+
+    void variable(const VariableDecl& variable) {
+        if (variable.attribute("extern") || variable.attribute("reads")) stages_.externs.push_back(&variable);
+        if (variable.attribute("static")) stages_.statics.push_back(&variable);
+        if (const Attribute* attribute = variable.attribute("switch"))
+            stages_.switches.push_back({.variable = &variable, .brings = nodelang::attribute_text(*attribute)});
+        if (const std::optional<Source> source = source_of(variable)) {
+            add({.name = variable.name,
+                 .source = *source,
+                 .variable = &variable,
+                 .is_vertex_output = variable.attribute("vertex_output") != nullptr,
+                 .is_of_pass = is_of_pass(sources_, variable.span)});
+        }
+    }
+
+    void function(const FunctionDecl& function) {
+        if (function.attribute("slot")) stages_.slots.push_back(&function);
+        if (const Attribute* attribute = function.attribute("semantic")) {
+            if (const std::optional<Source> source = source_of(nodelang::attribute_text(*attribute))) {
+                add({.name = function.name,
+                     .source = *source,
+                     .function = &function,
+                     .is_of_pass = is_of_pass(sources_, function.span)});
+            } else {
+                diagnostics_.report(Code::BadAttribute, attribute->span, "semantic", "takes vertex, pixel or uniform");
+            }
+        }
+        for (const Attribute& attribute : function.attributes) {
+            if (attribute.name == "pass") stage_of(function, attribute);
+            if (attribute.name != "gives") continue;
+            GivenDecl& given = stages_.given.emplace_back();
+            given = {.what = nodelang::attribute_text(attribute),
+                     .function = &function,
+                     .passes = attribute_words(attribute, 1)};
+            if (given.passes.empty())
+                diagnostics_.report(Code::BadAttribute, attribute.span, "gives",
+                                    "takes what is given and the passes: [gives(\"position_ws\", \"mine\")]");
+        }
+    }
+
+private:
+    void add(SemanticDecl semantic) {
+        stages_.semantic_index.emplace(semantic.name, static_cast<std::uint32_t>(stages_.semantics.size()));
+        stages_.semantics.push_back(semantic);
+    }
+
+    // One of the two functions of a pass.
+    void stage_of(const FunctionDecl& function, const Attribute& attribute) {
+        const std::string_view name = nodelang::attribute_text(attribute);
+        const bool is_vertex = function.attribute("vertex") != nullptr;
+        if (name.empty() || is_vertex == (function.attribute("fragment") != nullptr)) {
+            diagnostics_.report(Code::BadAttribute, attribute.span, "pass",
+                                "takes a name, and stands beside [vertex] or [fragment]");
+            return;
+        }
+        auto pass = std::find_if(stages_.passes.begin(), stages_.passes.end(),
+                                 [&](const PassDecl& p) { return p.name == name; });
+        if (pass == stages_.passes.end()) {
+            pass = stages_.passes.emplace(pass);
+            pass->name = pass->state.name = name;
+            pass->span = attribute.span;
+        }
+        const FunctionDecl*& stage = is_vertex ? pass->vertex : pass->fragment;
+        if (stage) {
+            diagnostics_
+                .report(Code::DuplicateId, attribute.span,
+                        is_vertex ? "[vertex] function of a pass" : "[fragment] function of a pass", name)
+                .note(stage->name_span, "the first one is here");
+            return;
+        }
+        stage = &function;
+        if (is_vertex) return;
+        pass->path = stem(sources_.resolve(function.span.begin).file);
+        read_pass_state(function, declarations_, *pass, diagnostics_);
+    }
+
+    const nodelang::Declarations& declarations_;
+    const SourceMap& sources_;
+    Stages& stages_;
+    Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+const PassDecl* Stages::pass(std::string_view name) const {
+    const auto found = std::find_if(passes.begin(), passes.end(), [&](const PassDecl& p) { return p.name == name; });
+    return found == passes.end() ? nullptr : &*found;
+}
+
+std::vector<const PassDecl*> Stages::passes_of(std::string_view path) const {
+    std::vector<const PassDecl*> of;
+    for (const PassDecl& each : passes) {
+        if (each.path == path) of.push_back(&each);
+    }
+    return of;
+}
+
+std::vector<std::string_view> Stages::paths() const {
+    std::vector<std::string_view> names;
+    for (const PassDecl& each : passes) {
+        if (std::find(names.begin(), names.end(), each.path) == names.end()) names.push_back(each.path);
+    }
+    return names;
+}
+
+const SemanticDecl* Stages::semantic(std::string_view name) const {
+    const auto found = semantic_index.find(name);
+    return found == semantic_index.end() ? nullptr : &semantics[found->second];
+}
+
+std::vector<std::string_view> attribute_words(const Attribute& attribute, std::size_t first) {
+    std::vector<std::string_view> words;
+    for (std::size_t i = first; i < attribute.args.size(); ++i) words.push_back(attribute.args[i]->text);
+    return words;
+}
+
+void collect_stages(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const SourceMap& sources,
+                    Stages& stages, Diagnostics& diagnostics) {
+    Collector collector(declarations, sources, stages, diagnostics);
+    const std::size_t known = stages.passes.size();
+    for (const VariableDecl& variable : ast.variables) collector.variable(variable);
+    for (const FunctionDecl& function : ast.functions) collector.function(function);
+    for (std::size_t i = known; i < stages.passes.size(); ++i) {
+        const PassDecl& pass = stages.passes[i];
+        if (pass.vertex && pass.fragment) continue;
+        diagnostics.report(Code::BadAttribute, pass.span, "pass",
+                           pass.vertex ? "needs a [fragment] function, too" : "needs a [vertex] function, too");
+    }
+}
+
+}  // namespace patina::graph

@@ -1,0 +1,98 @@
+// What nodes/stage and nodes/passes declare, and what a user's own .pass.hlsl adds to it: semantics with their recipes,
+// the engine seam, switches, slots and passes. Knows none of them by name.
+//
+//   Stages stages;
+//   collect_stages(ast, declarations, sources, stages, diagnostics);
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/base/diagnostics.h"
+#include "compiler/nodelang/library.h"
+#include "patina/reflection.h"
+
+namespace patina::graph {
+
+// Where a semantic's value comes from.
+enum class Source {
+    Attribute,  // a vertex attribute
+    Builtin,    // the rasteriser
+    Extern,     // a uniform of the engine
+    Vertex,     // a recipe, run per vertex and interpolated
+    Pixel,      // a recipe, run where it is read
+    Uniform,    // a recipe over uniforms
+    Given,      // handed to a lighting graph
+};
+
+struct SemanticDecl {
+    std::string_view name;
+    Source source = Source::Pixel;
+    const nodelang::VariableDecl* variable = nullptr;  // Attribute, Builtin, Extern, Given
+    const nodelang::FunctionDecl* function = nullptr;  // recipes
+    bool is_vertex_output = false;                     // a material may write it in "vertex"
+    bool is_of_pass = false;                           // declared in a pass file: no graph can read it
+};
+
+// [blend("fade", "src_alpha", "one")]: surfaces of this kind take part, blended so.
+struct BlendRow {
+    std::string_view surface;  // empty: every kind
+    std::string_view source, destination;
+};
+
+struct PassDecl {
+    std::string_view name;
+    std::string path;  // the stem of its file: the rendering path that it belongs to
+    Span span;
+    const nodelang::FunctionDecl* vertex = nullptr;
+    const nodelang::FunctionDecl* fragment = nullptr;
+    Pass state;  // what of it no material changes
+    std::vector<BlendRow> blends;
+    bool has_cull = false, has_depth = false;  // the pass says so itself; else the material does
+    bool is_optional = false;                  // left out without a word where it cannot be had
+    std::vector<std::string_view> needs;       // slots that must exist
+    std::vector<std::string_view> holds;       // members of the lighting surface that it can tell; empty: all
+};
+
+// [gives("position_ws", "deferred-light")]: these passes' own recipe of a semantic, or their own body of an [extern]
+// function.
+struct GivenDecl {
+    std::string_view what;
+    const nodelang::FunctionDecl* function = nullptr;
+    std::vector<std::string_view> passes;
+};
+
+struct SwitchDecl {
+    const nodelang::VariableDecl* variable = nullptr;
+    std::string_view brings;  // a pass that comes first when it is on
+};
+
+struct Stages {
+    std::vector<SemanticDecl> semantics;
+    std::map<std::string_view, std::uint32_t> semantic_index;
+    std::vector<PassDecl> passes;
+    std::vector<GivenDecl> given;
+    std::vector<SwitchDecl> switches;
+    std::vector<const nodelang::VariableDecl*> externs, statics;
+    std::vector<const nodelang::FunctionDecl*> slots;
+
+    const PassDecl* pass(std::string_view name) const;
+    // Those of a path, in the order of its file.
+    std::vector<const PassDecl*> passes_of(std::string_view path) const;
+    std::vector<std::string_view> paths() const;
+    const SemanticDecl* semantic(std::string_view name) const;
+};
+
+// Adds what `ast` declares. Structs that passes return are looked up in `declarations`.
+void collect_stages(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const SourceMap& sources,
+                    Stages& stages, Diagnostics& diagnostics);
+
+// --- the state of a pass (pass_state.cpp)
+// Reads the attributes of a pass's fragment function, and the targets that it returns.
+void read_pass_state(const nodelang::FunctionDecl& fragment, const nodelang::Declarations& declarations, PassDecl& pass,
+                     Diagnostics& diagnostics);
+std::vector<std::string_view> attribute_words(const nodelang::Attribute& attribute, std::size_t first = 0);
+
+}  // namespace patina::graph

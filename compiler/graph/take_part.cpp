@@ -1,0 +1,127 @@
+// Whether a pass can draw a material: a lighting graph may read what a pass has not got. One check for all paths, over
+// what the lowered functions read; it says which graph node is in the way.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "compiler/graph/lowering.h"
+#include "compiler/ir/linear_part.h"
+
+namespace patina::graph {
+namespace {
+
+using ir::FunctionId;
+using ir::Inst;
+using ir::Op;
+using ir::SemanticId;
+
+// What is known about the place of a function, on the way to it from the pass.
+struct Place {
+    std::string_view slot{};  // that it is a part of; empty: the pass's own
+    bool at_vertex = false;
+    ir::Origin origin{};  // the innermost node
+};
+
+class Walk {
+public:
+    Walk(Lowering& lowering, const LoweredPass& pass)
+        : lowering_(lowering), module_(lowering.out.module), pass_(pass), declaration_(*pass.declaration) {}
+
+    Refusal run() {
+        visit(pass_.vertex, {.at_vertex = true});
+        visit(pass_.fragment, {});
+        return refusal_;
+    }
+
+private:
+    void refuse(const Place& place, std::string reason) {
+        if (!refusal_) refusal_ = {.reason = std::move(reason), .where = place.origin};
+    }
+
+    void visit(FunctionId function, Place place) {
+        if (const auto other = pass_.replacement_of(function)) function = *other;
+        if (const std::string_view slot = lowering_.slot_name(function); !slot.empty()) {
+            place.slot = slot;
+            if (!lowering_.is_packing(slot)) check_members(function, place);
+        }
+        if (!seen_.emplace(function.index, !place.slot.empty(), place.at_vertex).second) return;
+        // Visiting may not outlive changes of the module, and makes none.
+        for (const Inst& inst : module_[function].insts) {
+            if (refusal_) return;
+            Place here = place;
+            if (inst.origin && !module_.origins[inst.origin.index].id.empty())
+                here.origin = module_.origins[inst.origin.index];
+            if (inst.op == Op::Call) visit({inst.data}, here);
+            if (inst.op == Op::Semantic) semantic({inst.data}, here);
+            if (inst.op == Op::Global) global({inst.data}, here);
+            if (ir::has(inst.op, ir::Derivative) && here.at_vertex && !here.slot.empty() && inst.op != Op::Sample)
+                refuse(here, fmt::format("'{}' compares neighbouring pixels, and vertices have none", here.slot));
+        }
+    }
+
+    bool draws_objects() const { return declaration_.state.draws == "objects"; }
+    bool is_graph(const Place& place) const { return !place.slot.empty(); }
+
+    void semantic(SemanticId id, const Place& place) {
+        if (const auto recipe = pass_.recipe_of(id); recipe && !place.at_vertex) return visit(*recipe, place);
+        const SemanticRecipe& recipe = lowering_.out.semantics[id.index];
+        const std::string& name = module_.semantics[id.index].name;
+        const bool is_interpolated = recipe.source == Source::Vertex || recipe.source == Source::Attribute;
+        if (is_interpolated && is_graph(place) && !draws_objects())
+            return refuse(place, fmt::format("'{}' reads '@{}', which it cannot give", place.slot, name));
+        if (recipe.source == Source::Builtin && is_graph(place) && place.at_vertex && name != "front_facing")
+            return refuse(place, fmt::format("'{}' reads '@{}', which vertices do not have", place.slot, name));
+        if (!recipe.recipe) return;
+        Place inside = place;
+        inside.at_vertex = place.at_vertex || recipe.source == Source::Vertex;
+        visit(recipe.recipe, inside);
+    }
+
+    void global(ir::GlobalId id, const Place& place) {
+        if (draws_objects() || !is_graph(place) || !lowering_.per_object.contains(id.index)) return;
+        refuse(place, fmt::format("'{}' reads '{}' of the object, which it cannot give", place.slot,
+                                  module_.globals[id.index].name));
+    }
+
+    // Slots take the lighting surface first.
+    void check_members(FunctionId function, const Place& place) {
+        const ir::Function& slot = module_[function];
+        if (declaration_.holds.empty() || slot.params.empty() || slot.params[0].type.kind != ir::Kind::Struct) return;
+        const std::vector<ir::Member> members = module_.structs[slot.params[0].type.ref].members;
+        for (const ir::MemberRead& read : ir::members_read(module_, function, 0)) {
+            const std::string& name = members[read.member].name;
+            if (holds(name)) continue;
+            Place at = place;
+            if (read.origin) at.origin = module_.origins[read.origin.index];
+            return refuse(at, fmt::format("'{}' reads '@surface.{}', which it cannot give", place.slot, name));
+        }
+    }
+
+    bool holds(std::string_view member) {
+        if (held_.empty()) {
+            for (const std::string_view name : declaration_.holds) {
+                held_.emplace(name);
+                for (const std::string_view packed : packed_members(lowering_, name)) held_.emplace(packed);
+            }
+        }
+        return held_.contains(std::string(member));
+    }
+
+    Lowering& lowering_;
+    const ir::Module& module_;
+    const LoweredPass& pass_;
+    const PassDecl& declaration_;
+    Refusal refusal_;
+    std::set<std::tuple<std::uint32_t, bool, bool>> seen_;
+    std::set<std::string> held_;
+};
+
+}  // namespace
+
+Refusal refusal_of(Lowering& lowering, const LoweredPass& pass) {
+    return Walk(lowering, pass).run();
+}
+
+}  // namespace patina::graph

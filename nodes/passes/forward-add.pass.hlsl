@@ -1,0 +1,60 @@
+// Forward as Unity does it: the main light and everything that belongs to no pixel light in the base pass, then one pass
+// for each further light, added to it.
+// Lights that are not computed per pixel reach the lighting graph as ambient light, because a graph that is not linear
+// in its light cannot be taken apart: up to four at the vertices, the others as spherical harmonics.
+
+/// Neither vertex lights nor spherical harmonics of lights.
+[switch] bool only_directional;
+/// The second order of the ambient light is computed at the vertices, and the others in the pixel.
+[switch] bool sh_per_vertex;
+
+/// What the lights behind the main one send to a white Lambert surface.
+[semantic("vertex")]
+float3 vertex_lights(float3 position = position_ws, float3 normal = vertex_normal_ws) {
+    float3 sum = float3(0);
+    for (int i = 0; i < 4; i++) {
+        Light light = light_at(light_count + i, position);
+        float3 arrives = light.radiance * saturate(dot(normal, light.direction));
+        sum += i < vertex_light_count ? arrives : float3(0);
+    }
+    if (sh_per_vertex) {
+        sum += sh_quadratic(normal, ambient_sh[4].rgb, ambient_sh[5].rgb, ambient_sh[6].rgb, ambient_sh[7].rgb,
+                            ambient_sh[8].rgb);
+    }
+    return sum;
+}
+
+[gives("AmbientIrradiance", "forward-base")]
+float3 ambient_with_vertex_lights(float3 normal, float3 at_vertices = vertex_lights) {
+    if (only_directional) { return AmbientIrradiance(normal); }
+    if (sh_per_vertex) {
+        float3 in_pixel = sh_linear(normal, ambient_sh[0].rgb, ambient_sh[1].rgb, ambient_sh[2].rgb, ambient_sh[3].rgb);
+        return max(in_pixel + at_vertices, 0);
+    }
+    return AmbientIrradiance(normal) + at_vertices;
+}
+
+[pass("forward-base")] [fragment] [lights("main")] [needs("added")] [fallback("forward")]
+[blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
+[blend("fade", "src_alpha", "one_minus_src_alpha")] [blend("transparent", "one", "one_minus_src_alpha")]
+[blend("additive", "one", "one")] [blend("multiply", "dst_color", "zero")]
+float4 forward_base_fragment(float3 position = position_ws) {
+    LightingSurface lit = as_lit(lighting_surface());
+    float3 color = lit_by_all(lit, position);
+    if (alpha_clip) {
+        discard_if(lit.alpha < lit.alphaClip);
+    }
+    return float4(in_fog(color, position), lit.alpha);
+}
+
+[pass("forward-add")] [fragment] [each("light")] [lights("further")] [depth("lessEqual", "keep")]
+[blend("opaque", "one", "one")] [blend("cutout", "one", "one")] [blend("fade", "src_alpha", "one")]
+[blend("transparent", "one", "one")]
+float4 forward_add_fragment(float3 position = position_ws) {
+    LightingSurface lit = as_lit(lighting_surface());
+    float3 color = added_by_light(lit, position);
+    if (alpha_clip) {
+        discard_if(lit.alpha < lit.alphaClip);
+    }
+    return float4(faded_by_fog(color, position), 0);
+}

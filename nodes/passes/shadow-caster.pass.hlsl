@@ -1,0 +1,22 @@
+// What a light sees: depth, and nothing else but what alpha clipping asks for. The camera is the light's.
+// source: Williams, "Casting Curved Shadows on Curved Surfaces", SIGGRAPH 1978; the two biases in the vertex stage as in
+// source: Unity's built-in shaders, UnityClipSpaceShadowCasterPos
+
+[extern("Camera")] float shadow_bias;         // metres that everything is moved away from the light
+[extern("Camera")] float shadow_normal_bias;  // metres that a surface is moved inside, where the light grazes it
+
+[pass("shadow-caster")] [vertex]
+float4 caster_vertex(float3 position = position_ws, float3 normal = vertex_normal_ws) {
+    float3 to_light = view_dir_ws(position);
+    float3 inside = ShadowNormalBias(position, normal, to_light, shadow_normal_bias);
+    return mul(world_to_clip, float4(inside - to_light * shadow_bias, 1));
+}
+
+[pass("shadow-caster")] [fragment] [each("light")] [lights("shadowed")] [depth_target("shadow_map")]
+[depth("lessEqual", "write")] [depth_bias(1, 1)] [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
+void caster_fragment() {
+    if (alpha_clip) {
+        LightingSurface lit = lighting_surface();
+        discard_if(lit.alpha < lit.alphaClip);
+    }
+}

@@ -1,0 +1,78 @@
+// Vertex lit (Gouraud): the lighting graph runs at the vertices and its light is interpolated. Where `direct` is a colour
+// that multiplies the diffuse one, plus the rest, the two are interpolated apart, and the diffuse colour of the pixel,
+// with its texture, comes in last.
+// source: Gouraud, "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers 1971
+
+/// `direct` for a diffuse colour of 1 but for what does not depend on it.
+[slot] [part("direct", "surface.diffuseColor", "componentwise")]
+[otherwise("the diffuse texture is seen only where there are vertices")]
+float3 direct_by_diffuse(LightingSurface surface, [per_light] Light light);
+[slot] [without("direct", "surface.diffuseColor")]
+float3 direct_without_diffuse(LightingSurface surface, [per_light] Light light);
+[slot] [part("indirect", "surface.diffuseColor", "componentwise")]
+float3 indirect_by_diffuse(LightingSurface surface);
+[slot] [without("indirect", "surface.diffuseColor")]
+float3 indirect_without_diffuse(LightingSurface surface);
+
+[static("slot", "direct_by_diffuse")] bool splits_direct;
+[static("slot", "indirect_by_diffuse")] bool splits_indirect;
+
+/// Direct light for each unit of the diffuse colour.
+[semantic("vertex")]
+float3 diffuse_light(float3 position = position_ws) {
+    float3 sum = float3(0);
+    if (splits_direct) {
+        LightingSurface white = as_lit(lighting_surface());
+        white.diffuseColor = float3(1);
+        [light] for (int i = 0; i < min(light_count, MAX_LIGHTS); i++) {
+            sum += direct_by_diffuse(white, light_at(i, position));
+        }
+    }
+    return sum;
+}
+
+/// Direct light that the diffuse colour does not change; all of it, where they cannot be told apart.
+[semantic("vertex")]
+float3 other_light(float3 position = position_ws) {
+    LightingSurface lit = as_lit(lighting_surface());
+    float3 sum = float3(0);
+    [light] for (int i = 0; i < min(light_count, MAX_LIGHTS); i++) {
+        if (splits_direct) { sum += direct_without_diffuse(lit, light_at(i, position)); }
+        if (!splits_direct) { sum += direct(lit, light_at(i, position)); }
+    }
+    return sum;
+}
+
+/// The same of indirect light.
+[semantic("vertex")]
+float3 diffuse_indirect() {
+    LightingSurface white = as_lit(lighting_surface());
+    white.diffuseColor = float3(1);
+    if (splits_indirect) { return indirect_by_diffuse(white); }
+    return float3(0);
+}
+[semantic("vertex")]
+float3 other_indirect() {
+    LightingSurface lit = as_lit(lighting_surface());
+    if (splits_indirect) { return indirect_without_diffuse(lit); }
+    return indirect(lit);
+}
+
+[pass("vertex")] [fragment] [lights("all")]
+[blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
+[blend("fade", "src_alpha", "one_minus_src_alpha")] [blend("transparent", "one", "one_minus_src_alpha")]
+[blend("additive", "one", "one")] [blend("multiply", "dst_color", "zero")]
+float4 vertex_fragment(float3 position = position_ws, float3 by_diffuse = diffuse_light, float3 other = other_light,
+                       float3 ambient_by_diffuse = diffuse_indirect, float3 other_ambient = other_indirect) {
+    LightingSurface lit = as_lit(lighting_surface());
+    LightSum total;
+    total.direct = other;
+    if (splits_direct) { total.direct += lit.diffuseColor * by_diffuse; }
+    total.indirect = other_ambient;
+    if (splits_indirect) { total.indirect += lit.diffuseColor * ambient_by_diffuse; }
+    float3 color = final(lit, total);
+    if (alpha_clip) {
+        discard_if(lit.alpha < lit.alphaClip);
+    }
+    return float4(in_fog(color, position), lit.alpha);
+}

@@ -1,0 +1,26 @@
+// Fog: the engine seam. An engine may replace the [extern] function.
+
+/// What is far fades into fog.
+[switch] bool fog;
+[extern("Frame")] float4 fog_color;     // rgb, linear
+[extern("Frame")] float4 fog_settings;  // x: 0 none, 1 linear, 2 exponential, 3 exponential squared; y: density per metre;
+                                        // z, w: where linear fog starts and ends, metres
+
+/// How much of a surface fog leaves to be seen: 1 all of it. Distance counts along the camera's axis.
+[extern]
+float fog_visibility(float3 position) {
+    if (!fog) { return 1; }
+    return FogFactor(dot(position - camera_position_ws, camera_forward_ws), fog_settings);
+}
+
+/// A surface's colour in the fog.
+float3 in_fog(float3 color, float3 position) {
+    if (!fog) { return color; }
+    return lerp(fog_color.rgb, color, fog_visibility(position));
+}
+
+/// What is added to a surface's colour that has been put into the fog already.
+float3 faded_by_fog(float3 color, float3 position) {
+    if (!fog) { return color; }
+    return color * fog_visibility(position);
+}
