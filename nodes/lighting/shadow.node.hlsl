@@ -77,6 +77,25 @@ float SampleShadowTent5x5(
     return max(from_middle.x, from_middle.y) <= 0.5 && depth <= 1 ? lit : 1;
 }
 
+/// Where a surface is drawn into a shadow map: a little inside itself, the more the light grazes it, so that it does not
+/// fall into its own shadow.
+///
+/// formula: position - bias sqrt(1 - (n.l)^2) n
+/// source: Holbert, "Saying Goodbye to Shadow Acne", GDC 2011; Unity built-in shaders, UnityClipSpaceShadowCasterPos
+/// test: ShadowNormalBias(float3(1, 2, 3), float3(0, 0, 1), float3(0.6, 0, 0.8), 0.5) == float3(1, 2, 2.7)
+/// test: ShadowNormalBias(float3(1, 2, 3), float3(0, 0, 1), float3(0, 0, 1), 0.5) == float3(1, 2, 3)
+/// test: ShadowNormalBias(float3(1, 2, 3), float3(0, 1, 0), float3(-0.8, -0.6, 0), 0.25) == float3(1, 1.8, 3)
+[node("Lighting/Shadow/Normal Bias")]
+float3 ShadowNormalBias(
+    [unit("m")] float3 position = position_ws,   ///< point of the surface
+    float3 normal = normal_ws,                   ///< unit normal
+    float3 light_dir = light.direction,          ///< unit direction to the light
+    [range(0, 1)] [unit("m")] float bias = 0.01  ///< how far inside, where the light only grazes it
+) {
+    float cosine = dot(normal, light_dir);
+    return position - normal * (bias * sqrt(max(1 - cosine * cosine, 0)));
+}
+
 /// How far shadows have faded where a light's shadows end: 0 near the camera, 1 where there are none any more.
 ///
 /// formula: saturate(distance scale + offset)
