@@ -80,7 +80,8 @@ public:
 
 private:
     void add(SemanticDecl semantic) {
-        stages_.semantic_index.emplace(semantic.name, static_cast<std::uint32_t>(stages_.semantics.size()));
+        // The latest declaration of a name counts.
+        stages_.semantic_index.insert_or_assign(semantic.name, static_cast<std::uint32_t>(stages_.semantics.size()));
         stages_.semantics.push_back(semantic);
     }
 
@@ -97,11 +98,13 @@ private:
                                  [&](const PassDecl& p) { return p.name == name; });
         if (pass == stages_.passes.end()) {
             pass = stages_.passes.emplace(pass);
-            pass->name = pass->state.name = name;
+            pass->name = name;
+            pass->state.name = name;
             pass->span = attribute.span;
         }
         const FunctionDecl*& stage = is_vertex ? pass->vertex : pass->fragment;
-        if (stage) {
+        bool& is_older = is_vertex ? pass->is_older_vertex : pass->is_older_fragment;
+        if (stage && !is_older) {
             diagnostics_
                 .report(Code::DuplicateId, attribute.span,
                         is_vertex ? "[vertex] function of a pass" : "[fragment] function of a pass", name)
@@ -109,7 +112,10 @@ private:
             return;
         }
         stage = &function;
+        is_older = false;
         if (is_vertex) return;
+        *pass = {.name = name, .span = attribute.span, .vertex = pass->vertex, .fragment = &function};
+        pass->state.name = name;
         pass->path = stem(sources_.resolve(function.span.begin).file);
         read_pass_state(function, declarations_, *pass, diagnostics_);
     }
@@ -119,6 +125,29 @@ private:
     Stages& stages_;
     Diagnostics& diagnostics_;
 };
+
+// A file that begins as a copy of one of the library takes its place: passes, slots and the like go by their names.
+void make_way(const nodelang::Ast& ast, Stages& stages) {
+    std::vector<std::string_view> names, passes;
+    for (const VariableDecl& variable : ast.variables) names.push_back(variable.name);
+    for (const FunctionDecl& function : ast.functions) {
+        names.push_back(function.name);
+        if (!function.attribute("fragment")) continue;
+        for (const Attribute& attribute : function.attributes) {
+            if (attribute.name == "pass") passes.push_back(nodelang::attribute_text(attribute));
+        }
+    }
+    const auto is_in = [](const std::vector<std::string_view>& list, std::string_view name) {
+        return std::find(list.begin(), list.end(), name) != list.end();
+    };
+    for (PassDecl& pass : stages.passes) pass.is_older_vertex = pass.is_older_fragment = true;
+    for (GivenDecl& given : stages.given)
+        std::erase_if(given.passes, [&](std::string_view pass) { return is_in(passes, pass); });
+    std::erase_if(stages.slots, [&](const FunctionDecl* slot) { return is_in(names, slot->name); });
+    std::erase_if(stages.externs, [&](const VariableDecl* variable) { return is_in(names, variable->name); });
+    std::erase_if(stages.statics, [&](const VariableDecl* variable) { return is_in(names, variable->name); });
+    std::erase_if(stages.switches, [&](const SwitchDecl& each) { return is_in(names, each.variable->name); });
+}
 
 }  // namespace
 
@@ -130,8 +159,11 @@ const PassDecl* Stages::pass(std::string_view name) const {
 std::vector<const PassDecl*> Stages::passes_of(std::string_view path) const {
     std::vector<const PassDecl*> of;
     for (const PassDecl& each : passes) {
-        if (each.path == path) of.push_back(&each);
+        if (each.path == path && each.fragment) of.push_back(&each);
     }
+    std::sort(of.begin(), of.end(), [](const PassDecl* a, const PassDecl* b) {
+        return a->fragment->span.begin < b->fragment->span.begin;
+    });
     return of;
 }
 
@@ -156,12 +188,11 @@ std::vector<std::string_view> attribute_words(const Attribute& attribute, std::s
 
 void collect_stages(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const SourceMap& sources,
                     Stages& stages, Diagnostics& diagnostics) {
+    make_way(ast, stages);
     Collector collector(declarations, sources, stages, diagnostics);
-    const std::size_t known = stages.passes.size();
     for (const VariableDecl& variable : ast.variables) collector.variable(variable);
     for (const FunctionDecl& function : ast.functions) collector.function(function);
-    for (std::size_t i = known; i < stages.passes.size(); ++i) {
-        const PassDecl& pass = stages.passes[i];
+    for (const PassDecl& pass : stages.passes) {
         if (pass.vertex && pass.fragment) continue;
         diagnostics.report(Code::BadAttribute, pass.span, "pass",
                            pass.vertex ? "needs a [fragment] function, too" : "needs a [vertex] function, too");

@@ -54,6 +54,8 @@ struct PassDecl {
     bool is_optional = false;                  // left out without a word where it cannot be had
     std::vector<std::string_view> needs;       // slots that must exist
     std::vector<std::string_view> holds;       // members of the lighting surface that it can tell; empty: all
+    // From another file than the one that is being read, which may put its own in their places.
+    bool is_older_vertex = false, is_older_fragment = false;
 };
 
 // [gives("position_ws", "deferred-light")]: these passes' own recipe of a semantic, or their own body of an [extern]
