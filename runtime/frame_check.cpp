@@ -42,7 +42,7 @@ std::string attachment_error(const Frame& frame, const FrameStep& step) {
         if (target_format(target.format)->is_depth != wants_depth)
             return fmt::format("the pass '{}' takes '{}' for {}", pass, target.name,
                                wants_depth ? "depth" : "a colour");
-        if (std::count(attached.begin(), attached.end(), attached[i]) > 1)
+        if (std::count(attached.begin(), attached.begin() + std::ptrdiff_t(i), attached[i]))
             return fmt::format("the pass '{}' draws into '{}' twice", pass, target.name);
     }
     const FrameArea area = full_area(step, frame);

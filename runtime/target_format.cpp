@@ -9,7 +9,7 @@ namespace {
 
 // To nearest of 0, 1 / most ... 1; NaN becomes 0.
 std::uint32_t normalized(float value, std::uint32_t most) {
-    return std::isnan(value) ? 0 : std::uint32_t(std::lround(std::clamp(value, 0.0f, 1.0f) * float(most)));
+    return std::isnan(value) ? 0 : std::uint32_t(std::lround(std::clamp(double(value), 0.0, 1.0) * most));
 }
 
 template <class Bits>
