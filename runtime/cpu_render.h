@@ -1,18 +1,27 @@
-// Draws the same Draw as the GPU, on the CPU: a small rasteriser around patina::Interpreter. It works in 2 x 2 quads
+// Draws the same Frame as the GPU, on the CPU: a small rasteriser around patina::Interpreter. It works in 2 x 2 quads
 // with helper lanes, so derivatives and mip levels exist, by Vulkan's rules: eight bits of sub-pixel precision,
-// top-left rule, perspective-correct varyings, clipping at the near plane, depth test. Slow: a witness, and a fallback
-// without a GPU.
+// top-left rule, perspective-correct varyings, clipping at the near plane, tests of depth and stencil, blending in the
+// target's format. Slow: a witness, and a fallback without a GPU.
 //
-//   Outcome<Image> image = cpu_draw({.reflection = &r, .program = result.program.get(), ...});
+//   Outcome<Image> image = cpu_draw(frame);
+//   Outcome<Image> alone = cpu_draw({.reflection = &r, .program = result.program.get(), ...});
 #pragma once
 
-#include "runtime/renderer.h"
+#include <array>
+#include <vector>
+
+#include "patina/interpret.h"
+#include "runtime/draw.h"
+#include "runtime/frame.h"
+#include "runtime/image.h"
 
 namespace patina::runtime {
 
+// The target Frame::shown, its samples averaged.
+Outcome<Image> cpu_draw(const Frame& frame, Precision precision = Precision::Float);
 Outcome<Image> cpu_draw(const Draw& draw, Precision precision = Precision::Float);
 
-// What one pixel of that picture is made of.
+// What one pixel of a draw is made of.
 struct PixelTrace {
     bool is_covered = false;    // by the mesh; if not, there is nothing but the background's colour
     bool is_discarded = false;  // every fragment was, such as in the holes of a cutout; `values` are of the nearest

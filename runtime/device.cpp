@@ -162,6 +162,8 @@ Outcome<bool> create_logical_device(Device& device) {
     wanted.v11.storageBuffer16BitAccess = available.v11.storageBuffer16BitAccess;
     wanted.core.features.samplerAnisotropy = available.core.features.samplerAnisotropy;
     device.anisotropy = available.core.features.samplerAnisotropy;
+    wanted.core.features.independentBlend = available.core.features.independentBlend;
+    device.independent_blend = available.core.features.independentBlend;
 
     graphics_family(device.physical, device.queue_family);
     float priority = 1;

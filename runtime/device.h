@@ -34,6 +34,7 @@ struct Device {
     VkPhysicalDeviceMemoryProperties memory{};
     VkPhysicalDeviceLimits limits{};
     bool anisotropy = false;
+    bool independent_blend = false;  // targets of one draw may blend differently
     std::string name;
     std::vector<std::string> messages;  // warnings and errors of the validation layer
 

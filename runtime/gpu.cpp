@@ -75,6 +75,8 @@ GpuImage make_gpu_image(Gpu& gpu, const ImageInfo& wanted) {
     image.height = wanted.height;
     image.levels = wanted.levels;
     image.faces = wanted.faces;
+    image.format = wanted.format;
+    image.aspect = wanted.aspect;
     VkImageCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
     info.flags = wanted.faces == 6 ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0;
@@ -97,16 +99,27 @@ GpuImage make_gpu_image(Gpu& gpu, const ImageInfo& wanted) {
     if (!image.memory) return {};
     if (!gpu.check(vkBindImageMemory(device, handle, image.memory.get(), 0), "bind an image")) return {};
 
-    VkImageViewCreateInfo view{};
-    view.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
-    view.image = handle;
-    view.viewType = wanted.faces == 6 ? VK_IMAGE_VIEW_TYPE_CUBE : VK_IMAGE_VIEW_TYPE_2D;
-    view.format = wanted.format;
-    view.subresourceRange = {wanted.aspect, 0, wanted.levels, 0, wanted.faces};
-    VkImageView view_handle = VK_NULL_HANDLE;
-    if (!gpu.check(vkCreateImageView(device, &view, nullptr, &view_handle), "make an image view")) return {};
-    image.view = {device, view_handle};
+    image.view = make_view(gpu, image, wanted.aspect);
+    if (!image.view) return {};
     return image;
+}
+
+ViewHandle make_view(Gpu& gpu, const GpuImage& image, VkImageAspectFlags aspect) {
+    VkImageViewCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
+    info.image = image.handle.get();
+    info.viewType = image.faces == 6 ? VK_IMAGE_VIEW_TYPE_CUBE : VK_IMAGE_VIEW_TYPE_2D;
+    info.format = image.format;
+    info.subresourceRange = {aspect, 0, image.levels, 0, image.faces};
+    VkImageView handle = VK_NULL_HANDLE;
+    gpu.check(vkCreateImageView(gpu.device.device, &info, nullptr, &handle), "make an image view");
+    return {gpu.device.device, handle};
+}
+
+bool supports(const Device& device, VkFormat format, VkFormatFeatureFlags features) {
+    VkFormatProperties properties{};
+    vkGetPhysicalDeviceFormatProperties(device.physical, format, &properties);
+    return (properties.optimalTilingFeatures & features) == features;
 }
 
 SamplerHandle make_sampler(Gpu& gpu, const Sampler& sampler) {
@@ -124,19 +137,18 @@ SamplerHandle make_sampler(Gpu& gpu, const Sampler& sampler) {
     return {gpu.device.device, handle};
 }
 
-void transition(VkCommandBuffer commands, const GpuImage& image, VkImageLayout from, VkImageLayout to,
-                VkImageAspectFlags aspect) {
+void transition(VkCommandBuffer commands, GpuImage& image, VkImageLayout to) {
     VkImageMemoryBarrier2 barrier{};
     barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2;
     barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
     barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
     barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
     barrier.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
-    barrier.oldLayout = from;
+    barrier.oldLayout = std::exchange(image.layout, to);
     barrier.newLayout = to;
     barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     barrier.image = image.handle.get();
-    barrier.subresourceRange = {aspect, 0, image.levels, 0, image.faces};
+    barrier.subresourceRange = {image.aspect, 0, image.levels, 0, image.faces};
     VkDependencyInfo dependency{};
     dependency.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
     dependency.imageMemoryBarrierCount = 1;

@@ -1,5 +1,6 @@
 // Vulkan objects as plain structs that free themselves, and the few free functions that make them: buffers, images,
-// samplers, one-off command buffers. For renderer.cpp and pipeline.cpp; nothing else includes it.
+// samplers, one-off command buffers. For renderer.cpp and the files beside it that make its parts (gpu_*.cpp,
+// bindings.cpp, pipeline.cpp); nothing else includes it.
 //
 // Creation can fail only for want of memory or on a lost device; then the result is null and Gpu::error says why: make
 // several things, then ask once.
@@ -73,8 +74,11 @@ Buffer make_buffer(Gpu& gpu, std::size_t size, VkBufferUsageFlags usage);
 struct GpuImage {
     Memory memory;
     Owned<VkImage, vkDestroyImage> handle;
-    ViewHandle view;
+    ViewHandle view;  // of all of it
     std::uint32_t width = 0, height = 0, levels = 1, faces = 1;
+    VkFormat format = VK_FORMAT_UNDEFINED;
+    VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;
+    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;  // after everything that has been recorded
 };
 struct ImageInfo {
     std::uint32_t width = 1, height = 1, levels = 1;
@@ -84,13 +88,16 @@ struct ImageInfo {
     VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;
 };
 GpuImage make_gpu_image(Gpu& gpu, const ImageInfo& info);
+// Of some of the image's aspects.
+ViewHandle make_view(Gpu& gpu, const GpuImage& image, VkImageAspectFlags aspect);
+// Whether images of the format can be used in all these ways.
+bool supports(const Device& device, VkFormat format, VkFormatFeatureFlags features);
 
 SamplerHandle make_sampler(Gpu& gpu, const Sampler& sampler);
 
-// All of an image from one layout to another, with everything before it done and everything after it waiting: there is
-// one queue and little on it, so finer barriers would gain nothing.
-void transition(VkCommandBuffer commands, const GpuImage& image, VkImageLayout from, VkImageLayout to,
-                VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT);
+// All of an image from the layout that it has to another, or the same, with everything before it done and everything
+// after it waiting: there is one queue and little on it, so finer barriers would gain nothing.
+void transition(VkCommandBuffer commands, GpuImage& image, VkImageLayout to);
 
 // Records, submits and waits.
 bool run_commands(Gpu& gpu, const std::function<void(VkCommandBuffer)>& record);

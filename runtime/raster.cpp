@@ -69,11 +69,11 @@ bool is_finite(const ClipVertex& vertex) {
 }
 
 void add_triangle(std::vector<ScreenTriangle>& result, const ClipVertex& a, const ClipVertex& b, const ClipVertex& c,
-                  int width, int height) {
+                  int width, int height, glm::ivec2 origin) {
     ScreenTriangle t{.corners = {a, b, c}};
     for (int i = 0; i < 3; i++) {
         const glm::dvec4& p = t.corners[i].position;
-        t.exact[i] = {(p.x / p.w * 0.5 + 0.5) * width, (0.5 - p.y / p.w * 0.5) * height};
+        t.exact[i] = {(p.x / p.w * 0.5 + 0.5) * width + origin.x, (0.5 - p.y / p.w * 0.5) * height + origin.y};
         t.snapped[i] = {std::llround(t.exact[i].x * kSubpixels), std::llround(t.exact[i].y * kSubpixels)};
     }
     std::int64_t snapped_area = doubled_area(t.snapped[0], t.snapped[1], t.snapped[2]);
@@ -121,36 +121,39 @@ bool sample(const ScreenTriangle& t, int px, int py, Quad& quad, int lane) {
 }  // namespace
 
 std::vector<ScreenTriangle> clip_to_screen(const ClipVertex& a, const ClipVertex& b, const ClipVertex& c, int width,
-                                           int height) {
+                                           int height, glm::ivec2 origin) {
     std::vector<ScreenTriangle> result;
     if (!is_finite(a) || !is_finite(b) || !is_finite(c)) return result;
     if (is_inside(a) && is_inside(b) && is_inside(c)) {  // nearly all: no polygon needed
-        add_triangle(result, a, b, c, width, height);
+        add_triangle(result, a, b, c, width, height, origin);
         return result;
     }
     std::vector<ClipVertex> polygon = clipped({a, b, c});
     for (std::size_t i = 2; i < polygon.size(); i++)
-        add_triangle(result, polygon[0], polygon[i - 1], polygon[i], width, height);
+        add_triangle(result, polygon[0], polygon[i - 1], polygon[i], width, height, origin);
     return result;
 }
 
-void for_each_quad(const ScreenTriangle& t, int width, int height, int first_row, int row_step,
+void for_each_quad(const ScreenTriangle& t, const PixelBounds& bounds, int first_row, int row_step,
                    const std::function<void(const Quad&)>& visit) {
     auto [left, right] = std::minmax({t.snapped[0].x, t.snapped[1].x, t.snapped[2].x});
     auto [top, bottom] = std::minmax({t.snapped[0].y, t.snapped[1].y, t.snapped[2].y});
-    auto quad_of = [](std::int64_t position, int size) {
-        return int(std::clamp<std::int64_t>(position, 0, std::int64_t(size) * kSubpixels - 1) / (2 * kSubpixels));
+    auto quad_of = [](std::int64_t position, int first, int end) {
+        return int(std::clamp(position, std::int64_t(first) * kSubpixels, std::int64_t(end) * kSubpixels - 1) /
+                   (2 * kSubpixels));
     };
-    if (right < 0 || bottom < 0) return;
-    int first_column = quad_of(left, width), last_column = quad_of(right, width), last_row = quad_of(bottom, height);
-    int row = quad_of(top, height);
+    if (right < std::int64_t(bounds.left) * kSubpixels || bottom < std::int64_t(bounds.top) * kSubpixels) return;
+    if (bounds.left >= bounds.right || bounds.top >= bounds.bottom) return;
+    int first_column = quad_of(left, bounds.left, bounds.right),
+        last_column = quad_of(right, bounds.left, bounds.right);
+    int row = quad_of(top, bounds.top, bounds.bottom), last_row = quad_of(bottom, bounds.top, bounds.bottom);
     row += ((first_row - row) % row_step + row_step) % row_step;
     for (; row <= last_row; row += row_step) {
         for (int column = first_column; column <= last_column; column++) {
             Quad quad{.x = 2 * column, .y = 2 * row};
             for (int lane = 0; lane < 4; lane++) {
                 int x = quad.x + lane % 2, y = quad.y + lane / 2;
-                quad.covered[lane] = sample(t, x, y, quad, lane) && x < width && y < height;
+                quad.covered[lane] = sample(t, x, y, quad, lane) && bounds.holds(x, y);
             }
             if (quad.covered[0] || quad.covered[1] || quad.covered[2] || quad.covered[3]) visit(quad);
         }

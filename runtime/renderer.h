@@ -1,61 +1,44 @@
-// Draws one pass of a compiled material on a Vulkan device and reads the picture back as linear floats. Everything
-// about the material comes from its reflection: bindings, vertex inputs, state, block layouts. Not a scene renderer:
-// one mesh, one pass.
+// Draws a frame on a Vulkan device and reads the picture back as linear floats. A frame is a list (frame.h): which
+// images there are, and which mesh is drawn into which of them with which shaders. Everything about a material comes
+// from its reflection: bindings, vertex inputs, state, block layouts. It knows neither scenes nor rendering paths.
 //
-// The life of a draw:
-//   1. the caller resolves values, textures and blocks (material_values.h, textures.h)
-//   2. what the device's limits forbid is refused
-//   3. colour and depth images of the wanted size are taken from the last draw, or made
-//   4. mesh, uniforms and textures go to the device; textures that were seen before are still there
-//   5. descriptor sets and a pipeline are made from the reflection
-//   6. one command buffer: clear, draw, copy back; the call waits for it
+// The life of a frame:
+//   1. the caller decides what is drawn and resolves values, textures and blocks (material_values.h, textures.h)
+//   2. a frame that does not fit together (frame_check.h), or that the device's limits forbid (limits.h), is refused
+//   3. images of the wanted sizes and formats are taken from the last frame, or made (gpu_target.h)
+//   4. each mesh and all uniforms go to the device in one buffer; textures that were seen before are still there
+//      (gpu_upload.h)
+//   5. each step gets descriptor sets (bindings.h), and a pipeline (pipeline.h) that it shares with its like
+//   6. one command buffer (gpu_frame.h): clear every image, then step after step, with a copy of an image where a step
+//      reads what it also draws into; copy back the one that is shown; the call waits for it
 //   7. samples are averaged on the CPU
 //
 //   Outcome<std::unique_ptr<Renderer>> renderer = Renderer::open({.validation = true});
-//   Outcome<Image> image = renderer.value->draw({.reflection = &r, .pass = "forward", ...});
+//   Outcome<Image> image = renderer.value->draw(frame);
 #pragma once
 
-#include <cstdint>
-#include <functional>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "patina/interpret.h"
-#include "patina/reflection.h"
 #include "runtime/device.h"
+#include "runtime/draw.h"
+#include "runtime/frame.h"
 #include "runtime/image.h"
-#include "runtime/material_values.h"
-#include "runtime/scene.h"
-#include "runtime/textures.h"
 
 namespace patina::runtime {
-
-// One draw, the same for the GPU and for cpu_render.h: each uses its own form of the two stages.
-struct Draw {
-    const Reflection* reflection = nullptr;
-    std::string pass = "forward";
-    const Scene* scene = nullptr;
-    std::span<const BlockBytes> blocks{};
-    std::span<const LoadedTexture> textures{};
-    std::span<const std::uint32_t> vertex_spirv{};  // GPU; entry point "main"
-    std::span<const std::uint32_t> fragment_spirv{};
-    const Program* program = nullptr;  // CPU
-    // CPU: told now and then which share is done, 0 to 1, on the calling thread.
-    std::function<void(double)> progress{};
-};
-
-// The pass that `draw` names, if it can be drawn: one colour target, a mesh, a picture of a sensible size.
-Outcome<const Pass*> drawable_pass(const Draw& draw);
 
 class Renderer {
 public:
     static Outcome<std::unique_ptr<Renderer>> open(const DeviceOptions& options = {});
     ~Renderer();
 
+    // The target Frame::shown, its samples averaged.
+    Outcome<Image> draw(const Frame& frame);
     Outcome<Image> draw(const Draw& draw);
-    // Of a draw that has a drawable_pass(): empty, or what this device cannot take (limits.h). draw() refuses it too.
+    // Of what can be drawn (frame_check.h, drawable_pass()): empty, or what this device cannot take (limits.h). draw()
+    // refuses it too.
+    std::string beyond_limits(const Frame& frame) const;
     std::string beyond_limits(const Draw& draw) const;
 
     const std::string& device_name() const;

@@ -108,5 +108,24 @@ TEST_F(Limits, ATextureThatIsTooLargeIsNamed) {
     EXPECT_EQ(error(), "'gpu' cannot take the texture '_A' of 8 x 30 texels: its limit is 29 (maxImageDimension2D)");
 }
 
+// Every device takes four targets, so more than that are counted.
+TEST_F(Limits, TooManyTargetsOfAStepAreRefused) {
+    Reflection reflection;
+    Pass pass;
+    pass.name = "gbuffer";
+    const Mesh mesh;
+    Frame frame{.targets = std::vector<FrameTarget>(7, FrameTarget{.width = 8, .height = 8})};
+    frame.steps = {
+        FrameStep{.reflection = &reflection, .pass = &pass, .mesh = &mesh, .targets = {0, 1, 2, 3, 4, 5, 6}}};
+    for (std::uint32_t* limit : {&limits.maxColorAttachments, &limits.maxFragmentOutputAttachments}) *limit = 7;
+    EXPECT_EQ(beyond_limits(limits, "gpu", frame), "");
+    limits.maxFragmentOutputAttachments = 6;
+    EXPECT_EQ(beyond_limits(limits, "gpu", frame),
+              "'gpu' cannot take the 7 targets of the pass 'gbuffer', too many targets: its limit is 6 "
+              "(maxFragmentOutputAttachments)");
+    limits.maxColorAttachments = 6;
+    EXPECT_TRUE(beyond_limits(limits, "gpu", frame).ends_with("6 (maxColorAttachments)"));
+}
+
 }  // namespace
 }  // namespace patina::runtime

@@ -1,0 +1,74 @@
+#include "runtime/state_words.h"
+
+#include <algorithm>
+
+namespace patina::runtime {
+namespace {
+
+using Operand = BlendWord::Operand;
+
+constexpr CompareWord kComparisons[] = {
+    {"never", VK_COMPARE_OP_NEVER, [](float, float) { return false; }},
+    {"less", VK_COMPARE_OP_LESS, [](float a, float b) { return a < b; }},
+    {"equal", VK_COMPARE_OP_EQUAL, [](float a, float b) { return a == b; }},
+    {"lessEqual", VK_COMPARE_OP_LESS_OR_EQUAL, [](float a, float b) { return a <= b; }},
+    {"greater", VK_COMPARE_OP_GREATER, [](float a, float b) { return a > b; }},
+    {"notEqual", VK_COMPARE_OP_NOT_EQUAL, [](float a, float b) { return a != b; }},
+    {"greaterEqual", VK_COMPARE_OP_GREATER_OR_EQUAL, [](float a, float b) { return a >= b; }},
+    {"always", VK_COMPARE_OP_ALWAYS, [](float, float) { return true; }},
+};
+
+constexpr BlendWord kBlendFactors[] = {
+    {"zero", VK_BLEND_FACTOR_ZERO, 0, 0, Operand::SourceAlpha},
+    {"one", VK_BLEND_FACTOR_ONE, 1, 0, Operand::SourceAlpha},
+    {"src_color", VK_BLEND_FACTOR_SRC_COLOR, 0, 1, Operand::SourceColor},
+    {"one_minus_src_color", VK_BLEND_FACTOR_ONE_MINUS_SRC_COLOR, 1, -1, Operand::SourceColor},
+    {"dst_color", VK_BLEND_FACTOR_DST_COLOR, 0, 1, Operand::TargetColor},
+    {"one_minus_dst_color", VK_BLEND_FACTOR_ONE_MINUS_DST_COLOR, 1, -1, Operand::TargetColor},
+    {"src_alpha", VK_BLEND_FACTOR_SRC_ALPHA, 0, 1, Operand::SourceAlpha},
+    {"one_minus_src_alpha", VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA, 1, -1, Operand::SourceAlpha},
+    {"dst_alpha", VK_BLEND_FACTOR_DST_ALPHA, 0, 1, Operand::TargetAlpha},
+    {"one_minus_dst_alpha", VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA, 1, -1, Operand::TargetAlpha},
+};
+
+struct CullWord {
+    std::string_view word;
+    VkCullModeFlags vulkan;
+};
+constexpr CullWord kCullModes[] = {
+    {"back", VK_CULL_MODE_BACK_BIT}, {"front", VK_CULL_MODE_FRONT_BIT}, {"off", VK_CULL_MODE_NONE}};
+
+// The tables are short, so they are searched. Null: there is no such word.
+template <class Entry, std::size_t count>
+const Entry* find_word(const Entry (&table)[count], std::string_view word) {
+    auto found = std::find_if(table, table + count, [&](const Entry& entry) { return entry.word == word; });
+    return found == table + count ? nullptr : found;
+}
+
+}  // namespace
+
+Outcome<PassState> pass_state(const Pass& pass) {
+    const auto unknown = [](const std::string& word, const char* what) {
+        return Failure{"'" + word + "' is not " + what};
+    };
+    const CullWord* cull = find_word(kCullModes, pass.cull);
+    if (!cull) return unknown(pass.cull, "a way to cull");
+    PassState state{.cull = cull->vulkan,
+                    .depth_test = find_word(kComparisons, pass.depth_test),
+                    .stencil_test = find_word(kComparisons, pass.stencil.test),
+                    .replaces_stencil = pass.stencil.pass == "replace"};
+    if (!state.depth_test) return unknown(pass.depth_test, "a depth test");
+    if (!state.stencil_test) return unknown(pass.stencil.test, "a stencil test");
+    if (!state.replaces_stencil && pass.stencil.pass != "keep")
+        return unknown(pass.stencil.pass, "what becomes of a stencil: keep or replace");
+    for (const RenderTarget& target : pass.targets) {
+        TargetBlend blend{.source = find_word(kBlendFactors, target.blend_source),
+                          .destination = find_word(kBlendFactors, target.blend_destination)};
+        if (!blend.source) return unknown(target.blend_source, "a blend factor");
+        if (!blend.destination) return unknown(target.blend_destination, "a blend factor");
+        state.blends.push_back(blend);
+    }
+    return state;
+}
+
+}  // namespace patina::runtime

@@ -1,0 +1,53 @@
+// The words of a pass for fixed-function state, and what they mean: Vulkan's value for the GPU, a formula for the CPU.
+// One table each for comparisons and blend factors, so that both draw by the same words.
+//
+//   Outcome<PassState> state = pass_state(pass);   // or which word is not known
+//   state.value.depth_test->holds(0.25f, 1.0f)
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <string_view>
+#include <vector>
+
+#include "patina/reflection.h"
+#include "runtime/outcome.h"
+
+namespace patina::runtime {
+
+// never | less | equal | lessEqual | greater | notEqual | greaterEqual | always
+struct CompareWord {
+    std::string_view word;
+    VkCompareOp vulkan;
+    bool (*holds)(float, float);  // new depth, or reference, to what is there
+};
+
+// zero | one | src_color | one_minus_src_color | dst_color | ... | one_minus_dst_alpha: base + slope * operand
+struct BlendWord {
+    enum class Operand { SourceColor, SourceAlpha, TargetColor, TargetAlpha };
+    std::string_view word;
+    VkBlendFactor vulkan;
+    float base, slope;
+    Operand operand;
+};
+
+struct TargetBlend {
+    const BlendWord *source = nullptr, *destination = nullptr;
+
+    bool is_on() const { return source->vulkan != VK_BLEND_FACTOR_ONE || destination->vulkan != VK_BLEND_FACTOR_ZERO; }
+    friend bool operator==(const TargetBlend&, const TargetBlend&) = default;
+};
+
+// The pass's words, looked up.
+struct PassState {
+    VkCullModeFlags cull = VK_CULL_MODE_NONE;
+    const CompareWord* depth_test = nullptr;
+    const CompareWord* stencil_test = nullptr;
+    bool replaces_stencil = false;
+    std::vector<TargetBlend> blends{};  // by target
+
+    bool uses_stencil() const { return replaces_stencil || stencil_test->vulkan != VK_COMPARE_OP_ALWAYS; }
+};
+Outcome<PassState> pass_state(const Pass& pass);
+
+}  // namespace patina::runtime
