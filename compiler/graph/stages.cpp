@@ -114,8 +114,14 @@ private:
         stage = &function;
         is_older = false;
         if (is_vertex) return;
-        *pass = {.name = name, .span = attribute.span, .vertex = pass->vertex, .fragment = &function};
-        pass->state.name = name;
+        PassDecl fresh;
+        fresh.name = name;
+        fresh.state.name = name;
+        fresh.span = attribute.span;
+        fresh.vertex = pass->vertex;
+        fresh.is_older_vertex = pass->is_older_vertex;
+        fresh.fragment = &function;
+        *pass = std::move(fresh);
         pass->path = stem(sources_.resolve(function.span.begin).file);
         read_pass_state(function, declarations_, *pass, diagnostics_);
     }
