@@ -9,8 +9,6 @@
 namespace patina::graph {
 namespace {
 
-constexpr double kSmallest = 1e-4;
-
 // --- what is looked at, and in what surroundings
 
 bool is_same_point(const SceneVector& a, const SceneVector& b) {
@@ -32,7 +30,7 @@ SceneCamera read_camera(Reading& reading, const Json& json) {
         reading.diagnostics.report(Code::ConflictingInputs, fov->key_span, "fov", "orthographic")
             .note(find_member(json, "orthographic")->key_span, "the other one is here");
     }
-    read_number(reading, json, "near", kSmallest, kFarthest, camera.near_plane);
+    read_number(reading, json, "near", 1e-4, kFarthest, camera.near_plane);
     read_number(reading, json, "far", 1e-3, 10 * kFarthest, camera.far_plane);
     if (reading.diagnostics.error_count() > errors_before) return camera;
     if (is_same_point(camera.position, camera.target)) {
@@ -72,7 +70,7 @@ std::optional<SceneAmbient> read_ambient(Reading& reading, const Json& json) {
         if (named == Named::Studio) return std::nullopt;
         return SceneAmbient{.horizon = SceneVector{}};
     }
-    const std::optional<std::array<double, 4>> color = read_scene_color(reading, json, "'ambient'");
+    const std::optional<std::array<double, 4>> color = read_scene_color(reading, json, "ambient");
     if (!color) return std::nullopt;
     return SceneAmbient{.horizon = SceneVector{(*color)[0], (*color)[1], (*color)[2]}};
 }
@@ -177,15 +175,15 @@ std::vector<SceneMaterial> read_materials(SceneReading& reading, const Json& arr
 // --- objects
 
 void read_scale(Reading& reading, const Json& json, SceneVector& scale) {
-    constexpr double kLargest = 1e4;
+    constexpr double kLowest = 1e-3, kLargest = 1e3;
     double uniform = 1;
     if (const Json* value = json.find("scale"); value && value->kind != Json::Kind::Number) {
         if (value->kind == Json::Kind::Array) {
-            read_vector(reading, json, "scale", kSmallest, kLargest, scale);
+            read_vector(reading, json, "scale", kLowest, kLargest, scale);
         } else {
             report_type(reading, *value, "'scale'", "a number or an array of 3 numbers");
         }
-    } else if (read_number(reading, json, "scale", kSmallest, kLargest, uniform)) {
+    } else if (read_number(reading, json, "scale", kLowest, kLargest, uniform)) {
         scale = {uniform, uniform, uniform};
     }
 }
@@ -261,7 +259,7 @@ SceneFile read_scene(Session& session, const Json& json, const std::string& path
     }
     if (const Json* fog = json.find("fog")) scene.fog = read_fog(reading, *fog);
     if (const Json* color = json.find("background")) {
-        scene.background = read_scene_color(reading, *color, "'background'", true);
+        scene.background = read_scene_color(reading, *color, "background", true);
     }
     read_number(reading, json, "time", -FLT_MAX, FLT_MAX, scene.time);
     if (const Json* count = json.find("pixelLightCount")) {

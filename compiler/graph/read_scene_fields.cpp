@@ -56,8 +56,9 @@ bool read_vector(Reading& reading, const Json& object, std::string_view key, dou
     return true;
 }
 
-std::optional<std::array<double, 4>> read_scene_color(Reading& reading, const Json& json, std::string_view what,
+std::optional<std::array<double, 4>> read_scene_color(Reading& reading, const Json& json, std::string_view key,
                                                       bool with_alpha) {
+    const std::string what = fmt::format("'{}'", key);
     const auto wrong_type = [&] {
         report_type(
             reading, json, what,
@@ -78,7 +79,7 @@ std::optional<std::array<double, 4>> read_scene_color(Reading& reading, const Js
         return color->value;
     }
     if (json.kind == Json::Kind::Number) {
-        const std::optional<double> grey = read_within(reading, json, "color", what, 0, kFarthest);
+        const std::optional<double> grey = read_within(reading, json, key, what, 0, kFarthest);
         if (!grey) return std::nullopt;
         return std::array{*grey, *grey, *grey, 1.0};
     }
@@ -87,7 +88,7 @@ std::optional<std::array<double, 4>> read_scene_color(Reading& reading, const Js
     std::array<double, 4> color{0, 0, 0, 1};
     for (std::size_t i = 0; i < count; ++i) {
         const std::optional<double> value =
-            read_within(reading, json.elements[i], "color", "a component of a colour", 0, kFarthest);
+            read_within(reading, json.elements[i], key, fmt::format("a component of {}", what), 0, kFarthest);
         if (!value) return std::nullopt;
         color[i] = *value;
     }
@@ -97,7 +98,7 @@ std::optional<std::array<double, 4>> read_scene_color(Reading& reading, const Js
 void read_color(Reading& reading, const Json& object, std::string_view key, SceneVector& target) {
     const Json* json = object.find(key);
     if (!json) return;
-    const std::optional<std::array<double, 4>> color = read_scene_color(reading, *json, fmt::format("'{}'", key));
+    const std::optional<std::array<double, 4>> color = read_scene_color(reading, *json, key);
     if (color) target = {(*color)[0], (*color)[1], (*color)[2]};
 }
 

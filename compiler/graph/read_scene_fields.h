@@ -25,7 +25,7 @@ bool read_number(Reading& reading, const Json& object, std::string_view key, dou
 bool read_vector(Reading& reading, const Json& object, std::string_view key, double low, double high,
                  SceneVector& target);
 // "#rrggbb", a grey, or three linear numbers; where alpha has a meaning a fourth.
-std::optional<std::array<double, 4>> read_scene_color(Reading& reading, const Json& json, std::string_view what,
+std::optional<std::array<double, 4>> read_scene_color(Reading& reading, const Json& json, std::string_view key,
                                                       bool with_alpha = false);
 void read_color(Reading& reading, const Json& object, std::string_view key, SceneVector& target);
 // Reports a file that is not there.
