@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "runtime/image.h"
 
@@ -246,6 +247,40 @@ TEST_F(WorldOfFile, PassesOnWhatTheReaderSays) {
     ASSERT_EQ(file.diagnostics.size(), 1u);
     EXPECT_EQ(file.diagnostics[0].code, "unknown-word");
     EXPECT_FALSE(read_world(compiler(), path("none.scene.json"), {}).ok);
+}
+
+// examples/scenes: what five-lights promises, and that all of it is in the picture.
+TEST(FiveLights, IsWhatItSays) {
+    const WorldFile file = read_world(compiler(), "examples/scenes/five-lights.scene.json", {});
+    for (const Diagnostic& d : file.diagnostics) ADD_FAILURE() << to_text(d);
+    ASSERT_TRUE(file.ok) << "run this in the project's root";
+    const World& world = file.world;
+    std::map<LightKind, int> kinds;
+    int shadows = 0;
+    for (const Light& light : world.view.lights) {
+        kinds[light.kind]++;
+        shadows += light.shadow.casts;
+    }
+    EXPECT_EQ(world.view.lights.size(), 5u);
+    EXPECT_EQ(kinds.size(), 3u);
+    EXPECT_EQ(shadows, 1);
+
+    const glm::mat4 to_clip = view_to_clip(world.view.camera, 1) * world_to_view(world.view.camera);
+    std::set<std::string> graphs;
+    std::set<std::size_t> materials;
+    for (const WorldObject& object : world.objects) {
+        if (object.name == "floor") continue;
+        materials.insert(object.material);
+        graphs.insert(world.materials[object.material].graph);
+        for (const Vertex& vertex : object.mesh->vertices) {
+            const glm::vec4 p = to_clip * object.object_to_world * glm::vec4(vertex.position, 1);
+            ASSERT_LT(std::max(std::abs(p.x), std::abs(p.y)), 0.98f * p.w) << object.name << " is cut off";
+            ASSERT_GT((object.object_to_world * glm::vec4(vertex.position, 1)).y, -1e-5f) << "below the floor";
+        }
+    }
+    EXPECT_EQ(world.objects.size(), 9u);
+    EXPECT_EQ(materials.size(), 8u);
+    EXPECT_EQ(graphs.size(), 8u);
 }
 
 }  // namespace
