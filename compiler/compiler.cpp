@@ -10,6 +10,7 @@
 #include "compiler/graph/format.h"
 #include "compiler/graph/json.h"
 #include "compiler/graph/read_graph.h"
+#include "compiler/graph/read_scene.h"
 #include "compiler/graph/schema.h"
 #include "compiler/impl.h"
 #include "compiler/nodelang/parse.h"
@@ -223,6 +224,19 @@ NodeFileResult Compiler::check_node_file(const std::string& path, const CompileO
         if (!session.diagnostics.has_errors()) result.tests = node_tests(context, *file->node, session.diagnostics);
     }
     result.diagnostics = to_public(session.diagnostics, session.sources);
+    result.ok = !session.diagnostics.has_errors();
+    return result;
+}
+
+SceneResult Compiler::read_scene(const std::string& path, const CompileOptions& options) const {
+    SceneResult result;
+    graph::Session session(*impl_->library, options);
+    if (const std::optional<std::uint32_t> base = graph::load_source(session, path, {})) {
+        const std::unique_ptr<graph::Json> json = graph::parse_json(session.sources, *base, session.diagnostics);
+        if (json) result.scene = graph::read_scene(session, *json, path);
+    }
+    result.diagnostics = to_public(session.diagnostics, session.sources);
+    result.dependencies = std::move(session.dependencies);
     result.ok = !session.diagnostics.has_errors();
     return result;
 }

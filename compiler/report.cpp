@@ -185,6 +185,19 @@ std::string to_text(const Diagnostic& diagnostic, bool colors) {
     return text;
 }
 
+Diagnostic diagnostic_at(const ScenePlace& place, std::string code, std::string message) {
+    Diagnostic diagnostic;
+    diagnostic.code = std::move(code);
+    diagnostic.message = std::move(message);
+    diagnostic.file = place.file;
+    diagnostic.line = place.line;
+    diagnostic.column = place.column;
+    diagnostic.end_line = place.end_line;
+    diagnostic.end_column = place.end_column;
+    diagnostic.source_line = place.source_line;
+    return diagnostic;
+}
+
 std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
     const std::vector<std::string_view> views(known.begin(), known.end());
     return Diagnostics::suggestion(word, views);

@@ -156,12 +156,17 @@ std::span<const std::string_view> mesh_names() {
     return kNames;
 }
 
-std::optional<Mesh> make_mesh(std::string_view name) {
-    if (name == "sphere") return make_sphere();
-    if (name == "plane") return make_plane();
-    if (name == "cube") return make_cube();
-    if (name == "capsule") return make_capsule();
-    if (name == "torus") return make_torus();
+std::optional<Mesh> make_mesh(std::string_view name, int segments) {
+    // As many rows as keep the shape of the cells, and the mesh a solid.
+    const auto share = [&](int numerator, int denominator, int least) {
+        return std::max(segments * numerator / denominator, least);
+    };
+    const bool as_usual = segments == 0;
+    if (name == "sphere") return as_usual ? make_sphere() : make_sphere(1, segments, share(1, 2, 2));
+    if (name == "plane") return as_usual ? make_plane() : make_plane(2, segments);
+    if (name == "cube") return as_usual ? make_cube() : make_cube(1.5f, segments);
+    if (name == "capsule") return as_usual ? make_capsule() : make_capsule(0.6f, 1, segments, share(1, 4, 1));
+    if (name == "torus") return as_usual ? make_torus() : make_torus(0.75f, 0.32f, segments, share(3, 8, 3));
     return std::nullopt;
 }
 

@@ -38,7 +38,8 @@ Mesh make_torus(float radius = 0.75f, float tube = 0.32f, int segments = 128, in
 Mesh make_fullscreen();
 
 std::span<const std::string_view> mesh_names();
-std::optional<Mesh> make_mesh(std::string_view name);
+// `segments`, 3 or more: around what is round, along the sides of what is flat; the others follow. 0: as above.
+std::optional<Mesh> make_mesh(std::string_view name, int segments = 0);
 
 // Radius about the origin of the sphere that holds every vertex.
 float bounding_radius(const Mesh& mesh);

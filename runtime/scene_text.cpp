@@ -117,6 +117,20 @@ private:
 
 }  // namespace
 
+SphericalHarmonics ambient_of(std::optional<glm::vec3> sky, std::optional<glm::vec3> horizon,
+                              std::optional<glm::vec3> ground) {
+    const glm::vec3 above = sky ? *sky : horizon ? *horizon : ground.value_or(glm::vec3(0));
+    const glm::vec3 below = ground ? *ground : horizon ? *horizon : above;
+    return gradient_ambient(above, horizon.value_or((above + below) / 2.0f), below);
+}
+
+void set_cone(Light& light, std::optional<float> inner, std::optional<float> outer) {
+    if (inner) light.inner_angle = *inner;
+    if (outer) light.outer_angle = *outer;
+    if (inner && !outer) light.outer_angle = std::max(light.outer_angle, light.inner_angle + 1);
+    if (outer && !inner) light.inner_angle = std::min(light.inner_angle, light.outer_angle * 2 / 3);
+}
+
 Outcome<glm::vec4> parse_numbers(std::string_view text, int& count) {
     glm::vec4 value(0);
     count = 0;
@@ -178,12 +192,12 @@ Outcome<Light> parse_light(std::string_view text) {
     }
     if (light.kind != LightKind::Point) settings.vector("direction", light.direction, false);
     if (light.kind == LightKind::Spot) {
-        // One angle alone moves the other along, so that the cone is never inside out.
-        bool inner = settings.has("inner"), outer = settings.has("outer");
-        settings.number("inner", light.inner_angle, 0, 89);
-        settings.number("outer", light.outer_angle, 0.1f, 90);
-        if (inner && !outer) light.outer_angle = std::max(light.outer_angle, light.inner_angle + 1);
-        if (outer && !inner) light.inner_angle = std::min(light.inner_angle, light.outer_angle * 2 / 3);
+        const bool has_inner = settings.has("inner"), has_outer = settings.has("outer");
+        float inner = light.inner_angle, outer = light.outer_angle;
+        settings.number("inner", inner, 0, 89);
+        settings.number("outer", outer, 0.1f, 90);
+        set_cone(light, has_inner ? std::optional(inner) : std::nullopt,
+                 has_outer ? std::optional(outer) : std::nullopt);
     }
     if (std::string error = settings.error(); !error.empty()) return Failure{error};
     if (light.inner_angle > light.outer_angle) return Failure{"a spot light: inner must not be larger than outer"};
@@ -202,19 +216,16 @@ Outcome<SphericalHarmonics> parse_ambient(std::string_view text) {
     }
     if (!words.value.plain.empty() || words.value.settings.empty())
         return Failure{"ambient light is 'none', a colour, or sky=... horizon=... ground=..., not " + quoted(text)};
-    // A colour that is not given is the mean of the others, or the one other.
-    bool has_horizon = words.value.settings.contains("horizon");
-    bool has_sky = words.value.settings.contains("sky"), has_ground = words.value.settings.contains("ground");
+    const bool has_horizon = words.value.settings.contains("horizon");
+    const bool has_sky = words.value.settings.contains("sky"), has_ground = words.value.settings.contains("ground");
     glm::vec3 sky(0), horizon(0), ground(0);
     Settings settings(std::move(words.value), "ambient light");
     settings.color("sky", sky);
     settings.color("horizon", horizon);
     settings.color("ground", ground);
     if (std::string error = settings.error(); !error.empty()) return Failure{error};
-    if (!has_sky) sky = has_horizon ? horizon : ground;
-    if (!has_ground) ground = has_horizon ? horizon : sky;
-    if (!has_horizon) horizon = (sky + ground) / 2.0f;
-    return gradient_ambient(sky, horizon, ground);
+    const auto given = [](bool is_given, glm::vec3 color) { return is_given ? std::optional(color) : std::nullopt; };
+    return ambient_of(given(has_sky, sky), given(has_horizon, horizon), given(has_ground, ground));
 }
 
 Outcome<Camera> parse_camera(std::string_view text, const Camera& base) {

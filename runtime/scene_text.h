@@ -9,6 +9,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <string_view>
 
 #include "runtime/outcome.h"
@@ -20,6 +21,13 @@ Outcome<Light> parse_light(std::string_view text);
 Outcome<SphericalHarmonics> parse_ambient(std::string_view text);
 // Words that are not given keep the values of `base`.
 Outcome<Camera> parse_camera(std::string_view text, const Camera& base);
+
+// --- what is said in part: a scene file follows the same rules
+// A colour that is not given is the mean of the others, or the one other.
+SphericalHarmonics ambient_of(std::optional<glm::vec3> sky, std::optional<glm::vec3> horizon,
+                              std::optional<glm::vec3> ground);
+// Degrees. One angle alone moves the other along, so that the cone is never inside out.
+void set_cone(Light& light, std::optional<float> inner, std::optional<float> outer);
 
 // "#f80", "#ff8800", "#ff8800cc", decoded to linear; without alpha it is 1.
 Outcome<glm::vec4> parse_hex_color(std::string_view text);

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "patina/scene.h"
 #include "runtime/scene.h"
 
 namespace patina::runtime {
@@ -18,6 +19,7 @@ struct WorldMaterial {
     std::string name{};
     std::string graph{};                             // a file
     std::map<std::string, std::string> overrides{};  // property -> its value in words, as material_values() takes them
+    ScenePlace place{};                              // where a scene file says so; its file is empty if none does
 };
 
 struct WorldObject {

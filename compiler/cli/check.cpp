@@ -1,5 +1,7 @@
 // patina check: everything that compile does, and both other compilers, but nothing is written. A node file is read,
-// and its test lines are run.
+// and its test lines are run; a scene is read, and its materials are checked.
+#include <algorithm>
+#include <map>
 #include <memory>
 
 #include "compiler/base/text.h"
@@ -15,6 +17,19 @@ struct Arguments {
     PathOptions path;
 };
 
+// Compiles a graph and has its shaders proved. The result is not ok if either fails.
+Result check_shaders(const Console& console, const Compiler& compiler, const std::string& graph,
+                     const CompileOptions& options) {
+    Result result = compiler.compile_file(graph, options);
+    report(console, result.diagnostics);
+    for (const Shader& shader : result.shaders) {
+        const Validated validated = validate(shader);
+        report(console, validated.diagnostics);
+        result.ok &= validated.ok;
+    }
+    return result;
+}
+
 bool check_graph(const Console& console, const Compiler& compiler, const Arguments& arguments,
                  const std::string& graph) {
     CompileOptions options;
@@ -22,13 +37,48 @@ bool check_graph(const Console& console, const Compiler& compiler, const Argumen
     options.accept_parts = true;
     options.path = arguments.path.path;
     options.switches = arguments.path.switches();
-    const Result result = compiler.compile_file(graph, options);
-    report(console, result.diagnostics);
-    bool ok = result.ok;
-    for (const Shader& shader : result.shaders) {
-        const Validated validated = validate(shader);
-        report(console, validated.diagnostics);
-        ok &= validated.ok;
+    return check_shaders(console, compiler, graph, options).ok;
+}
+
+// Whether the graph has every property that the scene gives a value to.
+bool check_set(const Console& console, const SceneMaterial& material, const Reflection& reflection) {
+    std::vector<std::string> names;
+    for (const Property& property : reflection.properties) names.push_back(property.name);
+    for (const Texture& texture : reflection.textures) {
+        if (!texture.tiling.empty()) names.push_back(texture.name + "_ST");
+    }
+    bool ok = true;
+    for (const SceneValue& value : material.set) {
+        if (std::ranges::find(names, value.property) != names.end()) continue;
+        ok = false;
+        Diagnostic unknown = diagnostic_at(value.property_place, "unknown-property",
+                                           "'" + material.graph.path + "' has no property '" + value.property + "'");
+        if (std::string advice = suggestion(value.property, names); !advice.empty()) {
+            Diagnostic& note = unknown.notes.emplace_back();
+            note.severity = Severity::Note;
+            note.message = std::move(advice);
+        }
+        report(console, std::span(&unknown, 1));
+    }
+    return ok;
+}
+
+bool check_scene(const Console& console, const Compiler& compiler, const Arguments& arguments,
+                 const std::string& scene) {
+    CompileOptions options;
+    options.include_dirs = arguments.include_dirs;
+    const SceneResult read = compiler.read_scene(scene, options);
+    report(console, read.diagnostics);
+    bool ok = read.ok;
+    std::map<std::string, Result> checked;  // several materials may be of one graph
+    for (const SceneMaterial& material : read.scene.materials) {
+        if (material.graph.path.empty()) continue;
+        auto found = checked.find(material.graph.path);
+        if (found == checked.end()) {
+            Result result = check_shaders(console, compiler, material.graph.path, options);
+            found = checked.emplace(material.graph.path, std::move(result)).first;
+        }
+        ok &= found->second.ok && check_set(console, material, found->second.reflection);
     }
     return ok;
 }
@@ -68,7 +118,7 @@ void add_check(Program& program) {
                                     {"patina check rust.graph.json", "patina check art/*.graph.json --quiet",
                                      "patina check rust.graph.json --diagnostics=json", "patina check wave.node.hlsl"});
     auto arguments = std::make_shared<Arguments>();
-    command.add_option("GRAPH", arguments->graphs, "Graphs (JSON), and files of nodes (.node.hlsl)")
+    command.add_option("GRAPH", arguments->graphs, "Graphs and scenes (JSON), and files of nodes (.node.hlsl)")
         ->required()
         ->type_name(" ");
     add_path_options(command, arguments->path);
@@ -80,8 +130,10 @@ void add_check(Program& program) {
         for (std::size_t i = 0; i < arguments->graphs.size(); ++i) {
             const std::string& graph = arguments->graphs[i];
             show_progress(console, i, arguments->graphs.size(), graph);
-            const bool ok = graph.ends_with(".hlsl") ? check_node_file(console, compiler, *arguments, graph)
-                                                     : check_graph(console, compiler, *arguments, graph);
+            const auto check = graph.ends_with(".hlsl")         ? check_node_file
+                               : graph.ends_with(".scene.json") ? check_scene
+                                                                : check_graph;
+            const bool ok = check(console, compiler, *arguments, graph);
             if (ok) say(console, graph + ": ok");
             if (!ok) exit = Exit::Wrong;
         }

@@ -105,7 +105,7 @@ std::string read_standard_input() {
 std::string stem(std::string_view path) {
     const std::size_t slash = path.rfind('/');
     if (slash != path.npos) path.remove_prefix(slash + 1);
-    for (std::string_view ending : {".graph.json", ".subgraph.json", ".lighting.json", ".json"}) {
+    for (std::string_view ending : {".graph.json", ".subgraph.json", ".lighting.json", ".scene.json", ".json"}) {
         if (path.size() > ending.size() && path.ends_with(ending)) {
             path.remove_suffix(ending.size());
             break;

@@ -1,13 +1,16 @@
 #include "compiler/graph/keys.h"
 
+#include <algorithm>
 #include <array>
+
+#include "compiler/graph/words.h"
 
 namespace patina::graph {
 namespace {
 
 constexpr KeyInfo kSchema{"$schema", "where an editor finds the JSON Schema of this format"};
 constexpr KeyInfo kVersion{"patina", "the version of the graph format: 1"};
-constexpr KeyInfo kKind{"kind", "what the file is: material, subgraph, lighting or workflow"};
+constexpr KeyInfo kKind{"kind", "what the file is: material, subgraph, lighting, workflow or scene"};
 constexpr KeyInfo kName{"name", "what people call it; otherwise the name of the file"};
 constexpr KeyInfo kHelp{"help", "what it is for, in a sentence or two"};
 constexpr KeyInfo kPrecision{"precision", "float or half: what the nodes compute in"};
@@ -134,6 +137,94 @@ constexpr std::array kLightingUse = {
     KeyInfo{"in", "values at the model's inputs"},
 };
 
+// --- scenes
+
+constexpr KeyInfo kPosition{"position", "where it is, in metres: [x, y, z], y up"};
+constexpr KeyInfo kColor{"color", "\"#rrggbb\", or linear: a grey or [r, g, b]"};
+
+constexpr std::array kScene = {
+    kSchema,
+    kVersion,
+    kKind,
+    kName,
+    kHelp,
+    KeyInfo{"camera", "where the scene is seen from", ObjectKind::Camera, true},
+    KeyInfo{"ambient", "light from all around: studio, none, a colour, or sky, horizon and ground",
+            ObjectKind::Ambient},
+    KeyInfo{"environment", "what mirrors show: studio, or none for what the ambient light says"},
+    KeyInfo{"fog", "what distance does to colours", ObjectKind::Fog},
+    KeyInfo{"background", "the colour behind everything"},
+    KeyInfo{"time", "seconds; what @time is"},
+    KeyInfo{"pixelLightCount", "how many lights an additive path computes per pixel, 0 to 16; 4 otherwise"},
+    KeyInfo{"lights", "the lights, at most 16", ObjectKind::Light},
+    KeyInfo{"materials", "graphs by name, with values for their properties", ObjectKind::SceneMaterial},
+    KeyInfo{"objects", "meshes, each with a place and a material", ObjectKind::SceneObject, true},
+    kMeta,
+    kUi,
+};
+
+constexpr std::array kCamera = {
+    KeyInfo{"position", kPosition.help, ObjectKind::Free, true},
+    KeyInfo{"target", "the point that it looks at; [0, 0, 0] otherwise"},
+    KeyInfo{"fov", "vertical field of view in degrees, 1 to 170; 30 otherwise"},
+    KeyInfo{"orthographic", "parallel projection, in place of fov: the height of the picture in metres"},
+    KeyInfo{"near", "metres to where the picture begins; 0.05 otherwise"},
+    KeyInfo{"far", "metres to where it ends; 100 otherwise"},
+};
+
+constexpr std::array kAmbient = {
+    KeyInfo{"sky", "the colour that comes from above"},
+    KeyInfo{"horizon", "the colour that comes from the sides"},
+    KeyInfo{"ground", "the colour that comes from below"},
+};
+
+constexpr std::array kFog = {
+    KeyInfo{"mode", "linear, exp or exp2", ObjectKind::Free, true},
+    kColor,
+    KeyInfo{"density", "exp and exp2: per metre; 0.05 otherwise"},
+    KeyInfo{"start", "linear: metres to where it begins; 5 otherwise"},
+    KeyInfo{"end", "linear: metres to where nothing else is seen; 50 otherwise"},
+};
+
+constexpr std::array kLight = {
+    KeyInfo{"type", "directional, point or spot", ObjectKind::Free, true},
+    kPosition,
+    KeyInfo{"direction", "directional: towards the light; spot: where it points"},
+    kColor,
+    KeyInfo{"intensity", "what the colour is multiplied by; 1 otherwise"},
+    KeyInfo{"range", "point and spot: metres, no light beyond; 10 otherwise"},
+    KeyInfo{"inner", "spot: degrees from its axis with full light; 20 otherwise"},
+    KeyInfo{"outer", "spot: degrees from its axis beyond which there is none; 30 otherwise"},
+    KeyInfo{"renderMode", "auto, important (always per pixel) or notImportant"},
+    KeyInfo{"shadow", "directional and spot: true, or how", ObjectKind::Shadow},
+    KeyInfo{"cookie", "directional and spot: a picture that it shines through, whose red is what is let through"},
+    KeyInfo{"cookieSize", "directional: metres that the cookie spans; 10 otherwise"},
+};
+
+constexpr std::array kShadow = {
+    KeyInfo{"strength", "how dark, 0 to 1; 1 otherwise"},
+    KeyInfo{"bias", "metres along the light's direction; 0.05 otherwise"},
+    KeyInfo{"normalBias", "texels of the shadow map that surfaces shrink by; 0.4 otherwise"},
+};
+
+constexpr std::array kSceneMaterial = {
+    KeyInfo{"name", "what objects call it; an identifier", ObjectKind::Free, true},
+    KeyInfo{"graph", "a file, from the scene's folder", ObjectKind::Free, true},
+    KeyInfo{"set", "values of the graph's properties"},
+};
+
+constexpr std::array kSceneObject = {
+    KeyInfo{"id", "its own name; an identifier", ObjectKind::Free, true},
+    KeyInfo{"mesh", "sphere, plane, cube, capsule or torus", ObjectKind::Free, true},
+    KeyInfo{"segments", "how fine the mesh is, 3 to 512"},
+    KeyInfo{"material", "the name of a material of this scene", ObjectKind::Free, true},
+    kPosition,
+    KeyInfo{"rotation", "degrees about the axes, [x, y, z]; it is turned about z, then x, then y"},
+    KeyInfo{"scale", "a number, or one for each axis; greater than 0"},
+    KeyInfo{"lightmap", "a picture of baked light, by the mesh's second texture coordinates"},
+    KeyInfo{"shadowMask", "a picture of the baked shadows of four lights"},
+};
+
 }  // namespace
 
 std::span<const KeyInfo> keys_of(ObjectKind kind) {
@@ -149,6 +240,14 @@ std::span<const KeyInfo> keys_of(ObjectKind kind) {
         case ObjectKind::Sampler: return kSampler;
         case ObjectKind::Render: return kRender;
         case ObjectKind::LightingUse: return kLightingUse;
+        case ObjectKind::Scene: return kScene;
+        case ObjectKind::Camera: return kCamera;
+        case ObjectKind::Ambient: return kAmbient;
+        case ObjectKind::Fog: return kFog;
+        case ObjectKind::Light: return kLight;
+        case ObjectKind::Shadow: return kShadow;
+        case ObjectKind::SceneMaterial: return kSceneMaterial;
+        case ObjectKind::SceneObject: return kSceneObject;
     }
     return {};
 }
@@ -173,6 +272,14 @@ std::string_view describe(ObjectKind kind) {
         case ObjectKind::Sampler: return "a sampler";
         case ObjectKind::Render: return "the render state";
         case ObjectKind::LightingUse: return "a use of a lighting model";
+        case ObjectKind::Scene: return "a scene";
+        case ObjectKind::Camera: return "a camera";
+        case ObjectKind::Ambient: return "ambient light";
+        case ObjectKind::Fog: return "fog";
+        case ObjectKind::Light: return "a light";
+        case ObjectKind::Shadow: return "a shadow";
+        case ObjectKind::SceneMaterial: return "a material of a scene";
+        case ObjectKind::SceneObject: return "an object of a scene";
     }
     return {};
 }
@@ -180,10 +287,9 @@ std::string_view describe(ObjectKind kind) {
 ObjectKind top_level_kind(const Json& root) {
     const Json* kind = root.find("kind");
     if (!kind) return ObjectKind::Material;
-    if (kind->string == "subgraph") return ObjectKind::Subgraph;
-    if (kind->string == "lighting") return ObjectKind::Lighting;
-    if (kind->string == "workflow") return ObjectKind::Workflow;
-    return ObjectKind::Material;
+    const auto found = std::find_if(kFileKinds.begin(), kFileKinds.end(),
+                                    [&](const Word<ObjectKind>& word) { return word.text == kind->string; });
+    return found == kFileKinds.end() ? ObjectKind::Material : found->value;
 }
 
 ObjectKind value_kind(const KeyInfo& key, const Json& value) {

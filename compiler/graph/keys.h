@@ -23,7 +23,15 @@ enum class ObjectKind {
     Input,
     Sampler,
     Render,
-    LightingUse
+    LightingUse,
+    Scene,
+    Camera,
+    Ambient,
+    Fog,
+    Light,
+    Shadow,
+    SceneMaterial,
+    SceneObject
 };
 
 struct KeyInfo {

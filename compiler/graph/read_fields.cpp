@@ -93,7 +93,7 @@ void suggest(Reading& reading, DiagnosticRecord& record, std::string_view word,
 
 void check_keys(Reading& reading, const Json& object, ObjectKind kind) {
     static constexpr std::array kFiles = {ObjectKind::Material, ObjectKind::Subgraph, ObjectKind::Lighting,
-                                          ObjectKind::Workflow};
+                                          ObjectKind::Workflow, ObjectKind::Scene};
     const bool is_file = std::find(kFiles.begin(), kFiles.end(), kind) != kFiles.end();
     for (const KeyInfo& key : keys_of(kind)) {
         if (key.required && !object.find(key.name)) {
@@ -116,6 +116,14 @@ void check_keys(Reading& reading, const Json& object, ObjectKind kind) {
         for (const KeyInfo& key : keys_of(kind)) names.push_back(key.name);
         suggest(reading, record, member.key, names);
     }
+}
+
+void refuse_key(Reading& reading, const Json& object, std::string_view key, std::string_view what,
+                std::string_view owner) {
+    const JsonMember* member = find_member(object, key);
+    if (!member) return;
+    reading.diagnostics.report(Code::UnknownKey, member->key_span, key, what)
+        .note(fmt::format("'{}' belongs to {}", key, owner));
 }
 
 void check_range(Reading& reading, Span span, double value, const std::array<double, 2>& range, bool hard,

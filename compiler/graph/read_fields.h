@@ -7,6 +7,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <unordered_map>
 
 #include "compiler/base/diagnostics.h"
@@ -67,6 +68,9 @@ void read_limits(Reading& reading, const Json& object, std::optional<std::array<
 
 // Complains about each key that an object of this kind does not have, and about each that it needs.
 void check_keys(Reading& reading, const Json& object, ObjectKind kind);
+// Complains about a key of the format that `what` has no use for: it belongs to `owner`.
+void refuse_key(Reading& reading, const Json& object, std::string_view key, std::string_view what,
+                std::string_view owner);
 // Notes "did you mean" or the list of words.
 void suggest(Reading& reading, DiagnosticRecord& record, std::string_view word,
              std::span<const std::string_view> words);
@@ -94,6 +98,9 @@ std::optional<E> read_word(Reading& reading, const Json& json, std::string_view 
 }
 
 // --- the readers of the parts
+// What stands at the top of every file: its version, and its kind, which must be one of `allowed`. Nothing after an
+// error that leaves no file to read.
+std::optional<ObjectKind> read_header(Reading& reading, const Json& json, std::span<const ObjectKind> allowed);
 std::vector<PortValue> read_ports(Reading& reading, const Json& object, std::string_view what, std::string_view node);
 std::vector<Node> read_nodes(Reading& reading, const Json& array);
 // `names` holds what may be read as $name in this graph.

@@ -11,15 +11,9 @@ namespace {
 
 void read_lighting_graph(Reading& reading, const Json& json, Graph& graph);
 
-ObjectKind object_kind(GraphKind kind) {
-    switch (kind) {
-        case GraphKind::Material: return ObjectKind::Material;
-        case GraphKind::Subgraph: return ObjectKind::Subgraph;
-        case GraphKind::Lighting: return ObjectKind::Lighting;
-        case GraphKind::Workflow: return ObjectKind::Workflow;
-    }
-    return ObjectKind::Free;
-}
+// What the object of a file is, in the order of GraphKind.
+constexpr std::array kGraphObjects = {ObjectKind::Material, ObjectKind::Subgraph, ObjectKind::Lighting,
+                                      ObjectKind::Workflow};
 
 // "textures/rust.graph.json" -> "rust"
 std::string stem(std::string_view path) {
@@ -188,39 +182,6 @@ void read_workflow(Reading& reading, const Json& json, Graph& graph) {
 
 // --- the file
 
-bool check_version(Reading& reading, const Json& json) {
-    const Json* version = json.find("patina");
-    if (!version) {
-        reading.diagnostics.report(Code::MissingKey, opening(json), "a graph", "patina")
-            .note("\"patina\": 1 says that the file is in version 1 of the graph format");
-        return true;  // the rest is read all the same
-    }
-    if (version->kind != Json::Kind::Number) {
-        report_type(reading, *version, "'patina'", "the number 1");
-        return true;
-    }
-    if (version->number == 1) return true;
-    reading.diagnostics.report(Code::UnknownVersion, version->span, shown(reading.sources.text(version->span)));
-    return false;
-}
-
-// Nothing after an error.
-std::optional<GraphKind> check_kind(Reading& reading, const Json& json, std::optional<GraphKind> expected) {
-    const Json* word = json.find("kind");
-    GraphKind kind = GraphKind::Material;
-    if (word) {
-        const std::optional<GraphKind> known = read_word(reading, *word, "kind", "a kind of graph", kGraphKinds);
-        if (!known) return std::nullopt;
-        kind = *known;
-    }
-    if (!expected || kind == *expected) return kind;
-    DiagnosticRecord& record =
-        reading.diagnostics.report(Code::WrongJsonType, word ? word->span : opening(json), "this file",
-                                   describe(object_kind(*expected)), describe(object_kind(kind)));
-    if (!word) record.note(fmt::format("\"kind\": \"{}\" is missing", text_of(kGraphKinds, *expected)));
-    return std::nullopt;
-}
-
 void read_kind(Reading& reading, const Json& json, Graph& graph) {
     switch (graph.kind) {
         case GraphKind::Material: return read_material(reading, json, graph);
@@ -240,11 +201,12 @@ std::shared_ptr<Graph> read_graph(const Json& json, std::string path, const Sour
     graph->name = stem(path);
     graph->path = std::move(path);
     graph->span = json.span;
-    if (!expect(reading, json, Json::Kind::Object, "a graph") || !check_version(reading, json)) return graph;
-
-    const std::optional<GraphKind> kind = check_kind(reading, json, expected);
+    std::span<const ObjectKind> allowed = kGraphObjects;
+    if (expected) allowed = allowed.subspan(static_cast<std::size_t>(*expected), 1);
+    const std::optional<ObjectKind> kind = read_header(reading, json, allowed);
     if (!kind) return graph;
-    graph->kind = *kind;
+    const auto found = std::find(kGraphObjects.begin(), kGraphObjects.end(), *kind);
+    graph->kind = static_cast<GraphKind>(found - kGraphObjects.begin());
     // A sub-graph is read while a node of its parent is at work: that one's name does not belong on messages from here.
     const std::string outer_node(diagnostics.context_node());
     diagnostics.set_context({}, {});

@@ -41,20 +41,16 @@ std::size_t component_count(PropertyType type) {
 // Keys of the format that this type of property has no use for.
 void check_keys_of_type(Reading& reading, const Json& json, const Property& property) {
     const bool is_texture = property.type == PropertyType::Texture2D;
-    const auto refuse = [&](std::string_view key, std::string_view owner) {
-        const JsonMember* member = find_member(json, key);
-        if (!member) return;
-        reading.diagnostics
-            .report(Code::UnknownKey, member->key_span, key,
-                    fmt::format("a property of type {}", to_string(property.type)))
-            .note(fmt::format("'{}' belongs to {}", key, owner));
-    };
+    const std::string what = fmt::format("a property of type {}", to_string(property.type));
     if (!is_texture) {
-        for (const std::string_view key : {"usage", "tiling", "sampler"}) refuse(key, "a texture2d");
+        for (const std::string_view key : {"usage", "tiling", "sampler"})
+            refuse_key(reading, json, key, what, "a texture2d");
     }
-    if (property.type != PropertyType::Enum) refuse("values", "an enum");
+    if (property.type != PropertyType::Enum) refuse_key(reading, json, "values", what, "an enum");
     if (!has_range(property.type)) {
-        for (const std::string_view key : {"range", "hard"}) refuse(key, "float, float2, float3, float4 and int");
+        for (const std::string_view key : {"range", "hard"}) {
+            refuse_key(reading, json, key, what, "float, float2, float3, float4 and int");
+        }
     }
 }
 

@@ -21,17 +21,6 @@ constexpr std::string_view kNamedValues = R"({"type":"object","propertyNames":{"
                                           R"("additionalProperties":{"$ref":"#/$defs/value"}})";
 constexpr std::string_view kRange = R"({"type":"array","items":{"type":"number"},"minItems":2,"maxItems":2})";
 
-// What may stand at a key. A row without a kind holds for every kind of object that has the key.
-struct Row {
-    ObjectKind kind;
-    std::string_view key;
-    std::string schema;
-};
-
-std::string list_of(std::string_view definition) {
-    return object({{"type", quoted("array")}, {"items", reference(definition)}});
-}
-
 template <std::size_t N>
 std::string texts_schema(const std::array<std::string_view, N>& words) {
     std::vector<std::string> texts;
@@ -39,19 +28,16 @@ std::string texts_schema(const std::array<std::string_view, N>& words) {
     return object({{"enum", list(texts)}});
 }
 
-std::string any_of(const std::vector<std::string>& schemas) {
-    return object({{"anyOf", list(schemas)}});
-}
-
-std::vector<Row> make_rows(const SchemaInput& input) {
+std::vector<SchemaRow> make_rows(const SchemaInput& input) {
     using enum ObjectKind;
     const std::string model =
         any_of({model_name_schema(input.lighting_models), R"({"type":"string","pattern":"^(\\.\\.?)?/"})"});
     const auto text = [](std::string_view schema) { return std::string(schema); };
-    return {
+    std::vector<SchemaRow> rows = scene_rows();
+    const std::vector<SchemaRow> graph_rows = {
         {Free, "$schema", text(kText)},
         {Free, "patina", R"({"const":1})"},
-        {Free, "kind", words_schema(kGraphKinds)},
+        {Free, "kind", words_schema(kFileKinds)},
         {Property, "name", text(kIdentifier)},
         {Input, "name", text(kIdentifier)},
         {Free, "name", text(kText)},
@@ -108,11 +94,13 @@ std::vector<Row> make_rows(const SchemaInput& input) {
         {Free, "bounds", text(kNothing)},
         {Free, "use", model},
     };
+    rows.insert(rows.end(), graph_rows.begin(), graph_rows.end());
+    return rows;
 }
 
-const std::string& find_schema(const std::vector<Row>& rows, ObjectKind kind, std::string_view key) {
-    const Row* general = nullptr;
-    for (const Row& row : rows) {
+const std::string& find_schema(const std::vector<SchemaRow>& rows, ObjectKind kind, std::string_view key) {
+    const SchemaRow* general = nullptr;
+    for (const SchemaRow& row : rows) {
         if (row.key != key) continue;
         if (row.kind == kind) return row.schema;
         if (row.kind == ObjectKind::Free) general = &row;
@@ -128,7 +116,7 @@ std::string with_description(const std::string& schema, std::string_view help) {
                                : schema.substr(0, schema.size() - 1) + "," + description + "}";
 }
 
-Members object_schema(const std::vector<Row>& rows, ObjectKind kind) {
+Members object_schema(const std::vector<SchemaRow>& rows, ObjectKind kind) {
     Members properties;
     std::vector<std::string> required;
     for (const KeyInfo& key : keys_of(kind)) {
@@ -144,8 +132,9 @@ Members object_schema(const std::vector<Row>& rows, ObjectKind kind) {
 // A file is told by its "kind"; without one it is a material.
 std::string choose_by_kind() {
     std::string choice = reference("material");
-    for (const GraphKind kind : {GraphKind::Workflow, GraphKind::Lighting, GraphKind::Subgraph}) {
-        const std::string word(text_of(kGraphKinds, kind));
+    using enum ObjectKind;
+    for (const ObjectKind kind : {Scene, Workflow, Lighting, Subgraph}) {
+        const std::string word(text_of(kFileKinds, kind));
         const std::string condition = object(
             {{"properties", object({{"kind", object({{"const", quoted(word)}})}})}, {"required", R"(["kind"])"}});
         choice = object({{"if", condition}, {"then", reference(word)}, {"else", choice}});
@@ -154,7 +143,7 @@ std::string choose_by_kind() {
 }
 
 Members make_definitions(const SchemaInput& input) {
-    const std::vector<Row> rows = make_rows(input);
+    const std::vector<SchemaRow> rows = make_rows(input);
     Members material = object_schema(rows, ObjectKind::Material);
     if (!input.workflows.empty())
         material.emplace_back("allOf", surface_schema(input.workflows, input.lighting_models));
@@ -163,8 +152,8 @@ Members make_definitions(const SchemaInput& input) {
     if (!input.nodes.empty()) node.emplace_back("allOf", node_ports_schema(input.nodes));
 
     // Only a lighting graph has variants so far.
-    std::vector<Row> lighting_rows = rows;
-    for (Row& row : lighting_rows) {
+    std::vector<SchemaRow> lighting_rows = rows;
+    for (SchemaRow& row : lighting_rows) {
         if (row.key == "as" && row.kind == ObjectKind::Free) row.schema = words_schema(kBindings);
     }
 
@@ -183,6 +172,13 @@ Members make_definitions(const SchemaInput& input) {
         {"render", object(object_schema(rows, ObjectKind::Render))},
         {"lightingUse", object(object_schema(rows, ObjectKind::LightingUse))},
     };
+    using enum ObjectKind;
+    for (const auto& [name, kind] :
+         {std::pair("scene", Scene), std::pair("camera", Camera), std::pair("ambient", Ambient), std::pair("fog", Fog),
+          std::pair("light", Light), std::pair("shadow", Shadow), std::pair("sceneMaterial", SceneMaterial),
+          std::pair("sceneObject", SceneObject)}) {
+        definitions.emplace_back(name, object(object_schema(rows, kind)));
+    }
     add_port_definitions(definitions, input.nodes);
     return definitions;
 }

@@ -59,6 +59,24 @@ std::string words_schema(const std::array<Word<E>, N>& words) {
     return object({{"enum", list(texts)}});
 }
 
+// What may stand at a key. A row of the kind Free holds for every kind of object that has the key.
+struct SchemaRow {
+    ObjectKind kind;
+    std::string_view key;
+    std::string schema;
+};
+
+inline std::string any_of(const std::vector<std::string>& schemas) {
+    return object({{"anyOf", list(schemas)}});
+}
+
+inline std::string list_of(std::string_view definition) {
+    return object({{"type", quoted("array")}, {"items", reference(definition)}});
+}
+
+// --- schema_scene.cpp: the keys of scenes
+std::vector<SchemaRow> scene_rows();
+
 // --- schema_library.cpp: what depends on the library
 // A value at a port: every form of the value grammar, with the semantics by name.
 std::string value_schema(std::span<const SemanticInfo> semantics);

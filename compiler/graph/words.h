@@ -8,6 +8,8 @@
 #include <string_view>
 
 #include "compiler/graph/graph.h"
+#include "compiler/graph/keys.h"
+#include "patina/scene.h"
 
 namespace patina::graph {
 
@@ -26,10 +28,10 @@ constexpr std::string_view text_of(const std::array<Word<E>, N>& words, E value)
     return {};
 }
 
-inline constexpr std::array kGraphKinds = {
-    Word<GraphKind>{"material", GraphKind::Material},    Word<GraphKind>{"subgraph", GraphKind::Subgraph},
-    Word<GraphKind>{"lighting", GraphKind::Lighting},    Word<GraphKind>{"workflow", GraphKind::Workflow},
-    Word<GraphKind>{"scene", GraphKind::Material, true},
+inline constexpr std::array kFileKinds = {
+    Word<ObjectKind>{"material", ObjectKind::Material}, Word<ObjectKind>{"subgraph", ObjectKind::Subgraph},
+    Word<ObjectKind>{"lighting", ObjectKind::Lighting}, Word<ObjectKind>{"workflow", ObjectKind::Workflow},
+    Word<ObjectKind>{"scene", ObjectKind::Scene},
 };
 
 inline constexpr std::array kPrecisions = {
@@ -101,6 +103,29 @@ inline constexpr std::array kCompares = {
     Word<Compare>{"notEqual", Compare::NotEqual},
     Word<Compare>{"greaterEqual", Compare::GreaterEqual},
     Word<Compare>{"always", Compare::Always},
+};
+
+inline constexpr std::array kLightTypes = {
+    Word<SceneLightType>{"directional", SceneLightType::Directional},
+    Word<SceneLightType>{"point", SceneLightType::Point},
+    Word<SceneLightType>{"spot", SceneLightType::Spot},
+};
+
+inline constexpr std::array kRenderModes = {
+    Word<SceneRenderMode>{"auto", SceneRenderMode::Auto},
+    Word<SceneRenderMode>{"important", SceneRenderMode::Important},
+    Word<SceneRenderMode>{"notImportant", SceneRenderMode::NotImportant},
+};
+
+inline constexpr std::array kEnvironments = {
+    Word<SceneEnvironment>{"studio", SceneEnvironment::Studio},
+    Word<SceneEnvironment>{"none", SceneEnvironment::None},
+};
+
+inline constexpr std::array kFogModes = {
+    Word<SceneFogMode>{"linear", SceneFogMode::Linear},
+    Word<SceneFogMode>{"exp", SceneFogMode::Exponential},
+    Word<SceneFogMode>{"exp2", SceneFogMode::ExponentialSquared},
 };
 
 // What an input of a sub-graph, a workflow or a lighting model may be.

@@ -1,7 +1,7 @@
 // Each folder beside this file is named for a code of diagnostics.def and holds the smallest inputs that provoke it.
-// Every *.graph.json in it is checked by `patina check`, or, where the folder has a file `commands`, each of its lines
-// is run in a copy of the folder. What is printed is compared with expected.txt: place, caret, words, suggestion, exit
-// code.
+// Every *.graph.json and *.scene.json in it is checked by `patina check`, or, where the folder has a file `commands`,
+// each of its lines is run in a copy of the folder. What is printed is compared with expected.txt: place, caret, words,
+// suggestion, exit code.
 #include "compiler/base/diagnostics.h"
 
 #include <algorithm>
@@ -37,10 +37,10 @@ std::vector<std::string> folders() {
     return names;
 }
 
-std::vector<std::string> graphs_of(const fs::path& folder) {
+std::vector<std::string> files_of(const fs::path& folder, const std::string& ending) {
     std::vector<std::string> names;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-        if (entry.path().string().ends_with(".graph.json")) names.push_back(entry.path().filename());
+        if (entry.path().string().ends_with(ending)) names.push_back(entry.path().filename());
     }
     std::sort(names.begin(), names.end());
     return names;
@@ -55,7 +55,9 @@ std::vector<std::string> commands_of(const fs::path& folder) {
         }
         return commands;
     }
-    for (const std::string& graph : graphs_of(folder)) commands.push_back("patina check " + graph);
+    for (const char* ending : {".graph.json", ".scene.json"}) {
+        for (const std::string& file : files_of(folder, ending)) commands.push_back("patina check " + file);
+    }
     return commands;
 }
 
@@ -86,7 +88,7 @@ TEST_P(DiagnosticFolder, PrintsWhatIsExpected) {
 // An error leaves no file behind, however far the compiler came.
 TEST_P(DiagnosticFolder, LeavesNoPartialOutput) {
     const fs::path folder = working_copy(GetParam());
-    for (const std::string& graph : graphs_of(folder)) {
+    for (const std::string& graph : files_of(folder, ".graph.json")) {
         const Ran ran = run("patina compile " + graph + " -o out --depfile", folder);
         const int checked = run("patina check " + graph, folder).exit;
         EXPECT_EQ(ran.exit, checked) << graph << "\n" << ran.output;

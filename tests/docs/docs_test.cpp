@@ -1,7 +1,7 @@
 // The examples of the documentation work. A fenced block whose first line is `// NAME` is the file NAME; the files of
 // one page lie in one folder. Each graph compiles without a complaint and both other compilers accept its shaders; each
-// file of nodes is sound and its test lines hold; every other file is used by one of the graphs. A ```glsl block is
-// what the graph before it becomes.
+// scene can be read; each file of nodes is sound and its test lines hold; every other file is used by one of these. A
+// ```glsl block is what the graph before it becomes.
 #include <algorithm>
 #include <map>
 #include <sstream>
@@ -73,6 +73,12 @@ TEST_P(Page, HoldsExamplesThatWork) {
                 EXPECT_TRUE(validated.ok) << validated.log;
                 last_shaders += shader.text;
             }
+        } else if (block.name.ends_with(".scene.json")) {
+            ++examples;
+            const SceneResult scene = compiler.read_scene(path);
+            EXPECT_TRUE(scene.ok && scene.diagnostics.empty()) << joined(scene.diagnostics);
+            used.push_back(path);
+            for (const SceneMaterial& material : scene.scene.materials) used.push_back(material.graph.path);
         } else if (block.name.ends_with(".node.hlsl")) {
             ++examples;
             used.push_back(path);

@@ -45,6 +45,32 @@ TEST(Format, PutsKeysInTheOrderOfTheFormat) {
 )");
 }
 
+TEST(Format, OrdersAScene) {
+    EXPECT_EQ(settled(R"({"objects":[{"material":"m","mesh":"cube","id":"o"}],
+ // seen from the front
+ "camera":{"fov":30,"position":[0,1,5]},
+ "lights":[{"shadow":{"bias":0.1,"strength":1},"direction":[0,1,0],"type":"directional"}], // the sun
+ "materials":[{"set":{"_B":1,"_A":2},"graph":"m.graph.json","name":"m"}],
+ "ambient":{"ground":0,"sky":1},"kind":"scene","patina":1})"),
+              R"({
+  "patina": 1,
+  "kind": "scene",
+  // seen from the front
+  "camera": { "position": [0, 1, 5], "fov": 30 },
+  "ambient": { "sky": 1, "ground": 0 },
+  "lights": [
+    { "type": "directional", "direction": [0, 1, 0], "shadow": { "strength": 1, "bias": 0.1 } }
+  ], // the sun
+  "materials": [
+    { "name": "m", "graph": "m.graph.json", "set": { "_B": 1, "_A": 2 } }
+  ],
+  "objects": [
+    { "id": "o", "mesh": "cube", "material": "m" }
+  ]
+}
+)");
+}
+
 TEST(Format, KnowsTheOrderOfEachKindOfFile) {
     EXPECT_EQ(settled(R"({"direct":0,"surface":[{"type":"float","name":"rim"}],"kind":"lighting","patina":1})"), R"({
   "patina": 1,

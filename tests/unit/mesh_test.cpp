@@ -161,6 +161,36 @@ TEST(Fullscreen, PutsTheTexturesTopLeftAtTheTopLeft) {
         EXPECT_EQ(v.uv0, glm::vec2(v.position.x * 0.5f + 0.5f, 0.5f - v.position.y * 0.5f));
 }
 
+// A sphere of flat cells loses volume by the square of their size, so twice the segments lose a quarter.
+TEST(Segments, RefineASphere) {
+    const double solid = 4 * std::acos(-1.0) / 3;
+    const auto lost = [&](int segments) {
+        double volume = 0;
+        for_each_triangle(*make_mesh("sphere", segments), [&](const Vertex& a, const Vertex& b, const Vertex& c) {
+            volume += glm::dot(a.position, glm::cross(b.position, c.position)) / 6;
+        });
+        return solid - volume;
+    };
+    for (const int segments : {16, 32, 64}) {
+        EXPECT_GT(lost(segments), 0);
+        EXPECT_NEAR(lost(segments) / lost(2 * segments), 4, 0.1) << segments;
+    }
+}
+
+TEST(Segments, AreThoseOfThePreviewUnlessSaid) {
+    const std::map<std::string_view, int> usual = {
+        {"sphere", 96}, {"plane", 32}, {"cube", 16}, {"capsule", 96}, {"torus", 128}};
+    for (const auto& [name, segments] : usual) {
+        EXPECT_EQ(make_mesh(name, segments)->indices, make_mesh(name)->indices) << name;
+        EXPECT_GT(make_mesh(name, 2 * segments)->indices.size(), 3 * make_mesh(name)->indices.size()) << name;
+    }
+}
+
+// As coarse as can be, a mesh is still closed, or whole.
+TEST(Segments, ThreeMakeAMesh) {
+    for (std::string_view name : mesh_names()) EXPECT_GE(make_mesh(name, 3)->indices.size(), 3u * 4) << name;
+}
+
 TEST(MeshNames, AreTheMeshesThatExist) {
     for (std::string_view name : mesh_names()) EXPECT_TRUE(make_mesh(name).has_value()) << name;
     EXPECT_FALSE(make_mesh("teapot").has_value());

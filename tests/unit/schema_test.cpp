@@ -254,6 +254,12 @@ TEST(Schema, AcceptsWhatTheReaderAccepts) {
             R"({"patina":1,"workflow":"unlit","nodes":[{"id":"n","node":"./own.node.hlsl","in":{"any":1}}]})",
             R"({"patina":1,"kind":"workflow","name":"w","inputs":[{"name":"a","type":"color","gives":"b","as":"= $a"}],
                  "surface":{"emission":"$b"}})",
+            R"({"patina":1,"kind":"scene","camera":{"position":[0,1,5]},"objects":[]})",
+            R"({"patina":1,"kind":"scene","camera":{"position":[0,1,5],"orthographic":2},"ambient":{"sky":"#fff"},
+                 "fog":{"mode":"exp","color":0.2},"lights":[{"type":"spot","position":[0,1,0],"direction":[0,-1,0],
+                 "range":4,"shadow":{"strength":0.5}},{"type":"directional","direction":[0,1,0],"shadow":true}],
+                 "materials":[{"name":"m","graph":"m.graph.json","set":{"_A":[1,2],"_B":"x","_C":true,"_D":0}}],
+                 "objects":[{"id":"o","mesh":"sphere","material":"m","scale":[1,2,3]}]})",
         }) {
         EXPECT_TRUE(Validator(schema).accepts(Tree(graph))) << graph;
     }
@@ -290,6 +296,13 @@ TEST(Schema, RefusesWhatTheReaderRefuses) {
              R"({"patina":1,"workflow":"unlit","nodes":[{"id":"a","node":"Smoothstep","in":{"low":1}}]})",
              R"({"patina":1,"workflow":"unlit","nodes":[{"id":"a","node":"Smoothstep","in":{"out":1}}]})",
              R"({"patina":1,"workflow":"unlit","nodes":[{"id":"a","node":"NormalBlend","in":{"mode":"Whiteout"}}]})",
+             R"({"patina":1,"kind":"scene","objects":[]})",
+             R"({"patina":1,"kind":"scene","camera":{"position":[0,1]},"objects":[]})",
+             R"({"patina":1,"kind":"scene","camera":{"position":[0,1,5]},"objects":[{"id":"o","mesh":"cube"}]})",
+             R"({"patina":1,"kind":"scene","camera":{"position":[0,1,5]},"objects":[],"workflow":"unlit"})",
+             R"({"patina":1,"kind":"scene","camera":{"position":[0,1,5]},"objects":[],"ambient":"sky"})",
+             R"({"patina":1,"kind":"scene","camera":{"position":[0,1,5]},"objects":[],"lights":[{"type":"sun"}]})",
+             R"({"patina":1,"kind":"scene","camera":{"position":[0,1,5]},"objects":[],"fog":{"mode":"exp3"}})",
              R"({"patina":1,"kind":"subgraph"})",
              R"({"patina":1,"kind":"subgraph","outputs":{"a b":1}})",
              R"({"patina":1,"kind":"lighting","indirect":0})",
@@ -301,11 +314,24 @@ TEST(Schema, RefusesWhatTheReaderRefuses) {
 TEST(Schema, ExplainsEveryKeyOfEveryObject) {
     using enum ObjectKind;
     const Tree schema(Library().schema());
-    const std::pair<const char*, ObjectKind> objects[] = {{"material", Material}, {"subgraph", Subgraph},
-                                                          {"lighting", Lighting}, {"workflow", Workflow},
-                                                          {"property", Property}, {"node", Node},
-                                                          {"input", Input},       {"sampler", Sampler},
-                                                          {"render", Render},     {"lightingUse", LightingUse}};
+    const std::pair<const char*, ObjectKind> objects[] = {{"material", Material},
+                                                          {"subgraph", Subgraph},
+                                                          {"lighting", Lighting},
+                                                          {"workflow", Workflow},
+                                                          {"property", Property},
+                                                          {"node", Node},
+                                                          {"input", Input},
+                                                          {"sampler", Sampler},
+                                                          {"render", Render},
+                                                          {"lightingUse", LightingUse},
+                                                          {"scene", Scene},
+                                                          {"camera", Camera},
+                                                          {"ambient", Ambient},
+                                                          {"fog", Fog},
+                                                          {"light", Light},
+                                                          {"shadow", Shadow},
+                                                          {"sceneMaterial", SceneMaterial},
+                                                          {"sceneObject", SceneObject}};
     for (const auto& [name, kind] : objects) {
         const Json* definition = schema.root->find("$defs")->find(name);
         ASSERT_TRUE(definition) << name;

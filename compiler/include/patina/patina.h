@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "patina/reflection.h"
+#include "patina/scene.h"
 
 namespace patina {
 
@@ -40,6 +41,8 @@ struct Diagnostic {
 std::string to_text(const Diagnostic& diagnostic, bool colors = false);
 // One JSON object on one line.
 std::string to_json(const Diagnostic& diagnostic);
+// A complaint about something that a scene says.
+Diagnostic diagnostic_at(const ScenePlace& place, std::string code, std::string message);
 // "did you mean 'Lerp'?", or what there is when that is little, or nothing. For words that a tool itself reads.
 std::string suggestion(std::string_view word, const std::vector<std::string>& known);
 
@@ -105,6 +108,13 @@ struct Result {
     std::vector<std::string> dependencies;  // files that were read, the graph first
     std::vector<Dump> dumps;
     std::shared_ptr<const Program> program;  // null unless keep_programs
+};
+
+struct SceneResult {
+    bool ok = false;
+    SceneFile scene;  // what could be read
+    std::vector<Diagnostic> diagnostics;
+    std::vector<std::string> dependencies;  // files that were read: the scene
 };
 
 // --- the node library, for tools
@@ -219,6 +229,9 @@ public:
     Result compile_file(const std::string& path, const CompileOptions& options = {}) const;
     // `path` names the text in messages and output files; relative files are looked up beside it.
     Result compile_text(const std::string& path, std::string text, const CompileOptions& options = {}) const;
+
+    // A scene; its graphs are found, not compiled. Of the options only `include_dirs` and `loader` count.
+    SceneResult read_scene(const std::string& path, const CompileOptions& options = {}) const;
 
     // Errors of the built-in library itself, all of which is read for this; empty in a release.
     std::vector<Diagnostic> library_diagnostics() const;

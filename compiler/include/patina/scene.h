@@ -1,0 +1,126 @@
+// A scene (`"kind": "scene"`) as its file says it: camera, lights, surroundings, materials and objects. Its words and
+// numbers are checked and its files found; meshes are only named, and nothing of the files that it names has been read.
+// Plain data; runtime/world_file.h makes a world of it that can be drawn.
+//
+//   patina::SceneResult read = compiler.read_scene("shelf.scene.json");
+//   for (const patina::SceneMaterial& material : read.scene.materials) compiler.compile_file(material.graph.path);
+//
+// Lengths are metres, angles degrees, colours linear. World space is right-handed with y up.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace patina {
+
+// Where in the file something is said, for complaints about what only its user can check.
+struct ScenePlace {
+    std::string file;
+    int line = 0, column = 0;  // from 1; columns in bytes
+    int end_line = 0, end_column = 0;
+    std::string source_line;  // empty if it is very long
+};
+
+struct SceneFileName {
+    std::string path;  // as one opens it; empty: none
+    ScenePlace place;
+};
+
+using SceneVector = std::array<double, 3>;
+
+inline constexpr std::size_t kMostSceneLights = 16;
+inline constexpr std::size_t kMostSceneShadows = 4;
+
+struct SceneCamera {
+    SceneVector position{0, 0, 4}, target{};  // apart
+    double fov = 30;                          // vertical, 1 to 170
+    std::optional<double> orthographic{};     // height of the picture in metres; set: parallel projection
+    double near_plane = 0.05, far_plane = 100;
+};
+
+enum class SceneLightType { Directional, Point, Spot };
+enum class SceneRenderMode { Auto, Important, NotImportant };
+
+struct SceneShadow {
+    double strength = 1;       // 0 to 1: how dark
+    double bias = 0.05;        // metres along the light's direction
+    double normal_bias = 0.4;  // texels of the shadow map that a surface is shrunk by, along its normal
+};
+
+struct SceneLight {
+    SceneLightType type = SceneLightType::Directional;
+    SceneVector position{};          // point and spot
+    SceneVector direction{0, 0, 1};  // directional: towards the light. Spot: where it points. Any length but 0
+    SceneVector color{1, 1, 1};
+    double intensity = 1;
+    double range = 10;                       // point and spot: no light beyond
+    std::optional<double> inner{}, outer{};  // spot: from the axis, full light within, none outside; inner <= outer
+    SceneRenderMode render_mode = SceneRenderMode::Auto;
+    std::optional<SceneShadow> shadow{};  // directional and spot
+    SceneFileName cookie{};               // directional and spot: a picture that the light shines through
+    double cookie_size = 10;              // directional: metres that it spans
+    ScenePlace place{};
+};
+
+// Radiance from above, from the sides and from below. What is not given follows from what is; one at least is.
+struct SceneAmbient {
+    std::optional<SceneVector> sky{}, horizon{}, ground{};
+};
+
+// What mirrors show: the studio, or what the ambient light says.
+enum class SceneEnvironment { Studio, None };
+
+enum class SceneFogMode { Linear, Exponential, ExponentialSquared };
+
+struct SceneFog {
+    SceneFogMode mode = SceneFogMode::Linear;
+    SceneVector color{0.5, 0.5, 0.5};
+    double density = 0.05;       // exponential: per metre
+    double start = 5, end = 50;  // linear
+};
+
+// A property of a material's graph and its value in words: "0.2", "1,0,0", "true", "Wet", a file that can be opened.
+struct SceneValue {
+    std::string property;
+    std::string words;
+    ScenePlace property_place, value_place;
+};
+
+struct SceneMaterial {
+    std::string name;
+    SceneFileName graph;
+    std::vector<SceneValue> set;
+    ScenePlace place;  // of its name
+};
+
+struct SceneObject {
+    std::string id;
+    std::string mesh;  // "sphere"; not looked up
+    ScenePlace mesh_place;
+    std::optional<int> segments{};  // 3 to 512: how fine the mesh is
+    std::size_t material = 0;       // index into SceneFile::materials
+    SceneVector position{};
+    SceneVector rotation{};  // turned about z, then about x, then about y, counter-clockwise seen from the axis's tip
+    SceneVector scale{1, 1, 1};  // greater than 0; before the turn
+    SceneFileName lightmap{}, shadow_mask{};
+};
+
+struct SceneFile {
+    std::string path;
+    std::string name;  // "name", or the file's stem
+    SceneCamera camera{};
+    std::vector<SceneLight> lights{};       // at most kMostSceneLights, kMostSceneShadows of them with a shadow
+    std::optional<SceneAmbient> ambient{};  // nothing: the studio's
+    SceneEnvironment environment = SceneEnvironment::Studio;
+    std::optional<SceneFog> fog{};
+    std::optional<std::array<double, 4>> background{};  // linear, with alpha; nothing: the runtime's own
+    double time = 0;                                    // seconds
+    int pixel_light_count = 4;                          // 0 to kMostSceneLights
+    std::vector<SceneMaterial> materials{};
+    std::vector<SceneObject> objects{};
+};
+
+}  // namespace patina
