@@ -60,11 +60,12 @@ void add_models(Pages& pages, const Compiler& compiler, const std::string& folde
         "# Lighting models\n\nEach is a graph of [nodes](../nodes/README.md); `patina model NAME` shows the "
         "same. [The gallery](../gallery.md) has their pictures side by side. What one costs is the size of its "
         "optimised "
-        "fragment shader, in SPIR-V instructions; its page says of which.\n\n"
-        "| model | cost | |\n|---|---|---|\n";
+        "fragment shader, in SPIR-V instructions, and how many of them each light takes; its page says of which.\n\n"
+        "| model | cost | per light | |\n|---|---|---|---|\n";
     for (const ModelInfo& model : compiler.lighting_models()) {
-        index += fmt::format("| [{}]({}.md) | {} | {} |\n", model.name, model.name,
-                             cost_of(compiler, model).instructions, escaped(first_sentence(model.doc)));
+        const ModelCost cost = cost_of(compiler, model);
+        index += fmt::format("| [{}]({}.md) | {} | {} | {} |\n", model.name, model.name, cost.instructions,
+                             cost.per_light, escaped(first_sentence(model.doc)));
         Page page = model_page(compiler, model);
         add_picture(page, folder + "/models", "pictures/" + model.name + ".png", "rendered");
         pages["models/" + model.name + ".md"] = to_markdown(page, kIndex);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "compiler/cli/spirv_size.h"
 #include "patina/validate.h"
 
 namespace patina::cli {
@@ -37,21 +38,6 @@ std::string material_of(const Compiler& compiler, const ModelInfo& model) {
         kWorkflow, model.name, properties, surface);
 }
 
-constexpr std::size_t kHeaderWords = 5;
-constexpr std::uint32_t kOpFunction = 54, kOpFunctionEnd = 56;
-
-void count(const std::vector<std::uint32_t>& spirv, ModelCost& cost) {
-    bool in_function = false;
-    for (std::size_t at = kHeaderWords; at < spirv.size();) {
-        const std::uint32_t op = spirv[at] & 0xffffu, words = spirv[at] >> 16;
-        in_function = in_function || op == kOpFunction;
-        ++cost.instructions;
-        cost.in_functions += in_function;
-        in_function = in_function && op != kOpFunctionEnd;
-        at += std::max(words, 1u);
-    }
-}
-
 }  // namespace
 
 ModelCost cost_of(const Compiler& compiler, const ModelInfo& model) {
@@ -63,7 +49,11 @@ ModelCost cost_of(const Compiler& compiler, const ModelInfo& model) {
     for (const Shader& shader : result.shaders) {
         if (shader.stage != Stage::Fragment) continue;
         const Validated validated = validate(shader);
-        if (validated.ok) count(optimised(validated.spirv), cost);
+        if (!validated.ok) continue;
+        const SpirvSize size = size_of(optimised(validated.spirv));
+        cost.instructions = size.instructions;
+        cost.in_functions = size.in_functions;
+        cost.per_light = size.in_loops;
     }
     return cost;
 }

@@ -100,10 +100,11 @@ constexpr std::string_view kUnits =
 
 std::string cost_text(const Compiler& compiler, const ModelInfo& model) {
     const ModelCost cost = cost_of(compiler, model);
+    const std::string per_light = cost.per_light == 0 ? "" : fmt::format(" and {} for each light", cost.per_light);
     return fmt::format(
-        "{} SPIR-V instructions after `spirv-opt -O`, {} of them in functions: its fragment shader of the pass\n"
-        "'{}' in the workflow '{}', with a property at every input.",
-        cost.instructions, cost.in_functions, cost.pass, cost.workflow);
+        "{} SPIR-V instructions after `spirv-opt -O`, {} of them in functions{}:\n"
+        "its fragment shader of the pass '{}' in the workflow '{}', with a property at every input.",
+        cost.instructions, cost.in_functions, per_light, cost.pass, cost.workflow);
 }
 
 }  // namespace

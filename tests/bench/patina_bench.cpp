@@ -106,10 +106,10 @@ void print_sizes() {
 // Of each model's fragment shader, as its page has it.
 void print_costs() {
     const Compiler compiler;
-    std::printf("\nSPIR-V instructions of a lighting model's fragment shader after spirv-opt -O\n");
+    std::printf("\nSPIR-V instructions of a lighting model's fragment shader after spirv-opt -O, and for each light\n");
     for (const ModelInfo& model : compiler.lighting_models()) {
         const cli::ModelCost cost = cli::cost_of(compiler, model);
-        std::printf("  %-24s %5zu\n", model.name.c_str(), static_cast<std::size_t>(cost.instructions));
+        std::printf("  %-24s %5zu %5zu\n", model.name.c_str(), cost.instructions, cost.per_light);
     }
 }
 
