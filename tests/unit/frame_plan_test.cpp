@@ -134,6 +134,24 @@ TEST(AdditiveFrame, EachFurtherLightIsAStepOfItsOwn) {
     EXPECT_EQ(lights_seen(frame.steps[4]), (Ints{3}));
 }
 
+TEST(AdditiveFrame, LightsOutOfReachAreSkippedWhateverLightsAPassWants) {
+    Stage stage;
+    stage.world.view.lights = {point_light({0, 99, 0}, 1), point_light({0, 2, 0}), {}};
+    Pass pass = forward_pass();
+    pass.each = "light";
+    stage.add_object(stage.add_material(reflection_of("forward", {pass})));
+    Frame frame = stage.plan();
+    ASSERT_EQ(stage.story(frame), "forward 0 | forward 0");
+    EXPECT_EQ(lights_seen(frame.steps[0]), (Ints{2}));
+    EXPECT_EQ(lights_seen(frame.steps[1]), (Ints{1}));
+    stage.reflections[0].passes[0].lights = "local";
+    frame = stage.plan();
+    ASSERT_EQ(stage.story(frame), "forward 0");
+    EXPECT_EQ(lights_seen(frame.steps[0]), (Ints{1}));
+    stage.reflections[0].passes[0].lights = "none";
+    EXPECT_EQ(stage.story(), "");
+}
+
 TEST(AdditiveFrame, LightsThatAreLeftGoToTheBasePass) {
     Stage stage;
     for (int i = 0; i < 6; i++) {
