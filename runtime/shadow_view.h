@@ -6,7 +6,6 @@
 //   view_to_clip and world_to_view are the caster pass's; map.world_to_shadow and map.tile are for who reads it.
 #pragma once
 
-#include <array>
 #include <span>
 
 #include "runtime/bounds.h"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
+#include <array>
 #include <random>
 
 #include "frame_plan_testing.h"
