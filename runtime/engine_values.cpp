@@ -4,77 +4,151 @@
 #include <cmath>
 #include <glm/gtc/matrix_inverse.hpp>
 
+#include "runtime/light_split.h"
+
 namespace patina::runtime {
 namespace {
+
+using Values = std::map<std::string, EngineValue>;
 
 EngineValue scalar(double value) {
     return {1, {value}};
 }
 
-EngineValue vectors(std::initializer_list<glm::vec3> values) {
-    EngineValue result{3, {}};
-    for (const glm::vec3& v : values) result.numbers.insert(result.numbers.end(), {v.x, v.y, v.z});
+EngineValue vector(glm::vec3 v) {
+    return {3, {v.x, v.y, v.z}};
+}
+
+void append(EngineValue& value, glm::vec4 v) {
+    value.numbers.insert(value.numbers.end(), {v.x, v.y, v.z, v.w});
+}
+
+EngineValue vector(glm::vec4 v) {
+    EngineValue result{4, {}};
+    append(result, v);
     return result;
+}
+
+void append(EngineValue& value, const glm::mat4& m) {
+    for (int column = 0; column < 4; column++) append(value, m[column]);
 }
 
 EngineValue matrix(const glm::mat4& m) {
     EngineValue result{4, {}};
-    for (int column = 0; column < 4; column++)
-        for (int row = 0; row < 4; row++) result.numbers.push_back(m[column][row]);
+    append(result, m);
     return result;
 }
 
-void append(EngineValue& value, glm::vec3 xyz, double w) {
-    value.numbers.insert(value.numbers.end(), {xyz.x, xyz.y, xyz.z, w});
+void add_camera(Values& values, const View& view) {
+    glm::mat4 to_clip = view.view_to_clip * view.world_to_view;
+    values["world_to_clip"] = matrix(to_clip);
+    values["clip_to_world"] = matrix(glm::inverse(to_clip));
+    values["world_to_view"] = matrix(view.world_to_view);
+    values["camera_position_ws"] = vector(view.position);
+    values["camera_forward_ws"] = vector(view.forward);
+    values["view_is_orthographic"] = scalar(view.is_parallel ? 1 : 0);
+    values["shadow_bias"] = scalar(view.bias);
+    values["shadow_normal_bias"] = scalar(view.normal_bias);
 }
 
-void add_lights(std::map<std::string, EngineValue>& values, std::vector<Light> lights) {
-    // A material graph's own light semantics mean the first light: let that be the sun where there is one.
-    std::stable_partition(lights.begin(), lights.end(),
-                          [](const Light& light) { return light.kind == LightKind::Directional; });
-    if (lights.size() > kMostLights) lights.resize(kMostLights);
+void add_frame(Values& values, const Scene& scene) {
+    values["time"] = scalar(scene.time);
+    values["screen_size"] = {2, {double(scene.width) * scene.samples, double(scene.height) * scene.samples}};
+    const Fog& fog = scene.fog;
+    values["fog_color"] = vector(glm::vec4(fog.color, 1));
+    values["fog_settings"] = vector(glm::vec4(static_cast<int>(fog.mode), fog.density, fog.start, fog.end));
+}
 
+void add_lights(Values& values, std::span<const SeenLight> lights) {
+    lights = lights.first(std::min(lights.size(), kMostLights));
     EngineValue position{4, {}}, color{4, {}}, axis{4, {}}, cone{4, {}};
-    for (const Light& light : lights) {
-        glm::vec3 direction = glm::normalize(light.direction);
-        bool is_directional = light.kind == LightKind::Directional;
-        bool is_spot = light.kind == LightKind::Spot;
-        append(position, is_directional ? direction : light.position, is_directional ? 0 : is_spot ? 2 : 1);
-        append(color, light.color, light.range);
-        append(axis, is_spot ? direction : glm::vec3(0, 0, -1), 0);
-        double inner = std::cos(glm::radians(light.inner_angle)), outer = std::cos(glm::radians(light.outer_angle));
-        append(cone, {float(inner), float(outer), 0}, 0);
+    for (const auto& [light, index, shadow_map] : lights) {
+        glm::vec3 direction = glm::normalize(light->direction);
+        bool is_directional = light->kind == LightKind::Directional;
+        bool is_spot = light->kind == LightKind::Spot;
+        append(position, is_directional ? glm::vec4(direction, 0) : glm::vec4(light->position, is_spot ? 2 : 1));
+        append(color, glm::vec4(light->color, light->range));
+        append(axis, glm::vec4(is_spot ? direction : glm::vec3(0, 0, -1), light == cookie_light(lights) ? 1 : 0));
+        double inner = std::cos(glm::radians(light->inner_angle)), outer = std::cos(glm::radians(light->outer_angle));
+        append(cone, glm::vec4(inner, outer, index, shadow_map));
     }
     values["light_count"] = scalar(double(lights.size()));
     values["light_position"] = position;
     values["light_color"] = color;
     values["light_axis"] = axis;
     values["light_cone"] = cone;
+    const Light* cookie = cookie_light(lights);
+    values["world_to_cookie"] = matrix(cookie ? world_to_cookie(*cookie) : glm::mat4(1));
+}
+
+// Those that are not there are black.
+void add_vertex_lights(Values& values, std::span<const Light* const> lights) {
+    glm::vec4 x(0), y(0), z(0), falloff(1);
+    EngineValue color{4, {}};
+    for (std::size_t i = 0; i < std::min(lights.size(), kMostVertexLights); i++) {
+        const Light& light = *lights[i];
+        const auto lane = static_cast<int>(i);
+        x[lane] = light.position.x;
+        y[lane] = light.position.y;
+        z[lane] = light.position.z;
+        falloff[lane] = 25 / (light.range * light.range);
+        append(color, glm::vec4(light.color, 0));
+    }
+    color.numbers.resize(4 * kMostVertexLights, 0);
+    values["vertex_light_x"] = vector(x);
+    values["vertex_light_y"] = vector(y);
+    values["vertex_light_z"] = vector(z);
+    values["vertex_light_falloff"] = vector(falloff);
+    values["vertex_light_color"] = color;
+}
+
+void add_shadow_maps(Values& values, std::span<const ShadowView> maps, int atlas_size) {
+    EngineValue to_shadow{4, {}}, tile{4, {}};
+    glm::vec4 strength(0);
+    for (std::size_t i = 0; i < kMostShadowMaps; i++) {
+        const ShadowView map = i < maps.size() ? maps[i] : ShadowView{};
+        append(to_shadow, map.world_to_shadow);
+        append(tile, map.tile);
+        strength[static_cast<int>(i)] = i < maps.size() ? map.strength : 0;
+    }
+    values["world_to_shadow"] = to_shadow;
+    values["shadow_tile"] = tile;
+    values["shadow_strength"] = vector(strength);
+    values["shadow_texel"] = scalar(1.0 / atlas_size);
 }
 
 }  // namespace
 
-std::map<std::string, EngineValue> engine_values(const Scene& scene) {
-    const Camera& camera = scene.camera;
-    glm::mat4 view = world_to_view(camera);
-    glm::mat4 projection = view_to_clip(camera, float(scene.width) / float(scene.height));
+const Light* cookie_light(std::span<const SeenLight> lights) {
+    auto found = std::find_if(lights.begin(), lights.end(), [](const SeenLight& s) { return has_cookie(*s.light); });
+    return found == lights.end() ? nullptr : found->light;
+}
 
-    std::map<std::string, EngineValue> values;
-    values["world_to_clip"] = matrix(projection * view);
-    values["world_to_view"] = matrix(view);
-    values["camera_position_ws"] = vectors({camera.position});
-    values["camera_forward_ws"] = vectors({glm::normalize(camera.target - camera.position)});
-    values["view_is_orthographic"] = scalar(camera.orthographic_height || camera.clip_space ? 1 : 0);
-    values["object_to_world"] = matrix(scene.object_to_world);
-    values["world_to_object"] = matrix(glm::inverse(scene.object_to_world));
-    values["time"] = scalar(scene.time);
-    values["screen_size"] = {2, {double(scene.width) * scene.samples, double(scene.height) * scene.samples}};
-    add_lights(values, scene.lights);
+std::map<std::string, EngineValue> engine_values(const EngineScene& seen) {
+    Values values;
+    add_camera(values, seen.view);
+    add_frame(values, *seen.scene);
+    add_lights(values, seen.lights);
+    add_vertex_lights(values, seen.vertex_lights);
+    add_shadow_maps(values, seen.shadow_maps, seen.shadow_atlas_size);
+    values["object_to_world"] = matrix(seen.object_to_world);
+    values["world_to_object"] = matrix(glm::inverse(seen.object_to_world));
+    values["lightmap_decode"] = vector(seen.lightmap_decode);
 
     EngineValue ambient{4, {}};
-    for (const glm::vec3& coefficient : scene.ambient.coefficients) append(ambient, coefficient, 0);
+    for (const glm::vec3& coefficient : seen.ambient.coefficients) append(ambient, glm::vec4(coefficient, 0));
     values["ambient_sh"] = ambient;
     return values;
+}
+
+std::map<std::string, EngineValue> engine_values(const Scene& scene) {
+    EngineScene seen{.scene = &scene,
+                     .view = camera_view(scene),
+                     .object_to_world = scene.object_to_world,
+                     .ambient = scene.ambient};
+    // A material graph's own light semantics mean the first light: let that be the sun where there is one.
+    for (std::size_t i : light_order(scene.lights)) seen.lights.push_back({.light = &scene.lights[i], .index = i});
+    return engine_values(seen);
 }
 
 }  // namespace patina::runtime

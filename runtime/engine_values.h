@@ -5,10 +5,13 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "runtime/scene.h"
+#include "runtime/shadow_view.h"
+#include "runtime/view.h"
 
 namespace patina::runtime {
 
@@ -18,9 +21,38 @@ struct EngineValue {
     std::vector<double> numbers;
 };
 
-// world_to_clip, world_to_view, camera_position_ws, camera_forward_ws, view_is_orthographic; object_to_world,
-// world_to_object; time, screen_size (pixels, samples included); light_count, light_position, light_color, light_axis,
-// light_cone (directional lights first); ambient_sh.
+// A light as a draw sees it: its slot is its place in EngineScene::lights.
+struct SeenLight {
+    const Light* light = nullptr;
+    std::size_t index = 0;  // in the scene
+    int shadow_map = -1;    // index into EngineScene::shadow_maps; -1: it throws no shadow here
+};
+
+// What one draw is told of its surroundings.
+struct EngineScene {
+    const Scene* scene = nullptr;  // time, size and fog are its
+    View view{};
+    glm::mat4 object_to_world{1};
+    std::vector<SeenLight> lights{};            // at most kMostLights count
+    std::vector<const Light*> vertex_lights{};  // points; at most kMostVertexLights count
+    SphericalHarmonics ambient{};
+    std::span<const ShadowView> shadow_maps{};  // at most kMostShadowMaps count
+    int shadow_atlas_size = 1;                  // texels along a side
+    glm::vec4 lightmap_decode{1, 1, 0, 0};      // of Unity's DecodeHDR; these leave texels as they are
+};
+
+// Camera: world_to_clip, clip_to_world, world_to_view, camera_position_ws, camera_forward_ws, view_is_orthographic,
+// shadow_bias, shadow_normal_bias. Object: object_to_world, world_to_object, lightmap_decode. Frame: time, screen_size
+// (pixels, samples included), fog_color, fog_settings (mode 0 none, 1 linear, 2 exponential, 3 its square; density;
+// start; end). Lights: light_count, light_position, light_color, light_axis, light_cone (in the order given), the
+// vertex_light_ values, world_to_shadow, shadow_tile, shadow_strength, shadow_texel, world_to_cookie (of
+// cookie_light()). Ambient: ambient_sh.
+std::map<std::string, EngineValue> engine_values(const EngineScene& seen);
+
+// Of a single draw: all lights, those that are directional first, the main one at their head; no shadow map.
 std::map<std::string, EngineValue> engine_values(const Scene& scene);
+
+// The light whose cookie a draw binds: the first that has one; null: none has.
+const Light* cookie_light(std::span<const SeenLight> lights);
 
 }  // namespace patina::runtime

@@ -261,6 +261,12 @@ SphericalHarmonics gradient_ambient(glm::vec3 sky, glm::vec3 horizon, glm::vec3 
     return result;
 }
 
+void add_light(SphericalHarmonics& sum, glm::vec3 direction, glm::vec3 color) {
+    constexpr float kNormalization = 16 * std::numbers::pi_v<float> / 17;
+    std::array<float, 9> basis = spherical_harmonics_basis(direction);
+    for (std::size_t i = 0; i < basis.size(); i++) sum.coefficients[i] += color * (kNormalization * basis[i]);
+}
+
 float roughness_of_level(int level) {
     // The root of r (1.7 - 0.7 r) = level / (levels - 1).
     float share = float(level) / float(kEnvironmentLevels - 1);

@@ -71,6 +71,7 @@ struct Frame {
     int samples = 1;        // the result is averaged over so many pixels along each axis
     // CPU: told now and then which share is done, 0 to 1, on the calling thread.
     std::function<void(double)> progress{};
+    std::shared_ptr<const void> keep{};  // what steps point to and nobody else holds
 };
 
 }  // namespace patina::runtime

@@ -161,6 +161,24 @@ std::optional<Numbers> material_number(const BlockMember& member, const std::str
     return std::nullopt;
 }
 
+std::vector<BlockBytes> fill_with(const Reflection& reflection, const MaterialValues& values,
+                                  const std::map<std::string, EngineValue>& engine) {
+    std::vector<BlockBytes> result;
+    for (const Block& block : reflection.blocks) {
+        BlockBytes filled{.name = block.name, .bytes = std::vector<std::byte>(block.size)};
+        for (const BlockMember& member : block.members) {
+            if (block.is_material) {
+                std::optional<Numbers> numbers = material_number(member, block.name, reflection, values);
+                if (numbers) write(filled.bytes, member, *numbers, 4);
+            } else if (auto found = engine.find(member.name); found != engine.end()) {
+                write(filled.bytes, member, found->second.numbers, found->second.per_vector);
+            }
+        }
+        result.push_back(std::move(filled));
+    }
+    return result;
+}
+
 }  // namespace
 
 Outcome<MaterialValues> material_values(const Reflection& reflection, const std::map<std::string, std::string>& words) {
@@ -197,21 +215,12 @@ Outcome<MaterialValues> material_values(const Reflection& reflection, const std:
 }
 
 std::vector<BlockBytes> fill_blocks(const Reflection& reflection, const MaterialValues& values, const Scene& scene) {
-    std::map<std::string, EngineValue> engine = engine_values(scene);
-    std::vector<BlockBytes> result;
-    for (const Block& block : reflection.blocks) {
-        BlockBytes filled{.name = block.name, .bytes = std::vector<std::byte>(block.size)};
-        for (const BlockMember& member : block.members) {
-            if (block.is_material) {
-                std::optional<Numbers> numbers = material_number(member, block.name, reflection, values);
-                if (numbers) write(filled.bytes, member, *numbers, 4);
-            } else if (auto found = engine.find(member.name); found != engine.end()) {
-                write(filled.bytes, member, found->second.numbers, found->second.per_vector);
-            }
-        }
-        result.push_back(std::move(filled));
-    }
-    return result;
+    return fill_with(reflection, values, engine_values(scene));
+}
+
+std::vector<BlockBytes> fill_blocks(const Reflection& reflection, const MaterialValues& values,
+                                    const EngineScene& seen) {
+    return fill_with(reflection, values, engine_values(seen));
 }
 
 }  // namespace patina::runtime

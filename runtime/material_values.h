@@ -18,6 +18,8 @@
 
 namespace patina::runtime {
 
+struct EngineScene;  // engine_values.h
+
 struct MaterialValues {
     std::map<std::string, std::array<double, 4>> numbers;  // every property that is not a texture
     std::map<std::string, std::string> textures;  // those that were named: white | black | gray | bump | a file
@@ -36,5 +38,7 @@ struct BlockBytes {
 
 // One entry for each block of the reflection, in its order. Members that nobody has a value for stay zero.
 std::vector<BlockBytes> fill_blocks(const Reflection& reflection, const MaterialValues& values, const Scene& scene);
+std::vector<BlockBytes> fill_blocks(const Reflection& reflection, const MaterialValues& values,
+                                    const EngineScene& seen);
 
 }  // namespace patina::runtime

@@ -35,7 +35,7 @@ struct World {
     Scene view{};  // camera, lights, surroundings, fog, time, size; its mesh and its object_to_world are unused
     std::vector<WorldMaterial> materials{};
     std::vector<WorldObject> objects{};
-    int pixel_light_count = 4;  // lights that the additive path computes per pixel where they are not "important"
+    int pixel_light_count = 4;  // per pixel where a path splits lights (light_split.h), the main one among them
 };
 
 }  // namespace patina::runtime

@@ -1,0 +1,421 @@
+#include "runtime/frame_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "runtime/frame_builder.h"
+#include "runtime/light_split.h"
+#include "runtime/light_volume.h"
+#include "runtime/lighting_groups.h"
+
+namespace patina::runtime {
+namespace {
+
+constexpr int kFirstBlendedQueue = 2500;  // as in Unity: AlphaTest is 2450, Transparent 3000
+
+// In the order in which they are drawn.
+enum class Phase { Wanted, OtherPath, Readers, Blended };
+
+const Pass* find_pass(const Reflection& reflection, const std::string& name) {
+    auto found = std::find_if(reflection.passes.begin(), reflection.passes.end(),
+                              [&](const Pass& pass) { return pass.name == name; });
+    return found == reflection.passes.end() ? nullptr : &*found;
+}
+
+// Draws objects as the camera sees them.
+bool shows_objects(const Pass& pass) {
+    return pass.draws == "objects" && !is_shadow_pass(pass);
+}
+
+bool is_blended(const Reflection& reflection) {
+    return std::any_of(reflection.passes.begin(), reflection.passes.end(),
+                       [](const Pass& pass) { return shows_objects(pass) && pass.queue >= kFirstBlendedQueue; });
+}
+
+// A pass wants to see what was drawn before it in its own targets.
+bool reads_own_targets(const Reflection& reflection) {
+    auto draws_into = [](const Pass& pass, const std::string& target) {
+        return pass.depth_target == target || std::any_of(pass.targets.begin(), pass.targets.end(),
+                                                          [&](const RenderTarget& t) { return t.name == target; });
+    };
+    for (const Pass& pass : reflection.passes)
+        for (const Texture& texture : reflection.textures)
+            if (shows_objects(pass) && !texture.reads.empty() && reads_texture(pass, texture) &&
+                draws_into(pass, texture.reads))
+                return true;
+    return false;
+}
+
+std::string check_words(const Pass& pass) {
+    auto is_one_of = [](std::string_view word, std::initializer_list<std::string_view> words) {
+        return std::find(words.begin(), words.end(), word) != words.end();
+    };
+    if (!is_one_of(pass.draws, {"objects", "fullscreen", "light-volumes"}))
+        return fmt::format("draws '{}', which is none of objects, fullscreen and light-volumes", pass.draws);
+    if (!is_one_of(pass.each, {"once", "light"}))
+        return fmt::format("is drawn each '{}', which is neither once nor light", pass.each);
+    if (!is_one_of(pass.lights, {"all", "main", "further", "directional", "local", "shadowed", "none"}))
+        return fmt::format("wants the lights '{}'; there are all, main, further, directional, local, shadowed and none",
+                           pass.lights);
+    if (pass.draws != "objects" && is_shadow_pass(pass)) return "draws from the lights, so it must draw objects";
+    if (pass.draws == "light-volumes" && pass.lights != "local")
+        return "draws light volumes, so its lights must be 'local': directional ones have no volume";
+    return "";
+}
+
+std::string check_material(const World& world, std::size_t index, const DrawnMaterial& material) {
+    const std::string& name = world.materials[index].name;
+    if (!material.reflection) return fmt::format("the material '{}' was not compiled", name);
+    for (const Pass& pass : material.reflection->passes) {
+        const std::string subject = fmt::format("pass '{}' of the material '{}'", pass.name, name);
+        if (std::string error = check_words(pass); !error.empty()) return subject + " " + error;
+        if (!material.passes.contains(pass.name)) return subject + " has no shaders";
+        if (pass.camera != "perspective" || is_shadow_pass(pass) || !camera_view(world.view).is_parallel) continue;
+        const std::string fallback = path_for(world.view.camera, *material.reflection);
+        return subject + " needs a perspective camera" +
+               (fallback.empty() ? "" : fmt::format("; compile it for the path '{}'", fallback));
+    }
+    return "";
+}
+
+struct PlannedObject {
+    std::size_t index = 0;  // in the world
+    Sphere bounds{};
+    LightSplit split{};
+};
+
+class Planner {
+public:
+    Planner(const World& world, std::span<const DrawnMaterial> materials, const FrameOptions& options)
+        : world_(world),
+          scene_(world.view),
+          materials_(materials),
+          options_(options),
+          view_(camera_view(world.view)),
+          groups_(materials),
+          builder_(world, materials, options) {}
+
+    Outcome<Frame> plan() {
+        place_objects();
+        find_shadow_maps();
+        if (error_.empty()) error_ = builder_.make_targets(used_, !shadow_maps_.empty());
+        if (error_.empty()) {
+            draw_shadow_maps();
+            for (Phase phase : {Phase::Wanted, Phase::OtherPath, Phase::Readers}) draw_opaque(phase);
+            draw_blended();
+        }
+        if (!error_.empty()) return Failure{error_};
+        return std::move(builder_).frame();
+    }
+
+private:
+    using Objects = std::vector<const PlannedObject*>;
+
+    const Reflection& reflection_of(std::size_t material) const { return *materials_[material].reflection; }
+    std::size_t material_of(const PlannedObject& object) const { return world_.objects[object.index].material; }
+    const Reflection& reflection_of(const PlannedObject& object) const { return reflection_of(material_of(object)); }
+
+    void place_objects();
+    void find_shadow_maps();
+    void draw_shadow_maps();
+    void draw_opaque(Phase phase);
+    void draw_blended();
+
+    Phase phase_of(const Reflection& reflection) const;
+    Objects objects_in(Phase phase) const;
+    std::vector<std::size_t> materials_of(const Objects& objects) const;
+    std::vector<std::string> pass_order(const std::vector<std::size_t>& materials) const;
+    std::vector<std::size_t> lights_for(const Pass& pass, const PlannedObject* object) const;
+    EngineScene seen_with(const std::vector<std::size_t>& lights) const;
+    void draw_object(const PlannedObject& object, const Pass& pass, Phase phase);
+    void draw_lighting(const std::vector<std::size_t>& materials, const std::string& name, Phase phase);
+    void draw_volume(PlannedStep step, const Light& light);
+    int group_of(Phase phase, std::size_t material);
+
+    const World& world_;
+    const Scene& scene_;
+    std::span<const DrawnMaterial> materials_;
+    const FrameOptions& options_;
+    View view_;
+    LightingGroups groups_;
+    FrameBuilder builder_;
+    std::vector<PlannedObject> objects_{};
+    std::vector<std::size_t> used_{};  // materials, in the world's order
+    std::vector<ShadowView> shadow_maps_{};
+    std::vector<std::size_t> shadow_lights_{};  // of each map
+    std::vector<int> shadow_map_of_{};          // of each light; -1: none
+    const Mesh* view_mesh_ = nullptr;           // for volumes that would be clipped
+    std::set<std::string> drawn_{};             // full-screen passes, by group or by what they do
+    std::string error_{};
+};
+
+void Planner::place_objects() {
+    std::set<std::size_t> used;
+    for (std::size_t i = 0; i < world_.objects.size(); i++) {
+        const WorldObject& object = world_.objects[i];
+        Sphere bounds = world_bounds(*object.mesh, object.object_to_world);
+        LightSplit split = split_lights(scene_.lights, bounds, world_.pixel_light_count);
+        objects_.push_back({.index = i, .bounds = bounds, .split = std::move(split)});
+        used.insert(object.material);
+    }
+    used_.assign(used.begin(), used.end());
+}
+
+void Planner::find_shadow_maps() {
+    shadow_map_of_.assign(scene_.lights.size(), -1);
+    std::vector<Sphere> casters, everything;
+    for (const PlannedObject& object : objects_) {
+        everything.push_back(object.bounds);
+        const std::vector<Pass>& passes = reflection_of(object).passes;
+        if (std::any_of(passes.begin(), passes.end(), is_shadow_pass)) casters.push_back(object.bounds);
+    }
+    if (casters.empty()) return;
+    for (std::size_t i = 0; i < scene_.lights.size(); i++) {
+        const Light& light = scene_.lights[i];
+        if (!light.shadow.casts) continue;
+        if (light.kind == LightKind::Point) {
+            error_ = fmt::format(
+                "light {} is a point light, which has no shadow map: only directional lights and spots do", i);
+            return;
+        }
+        if (shadow_maps_.size() == kMostShadowMaps) {
+            error_ = fmt::format("more than {} lights cast shadows", kMostShadowMaps);
+            return;
+        }
+        shadow_map_of_[i] = static_cast<int>(shadow_maps_.size());
+        ShadowTile tile{.number = shadow_map_of_[i], .atlas_size = options_.shadow_atlas_size};
+        shadow_maps_.push_back(light.kind == LightKind::Spot ? spot_shadow(light, tile)
+                                                             : directional_shadow(light, casters, everything, tile));
+        shadow_lights_.push_back(i);
+    }
+}
+
+void Planner::draw_shadow_maps() {
+    for (const std::string& name : pass_order(used_)) {
+        for (std::size_t map = 0; map < shadow_maps_.size(); map++) {
+            const std::size_t light = shadow_lights_[map];
+            for (const PlannedObject& object : objects_) {
+                const Pass* pass = find_pass(reflection_of(object), name);
+                if (!pass || !is_shadow_pass(*pass)) continue;
+                if (attenuation_within(scene_.lights[light], object.bounds) <= 0) continue;
+                EngineScene seen = seen_with({light});
+                seen.view = shadow_maps_[map].view;
+                seen.object_to_world = world_.objects[object.index].object_to_world;
+                builder_.add({.material = material_of(object),
+                              .pass = pass,
+                              .mesh = world_.objects[object.index].mesh.get(),
+                              .seen = std::move(seen),
+                              .object = object.index,
+                              .area = shadow_maps_[map].area});
+            }
+        }
+    }
+}
+
+Phase Planner::phase_of(const Reflection& reflection) const {
+    if (is_blended(reflection)) return Phase::Blended;
+    if (reads_own_targets(reflection)) return Phase::Readers;
+    return options_.path.empty() || reflection.path == options_.path ? Phase::Wanted : Phase::OtherPath;
+}
+
+Planner::Objects Planner::objects_in(Phase phase) const {
+    Objects chosen;
+    for (const PlannedObject& object : objects_)
+        if (phase_of(reflection_of(object)) == phase) chosen.push_back(&object);
+    return chosen;
+}
+
+std::vector<std::size_t> Planner::materials_of(const Objects& objects) const {
+    std::set<std::size_t> materials;
+    for (const PlannedObject* object : objects) materials.insert(material_of(*object));
+    return {materials.begin(), materials.end()};
+}
+
+// Names of all passes, each behind those that stand before it in its material.
+std::vector<std::string> Planner::pass_order(const std::vector<std::size_t>& materials) const {
+    std::vector<std::string> order;
+    for (std::size_t material : materials) {
+        std::size_t next = 0;
+        for (const Pass& pass : reflection_of(material).passes) {
+            auto found = std::find(order.begin(), order.end(), pass.name);
+            if (found == order.end()) found = order.insert(order.begin() + std::ptrdiff_t(next), pass.name);
+            next = std::max(next, std::size_t(found - order.begin()) + 1);
+        }
+    }
+    return order;
+}
+
+// In the order of their slots. `object`: null where none is drawn.
+std::vector<std::size_t> Planner::lights_for(const Pass& pass, const PlannedObject* object) const {
+    if (pass.lights == "further" && object) return object->split.further;
+    const std::optional<std::size_t> main = main_light(scene_.lights);
+    auto is_wanted = [&](std::size_t i) {
+        const bool is_directional = scene_.lights[i].kind == LightKind::Directional;
+        if (pass.lights == "main") return i == main;
+        if (pass.lights == "further") return i != main;
+        if (pass.lights == "directional") return is_directional;
+        if (pass.lights == "local") return !is_directional;
+        return pass.lights == "all";
+    };
+    std::vector<std::size_t> chosen;
+    for (std::size_t i : light_order(scene_.lights)) {
+        if (!is_wanted(i)) continue;
+        const bool skips_far_ones = object && pass.each == "light";
+        if (skips_far_ones && attenuation_within(scene_.lights[i], object->bounds) <= 0) continue;
+        chosen.push_back(i);
+    }
+    return chosen;
+}
+
+EngineScene Planner::seen_with(const std::vector<std::size_t>& lights) const {
+    EngineScene seen{.scene = &scene_,
+                     .view = view_,
+                     .ambient = scene_.ambient,
+                     .shadow_maps = shadow_maps_,
+                     .shadow_atlas_size = shadow_maps_.empty() ? 1 : options_.shadow_atlas_size};
+    for (std::size_t i : lights)
+        seen.lights.push_back({.light = &scene_.lights[i], .index = i, .shadow_map = shadow_map_of_[i]});
+    return seen;
+}
+
+int Planner::group_of(Phase phase, std::size_t material) {
+    std::optional<int> number = groups_.number(static_cast<int>(phase), material);
+    if (!number && error_.empty())
+        error_ = fmt::format("the materials need more than {} different lighting passes", kMostLightingGroups);
+    return number.value_or(0);
+}
+
+void Planner::draw_object(const PlannedObject& object, const Pass& pass, Phase phase) {
+    const WorldObject& shape = world_.objects[object.index];
+    auto add = [&](const std::vector<std::size_t>& lights) {
+        EngineScene seen = seen_with(lights);
+        seen.object_to_world = shape.object_to_world;
+        if (pass.lights == "main") {
+            for (std::size_t i : object.split.vertex) seen.vertex_lights.push_back(&scene_.lights[i]);
+            for (std::size_t i : object.split.sh) add_light(seen.ambient, scene_.lights[i], object.bounds);
+        }
+        builder_.add({.material = shape.material,
+                      .pass = &pass,
+                      .mesh = shape.mesh.get(),
+                      .seen = std::move(seen),
+                      .object = object.index,
+                      .group = group_of(phase, shape.material)});
+    };
+    const std::vector<std::size_t> lights = lights_for(pass, &object);
+    if (pass.each == "once") return add(lights);
+    for (std::size_t light : lights) add({light});
+}
+
+void Planner::draw_volume(PlannedStep step, const Light& light) {
+    const LightVolume volume = light_volume(light);
+    const bool covers_all = is_clipped(volume, view_);
+    if (covers_all && !view_mesh_) view_mesh_ = builder_.keep(view_volume(view_));
+    step.mesh = covers_all ? view_mesh_ : volume.mesh;
+    step.seen.object_to_world = covers_all ? glm::mat4(1) : volume.object_to_world;
+    builder_.add(std::move(step));
+}
+
+// The pass of this name where it draws no object: once for each group of the materials.
+void Planner::draw_lighting(const std::vector<std::size_t>& materials, const std::string& name, Phase phase) {
+    static const Mesh kScreen = make_fullscreen();
+    for (std::size_t material : materials) {
+        const Pass* pass = find_pass(reflection_of(material), name);
+        if (!pass || pass->draws == "objects") continue;
+        const int group = is_masked(*pass) ? group_of(phase, material) : 0;
+        const std::string key =
+            group ? fmt::format("{}\n{}", name, group) : "\n" + lighting_key(materials_, material, *pass);
+        if (!drawn_.insert(key).second) continue;
+
+        PlannedStep step{.material = material, .pass = pass, .mesh = &kScreen, .group = group};
+        const std::vector<std::size_t> lights = lights_for(*pass, nullptr);
+        if (pass->each == "once" && pass->draws == "fullscreen") {
+            step.seen = seen_with(lights);
+            builder_.add(std::move(step));
+            continue;
+        }
+        for (std::size_t light : lights) {
+            step.seen = seen_with({light});
+            if (pass->draws == "light-volumes")
+                draw_volume(step, scene_.lights[light]);
+            else
+                builder_.add(step);
+        }
+    }
+}
+
+void Planner::draw_opaque(Phase phase) {
+    const Objects objects = objects_in(phase);
+    const std::vector<std::size_t> materials = materials_of(objects);
+    for (const std::string& name : pass_order(materials)) {
+        std::vector<std::pair<const PlannedObject*, const Pass*>> draws;
+        for (const PlannedObject* object : objects)
+            if (const Pass* pass = find_pass(reflection_of(*object), name); pass && shows_objects(*pass))
+                draws.emplace_back(object, pass);
+        std::stable_sort(draws.begin(), draws.end(),
+                         [](const auto& a, const auto& b) { return a.second->queue < b.second->queue; });
+        for (const auto& [object, pass] : draws) draw_object(*object, *pass, phase);
+        draw_lighting(materials, name, phase);
+    }
+}
+
+void Planner::draw_blended() {
+    struct Draw {
+        const PlannedObject* object = nullptr;
+        int queue = 0;
+        float distance = 0;
+    };
+    std::vector<Draw> draws;
+    const Objects objects = objects_in(Phase::Blended);
+    for (const PlannedObject* object : objects) {
+        const std::vector<Pass>& passes = reflection_of(*object).passes;
+        const auto shown = std::find_if(passes.begin(), passes.end(), shows_objects);
+        const glm::vec3 way = object->bounds.center - view_.position;
+        const float distance = view_.is_parallel ? glm::dot(way, view_.forward) : glm::length(way);
+        draws.push_back({.object = object, .queue = shown->queue, .distance = distance});
+    }
+    std::stable_sort(draws.begin(), draws.end(), [](const Draw& a, const Draw& b) {
+        return a.queue != b.queue ? a.queue < b.queue : a.distance > b.distance;
+    });
+    for (const Draw& draw : draws)
+        for (const Pass& pass : reflection_of(*draw.object).passes)
+            if (shows_objects(pass)) draw_object(*draw.object, pass, Phase::Blended);
+
+    const std::vector<std::size_t> materials = materials_of(objects);
+    for (const std::string& name : pass_order(materials)) draw_lighting(materials, name, Phase::Blended);
+}
+
+std::string check(const World& world, std::span<const DrawnMaterial> materials, const FrameOptions& options) {
+    if (materials.size() != world.materials.size())
+        return fmt::format("{} materials were compiled, the scene has {}", materials.size(), world.materials.size());
+    if (world.view.lights.size() > kMostLights)
+        return fmt::format("the scene has {} lights; a pass sees {} at most", world.view.lights.size(), kMostLights);
+    if (options.shadow_atlas_size < kSmallestShadowAtlas || options.shadow_atlas_size % 2 != 0)
+        return fmt::format("the shadow atlas must have an even number of texels along a side, {} or more, not {}",
+                           kSmallestShadowAtlas, options.shadow_atlas_size);
+    for (const WorldObject& object : world.objects) {
+        if (!object.mesh) return fmt::format("the object '{}' has no mesh", object.name);
+        if (object.material >= materials.size()) return fmt::format("the object '{}' has no material", object.name);
+        if (std::string error = check_material(world, object.material, materials[object.material]); !error.empty())
+            return error;
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string path_for(const Camera& camera, const Reflection& reflection) {
+    const bool is_parallel = camera.orthographic_height || camera.clip_space;
+    for (const Pass& pass : reflection.passes)
+        if (is_parallel && pass.camera == "perspective") return pass.fallback;
+    return reflection.path;
+}
+
+Outcome<Frame> plan_frame(const World& world, std::span<const DrawnMaterial> materials, const FrameOptions& options) {
+    if (std::string error = check(world, materials, options); !error.empty()) return Failure{error};
+    return Planner(world, materials, options).plan();
+}
+
+}  // namespace patina::runtime

@@ -1,0 +1,133 @@
+// What shaders are told of camera, lights, shadow maps and fog.
+#include "runtime/engine_values.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace patina::runtime {
+namespace {
+
+using Numbers = std::vector<double>;
+
+Numbers numbers(const std::map<std::string, EngineValue>& values, const std::string& name) {
+    auto found = values.find(name);
+    if (found == values.end()) ADD_FAILURE() << "no value " << name;
+    return found == values.end() ? Numbers{} : found->second.numbers;
+}
+
+glm::dmat4 matrix(const std::map<std::string, EngineValue>& values, const std::string& name, std::size_t index = 0) {
+    Numbers all = numbers(values, name);
+    glm::dmat4 result;
+    for (std::size_t i = 0; i < 16; i++) result[int(i / 4)][int(i % 4)] = all.at(16 * index + i);
+    return result;
+}
+
+TEST(EngineValues, ClipToWorldIsTheWayBack) {
+    Scene scene = default_scene("cube");
+    scene.width = 300;
+    scene.height = 200;
+    auto values = engine_values(scene);
+    const glm::dvec4 place(0.3, -0.2, 0.7, 1);
+    glm::dvec4 back = matrix(values, "clip_to_world") * (matrix(values, "world_to_clip") * place);
+    for (int i = 0; i < 3; i++) EXPECT_NEAR(back[i] / back.w, place[i], 1e-4);
+}
+
+TEST(EngineValues, LightsOfASingleDrawKnowTheirNumbers) {
+    Scene scene;
+    scene.lights = {{.kind = LightKind::Point, .position = {1, 2, 3}},
+                    {.direction = {0, 5, 0}, .color = {8, 9, 10}},
+                    {.direction = {1, 0, 0}, .color = {9, 10, 11}}};
+    auto values = engine_values(scene);
+    Numbers cone = numbers(values, "light_cone");
+    EXPECT_EQ((Numbers{cone[2], cone[6], cone[10]}), (Numbers{2, 1, 0}));     // the brighter sun comes first
+    EXPECT_EQ((Numbers{cone[3], cone[7], cone[11]}), (Numbers{-1, -1, -1}));  // no shadow map
+    EXPECT_EQ(numbers(values, "light_count"), Numbers{3});
+    EXPECT_EQ(numbers(values, "shadow_strength"), (Numbers{0, 0, 0, 0}));
+    EXPECT_EQ(numbers(values, "shadow_texel"), Numbers{1});
+}
+
+TEST(EngineValues, FogIsItsModeAndNumbers) {
+    Scene scene;
+    EXPECT_EQ(numbers(engine_values(scene), "fog_settings")[0], 0);
+    scene.fog = {.mode = FogMode::ExponentialSquared, .color = {1, 2, 3}, .density = 0.5f, .start = 4, .end = 6};
+    auto values = engine_values(scene);
+    EXPECT_EQ(numbers(values, "fog_settings"), (Numbers{3, 0.5, 4, 6}));
+    EXPECT_EQ(numbers(values, "fog_color")[2], 3);
+    scene.fog.mode = FogMode::Linear;
+    EXPECT_EQ(numbers(engine_values(scene), "fog_settings")[0], 1);
+    scene.fog.mode = FogMode::Exponential;
+    EXPECT_EQ(numbers(engine_values(scene), "fog_settings")[0], 2);
+}
+
+TEST(EngineValues, VertexLightsAreInLanes) {
+    Scene scene;
+    Light first{.kind = LightKind::Point, .position = {1, 2, 3}, .color = {4, 5, 6}, .range = 10};
+    Light second{.kind = LightKind::Point, .position = {7, 8, 9}, .color = {1, 1, 2}, .range = 2};
+    EngineScene seen{.scene = &scene, .vertex_lights = {&first, &second}};
+    auto values = engine_values(seen);
+    EXPECT_EQ(numbers(values, "vertex_light_x"), (Numbers{1, 7, 0, 0}));
+    EXPECT_EQ(numbers(values, "vertex_light_y"), (Numbers{2, 8, 0, 0}));
+    EXPECT_EQ(numbers(values, "vertex_light_z"), (Numbers{3, 9, 0, 0}));
+    EXPECT_EQ(numbers(values, "vertex_light_falloff")[0], 0.25);  // 25 / range^2
+    EXPECT_EQ(numbers(values, "vertex_light_falloff")[1], 6.25);
+    EXPECT_EQ(numbers(values, "vertex_light_color"), (Numbers{4, 5, 6, 0, 1, 1, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
+}
+
+TEST(EngineValues, ShadowMapsAreMatrixTileAndStrength) {
+    Scene scene;
+    Light sun{.direction = {0, 1, 0}, .shadow = {.casts = true, .strength = 0.5f}};
+    const Sphere ball{.center = {3, 0, 1}, .radius = 2};
+    const ShadowView map =
+        directional_shadow(sun, std::span(&ball, 1), std::span(&ball, 1), {.number = 3, .atlas_size = 512});
+    EngineScene seen{.scene = &scene,
+                     .lights = {{.light = &sun, .index = 5, .shadow_map = 0}},
+                     .shadow_maps = std::span(&map, 1),
+                     .shadow_atlas_size = 512};
+    auto values = engine_values(seen);
+    EXPECT_EQ(numbers(values, "world_to_shadow").size(), 64u);
+    glm::dvec4 middle = matrix(values, "world_to_shadow") * glm::dvec4(3, 0, 1, 1);
+    EXPECT_NEAR(middle.x, 0, 0.01);
+    EXPECT_NEAR(middle.y, 0, 0.01);
+    EXPECT_EQ(numbers(values, "shadow_strength"), (Numbers{0.5, 0, 0, 0}));
+    EXPECT_EQ(numbers(values, "shadow_texel")[0], 1.0 / 512);
+    Numbers tile = numbers(values, "shadow_tile");
+    EXPECT_EQ(tile.size(), 16u);
+    EXPECT_GT(tile[2], 0.5);  // the last tile is at the lower right
+    EXPECT_GT(tile[3], 0.5);
+    EXPECT_EQ(numbers(values, "light_cone")[2], 5);
+    EXPECT_EQ(numbers(values, "light_cone")[3], 0);
+}
+
+TEST(EngineValues, OneCookieIsBound) {
+    Scene scene;
+    auto picture = std::make_shared<const TextureData>();
+    Light point{.kind = LightKind::Point, .cookie = picture};  // would need a cube
+    Light plain{};
+    Light sun{.direction = {0, 0, 1}, .cookie = picture, .cookie_size = 8};
+    Light other{.direction = {0, 1, 0}, .cookie = picture};
+    EngineScene seen{.scene = &scene,
+                     .lights = {{.light = &point}, {.light = &plain}, {.light = &sun}, {.light = &other}}};
+    EXPECT_EQ(cookie_light(seen.lights), &sun);
+    auto values = engine_values(seen);
+    Numbers axis = numbers(values, "light_axis");
+    EXPECT_EQ((Numbers{axis[3], axis[7], axis[11], axis[15]}), (Numbers{0, 0, 1, 0}));
+    glm::dvec4 uv = matrix(values, "world_to_cookie") * glm::dvec4(2, 2, 0, 1);
+    EXPECT_NEAR(uv.x / uv.w, 0.75, 1e-6);
+    EXPECT_NEAR(uv.y / uv.w, 0.25, 1e-6);
+}
+
+TEST(EngineValues, AViewMayBeALights) {
+    Scene scene;
+    View view{.position = {1, 2, 3}, .forward = {0, -1, 0}, .is_parallel = true, .bias = 0.5f, .normal_bias = 0.25f};
+    auto values = engine_values(EngineScene{.scene = &scene, .view = view});
+    EXPECT_EQ(numbers(values, "camera_position_ws"), (Numbers{1, 2, 3}));
+    EXPECT_EQ(numbers(values, "camera_forward_ws"), (Numbers{0, -1, 0}));
+    EXPECT_EQ(numbers(values, "view_is_orthographic"), Numbers{1});
+    EXPECT_EQ(numbers(values, "shadow_bias"), Numbers{0.5});
+    EXPECT_EQ(numbers(values, "shadow_normal_bias"), Numbers{0.25});
+    EXPECT_EQ(numbers(engine_values(scene), "shadow_bias"), Numbers{0});
+}
+
+}  // namespace
+}  // namespace patina::runtime
