@@ -47,6 +47,7 @@ void add_camera(Values& values, const View& view) {
     values["camera_position_ws"] = vector(view.position);
     values["camera_forward_ws"] = vector(view.forward);
     values["view_is_orthographic"] = scalar(view.is_parallel ? 1 : 0);
+    values["clip_planes"] = {2, {view.near_plane, view.far_plane}};
     values["shadow_bias"] = scalar(view.bias);
     values["shadow_normal_bias"] = scalar(view.normal_bias);
 }
@@ -59,47 +60,33 @@ void add_frame(Values& values, const Scene& scene) {
     values["fog_settings"] = vector(glm::vec4(static_cast<int>(fog.mode), fog.density, fog.start, fog.end));
 }
 
-void add_lights(Values& values, std::span<const SeenLight> lights) {
-    lights = lights.first(std::min(lights.size(), kMostLights));
+// The lights that a pass loops over, and behind them those that it computes at vertices.
+void add_lights(Values& values, const EngineScene& seen) {
+    std::span<const SeenLight> lights = std::span(seen.lights).first(std::min(seen.lights.size(), kMostLights));
+    const Light* cookie = cookie_light(lights);
     EngineValue position{4, {}}, color{4, {}}, axis{4, {}}, cone{4, {}};
-    for (const auto& [light, index, shadow_map] : lights) {
-        glm::vec3 direction = glm::normalize(light->direction);
-        bool is_directional = light->kind == LightKind::Directional;
-        bool is_spot = light->kind == LightKind::Spot;
-        append(position, is_directional ? glm::vec4(direction, 0) : glm::vec4(light->position, is_spot ? 2 : 1));
-        append(color, glm::vec4(light->color, light->range));
-        append(axis, glm::vec4(is_spot ? direction : glm::vec3(0, 0, -1), light == cookie_light(lights) ? 1 : 0));
-        double inner = std::cos(glm::radians(light->inner_angle)), outer = std::cos(glm::radians(light->outer_angle));
-        append(cone, glm::vec4(inner, outer, index, shadow_map));
-    }
+    const auto add = [&](const SeenLight& seen_light) {
+        const Light& light = *seen_light.light;
+        glm::vec3 direction = glm::normalize(light.direction);
+        bool is_directional = light.kind == LightKind::Directional;
+        bool is_spot = light.kind == LightKind::Spot;
+        append(position, is_directional ? glm::vec4(direction, 0) : glm::vec4(light.position, is_spot ? 2 : 1));
+        append(color, glm::vec4(light.color, light.range));
+        append(axis, glm::vec4(is_spot ? direction : glm::vec3(0, 0, -1), &light == cookie ? 1 : 0));
+        double inner = std::cos(glm::radians(light.inner_angle)), outer = std::cos(glm::radians(light.outer_angle));
+        append(cone, glm::vec4(inner, outer, seen_light.index, seen_light.shadow_map));
+    };
+    for (const SeenLight& light : lights) add(light);
+    const std::size_t at_vertices =
+        std::min({seen.vertex_lights.size(), kMostVertexLights, kMostLights - lights.size()});
+    for (std::size_t i = 0; i < at_vertices; i++) add(seen.vertex_lights[i]);
     values["light_count"] = scalar(double(lights.size()));
+    values["vertex_light_count"] = scalar(double(at_vertices));
     values["light_position"] = position;
     values["light_color"] = color;
     values["light_axis"] = axis;
     values["light_cone"] = cone;
-    const Light* cookie = cookie_light(lights);
     values["world_to_cookie"] = matrix(cookie ? world_to_cookie(*cookie) : glm::mat4(1));
-}
-
-// Those that are not there are black.
-void add_vertex_lights(Values& values, std::span<const Light* const> lights) {
-    glm::vec4 x(0), y(0), z(0), falloff(1);
-    EngineValue color{4, {}};
-    for (std::size_t i = 0; i < std::min(lights.size(), kMostVertexLights); i++) {
-        const Light& light = *lights[i];
-        const auto lane = static_cast<int>(i);
-        x[lane] = light.position.x;
-        y[lane] = light.position.y;
-        z[lane] = light.position.z;
-        falloff[lane] = 25 / (light.range * light.range);
-        append(color, glm::vec4(light.color, 0));
-    }
-    color.numbers.resize(4 * kMostVertexLights, 0);
-    values["vertex_light_x"] = vector(x);
-    values["vertex_light_y"] = vector(y);
-    values["vertex_light_z"] = vector(z);
-    values["vertex_light_falloff"] = vector(falloff);
-    values["vertex_light_color"] = color;
 }
 
 void add_shadow_maps(Values& values, std::span<const ShadowView> maps, int atlas_size) {
@@ -128,8 +115,7 @@ std::map<std::string, EngineValue> engine_values(const EngineScene& seen) {
     Values values;
     add_camera(values, seen.view);
     add_frame(values, *seen.scene);
-    add_lights(values, seen.lights);
-    add_vertex_lights(values, seen.vertex_lights);
+    add_lights(values, seen);
     add_shadow_maps(values, seen.shadow_maps, seen.shadow_atlas_size);
     values["object_to_world"] = matrix(seen.object_to_world);
     values["world_to_object"] = matrix(glm::inverse(seen.object_to_world));

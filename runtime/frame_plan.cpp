@@ -57,8 +57,9 @@ std::string check_words(const Pass& pass) {
         return fmt::format("draws '{}', which is none of objects, fullscreen and light-volumes", pass.draws);
     if (!is_one_of(pass.each, {"once", "light"}))
         return fmt::format("is drawn each '{}', which is neither once nor light", pass.each);
-    if (!is_one_of(pass.lights, {"all", "main", "further", "directional", "local", "shadowed", "none"}))
-        return fmt::format("wants the lights '{}'; there are all, main, further, directional, local, shadowed and none",
+    if (!is_one_of(pass.lights, {"all", "main", "main-only", "further", "directional", "local", "shadowed", "none"}))
+        return fmt::format("wants the lights '{}'; there are all, main, main-only, further, directional, local, shadowed "
+                           "and none",
                            pass.lights);
     if (pass.draws != "objects" && is_shadow_pass(pass)) return "draws from the lights, so it must draw objects";
     if (pass.draws == "light-volumes" && pass.lights != "local")
@@ -254,7 +255,7 @@ std::vector<std::size_t> Planner::lights_for(const Pass& pass, const PlannedObje
     const std::optional<std::size_t> main = main_light(scene_.lights);
     auto is_wanted = [&](std::size_t i) {
         const bool is_directional = scene_.lights[i].kind == LightKind::Directional;
-        if (pass.lights == "main") return i == main;
+        if (pass.lights == "main" || pass.lights == "main-only") return i == main;
         if (pass.lights == "further") return i != main;
         if (pass.lights == "directional") return is_directional;
         if (pass.lights == "local") return !is_directional;
@@ -294,7 +295,7 @@ void Planner::draw_object(const PlannedObject& object, const Pass& pass, Phase p
         EngineScene seen = seen_with(lights);
         seen.object_to_world = shape.object_to_world;
         if (pass.lights == "main") {
-            for (std::size_t i : object.split.vertex) seen.vertex_lights.push_back(&scene_.lights[i]);
+            for (std::size_t i : object.split.vertex) seen.vertex_lights.push_back({.light = &scene_.lights[i], .index = i});
             for (std::size_t i : object.split.sh) add_light(seen.ambient, scene_.lights[i], object.bounds);
         }
         builder_.add({.material = shape.material,

@@ -12,7 +12,9 @@ View camera_view(const Scene& scene) {
             .view_to_clip = view_to_clip(camera, float(scene.width) / float(scene.height)),
             .position = camera.position,
             .forward = glm::normalize(camera.target - camera.position),
-            .is_parallel = camera.orthographic_height.has_value() || camera.clip_space};
+            .is_parallel = camera.orthographic_height.has_value() || camera.clip_space,
+            .near_plane = camera.near_plane,
+            .far_plane = camera.far_plane};
 }
 
 glm::mat4 world_to_light(const Light& light) {

@@ -19,7 +19,7 @@ constexpr std::size_t kMostTargets = 8;  // of Vulkan's and Direct3D 12's
 
 constexpr std::array<std::string_view, 3> kDraws = {"objects", "fullscreen", "light-volumes"};
 constexpr std::array<std::string_view, 2> kEach = {"once", "light"};
-constexpr std::array<std::string_view, 7> kLights = {"all", "main", "further", "directional", "local", "shadowed", "none"};
+constexpr std::array<std::string_view, 8> kLights = {"all", "main", "main-only", "further", "directional", "local", "shadowed", "none"};
 constexpr std::array<std::string_view, 2> kCameras = {"any", "perspective"};
 constexpr std::array<std::string_view, 3> kCullWords = {"back", "front", "off"};
 constexpr std::array<std::string_view, 2> kDepthWrites = {"write", "keep"};

@@ -3,8 +3,6 @@
 // Lights that are not computed per pixel reach the lighting graph as ambient light, because a graph that is not linear
 // in its light cannot be taken apart: up to four at the vertices, the others as spherical harmonics.
 
-/// Neither vertex lights nor spherical harmonics of lights.
-[switch] bool only_directional;
 /// The second order of the ambient light is computed at the vertices, and the others in the pixel.
 [switch] bool sh_per_vertex;
 
@@ -26,7 +24,6 @@ float3 vertex_lights(float3 position = position_ws, float3 normal = vertex_norma
 
 [gives("AmbientIrradiance", "forward-base")]
 float3 ambient_with_vertex_lights(float3 normal, float3 at_vertices = vertex_lights) {
-    if (only_directional) { return AmbientIrradiance(normal); }
     if (sh_per_vertex) {
         float3 in_pixel = sh_linear(normal, ambient_sh[0].rgb, ambient_sh[1].rgb, ambient_sh[2].rgb, ambient_sh[3].rgb);
         return max(in_pixel + at_vertices, 0);

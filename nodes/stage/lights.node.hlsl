@@ -32,7 +32,7 @@ const int MAX_LIGHTS = 16;
 [switch("shadow-caster")] bool shadows;
 [extern("Lights")] float4x4 world_to_shadow[4];  // to the map's clip space
 [extern("Lights")] float4 shadow_tile[4];        // xy: size of the map in the texture, zw: its upper left corner
-[extern("Lights")] float4 shadow_settings[4];    // x: strength
+[extern("Lights")] float4 shadow_strength;       // of each map, 0 to 1
 [extern("Lights")] float shadow_texel;           // 1 / width of the texture in texels
 [reads("shadow_map")] Texture2D shadow_map;      // red: depth, 0 near to 1 far; up to four maps
 
@@ -58,7 +58,7 @@ float shadow(int index, float3 position) {
         float3 at = place.xyz / place.w;
         float2 uv = at.xy * float2(0.5, -0.5) + 0.5;
         float share = SampleShadowTent5x5(shadow_map, uv, at.z, shadow_texel, shadow_tile[map]);
-        lit = lerp(1, share, shadow_settings[map].x);
+        lit = lerp(1, share, shadow_strength[map]);
     }
     return lit;
 }

@@ -60,18 +60,19 @@ TEST(EngineValues, FogIsItsModeAndNumbers) {
     EXPECT_EQ(numbers(engine_values(scene), "fog_settings")[0], 2);
 }
 
-TEST(EngineValues, VertexLightsAreInLanes) {
+TEST(EngineValues, VertexLightsStandBehindTheOthers) {
     Scene scene;
+    Light sun{.direction = {0, 1, 0}, .color = {9, 9, 9}};
     Light first{.kind = LightKind::Point, .position = {1, 2, 3}, .color = {4, 5, 6}, .range = 10};
     Light second{.kind = LightKind::Point, .position = {7, 8, 9}, .color = {1, 1, 2}, .range = 2};
-    EngineScene seen{.scene = &scene, .vertex_lights = {&first, &second}};
+    EngineScene seen{.scene = &scene,
+                     .lights = {{.light = &sun, .index = 4}},
+                     .vertex_lights = {{.light = &first, .index = 2}, {.light = &second, .index = 7}}};
     auto values = engine_values(seen);
-    EXPECT_EQ(numbers(values, "vertex_light_x"), (Numbers{1, 7, 0, 0}));
-    EXPECT_EQ(numbers(values, "vertex_light_y"), (Numbers{2, 8, 0, 0}));
-    EXPECT_EQ(numbers(values, "vertex_light_z"), (Numbers{3, 9, 0, 0}));
-    EXPECT_EQ(numbers(values, "vertex_light_falloff")[0], 0.25);  // 25 / range^2
-    EXPECT_EQ(numbers(values, "vertex_light_falloff")[1], 6.25);
-    EXPECT_EQ(numbers(values, "vertex_light_color"), (Numbers{4, 5, 6, 0, 1, 1, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
+    EXPECT_EQ(numbers(values, "light_count"), Numbers{1});
+    EXPECT_EQ(numbers(values, "vertex_light_count"), Numbers{2});
+    EXPECT_EQ(numbers(values, "light_position"), (Numbers{0, 1, 0, 0, 1, 2, 3, 1, 7, 8, 9, 1}));
+    EXPECT_EQ(numbers(values, "light_color"), (Numbers{9, 9, 9, 10, 4, 5, 6, 10, 1, 1, 2, 2}));
 }
 
 TEST(EngineValues, ShadowMapsAreMatrixTileAndStrength) {

@@ -96,6 +96,7 @@ struct Pass {
     std::string draws = "objects";  // objects | fullscreen | light-volumes
     std::string each = "once";      // once | light: once for each of `lights`, which is then the only one it sees
     // all | main: the brightest directional light, while the others come as vertex lights and in the ambient light |
+    // main-only: without those |
     // further: those that count per pixel beside the main one | directional | local: point and spot | shadowed | none
     std::string lights = "all";
     std::string camera = "any";  // any | perspective: another camera needs the path `fallback`
