@@ -201,6 +201,8 @@ constexpr Guard kGuards[] = {
     {"CookieUV.place", "(abs(#) + 0.5)"},
     {"DecodeLightmap.encoded", "(abs(#) + 0.25)"},
     {"DirectionalLightmap.direction", "clamp(#, 0.125, 1)"},
+    // Times 255: of a larger half the fraction is not known.
+    {"EncodeFloatRG.value", "(# * 0.0078125)"},
     {"EncodeNormalStereographic.normal_vs", "(abs(#) + 0.5)"},
     {"FogExponential.density", "clamp(#, 0, 1)"},
     {"FogExponentialSquared.density", "clamp(#, 0, 0.5)"},
