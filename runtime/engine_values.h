@@ -33,8 +33,8 @@ struct EngineScene {
     const Scene* scene = nullptr;  // time, size and fog are its
     View view{};
     glm::mat4 object_to_world{1};
-    std::vector<SeenLight> lights{};            // at most kMostLights count
-    std::vector<SeenLight> vertex_lights{};     // at most kMostVertexLights count
+    std::vector<SeenLight> lights{};         // at most kMostLights count
+    std::vector<SeenLight> vertex_lights{};  // at most kMostVertexLights count
     SphericalHarmonics ambient{};
     std::span<const ShadowView> shadow_maps{};  // at most kMostShadowMaps count
     int shadow_atlas_size = 1;                  // texels along a side
@@ -42,11 +42,11 @@ struct EngineScene {
 };
 
 // Camera: world_to_clip, clip_to_world, world_to_view, camera_position_ws, camera_forward_ws, view_is_orthographic,
-// clip_planes (near, far), shadow_bias, shadow_normal_bias. Object: object_to_world, world_to_object, lightmap_decode. Frame: time, screen_size
-// (pixels, samples included), fog_color, fog_settings (mode 0 none, 1 linear, 2 exponential, 3 its square; density;
-// start; end). Lights: light_count, light_position, light_color, light_axis, light_cone (in the order given, those that
-// count at vertices behind the others), vertex_light_count, world_to_shadow, shadow_tile, shadow_strength, shadow_texel, world_to_cookie (of
-// cookie_light()). Ambient: ambient_sh.
+// clip_planes (near, far), shadow_bias, shadow_normal_bias. Object: object_to_world, world_to_object, lightmap_decode.
+// Frame: time, screen_size (pixels, samples included), fog_color, fog_settings (mode 0 none, 1 linear, 2 exponential, 3
+// its square; density; start; end). Lights: light_count, light_position, light_color, light_axis, light_cone (in the
+// order given, those that count at vertices behind the others), vertex_light_count, world_to_shadow, shadow_tile,
+// shadow_strength, shadow_texel, world_to_cookie (of cookie_light()). Ambient: ambient_sh.
 std::map<std::string, EngineValue> engine_values(const EngineScene& seen);
 
 // Of a single draw: all lights, those that are directional first, the main one at their head; no shadow map.

@@ -58,9 +58,10 @@ std::string check_words(const Pass& pass) {
     if (!is_one_of(pass.each, {"once", "light"}))
         return fmt::format("is drawn each '{}', which is neither once nor light", pass.each);
     if (!is_one_of(pass.lights, {"all", "main", "main-only", "further", "directional", "local", "shadowed", "none"}))
-        return fmt::format("wants the lights '{}'; there are all, main, main-only, further, directional, local, shadowed "
-                           "and none",
-                           pass.lights);
+        return fmt::format(
+            "wants the lights '{}'; there are all, main, main-only, further, directional, local, shadowed "
+            "and none",
+            pass.lights);
     if (pass.draws != "objects" && is_shadow_pass(pass)) return "draws from the lights, so it must draw objects";
     if (pass.draws == "light-volumes" && pass.lights != "local")
         return "draws light volumes, so its lights must be 'local': directional ones have no volume";
@@ -295,7 +296,8 @@ void Planner::draw_object(const PlannedObject& object, const Pass& pass, Phase p
         EngineScene seen = seen_with(lights);
         seen.object_to_world = shape.object_to_world;
         if (pass.lights == "main") {
-            for (std::size_t i : object.split.vertex) seen.vertex_lights.push_back({.light = &scene_.lights[i], .index = i});
+            for (std::size_t i : object.split.vertex)
+                seen.vertex_lights.push_back({.light = &scene_.lights[i], .index = i});
             for (std::size_t i : object.split.sh) add_light(seen.ambient, scene_.lights[i], object.bounds);
         }
         builder_.add({.material = shape.material,

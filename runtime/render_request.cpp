@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "patina/validate.h"
+#include "runtime/render_world.h"
 #include "runtime/scene_text.h"
+#include "runtime/world_file.h"
 
 namespace patina::runtime {
 namespace {
@@ -37,6 +38,32 @@ std::string anisotropic_textures(const Reflection& reflection, const std::string
     return names;
 }
 
+// What the request's words say of a scene's lights, surroundings and camera; empty, or what is wrong with them.
+std::string take_words(const RenderRequest& request, Scene& scene) {
+    if (!request.lights.empty()) scene.lights.clear();
+    for (const std::string& text : request.lights) {
+        if (text == "none") continue;
+        Outcome<Light> light = parse_light(text);
+        if (!light) return light.error;
+        scene.lights.push_back(light.value);
+    }
+    if (scene.lights.size() > kMostLights)
+        return "there are " + std::to_string(scene.lights.size()) + " lights, more than the limit of " +
+               std::to_string(kMostLights);
+    if (!request.ambient.empty()) {
+        Outcome<SphericalHarmonics> ambient = parse_ambient(request.ambient);
+        if (!ambient) return ambient.error;
+        scene.ambient = ambient.value;
+        scene.environment = nullptr;
+    }
+    if (!request.camera.empty()) {
+        Outcome<Camera> camera = parse_camera(request.camera, scene.camera);
+        if (!camera) return camera.error;
+        scene.camera = camera.value;
+    }
+    return "";
+}
+
 // The scene that the request's words describe.
 Outcome<Scene> read_scene(const RenderRequest& request) {
     std::optional<Mesh> mesh = make_mesh(request.mesh);
@@ -53,65 +80,25 @@ Outcome<Scene> read_scene(const RenderRequest& request) {
                 .environment = studio_environment(),
                 .time = float(request.time),
                 .width = request.size,
-                .height = request.size,
+                .height = request.height ? request.height : request.size,
                 .samples = request.samples};
-    if (!request.lights.empty()) scene.lights.clear();
-    for (const std::string& text : request.lights) {
-        if (text == "none") continue;
-        Outcome<Light> light = parse_light(text);
-        if (!light) return Failure{light.error};
-        scene.lights.push_back(light.value);
-    }
-    if (scene.lights.size() > kMostLights)
-        return Failure{"there are " + std::to_string(scene.lights.size()) + " lights, more than the limit of " +
-                       std::to_string(kMostLights)};
-    if (!request.ambient.empty()) {
-        Outcome<SphericalHarmonics> ambient = parse_ambient(request.ambient);
-        if (!ambient) return Failure{ambient.error};
-        scene.ambient = ambient.value;
-        scene.environment = nullptr;
-    }
-    if (!request.camera.empty()) {
-        Outcome<Camera> camera = parse_camera(request.camera, scene.camera);
-        if (!camera) return Failure{camera.error};
-        scene.camera = camera.value;
-    }
+    if (std::string error = take_words(request, scene); !error.empty()) return Failure{error};
     return scene;
 }
-
-// "forward" if there is one, else the first that draws meshes.
-std::string choose_pass(const Reflection& reflection, const std::string& wanted) {
-    if (!wanted.empty()) return wanted;
-    const Pass* first = nullptr;
-    for (const Pass& pass : reflection.passes) {
-        if (pass.name == "forward") return pass.name;
-        if (!first && pass.draws == "objects") first = &pass;
-    }
-    return first ? first->name : "forward";
-}
-
-// SPIR-V of a stage of the pass; what glslang says goes to `diagnostics`. Empty on an error.
-std::vector<std::uint32_t> spirv_of(const Result& result, const std::string& pass, Stage stage, Target target,
-                                    std::vector<Diagnostic>& diagnostics) {
-    for (const Shader& shader : result.shaders) {
-        if (shader.pass != pass || shader.stage != stage || shader.target != target) continue;
-        Validated validated = validate(shader);
-        diagnostics.insert(diagnostics.end(), validated.diagnostics.begin(), validated.diagnostics.end());
-        if (validated.ok) return validated.spirv;
-    }
-    return {};
-}
-
-// Opens the device that the request wants, unless it is open already. Empty: done.
-std::string open_machine(const RenderRequest& request, RenderMachine& machine) {
-    DeviceOptions wanted{.validation = request.validation, .device = request.device};
-    if (machine.renderer && machine.options == wanted) return "";
-    machine.renderer.reset();
-    Outcome<std::unique_ptr<Renderer>> opened = Renderer::open(wanted);
-    if (!opened) return opened.error;
-    machine.renderer = std::move(opened.value);
-    machine.options = wanted;
+// The first that draws meshes as the camera sees them.
+std::string choose_pass(const Reflection& reflection) {
+    for (const Pass& pass : reflection.passes)
+        if (pass.draws == "objects" && pass.lights != "shadowed") return pass.name;
     return "";
+}
+
+std::vector<std::pair<std::string, std::string>> switches_of(const RenderRequest& request) {
+    std::vector<std::pair<std::string, std::string>> switches;
+    for (const std::string& define : request.defines) {
+        const std::size_t equals = define.find('=');
+        switches.emplace_back(define.substr(0, equals), equals == define.npos ? "true" : define.substr(equals + 1));
+    }
+    return switches;
 }
 
 // A draw and everything that it points to.
@@ -133,15 +120,14 @@ bool prepare(const Compiler& compiler, const RenderRequest& request, Prepared& m
     if (!scene) return refuse(scene.error);
     made.scene = std::move(scene.value);
 
-    bool on_cpu = request.via == "cpu";
-    made.compiled =
-        compiler.compile_file(request.graph, {.targets = {request.via == "hlsl" ? Target::Hlsl : Target::Glsl},
-                                              .passes = {},
-                                              .include_dirs = request.include_dirs,
-                                              .loader = {},
-                                              .preview = request.preview,
-                                              .dump = {},
-                                              .keep_programs = on_cpu});
+    CompileOptions options;
+    options.targets.clear();
+    options.path = request.path;
+    options.switches = switches_of(request);
+    options.include_dirs = request.include_dirs;
+    options.preview = request.preview;
+    options.keep_programs = true;
+    made.compiled = compiler.compile_file(request.graph, options);
     outcome.diagnostics = made.compiled.diagnostics;
     if (!made.compiled.ok) return false;
 
@@ -159,67 +145,90 @@ bool prepare(const Compiler& compiler, const RenderRequest& request, Prepared& m
     made.blocks = fill_blocks(reflection, values.value, made.scene);
 
     made.draw = {.reflection = &reflection,
-                 .pass = choose_pass(reflection, request.pass),
+                 .pass = choose_pass(reflection),
                  .scene = &made.scene,
                  .blocks = made.blocks,
                  .textures = made.loaded.textures,
                  .program = made.compiled.program.get(),
                  .progress = request.progress};
-    if (!on_cpu) return true;
     if (std::string names = anisotropic_textures(reflection, made.draw.pass); !names.empty())
         outcome.diagnostics.push_back(complaint(request, Severity::Warning, "no-anisotropy",
                                                 "the CPU reference samples without anisotropy: " + names));
     return true;
 }
 
-RenderOutcome draw_on_gpu(const RenderRequest& request, const Result& compiled, Draw draw, RenderMachine& machine,
-                          RenderOutcome outcome) {
-    Target target = request.via == "hlsl" ? Target::Hlsl : Target::Glsl;
-    auto vertex = spirv_of(compiled, draw.pass, Stage::Vertex, target, outcome.diagnostics);
-    auto fragment = spirv_of(compiled, draw.pass, Stage::Fragment, target, outcome.diagnostics);
-    if (vertex.empty() || fragment.empty()) {
-        bool explained = std::any_of(outcome.diagnostics.begin(), outcome.diagnostics.end(),
-                                     [](const Diagnostic& d) { return d.severity == Severity::Error; });
-        return failed(std::move(outcome), explained ? "" : "the pass '" + draw.pass + "' has no shaders to run");
-    }
-    if (std::string error = open_machine(request, machine); !error.empty()) {
-        outcome.missing_machine = true;
-        return failed(std::move(outcome), error);
-    }
-    draw.vertex_spirv = vertex;
-    draw.fragment_spirv = fragment;
-    if (Outcome<const Pass*> pass = drawable_pass(draw); !pass) return failed(std::move(outcome), pass.error);
-    if (std::string error = machine.renderer->beyond_limits(draw); !error.empty()) {
-        outcome.missing_machine = true;
-        return failed(std::move(outcome), error);
-    }
-    std::size_t messages_before = machine.renderer->messages().size();
-    Outcome<Image> image = machine.renderer->draw(draw);
-    if (!image) return failed(std::move(outcome), image.error);
-    const std::vector<std::string>& messages = machine.renderer->messages();
-    if (messages.size() > messages_before)
-        return failed(std::move(outcome), "the Vulkan validation layer says: " + messages[messages_before]);
-    outcome.image = std::move(image.value);
-    outcome.ok = true;
-    return outcome;
+// One object of the material alone in the scene that the request describes.
+Outcome<World> world_around(const RenderRequest& request) {
+    Outcome<Scene> scene = read_scene(request);
+    if (!scene) return Failure{scene.error};
+    World world{.view = std::move(scene.value),
+                .materials = {{.graph = request.graph, .overrides = request.overrides}}};
+    world.objects.push_back({.mesh = std::make_shared<const Mesh>(std::move(world.view.mesh))});
+    world.view.mesh = {};
+    world.pixel_light_count = int(world.view.lights.size());
+    return world;
+}
+
+// A scene file's world, seen as the request says.
+bool world_of_file(const Compiler& compiler, const RenderRequest& request, World& world, RenderOutcome& outcome) {
+    const auto refuse = [&](std::string error) {
+        outcome.error = std::move(error);
+        return false;
+    };
+    if (!request.overrides.empty()) return refuse("a scene gives its materials their values itself: under \"set\"");
+    if (!request.preview.empty()) return refuse("a scene has no node to look at: its materials have");
+    CompileOptions options;
+    options.include_dirs = request.include_dirs;
+    WorldFile file = read_world(compiler, request.graph, options);
+    outcome.diagnostics = std::move(file.diagnostics);
+    if (!file.ok) return false;
+    world = std::move(file.world);
+    world.view.width = request.size;
+    world.view.height = request.height ? request.height : request.size;
+    world.view.samples = request.samples;
+    if (std::string error = take_words(request, world.view); !error.empty()) return refuse(error);
+    return true;
 }
 
 }  // namespace
 
+std::string open_machine(const std::string& device, bool validation, RenderMachine& machine) {
+    DeviceOptions wanted{.validation = validation, .device = device};
+    if (machine.renderer && machine.options == wanted) return "";
+    machine.renderer.reset();
+    Outcome<std::unique_ptr<Renderer>> opened = Renderer::open(wanted);
+    if (!opened) return opened.error;
+    machine.renderer = std::move(opened.value);
+    machine.options = wanted;
+    return "";
+}
+
 RenderOutcome render(const Compiler& compiler, const RenderRequest& request, RenderMachine& machine) {
-    RenderOutcome outcome;
     if (request.via != "glsl" && request.via != "hlsl" && request.via != "cpu")
         return failed({}, "there is no way to render via '" + request.via + "'; there are: glsl, hlsl, cpu");
-    Prepared prepared;
-    if (!prepare(compiler, request, prepared, outcome)) return outcome;
-    if (request.via != "cpu") {
-        return draw_on_gpu(request, prepared.compiled, prepared.draw, machine, std::move(outcome));
+    RenderOutcome outcome;
+    World world;
+    if (request.graph.ends_with(".scene.json")) {
+        if (!world_of_file(compiler, request, world, outcome)) return outcome;
+    } else {
+        Outcome<World> made = world_around(request);
+        if (!made) return failed({}, made.error);
+        world = std::move(made.value);
     }
-    Outcome<Image> image = cpu_draw(prepared.draw);
-    if (!image) return failed(std::move(outcome), image.error);
-    outcome.image = std::move(image.value);
-    outcome.ok = true;
-    return outcome;
+    RenderOutcome drawn = draw_world(compiler, world,
+                                     {.path = request.path,
+                                      .switches = switches_of(request),
+                                      .preview = request.preview,
+                                      .via = request.via,
+                                      .device = request.device,
+                                      .validation = request.validation,
+                                      .exact_textures = request.exact_textures,
+                                      .exact_targets = request.exact_targets,
+                                      .include_dirs = request.include_dirs,
+                                      .progress = request.progress},
+                                     machine);
+    drawn.diagnostics.insert(drawn.diagnostics.begin(), outcome.diagnostics.begin(), outcome.diagnostics.end());
+    return drawn;
 }
 
 TraceOutcome trace(const Compiler& compiler, RenderRequest request, int x, int y, Precision precision) {

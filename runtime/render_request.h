@@ -20,11 +20,13 @@
 namespace patina::runtime {
 
 struct RenderRequest {
-    std::string graph{};                             // a file
+    std::string graph{};                             // a file: a material's graph, or a scene (x.scene.json)
     std::string preview{};                           // a port to look at: "mask", "rust.amount"; empty: the material
-    std::string pass{};                              // empty: "forward", or the only one
+    std::string path = "forward";                    // a rendering path, or a file x.pass.hlsl
+    std::vector<std::string> defines{};              // parts of the path: "shadows", "fog=false"
     std::string mesh = "sphere";                     // mesh_names()
-    int size = 512;                                  // pixels, width and height
+    int size = 512;                                  // pixels, width
+    int height = 0;                                  // 0: as the width
     int samples = 4;                                 // along each axis of a pixel: 4 averages 16
     std::map<std::string, std::string> overrides{};  // property -> "0.2", "1,0,0", "#ff8800", "true", "Wet", "rust.png"
     double time = 0;                                 // seconds
@@ -35,6 +37,7 @@ struct RenderRequest {
     std::string device{};                            // part of a GPU's name; empty: the software renderer
     bool validation = false;                         // Khronos validation layer; its messages become errors
     bool exact_textures = false;                     // float texels on the GPU, to compare it with the CPU
+    bool exact_targets = false;                      // colour targets in 32-bit floats, whatever the passes say
     std::vector<std::string> include_dirs{};
     std::function<void(double)> progress{};  // via cpu: told which share is done, 0 to 1
 };
@@ -52,6 +55,9 @@ struct RenderMachine {
     std::unique_ptr<Renderer> renderer;
     DeviceOptions options;
 };
+
+// Opens the device that is wanted, unless it is open already. Empty: done; else what is wrong.
+std::string open_machine(const std::string& device, bool validation, RenderMachine& machine);
 
 RenderOutcome render(const Compiler& compiler, const RenderRequest& request, RenderMachine& machine);
 

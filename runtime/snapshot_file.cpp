@@ -150,7 +150,7 @@ struct TextKey {
 constexpr TextKey kTextKeys[] = {
     {"graph", &RenderRequest::graph},     {"mesh", &RenderRequest::mesh},    {"camera", &RenderRequest::camera},
     {"ambient", &RenderRequest::ambient}, {"node", &RenderRequest::preview}, {"via", &RenderRequest::via},
-    {"pass", &RenderRequest::pass},
+    {"path", &RenderRequest::path},
 };
 struct WholeKey {
     std::string_view path;

@@ -19,8 +19,8 @@ struct View {
     glm::vec3 forward{0, 0, -1};  // unit
     bool is_parallel = false;     // orthographic, or clip space as it is
     float near_plane = 0, far_plane = 1;
-    float bias = 0;               // a light's: metres that casters are moved away from it
-    float normal_bias = 0;        // a light's: metres that casters are shrunk by, along their normals
+    float bias = 0;         // a light's: metres that casters are moved away from it
+    float normal_bias = 0;  // a light's: metres that casters are shrunk by, along their normals
 };
 
 View camera_view(const Scene& scene);

@@ -152,8 +152,8 @@ public:
     }
 
 private:
-    // The stage's copy of a function, with those that it calls before it. What a pass puts in the place of a function of
-    // the seam may call that function.
+    // The stage's copy of a function, with those that it calls before it. What a pass puts in the place of a function
+    // of the seam may call that function.
     ir::FunctionId imported(ir::FunctionId function, ir::FunctionId replaced = {}) {
         const auto other = in_vertex_stage() || function == replaced ? std::nullopt : pass_.replacement_of(function);
         if (other) return imported(*other, function);

@@ -147,9 +147,9 @@ struct SurfaceRow {
     bool depth_write;
 };
 constexpr SurfaceRow kSurfaceRows[] = {
-    {graph::SurfaceKind::Opaque, 2000, true},       {graph::SurfaceKind::Cutout, 2450, true},
-    {graph::SurfaceKind::Fade, 3000, false},        {graph::SurfaceKind::Transparent, 3000, false},
-    {graph::SurfaceKind::Additive, 3000, false},    {graph::SurfaceKind::Multiply, 3000, false},
+    {graph::SurfaceKind::Opaque, 2000, true},    {graph::SurfaceKind::Cutout, 2450, true},
+    {graph::SurfaceKind::Fade, 3000, false},     {graph::SurfaceKind::Transparent, 3000, false},
+    {graph::SurfaceKind::Additive, 3000, false}, {graph::SurfaceKind::Multiply, 3000, false},
 };
 
 const SurfaceRow& row_of(graph::SurfaceKind kind) {

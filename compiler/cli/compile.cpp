@@ -90,11 +90,12 @@ Exit compile_graph(const Console& console, const Arguments& arguments, const Com
 }  // namespace
 
 void add_compile(Program& program) {
-    CLI::App& command = add_command(
-        program, "compile", "Compile graphs to shaders",
-        {"patina compile rust.graph.json -o out", "patina compile *.graph.json -t glsl --validate -o out",
-         "patina compile rust.graph.json -t spirv -o out --depfile",
-         "patina compile rust.graph.json --path deferred -D shadows -o out", "patina compile rust.graph.json --dump tidy"});
+    CLI::App& command =
+        add_command(program, "compile", "Compile graphs to shaders",
+                    {"patina compile rust.graph.json -o out", "patina compile *.graph.json -t glsl --validate -o out",
+                     "patina compile rust.graph.json -t spirv -o out --depfile",
+                     "patina compile rust.graph.json --path deferred -D shadows -o out",
+                     "patina compile rust.graph.json --dump tidy"});
     auto arguments = std::make_shared<Arguments>();
     command.add_option("GRAPH", arguments->graphs, "Material graphs (JSON)")->required()->type_name(" ");
     command.add_option("-t,--target", arguments->targets, "glsl, hlsl, spirv, with commas between (glsl,hlsl)")

@@ -97,9 +97,10 @@ std::vector<std::pair<std::string, std::string>> PathOptions::switches() const {
 
 void add_path_options(CLI::App& command, PathOptions& options) {
     command
-        .add_option("--path", options.path,
-                    "Rendering path: forward, forward-add, vertex, deferred, ... ('patina paths' lists them), or a file "
-                    "of your own, x.pass.hlsl (forward)")
+        .add_option(
+            "--path", options.path,
+            "Rendering path: forward, forward-add, vertex, deferred, ... ('patina paths' lists them), or a file "
+            "of your own, x.pass.hlsl (forward)")
         ->type_name("PATH");
     command.add_option("-D,--define", options.defines, "Turn a part of the path on: shadows, fog, ...")
         ->type_name("NAME[=VALUE]")

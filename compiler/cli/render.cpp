@@ -14,6 +14,7 @@ struct Arguments {
     std::vector<std::string> set;
     std::string output;
     runtime::RenderRequest request;
+    PathOptions path;
 };
 
 bool is_picture(std::string_view path) {
@@ -52,6 +53,8 @@ Exit render_graph(const Console& console, const Arguments& arguments, const Comp
 // Everything that can be known to be wrong before the first graph is read.
 void complete(Arguments& arguments) {
     take_overrides(arguments.set, arguments.request);
+    arguments.request.path = arguments.path.path;
+    arguments.request.defines = arguments.path.defines;
     const std::string ending = std::filesystem::path(arguments.output).extension().string();
     if (!ending.empty() && !is_picture(arguments.output) && !std::filesystem::is_directory(arguments.output)) {
         throw CLI::ValidationError("--output",
@@ -71,10 +74,11 @@ void add_render(Program& program) {
         {"patina render rust.graph.json -o rust.png --mesh torus --size 256",
          "patina render rust.graph.json --set _Roughness=0.2 --set _MainTex=other.png",
          "patina render rust.graph.json --node mask -o mask.png", "patina render *.graph.json -o pictures",
+         "patina render room.scene.json --path deferred -o room.png",
          "patina render rust.graph.json --light 'directional direction=1,1,1 intensity=2' --ambient 0.1 --via cpu"});
     auto arguments = std::make_shared<Arguments>();
     runtime::RenderRequest& request = arguments->request;
-    command.add_option("GRAPH", arguments->graphs, "Material graphs (JSON)")->required()->type_name(" ");
+    command.add_option("GRAPH", arguments->graphs, "Material graphs and scenes (JSON)")->required()->type_name(" ");
     command.add_option("-o,--output", arguments->output, "A .png or .exr file, or a folder (NAME.png)")
         ->type_name("OUT");
     command
@@ -83,6 +87,7 @@ void add_render(Program& program) {
         ->type_name("PORT")
         ->check([](const std::string& port) { return port.empty() ? std::string("it is empty") : std::string(); });
     add_picture_options(command, arguments->set, request);
+    add_path_options(command, arguments->path);
     command.add_option("--via", request.via, "Which shaders to run (glsl)")
         ->type_name("glsl|hlsl|cpu")
         ->check(one_of("a way to render", {"glsl", "hlsl", "cpu"}));

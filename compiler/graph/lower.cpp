@@ -69,8 +69,7 @@ const FunctionDecl* surface_slot(const Stages& stages) {
 // A lighting model's own inputs become members of the lighting surface.
 void extend_lighting_surface(Lowering& lowering) {
     const FunctionDecl* slot = surface_slot(*lowering.session.stages);
-    const nodelang::StructDecl* surface =
-        slot ? lowering.session.declarations->structure(slot->result.name) : nullptr;
+    const nodelang::StructDecl* surface = slot ? lowering.session.declarations->structure(slot->result.name) : nullptr;
     if (!surface) return;
     std::vector<ir::Member> members;
     for (const Input& input : lowering.material.lighting->graph->inputs) {

@@ -33,7 +33,7 @@ struct Lowered {
     std::string path;  // that the passes belong to: the wanted one, or its fallback
     std::vector<LoweredPass> passes;
     std::vector<std::pair<std::string, bool>> switches;
-    std::map<std::uint32_t, std::string> reads;  // by global: the target of another pass that it shows
+    std::map<std::uint32_t, std::string> reads;     // by global: the target of another pass that it shows
     std::vector<PropertyGlobals> property_globals;  // one per Material::properties
 };
 

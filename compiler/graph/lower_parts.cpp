@@ -111,12 +111,11 @@ Part slot_without(Lowering& lowering, const Attribute& attribute) {
     const nodelang::Slot* whole = slot_named(lowering, of);
     const FunctionDecl* declared = find_slot(lowering, of);
     if (!whole || !whole->function || !declared) return {.why_not = fmt::format("there is no '{}'", of)};
-    const Source source =
-        source_named(lowering, *declared, whole->function, nodelang::attribute_text(attribute, 1));
+    const Source source = source_named(lowering, *declared, whole->function, nodelang::attribute_text(attribute, 1));
     if (source.is_absent) return {.slot = *whole};
     if (!source.seed) return {.why_not = source.why_not};
-    const ir::FunctionId function = add_function(
-        module, ir::without(module, whole->function, *source.seed, lowering.emitter.options()));
+    const ir::FunctionId function =
+        add_function(module, ir::without(module, whole->function, *source.seed, lowering.emitter.options()));
     return {.slot = {.function = function, .result = whole->result, .needs_quad = whole->needs_quad}};
 }
 
@@ -158,8 +157,7 @@ unsigned room_in(const ir::Module& module, Type extras) {
 
 Value as_scalar(ir::Builder& b, Value value, ir::Scalar scalar) {
     if (b.type(value).scalar == scalar) return value;
-    if (scalar == ir::Scalar::Bool)
-        return b.emit(ir::Op::NotEqual, ir::kBool, {value, b.constant(ir::kFloat, {0})});
+    if (scalar == ir::Scalar::Bool) return b.emit(ir::Op::NotEqual, ir::kBool, {value, b.constant(ir::kFloat, {0})});
     return b.convert(value, scalar);
 }
 

@@ -100,15 +100,14 @@ private:
     void report(Code code, const Refusal& refusal, const Words&... words) {
         const Span whole = lowering_.material.graph->graph->span;
         const bool is_graph = refusal.where.span.begin != refusal.where.span.end;
-        lowering_.session.diagnostics.report(code, is_graph ? refusal.where.span : Span{whole.begin, whole.begin + 1}, words...)
+        lowering_.session.diagnostics
+            .report(code, is_graph ? refusal.where.span : Span{whole.begin, whole.begin + 1}, words...)
             .at(refusal.where.id);
     }
 
     // --- one pass
 
-    std::string_view surface() const {
-        return text_of(kSurfaceKinds, lowering_.material.graph->graph->render.surface);
-    }
+    std::string_view surface() const { return text_of(kSurfaceKinds, lowering_.material.graph->graph->render.surface); }
 
     bool has_blend(const PassDecl& pass) const {
         return pass.state.draws != "objects" || blend_of(pass, surface()) || pass.blends.empty();
@@ -160,8 +159,8 @@ private:
                 continue;
             }
             for (const nodelang::InstanceInfo& instance : emitter.instances_of(*replaced)) {
-                const ir::FunctionId made = emitter.given_function(*given.function, declarations, environment_,
-                                                                   instance.half);
+                const ir::FunctionId made =
+                    emitter.given_function(*given.function, declarations, environment_, instance.half);
                 if (made) replace(pass, given, instance.id, made);
             }
         }
@@ -211,7 +210,8 @@ private:
     std::optional<double> static_value(const VariableDecl& variable) {
         const Attribute* attribute = variable.attribute("static");
         if (!attribute) return {};
-        const std::string_view key = nodelang::attribute_text(*attribute), name = nodelang::attribute_text(*attribute, 1);
+        const std::string_view key = nodelang::attribute_text(*attribute),
+                               name = nodelang::attribute_text(*attribute, 1);
         if (key == "pass") {
             const auto& passes = lowering_.out.passes;
             return std::any_of(passes.begin(), passes.end(),

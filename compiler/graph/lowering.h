@@ -63,5 +63,4 @@ private:
     Lowering& lowering_;
 };
 
-
 }  // namespace patina::graph

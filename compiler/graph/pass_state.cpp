@@ -19,7 +19,8 @@ constexpr std::size_t kMostTargets = 8;  // of Vulkan's and Direct3D 12's
 
 constexpr std::array<std::string_view, 3> kDraws = {"objects", "fullscreen", "light-volumes"};
 constexpr std::array<std::string_view, 2> kEach = {"once", "light"};
-constexpr std::array<std::string_view, 8> kLights = {"all", "main", "main-only", "further", "directional", "local", "shadowed", "none"};
+constexpr std::array<std::string_view, 8> kLights = {"all",         "main",  "main-only", "further",
+                                                     "directional", "local", "shadowed",  "none"};
 constexpr std::array<std::string_view, 2> kCameras = {"any", "perspective"};
 constexpr std::array<std::string_view, 3> kCullWords = {"back", "front", "off"};
 constexpr std::array<std::string_view, 2> kDepthWrites = {"write", "keep"};
@@ -40,11 +41,13 @@ std::vector<std::string_view> texts(const Table& table) {
 // Takes the arguments of one attribute, in order; what is wrong with one is said at it.
 class Arguments {
 public:
-    Arguments(const Attribute& attribute, Diagnostics& diagnostics) : attribute_(attribute), diagnostics_(diagnostics) {}
+    Arguments(const Attribute& attribute, Diagnostics& diagnostics)
+        : attribute_(attribute), diagnostics_(diagnostics) {}
 
     bool count(std::size_t least, std::size_t most, std::string_view example) {
         if (attribute_.args.size() >= least && attribute_.args.size() <= most) return true;
-        diagnostics_.report(Code::BadAttribute, attribute_.span, attribute_.name, fmt::format("reads like this: {}", example));
+        diagnostics_.report(Code::BadAttribute, attribute_.span, attribute_.name,
+                            fmt::format("reads like this: {}", example));
         return false;
     }
 

@@ -167,9 +167,8 @@ std::vector<const PassDecl*> Stages::passes_of(std::string_view path) const {
     for (const PassDecl& each : passes) {
         if (each.path == path && each.fragment) of.push_back(&each);
     }
-    std::sort(of.begin(), of.end(), [](const PassDecl* a, const PassDecl* b) {
-        return a->fragment->span.begin < b->fragment->span.begin;
-    });
+    std::sort(of.begin(), of.end(),
+              [](const PassDecl* a, const PassDecl* b) { return a->fragment->span.begin < b->fragment->span.begin; });
     return of;
 }
 

@@ -19,7 +19,8 @@ using ir::SemanticId;
 
 // What is known about the place of a function, on the way to it from the pass.
 struct Place {
-    std::string_view slot{};  // that it is a part of; empty: the pass's own
+    std::string_view slot{};      // that it is a part of; empty: the pass's own
+    std::string_view semantic{};  // that the slot reads, of which this is the recipe
     bool at_vertex = false;
     ir::Origin origin{};  // the innermost node
 };
@@ -65,16 +66,18 @@ private:
     bool is_graph(const Place& place) const { return !place.slot.empty(); }
 
     void semantic(SemanticId id, const Place& place) {
-        if (const auto recipe = pass_.recipe_of(id); recipe && !place.at_vertex) return visit(*recipe, place);
+        if (const auto recipe = pass_.recipe_of(id); recipe && !place.at_vertex) return visit(*recipe, {});
         const SemanticRecipe& recipe = lowering_.out.semantics[id.index];
-        const std::string& name = module_.semantics[id.index].name;
+        Place inside = place;
+        if (place.semantic.empty() && is_graph(place)) inside.semantic = module_.semantics[id.index].name;
+        const std::string_view name = inside.semantic.empty() ? module_.semantics[id.index].name : inside.semantic;
         const bool is_interpolated = recipe.source == Source::Vertex || recipe.source == Source::Attribute;
         if (is_interpolated && is_graph(place) && !draws_objects())
             return refuse(place, fmt::format("'{}' reads '@{}', which it cannot give", place.slot, name));
-        if (recipe.source == Source::Builtin && is_graph(place) && place.at_vertex && name != "front_facing")
+        const bool is_side = module_.semantics[id.index].type == ir::kBool;  // vertices see the front
+        if (recipe.source == Source::Builtin && is_graph(place) && place.at_vertex && !is_side)
             return refuse(place, fmt::format("'{}' reads '@{}', which vertices do not have", place.slot, name));
         if (!recipe.recipe) return;
-        Place inside = place;
         inside.at_vertex = place.at_vertex || recipe.source == Source::Vertex;
         visit(recipe.recipe, inside);
     }

@@ -80,12 +80,9 @@ inline constexpr std::array kNodeStages = {
 };
 
 inline constexpr std::array kSurfaceKinds = {
-    Word<SurfaceKind>{"opaque", SurfaceKind::Opaque},
-    Word<SurfaceKind>{"cutout", SurfaceKind::Cutout},
-    Word<SurfaceKind>{"fade", SurfaceKind::Fade},
-    Word<SurfaceKind>{"transparent", SurfaceKind::Transparent},
-    Word<SurfaceKind>{"additive", SurfaceKind::Additive},
-    Word<SurfaceKind>{"multiply", SurfaceKind::Multiply},
+    Word<SurfaceKind>{"opaque", SurfaceKind::Opaque},     Word<SurfaceKind>{"cutout", SurfaceKind::Cutout},
+    Word<SurfaceKind>{"fade", SurfaceKind::Fade},         Word<SurfaceKind>{"transparent", SurfaceKind::Transparent},
+    Word<SurfaceKind>{"additive", SurfaceKind::Additive}, Word<SurfaceKind>{"multiply", SurfaceKind::Multiply},
 };
 
 inline constexpr std::array kCulls = {

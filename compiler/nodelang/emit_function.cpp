@@ -158,15 +158,15 @@ ir::FunctionId Emitter::semantic_function(const FunctionDecl& function, const De
     return outer_function(function, home, environment, std::move(scope), false, needs_quad);
 }
 
-ir::FunctionId Emitter::given_function(const FunctionDecl& function, const Declarations& home,
-                                       Environment& environment, bool half) {
-    return outer_function(function, home, environment,
-                          {.declarations = &home, .half = half, .function = &function}, true, nullptr);
+ir::FunctionId Emitter::given_function(const FunctionDecl& function, const Declarations& home, Environment& environment,
+                                       bool half) {
+    return outer_function(function, home, environment, {.declarations = &home, .half = half, .function = &function},
+                          true, nullptr);
 }
 
 // A function that can read semantics: they are the defaults of its parameters.
-ir::FunctionId Emitter::outer_function(const FunctionDecl& function, const Declarations& home,
-                                       Environment& environment, Scope scope, bool may_take, bool* needs_quad) {
+ir::FunctionId Emitter::outer_function(const FunctionDecl& function, const Declarations& home, Environment& environment,
+                                       Scope scope, bool may_take, bool* needs_quad) {
     ir::Function made{};
     made.name = function.name;
     made.always_inline = true;
@@ -179,10 +179,8 @@ ir::FunctionId Emitter::outer_function(const FunctionDecl& function, const Decla
         if (!param.initial && may_take) {
             made.params.push_back({std::string(param.name), param_type, ir::Rate::Pixel});
             const Value value = builder.param(static_cast<std::uint32_t>(made.params.size() - 1));
-            scope.locals.push_back({.name = param.name,
-                                    .value = {.value = value, .type = param_type},
-                                    .is_const = false,
-                                    .constant = {}});
+            scope.locals.push_back(
+                {.name = param.name, .value = {.value = value, .type = param_type}, .is_const = false, .constant = {}});
             continue;
         }
         if (!param.initial) {
@@ -199,8 +197,8 @@ ir::FunctionId Emitter::outer_function(const FunctionDecl& function, const Decla
     }
     const bool is_void = function.result.name == "void";
     if (is_void) module_.structs.push_back({.name = made.name + "Result", .members = {}});
-    made.result = scope.result =
-        is_void ? Type::structure(static_cast<std::uint32_t>(module_.structs.size() - 1)) : type(function.result, scope);
+    made.result = scope.result = is_void ? Type::structure(static_cast<std::uint32_t>(module_.structs.size() - 1))
+                                         : type(function.result, scope);
     Value returned;
     const std::size_t errors = diagnostics_.error_count();
     active_.push_back(&function);

@@ -1,0 +1,298 @@
+#include "runtime/render_world.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "patina/validate.h"
+
+namespace patina::runtime {
+namespace {
+
+// What the shaders of an object depend on beside its graph.
+struct Variant {
+    std::size_t material = 0;
+    bool lightmap = false, shadow_mask = false;
+    friend auto operator<=>(const Variant&, const Variant&) = default;
+};
+
+using Spirv = std::vector<std::uint32_t>;
+
+// A material that has been compiled, and everything that its draws point to.
+struct Compiled {
+    Result result;
+    MaterialValues values;
+    LoadedTextures loaded;
+};
+
+Diagnostic complaint(const std::string& file, Severity severity, std::string code, std::string message) {
+    Diagnostic diagnostic;
+    diagnostic.severity = severity;
+    diagnostic.code = std::move(code);
+    diagnostic.message = std::move(message);
+    diagnostic.file = file;
+    return diagnostic;
+}
+
+class Drawing {
+public:
+    Drawing(const Compiler& compiler, const World& world, const WorldOptions& options, RenderMachine& machine)
+        : compiler_(compiler), world_(world), options_(options), machine_(machine) {}
+
+    RenderOutcome run() {
+        find_variants();
+        for (std::size_t i = 0; i < variants_.size() && ok_; ++i) compile(i);
+        if (!ok_) return std::move(outcome_);
+        load_object_textures();
+        if (!ok_) return std::move(outcome_);
+        std::vector<DrawnMaterial> drawn;
+        for (const auto& material : compiled_) drawn.push_back(drawn_material(*material));
+        if (!ok_) return std::move(outcome_);
+        const Outcome<Frame> frame = plan_frame(spread_, drawn,
+                                                {.path = path_name(),
+                                                 .shadow_atlas_size = options_.shadow_atlas_size,
+                                                 .exact = options_.exact_targets,
+                                                 .shown_format = "rgba32f",
+                                                 .object_textures = object_textures_});
+        if (!frame) return failed(frame.error);
+        Frame planned = std::move(frame.value);
+        planned.progress = options_.progress;
+        return draw(planned);
+    }
+
+private:
+    bool on_cpu() const { return options_.via == "cpu"; }
+    Target target() const { return options_.via == "hlsl" ? Target::Hlsl : Target::Glsl; }
+
+    RenderOutcome failed(std::string error) {
+        outcome_.ok = false;
+        outcome_.error = std::move(error);
+        ok_ = false;
+        return std::move(outcome_);
+    }
+
+    // --- materials
+
+    // Objects with baked light need other shaders than those without: each combination becomes a material of its own.
+    void find_variants() {
+        spread_ = world_;
+        spread_.materials.clear();
+        for (WorldObject& object : spread_.objects) {
+            const Variant wanted{.material = object.material,
+                                 .lightmap = !object.lightmap.empty(),
+                                 .shadow_mask = !object.shadow_mask.empty()};
+            auto found = std::find(variants_.begin(), variants_.end(), wanted);
+            if (found == variants_.end()) {
+                found = variants_.insert(found, wanted);
+                spread_.materials.push_back(world_.materials[wanted.material]);
+            }
+            object.material = static_cast<std::size_t>(found - variants_.begin());
+        }
+    }
+
+    std::vector<std::pair<std::string, std::string>> switches_of(const Variant& variant) const {
+        const Scene& view = world_.view;
+        const auto any_light = [&](auto has) { return std::any_of(view.lights.begin(), view.lights.end(), has); };
+        std::vector<std::pair<std::string, std::string>> switches;
+        const auto set = [&](const char* name, bool value) {
+            if (value) switches.emplace_back(name, "true");
+        };
+        set("shadows", any_light([](const Light& light) { return light.shadow.casts; }));
+        set("cookies", any_light([](const Light& light) { return light.cookie != nullptr; }));
+        set("fog", view.fog.mode != FogMode::None);
+        set("lightmap", variant.lightmap);
+        set("shadow_mask", variant.shadow_mask);
+        switches.insert(switches.end(), options_.switches.begin(), options_.switches.end());
+        return switches;
+    }
+
+    Result compile_for(const Variant& variant, const std::string& path) const {
+        CompileOptions options;
+        options.targets = {target()};
+        options.path = path;
+        options.switches = switches_of(variant);
+        options.include_dirs = options_.include_dirs;
+        options.preview = options_.preview;
+        options.keep_programs = on_cpu();
+        return compiler_.compile_file(world_.materials[variant.material].graph, options);
+    }
+
+    // Several variants of one graph say the same.
+    void report(const std::vector<Diagnostic>& diagnostics) {
+        for (const Diagnostic& diagnostic : diagnostics) {
+            if (said_.insert(to_text(diagnostic)).second) outcome_.diagnostics.push_back(diagnostic);
+        }
+    }
+
+    // The CPU reference samples without anisotropy.
+    void warn_of_anisotropy(const WorldMaterial& material, const Reflection& reflection) {
+        std::string names;
+        for (const Texture& texture : reflection.textures) {
+            const bool is_read = std::any_of(reflection.passes.begin(), reflection.passes.end(), [&](const Pass& pass) {
+                return std::count(pass.textures.begin(), pass.textures.end(), texture.name) > 0;
+            });
+            if (is_read && texture.sampler.anisotropy > 1) names += (names.empty() ? "'" : ", '") + texture.name + "'";
+        }
+        if (!names.empty())
+            report({complaint(material.graph, Severity::Warning, "no-anisotropy",
+                              "the CPU reference samples without anisotropy: " + names)});
+    }
+
+    void compile(std::size_t index) {
+        const Variant& variant = variants_[index];
+        const WorldMaterial& material = world_.materials[variant.material];
+        auto made = std::make_unique<Compiled>();
+        made->result = compile_for(variant, options_.path);
+        if (made->result.ok) {
+            const Reflection& reflection = made->result.reflection;
+            const std::string path = path_for(world_.view.camera, reflection);
+            if (path != reflection.path && !path.empty()) {
+                report({complaint(material.graph, Severity::Warning, "path-refused",
+                                  fmt::format("the path '{}' needs a perspective camera; the material is drawn along "
+                                              "the path '{}'",
+                                              reflection.path, path))});
+                made->result = compile_for(variant, path);
+            }
+        }
+        report(made->result.diagnostics);
+        ok_ = made->result.ok && give_values(material, *made);
+        if (ok_ && on_cpu()) warn_of_anisotropy(material, made->result.reflection);
+        compiled_.push_back(std::move(made));
+    }
+
+    bool give_values(const WorldMaterial& material, Compiled& made) {
+        const Reflection& reflection = made.result.reflection;
+        Outcome<MaterialValues> values = material_values(reflection, material.overrides);
+        if (!values) {
+            outcome_.error = material.name.empty() ? values.error : material.name + ": " + values.error;
+            return false;
+        }
+        made.values = std::move(values.value);
+        for (const std::string& warning : made.values.warnings)
+            report({complaint(material.graph, Severity::Warning, "soft-range", warning)});
+        const std::string folder = std::filesystem::path(material.graph).parent_path().string();
+        made.loaded = load_textures(reflection, folder, made.values.textures, options_.exact_textures);
+        for (const std::string& error : made.loaded.errors)
+            report({complaint(material.graph, Severity::Error, "bad-texture", error)});
+        add_engine_textures(made.loaded.textures, reflection, world_.view);
+        return made.loaded.errors.empty();
+    }
+
+    // --- textures of objects
+
+    void load_object_textures() {
+        std::map<std::string, LoadedTexture> known;
+        object_textures_.resize(world_.objects.size());
+        const auto load = [&](std::size_t object, const std::string& name, const std::string& file) {
+            if (file.empty() || !ok_) return;
+            if (!known.contains(file)) {
+                Outcome<Image> image = load_image(file);
+                if (!image) {
+                    outcome_.error =
+                        fmt::format("the {} of the object '{}': {}", name, world_.objects[object].name, image.error);
+                    ok_ = false;
+                    return;
+                }
+                TextureData data{.levels = mip_chain(image.value), .sampler = {.wrap = "clamp", .filter = "linear"}};
+                known[file] = {.data = std::make_shared<const TextureData>(std::move(data)),
+                               .format = TexelFormat::Float32};
+            }
+            object_textures_[object].push_back(known[file]);
+            object_textures_[object].back().name = name;
+        };
+        for (std::size_t i = 0; i < world_.objects.size(); ++i) {
+            load(i, "lightmap", world_.objects[i].lightmap);
+            load(i, "shadow_mask", world_.objects[i].shadow_mask);
+        }
+    }
+
+    // --- shaders
+
+    // Materials that differ in their values alone have the same text; so have lighting passes of one lighting graph.
+    const Spirv* spirv_of(const Shader& shader) {
+        const auto [found, is_new] = spirv_.try_emplace(shader.text);
+        if (is_new) {
+            Validated validated = validate(shader);
+            report(validated.diagnostics);
+            found->second = std::move(validated.spirv);
+            if (!validated.ok) ok_ = false;
+        }
+        return &found->second;
+    }
+
+    DrawnMaterial drawn_material(const Compiled& material) {
+        DrawnMaterial drawn{
+            .reflection = &material.result.reflection, .values = material.values, .textures = material.loaded.textures};
+        for (const Pass& pass : material.result.reflection.passes) {
+            DrawnPass& made = drawn.passes[pass.name];
+            made.stages.program = material.result.program.get();
+            for (const Shader& shader : material.result.shaders) {
+                if (shader.pass != pass.name) continue;
+                if (shader.stage == Stage::Fragment) made.fragment = shader.text;
+                if (on_cpu()) continue;
+                const Spirv* spirv = spirv_of(shader);
+                (shader.stage == Stage::Vertex ? made.stages.vertex_spirv : made.stages.fragment_spirv) = *spirv;
+            }
+        }
+        return drawn;
+    }
+
+    // The wanted path as reflections name it.
+    std::string path_name() const {
+        if (!options_.path.ends_with(".hlsl")) return options_.path;
+        const std::string name = std::filesystem::path(options_.path).filename().string();
+        return name.substr(0, name.find('.', 1));
+    }
+
+    // --- drawing
+
+    RenderOutcome draw(const Frame& frame) {
+        Outcome<Image> image = Failure{""};
+        if (on_cpu()) {
+            image = cpu_draw(frame);
+        } else {
+            if (std::string error = open_machine(options_.device, options_.validation, machine_); !error.empty()) {
+                outcome_.missing_machine = true;
+                return failed(error);
+            }
+            if (std::string error = machine_.renderer->beyond_limits(frame); !error.empty()) {
+                outcome_.missing_machine = true;
+                return failed(error);
+            }
+            const std::size_t messages_before = machine_.renderer->messages().size();
+            image = machine_.renderer->draw(frame);
+            const std::vector<std::string>& messages = machine_.renderer->messages();
+            if (image && messages.size() > messages_before)
+                return failed("the Vulkan validation layer says: " + messages[messages_before]);
+        }
+        if (!image) return failed(image.error);
+        outcome_.image = std::move(image.value);
+        outcome_.ok = true;
+        return std::move(outcome_);
+    }
+
+    const Compiler& compiler_;
+    const World& world_;
+    const WorldOptions& options_;
+    RenderMachine& machine_;
+    RenderOutcome outcome_{};
+    bool ok_ = true;
+    World spread_{};  // the world, with a material for each variant
+    std::vector<Variant> variants_{};
+    std::vector<std::unique_ptr<Compiled>> compiled_{};  // one for each variant
+    std::vector<std::vector<LoadedTexture>> object_textures_{};
+    std::map<std::string, Spirv> spirv_{};  // by text
+    std::set<std::string> said_{};
+};
+
+}  // namespace
+
+RenderOutcome draw_world(const Compiler& compiler, const World& world, const WorldOptions& options,
+                         RenderMachine& machine) {
+    return Drawing(compiler, world, options, machine).run();
+}
+
+}  // namespace patina::runtime
