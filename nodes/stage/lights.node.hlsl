@@ -64,7 +64,7 @@ float shadow(int index, float3 position) {
 }
 
 /// How much of the light in slot `index` its cookie lets through.
-[extern]
+[extern] [inline]
 float light_through_cookie(int index, float3 position) {
     if (!cookies) { return 1; }
     float passes = CookieAttenuation(light_cookie, mul(world_to_cookie, float4(position, 1)));
