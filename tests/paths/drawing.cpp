@@ -96,6 +96,12 @@ double apart(double a, double b) {
     return std::abs(a - b) / std::max({1.0, std::abs(a), std::abs(b)});
 }
 
+double apart(const Image& a, const Image& b, int x, int y) {
+    const auto p = a.at(x, y), q = b.at(x, y);
+    return std::max(
+        {apart(double(p[0]), double(q[0])), apart(double(p[1]), double(q[1])), apart(double(p[2]), double(q[2]))});
+}
+
 Difference difference(const Image& a, const Image& b, const std::function<bool(int, int)>& counts) {
     Difference found;
     if (a.width != b.width || a.height != b.height) {

@@ -55,6 +55,9 @@ Image draw(const World& world, const WorldOptions& options);
 // an absolute bound would ask a highlight of 1000 for the last bits of its floats.
 double apart(double a, double b);
 
+// The largest of red, green and blue.
+double apart(const Image& a, const Image& b, int x, int y);
+
 struct Difference {
     double largest = 0;   // of all channels; infinite where one picture holds no number
     double mean = 0;      // of the channels, over what was compared
