@@ -68,7 +68,8 @@ private:
         for (const SwitchDecl& each : stages_.switches) {
             const PassDecl* brought = each.brings.empty() ? nullptr : stages_.pass(each.brings);
             const bool is_there = std::find(passes.begin(), passes.end(), brought) != passes.end();
-            if (brought && !is_there && lowering_.is_on(each) && brought->path != path) passes.push_back(brought);
+            if (brought && !is_there && lowering_.is_on(each.variable->name) && brought->path != path)
+                passes.push_back(brought);
         }
         const std::size_t own = passes.size();
         for (const PassDecl* pass : stages_.passes_of(path)) passes.push_back(pass);
@@ -124,6 +125,9 @@ private:
             if (slot == stages_.slots.end()) return {.reason = fmt::format("it needs '{}', which nothing makes", name)};
             const Part* part = is_part(**slot) ? &part_of(lowering_, **slot) : nullptr;
             if (part && !part->slot.function) return {.reason = part->why_not, .where = part->where};
+        }
+        for (const std::string_view name : pass.excludes) {
+            if (lowering_.is_on(name)) return {.reason = fmt::format("it has no place for '{}'", name)};
         }
         const nodelang::Declarations& declarations = *lowering_.session.declarations;
         nodelang::Emitter& emitter = lowering_.emitter;
