@@ -80,9 +80,13 @@ public:
 
 private:
     void add(SemanticDecl semantic) {
-        // The latest declaration of a name counts.
-        stages_.semantic_index.insert_or_assign(semantic.name, static_cast<std::uint32_t>(stages_.semantics.size()));
-        stages_.semantics.push_back(semantic);
+        const auto [found, is_new] =
+            stages_.semantic_index.emplace(semantic.name, static_cast<std::uint32_t>(stages_.semantics.size()));
+        if (is_new) return stages_.semantics.push_back(semantic);
+        // The latest declaration of a name counts, and graphs can read it if they could before.
+        SemanticDecl& older = stages_.semantics[found->second];
+        semantic.is_of_pass = semantic.is_of_pass && older.is_of_pass;
+        older = semantic;
     }
 
     // One of the two functions of a pass.
@@ -132,23 +136,26 @@ private:
     Diagnostics& diagnostics_;
 };
 
+bool is_in(const std::vector<std::string_view>& list, std::string_view name) {
+    return std::find(list.begin(), list.end(), name) != list.end();
+}
+
 // A file that begins as a copy of one of the library takes its place: passes, slots and the like go by their names.
 void make_way(const nodelang::Ast& ast, Stages& stages) {
-    std::vector<std::string_view> names, passes;
+    std::vector<std::string_view> names;
     for (const VariableDecl& variable : ast.variables) names.push_back(variable.name);
     for (const FunctionDecl& function : ast.functions) {
         names.push_back(function.name);
-        if (!function.attribute("fragment")) continue;
         for (const Attribute& attribute : function.attributes) {
-            if (attribute.name == "pass") passes.push_back(nodelang::attribute_text(attribute));
+            if (attribute.name != "gives") continue;
+            const std::vector<std::string_view> passes = attribute_words(attribute, 1);
+            for (GivenDecl& given : stages.given) {
+                if (given.what == nodelang::attribute_text(attribute))
+                    std::erase_if(given.passes, [&](std::string_view pass) { return is_in(passes, pass); });
+            }
         }
     }
-    const auto is_in = [](const std::vector<std::string_view>& list, std::string_view name) {
-        return std::find(list.begin(), list.end(), name) != list.end();
-    };
     for (PassDecl& pass : stages.passes) pass.is_older_vertex = pass.is_older_fragment = true;
-    for (GivenDecl& given : stages.given)
-        std::erase_if(given.passes, [&](std::string_view pass) { return is_in(passes, pass); });
     std::erase_if(stages.slots, [&](const FunctionDecl* slot) { return is_in(names, slot->name); });
     std::erase_if(stages.externs, [&](const VariableDecl* variable) { return is_in(names, variable->name); });
     std::erase_if(stages.statics, [&](const VariableDecl* variable) { return is_in(names, variable->name); });
