@@ -32,6 +32,7 @@ float3 added_indirect(LightingSurface surface, LightSum sum);
 [static("pass", "extended-reflections")] bool reflects_later_extended;
 
 /// Emission and ambient light: `final`, before there is any light.
+[inline]
 float3 unlit_color(LightingSurface lit) {
     LightSum start;
     if (reflects_later || reflects_later_extended) { start.indirect = not_reflected(lit); }
@@ -39,6 +40,7 @@ float3 unlit_color(LightingSurface lit) {
     return final(lit, start);
 }
 
+[inline]
 GBuffer stored(LightingSurface lit, float3 position) {
     GBuffer made;
     made.diffuse = float4(lit.diffuseColor, lit.occlusion);
@@ -48,6 +50,7 @@ GBuffer stored(LightingSurface lit, float3 position) {
     return made;
 }
 
+[inline]
 LightingSurface told(float2 uv) {
     float4 diffuse = gbuffer_diffuse_texture.SampleLevel(uv, 0);
     float4 specular = gbuffer_specular_texture.SampleLevel(uv, 0);
