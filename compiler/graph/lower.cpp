@@ -141,6 +141,10 @@ void declare_switches(Lowering& lowering) {
     }
     for (const SwitchDecl& each : session.stages->switches)
         lowering.emitter.set_static(each.variable, lowering.is_on(each) ? 1 : 0);
+    for (const nodelang::VariableDecl* older : session.stages->repeated) {
+        const SwitchDecl same{.variable = older, .brings = {}};
+        if (older->attribute("switch")) lowering.emitter.set_static(older, lowering.is_on(same) ? 1 : 0);
+    }
 }
 
 }  // namespace

@@ -9,10 +9,6 @@ using nodelang::Attribute;
 using nodelang::FunctionDecl;
 using nodelang::VariableDecl;
 
-bool is_of_pass(const SourceMap& sources, Span span) {
-    return std::string_view(sources.resolve(span.begin).file).ends_with(".pass.hlsl");
-}
-
 std::string stem(std::string_view path) {
     const std::string_view name = path.substr(path.find_last_of("/\\") + 1);
     return std::string(name.substr(0, name.find('.', 1)));
@@ -127,7 +123,9 @@ private:
         fresh.fragment = &function;
         *pass = std::move(fresh);
         pass->path = stem(sources_.resolve(function.span.begin).file);
-        read_pass_state(function, declarations_, *pass, diagnostics_);
+        Diagnostics said;  // of several passes by one function, the first one says what is wrong
+        const bool is_first = &attribute == function.attribute("pass");
+        read_pass_state(function, declarations_, *pass, is_first ? diagnostics_ : said);
     }
 
     const nodelang::Declarations& declarations_;
@@ -157,9 +155,14 @@ void make_way(const nodelang::Ast& ast, Stages& stages) {
     }
     for (PassDecl& pass : stages.passes) pass.is_older_vertex = pass.is_older_fragment = true;
     std::erase_if(stages.slots, [&](const FunctionDecl* slot) { return is_in(names, slot->name); });
-    std::erase_if(stages.externs, [&](const VariableDecl* variable) { return is_in(names, variable->name); });
-    std::erase_if(stages.statics, [&](const VariableDecl* variable) { return is_in(names, variable->name); });
-    std::erase_if(stages.switches, [&](const SwitchDecl& each) { return is_in(names, each.variable->name); });
+    const auto is_repeated = [&](const VariableDecl* variable) {
+        const bool found = is_in(names, variable->name);
+        if (found) stages.repeated.push_back(variable);
+        return found;
+    };
+    std::erase_if(stages.externs, is_repeated);
+    std::erase_if(stages.statics, is_repeated);
+    std::erase_if(stages.switches, [&](const SwitchDecl& each) { return is_repeated(each.variable); });
 }
 
 }  // namespace
@@ -182,7 +185,7 @@ std::vector<const PassDecl*> Stages::passes_of(std::string_view path) const {
 std::vector<std::string_view> Stages::paths() const {
     std::vector<std::string_view> names;
     for (const PassDecl& each : passes) {
-        if (std::find(names.begin(), names.end(), each.path) == names.end()) names.push_back(each.path);
+        if (!each.path.empty() && !is_in(names, each.path)) names.push_back(each.path);
     }
     return names;
 }
@@ -209,6 +212,7 @@ void collect_stages(const nodelang::Ast& ast, const nodelang::Declarations& decl
         diagnostics.report(Code::BadAttribute, pass.span, "pass",
                            pass.vertex ? "needs a [fragment] function, too" : "needs a [vertex] function, too");
     }
+    check_stages(ast, declarations, sources, stages, diagnostics);
 }
 
 }  // namespace patina::graph
