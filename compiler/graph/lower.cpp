@@ -141,6 +141,9 @@ void declare_switches(Lowering& lowering) {
     }
     for (const SwitchDecl& each : session.stages->switches)
         lowering.emitter.set_static(each.variable, lowering.is_on(each.variable->name) ? 1 : 0);
+    for (const nodelang::VariableDecl* older : session.stages->repeated) {
+        if (older->attribute("switch")) lowering.emitter.set_static(older, lowering.is_on(older->name) ? 1 : 0);
+    }
 }
 
 // The switches that are on, and the path.

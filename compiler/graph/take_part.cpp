@@ -23,6 +23,7 @@ struct Place {
     std::string_view semantic{};  // that the slot reads, of which this is the recipe
     bool at_vertex = false;
     ir::Origin origin{};  // the innermost node
+    Span span{};          // the innermost function of a pass or recipe
 };
 
 class Walk {
@@ -31,8 +32,8 @@ public:
         : lowering_(lowering), module_(lowering.out.module), pass_(pass), declaration_(*pass.declaration) {}
 
     Refusal run() {
-        visit(pass_.vertex, {.at_vertex = true});
-        visit(pass_.fragment, {});
+        visit(pass_.vertex, {.at_vertex = true, .span = declaration_.vertex->name_span});
+        visit(pass_.fragment, {.span = declaration_.fragment->name_span});
         return refusal_;
     }
 
@@ -66,7 +67,8 @@ private:
     bool is_graph(const Place& place) const { return !place.slot.empty(); }
 
     void semantic(SemanticId id, const Place& place) {
-        if (const auto recipe = pass_.recipe_of(id); recipe && !place.at_vertex) return visit(*recipe, {});
+        if (const auto recipe = pass_.recipe_of(id); recipe && !place.at_vertex)
+            return visit(*recipe, {.span = place.span});
         const SemanticRecipe& recipe = lowering_.out.semantics[id.index];
         Place inside = place;
         if (place.semantic.empty() && is_graph(place)) inside.semantic = module_.semantics[id.index].name;
@@ -77,9 +79,20 @@ private:
         const bool is_side = module_.semantics[id.index].type == ir::kBool;  // vertices see the front
         if (recipe.source == Source::Builtin && is_graph(place) && place.at_vertex && !is_side)
             return refuse(place, fmt::format("'{}' reads '@{}', which vertices do not have", place.slot, name));
+        if (recipe.source == Source::Builtin && !is_graph(place)) check_builtin(*recipe.declaration, place);
         if (!recipe.recipe) return;
+        inside.span = recipe.declaration->function->name_span;
         inside.at_vertex = place.at_vertex || recipe.source == Source::Vertex;
         visit(recipe.recipe, inside);
+    }
+
+    // A pass file may ask a stage for what it does not have.
+    void check_builtin(const SemanticDecl& semantic, const Place& place) {
+        const std::string_view word = nodelang::attribute_text(*semantic.variable->attribute("builtin"));
+        const bool is_of_pixel = word == "frag_coord", is_of_vertex = word.ends_with("_index");
+        if (place.at_vertex ? is_of_pixel : is_of_vertex)
+            lowering_.session.diagnostics.report(Code::NoSuchStageValue, place.span, semantic.name,
+                                                 place.at_vertex ? "vertex" : "fragment");
     }
 
     void global(ir::GlobalId id, const Place& place) {
