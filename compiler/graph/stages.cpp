@@ -80,9 +80,14 @@ public:
 
 private:
     void add(SemanticDecl semantic) {
-        // The latest declaration of a name counts.
-        stages_.semantic_index.insert_or_assign(semantic.name, static_cast<std::uint32_t>(stages_.semantics.size()));
-        stages_.semantics.push_back(semantic);
+        // The latest declaration of a name counts, and is the only one: stages know each other's values by name.
+        const auto count = static_cast<std::uint32_t>(stages_.semantics.size());
+        const auto [known, is_new] = stages_.semantic_index.try_emplace(semantic.name, count);
+        if (is_new) {
+            stages_.semantics.push_back(semantic);
+        } else {
+            stages_.semantics[known->second] = semantic;
+        }
     }
 
     // One of the two functions of a pass.
