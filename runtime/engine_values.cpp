@@ -42,7 +42,8 @@ EngineValue matrix(const glm::mat4& m) {
 void add_camera(Values& values, const View& view) {
     glm::mat4 to_clip = view.view_to_clip * view.world_to_view;
     values["world_to_clip"] = matrix(to_clip);
-    values["clip_to_world"] = matrix(glm::inverse(to_clip));
+    // In double: near planes close to the camera leave the inverse few digits in float.
+    values["clip_to_world"] = matrix(glm::mat4(glm::inverse(glm::dmat4(to_clip))));
     values["world_to_view"] = matrix(view.world_to_view);
     values["camera_position_ws"] = vector(view.position);
     values["camera_forward_ws"] = vector(view.forward);

@@ -56,7 +56,7 @@ public:
                                                 {.path = path_name(),
                                                  .shadow_atlas_size = options_.shadow_atlas_size,
                                                  .exact = options_.exact_targets,
-                                                 .shown_format = "rgba32f",
+                                                 .shown_format = options_.stated_formats ? "" : "rgba32f",
                                                  .object_textures = object_textures_});
         if (!frame) return failed(frame.error);
         Frame planned = std::move(frame.value);

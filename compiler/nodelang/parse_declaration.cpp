@@ -19,6 +19,7 @@ constexpr AttributeInfo kAttributes[] = {
     {kFunction, "semantic"},
     {kFunction, "extern"},
     {kFunction, "range"},
+    {kFunction, "inline"},
     // What a pass may call, and how it comes about.
     {kFunction, "slot"},
     {kFunction, "part"},

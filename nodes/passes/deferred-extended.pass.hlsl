@@ -27,6 +27,7 @@ struct GBufferExtended {
 [reads("gbuffer_extra2")] Texture2D gbuffer_extra2_texture;
 [reads("gbuffer_extra3")] Texture2D gbuffer_extra3_texture;
 
+[inline]
 LightingSurface told_in_full(float2 uv) {
     SurfaceExtras extras;
     extras.first = gbuffer_extra1_texture.SampleLevel(uv, 0);

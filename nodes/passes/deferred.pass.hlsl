@@ -33,6 +33,7 @@ float3 added_indirect(LightingSurface surface, LightSum sum);
 [static("pass", "shadowmask-reflections")] bool reflects_later_shadowmask;
 
 /// Emission and ambient light: `final`, before there is any light.
+[inline]
 float3 unlit_color(LightingSurface lit) {
     LightSum start;
     if (reflects_later || reflects_later_extended || reflects_later_shadowmask) { start.indirect = not_reflected(lit); }
@@ -40,6 +41,7 @@ float3 unlit_color(LightingSurface lit) {
     return final(lit, start);
 }
 
+[inline]
 GBuffer stored(LightingSurface lit, float3 position) {
     GBuffer made;
     made.diffuse = float4(lit.diffuseColor, lit.occlusion);
@@ -49,6 +51,7 @@ GBuffer stored(LightingSurface lit, float3 position) {
     return made;
 }
 
+[inline]
 LightingSurface told(float2 uv) {
     float4 diffuse = gbuffer_diffuse_texture.SampleLevel(uv, 0);
     float4 specular = gbuffer_specular_texture.SampleLevel(uv, 0);

@@ -30,15 +30,15 @@ const int MAX_LIGHTS = 16;
 
 /// Lights cast shadows.
 [switch("shadow-caster")] bool shadows;
-[extern("Lights")] float4x4 world_to_shadow[4];  // to the map's clip space
-[extern("Lights")] float4 shadow_tile[4];        // xy: size of the map in the texture, zw: its upper left corner
-[extern("Lights")] float4 shadow_strength;       // of each map, 0 to 1
-[extern("Lights")] float shadow_texel;           // 1 / width of the texture in texels
+[extern("Shadows")] float4x4 world_to_shadow[4];  // to the map's clip space
+[extern("Shadows")] float4 shadow_tile[4];        // xy: size of the map in the texture, zw: its upper left corner
+[extern("Shadows")] float4 shadow_strength;       // of each map, 0 to 1
+[extern("Shadows")] float shadow_texel;           // 1 / width of the texture in texels
 [reads("shadow_map")] Texture2D shadow_map;      // red: depth, 0 near to 1 far; up to four maps
 
 /// A light shines through a picture.
 [switch] bool cookies;
-[extern("Lights")] float4x4 world_to_cookie;
+[extern("Shadows")] float4x4 world_to_cookie;
 [extern] Texture2D light_cookie;
 
 /// Colour times attenuation times shadow.
@@ -87,7 +87,7 @@ float shadow(int index, float3 position) {
 }
 
 /// How much of the light in slot `index` its cookie lets through.
-[extern]
+[extern] [inline]
 float light_through_cookie(int index, float3 position) {
     if (!cookies) { return 1; }
     float passes = CookieAttenuation(light_cookie, mul(world_to_cookie, float4(position, 1)));

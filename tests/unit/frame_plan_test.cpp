@@ -627,7 +627,7 @@ TEST(FramePlan, SaysWhatIsWrongAndWhere) {
     pass.lights = "bright";
     EXPECT_EQ(
         stage.error(),
-        subject + "wants the lights 'bright'; there are all, main, further, directional, local, shadowed and none");
+        subject + "wants the lights 'bright'; there are all, main, main-only, further, directional, local, shadowed and none");
     pass = forward_pass();
     stage.materials[0].passes.clear();
     EXPECT_EQ(stage.error(), subject + "has no shaders");
