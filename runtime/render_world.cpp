@@ -8,6 +8,7 @@
 #include <set>
 
 #include "patina/validate.h"
+#include "runtime/view.h"
 
 namespace patina::runtime {
 namespace {
@@ -145,6 +146,20 @@ private:
                               "the CPU reference samples without anisotropy: " + names)});
     }
 
+    // A draw binds one cookie (engine_values.h), whatever lights it loops over.
+    void warn_of_cookies(const WorldMaterial& material, const Reflection& reflection) {
+        const std::vector<Light>& lights = world_.view.lights;
+        const auto cookies = std::count_if(lights.begin(), lights.end(), [](const Light& l) { return has_cookie(l); });
+        for (const Pass& pass : reflection.passes) {
+            const bool is_read = std::count(pass.textures.begin(), pass.textures.end(), "light_cookie") > 0;
+            if (cookies < 2 || !is_read || pass.each != "once" || pass.lights != "all") continue;
+            report({complaint(material.graph, Severity::Warning, "one-cookie",
+                              fmt::format("the pass '{}' draws all lights at once and has one of their {} cookies, the "
+                                          "first; paths that draw each light by itself have every light's own",
+                                          pass.name, cookies))});
+        }
+    }
+
     void compile(std::size_t index) {
         const Variant& variant = variants_[index];
         const WorldMaterial& material = world_.materials[variant.material];
@@ -163,6 +178,7 @@ private:
         }
         report(made->result.diagnostics);
         ok_ = made->result.ok && give_values(material, *made);
+        if (ok_) warn_of_cookies(material, made->result.reflection);
         if (ok_ && on_cpu()) warn_of_anisotropy(material, made->result.reflection);
         compiled_.push_back(std::move(made));
     }
