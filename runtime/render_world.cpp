@@ -55,7 +55,7 @@ public:
                                                 {.path = path_name(),
                                                  .shadow_atlas_size = options_.shadow_atlas_size,
                                                  .exact = options_.exact_targets,
-                                                 .shown_format = "rgba32f",
+                                                 .shown_format = options_.stated_formats ? "" : "rgba32f",
                                                  .object_textures = object_textures_});
         if (!frame) return failed(frame.error);
         Frame planned = std::move(frame.value);
@@ -105,6 +105,10 @@ private:
         set("fog", view.fog.mode != FogMode::None);
         set("lightmap", variant.lightmap);
         set("shadow_mask", variant.shadow_mask);
+        const MixedLighting& mixed = view.mixed_lighting;
+        set("subtractive", variant.lightmap && mixed.mode == LightMixing::Subtractive);
+        set("distance_shadow_mask", mixed.mode == LightMixing::DistanceShadowMask);
+        set("shadows_fade", mixed.shadow_distance.has_value());
         switches.insert(switches.end(), options_.switches.begin(), options_.switches.end());
         return switches;
     }
@@ -186,9 +190,10 @@ private:
     void load_object_textures() {
         std::map<std::string, LoadedTexture> known;
         object_textures_.resize(world_.objects.size());
-        const auto load = [&](std::size_t object, const std::string& name, const std::string& file) {
+        const auto load = [&](std::size_t object, const std::string& name, const std::string& file, bool is_color) {
             if (file.empty() || !ok_) return;
-            if (!known.contains(file)) {
+            const std::string key = (is_color ? "color " : "data ") + file;
+            if (!known.contains(key)) {
                 Outcome<Image> image = load_image(file);
                 if (!image) {
                     outcome_.error =
@@ -196,16 +201,17 @@ private:
                     ok_ = false;
                     return;
                 }
+                if (is_color && image.value.bits <= 8) decode_srgb(image.value);
                 TextureData data{.levels = mip_chain(image.value), .sampler = {.wrap = "clamp", .filter = "linear"}};
-                known[file] = {.data = std::make_shared<const TextureData>(std::move(data)),
-                               .format = TexelFormat::Float32};
+                known[key] = {.data = std::make_shared<const TextureData>(std::move(data)),
+                              .format = TexelFormat::Float32};
             }
-            object_textures_[object].push_back(known[file]);
-            object_textures_[object].back().name = name;
+            object_textures_[object].push_back(known[key]);
+            object_textures_[object].back().name = name + "_texture";
         };
         for (std::size_t i = 0; i < world_.objects.size(); ++i) {
-            load(i, "lightmap", world_.objects[i].lightmap);
-            load(i, "shadow_mask", world_.objects[i].shadow_mask);
+            load(i, "lightmap", world_.objects[i].lightmap, true);
+            load(i, "shadow_mask", world_.objects[i].shadow_mask, false);
         }
     }
 

@@ -19,6 +19,7 @@ constexpr AttributeInfo kAttributes[] = {
     {kFunction, "semantic"},
     {kFunction, "extern"},
     {kFunction, "range"},
+    {kFunction, "inline"},
     // What a pass may call, and how it comes about.
     {kFunction, "slot"},
     {kFunction, "part"},
@@ -46,6 +47,7 @@ constexpr AttributeInfo kAttributes[] = {
     {kFunction, "optional"},
     {kFunction, "needs"},
     {kFunction, "holds"},
+    {kFunction, "excludes"},
     {kParameter, "range"},
     {kParameter, "color"},
     {kParameter, "unit"},
@@ -53,6 +55,7 @@ constexpr AttributeInfo kAttributes[] = {
     {kParameter, "per_light"},
     {kVariable, "attribute"},
     {kVariable, "extern"},
+    {kVariable, "with"},
     {kVariable, "reads"},
     {kVariable, "builtin"},
     {kVariable, "semantic"},

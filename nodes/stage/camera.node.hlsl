@@ -7,12 +7,16 @@
 
 [extern("Camera")] float4x4 world_to_clip;
 [extern("Camera")] float4x4 world_to_view;
-[extern("Camera")] float4x4 clip_to_world;
 /// Camera position in world space.
 [extern("Camera")] [semantic("uniform")] float3 camera_position_ws;
 [extern("Camera")] float view_is_orthographic;  // 1 or 0
 /// Direction that the camera looks along in world space, unit.
 [extern("Camera")] [semantic("uniform")] float3 camera_forward_ws;
+
+[extern("Camera")] float shadow_bias;         // of a light's own view: metres that everything is moved away from it
+[extern("Camera")] float4x4 clip_to_world;
+[extern("Camera")] float2 clip_planes;        // distances of the near and the far plane, metres
+[extern("Camera")] float shadow_normal_bias;  // of a light's own view: metres that a surface is moved inside
 
 /// Direction from the surface to the camera in world space, unit.
 [semantic("pixel")]
