@@ -120,7 +120,7 @@ private:
             for (std::uint32_t k = 0; k + 1 < function.insts[i].operand_count; k++) need.owners[body[k].index] = {i};
         }
         for (const Value value : function.blocks[0].insts) {
-            if (function[value].op == Op::DiscardIf || calls_discard(function[value])) this->need(f, value);
+            if (function[value].op == Op::DiscardIf || calls_discard(function[value])) need_all(f, value);
         }
         const Value end = function.blocks[0].insts.back();
         need.live.values[end.index] = 1;
