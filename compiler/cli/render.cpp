@@ -51,7 +51,13 @@ Exit render_graph(const Console& console, const Arguments& arguments, const Comp
 }
 
 // Everything that can be known to be wrong before the first graph is read.
-void complete(Arguments& arguments) {
+void complete(Arguments& arguments, bool has_mesh) {
+    if (arguments.path.path == "all")
+        throw CLI::ValidationError("--path", "a picture is drawn along one path; 'patina compile' takes all of them");
+    for (const std::string& graph : arguments.graphs) {
+        if (has_mesh && graph.ends_with(".scene.json"))
+            throw CLI::ValidationError("--mesh", "'" + graph + "' is a scene, which has meshes of its own");
+    }
     take_overrides(arguments.set, arguments.request);
     arguments.request.path = arguments.path.path;
     arguments.request.defines = arguments.path.defines;
@@ -98,7 +104,8 @@ void add_render(Program& program) {
         ->check(one_of("a way to render", {"glsl", "hlsl", "cpu"}));
     command.add_option("--device", request.device, "Part of a GPU's name (the software renderer)")->type_name("NAME");
     command.add_flag("--vulkan-validation", request.validation, "Turn on the Khronos validation layer");
-    command.parse_complete_callback([arguments] { complete(*arguments); });
+    command.parse_complete_callback(
+        [arguments, mesh = command.get_option("--mesh")] { complete(*arguments, mesh->count() > 0); });
 
     set_work(program, command, [arguments](const Console& console) {
         const Compiler compiler;

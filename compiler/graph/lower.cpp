@@ -134,7 +134,7 @@ void declare_switches(Lowering& lowering) {
                 .note(Diagnostics::suggestion(name, known));
         } else if (value != "true" && value != "false") {
             session.diagnostics.report(Code::UnknownWord, {}, value, fmt::format("a value of '{}'", name))
-                .note("there are: true, false");
+                .note("these exist: true and false");
         } else {
             lowering.out.switches[static_cast<std::size_t>(found - known.begin())].second = value == "true";
         }

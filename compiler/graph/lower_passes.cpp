@@ -101,9 +101,10 @@ private:
     void report(Code code, const Refusal& refusal, const Words&... words) {
         const Span whole = lowering_.material.graph->graph->span;
         const bool is_graph = refusal.where.span.begin != refusal.where.span.end;
-        lowering_.session.diagnostics
-            .report(code, is_graph ? refusal.where.span : Span{whole.begin, whole.begin + 1}, words...)
-            .at(refusal.where.id);
+        DiagnosticRecord& record = lowering_.session.diagnostics.report(
+            code, is_graph ? refusal.where.span : Span{whole.begin, whole.begin + 1}, words...);
+        record.at(refusal.where.id);
+        if (!refusal.advice.empty()) record.note(refusal.advice);
     }
 
     // --- one pass
@@ -216,9 +217,10 @@ private:
         if (part.slot.function) return &part.slot;
         lowering_.session.diagnostics
             .report(Code::PassRefused, at, pass_, fmt::format("it calls '{}', and {}", slot.name, part.why_not))
-            .note(fmt::format("[needs(\"{0}\")] at the pass says so sooner, and a static(\"slot\", \"{0}\") asks whether "
-                              "the material has it",
-                              slot.name));
+            .note(
+                fmt::format("[needs(\"{0}\")] at the pass says so sooner, and a static(\"slot\", \"{0}\") asks whether "
+                            "the material has it",
+                            slot.name));
         return nullptr;
     }
 

@@ -29,6 +29,7 @@ void lower_passes(Lowering& lowering);
 struct Refusal {
     std::string reason{};
     ir::Origin where{};
+    std::string advice{};  // may be empty
     explicit operator bool() const { return !reason.empty(); }
 };
 Refusal refusal_of(Lowering& lowering, const LoweredPass& pass);

@@ -59,8 +59,16 @@ private:
             if (inst.op == Op::Semantic) semantic({inst.data}, here);
             if (inst.op == Op::Global) global({inst.data}, here);
             if (ir::has(inst.op, ir::Derivative) && here.at_vertex && !here.slot.empty() && inst.op != Op::Sample)
-                refuse(here, fmt::format("'{}' compares neighbouring pixels, and vertices have none", here.slot));
+                refuse(here, fmt::format("{} compares neighbouring pixels, and vertices have none", said(here)));
         }
+    }
+
+    // What reads, in words: a slot without parameters is the surface itself.
+    std::string said(const Place& place) const {
+        for (const nodelang::FunctionDecl* slot : lowering_.session.stages->slots) {
+            if (slot->name == place.slot && slot->params.empty()) return "the surface";
+        }
+        return fmt::format("'{}'", place.slot);
     }
 
     bool draws_objects() const { return declaration_.state.draws == "objects"; }
@@ -75,13 +83,13 @@ private:
         const std::string_view name = inside.semantic.empty() ? module_.semantics[id.index].name : inside.semantic;
         const bool is_interpolated = recipe.source == Source::Vertex || recipe.source == Source::Attribute;
         if (is_interpolated && is_graph(place) && !draws_objects())
-            return refuse(place, fmt::format("'{}' reads '@{}', which it cannot give", place.slot, name));
+            return refuse(place, fmt::format("{} reads '@{}', which it cannot give", said(place), name));
         const bool is_side = module_.semantics[id.index].type == ir::kBool;  // vertices see the front
         if (recipe.source == Source::Builtin && is_graph(place) && place.at_vertex && !is_side)
-            return refuse(place, fmt::format("'{}' reads '@{}', which vertices do not have", place.slot, name));
+            return refuse(place, fmt::format("{} reads '@{}', which vertices do not have", said(place), name));
         if (recipe.source == Source::Builtin && !is_graph(place)) check_builtin(*recipe.declaration, place);
         if (!recipe.recipe) return;
-        inside.span = recipe.declaration->function->name_span;
+        if (recipe.declaration) inside.span = recipe.declaration->function->name_span;
         inside.at_vertex = place.at_vertex || recipe.source == Source::Vertex;
         visit(recipe.recipe, inside);
     }
@@ -97,7 +105,7 @@ private:
 
     void global(ir::GlobalId id, const Place& place) {
         if (draws_objects() || !is_graph(place) || !lowering_.per_object.contains(id.index)) return;
-        refuse(place, fmt::format("'{}' reads '{}' of the object, which it cannot give", place.slot,
+        refuse(place, fmt::format("{} reads '{}' of the object, which it cannot give", said(place),
                                   module_.globals[id.index].name));
     }
 
@@ -111,8 +119,21 @@ private:
             if (holds(name)) continue;
             Place at = place;
             if (read.origin) at.origin = module_.origins[read.origin.index];
-            return refuse(at, fmt::format("'{}' reads '@surface.{}', which it cannot give", place.slot, name));
+            refuse(at, fmt::format("{} reads '@surface.{}', which it cannot give", said(place), name));
+            refusal_.advice = roomier_path();
+            return;
         }
+    }
+
+    // A path that stores what a lighting graph reads, whatever that is.
+    std::string roomier_path() const {
+        for (const PassDecl& each : lowering_.session.stages->passes) {
+            const bool packs = std::any_of(each.holds.begin(), each.holds.end(),
+                                           [&](std::string_view name) { return lowering_.is_packing(name); });
+            if (packs && each.path != declaration_.path)
+                return fmt::format("--path {} has room for more members of the surface", each.path);
+        }
+        return {};
     }
 
     bool holds(std::string_view member) {
