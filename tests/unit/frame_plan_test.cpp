@@ -625,9 +625,9 @@ TEST(FramePlan, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(stage.error(), subject + "is drawn each 'frame', which is neither once nor light");
     pass = forward_pass();
     pass.lights = "bright";
-    EXPECT_EQ(
-        stage.error(),
-        subject + "wants the lights 'bright'; there are all, main, main-only, further, directional, local, shadowed and none");
+    EXPECT_EQ(stage.error(), subject +
+                                 "wants the lights 'bright'; there are all, main, main-only, further, directional, "
+                                 "local, shadowed and none");
     pass = forward_pass();
     stage.materials[0].passes.clear();
     EXPECT_EQ(stage.error(), subject + "has no shaders");
