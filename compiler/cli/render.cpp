@@ -1,4 +1,4 @@
-// patina render: graphs to pictures, by Vulkan or on the CPU.
+// patina render: graphs and scenes to pictures, by Vulkan or on the CPU.
 #include <filesystem>
 #include <memory>
 
@@ -84,7 +84,12 @@ void add_render(Program& program) {
          "patina render rust.graph.json --light 'directional direction=1,1,1 intensity=2' --ambient 0.1 --via cpu"});
     auto arguments = std::make_shared<Arguments>();
     runtime::RenderRequest& request = arguments->request;
-    command.add_option("GRAPH", arguments->graphs, "Material graphs and scenes (JSON)")->required()->type_name(" ");
+    command
+        .add_option("GRAPH", arguments->graphs,
+                    "Material graphs and scenes (JSON); a scene has meshes and values of its own, and no --mesh, --set "
+                    "or --node")
+        ->required()
+        ->type_name(" ");
     command.add_option("-o,--output", arguments->output, "A .png or .exr file, or a folder (NAME.png)")
         ->type_name("OUT");
     command

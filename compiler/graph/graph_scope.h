@@ -33,7 +33,7 @@ struct Lowering {
     std::map<std::string_view, Part> parts;  // slots that are derived from others, as far as they were asked for
     std::set<std::uint32_t> per_object;      // globals of the object that is drawn
 
-    bool is_on(const SwitchDecl& wanted) const;
+    bool is_on(std::string_view wanted) const;  // a switch
     // Of a slot's function; empty: it is another function.
     std::string_view slot_name(ir::FunctionId function) const;
     bool is_packing(std::string_view slot) const;  // it stores and restores members, whatever reads them

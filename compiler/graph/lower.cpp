@@ -140,11 +140,20 @@ void declare_switches(Lowering& lowering) {
         }
     }
     for (const SwitchDecl& each : session.stages->switches)
-        lowering.emitter.set_static(each.variable, lowering.is_on(each) ? 1 : 0);
+        lowering.emitter.set_static(each.variable, lowering.is_on(each.variable->name) ? 1 : 0);
     for (const nodelang::VariableDecl* older : session.stages->repeated) {
-        const SwitchDecl same{.variable = older, .brings = {}};
-        if (older->attribute("switch")) lowering.emitter.set_static(older, lowering.is_on(same) ? 1 : 0);
+        if (older->attribute("switch")) lowering.emitter.set_static(older, lowering.is_on(older->name) ? 1 : 0);
     }
+}
+
+// The switches that are on, and the path.
+std::vector<std::string_view> what_is_on(const Lowering& lowering) {
+    const Session& session = lowering.session;
+    std::vector<std::string_view> on = {session.path};
+    if (session.path == kAllPaths) on = session.stages->paths();
+    for (const auto& [name, value] : lowering.out.switches)
+        if (value) on.push_back(name);
+    return on;
 }
 
 }  // namespace
@@ -170,9 +179,9 @@ const BlendRow* blend_of(const PassDecl& pass, std::string_view surface) {
     return nullptr;
 }
 
-bool Lowering::is_on(const SwitchDecl& wanted) const {
+bool Lowering::is_on(std::string_view wanted) const {
     return std::any_of(out.switches.begin(), out.switches.end(),
-                       [&](const auto& each) { return each.first == wanted.variable->name && each.second; });
+                       [&](const auto& each) { return each.first == wanted && each.second; });
 }
 
 std::string_view Lowering::slot_name(ir::FunctionId function) const {
@@ -214,11 +223,12 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
                       .active_interpolators = {},
                       .parts = {},
                       .per_object = {}};
-    EngineGlobals engine = declare_engine(*session.stages, *session.declarations, lowering.emitter);
+    declare_switches(lowering);
+    const std::vector<std::string_view> on = what_is_on(lowering);
+    EngineGlobals engine = declare_engine(*session.stages, *session.declarations, lowering.emitter, on);
     lowering.per_object = std::move(engine.per_object);
     out.reads = std::move(engine.reads);
     out.property_globals = declare_material(material, out.module);
-    declare_switches(lowering);
     declare_statics(lowering);
     extend_lighting_surface(lowering);
     declare_semantics(lowering);

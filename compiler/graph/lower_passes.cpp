@@ -68,7 +68,8 @@ private:
         for (const SwitchDecl& each : stages_.switches) {
             const PassDecl* brought = each.brings.empty() ? nullptr : stages_.pass(each.brings);
             const bool is_there = std::find(passes.begin(), passes.end(), brought) != passes.end();
-            if (brought && !is_there && lowering_.is_on(each) && brought->path != path) passes.push_back(brought);
+            if (brought && !is_there && lowering_.is_on(each.variable->name) && brought->path != path)
+                passes.push_back(brought);
         }
         const std::size_t own = passes.size();
         for (const PassDecl* pass : stages_.passes_of(path)) passes.push_back(pass);
@@ -110,8 +111,10 @@ private:
 
     std::string_view surface() const { return text_of(kSurfaceKinds, lowering_.material.graph->graph->render.surface); }
 
+    static bool draws_objects(const PassDecl& pass) { return pass.state.draws == "objects"; }
+
     bool has_blend(const PassDecl& pass) const {
-        return pass.state.draws != "objects" || blend_of(pass, surface()) || pass.blends.empty();
+        return !draws_objects(pass) || blend_of(pass, surface()) || pass.blends.empty();
     }
 
     Refusal lower_pass(const PassDecl& pass) {
@@ -124,6 +127,9 @@ private:
             const Part* part = is_part(**slot) ? &part_of(lowering_, **slot) : nullptr;
             if (part && !part->slot.function) return {.reason = part->why_not, .where = part->where};
         }
+        for (const std::string_view name : pass.excludes) {
+            if (lowering_.is_on(name)) return {.reason = fmt::format("it has no place for '{}'", name)};
+        }
         const nodelang::Declarations& declarations = *lowering_.session.declarations;
         nodelang::Emitter& emitter = lowering_.emitter;
         LoweredPass made{.declaration = &pass};
@@ -135,9 +141,17 @@ private:
         lower_given(made);
         lower_recipes();
         if (lowering_.session.diagnostics.has_errors()) return {};
-        if (Refusal refusal = refusal_of(lowering_, made)) return refusal;
+        if (may_be_refused(pass)) {
+            if (Refusal refusal = refusal_of(lowering_, made)) return refusal;
+        }
         lowering_.out.passes.push_back(std::move(made));
         return {};
+    }
+
+    // A pass of the library that draws objects has everything to give in the pixel; at the vertices, and where nothing
+    // of the object is left, that has to be found out.
+    bool may_be_refused(const PassDecl& pass) const {
+        return !draws_objects(pass) || !pass.holds.empty() || reads_of_pass_ || lowering_.session.pass_file;
     }
 
     void lower_given(LoweredPass& pass) {
@@ -185,9 +199,10 @@ private:
                 if (inst.op != Op::Semantic) continue;
                 SemanticRecipe& recipe = out.semantics[inst.data];
                 if (!recipe.declaration || !recipe.declaration->function || recipe.recipe) continue;
-                const ir::FunctionId made =
-                    lowering_.emitter.semantic_function(*recipe.declaration->function, *lowering_.session.declarations,
-                                                        environment_, recipe.source == Source::Vertex);
+                reads_of_pass_ = reads_of_pass_ || recipe.declaration->is_of_pass;
+                const ir::FunctionId made = lowering_.emitter.semantic_function(
+                    *recipe.declaration->function, *lowering_.session.declarations, environment_,
+                    recipe.source == Source::Vertex);
                 if (!made) return;  // a fault in the library or the user's file, reported
                 out.semantics[inst.data].recipe = made;
             }
@@ -241,8 +256,9 @@ private:
     Lowering& lowering_;
     const Stages& stages_;
     LibraryEnvironment environment_;
-    std::string_view pass_;  // that is being lowered
-    std::size_t next_ = 0;   // function whose semantics have not been looked at
+    std::string_view pass_;       // that is being lowered
+    bool reads_of_pass_ = false;  // some pass has a semantic of its own
+    std::size_t next_ = 0;        // function whose semantics have not been looked at
     std::set<std::string_view> remarked_;
     std::set<std::string> tried_;  // paths
 };

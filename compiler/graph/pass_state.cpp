@@ -237,6 +237,7 @@ void read_pass_state(const nodelang::FunctionDecl& fragment, const nodelang::Dec
     for (const Attribute& attribute : fragment.attributes) {
         if (attribute.name == "needs") pass.needs = attribute_words(attribute);
         if (attribute.name == "holds") pass.holds = attribute_words(attribute);
+        if (attribute.name == "excludes") pass.excludes = attribute_words(attribute);
         const auto row = std::find_if(std::begin(kState), std::end(kState),
                                       [&](const StateRow& r) { return r.name == attribute.name; });
         if (row == std::end(kState)) continue;

@@ -165,6 +165,22 @@ void make_way(const nodelang::Ast& ast, Stages& stages) {
     std::erase_if(stages.switches, [&](const SwitchDecl& each) { return is_repeated(each.variable); });
 }
 
+// What a pass excludes are switches; what a variable is there with, these or paths.
+void check_conditions(const nodelang::Ast& ast, const Stages& stages, Diagnostics& diagnostics) {
+    const auto check = [&](const Attribute* attribute, std::vector<std::string_view> known, const char* what) {
+        if (!attribute) return;
+        for (const SwitchDecl& each : stages.switches) known.push_back(each.variable->name);
+        for (const std::string_view word : attribute_words(*attribute)) {
+            if (std::find(known.begin(), known.end(), word) != known.end()) continue;
+            diagnostics.report(Code::UnknownWord, attribute->span, word, what)
+                .note(Diagnostics::suggestion(word, known));
+        }
+    };
+    for (const FunctionDecl& function : ast.functions) check(function.attribute("excludes"), {}, "a switch of a pass");
+    for (const VariableDecl& variable : ast.variables)
+        check(variable.attribute("with"), stages.paths(), "a switch or a path");
+}
+
 }  // namespace
 
 const PassDecl* Stages::pass(std::string_view name) const {
@@ -207,6 +223,7 @@ void collect_stages(const nodelang::Ast& ast, const nodelang::Declarations& decl
     Collector collector(declarations, sources, stages, diagnostics);
     for (const VariableDecl& variable : ast.variables) collector.variable(variable);
     for (const FunctionDecl& function : ast.functions) collector.function(function);
+    check_conditions(ast, stages, diagnostics);
     for (const PassDecl& pass : stages.passes) {
         if (pass.vertex && pass.fragment) continue;
         diagnostics.report(Code::BadAttribute, pass.span, "pass",

@@ -54,6 +54,7 @@ struct PassDecl {
     bool is_optional = false;                  // left out without a word where it cannot be had
     std::vector<std::string_view> needs;       // slots that must exist
     std::vector<std::string_view> holds;       // members of the lighting surface that it can tell; empty: all
+    std::vector<std::string_view> excludes;    // switches that must be off
     // From another file than the one that is being read, which may put its own in their places.
     bool is_older_vertex = false, is_older_fragment = false;
 };

@@ -204,6 +204,8 @@ private:
     Typed intrinsic(std::string_view name, const Expr& expr, Scope& scope, bool& found);
     void warn_unless_finite(ir::Op op, ir::Type type, std::span<const ir::Value> values, const Scope& scope, Span span,
                             std::string_view what);
+    Typed spelled_out(const FunctionDecl& function, std::span<const ir::Value> arguments, const Scope& border,
+                      Scope& scope, Span span);
     bool gather_arguments(const FunctionDecl& function, const Declarations& home,
                           std::span<const Expr* const> arguments, Scope& scope, Span span,
                           std::vector<Argument>& gathered);

@@ -81,7 +81,6 @@ Emitter::Instance Emitter::emit_function(const FunctionDecl& function, const Dec
     ir::Function made{};
     made.name = std::move(name);
     made.comment = first_sentence(function.doc);
-    made.always_inline = function.attribute("inline") != nullptr;
     ir::Builder builder(module_, made, options_);
     Scope scope{.builder = &builder,
                 .declarations = &home,

@@ -37,6 +37,7 @@ LightingSurface told_in_full(float2 uv) {
 }
 
 [pass("gbuffer-extended")] [fragment] [lights("none")] [camera("perspective")] [needs("pack_surface")]
+[excludes("subtractive", "shadow_mask")]
 [fallback("forward")] [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
 [stencil("always", "replace", "lighting")]
 GBufferExtended gbuffer_extended_fragment(float3 position = position_ws) {

@@ -25,7 +25,7 @@ float3 vertex_lights(float3 position = position_ws, float3 normal = vertex_norma
         float3 arrives = light.radiance * saturate(dot(normal, light.direction));
         sum += i < vertex_light_count ? arrives : float3(0);
     }
-    if (sh_per_vertex) {
+    if (sh_per_vertex && !lightmap) {
         sum += sh_quadratic(normal, ambient_sh[4].rgb, ambient_sh[5].rgb, ambient_sh[6].rgb, ambient_sh[7].rgb,
                             ambient_sh[8].rgb);
     }
@@ -33,7 +33,9 @@ float3 vertex_lights(float3 position = position_ws, float3 normal = vertex_norma
 }
 
 [gives("AmbientIrradiance", "forward-base")]
-float3 ambient_with_vertex_lights(float3 normal, float3 at_vertices = vertex_lights) {
+float3 ambient_with_vertex_lights(float3 normal, float3 at_vertices = vertex_lights, float3 light = light_of_lightmap,
+                                  float left = main_light_of_lightmap) {
+    if (lightmap) { return baked_light(normal, light, left) + at_vertices; }
     if (sh_per_vertex) {
         float3 in_pixel = sh_linear(normal, ambient_sh[0].rgb, ambient_sh[1].rgb, ambient_sh[2].rgb, ambient_sh[3].rgb);
         return max(in_pixel + at_vertices, 0);
@@ -63,5 +65,5 @@ float4 forward_add_fragment(float3 position = position_ws) {
     if (alpha_clip) {
         discard_if(lit.alpha < lit.alphaClip);
     }
-    return float4(faded_by_fog(color, position), 0);
+    return float4(faded_by_fog(color, position), fades ? lit.alpha : 0);
 }

@@ -39,17 +39,33 @@ float3 normal_vs(float3 normal = normal_ws) {
 [reads("color")] Texture2D color_texture;
 [reads("depth")] Texture2D depth_texture;
 
+/// What has been drawn so far at a place of the screen, linear. The material is drawn after all that do not read it.
+[node("Input/Scene/Scene Color")]
+float3 SceneColor(
+    float2 uv = screen_uv  ///< position on the screen, 0 to 1 from the top left
+) {
+    return color_texture.SampleLevel(uv, 0).rgb;
+}
+
+/// Distance in metres, along the camera's axis, of what has been drawn so far at a place of the screen.
+[node("Input/Scene/Scene Depth")]
+float SceneDepth(
+    float2 uv = screen_uv  ///< position on the screen, 0 to 1 from the top left
+) {
+    float3 behind = WorldFromDepth(uv, depth_texture.SampleLevel(uv, 0).r, clip_to_world);
+    return dot(behind - camera_position_ws, camera_forward_ws);
+}
+
 /// What has been drawn so far behind this pixel, linear. The material is drawn after all that do not read it.
 [semantic("pixel")]
 float3 scene_color(float2 uv = screen_uv) {
-    return color_texture.SampleLevel(uv, 0).rgb;
+    return SceneColor(uv);
 }
 
 /// Distance in metres, along the camera's axis, of what has been drawn so far behind this pixel.
 [semantic("pixel")]
 float scene_depth(float2 uv = screen_uv) {
-    float3 behind = WorldFromDepth(uv, depth_texture.SampleLevel(uv, 0).r, clip_to_world);
-    return dot(behind - camera_position_ws, camera_forward_ws);
+    return SceneDepth(uv);
 }
 
 /// Position on the screen, 0 to 1 from the top left.

@@ -204,7 +204,9 @@ TEST(Hoisting, TakesBothPasses) {
         }
     }
     for (const ModelInfo& model : compiler.lighting_models()) {
-        EXPECT_EQ(without_schedule.contains(model.name), model.name != "unlit") << model.name;
+        // These read of the surface only what the pass has made before the loop, as it is.
+        const bool is_plain = model.name == "lambert" || model.name == "half-lambert" || model.name == "unlit";
+        EXPECT_EQ(without_schedule.contains(model.name), !is_plain) << model.name;
         EXPECT_EQ(without_inlining.contains(model.name), model.name != "unlit") << model.name;
     }
 }
