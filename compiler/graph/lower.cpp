@@ -209,7 +209,8 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
                       .interpolators = {},
                       .active_interpolators = {},
                       .parts = {},
-                      .per_object = {}};
+                      .per_object = {},
+                      .surface = {}};
     EngineGlobals engine = declare_engine(*session.stages, *session.declarations, lowering.emitter);
     lowering.per_object = std::move(engine.per_object);
     out.reads = std::move(engine.reads);
@@ -220,7 +221,12 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     declare_semantics(lowering);
     lower_slots(lowering);
     lower_vertex_outputs(lowering);
-    if (!session.diagnostics.has_errors()) lower_passes(lowering);
+    if (session.diagnostics.has_errors()) return out;
+    if (session.options.functions.empty()) {
+        lower_passes(lowering);
+    } else {
+        lower_functions(lowering);
+    }
     return out;
 }
 

@@ -78,7 +78,7 @@ struct Stages {
     std::vector<GivenDecl> given;
     std::vector<SwitchDecl> switches;
     std::vector<const nodelang::VariableDecl*> externs, statics;
-    std::vector<const nodelang::FunctionDecl*> slots;
+    std::vector<const nodelang::FunctionDecl*> slots, exports;
 
     const PassDecl* pass(std::string_view name) const;
     // Those of a path, in the order of its file.

@@ -65,9 +65,10 @@ struct Shader {
     Stage stage = Stage::Vertex;
     Target target = Target::Glsl;
     std::string file_name;                        // "rust.forward.frag.glsl"
-    std::string text;                             // entry point: main
+    std::string text;                             // entry point: main; of functions: none
     std::vector<LineOrigin> line_map;             // ascending by line
     std::vector<Reflection::Shifts> hlsl_shifts;  // what glslang must add to HLSL registers
+    bool has_main = true;                         // false: functions, to be pasted into other shaders
 };
 
 // Text of a file that the compiler asks for (sub-graphs, lighting graphs, node files), or nothing if there is none.
@@ -79,6 +80,9 @@ struct CompileOptions {
     // path cannot take is compiled for the path's fallback, with a warning; the reflection says for which.
     std::string path = "forward";
     std::vector<std::string> passes{};  // these passes of any path instead
+    // Not empty: no passes, but the material's functions, for shaders of an engine's own. Whatever is declared beside
+    // them begins with this prefix ("Rust_"); the reflection lists them. `path` and `passes` do not count then.
+    std::string functions{};
     // Parts of the passes that can be had or left out, and their values: "shadows", "true".
     std::vector<std::pair<std::string, std::string>> switches{};
     std::vector<std::string> include_dirs;  // searched for files after the graph's own folder
