@@ -179,6 +179,24 @@ struct ModelInfo {
     std::vector<std::pair<std::string, std::string>> outputs;  // "direct" and so on, and the value as written
 };
 
+// A pass of a rendering path, as its file states it.
+struct PassInfo {
+    Pass state{};  // what of it no material changes
+    struct Blend {
+        std::string surface;  // a surface kind that takes part; empty: every one
+        std::string source, destination;
+    };
+    std::vector<Blend> blends{};  // of pass.targets; none: every surface takes part, and overwrites
+    bool is_optional = false;     // a material that it cannot draw goes without it
+};
+struct PathInfo {
+    std::string name;  // as CompileOptions::path names it
+    std::string doc;   // the comment that opens its file: paragraphs, plain text
+    std::string source;
+    std::string file;
+    std::vector<PassInfo> passes;
+};
+
 // A `test:` line of a node's comment: `call` should equal `expected` within the tolerances.
 struct NodeTest {
     std::string node;
@@ -244,6 +262,7 @@ public:
     const std::vector<SemanticInfo>& semantics() const;
     const std::vector<ModelInfo>& workflows() const;
     const std::vector<ModelInfo>& lighting_models() const;
+    const std::vector<PathInfo>& paths() const;  // by name
     std::vector<NodeTest> tests(std::string_view node) const;
 
     // Reads a node file, describes its node and runs its test lines on the CPU.
