@@ -49,6 +49,20 @@ void number_inputs(ir::Module& stage) {
     }
 }
 
+// Direct3D hands 32 vectors from vertices to pixels, the position among them.
+constexpr std::size_t kMostVaryings = 31;
+
+void check_varyings(const ir::Module& vertex, const graph::Graph& graph, std::string_view pass,
+                    Diagnostics& diagnostics) {
+    const std::size_t count = vertex.stage.outputs.size() - 1;
+    if (count <= kMostVaryings) return;
+    const Span start{graph.span.begin, graph.span.begin + 1};
+    diagnostics.report(Code::TooMany, start, count, "values from vertices to pixels", kMostVaryings)
+        .note(fmt::format("in the pass '{}'; nodes with \"stage\": \"vertex\", what they read of the mesh and what the "
+                          "surface reads of it take one each",
+                          pass));
+}
+
 // The two stages of a pass. The fragment stage is finished first: the vertex stage computes what is left of its inputs.
 LinkedPass link_pass(const assemble::Linked& linked, const graph::LoweredPass& pass, bool optimise, Result& result,
                      const CompileOptions& options) {
@@ -240,7 +254,9 @@ void compile_graph(graph::Session& session, std::uint32_t base, const std::strin
     std::vector<LinkedPass> passes;
     for (const graph::LoweredPass& pass : linked.lowered.passes) {
         passes.push_back(link_pass(linked, pass, true, result, options));
+        check_varyings(passes.back().vertex, *graph, pass.declaration->name, session.diagnostics);
     }
+    if (session.diagnostics.has_errors()) return;
     result.reflection = assemble::reflect(*material, linked.lowered, passes);
     for (const LinkedPass& pass : passes) {
         const std::string pass_name(pass.pass->declaration->name);

@@ -42,7 +42,8 @@ EngineValue matrix(const glm::mat4& m) {
 void add_camera(Values& values, const View& view) {
     glm::mat4 to_clip = view.view_to_clip * view.world_to_view;
     values["world_to_clip"] = matrix(to_clip);
-    values["clip_to_world"] = matrix(glm::inverse(to_clip));
+    // In double: near planes close to the camera leave the inverse few digits in float.
+    values["clip_to_world"] = matrix(glm::mat4(glm::inverse(glm::dmat4(to_clip))));
     values["world_to_view"] = matrix(view.world_to_view);
     values["camera_position_ws"] = vector(view.position);
     values["camera_forward_ws"] = vector(view.forward);
@@ -58,6 +59,43 @@ void add_frame(Values& values, const Scene& scene) {
     const Fog& fog = scene.fog;
     values["fog_color"] = vector(glm::vec4(fog.color, 1));
     values["fog_settings"] = vector(glm::vec4(static_cast<int>(fog.mode), fog.density, fog.start, fog.end));
+}
+
+// 1 in its channel of shadow masks; all 0: it has none.
+glm::vec4 mask_of(std::span<const Light> lights, std::size_t index) {
+    glm::vec4 mask(0);
+    if (!lights[index].shadow.casts) return mask;
+    const auto before = std::count_if(lights.begin(), lights.begin() + std::ptrdiff_t(index),
+                                      [](const Light& light) { return light.shadow.casts; });
+    if (before < 4) mask[int(before)] = 1;
+    return mask;
+}
+
+// -1: the draw does not see the main light.
+double main_slot(const Scene& scene, std::span<const SeenLight> lights) {
+    const std::optional<std::size_t> main = main_light(scene.lights);
+    for (std::size_t i = 0; main && i < lights.size(); i++)
+        if (lights[i].index == *main) return double(i);
+    return -1;
+}
+
+// What baked light must know of the lights.
+void add_mixed_lighting(Values& values, const EngineScene& seen, std::span<const SeenLight> lights) {
+    const Scene& scene = *seen.scene;
+    const MixedLighting& mixed = scene.mixed_lighting;
+    EngineValue masks{4, {}};
+    for (const SeenLight& light : lights)
+        append(masks, light.index < scene.lights.size() ? mask_of(scene.lights, light.index) : glm::vec4(0));
+    values["light_mask"] = masks;
+    values["main_light"] = scalar(mixed.mode == LightMixing::Subtractive ? main_slot(scene, lights) : -1);
+    values["shadow_color"] = vector(glm::vec4(mixed.shadow_color, 1));
+    if (!mixed.shadow_distance) {
+        values["shadow_fade"] = {2, {0, 0}};
+        return;
+    }
+    const double distance = *mixed.shadow_distance;
+    const double length = std::max(double(mixed.shadow_fade.value_or(*mixed.shadow_distance / 5)), 1e-3);
+    values["shadow_fade"] = {2, {1 / length, (length - distance) / length}};
 }
 
 // The lights that a pass loops over, and behind them those that it computes at vertices.
@@ -86,6 +124,7 @@ void add_lights(Values& values, const EngineScene& seen) {
     values["light_color"] = color;
     values["light_axis"] = axis;
     values["light_cone"] = cone;
+    add_mixed_lighting(values, seen, lights);
     values["world_to_cookie"] = matrix(cookie ? world_to_cookie(*cookie) : glm::mat4(1));
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace patina::runtime {
 namespace {
@@ -12,6 +13,17 @@ constexpr std::string_view kShown = "color", kDepthFormat = "depth";
 const LoadedTexture* find_texture(std::span<const LoadedTexture> textures, std::string_view name) {
     auto found = std::find_if(textures.begin(), textures.end(), [&](const auto& t) { return t.name == name; });
     return found == textures.end() ? nullptr : &*found;
+}
+
+// The instructions of DecodeHDR (nodes/lighting/ambient.node.hlsl): factor, exponent of alpha, and whether alpha
+// counts. The ranges are those of gamma space, 2 and 5, in linear light.
+glm::vec4 lightmap_decode(LightmapEncoding encoding) {
+    switch (encoding) {
+        case LightmapEncoding::Hdr: return {1, 1, 0, 0};
+        case LightmapEncoding::Rgbm: return {std::pow(5.0, 2.2), 2.2f, 0, 1};
+        case LightmapEncoding::DoubleLdr: return {std::pow(2.0, 2.2), 1, 0, 0};
+    }
+    return {1, 1, 0, 0};
 }
 
 std::shared_ptr<const TextureData> white_texture() {
@@ -142,7 +154,9 @@ void FrameBuilder::add(PlannedStep planned) {
     const DrawnMaterial& material = materials_[planned.material];
     const Pass& pass = *planned.pass;
     // A lightmap that is not there gives no light, whatever is bound.
-    if (!has_own(planned, "lightmap")) planned.seen.lightmap_decode = {0, 1, 0, 0};
+    planned.seen.lightmap_decode = has_own(planned, "lightmap_texture")
+                                       ? lightmap_decode(world_.objects[*planned.object].lightmap_encoding)
+                                       : glm::vec4(0, 1, 0, 0);
 
     FrameStep step{.reflection = material.reflection,
                    .pass = &pass,

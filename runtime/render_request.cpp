@@ -177,6 +177,8 @@ bool world_of_file(const Compiler& compiler, const RenderRequest& request, World
     };
     if (!request.overrides.empty()) return refuse("a scene gives its materials their values itself: under \"set\"");
     if (!request.preview.empty()) return refuse("a scene has no node to look at: its materials have");
+    if (request.mesh != RenderRequest{}.mesh) return refuse("a scene has meshes of its own: its objects");
+    if (!is_time(request.time)) return refuse("the time must be a number of seconds that a float can hold");
     CompileOptions options;
     options.include_dirs = request.include_dirs;
     WorldFile file = read_world(compiler, request.graph, options);
@@ -186,6 +188,7 @@ bool world_of_file(const Compiler& compiler, const RenderRequest& request, World
     world.view.width = request.size;
     world.view.height = request.height ? request.height : request.size;
     world.view.samples = request.samples;
+    if (request.time != 0) world.view.time = float(request.time);
     if (std::string error = take_words(request, world.view); !error.empty()) return refuse(error);
     return true;
 }

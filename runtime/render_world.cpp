@@ -8,6 +8,7 @@
 #include <set>
 
 #include "patina/validate.h"
+#include "runtime/view.h"
 
 namespace patina::runtime {
 namespace {
@@ -55,7 +56,7 @@ public:
                                                 {.path = path_name(),
                                                  .shadow_atlas_size = options_.shadow_atlas_size,
                                                  .exact = options_.exact_targets,
-                                                 .shown_format = "rgba32f",
+                                                 .shown_format = options_.stated_formats ? "" : "rgba32f",
                                                  .object_textures = object_textures_});
         if (!frame) return failed(frame.error);
         Frame planned = std::move(frame.value);
@@ -105,6 +106,10 @@ private:
         set("fog", view.fog.mode != FogMode::None);
         set("lightmap", variant.lightmap);
         set("shadow_mask", variant.shadow_mask);
+        const MixedLighting& mixed = view.mixed_lighting;
+        set("subtractive", variant.lightmap && mixed.mode == LightMixing::Subtractive);
+        set("distance_shadow_mask", mixed.mode == LightMixing::DistanceShadowMask);
+        set("shadows_fade", mixed.shadow_distance.has_value());
         switches.insert(switches.end(), options_.switches.begin(), options_.switches.end());
         return switches;
     }
@@ -141,6 +146,20 @@ private:
                               "the CPU reference samples without anisotropy: " + names)});
     }
 
+    // A draw binds one cookie (engine_values.h), whatever lights it loops over.
+    void warn_of_cookies(const WorldMaterial& material, const Reflection& reflection) {
+        const std::vector<Light>& lights = world_.view.lights;
+        const auto cookies = std::count_if(lights.begin(), lights.end(), [](const Light& l) { return has_cookie(l); });
+        for (const Pass& pass : reflection.passes) {
+            const bool is_read = std::count(pass.textures.begin(), pass.textures.end(), "light_cookie") > 0;
+            if (cookies < 2 || !is_read || pass.each != "once" || pass.lights != "all") continue;
+            report({complaint(material.graph, Severity::Warning, "one-cookie",
+                              fmt::format("the pass '{}' draws all lights at once and has one of their {} cookies, the "
+                                          "first; paths that draw each light by itself have every light's own",
+                                          pass.name, cookies))});
+        }
+    }
+
     void compile(std::size_t index) {
         const Variant& variant = variants_[index];
         const WorldMaterial& material = world_.materials[variant.material];
@@ -159,6 +178,7 @@ private:
         }
         report(made->result.diagnostics);
         ok_ = made->result.ok && give_values(material, *made);
+        if (ok_) warn_of_cookies(material, made->result.reflection);
         if (ok_ && on_cpu()) warn_of_anisotropy(material, made->result.reflection);
         compiled_.push_back(std::move(made));
     }
@@ -186,9 +206,10 @@ private:
     void load_object_textures() {
         std::map<std::string, LoadedTexture> known;
         object_textures_.resize(world_.objects.size());
-        const auto load = [&](std::size_t object, const std::string& name, const std::string& file) {
+        const auto load = [&](std::size_t object, const std::string& name, const std::string& file, bool is_color) {
             if (file.empty() || !ok_) return;
-            if (!known.contains(file)) {
+            const std::string key = (is_color ? "color " : "data ") + file;
+            if (!known.contains(key)) {
                 Outcome<Image> image = load_image(file);
                 if (!image) {
                     outcome_.error =
@@ -196,16 +217,17 @@ private:
                     ok_ = false;
                     return;
                 }
+                if (is_color && image.value.bits <= 8) decode_srgb(image.value);
                 TextureData data{.levels = mip_chain(image.value), .sampler = {.wrap = "clamp", .filter = "linear"}};
-                known[file] = {.data = std::make_shared<const TextureData>(std::move(data)),
-                               .format = TexelFormat::Float32};
+                known[key] = {.data = std::make_shared<const TextureData>(std::move(data)),
+                              .format = TexelFormat::Float32};
             }
-            object_textures_[object].push_back(known[file]);
-            object_textures_[object].back().name = name;
+            object_textures_[object].push_back(known[key]);
+            object_textures_[object].back().name = name + "_texture";
         };
         for (std::size_t i = 0; i < world_.objects.size(); ++i) {
-            load(i, "lightmap", world_.objects[i].lightmap);
-            load(i, "shadow_mask", world_.objects[i].shadow_mask);
+            load(i, "lightmap", world_.objects[i].lightmap, true);
+            load(i, "shadow_mask", world_.objects[i].shadow_mask, false);
         }
     }
 

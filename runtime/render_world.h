@@ -24,6 +24,7 @@ struct WorldOptions {
     bool validation = false;
     bool exact_textures = false;  // float texels on the GPU, to compare it with the CPU
     bool exact_targets = false;   // every colour target in 32-bit floats
+    bool stated_formats = false;  // the picture too is drawn in the format that the passes state, not in 32-bit floats
     int shadow_atlas_size = 2048;
     std::vector<std::string> include_dirs{};
     std::function<void(double)> progress{};  // via cpu

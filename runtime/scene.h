@@ -61,6 +61,20 @@ struct Fog {
     float start = 5, end = 50;  // linear: metres
 };
 
+// What shadows and lightmaps that were baked do beside the shadows of moving objects.
+enum class LightMixing {
+    ShadowMask,          // the darker of both
+    DistanceShadowMask,  // baked shadows where real-time ones have faded
+    Subtractive          // lightmaps hold the main light, too
+};
+
+struct MixedLighting {
+    LightMixing mode = LightMixing::ShadowMask;
+    glm::vec3 shadow_color{0};               // subtractive: linear; no shadow darkens a lightmap below it
+    std::optional<float> shadow_distance{};  // metres along the camera's axis; no real-time shadow beyond
+    std::optional<float> shadow_fade{};      // metres before it over which they fade; nothing: a fifth of it
+};
+
 inline constexpr std::size_t kMostLights = 16;
 
 // A number of seconds that a shader's float can hold.
@@ -74,6 +88,7 @@ struct Scene {
     SphericalHarmonics ambient{};                      // what is around, for diffuse light
     std::shared_ptr<const Environment> environment{};  // the same for mirrors; null: what `ambient` says
     Fog fog{};
+    MixedLighting mixed_lighting{};
     float time = 0;  // seconds
     int width = 512, height = 512;
     int samples = 1;                                // per pixel along each axis: 4 averages 16

@@ -249,6 +249,14 @@ Problem apply(const Entry& entry, const std::filesystem::path& folder, SnapshotF
     return unknown_key(entry.path);
 }
 
+// NAME.graph.json; a scene where there is no such graph.
+std::string default_graph(const std::filesystem::path& folder, const std::string& stem) {
+    std::error_code ignored;
+    const std::string graph = stem + ".graph.json", scene = stem + ".scene.json";
+    const auto is_there = [&](const std::string& name) { return std::filesystem::exists(folder / name, ignored); };
+    return !is_there(graph) && is_there(scene) ? scene : graph;
+}
+
 // The text, or why there is none.
 Outcome<std::string> read_text(const std::string& path) {
     std::error_code error;
@@ -291,8 +299,10 @@ ReadSnapshot read_snapshot(const std::string& path) {
 
     std::string stem = std::filesystem::path(path).filename().string();
     if (stem.ends_with(kEnding)) stem.resize(stem.size() - kEnding.size());
-    std::string& graph = file.request.graph;
-    graph = (folder / (graph.empty() ? stem + ".graph.json" : graph)).string();
+    RenderRequest& request = file.request;
+    if (request.graph.empty()) request.graph = default_graph(folder, stem);
+    request.graph = (folder / request.graph).string();
+    if (request.path.ends_with(".hlsl")) request.path = (folder / request.path).string();
     return {.file = std::move(file), .error = {}};
 }
 

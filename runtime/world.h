@@ -22,12 +22,20 @@ struct WorldMaterial {
     ScenePlace place{};                              // where a scene file says so; its file is empty if none does
 };
 
+// How the texels of a lightmap hold light. Pictures of 8 bits a channel are decoded from sRGB first.
+enum class LightmapEncoding {
+    Hdr,       // as it is
+    Rgbm,      // with a factor in alpha; up to 5 in gamma space
+    DoubleLdr  // half of it; up to 2 in gamma space
+};
+
 struct WorldObject {
     std::string name{};
     std::shared_ptr<const Mesh> mesh{};
     glm::mat4 object_to_world{1};
-    std::size_t material = 0;   // index into World::materials
-    std::string lightmap{};     // a file: baked light, looked up by the mesh's second texture coordinates; empty: none
+    std::size_t material = 0;  // index into World::materials
+    std::string lightmap{};    // a file: baked light, looked up by the mesh's second texture coordinates; empty: none
+    LightmapEncoding lightmap_encoding = LightmapEncoding::Hdr;
     std::string shadow_mask{};  // a file: baked shadow of each of four lights; empty: none
 };
 

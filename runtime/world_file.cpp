@@ -60,6 +60,24 @@ FogMode mode_of(SceneFogMode mode) {
     return FogMode::None;
 }
 
+LightMixing mixing_of(SceneMixing mode) {
+    switch (mode) {
+        case SceneMixing::ShadowMask: return LightMixing::ShadowMask;
+        case SceneMixing::DistanceShadowMask: return LightMixing::DistanceShadowMask;
+        case SceneMixing::Subtractive: return LightMixing::Subtractive;
+    }
+    return LightMixing::ShadowMask;
+}
+
+LightmapEncoding encoding_of(SceneLightmapEncoding encoding) {
+    switch (encoding) {
+        case SceneLightmapEncoding::Hdr: return LightmapEncoding::Hdr;
+        case SceneLightmapEncoding::Rgbm: return LightmapEncoding::Rgbm;
+        case SceneLightmapEncoding::DoubleLdr: return LightmapEncoding::DoubleLdr;
+    }
+    return LightmapEncoding::Hdr;
+}
+
 // The file's own numbers, as a mask is: nothing is decoded. A directional light repeats it, a spot light ends with it.
 Outcome<std::shared_ptr<const TextureData>> load_cookie(const SceneLight& light) {
     Outcome<Image> image = load_image(light.cookie.path);
@@ -111,6 +129,10 @@ void set_surroundings(Scene& view, const SceneFile& scene) {
                     .start = float(scene.fog->start),
                     .end = float(scene.fog->end)};
     }
+    view.mixed_lighting = {.mode = mixing_of(scene.mixed_lighting.mode),
+                           .shadow_color = vector(scene.mixed_lighting.shadow_color),
+                           .shadow_distance = number(scene.mixed_lighting.shadow_distance),
+                           .shadow_fade = number(scene.mixed_lighting.shadow_fade)};
     if (scene.background) {
         const std::array<double, 4>& color = *scene.background;
         view.background = {float(color[0]), float(color[1]), float(color[2]), float(color[3])};
@@ -183,6 +205,7 @@ WorldFile make_world(const SceneFile& scene) {
                                  .object_to_world = make_transform(object),
                                  .material = object.material,
                                  .lightmap = object.lightmap.path,
+                                 .lightmap_encoding = encoding_of(object.lightmap_encoding),
                                  .shadow_mask = object.shadow_mask.path});
     }
     file.ok = file.diagnostics.empty();

@@ -126,6 +126,7 @@ void write_texture(Writer& writer, const Texture& texture) {
     json.text("usage", texture.usage);
     json.flag("material", texture.is_material);
     json.text_if("default", texture.default_value);
+    json.text_if("reads", texture.reads);
     json.number("set", texture.set);
     json.number("binding", texture.binding);
     json.text("register", texture.hlsl_register);
@@ -142,14 +143,29 @@ void write_pass(Writer& writer, const Pass& pass) {
     Json json(writer);
     json.text("name", pass.name);
     json.text("draws", pass.draws);
+    json.text("each", pass.each);
+    json.text("lights", pass.lights);
+    json.text("camera", pass.camera);
+    json.text_if("fallback", pass.fallback);
     json.text("cull", pass.cull);
+    json.text("depthTarget", pass.depth_target);
     json.flag("depthWrite", pass.depth_write);
     json.text("depthTest", pass.depth_test);
+    if (pass.depth_bias != 0 || pass.depth_slope_bias != 0) {
+        json.raw("depthBias", shortest(pass.depth_bias));
+        json.raw("depthSlopeBias", shortest(pass.depth_slope_bias));
+    }
+    if (!pass.stencil.reference.empty()) {
+        json.text("stencilTest", pass.stencil.test);
+        json.text("stencilPass", pass.stencil.pass);
+        json.text("stencilReference", pass.stencil.reference);
+    }
     json.number("queue", pass.queue);
     json.list("targets", pass.targets, [&](const RenderTarget& target) {
         Json t(writer);
         t.text("name", target.name);
         t.number("location", target.location);
+        t.text("format", target.format);
         t.text("blendSource", target.blend_source);
         t.text("blendDestination", target.blend_destination);
     });
@@ -191,6 +207,12 @@ std::string Reflection::to_json() const {
         json.text("workflow", workflow);
         json.text("lighting", lighting);
         json.text("surface", surface);
+        json.text("path", path);
+        json.list("switches", switches, [&](const Switch& each) {
+            Json one(writer);
+            one.text("name", each.name);
+            one.flag("value", each.value);
+        });
         json.text("layoutHash", layout_hash);
         json.list("properties", properties, [&](const Property& p) { write_property(writer, p, *this); });
         json.list("blocks", blocks, [&](const Block& b) { write_block(writer, b); });

@@ -36,6 +36,14 @@ std::optional<ir::Kind> texture_kind(std::string_view type) {
     return {};
 }
 
+// Not bound to a switch or a path, or to one that is on.
+bool is_wanted(const nodelang::VariableDecl& variable, std::span<const std::string_view> on) {
+    const nodelang::Attribute* with = variable.attribute("with");
+    if (!with) return true;
+    const std::vector<std::string_view> words = attribute_words(*with);
+    return std::find_first_of(words.begin(), words.end(), on.begin(), on.end()) != words.end();
+}
+
 }  // namespace
 
 Type property_type(PropertyType type) {
@@ -81,12 +89,16 @@ void add_member(ir::UniformBlock& block, const ir::Module& module, std::string n
 }
 
 EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations& declarations,
-                             nodelang::Emitter& emitter) {
+                             nodelang::Emitter& emitter, std::span<const std::string_view> on) {
     EngineGlobals made;
     ir::Module& module = emitter.module();
     const nodelang::Scope scope{.declarations = &declarations};
     std::uint32_t textures = 0, targets = 0;
-    for (const nodelang::VariableDecl* each : stages.externs) {
+    std::vector<const nodelang::VariableDecl*> externs = stages.externs;
+    std::erase_if(externs, [&](const nodelang::VariableDecl* each) { return !is_wanted(*each, on); });
+    std::stable_partition(externs.begin(), externs.end(),
+                          [](const nodelang::VariableDecl* each) { return !each->attribute("with"); });
+    for (const nodelang::VariableDecl* each : externs) {
         const nodelang::VariableDecl& variable = *each;
         const nodelang::Attribute* attribute = variable.attribute("extern");
         if (const std::optional<ir::Kind> kind = texture_kind(variable.type.name)) {
@@ -99,10 +111,6 @@ EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations&
                 made.reads[global.index] = nodelang::attribute_text(*reads);
             add_resource(module, texture + "_sampler", ir::Kind::Sampler, set, slot, variable.span);
             ++slot;
-            continue;
-        }
-        if (!attribute) {
-            emitter.diagnostics().report(Code::BadAttribute, variable.span, "reads", "stands before a Texture2D");
             continue;
         }
         const std::string_view name = nodelang::attribute_text(*attribute);
@@ -121,6 +129,10 @@ EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations&
         const ir::GlobalId global = add_block_global(module, index, std::string(variable.name), type, variable.span);
         emitter.set_extern(&variable, global);
         if (variable.attribute("per_object")) made.per_object.insert(global.index);
+    }
+    for (const nodelang::VariableDecl* older : stages.repeated) {
+        const nodelang::VariableDecl* newer = declarations.variable(older->name);
+        if (newer) emitter.share_extern(older, newer);
     }
     return made;
 }

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <set>
+#include <span>
 
 #include "compiler/graph/material.h"
 #include "compiler/ir/ir.h"
@@ -26,13 +27,14 @@ struct PropertyGlobals {
 ir::Type property_type(PropertyType type);
 
 // Declares every [extern] and [reads] variable: numbers in one block per name, textures each with a sampler behind it,
-// all in order of appearance.
+// all in order of appearance. Those that are there [with] switches or paths come last, so that they move no other, and
+// only if one of these is in `on`.
 struct EngineGlobals {
     std::set<std::uint32_t> per_object;          // of the object that is drawn
     std::map<std::uint32_t, std::string> reads;  // textures that are targets of other passes
 };
 EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations& declarations,
-                             nodelang::Emitter& emitter);
+                             nodelang::Emitter& emitter, std::span<const std::string_view> on = {});
 // One entry per Material::properties.
 std::vector<PropertyGlobals> declare_material(const Material& material, ir::Module& module);
 

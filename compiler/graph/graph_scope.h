@@ -34,7 +34,7 @@ struct Lowering {
     std::set<std::uint32_t> per_object;      // globals of the object that is drawn
     ir::FunctionId surface{};                // what the graph says of it
 
-    bool is_on(const SwitchDecl& wanted) const;
+    bool is_on(std::string_view wanted) const;  // a switch
     // Of a slot's function; empty: it is another function.
     std::string_view slot_name(ir::FunctionId function) const;
     bool is_packing(std::string_view slot) const;  // it stores and restores members, whatever reads them

@@ -153,6 +153,7 @@ constexpr std::array kScene = {
             ObjectKind::Ambient},
     KeyInfo{"environment", "what mirrors show: studio, or none for what the ambient light says"},
     KeyInfo{"fog", "what distance does to colours", ObjectKind::Fog},
+    KeyInfo{"mixedLighting", "how real-time shadows agree with baked light", ObjectKind::MixedLighting},
     KeyInfo{"background", "the colour behind everything"},
     KeyInfo{"time", "seconds; what @time is"},
     KeyInfo{"pixelLightCount", "how many lights an additive path computes per pixel, 0 to 16; 4 otherwise"},
@@ -184,6 +185,13 @@ constexpr std::array kFog = {
     KeyInfo{"density", "exp and exp2: per metre; 0.05 otherwise"},
     KeyInfo{"start", "linear: metres to where it begins; 5 otherwise"},
     KeyInfo{"end", "linear: metres to where nothing else is seen; 50 otherwise"},
+};
+
+constexpr std::array kMixedLighting = {
+    KeyInfo{"mode", "shadowMask, distanceShadowMask or subtractive", ObjectKind::Free, true},
+    KeyInfo{"shadowColor", "subtractive: the colour that no shadow falls below on a lightmap; black otherwise"},
+    KeyInfo{"shadowDistance", "metres to where real-time shadows end; otherwise they do not"},
+    KeyInfo{"shadowFade", "metres before that over which they fade; a fifth of it otherwise"},
 };
 
 constexpr std::array kLight = {
@@ -222,6 +230,7 @@ constexpr std::array kSceneObject = {
     KeyInfo{"rotation", "degrees about the axes, [x, y, z]; it is turned about z, then x, then y"},
     KeyInfo{"scale", "a number, or one for each axis; greater than 0"},
     KeyInfo{"lightmap", "a picture of baked light, by the mesh's second texture coordinates"},
+    KeyInfo{"lightmapEncoding", "how the lightmap holds light: hdr (as it is), rgbm or dldr; hdr otherwise"},
     KeyInfo{"shadowMask", "a picture of the baked shadows of four lights"},
 };
 
@@ -244,6 +253,7 @@ std::span<const KeyInfo> keys_of(ObjectKind kind) {
         case ObjectKind::Camera: return kCamera;
         case ObjectKind::Ambient: return kAmbient;
         case ObjectKind::Fog: return kFog;
+        case ObjectKind::MixedLighting: return kMixedLighting;
         case ObjectKind::Light: return kLight;
         case ObjectKind::Shadow: return kShadow;
         case ObjectKind::SceneMaterial: return kSceneMaterial;
@@ -276,6 +286,7 @@ std::string_view describe(ObjectKind kind) {
         case ObjectKind::Camera: return "a camera";
         case ObjectKind::Ambient: return "ambient light";
         case ObjectKind::Fog: return "fog";
+        case ObjectKind::MixedLighting: return "mixed lighting";
         case ObjectKind::Light: return "a light";
         case ObjectKind::Shadow: return "a shadow";
         case ObjectKind::SceneMaterial: return "a material of a scene";

@@ -28,6 +28,7 @@ enum class ObjectKind {
     Camera,
     Ambient,
     Fog,
+    MixedLighting,
     Light,
     Shadow,
     SceneMaterial,

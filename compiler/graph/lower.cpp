@@ -134,13 +134,26 @@ void declare_switches(Lowering& lowering) {
                 .note(Diagnostics::suggestion(name, known));
         } else if (value != "true" && value != "false") {
             session.diagnostics.report(Code::UnknownWord, {}, value, fmt::format("a value of '{}'", name))
-                .note("there are: true, false");
+                .note("these exist: true and false");
         } else {
             lowering.out.switches[static_cast<std::size_t>(found - known.begin())].second = value == "true";
         }
     }
     for (const SwitchDecl& each : session.stages->switches)
-        lowering.emitter.set_static(each.variable, lowering.is_on(each) ? 1 : 0);
+        lowering.emitter.set_static(each.variable, lowering.is_on(each.variable->name) ? 1 : 0);
+    for (const nodelang::VariableDecl* older : session.stages->repeated) {
+        if (older->attribute("switch")) lowering.emitter.set_static(older, lowering.is_on(older->name) ? 1 : 0);
+    }
+}
+
+// The switches that are on, and the path.
+std::vector<std::string_view> what_is_on(const Lowering& lowering) {
+    const Session& session = lowering.session;
+    std::vector<std::string_view> on = {session.path};
+    if (session.path == kAllPaths) on = session.stages->paths();
+    for (const auto& [name, value] : lowering.out.switches)
+        if (value) on.push_back(name);
+    return on;
 }
 
 }  // namespace
@@ -166,9 +179,9 @@ const BlendRow* blend_of(const PassDecl& pass, std::string_view surface) {
     return nullptr;
 }
 
-bool Lowering::is_on(const SwitchDecl& wanted) const {
+bool Lowering::is_on(std::string_view wanted) const {
     return std::any_of(out.switches.begin(), out.switches.end(),
-                       [&](const auto& each) { return each.first == wanted.variable->name && each.second; });
+                       [&](const auto& each) { return each.first == wanted && each.second; });
 }
 
 std::string_view Lowering::slot_name(ir::FunctionId function) const {
@@ -211,11 +224,12 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
                       .parts = {},
                       .per_object = {},
                       .surface = {}};
-    EngineGlobals engine = declare_engine(*session.stages, *session.declarations, lowering.emitter);
+    declare_switches(lowering);
+    const std::vector<std::string_view> on = what_is_on(lowering);
+    EngineGlobals engine = declare_engine(*session.stages, *session.declarations, lowering.emitter, on);
     lowering.per_object = std::move(engine.per_object);
     out.reads = std::move(engine.reads);
     out.property_globals = declare_material(material, out.module);
-    declare_switches(lowering);
     declare_statics(lowering);
     extend_lighting_surface(lowering);
     declare_semantics(lowering);

@@ -25,7 +25,7 @@ public:
         emitter.set_slot_maker([this](const FunctionDecl& slot, Span at) { return slot_of(slot, at); });
         emitter.set_static_maker([this](const VariableDecl& variable) { return static_value(variable); });
         const std::vector<std::string>& wanted = lowering_.session.options.passes;
-        if (wanted.empty() && lowering_.session.path == kAllPaths) {
+        if (wanted.empty() && lowering_.session.options.path == kAllPaths) {
             lower_all();
         } else if (wanted.empty()) {
             lower_path(lowering_.session.path);
@@ -68,7 +68,8 @@ private:
         for (const SwitchDecl& each : stages_.switches) {
             const PassDecl* brought = each.brings.empty() ? nullptr : stages_.pass(each.brings);
             const bool is_there = std::find(passes.begin(), passes.end(), brought) != passes.end();
-            if (brought && !is_there && lowering_.is_on(each) && brought->path != path) passes.push_back(brought);
+            if (brought && !is_there && lowering_.is_on(each.variable->name) && brought->path != path)
+                passes.push_back(brought);
         }
         const std::size_t own = passes.size();
         for (const PassDecl* pass : stages_.passes_of(path)) passes.push_back(pass);
@@ -81,8 +82,8 @@ private:
             const bool is_own = std::find(passes.begin() + std::ptrdiff_t(own), passes.end(), pass) != passes.end();
             if (is_own && !pass->state.fallback.empty()) {
                 report(Code::PathRefused, refusal, path, pass->state.fallback, refusal.reason);
-                if (!stages_.passes_of(pass->state.fallback).empty() && pass->state.fallback != path)
-                    return lower_path(pass->state.fallback);
+                tried_.insert(path);
+                if (!tried_.contains(pass->state.fallback)) return lower_path(pass->state.fallback);
             }
             if (has_blend(*pass)) {
                 report(Code::PassRefused, refusal, pass->name, refusal.reason);
@@ -100,17 +101,20 @@ private:
     void report(Code code, const Refusal& refusal, const Words&... words) {
         const Span whole = lowering_.material.graph->graph->span;
         const bool is_graph = refusal.where.span.begin != refusal.where.span.end;
-        lowering_.session.diagnostics
-            .report(code, is_graph ? refusal.where.span : Span{whole.begin, whole.begin + 1}, words...)
-            .at(refusal.where.id);
+        DiagnosticRecord& record = lowering_.session.diagnostics.report(
+            code, is_graph ? refusal.where.span : Span{whole.begin, whole.begin + 1}, words...);
+        record.at(refusal.where.id);
+        if (!refusal.advice.empty()) record.note(refusal.advice);
     }
 
     // --- one pass
 
     std::string_view surface() const { return text_of(kSurfaceKinds, lowering_.material.graph->graph->render.surface); }
 
+    static bool draws_objects(const PassDecl& pass) { return pass.state.draws == "objects"; }
+
     bool has_blend(const PassDecl& pass) const {
-        return pass.state.draws != "objects" || blend_of(pass, surface()) || pass.blends.empty();
+        return !draws_objects(pass) || blend_of(pass, surface()) || pass.blends.empty();
     }
 
     Refusal lower_pass(const PassDecl& pass) {
@@ -123,9 +127,13 @@ private:
             const Part* part = is_part(**slot) ? &part_of(lowering_, **slot) : nullptr;
             if (part && !part->slot.function) return {.reason = part->why_not, .where = part->where};
         }
+        for (const std::string_view name : pass.excludes) {
+            if (lowering_.is_on(name)) return {.reason = fmt::format("it has no place for '{}'", name)};
+        }
         const nodelang::Declarations& declarations = *lowering_.session.declarations;
         nodelang::Emitter& emitter = lowering_.emitter;
         LoweredPass made{.declaration = &pass};
+        pass_ = pass.name;
         made.vertex = emitter.semantic_function(*pass.vertex, declarations, environment_, true);
         made.fragment = emitter.semantic_function(*pass.fragment, declarations, environment_, false);
         if (!made.vertex || !made.fragment) return {};
@@ -133,9 +141,17 @@ private:
         lower_given(made);
         lower_recipes();
         if (lowering_.session.diagnostics.has_errors()) return {};
-        if (Refusal refusal = refusal_of(lowering_, made)) return refusal;
+        if (may_be_refused(pass)) {
+            if (Refusal refusal = refusal_of(lowering_, made)) return refusal;
+        }
         lowering_.out.passes.push_back(std::move(made));
         return {};
+    }
+
+    // A pass of the library that draws objects has everything to give in the pixel; at the vertices, and where nothing
+    // of the object is left, that has to be found out.
+    bool may_be_refused(const PassDecl& pass) const {
+        return !draws_objects(pass) || !pass.holds.empty() || reads_of_pass_ || lowering_.session.pass_file;
     }
 
     void lower_given(LoweredPass& pass) {
@@ -151,13 +167,7 @@ private:
                 continue;
             }
             const FunctionDecl* replaced = declarations.function(given.what);
-            if (!replaced || !replaced->attribute("extern")) {
-                lowering_.session.diagnostics.report(Code::BadAttribute, given.function->name_span, "gives",
-                                                     fmt::format("names '{}', which is neither a semantic nor a "
-                                                                 "function marked [extern]",
-                                                                 given.what));
-                continue;
-            }
+            if (!replaced) continue;  // reported when its file was read
             for (const nodelang::InstanceInfo& instance : emitter.instances_of(*replaced)) {
                 const ir::FunctionId made =
                     emitter.given_function(*given.function, declarations, environment_, instance.half);
@@ -189,8 +199,10 @@ private:
                 if (inst.op != Op::Semantic) continue;
                 SemanticRecipe& recipe = out.semantics[inst.data];
                 if (!recipe.declaration || !recipe.declaration->function || recipe.recipe) continue;
+                reads_of_pass_ = reads_of_pass_ || recipe.declaration->is_of_pass;
                 const ir::FunctionId made = lowering_.emitter.semantic_function(
-                    *recipe.declaration->function, *lowering_.session.declarations, environment_, false);
+                    *recipe.declaration->function, *lowering_.session.declarations, environment_,
+                    recipe.source == Source::Vertex);
                 if (!made) return;  // a fault in the library or the user's file, reported
                 out.semantics[inst.data].recipe = made;
             }
@@ -203,7 +215,12 @@ private:
         if (!is_part(slot)) return nullptr;
         const Part& part = part_of(lowering_, slot);
         if (part.slot.function) return &part.slot;
-        lowering_.session.diagnostics.report(Code::PassRefused, at, slot.name, part.why_not);
+        lowering_.session.diagnostics
+            .report(Code::PassRefused, at, pass_, fmt::format("it calls '{}', and {}", slot.name, part.why_not))
+            .note(
+                fmt::format("[needs(\"{0}\")] at the pass says so sooner, and a static(\"slot\", \"{0}\") asks whether "
+                            "the material has it",
+                            slot.name));
         return nullptr;
     }
 
@@ -239,8 +256,11 @@ private:
     Lowering& lowering_;
     const Stages& stages_;
     LibraryEnvironment environment_;
-    std::size_t next_ = 0;  // function whose semantics have not been looked at
+    std::string_view pass_;       // that is being lowered
+    bool reads_of_pass_ = false;  // some pass has a semantic of its own
+    std::size_t next_ = 0;        // function whose semantics have not been looked at
     std::set<std::string_view> remarked_;
+    std::set<std::string> tried_;  // paths
 };
 
 }  // namespace

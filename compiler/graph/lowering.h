@@ -31,6 +31,7 @@ void lower_functions(Lowering& lowering);
 struct Refusal {
     std::string reason{};
     ir::Origin where{};
+    std::string advice{};  // may be empty
     explicit operator bool() const { return !reason.empty(); }
 };
 Refusal refusal_of(Lowering& lowering, const LoweredPass& pass);

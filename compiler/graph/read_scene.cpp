@@ -102,6 +102,32 @@ std::optional<SceneFog> read_fog(Reading& reading, const Json& json) {
     return fog;
 }
 
+SceneMixedLighting read_mixed_lighting(Reading& reading, const Json& json) {
+    SceneMixedLighting mixed;
+    if (!expect(reading, json, Json::Kind::Object, "'mixedLighting'")) return mixed;
+    check_keys(reading, json, ObjectKind::MixedLighting);
+    const Json* mode = json.find("mode");
+    const std::optional<SceneMixing> known =
+        mode ? read_word(reading, *mode, "mode", "a mode of mixed lighting", kMixingModes) : std::nullopt;
+    if (!known) return mixed;
+    mixed.mode = *known;
+    if (mixed.mode != SceneMixing::Subtractive) {
+        refuse_key(reading, json, "shadowColor",
+                   fmt::format("mixed lighting of mode {}", text_of(kMixingModes, mixed.mode)), "the mode subtractive");
+    }
+    read_color(reading, json, "shadowColor", mixed.shadow_color);
+    double distance = 0, fade = 0;
+    if (read_number(reading, json, "shadowDistance", 1e-3, kFarthest, distance)) mixed.shadow_distance = distance;
+    if (read_number(reading, json, "shadowFade", 1e-3, kFarthest, fade)) mixed.shadow_fade = fade;
+    if (!mixed.shadow_fade) return mixed;
+    if (!json.find("shadowDistance")) {
+        report_impossible(reading, json, "shadowFade", "beside 'shadowDistance', before which shadows fade");
+    } else if (mixed.shadow_distance && fade > distance) {
+        report_impossible(reading, json, "shadowFade", fmt::format("at most 'shadowDistance', which is {}", distance));
+    }
+    return mixed;
+}
+
 // --- materials
 
 // A value in words; nothing after an error.
@@ -222,6 +248,15 @@ SceneObject read_object(SceneReading& reading, const Json& json, const Materials
     read_vector(reading, json, "rotation", -kFarthest, kFarthest, object.rotation);
     read_scale(reading, json, object.scale);
     if (const Json* map = json.find("lightmap")) object.lightmap = read_file_name(reading, *map, "'lightmap'");
+    if (const Json* encoding = json.find("lightmapEncoding")) {
+        if (json.find("lightmap")) {
+            object.lightmap_encoding =
+                read_word(reading, *encoding, "lightmapEncoding", "an encoding of lightmaps", kLightmapEncodings)
+                    .value_or(SceneLightmapEncoding::Hdr);
+        } else {
+            refuse_key(reading, json, "lightmapEncoding", "an object without a lightmap", "one with 'lightmap'");
+        }
+    }
     if (const Json* mask = json.find("shadowMask")) object.shadow_mask = read_file_name(reading, *mask, "'shadowMask'");
     return object;
 }
@@ -258,6 +293,7 @@ SceneFile read_scene(Session& session, const Json& json, const std::string& path
                                 .value_or(SceneEnvironment::Studio);
     }
     if (const Json* fog = json.find("fog")) scene.fog = read_fog(reading, *fog);
+    if (const Json* mixed = json.find("mixedLighting")) scene.mixed_lighting = read_mixed_lighting(reading, *mixed);
     if (const Json* color = json.find("background")) {
         scene.background = read_scene_color(reading, *color, "background", true);
     }

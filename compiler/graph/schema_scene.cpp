@@ -34,6 +34,7 @@ std::vector<SchemaRow> scene_rows() {
         {Free, "ambient", any_of({R"({"enum":["studio","none"]})", text(kColor), reference("ambient")})},
         {Free, "environment", words_schema(kEnvironments)},
         {Free, "fog", reference("fog")},
+        {Free, "mixedLighting", reference("mixedLighting")},
         {Free, "background", text(kColorWithAlpha)},
         {Free, "time", text(kNumber)},
         {Free, "pixelLightCount", between("integer", 0, kMostSceneLights)},
@@ -50,6 +51,10 @@ std::vector<SchemaRow> scene_rows() {
         {Free, "horizon", text(kColor)},
         {Free, "ground", text(kColor)},
         {Free, "mode", words_schema(kFogModes)},
+        {MixedLighting, "mode", words_schema(kMixingModes)},
+        {Free, "shadowColor", text(kColor)},
+        {Free, "shadowDistance", text(kPositive)},
+        {Free, "shadowFade", text(kPositive)},
         {Free, "color", text(kColor)},
         {Free, "density", text(kPositive)},
         {Free, "start", text(kNumber)},
@@ -76,6 +81,7 @@ std::vector<SchemaRow> scene_rows() {
         {Free, "rotation", text(kVector)},
         {Free, "scale", any_of({text(kPositive), text(kVector)})},
         {Free, "lightmap", text(kText)},
+        {Free, "lightmapEncoding", words_schema(kLightmapEncodings)},
         {Free, "shadowMask", text(kText)},
     };
 }

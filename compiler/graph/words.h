@@ -125,6 +125,18 @@ inline constexpr std::array kFogModes = {
     Word<SceneFogMode>{"exp2", SceneFogMode::ExponentialSquared},
 };
 
+inline constexpr std::array kMixingModes = {
+    Word<SceneMixing>{"shadowMask", SceneMixing::ShadowMask},
+    Word<SceneMixing>{"distanceShadowMask", SceneMixing::DistanceShadowMask},
+    Word<SceneMixing>{"subtractive", SceneMixing::Subtractive},
+};
+
+inline constexpr std::array kLightmapEncodings = {
+    Word<SceneLightmapEncoding>{"hdr", SceneLightmapEncoding::Hdr},
+    Word<SceneLightmapEncoding>{"rgbm", SceneLightmapEncoding::Rgbm},
+    Word<SceneLightmapEncoding>{"dldr", SceneLightmapEncoding::DoubleLdr},
+};
+
 // What an input of a sub-graph, a workflow or a lighting model may be.
 inline constexpr std::array<std::string_view, 8> kInputTypes = {"float", "float2", "float3", "float4",
                                                                 "color", "int",    "bool",   "texture2d"};

@@ -153,6 +153,10 @@ public:
     void set_static_maker(StaticMaker maker) { static_maker_ = std::move(maker); }
     // extern variables and functions are known by their declaration.
     void set_extern(const VariableDecl* variable, ir::GlobalId global) { externs_[variable] = global; }
+    // Two declarations of one thing.
+    void share_extern(const VariableDecl* variable, const VariableDecl* known) {
+        if (const auto found = externs_.find(known); found != externs_.end()) externs_[variable] = found->second;
+    }
 
     Typed extern_value(const VariableDecl& variable, Scope& scope);
     // A [static] variable: a constant of the material's render block.
@@ -200,6 +204,8 @@ private:
     Typed intrinsic(std::string_view name, const Expr& expr, Scope& scope, bool& found);
     void warn_unless_finite(ir::Op op, ir::Type type, std::span<const ir::Value> values, const Scope& scope, Span span,
                             std::string_view what);
+    Typed spelled_out(const FunctionDecl& function, std::span<const ir::Value> arguments, const Scope& border,
+                      Scope& scope, Span span);
     bool gather_arguments(const FunctionDecl& function, const Declarations& home,
                           std::span<const Expr* const> arguments, Scope& scope, Span span,
                           std::vector<Argument>& gathered);

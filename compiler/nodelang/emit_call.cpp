@@ -7,6 +7,7 @@
 #include "compiler/base/text.h"
 #include "compiler/ir/fold.h"
 #include "compiler/nodelang/emit.h"
+#include "compiler/nodelang/parse.h"
 
 namespace patina::nodelang {
 
@@ -123,7 +124,9 @@ std::vector<std::string_view> intrinsic_names() {
 
 void Emitter::need_quad(Scope& scope, Span span, std::string_view what) {
     if (scope.in_vertex_stage) {
-        diagnostics_.report(Code::WrongStage, span, what, diagnostics_.context_node())
+        const bool is_node = !diagnostics_.context_node().empty();
+        const std::string_view own = scope.function ? scope.function->name : std::string_view();
+        diagnostics_.report(Code::WrongStage, span, what, is_node ? diagnostics_.context_node() : own)
             .note("vertices have no neighbouring pixels; a texture can be sampled at a level there (SampleLevel)");
     } else if (!scope.flow.empty()) {
         diagnostics_.report(Code::DerivativeInFlow, span, what, scope.flow)
@@ -190,11 +193,44 @@ Typed Emitter::call(const FunctionDecl& function, const Declarations& home, std:
         values.push_back(value.value);
     }
     if (!good) return {};
+    if (function.attribute("inline")) return spelled_out(function, values, border, scope, span);
     const Instance& instance = instantiate(function, home, gathered, width, half, span);
     if (instance.result.is_error()) return {};
     if (instance.needs_quad) need_quad(scope, span, function.name);
     if (instance.rounds > 0) count_rounds(instance.rounds, scope, span);
     return {.value = scope.builder->call(instance.id, values), .type = instance.result, .outputs = instance.outputs};
+}
+
+// The body in the place of the call: what a pass is made of should read as one text. Such functions have one result and
+// no const parameters.
+Typed Emitter::spelled_out(const FunctionDecl& function, std::span<const Value> arguments, const Scope& border,
+                           Scope& scope, Span span) {
+    if (std::find(active_.begin(), active_.end(), &function) != active_.end()) {
+        diagnostics_.report(Code::Recursion, span, function.name);
+        return {};
+    }
+    bool needs_quad = false;
+    Scope inner = border;
+    inner.function = &function;
+    inner.needs_quad = &needs_quad;
+    for (std::size_t i = 0; i < function.params.size(); ++i) {
+        const Typed value{.value = arguments[i], .type = type(function.params[i].type, border)};
+        inner.locals.push_back({.name = function.params[i].name, .value = value, .is_const = false, .constant = {}});
+    }
+    inner.result = type(function.result, border);
+    Value returned;
+    const std::size_t errors = diagnostics_.error_count();
+    active_.push_back(&function);
+    const bool returns = statements(body_of(function), 0, inner, returned);
+    active_.pop_back();
+    if (diagnostics_.error_count() != errors) return {};
+    if (!returns) {
+        diagnostics_.report(Code::MissingReturn, function.name_span, function.name);
+        return {};
+    }
+    if (needs_quad) need_quad(scope, span, function.name);
+    if (inner.rounds > 0) count_rounds(inner.rounds, scope, span);
+    return {.value = returned, .type = inner.result};
 }
 
 bool Emitter::gather_arguments(const FunctionDecl& function, const Declarations& home,

@@ -19,6 +19,7 @@ constexpr AttributeInfo kAttributes[] = {
     {kFunction, "semantic"},
     {kFunction, "extern"},
     {kFunction, "range"},
+    {kFunction, "inline"},
     // What a pass may call, and how it comes about.
     {kFunction, "slot"},
     {kFunction, "part"},
@@ -48,6 +49,7 @@ constexpr AttributeInfo kAttributes[] = {
     {kFunction, "optional"},
     {kFunction, "needs"},
     {kFunction, "holds"},
+    {kFunction, "excludes"},
     {kParameter, "range"},
     {kParameter, "color"},
     {kParameter, "unit"},
@@ -55,6 +57,7 @@ constexpr AttributeInfo kAttributes[] = {
     {kParameter, "per_light"},
     {kVariable, "attribute"},
     {kVariable, "extern"},
+    {kVariable, "with"},
     {kVariable, "reads"},
     {kVariable, "builtin"},
     {kVariable, "semantic"},

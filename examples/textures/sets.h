@@ -26,6 +26,8 @@ Set painted_tiles();
 Set mossy_rock();
 // leaves (alpha: cut-out), leaves_normal
 Set ivy_leaves();
+// light_ramps: tones of light for a lighting graph, cold in the first row and warm in the last
+Set light_ramps();
 // lit_ball: a mirroring ball in a studio, for matcaps
 Set lit_ball();
 

@@ -34,17 +34,13 @@ float3 EvaluateSH9(
     float3 sh7,                 ///< l = 2: x z
     float3 sh8                  ///< l = 2: x^2 - y^2
 ) {
-    return max(sh_linear(normal, sh0, sh1, sh2, sh3) + sh_quadratic(normal, sh4, sh5, sh6, sh7, sh8), 0);
-}
-
-// The two halves of it, which may be below zero each.
-float3 sh_linear(float3 n, float3 sh0, float3 sh1, float3 sh2, float3 sh3) {
-    return sh0 * SH_CONSTANT + (sh1 * n.y + sh2 * n.z + sh3 * n.x) * SH_LINEAR;
-}
-float3 sh_quadratic(float3 n, float3 sh4, float3 sh5, float3 sh6, float3 sh7, float3 sh8) {
-    float3 sum = (sh4 * (n.x * n.y) + sh5 * (n.y * n.z) + sh7 * (n.x * n.z)) * SH_PRODUCT;
-    sum += sh6 * (SH_POLAR * (3 * n.z * n.z - 1));
-    return sum + sh8 * (SH_DIFFERENCE * (n.x * n.x - n.y * n.y));
+    float3 n = normal;
+    float3 irradiance = sh0 * SH_CONSTANT;
+    irradiance += (sh1 * n.y + sh2 * n.z + sh3 * n.x) * SH_LINEAR;
+    irradiance += (sh4 * (n.x * n.y) + sh5 * (n.y * n.z) + sh7 * (n.x * n.z)) * SH_PRODUCT;
+    irradiance += sh6 * (SH_POLAR * (3 * n.z * n.z - 1));
+    irradiance += sh8 * (SH_DIFFERENCE * (n.x * n.x - n.y * n.y));
+    return max(irradiance, 0);
 }
 
 /// Which curve SurfaceReduction follows.

@@ -27,6 +27,7 @@ struct GBufferExtended {
 [reads("gbuffer_extra2")] Texture2D gbuffer_extra2_texture;
 [reads("gbuffer_extra3")] Texture2D gbuffer_extra3_texture;
 
+[inline]
 LightingSurface told_in_full(float2 uv) {
     SurfaceExtras extras;
     extras.first = gbuffer_extra1_texture.SampleLevel(uv, 0);
@@ -36,6 +37,7 @@ LightingSurface told_in_full(float2 uv) {
 }
 
 [pass("gbuffer-extended")] [fragment] [lights("none")] [camera("perspective")] [needs("pack_surface")]
+[excludes("subtractive", "shadow_mask")]
 [fallback("forward")] [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
 [stencil("always", "replace", "lighting")]
 GBufferExtended gbuffer_extended_fragment(float3 position = position_ws) {

@@ -11,6 +11,7 @@ struct GBufferLdr {
 [reads("gbuffer_light")] Texture2D gbuffer_light_texture;
 
 [pass("gbuffer-ldr")] [fragment] [lights("none")] [camera("perspective")] [fallback("forward")]
+[excludes("subtractive", "shadow_mask")]
 [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")] [stencil("always", "replace", "lighting")]
 GBufferLdr gbuffer_ldr_fragment(float3 position = position_ws) {
     LightingSurface lit = lighting_surface();

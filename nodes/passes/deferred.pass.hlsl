@@ -30,15 +30,18 @@ float3 added_indirect(LightingSurface surface, LightSum sum);
 
 [static("pass", "deferred-reflections")] bool reflects_later;
 [static("pass", "extended-reflections")] bool reflects_later_extended;
+[static("pass", "shadowmask-reflections")] bool reflects_later_shadowmask;
 
 /// Emission and ambient light: `final`, before there is any light.
+[inline]
 float3 unlit_color(LightingSurface lit) {
     LightSum start;
-    if (reflects_later || reflects_later_extended) { start.indirect = not_reflected(lit); }
+    if (reflects_later || reflects_later_extended || reflects_later_shadowmask) { start.indirect = not_reflected(lit); }
     else { start.indirect = indirect(lit); }
     return final(lit, start);
 }
 
+[inline]
 GBuffer stored(LightingSurface lit, float3 position) {
     GBuffer made;
     made.diffuse = float4(lit.diffuseColor, lit.occlusion);
@@ -48,6 +51,7 @@ GBuffer stored(LightingSurface lit, float3 position) {
     return made;
 }
 
+[inline]
 LightingSurface told(float2 uv) {
     float4 diffuse = gbuffer_diffuse_texture.SampleLevel(uv, 0);
     float4 specular = gbuffer_specular_texture.SampleLevel(uv, 0);
@@ -61,28 +65,37 @@ LightingSurface told(float2 uv) {
 }
 
 [gives("position_ws", "deferred-directional", "deferred-local", "deferred-reflections", "extended-directional",
-       "extended-local", "extended-reflections", "ldr-directional", "ldr-local")]
+       "extended-local", "extended-reflections", "ldr-directional", "ldr-local", "shadowmask-directional",
+       "shadowmask-local", "shadowmask-reflections")]
 float3 position_behind(float2 uv = screen_uv) {
     return WorldFromDepth(uv, depth_texture.SampleLevel(uv, 0).r, clip_to_world);
 }
 
-[pass("gbuffer")] [pass("gbuffer-extended")] [pass("gbuffer-ldr")] [vertex]
+[gives("AmbientIrradiance", "gbuffer", "gbuffer-extended", "gbuffer-ldr", "gbuffer-shadowmask")]
+float3 ambient_of_gbuffer(float3 normal, float3 light = light_of_lightmap) {
+    if (lightmap) { return light; }
+    return AmbientIrradiance(normal);
+}
+
+[pass("gbuffer")] [pass("gbuffer-extended")] [pass("gbuffer-ldr")] [pass("gbuffer-shadowmask")] [vertex]
 float4 gbuffer_vertex(float3 position = position_ws) {
     return mul(world_to_clip, float4(position, 1));
 }
 
 [pass("deferred-directional")] [pass("deferred-reflections")] [pass("extended-directional")]
-[pass("extended-reflections")] [pass("ldr-directional")] [pass("ldr-resolve")] [vertex]
+[pass("extended-reflections")] [pass("ldr-directional")] [pass("ldr-resolve")] [pass("shadowmask-directional")]
+[pass("shadowmask-reflections")] [vertex]
 float4 screen_vertex(float3 position = position_os) {
     return float4(position.xy, 0, 1);
 }
 
-[pass("deferred-local")] [pass("extended-local")] [pass("ldr-local")] [vertex]
+[pass("deferred-local")] [pass("extended-local")] [pass("ldr-local")] [pass("shadowmask-local")] [vertex]
 float4 volume_vertex(float3 position = position_ws) {
     return mul(world_to_clip, float4(position, 1));
 }
 
 [pass("gbuffer")] [fragment] [lights("none")] [camera("perspective")] [fallback("forward")]
+[excludes("subtractive", "shadow_mask")]
 [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")] [stencil("always", "replace", "lighting")]
 GBuffer gbuffer_fragment(float3 position = position_ws) {
     LightingSurface lit = lighting_surface();

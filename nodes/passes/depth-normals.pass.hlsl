@@ -1,8 +1,6 @@
 // Depth and shaded normals in one texture of four bytes, as Unity's camera offers them: red and green hold the normal in
 // view space, blue and alpha the distance along the camera's axis as a share of the far plane's.
 
-[extern("Camera")] float2 clip_planes;  // distances of the near and the far plane, metres
-
 [pass("depth-normals")] [fragment] [lights("none")] [target("color", "rgba8")]
 [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
 float4 depth_normals_fragment(float3 position = position_ws) {

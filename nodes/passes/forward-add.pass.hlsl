@@ -6,6 +6,16 @@
 /// The second order of the ambient light is computed at the vertices, and the others in the pixel.
 [switch] bool sh_per_vertex;
 
+// The two halves of EvaluateSH9, which may be below zero each.
+float3 sh_linear(float3 n, float3 sh0, float3 sh1, float3 sh2, float3 sh3) {
+    return sh0 * SH_CONSTANT + (sh1 * n.y + sh2 * n.z + sh3 * n.x) * SH_LINEAR;
+}
+float3 sh_quadratic(float3 n, float3 sh4, float3 sh5, float3 sh6, float3 sh7, float3 sh8) {
+    float3 sum = (sh4 * (n.x * n.y) + sh5 * (n.y * n.z) + sh7 * (n.x * n.z)) * SH_PRODUCT;
+    sum += sh6 * (SH_POLAR * (3 * n.z * n.z - 1));
+    return sum + sh8 * (SH_DIFFERENCE * (n.x * n.x - n.y * n.y));
+}
+
 /// What the lights behind the main one send to a white Lambert surface.
 [semantic("vertex")]
 float3 vertex_lights(float3 position = position_ws, float3 normal = vertex_normal_ws) {
@@ -15,7 +25,7 @@ float3 vertex_lights(float3 position = position_ws, float3 normal = vertex_norma
         float3 arrives = light.radiance * saturate(dot(normal, light.direction));
         sum += i < vertex_light_count ? arrives : float3(0);
     }
-    if (sh_per_vertex) {
+    if (sh_per_vertex && !lightmap) {
         sum += sh_quadratic(normal, ambient_sh[4].rgb, ambient_sh[5].rgb, ambient_sh[6].rgb, ambient_sh[7].rgb,
                             ambient_sh[8].rgb);
     }
@@ -23,7 +33,9 @@ float3 vertex_lights(float3 position = position_ws, float3 normal = vertex_norma
 }
 
 [gives("AmbientIrradiance", "forward-base")]
-float3 ambient_with_vertex_lights(float3 normal, float3 at_vertices = vertex_lights) {
+float3 ambient_with_vertex_lights(float3 normal, float3 at_vertices = vertex_lights, float3 light = light_of_lightmap,
+                                  float left = main_light_of_lightmap) {
+    if (lightmap) { return baked_light(normal, light, left) + at_vertices; }
     if (sh_per_vertex) {
         float3 in_pixel = sh_linear(normal, ambient_sh[0].rgb, ambient_sh[1].rgb, ambient_sh[2].rgb, ambient_sh[3].rgb);
         return max(in_pixel + at_vertices, 0);
@@ -53,5 +65,5 @@ float4 forward_add_fragment(float3 position = position_ws) {
     if (alpha_clip) {
         discard_if(lit.alpha < lit.alphaClip);
     }
-    return float4(faded_by_fog(color, position), 0);
+    return float4(faded_by_fog(color, position), fades ? lit.alpha : 0);
 }

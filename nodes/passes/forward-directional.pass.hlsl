@@ -28,5 +28,5 @@ float4 directional_add_fragment(float3 position = position_ws) {
     if (alpha_clip) {
         discard_if(lit.alpha < lit.alphaClip);
     }
-    return float4(faded_by_fog(color, position), 0);
+    return float4(faded_by_fog(color, position), fades ? lit.alpha : 0);
 }

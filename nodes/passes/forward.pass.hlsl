@@ -6,6 +6,32 @@ float4 forward_vertex(float3 position = position_ws) {
     return mul(world_to_clip, float4(position, 1));
 }
 
+/// What is baked for this point: light of the lightmap, what is left of the main light in it, and shadows.
+[semantic("pixel")]
+float3 light_of_lightmap(float2 uv = uv1) {
+    return lightmap_light(uv);
+}
+[semantic("pixel")]
+float main_light_of_lightmap(float3 position = position_ws) {
+    return main_light_left(position);
+}
+[semantic("pixel")]
+float4 shadows_of_lightmap(float2 uv = uv1) {
+    return lightmap_shadows(uv);
+}
+
+[gives("AmbientIrradiance", "forward", "directional-base", "vertex")]
+float3 ambient_or_baked(float3 normal, float3 light = light_of_lightmap, float left = main_light_of_lightmap) {
+    if (lightmap) { return baked_light(normal, light, left); }
+    return AmbientIrradiance(normal);
+}
+
+[gives("shadow", "forward", "forward-base", "forward-add", "directional-base", "directional-add")]
+float shadow_with_mask(int index, float3 position, float4 mask = shadows_of_lightmap) {
+    if (shadow_mask) { return masked_shadow(index, position, mask); }
+    return shadow(index, position);
+}
+
 [pass("forward")] [fragment] [lights("all")]
 [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
 [blend("fade", "src_alpha", "one_minus_src_alpha")] [blend("transparent", "one", "one_minus_src_alpha")]

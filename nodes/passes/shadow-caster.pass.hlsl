@@ -2,9 +2,6 @@
 // source: Williams, "Casting Curved Shadows on Curved Surfaces", SIGGRAPH 1978; the two biases in the vertex stage as in
 // source: Unity's built-in shaders, UnityClipSpaceShadowCasterPos
 
-[extern("Camera")] float shadow_bias;         // metres that everything is moved away from the light
-[extern("Camera")] float shadow_normal_bias;  // metres that a surface is moved inside, where the light grazes it
-
 [pass("shadow-caster")] [vertex]
 float4 caster_vertex(float3 position = position_ws, float3 normal = vertex_normal_ws) {
     float3 to_light = view_dir_ws(position);

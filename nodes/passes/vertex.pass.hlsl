@@ -17,15 +17,22 @@ float3 indirect_without_diffuse(LightingSurface surface);
 [static("slot", "direct_by_diffuse")] bool splits_direct;
 [static("slot", "indirect_by_diffuse")] bool splits_indirect;
 
+/// The light in slot `index` at a vertex.
+Light light_at_vertex(int index, float3 position, float2 uv) {
+    Light light = light_at(index, position);
+    if (shadow_mask) { light.shadow = masked_shadow(index, position, lightmap_shadows(uv)); }
+    return light;
+}
+
 /// Direct light for each unit of the diffuse colour.
 [semantic("vertex")]
-float3 diffuse_light(float3 position = position_ws) {
+float3 diffuse_light(float3 position = position_ws, float2 uv = uv1) {
     float3 sum = float3(0);
     if (splits_direct) {
         LightingSurface white = as_lit(lighting_surface());
         white.diffuseColor = float3(1);
         [light] for (int i = 0; i < min(light_count, MAX_LIGHTS); i++) {
-            sum += direct_by_diffuse(white, light_at(i, position));
+            sum += direct_by_diffuse(white, light_at_vertex(i, position, uv));
         }
     }
     return sum;
@@ -33,12 +40,12 @@ float3 diffuse_light(float3 position = position_ws) {
 
 /// Direct light that the diffuse colour does not change; all of it, where they cannot be told apart.
 [semantic("vertex")]
-float3 other_light(float3 position = position_ws) {
+float3 other_light(float3 position = position_ws, float2 uv = uv1) {
     LightingSurface lit = as_lit(lighting_surface());
     float3 sum = float3(0);
     [light] for (int i = 0; i < min(light_count, MAX_LIGHTS); i++) {
-        if (splits_direct) { sum += direct_without_diffuse(lit, light_at(i, position)); }
-        if (!splits_direct) { sum += direct(lit, light_at(i, position)); }
+        if (splits_direct) { sum += direct_without_diffuse(lit, light_at_vertex(i, position, uv)); }
+        if (!splits_direct) { sum += direct(lit, light_at_vertex(i, position, uv)); }
     }
     return sum;
 }
@@ -70,6 +77,7 @@ float4 vertex_fragment(float3 position = position_ws, float3 by_diffuse = diffus
     if (splits_direct) { total.direct += lit.diffuseColor * by_diffuse; }
     total.indirect = other_ambient;
     if (splits_indirect) { total.indirect += lit.diffuseColor * ambient_by_diffuse; }
+    if (lightmap) { total.indirect = indirect(lit); }  // a lightmap is finer than vertices are
     float3 color = final(lit, total);
     if (alpha_clip) {
         discard_if(lit.alpha < lit.alphaClip);

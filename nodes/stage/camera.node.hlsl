@@ -7,12 +7,16 @@
 
 [extern("Camera")] float4x4 world_to_clip;
 [extern("Camera")] float4x4 world_to_view;
-[extern("Camera")] float4x4 clip_to_world;
 /// Camera position in world space.
 [extern("Camera")] [semantic("uniform")] float3 camera_position_ws;
 [extern("Camera")] float view_is_orthographic;  // 1 or 0
 /// Direction that the camera looks along in world space, unit.
 [extern("Camera")] [semantic("uniform")] float3 camera_forward_ws;
+
+[extern("Camera")] float shadow_bias;         // of a light's own view: metres that everything is moved away from it
+[extern("Camera")] float4x4 clip_to_world;
+[extern("Camera")] float2 clip_planes;        // distances of the near and the far plane, metres
+[extern("Camera")] float shadow_normal_bias;  // of a light's own view: metres that a surface is moved inside
 
 /// Direction from the surface to the camera in world space, unit.
 [semantic("pixel")]
@@ -35,17 +39,33 @@ float3 normal_vs(float3 normal = normal_ws) {
 [reads("color")] Texture2D color_texture;
 [reads("depth")] Texture2D depth_texture;
 
+/// What has been drawn so far at a place of the screen, linear. The material is drawn after all that do not read it.
+[node("Input/Scene/Scene Color")]
+float3 SceneColor(
+    float2 uv = screen_uv  ///< position on the screen, 0 to 1 from the top left
+) {
+    return color_texture.SampleLevel(uv, 0).rgb;
+}
+
+/// Distance in metres, along the camera's axis, of what has been drawn so far at a place of the screen.
+[node("Input/Scene/Scene Depth")]
+float SceneDepth(
+    float2 uv = screen_uv  ///< position on the screen, 0 to 1 from the top left
+) {
+    float3 behind = WorldFromDepth(uv, depth_texture.SampleLevel(uv, 0).r, clip_to_world);
+    return dot(behind - camera_position_ws, camera_forward_ws);
+}
+
 /// What has been drawn so far behind this pixel, linear. The material is drawn after all that do not read it.
 [semantic("pixel")]
 float3 scene_color(float2 uv = screen_uv) {
-    return color_texture.SampleLevel(uv, 0).rgb;
+    return SceneColor(uv);
 }
 
 /// Distance in metres, along the camera's axis, of what has been drawn so far behind this pixel.
 [semantic("pixel")]
 float scene_depth(float2 uv = screen_uv) {
-    float3 behind = WorldFromDepth(uv, depth_texture.SampleLevel(uv, 0).r, clip_to_world);
-    return dot(behind - camera_position_ws, camera_forward_ws);
+    return SceneDepth(uv);
 }
 
 /// Position on the screen, 0 to 1 from the top left.

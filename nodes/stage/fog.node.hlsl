@@ -14,12 +14,14 @@ float fog_visibility(float3 position) {
 }
 
 /// A surface's colour in the fog.
+[inline]
 float3 in_fog(float3 color, float3 position) {
     if (!fog) { return color; }
     return lerp(fog_color.rgb, color, fog_visibility(position));
 }
 
 /// What is added to a surface's colour that has been put into the fog already.
+[inline]
 float3 faded_by_fog(float3 color, float3 position) {
     if (!fog) { return color; }
     return color * fog_visibility(position);

@@ -26,6 +26,7 @@ float3 final(LightingSurface surface, LightSum sum) {
 float3 added(LightingSurface surface, LightSum sum);
 
 /// `added`, of the light that is alone in the list.
+[inline]
 float3 added_by_light(LightingSurface surface, float3 position) {
     LightSum one;
     one.direct = direct(surface, light_at(0, position));
@@ -33,6 +34,7 @@ float3 added_by_light(LightingSurface surface, float3 position) {
 }
 
 /// `final` over all lights of the list.
+[inline]
 float3 lit_by_all(LightingSurface surface, float3 position) {
     float3 direct_sum = float3(0);
     [light] for (int i = 0; i < min(light_count, MAX_LIGHTS); i++) {

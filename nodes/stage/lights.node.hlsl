@@ -30,15 +30,15 @@ const int MAX_LIGHTS = 16;
 
 /// Lights cast shadows.
 [switch("shadow-caster")] bool shadows;
-[extern("Lights")] float4x4 world_to_shadow[4];  // to the map's clip space
-[extern("Lights")] float4 shadow_tile[4];        // xy: size of the map in the texture, zw: its upper left corner
-[extern("Lights")] float4 shadow_strength;       // of each map, 0 to 1
-[extern("Lights")] float shadow_texel;           // 1 / width of the texture in texels
+[extern("Shadows")] float4x4 world_to_shadow[4];  // to the map's clip space
+[extern("Shadows")] float4 shadow_tile[4];        // xy: size of the map in the texture, zw: its upper left corner
+[extern("Shadows")] float4 shadow_strength;       // of each map, 0 to 1
+[extern("Shadows")] float shadow_texel;           // 1 / width of the texture in texels
 [reads("shadow_map")] Texture2D shadow_map;      // red: depth, 0 near to 1 far; up to four maps
 
 /// A light shines through a picture.
 [switch] bool cookies;
-[extern("Lights")] float4x4 world_to_cookie;
+[extern("Shadows")] float4x4 world_to_cookie;
 [extern] Texture2D light_cookie;
 
 /// Colour times attenuation times shadow.
@@ -47,24 +47,47 @@ float3 radiance(Light light) {
     return light.color * (light.attenuation * light.shadow);
 }
 
+/// Number of the shadow map of the light in slot `index`, or -1.
+int shadow_map_of(int index) {
+    if (!shadows) { return -1; }
+    return int(light_cone[index].w);
+}
+
+/// How dark the real-time shadow of the light in slot `index` is: 0 to 1.
+float strength_of_shadow(int index) {
+    if (!shadows) { return 0; }
+    int map = shadow_map_of(index);
+    return map >= 0 ? shadow_strength[map] : 0;
+}
+
+/// How much of its light reaches a point, by a shadow map: 1 lit, 0 in shadow.
+float shadow_in_map(int map, float3 position) {
+    if (!shadows) { return 1; }
+    float4 place = mul(world_to_shadow[map], float4(position, 1));
+    float3 at = place.xyz / place.w;
+    float2 uv = at.xy * float2(0.5, -0.5) + 0.5;
+    return SampleShadowTent5x5(shadow_map, uv, at.z, shadow_texel, shadow_tile[map]);
+}
+
+/// How much of the light in slot `index` its shadow map leaves.
+float realtime_shadow(int index, float3 position) {
+    if (!shadows) { return 1; }
+    int map = shadow_map_of(index);
+    float lit = 1;
+    if (map >= 0) { lit = lerp(1, shadow_in_map(map, position), shadow_strength[map]); }
+    return lit;
+}
+
 /// How much of the light in slot `index` reaches a point: 1 lit, 0 in shadow.
 [extern]
 float shadow(int index, float3 position) {
     if (!shadows) { return 1; }
-    int map = int(light_cone[index].w);
-    float lit = 1;
-    if (map >= 0) {
-        float4 place = mul(world_to_shadow[map], float4(position, 1));
-        float3 at = place.xyz / place.w;
-        float2 uv = at.xy * float2(0.5, -0.5) + 0.5;
-        float share = SampleShadowTent5x5(shadow_map, uv, at.z, shadow_texel, shadow_tile[map]);
-        lit = lerp(1, share, shadow_strength[map]);
-    }
-    return lit;
+    if (shadows_fade) { return mixed_shadow(index, position, 1); }
+    return realtime_shadow(index, position);
 }
 
 /// How much of the light in slot `index` its cookie lets through.
-[extern]
+[extern] [inline]
 float light_through_cookie(int index, float3 position) {
     if (!cookies) { return 1; }
     float passes = CookieAttenuation(light_cookie, mul(world_to_cookie, float4(position, 1)));
@@ -91,6 +114,7 @@ Light light_at(int index, float3 position) {
     Light light;
     light.direction = to_light * rsqrt(max(distance_squared, 1e-12));
     light.color = color.rgb;
+    if (lightmap && subtractive) { light.color = slot == main_light ? float3(0) : light.color; }
     light.attenuation = place.w > 0.5 ? distance_attenuation(distance_squared, color.w) : 1;
     float cosine = -dot(light_axis[slot].xyz, light.direction);
     float4 cone = light_cone[slot];

@@ -25,6 +25,8 @@
 [static("surface", "cutout")] bool alpha_clip;
 /// The material lets through what is behind it, and still mirrors as if it were whole.
 [static("surface", "transparent")] bool premultiplied;
+/// The material fades as a whole, with what it mirrors.
+[static("surface", "fade")] bool fades;
 
 [extern("Object")] [per_object] float4x4 object_to_world;
 [extern("Object")] [per_object] float4x4 world_to_object;

@@ -35,6 +35,7 @@ float smoothness(LightingSurface surface) {
 
 /// The surface as it is lit: a transparent one scatters light only as far as it covers what is behind it, and still
 /// mirrors as if it were whole.
+[inline]
 LightingSurface as_lit(LightingSurface surface) {
     LightingSurface lit = surface;
     if (premultiplied) {

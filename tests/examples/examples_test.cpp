@@ -92,7 +92,9 @@ TEST_P(Picture, IsTheSameThroughGlslHlslAndTheCpu) {
         request.via = via;
         RenderOutcome outcome = render(compiler(), request, machine);
         for (const Diagnostic& d : outcome.diagnostics) {
-            if (d.code != "no-anisotropy") ADD_FAILURE() << via << ": " << to_text(d);
+            // What the CPU cannot sample, and materials of a scene that its path hands on to another.
+            const bool is_expected = d.code == "no-anisotropy" || d.code == "path-refused" || d.code == "path-loses";
+            if (!is_expected) ADD_FAILURE() << via << ": " << to_text(d);
         }
         EXPECT_TRUE(outcome.ok) << via << ": " << outcome.error;
         encode_srgb(outcome.image);

@@ -118,6 +118,46 @@ TEST(EngineValues, OneCookieIsBound) {
     EXPECT_NEAR(uv.y / uv.w, 0.25, 1e-6);
 }
 
+TEST(EngineValues, LightsThatCastShadowsHaveChannelsOfMasks) {
+    Scene scene;
+    const Light plain{.color = {9, 9, 9}}, caster{.shadow = {.casts = true}};
+    scene.lights = {plain, caster, plain, caster, caster};
+    EngineScene seen{.scene = &scene,
+                     .lights = {{.light = &scene.lights[4], .index = 4},
+                                {.light = &scene.lights[0], .index = 0},
+                                {.light = &scene.lights[1], .index = 1}},
+                     .vertex_lights = {{.light = &scene.lights[3], .index = 3}}};
+    EXPECT_EQ(numbers(engine_values(seen), "light_mask"), (Numbers{0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0}));
+}
+
+TEST(EngineValues, SubtractiveLightmapsHoldTheMainLight) {
+    Scene scene;
+    scene.lights = {{.color = {1, 1, 1}}, {.color = {2, 2, 2}}};
+    EngineScene seen{.scene = &scene,
+                     .lights = {{.light = &scene.lights[0], .index = 0}, {.light = &scene.lights[1], .index = 1}}};
+    EXPECT_EQ(numbers(engine_values(seen), "main_light"), Numbers{-1});
+    scene.mixed_lighting = {.mode = LightMixing::Subtractive, .shadow_color = {1, 2, 3}};
+    EXPECT_EQ(numbers(engine_values(seen), "main_light"), Numbers{1});
+    EXPECT_EQ(numbers(engine_values(seen), "shadow_color")[2], 3);
+    seen.lights.pop_back();
+    EXPECT_EQ(numbers(engine_values(seen), "main_light"), Numbers{-1});
+}
+
+TEST(EngineValues, ShadowsFadeBeforeTheirDistance) {
+    Scene scene;
+    EXPECT_EQ(numbers(engine_values(scene), "shadow_fade"), (Numbers{0, 0}));
+    const auto fade = [&](double distance) {
+        const Numbers line = numbers(engine_values(scene), "shadow_fade");
+        return line[0] * distance + line[1];
+    };
+    scene.mixed_lighting = {.shadow_distance = 50.0f};
+    EXPECT_NEAR(fade(40), 0, 1e-6);
+    EXPECT_NEAR(fade(50), 1, 1e-6);
+    scene.mixed_lighting.shadow_fade = 4.0f;
+    EXPECT_NEAR(fade(46), 0, 1e-6);
+    EXPECT_NEAR(fade(48), 0.5, 1e-6);
+}
+
 TEST(EngineValues, AViewMayBeALights) {
     Scene scene;
     View view{.position = {1, 2, 3}, .forward = {0, -1, 0}, .is_parallel = true, .bias = 0.5f, .normal_bias = 0.25f};

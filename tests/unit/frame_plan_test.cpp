@@ -546,17 +546,17 @@ TEST(EngineTextures, LightmapsAreTheObjectsAndCookiesTheLights) {
     Stage stage;
     Pass pass = forward_pass();
     pass.each = "light";
-    pass.textures = {"_MainTex", "lightmap", "light_cookie", "shadow_mask"};
+    pass.textures = {"_MainTex", "lightmap_texture", "light_cookie", "shadow_mask_texture"};
     Reflection reflection = reflection_of("forward", {pass});
-    reflection.textures = {texture_of("_MainTex"), texture_of("lightmap"), texture_of("light_cookie"),
-                           texture_of("shadow_mask"), texture_of("unread")};
+    reflection.textures = {texture_of("_MainTex"), texture_of("lightmap_texture"), texture_of("light_cookie"),
+                           texture_of("shadow_mask_texture"), texture_of("unread")};
     reflection.textures[0].is_material = true;
     std::size_t material = stage.add_material(reflection);
     const std::vector<LoadedTexture> own = {{.name = "_MainTex", .data = texel(0.5f)}};
     stage.materials[material].textures = own;
     stage.add_object(material);
     stage.add_object(material);
-    const std::vector<std::vector<LoadedTexture>> of_objects = {{{.name = "lightmap", .data = texel(0.25f)}}};
+    const std::vector<std::vector<LoadedTexture>> of_objects = {{{.name = "lightmap_texture", .data = texel(0.25f)}}};
     stage.options.object_textures = of_objects;
     Light lamp = point_light({0, 3, 0});
     lamp.kind = LightKind::Spot;
@@ -572,8 +572,8 @@ TEST(EngineTextures, LightmapsAreTheObjectsAndCookiesTheLights) {
     };
     for (std::size_t step = 0; step < 4; step++) {
         EXPECT_EQ(red(step, "_MainTex"), 0.5f);
-        EXPECT_EQ(red(step, "lightmap"), step < 2 ? 0.25f : 1);
-        EXPECT_EQ(red(step, "shadow_mask"), 1);
+        EXPECT_EQ(red(step, "lightmap_texture"), step < 2 ? 0.25f : 1);
+        EXPECT_EQ(red(step, "shadow_mask_texture"), 1);
         EXPECT_EQ(red(step, "light_cookie"), step % 2 ? 0.75f : 1);
         EXPECT_EQ(bound(frame.steps[step], "unread"), nullptr);
         EXPECT_EQ(value(frame.steps[step], "light_axis")[3], step % 2 ? 1 : 0);
@@ -585,9 +585,9 @@ TEST(EngineTextures, LightmapsAreTheObjectsAndCookiesTheLights) {
 
 TEST(EngineTextures, LiveAsLongAsTheFrame) {
     Pass pass = forward_pass();
-    pass.textures = {"lightmap"};
+    pass.textures = {"lightmap_texture"};
     Reflection reflection = reflection_of("forward", {pass});
-    reflection.textures = {texture_of("lightmap")};
+    reflection.textures = {texture_of("lightmap_texture")};
     Stage stage;
     stage.add_object(stage.add_material(reflection));
     Frame copy;
@@ -595,7 +595,7 @@ TEST(EngineTextures, LiveAsLongAsTheFrame) {
         Frame frame = stage.plan();
         copy = frame;
     }
-    EXPECT_EQ(bound(copy.steps.at(0), "lightmap")->data->levels[0].texels, (std::vector<float>{1, 1, 1, 1}));
+    EXPECT_EQ(bound(copy.steps.at(0), "lightmap_texture")->data->levels[0].texels, (std::vector<float>{1, 1, 1, 1}));
 }
 
 // --- mistakes
@@ -625,9 +625,9 @@ TEST(FramePlan, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(stage.error(), subject + "is drawn each 'frame', which is neither once nor light");
     pass = forward_pass();
     pass.lights = "bright";
-    EXPECT_EQ(
-        stage.error(),
-        subject + "wants the lights 'bright'; there are all, main, further, directional, local, shadowed and none");
+    EXPECT_EQ(stage.error(), subject +
+                                 "wants the lights 'bright'; there are all, main, main-only, further, directional, "
+                                 "local, shadowed and none");
     pass = forward_pass();
     stage.materials[0].passes.clear();
     EXPECT_EQ(stage.error(), subject + "has no shaders");

@@ -166,6 +166,22 @@ TEST(ReadScene, Lights) {
     EXPECT_FALSE(scene.lights[3].inner || scene.lights[3].outer);
 }
 
+TEST(ReadScene, BakedLight) {
+    EXPECT_FALSE(good(R"("time":0)").mixed_lighting.shadow_distance);
+    const SceneFile scene = good(R"("mixedLighting":{"mode":"subtractive","shadowColor":[0.1,0.2,0.3],
+        "shadowDistance":40,"shadowFade":8},"materials":[{"name":"rust","graph":"rust.graph.json"}],"objects":[
+        {"id":"a","mesh":"plane","material":"rust","lightmap":"window.png","lightmapEncoding":"rgbm"},
+        {"id":"b","mesh":"plane","material":"rust","lightmap":"window.png","lightmapEncoding":"dldr"},
+        {"id":"c","mesh":"plane","material":"rust","lightmap":"window.png"}])");
+    EXPECT_EQ(scene.mixed_lighting.mode, SceneMixing::Subtractive);
+    EXPECT_EQ(scene.mixed_lighting.shadow_color, (SceneVector{0.1, 0.2, 0.3}));
+    EXPECT_EQ(scene.mixed_lighting.shadow_distance, 40);
+    EXPECT_EQ(scene.mixed_lighting.shadow_fade, 8);
+    EXPECT_EQ(scene.objects[0].lightmap_encoding, SceneLightmapEncoding::Rgbm);
+    EXPECT_EQ(scene.objects[1].lightmap_encoding, SceneLightmapEncoding::DoubleLdr);
+    EXPECT_EQ(scene.objects[2].lightmap_encoding, SceneLightmapEncoding::Hdr);
+}
+
 TEST(ReadScene, ValuesOfPropertiesBecomeWords) {
     const SceneFile scene = good(R"("materials":[
         {"name":"far","graph":"far.graph.json"},
@@ -263,6 +279,18 @@ INSTANTIATE_TEST_SUITE_P(
               "unknown key 'density' in fog of mode linear | 'density' belongs to the modes exp and exp2"},
         Wrong{R"("fog":{"mode":"linear","start":9,"end":^9})", "'end' must be greater than 'start'"},
         Wrong{R"("fog":{"mode":"exp","density":^-1})", "-1 is outside the range 0 to 1e+06 of 'density'"},
+        Wrong{R"("mixedLighting":^{})", "mixed lighting needs the key 'mode'"},
+        Wrong{R"("mixedLighting":{"mode":"^shadowmask"})",
+              "'shadowmask' is not a mode of mixed lighting | did you mean 'shadowMask'?"},
+        Wrong{R"("mixedLighting":{"mode":"shadowMask","^shadowColor":1})",
+              "unknown key 'shadowColor' in mixed lighting of mode shadowMask | 'shadowColor' belongs to the mode "
+              "subtractive"},
+        Wrong{R"("mixedLighting":{"mode":"shadowMask","shadowDistance":^0})",
+              "0 is outside the range 0.001 to 1e+06 of 'shadowDistance'"},
+        Wrong{R"("mixedLighting":{"mode":"shadowMask","shadowFade":^3})",
+              "'shadowFade' must be beside 'shadowDistance', before which shadows fade"},
+        Wrong{R"("mixedLighting":{"mode":"shadowMask","shadowDistance":2,"shadowFade":^3})",
+              "'shadowFade' must be at most 'shadowDistance', which is 2"},
         Wrong{R"("background":^null)", "'background' must be \"#rrggbb\", a number or an array of 3 or 4, not null"},
         Wrong{R"("time":^1e39)", "the number 1e39 does not fit in a 32-bit float"},
         Wrong{R"("pixelLightCount":^17)", "17 is outside the range 0 to 16 of 'pixelLightCount'"},
@@ -322,6 +350,10 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Wrong{R"("objects":^{})", "'objects' must be an array, not an object"},
         Wrong{R"("objects":[{"id":"a","mesh":"sphere","material":"^rust"}])", "there is no material 'rust'"},
+        Wrong{
+            R"("materials":[{"name":"m","graph":"rust.graph.json"}],"objects":[{"id":"a","mesh":"cube","material":"m","^lightmapEncoding":"hdr"}])",
+            "unknown key 'lightmapEncoding' in an object without a lightmap | 'lightmapEncoding' belongs to one with "
+            "'lightmap'"},
         Wrong{
             R"("materials":[{"name":"rust","graph":"rust.graph.json"}],"objects":[{"id":"a","mesh":"cube","material":"^rsut"}])",
             "there is no material 'rsut' | did you mean 'rust'?"},

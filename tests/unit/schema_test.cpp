@@ -279,7 +279,7 @@ TEST(Schema, RefusesWhatTheReaderRefuses) {
              R"({"patina":1,"workflow":"unlit","passes":[]})",
              R"({"patina":1,"workflow":"unlit","kind":"scene"})",
              R"({"patina":1,"workflow":"unlit","lighting":"phong"})",
-             R"({"patina":1,"workflow":"unlit","render":{"surface":"fade"}})",
+             R"({"patina":1,"workflow":"unlit","render":{"surface":"glassy"}})",
              R"({"patina":1,"workflow":"unlit","surface":{"a":"b c"}})",
              R"({"patina":1,"workflow":"unlit","surface":{"a":null}})",
              R"({"patina":1,"workflow":"unlit","surface":{"a":[1]}})",

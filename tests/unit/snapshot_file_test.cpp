@@ -37,6 +37,19 @@ TEST_F(SnapshotFileTest, LeavesOutWhatHasDefaults) {
     EXPECT_TRUE(file.request.lights.empty());
 }
 
+TEST_F(SnapshotFileTest, ShowsASceneOfItsNameWhereThereIsNoGraph) {
+    std::ofstream(folder / "rust.scene.json") << "{}";
+    EXPECT_EQ(read(R"({ "patina": 1 })").file->request.graph, (folder / "rust.scene.json").string());
+    std::ofstream(folder / "rust.graph.json") << "{}";
+    EXPECT_EQ(read(R"({ "patina": 1 })").file->request.graph, (folder / "rust.graph.json").string());
+}
+
+TEST_F(SnapshotFileTest, ThePathIsAWordOrAFileBesideIt) {
+    EXPECT_EQ(read(R"({ "patina": 1, "path": "deferred" })").file->request.path, "deferred");
+    EXPECT_EQ(read(R"({ "patina": 1, "path": "mine.pass.hlsl" })").file->request.path,
+              (folder / "mine.pass.hlsl").string());
+}
+
 TEST_F(SnapshotFileTest, ReadsEverything) {
     std::ofstream(folder / "rust.png") << "x";
     ReadSnapshot read_file = read(R"({

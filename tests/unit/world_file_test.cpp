@@ -97,7 +97,7 @@ TEST_F(WorldOfFile, MakesMeshesOncePerKind) {
 
 TEST_F(WorldOfFile, NamesMaterialsAndTheirFiles) {
     write("map.png", "");
-    const World made = world(object_with(R"("lightmap":"map.png","shadowMask":"./map.png")"));
+    const World made = world(object_with(R"("lightmap":"map.png","lightmapEncoding":"rgbm","shadowMask":"./map.png")"));
     ASSERT_EQ(made.materials.size(), 1u);
     EXPECT_EQ(made.materials[0].name, "plain");
     EXPECT_EQ(made.materials[0].graph, path("plain.graph.json"));
@@ -106,6 +106,7 @@ TEST_F(WorldOfFile, NamesMaterialsAndTheirFiles) {
     EXPECT_EQ(made.materials[0].place.line, 2);
     EXPECT_EQ(made.objects[0].material, 0u);
     EXPECT_EQ(made.objects[0].lightmap, path("map.png"));
+    EXPECT_EQ(made.objects[0].lightmap_encoding, LightmapEncoding::Rgbm);
     EXPECT_EQ(made.objects[0].shadow_mask, path("map.png"));
 }
 
@@ -145,7 +146,7 @@ TEST_F(WorldOfFile, Lights) {
 // What a file leaves out is what the runtime's own light, camera and view have.
 TEST_F(WorldOfFile, DefaultsAreTheRuntimes) {
     const World made = world(R"("lights":[{"type":"spot","position":[0,0,0],"direction":[0,1,0],"shadow":true}],
-        "fog":{"mode":"exp"})");
+        "fog":{"mode":"exp"},"mixedLighting":{"mode":"distanceShadowMask","shadowDistance":30})");
     const Light& light = made.view.lights.at(0);
     const Light usual;
     EXPECT_EQ(light.color, usual.color);
@@ -165,6 +166,9 @@ TEST_F(WorldOfFile, DefaultsAreTheRuntimes) {
     EXPECT_EQ(made.view.camera.far_plane, camera.far_plane);
     EXPECT_FALSE(made.view.camera.orthographic_height);
     const Fog fog;
+    EXPECT_EQ(made.view.mixed_lighting.mode, LightMixing::DistanceShadowMask);
+    EXPECT_EQ(made.view.mixed_lighting.shadow_distance, 30.0f);
+    EXPECT_FALSE(made.view.mixed_lighting.shadow_fade);
     EXPECT_EQ(made.view.fog.mode, FogMode::Exponential);
     EXPECT_EQ(made.view.fog.color, fog.color);
     EXPECT_EQ(made.view.fog.density, fog.density);

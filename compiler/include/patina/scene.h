@@ -82,6 +82,19 @@ struct SceneFog {
     double start = 5, end = 50;  // linear
 };
 
+// What real-time shadows do beside baked ones (runtime/scene.h).
+enum class SceneMixing { ShadowMask, DistanceShadowMask, Subtractive };
+
+struct SceneMixedLighting {
+    SceneMixing mode = SceneMixing::ShadowMask;
+    SceneVector shadow_color{};               // subtractive
+    std::optional<double> shadow_distance{};  // metres; nothing: real-time shadows do not end
+    std::optional<double> shadow_fade{};      // metres, at most the distance
+};
+
+// How the texels of a lightmap hold light (runtime/world.h).
+enum class SceneLightmapEncoding { Hdr, Rgbm, DoubleLdr };
+
 // A property of a material's graph and its value in words: "0.2", "1,0,0", "true", "Wet", a file that can be opened.
 struct SceneValue {
     std::string property;
@@ -106,6 +119,7 @@ struct SceneObject {
     SceneVector rotation{};  // turned about z, then about x, then about y, counter-clockwise seen from the axis's tip
     SceneVector scale{1, 1, 1};  // greater than 0; before the turn
     SceneFileName lightmap{}, shadow_mask{};
+    SceneLightmapEncoding lightmap_encoding = SceneLightmapEncoding::Hdr;
 };
 
 struct SceneFile {
@@ -116,6 +130,7 @@ struct SceneFile {
     std::optional<SceneAmbient> ambient{};  // nothing: the studio's
     SceneEnvironment environment = SceneEnvironment::Studio;
     std::optional<SceneFog> fog{};
+    SceneMixedLighting mixed_lighting{};
     std::optional<std::array<double, 4>> background{};  // linear, with alpha; nothing: the runtime's own
     double time = 0;                                    // seconds
     int pixel_light_count = 4;                          // 0 to kMostSceneLights

@@ -118,6 +118,14 @@ private:
         if (inst.op == Op::Call) need_result_member(inst.data, member);
     }
 
+    // A pass's body may discard, and give nothing that anybody reads.
+    bool calls_discard(const Inst& inst) const {
+        if (inst.op != Op::Call) return false;
+        const Function& callee = module_.functions[inst.data];
+        return std::any_of(callee.blocks[0].insts.begin(), callee.blocks[0].insts.end(),
+                           [&](Value value) { return callee[value].op == Op::DiscardIf; });
+    }
+
     // The function runs at all.
     void call(std::uint32_t f) {
         Need& need = needs_[f];
@@ -135,7 +143,7 @@ private:
             for (std::uint32_t k = 0; k + 1 < function.insts[i].operand_count; k++) need.owners[body[k].index] = {i};
         }
         for (const Value value : function.blocks[0].insts) {
-            if (function[value].op == Op::DiscardIf) this->need(f, value);
+            if (function[value].op == Op::DiscardIf || calls_discard(function[value])) need_all(f, value);
         }
         const Value end = function.blocks[0].insts.back();
         need.live.values[end.index] = 1;

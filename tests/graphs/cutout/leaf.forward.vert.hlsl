@@ -8,9 +8,13 @@ cbuffer Camera : register(b1, space0)
     float3 camera_position_ws;
     float view_is_orthographic;
     float3 camera_forward_ws;
+    float shadow_bias;
+    float4x4 clip_to_world;
+    float2 clip_planes;
+    float shadow_normal_bias;
 };
 
-cbuffer Object : register(b3, space0)
+cbuffer Object : register(b4, space0)
 {
     float4x4 object_to_world;
     float4x4 world_to_object;

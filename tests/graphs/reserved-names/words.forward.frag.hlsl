@@ -34,6 +34,10 @@ cbuffer Camera : register(b1, space0)
     float3 camera_position_ws;
     float view_is_orthographic;
     float3 camera_forward_ws;
+    float shadow_bias;
+    float4x4 clip_to_world;
+    float2 clip_planes;
+    float shadow_normal_bias;
 };
 
 cbuffer Lights : register(b2, space0)
@@ -46,9 +50,10 @@ cbuffer Lights : register(b2, space0)
     float4 light_color[16];
     float4 light_axis[16];
     float4 light_cone[16];
+    int vertex_light_count;
 };
 
-cbuffer Ambient : register(b4, space0)
+cbuffer Ambient : register(b5, space0)
 {
     float4 ambient_sh[9];
 };
@@ -63,8 +68,8 @@ cbuffer Material : register(b0, space1)
     float main_;
 };
 
-TextureCube environment_map : register(t0, space0);
-SamplerState environment_map_sampler : register(s0, space0);
+TextureCube environment_map : register(t1, space0);
+SamplerState environment_map_sampler : register(s1, space0);
 Texture2D texture_ : register(t0, space1);
 SamplerState samplertexture : register(s0, space1);
 
@@ -118,7 +123,7 @@ float distance_attenuation(float distance_squared, float range)
     return window * window / max(distance_squared, 1e-04);
 }
 
-// Light number `index` as seen from `position` (world space).
+// The light in slot `index` of the list, as seen from `position` (world space).
 Light light_at(int index, float3 position)
 {
     int slot = clamp(index, 0, 15);
@@ -272,7 +277,8 @@ FragmentOutput main(FragmentInput input)
     float3 reflectance = lerp(setup.f0, grazing.xxx, SchlickWeight(ndotv));
 
     float3 product = (setup.diffuse_color * ambient + reduction * reflectance * environment_texel.xyz) * material.occlusion;
+    float3 color = direct_sum + product + material.emission;
     FragmentOutput output;
-    output.color = float4(direct_sum + product + material.emission, material.alpha);
+    output.color = float4(color, material.alpha);
     return output;
 }

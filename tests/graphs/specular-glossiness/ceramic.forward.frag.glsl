@@ -47,6 +47,10 @@ layout(set = 0, binding = 1, std140) uniform Camera
     vec3 camera_position_ws;
     float view_is_orthographic;
     vec3 camera_forward_ws;
+    float shadow_bias;
+    mat4 clip_to_world;
+    vec2 clip_planes;
+    float shadow_normal_bias;
 };
 
 layout(set = 0, binding = 2, std140) uniform Lights
@@ -59,9 +63,10 @@ layout(set = 0, binding = 2, std140) uniform Lights
     vec4 light_color[16];
     vec4 light_axis[16];
     vec4 light_cone[16];
+    int vertex_light_count;
 };
 
-layout(set = 0, binding = 4, std140) uniform Ambient
+layout(set = 0, binding = 5, std140) uniform Ambient
 {
     vec4 ambient_sh[9];
 };
@@ -72,8 +77,8 @@ layout(set = 1, binding = 0, std140) uniform Material
     float _Glossiness;
 };
 
-layout(set = 0, binding = 5) uniform textureCube environment_map;
-layout(set = 0, binding = 7) uniform sampler environment_map_sampler;
+layout(set = 0, binding = 7) uniform textureCube environment_map;
+layout(set = 0, binding = 10) uniform sampler environment_map_sampler;
 layout(set = 1, binding = 1) uniform texture2D _NormalTex;
 layout(set = 1, binding = 2) uniform sampler sampler_NormalTex;
 
@@ -182,7 +187,7 @@ float distance_attenuation(float distance_squared, float range)
     return window * window / max(distance_squared, 1e-04);
 }
 
-// Light number `index` as seen from `position` (world space).
+// The light in slot `index` of the list, as seen from `position` (world space).
 Light light_at(int index, vec3 position)
 {
     int slot = clamp(index, 0, 15);
@@ -343,5 +348,6 @@ void main()
     vec3 reflectance = mix(setup.f0, vec3(grazing), SchlickWeight(ndotv));
 
     vec3 product_2 = (setup.diffuse_color * ambient + reduction * reflectance * environment_texel.xyz) * material.occlusion;
-    out_color = vec4(direct_sum + product_2 + material.emission, material.alpha);
+    vec3 color = direct_sum + product_2 + material.emission;
+    out_color = vec4(color, material.alpha);
 }

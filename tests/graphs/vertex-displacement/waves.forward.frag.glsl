@@ -20,9 +20,10 @@ layout(set = 0, binding = 2, std140) uniform Lights
     vec4 light_color[16];
     vec4 light_axis[16];
     vec4 light_cone[16];
+    int vertex_light_count;
 };
 
-layout(set = 0, binding = 4, std140) uniform Ambient
+layout(set = 0, binding = 5, std140) uniform Ambient
 {
     vec4 ambient_sh[9];
 };
@@ -46,7 +47,7 @@ float distance_attenuation(float distance_squared, float range)
     return window * window / max(distance_squared, 1e-04);
 }
 
-// Light number `index` as seen from `position` (world space).
+// The light in slot `index` of the list, as seen from `position` (world space).
 Light light_at(int index, vec3 position)
 {
     int slot = clamp(index, 0, 15);
@@ -105,5 +106,6 @@ void main()
         ambient_sh[3].xyz, ambient_sh[4].xyz, ambient_sh[5].xyz, ambient_sh[6].xyz, ambient_sh[7].xyz,
         ambient_sh[8].xyz);
 
-    out_color = vec4(direct_sum + setup * ambient, 1.0);
+    vec3 color = direct_sum + setup * ambient;
+    out_color = vec4(color, 1.0);
 }

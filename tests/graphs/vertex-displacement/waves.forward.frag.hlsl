@@ -19,9 +19,10 @@ cbuffer Lights : register(b2, space0)
     float4 light_color[16];
     float4 light_axis[16];
     float4 light_cone[16];
+    int vertex_light_count;
 };
 
-cbuffer Ambient : register(b4, space0)
+cbuffer Ambient : register(b5, space0)
 {
     float4 ambient_sh[9];
 };
@@ -52,7 +53,7 @@ float distance_attenuation(float distance_squared, float range)
     return window * window / max(distance_squared, 1e-04);
 }
 
-// Light number `index` as seen from `position` (world space).
+// The light in slot `index` of the list, as seen from `position` (world space).
 Light light_at(int index, float3 position)
 {
     int slot = clamp(index, 0, 15);
@@ -112,7 +113,8 @@ FragmentOutput main(FragmentInput input)
         ambient_sh[3].xyz, ambient_sh[4].xyz, ambient_sh[5].xyz, ambient_sh[6].xyz, ambient_sh[7].xyz,
         ambient_sh[8].xyz);
 
+    float3 color = direct_sum + setup * ambient;
     FragmentOutput output;
-    output.color = float4(direct_sum + setup * ambient, 1.0);
+    output.color = float4(color, 1.0);
     return output;
 }

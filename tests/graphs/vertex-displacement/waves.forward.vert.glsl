@@ -7,6 +7,8 @@ layout(set = 0, binding = 0, std140) uniform Frame
     float time;
     float _pad0;
     vec2 screen_size;
+    vec4 fog_color;
+    vec4 fog_settings;
 };
 
 layout(set = 0, binding = 1, std140) uniform Camera
@@ -16,9 +18,13 @@ layout(set = 0, binding = 1, std140) uniform Camera
     vec3 camera_position_ws;
     float view_is_orthographic;
     vec3 camera_forward_ws;
+    float shadow_bias;
+    mat4 clip_to_world;
+    vec2 clip_planes;
+    float shadow_normal_bias;
 };
 
-layout(set = 0, binding = 3, std140) uniform Object
+layout(set = 0, binding = 4, std140) uniform Object
 {
     mat4 object_to_world;
     mat4 world_to_object;
