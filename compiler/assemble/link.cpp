@@ -73,7 +73,7 @@ void thread_function(const ir::Module& module, ir::Function& function, const std
         inst.op = Op::Param;
         inst.type = info.type;
         inst.data = static_cast<std::uint32_t>(function.params.size());
-        function.params.push_back({info.name, info.type, info.rate});
+        function.params.push_back({info.name, info.type, info.rate, true});
         function.insts.push_back(inst);
         params.push_back({static_cast<std::uint32_t>(function.insts.size() - 1)});
     }

@@ -16,6 +16,7 @@ void add_nodes(Program& program);
 void add_node(Program& program);
 void add_models(Program& program);
 void add_model(Program& program);
+void add_paths(Program& program);
 void add_docs(Program& program);
 void add_schema(Program& program);
 

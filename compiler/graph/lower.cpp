@@ -222,7 +222,8 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
                       .interpolators = {},
                       .active_interpolators = {},
                       .parts = {},
-                      .per_object = {}};
+                      .per_object = {},
+                      .surface = {}};
     declare_switches(lowering);
     const std::vector<std::string_view> on = what_is_on(lowering);
     EngineGlobals engine = declare_engine(*session.stages, *session.declarations, lowering.emitter, on);
@@ -234,7 +235,12 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     declare_semantics(lowering);
     lower_slots(lowering);
     lower_vertex_outputs(lowering);
-    if (!session.diagnostics.has_errors()) lower_passes(lowering);
+    if (session.diagnostics.has_errors()) return out;
+    if (session.options.functions.empty()) {
+        lower_passes(lowering);
+    } else {
+        lower_functions(lowering);
+    }
     return out;
 }
 

@@ -51,6 +51,7 @@ public:
 
     void function(const FunctionDecl& function) {
         if (function.attribute("slot")) stages_.slots.push_back(&function);
+        if (function.attribute("export")) stages_.exports.push_back(&function);
         if (const Attribute* attribute = function.attribute("semantic")) {
             if (const std::optional<Source> source = source_of(nodelang::attribute_text(*attribute))) {
                 add({.name = function.name,

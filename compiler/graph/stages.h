@@ -81,7 +81,7 @@ struct Stages {
     std::vector<const nodelang::VariableDecl*> externs, statics;
     // The library's, which a file repeats: its functions mean what is declared again.
     std::vector<const nodelang::VariableDecl*> repeated;
-    std::vector<const nodelang::FunctionDecl*> slots;
+    std::vector<const nodelang::FunctionDecl*> slots, exports;
 
     const PassDecl* pass(std::string_view name) const;
     // Those of a path, in the order of its file.

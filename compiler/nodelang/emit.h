@@ -260,6 +260,9 @@ private:
     std::deque<std::vector<std::string_view>> enumerator_lists_;
 };
 
+// Of a declaration's comment, without its slashes, on one line.
+std::string first_sentence(std::string_view doc);
+
 // Names of all intrinsic functions, for suggestions.
 std::vector<std::string_view> intrinsic_names();
 

@@ -51,20 +51,14 @@ public:
     explicit Analysis(const Module& module) : module_(module), needs_(module.functions.size()) {}
 
     std::vector<Need> run() {
-        std::vector<std::uint8_t> is_root(module_.functions.size(), module_.stage.entry ? 0 : 1);
-        if (module_.stage.entry) is_root[module_.stage.entry.index] = 1;
-        for (const Function& function : module_.functions) {
-            if (module_.stage.entry) break;
-            for (const Inst& inst : function.insts) {
-                if (inst.op == Op::Call) is_root[inst.data] = 0;
-            }
-        }
+        const std::vector<std::uint8_t> is_root = roots();
         for (std::uint32_t f = 0; f < is_root.size(); f++) {
             if (is_root[f] == 0) continue;
             call(f);
             need_result(f);
             // Functions that are called from outside keep their signature; only a stage's entry may lose inputs.
-            if (!module_.stage.entry) std::fill(needs_[f].params.begin(), needs_[f].params.end(), 1);
+            const bool is_plain = !module_.stage.entry && module_.functions[f].linkage == Linkage::Internal;
+            if (is_plain) std::fill(needs_[f].params.begin(), needs_[f].params.end(), 1);
         }
         while (!work_.empty()) {
             const Site next = work_.back();
@@ -75,6 +69,35 @@ public:
     }
 
 private:
+    // The entry; without one, what is exported; without that, what nothing calls.
+    std::vector<std::uint8_t> roots() const {
+        std::vector<std::uint8_t> is_root(module_.functions.size(), 0);
+        if (module_.stage.entry) {
+            is_root[module_.stage.entry.index] = 1;
+            return is_root;
+        }
+        for (std::size_t f = 0; f < is_root.size(); f++) {
+            is_root[f] = module_.functions[f].linkage == Linkage::Exported ? 1 : 0;
+        }
+        if (std::count(is_root.begin(), is_root.end(), 1) > 0) return is_root;
+        std::fill(is_root.begin(), is_root.end(), 1);
+        for (const Function& function : module_.functions) {
+            for (const Inst& inst : function.insts) {
+                if (inst.op == Op::Call) is_root[inst.data] = 0;
+            }
+        }
+        return is_root;
+    }
+
+    // Those that know the function from elsewhere count on its result and on its own parameters.
+    void need_signature(std::uint32_t f) {
+        const std::vector<Param>& params = module_.functions[f].params;
+        for (std::size_t i = 0; i < params.size(); i++) {
+            if (!params[i].is_semantic) needs_[f].params[i] = 1;
+        }
+        need_result(f);
+    }
+
     void need(std::uint32_t f, Value value) {
         std::uint8_t& live = needs_[f].live.values[value.index];
         if (live != 0) return;
@@ -125,6 +148,7 @@ private:
         const Value end = function.blocks[0].insts.back();
         need.live.values[end.index] = 1;
         if (function[end].operand_count > 0) need.return_value = function.args(end)[0];
+        if (function.linkage != Linkage::Internal) need_signature(f);
     }
 
     void need_result(std::uint32_t f) {
