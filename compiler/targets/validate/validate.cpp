@@ -132,10 +132,14 @@ bool compile(const Shader& shader, Validated& result) {
     // Functions stand in the smallest shader.
     const std::string_view before = shader.has_main || is_hlsl ? "" : kAroundGlsl;
     const std::string_view after = shader.has_main ? "" : kEmptyMain;
-    const char* texts[] = {before.data(), shader.text.data(), after.data()};
-    const int lengths[] = {static_cast<int>(before.size()), static_cast<int>(shader.text.size()),
-                           static_cast<int>(after.size())};
-    unit.setStringsWithLengths(texts, lengths, 3);
+    std::vector<const char*> texts;
+    std::vector<int> lengths;
+    for (const std::string_view text : {before, std::string_view(shader.text), after}) {
+        if (text.empty()) continue;  // glslang wants #version in the first of them
+        texts.push_back(text.data());
+        lengths.push_back(static_cast<int>(text.size()));
+    }
+    unit.setStringsWithLengths(texts.data(), lengths.data(), static_cast<int>(texts.size()));
     unit.setEntryPoint("main");
     unit.setSourceEntryPoint("main");
     unit.setEnvInput(is_hlsl ? glslang::EShSourceHlsl : glslang::EShSourceGlsl, stage, glslang::EShClientVulkan, 100);
