@@ -27,11 +27,11 @@ using Words = std::span<const std::string_view>;
 constexpr std::array<std::string_view, 4> kParts = {"part", "without", "pack", "unpack"};
 constexpr std::array<std::string_view, 4> kStatics = {"surface", "cull", "slot", "pass"};
 // std140 has places for these.
-constexpr std::array<std::string_view, 14> kUniforms = {"float", "float2", "float3", "float4",   "int",
-                                                        "int2",  "int3",   "int4",   "uint",     "uint2",
+constexpr std::array<std::string_view, 14> kUniforms = {"float", "float2", "float3",   "float4",  "int",
+                                                        "int2",  "int3",   "int4",     "uint",    "uint2",
                                                         "uint3", "uint4",  "float3x3", "float4x4"};
-constexpr std::array<std::string_view, 12> kVaryings = {"float", "float2", "float3", "float4", "half",  "half2",
-                                                        "half3", "half4",  "int",    "int2",   "int3",  "int4"};
+constexpr std::array<std::string_view, 12> kVaryings = {"float", "float2", "float3", "float4", "half", "half2",
+                                                        "half3", "half4",  "int",    "int2",   "int3", "int4"};
 constexpr std::size_t kMaxDepth = 64;  // of semantics that read semantics
 struct BuiltinRow {
     std::string_view name, type;
@@ -87,8 +87,7 @@ private:
         if (stages_.pass(given.text)) return true;
         std::vector<std::string_view> known;
         for (const PassDecl& each : stages_.passes) known.push_back(each.name);
-        diagnostics_.report(Code::UnknownPass, given.span, given.text)
-            .note(Diagnostics::suggestion(given.text, known));
+        diagnostics_.report(Code::UnknownPass, given.span, given.text).note(Diagnostics::suggestion(given.text, known));
         return false;
     }
 
@@ -123,8 +122,9 @@ private:
         if (is_of_pass(sources_, decl.span)) {
             for (const std::string_view name : {"attribute", "given", "vertex_output"}) {
                 if (const Attribute* attribute = decl.attribute(name))
-                    bad(attribute->span, name, "cannot stand in a pass file: what meshes and lighting graphs hold is "
-                                               "the library's to say");
+                    bad(attribute->span, name,
+                        "cannot stand in a pass file: what meshes and lighting graphs hold is "
+                        "the library's to say");
             }
         }
         if (const Attribute* attribute = decl.attribute("static")) {
@@ -154,7 +154,8 @@ private:
     }
 
     void is_bool(const VariableDecl& decl, const Attribute& attribute) {
-        if (decl.type.name != "bool" || decl.type.array_size) bad(decl.type.span, attribute.name, "stands before a bool");
+        if (decl.type.name != "bool" || decl.type.array_size)
+            bad(decl.type.span, attribute.name, "stands before a bool");
     }
 
     void statics(const Attribute& attribute) {
@@ -214,7 +215,8 @@ private:
         if (attribute.args.size() != 1)
             return bad(attribute.span, "extern", "takes the name of a uniform block: [extern(\"Camera\")]");
         if (!is_identifier(block)) diagnostics_.report(Code::BadIdentifier, attribute.args[0]->span, block);
-        if (block == "Material") bad(attribute.args[0]->span, "extern", "names 'Material', the block of the properties");
+        if (block == "Material")
+            bad(attribute.args[0]->span, "extern", "names 'Material', the block of the properties");
     }
 
     // --- functions
@@ -282,7 +284,8 @@ private:
         if (const SemanticDecl* semantic = stages_.semantic(what.text)) {
             const TypeName& type = semantic->function ? semantic->function->result : semantic->variable->type;
             if (semantic->source == Source::Extern || semantic->source == Source::Given) {
-                bad(what.span, "gives", fmt::format("names '{}', which is no semantic that a pass computes", what.text));
+                bad(what.span, "gives",
+                    fmt::format("names '{}', which is no semantic that a pass computes", what.text));
             } else if (!is_same(type, decl.result)) {
                 diagnostics_.report(Code::TypeMismatch, decl.result.span, fmt::format("the recipe of '{}'", what.text),
                                     decl.result.name, type.name);
@@ -296,9 +299,9 @@ private:
                 }
             }
             diagnostics_
-                .report(Code::BadAttribute, what.span, "gives",
-                        fmt::format("names '{}', which is neither a semantic nor a function marked [extern]",
-                                    what.text))
+                .report(
+                    Code::BadAttribute, what.span, "gives",
+                    fmt::format("names '{}', which is neither a semantic nor a function marked [extern]", what.text))
                 .note(Diagnostics::suggestion(what.text, known));
         }
     }
@@ -329,9 +332,9 @@ private:
         if (!is_same(decl.result, whole.result) ||
             !std::equal(decl.params.begin(), decl.params.end(), whole.params.begin(), whole.params.end(), same))
             diagnostics_
-                .report(Code::BadAttribute, span, attribute,
-                        fmt::format("makes '{}' of '{}', whose parameters and result it must have", decl.name,
-                                    whole.name))
+                .report(
+                    Code::BadAttribute, span, attribute,
+                    fmt::format("makes '{}' of '{}', whose parameters and result it must have", decl.name, whole.name))
                 .note(whole.name_span, "the whole is here");
     }
 
@@ -407,7 +410,8 @@ private:
         const Attribute* made = making(slot);
         if (!made || is_circle(active_, slot, span) || !followed_.insert(&slot).second) return;
         active_.push_back(&slot);
-        const std::size_t count = made->name == "pack" ? made->args.size() : std::min<std::size_t>(made->args.size(), 1);
+        const std::size_t count =
+            made->name == "pack" ? made->args.size() : std::min<std::size_t>(made->args.size(), 1);
         for (std::size_t i = 0; i < count; ++i) {
             if (const FunctionDecl* next = find_slot(made->args[i]->text)) follow_slot(*next, made->args[i]->span);
         }

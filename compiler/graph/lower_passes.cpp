@@ -200,9 +200,9 @@ private:
                 SemanticRecipe& recipe = out.semantics[inst.data];
                 if (!recipe.declaration || !recipe.declaration->function || recipe.recipe) continue;
                 reads_of_pass_ = reads_of_pass_ || recipe.declaration->is_of_pass;
-                const ir::FunctionId made = lowering_.emitter.semantic_function(
-                    *recipe.declaration->function, *lowering_.session.declarations, environment_,
-                    recipe.source == Source::Vertex);
+                const ir::FunctionId made =
+                    lowering_.emitter.semantic_function(*recipe.declaration->function, *lowering_.session.declarations,
+                                                        environment_, recipe.source == Source::Vertex);
                 if (!made) return;  // a fault in the library or the user's file, reported
                 out.semantics[inst.data].recipe = made;
             }

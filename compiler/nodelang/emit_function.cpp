@@ -185,8 +185,9 @@ ir::FunctionId Emitter::outer_function(const FunctionDecl& function, const Decla
         }
         if (!param.initial) {
             diagnostics_.report(Code::MissingInput, param.span, function.name, param.name)
-                .note("nothing calls it with arguments: the default of a parameter is a semantic that it reads, "
-                      "'float3 position = position_ws'");
+                .note(
+                    "nothing calls it with arguments: the default of a parameter is a semantic that it reads, "
+                    "'float3 position = position_ws'");
             return {};
         }
         Scope outside{.builder = &builder, .declarations = &home, .environment = &environment};

@@ -1,6 +1,6 @@
-// The compiler's figures: what a warm compile, of one pass and of all, the whole command, the library and very long graphs
-// cost, and how long the text is that comes out. Google Benchmark's options apply; the table at the end is the best of
-// the repetitions.
+// The compiler's figures: what a warm compile, of one pass and of all, the whole command, the library and very long
+// graphs cost, and how long the text is that comes out. Google Benchmark's options apply; the table at the end is the
+// best of the repetitions.
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>

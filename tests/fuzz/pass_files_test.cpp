@@ -92,11 +92,47 @@ public:
             files_.push_back(tokens_of(file));
             for (const std::string& token : files_.back()) pool_.push_back(token);
         }
-        for (const char* token : {"0", "-1", "1e39", "float", "float2", "int", "bool", "half", "float4x4", "Texture2D",
-                                  "TextureCube", "SamplerState", "Light", "LightSum", "LightingSurface", "void", "floatN",
-                                  "out", "const", "ddx", "Sample", "uv0", "vertex_color", "front_facing", "light", "time",
-                                  "Surface", "static", "attribute", "builtin", "given", "node", "member", "per_object",
-                                  "\"\"", "\"all\"", "\"Object\"", "[", "[ 3 ]", "position_os", "opaque_color"}) {
+        for (const char* token : {"0",
+                                  "-1",
+                                  "1e39",
+                                  "float",
+                                  "float2",
+                                  "int",
+                                  "bool",
+                                  "half",
+                                  "float4x4",
+                                  "Texture2D",
+                                  "TextureCube",
+                                  "SamplerState",
+                                  "Light",
+                                  "LightSum",
+                                  "LightingSurface",
+                                  "void",
+                                  "floatN",
+                                  "out",
+                                  "const",
+                                  "ddx",
+                                  "Sample",
+                                  "uv0",
+                                  "vertex_color",
+                                  "front_facing",
+                                  "light",
+                                  "time",
+                                  "Surface",
+                                  "static",
+                                  "attribute",
+                                  "builtin",
+                                  "given",
+                                  "node",
+                                  "member",
+                                  "per_object",
+                                  "\"\"",
+                                  "\"all\"",
+                                  "\"Object\"",
+                                  "[",
+                                  "[ 3 ]",
+                                  "position_os",
+                                  "opaque_color"}) {
             pool_.push_back(token);
         }
     }
@@ -231,7 +267,8 @@ protected:
             if (path != "mine.pass.hlsl") return {};
             return text;
         };
-        const Result result = compiler_.compile_text("fuzz.graph.json", std::string(seed % 4 ? kGraph : kToon), options);
+        const Result result =
+            compiler_.compile_text("fuzz.graph.json", std::string(seed % 4 ? kGraph : kToon), options);
         int errors = 0;
         for (const Diagnostic& each : result.diagnostics) {
             EXPECT_GT(each.line, 0) << to_text(each);

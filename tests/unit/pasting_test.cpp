@@ -77,7 +77,7 @@ layout(set = 0, binding = 2) uniform texture2D split_sum_table;
 layout(set = 0, binding = 3) uniform sampler environment_map_sampler;
 layout(set = 0, binding = 4) uniform sampler split_sum_table_sampler;
 )";
-  constexpr const char* kHlslHead = R"(
+constexpr const char* kHlslHead = R"(
 #define SAMPLE(kind, name, at, level) name.SampleLevel(name##_sampler, at, level)
 cbuffer Engine : register(b0, space0) {
     float4x4 world_to_clip;
@@ -96,8 +96,8 @@ SamplerState environment_map_sampler : register(s0, space0);
 SamplerState split_sum_table_sampler : register(s1, space0);
 )";
 
-  // #NAME# is a call of that function with arguments that are called like its parameters; PREFIX is the material's.
-  constexpr const char* kVertexBody = R"(
+// #NAME# is a call of that function with arguments that are called like its parameters; PREFIX is the material's.
+constexpr const char* kVertexBody = R"(
 float4 place(float3 position_os, float3 normal_os, out float3 position_ws, out float3 vertex_normal_ws) {
     position_os = #vertex_position_os#;
     position_ws = mul(object_to_world, float4(position_os, 1.0)).xyz;
@@ -106,8 +106,8 @@ float4 place(float3 position_os, float3 normal_os, out float3 position_ws, out f
 }
 )";
 
-  // Spherical harmonics: Ramamoorthi and Hanrahan 2001, eq. 3 and 9, over pi. The light: docs/conventions.md.
-  constexpr const char* kFragmentBody = R"(
+// Spherical harmonics: Ramamoorthi and Hanrahan 2001, eq. 3 and 9, over pi. The light: docs/conventions.md.
+constexpr const char* kFragmentBody = R"(
 float3 AmbientIrradiance(float3 n) {
     float3 sum = 0.282095 * ambient_sh[0].xyz;
     sum += 2.0 / 3.0 * 0.488603 * (ambient_sh[1].xyz * n.y + ambient_sh[2].xyz * n.z + ambient_sh[3].xyz * n.x);
@@ -156,7 +156,7 @@ float4 shade(float2 uv0, float3 position_ws, float3 vertex_normal_ws) {
 }
 )";
 
-  constexpr const char* kGlslVertexMain = R"(
+constexpr const char* kGlslVertexMain = R"(
 layout(location = 0) in vec3 in_position;
 layout(location = 1) in vec3 in_normal;
 layout(location = 2) in vec2 in_uv;
@@ -167,20 +167,20 @@ void main() {
     uv = in_uv;
     gl_Position = place(in_position, in_normal, position, normal);
 })";
-  constexpr const char* kGlslFragmentMain = R"(
+constexpr const char* kGlslFragmentMain = R"(
 layout(location = 0) in vec2 uv;
 layout(location = 1) in vec3 position;
 layout(location = 2) in vec3 normal;
 layout(location = 0) out vec4 color;
 void main() { color = shade(uv, position, normal); })";
-  constexpr const char* kHlslVaryings = R"(
+constexpr const char* kHlslVaryings = R"(
 struct Varyings {
     float2 uv : TEXCOORD0;
     float3 position : TEXCOORD1;
     float3 normal : TEXCOORD2;
     float4 place : SV_Position;
 };)";
-  constexpr const char* kHlslVertexMain = R"(
+constexpr const char* kHlslVertexMain = R"(
 struct Vertex {
     float3 position : POSITION;
     float3 normal : NORMAL;
@@ -192,207 +192,206 @@ Varyings main(Vertex vertex) {
     made.place = place(vertex.position, vertex.normal, made.position, made.normal);
     return made;
 })";
-  constexpr const char* kHlslFragmentMain = R"(
+constexpr const char* kHlslFragmentMain = R"(
 float4 main(Varyings seen) : SV_Target0 { return shade(seen.uv, seen.position, seen.normal); })";
 
-  void replace_all(std::string& text, const std::string& word, const std::string& by) {
-      for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + by.size())) {
-          text.replace(at, word.size(), by);
-      }
-  }
+void replace_all(std::string& text, const std::string& word, const std::string& by) {
+    for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + by.size())) {
+        text.replace(at, word.size(), by);
+    }
+}
 
-  // A material: as functions, and as the forward pass that they are compared with.
-  struct Material {
-      std::string prefix;
-      Result functions, forward;
+// A material: as functions, and as the forward pass that they are compared with.
+struct Material {
+    std::string prefix;
+    Result functions, forward;
 
-      std::string text(Stage stage, Target target) const {
-          for (const Shader& shader : functions.shaders) {
-              if (shader.stage == stage && shader.target == target) return shader.text;
-          }
-          return {};
-      }
-      // "Rock_direct(surface, light, view_dir_ws)"; a function that the material lacks: `otherwise`.
-      std::string call(const std::string& name, const std::string& otherwise) const {
-          for (const ShaderFunction& function : functions.reflection.functions) {
-              if (function.name != prefix + name) continue;
-              std::string arguments;
-              for (const ShaderFunction::Parameter& parameter : function.parameters)
-                  arguments += (arguments.empty() ? "" : ", ") + parameter.name;
-              return function.name + "(" + arguments + ")";
-          }
-          return otherwise;
-      }
-  };
+    std::string text(Stage stage, Target target) const {
+        for (const Shader& shader : functions.shaders) {
+            if (shader.stage == stage && shader.target == target) return shader.text;
+        }
+        return {};
+    }
+    // "Rock_direct(surface, light, view_dir_ws)"; a function that the material lacks: `otherwise`.
+    std::string call(const std::string& name, const std::string& otherwise) const {
+        for (const ShaderFunction& function : functions.reflection.functions) {
+            if (function.name != prefix + name) continue;
+            std::string arguments;
+            for (const ShaderFunction::Parameter& parameter : function.parameters)
+                arguments += (arguments.empty() ? "" : ", ") + parameter.name;
+            return function.name + "(" + arguments + ")";
+        }
+        return otherwise;
+    }
+};
 
-  class Pasting : public testing::Test {
-  protected:
-      static void SetUpTestSuite() {
-          auto opened = Renderer::open({.validation = true});
-          ASSERT_TRUE(opened) << opened.error;
-          renderer = std::move(opened.value);
-          materials[0] = material("Rock_", kRock);
-          materials[1] = material("Glass", kGlass);
-      }
-      static void TearDownTestSuite() { renderer.reset(); }
-      void TearDown() override { EXPECT_EQ(renderer->messages(), std::vector<std::string>{}); }
+class Pasting : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        auto opened = Renderer::open({.validation = true});
+        ASSERT_TRUE(opened) << opened.error;
+        renderer = std::move(opened.value);
+        materials[0] = material("Rock_", kRock);
+        materials[1] = material("Glass", kGlass);
+    }
+    static void TearDownTestSuite() { renderer.reset(); }
+    void TearDown() override { EXPECT_EQ(renderer->messages(), std::vector<std::string>{}); }
 
-      static Material material(const std::string& prefix, const std::string& text) {
-          static const Compiler compiler;
-          Material made{.prefix = prefix, .functions = {}, .forward = {}};
-          CompileOptions options;
-          made.forward = compiler.compile_text("examples/graphs/it.graph.json", text, options);
-          options.functions = prefix;
-          made.functions = compiler.compile_text("examples/graphs/it.graph.json", text, options);
-          for (const Diagnostic& d : made.functions.diagnostics) ADD_FAILURE() << to_text(d);
-          EXPECT_TRUE(made.forward.ok && made.functions.ok);
-          return made;
-      }
+    static Material material(const std::string& prefix, const std::string& text) {
+        static const Compiler compiler;
+        Material made{.prefix = prefix, .functions = {}, .forward = {}};
+        CompileOptions options;
+        made.forward = compiler.compile_text("examples/graphs/it.graph.json", text, options);
+        options.functions = prefix;
+        made.functions = compiler.compile_text("examples/graphs/it.graph.json", text, options);
+        for (const Diagnostic& d : made.functions.diagnostics) ADD_FAILURE() << to_text(d);
+        EXPECT_TRUE(made.forward.ok && made.functions.ok);
+        return made;
+    }
 
-      // Both materials are in the shader; `used` is drawn, and the other one has its bindings elsewhere.
-      static Shader shader(std::size_t used, Stage stage, Target target) {
-          const Material& material = materials[used];
-          const bool is_hlsl = target == Target::Hlsl, is_vertex = stage == Stage::Vertex;
-          std::string body = is_vertex ? kVertexBody : kFragmentBody;
-          for (const char* name : {"vertex_position_os", "lighting_surface", "direct", "indirect", "final"})
-              replace_all(body, "#" + std::string(name) + "#", material.call(name, "position_os"));
-          replace_all(body, "PREFIX", material.prefix);
-          Shader made;
-          made.stage = stage;
-          made.target = target;
-          made.text = is_hlsl ? kHlslHead : kGlslHead;
-          made.text += "#define " + materials[1 - used].prefix + "set " + (is_hlsl ? "space3\n" : "3\n");
-          for (const Material& each : materials) made.text += each.text(stage, target) + "\n";
-          if (is_hlsl) made.text += kHlslVaryings;
-          made.text += body;
-          made.text += is_hlsl ? (is_vertex ? kHlslVertexMain : kHlslFragmentMain)
-                               : (is_vertex ? kGlslVertexMain : kGlslFragmentMain);
-          made.hlsl_shifts = material.functions.reflection.hlsl_shifts;
-          std::erase_if(made.hlsl_shifts, [](const Reflection::Shifts& shifts) { return shifts.set == 0; });
-          made.hlsl_shifts.push_back({.set = 0, .textures = 1, .samplers = 3, .buffers = 0});
-          made.hlsl_shifts.push_back({.set = 3, .textures = 8, .samplers = 16, .buffers = 0});
-          return made;
-      }
+    // Both materials are in the shader; `used` is drawn, and the other one has its bindings elsewhere.
+    static Shader shader(std::size_t used, Stage stage, Target target) {
+        const Material& material = materials[used];
+        const bool is_hlsl = target == Target::Hlsl, is_vertex = stage == Stage::Vertex;
+        std::string body = is_vertex ? kVertexBody : kFragmentBody;
+        for (const char* name : {"vertex_position_os", "lighting_surface", "direct", "indirect", "final"})
+            replace_all(body, "#" + std::string(name) + "#", material.call(name, "position_os"));
+        replace_all(body, "PREFIX", material.prefix);
+        Shader made;
+        made.stage = stage;
+        made.target = target;
+        made.text = is_hlsl ? kHlslHead : kGlslHead;
+        made.text += "#define " + materials[1 - used].prefix + "set " + (is_hlsl ? "space3\n" : "3\n");
+        for (const Material& each : materials) made.text += each.text(stage, target) + "\n";
+        if (is_hlsl) made.text += kHlslVaryings;
+        made.text += body;
+        made.text += is_hlsl ? (is_vertex ? kHlslVertexMain : kHlslFragmentMain)
+                             : (is_vertex ? kGlslVertexMain : kGlslFragmentMain);
+        made.hlsl_shifts = material.functions.reflection.hlsl_shifts;
+        std::erase_if(made.hlsl_shifts, [](const Reflection::Shifts& shifts) { return shifts.set == 0; });
+        made.hlsl_shifts.push_back({.set = 0, .textures = 1, .samplers = 3, .buffers = 0});
+        made.hlsl_shifts.push_back({.set = 3, .textures = 8, .samplers = 16, .buffers = 0});
+        return made;
+    }
 
-      static std::vector<std::uint32_t> spirv(const Shader& shader) {
-          Validated validated = validate(shader);
-          EXPECT_TRUE(validated.ok) << validated.log << shader.text;
-          return validated.spirv;
-      }
+    static std::vector<std::uint32_t> spirv(const Shader& shader) {
+        Validated validated = validate(shader);
+        EXPECT_TRUE(validated.ok) << validated.log << shader.text;
+        return validated.spirv;
+    }
 
-      // What the hand-written shader needs: the functions' own bindings, and one block that the engine made.
-      static Reflection reflection(const Material& material) {
-          Reflection made = material.functions.reflection;
-          const Reflection& forward = material.forward.reflection;
-          Block engine;
-          engine.name = "Engine";
-          engine.binding = 0;
-          const auto add = [&](const char* name, std::uint32_t offset) {
-              for (const Block& block : forward.blocks) {
-                  for (BlockMember member : block.members) {
-                      if (member.name != name) continue;
-                      member.offset = offset;
-                      engine.members.push_back(member);
-                  }
-              }
-          };
-          add("world_to_clip", 0);
-          add("object_to_world", 64);
-          add("world_to_object", 128);
-          add("camera_position_ws", 192);
-          add("light_count", 204);
-          add("light_position", 208);
-          add("light_color", 464);
-          add("ambient_sh", 720);
-          add("time", 864);
-          EXPECT_EQ(engine.members.size(), 9u);
-          engine.size = 880;
-          made.blocks.push_back(engine);
-          made.passes = {forward.passes.front()};
-          Pass& pass = made.passes.front();
-          pass.blocks = {"Engine"};
-          pass.textures = {"environment_map", "split_sum_table"};
-          for (const Texture& texture : made.textures) pass.textures.push_back(texture.name);
-          for (const Block& block : made.blocks) {
-              if (block.is_material) pass.blocks.push_back(block.name);
-          }
-          for (Texture texture : forward.textures) {
-              if (texture.name != "environment_map" && texture.name != "split_sum_table") continue;
-              texture.binding = texture.name == "environment_map" ? 1 : 2;
-              texture.sampler_binding = texture.binding + 2;
-              made.textures.push_back(texture);
-          }
-          pass.vertex_inputs = {
-              {"position_os", "float3", 0, ""}, {"normal_os", "float3", 1, ""}, {"uv0", "float2", 2, ""}};
-          return made;
-      }
+    // What the hand-written shader needs: the functions' own bindings, and one block that the engine made.
+    static Reflection reflection(const Material& material) {
+        Reflection made = material.functions.reflection;
+        const Reflection& forward = material.forward.reflection;
+        Block engine;
+        engine.name = "Engine";
+        engine.binding = 0;
+        const auto add = [&](const char* name, std::uint32_t offset) {
+            for (const Block& block : forward.blocks) {
+                for (BlockMember member : block.members) {
+                    if (member.name != name) continue;
+                    member.offset = offset;
+                    engine.members.push_back(member);
+                }
+            }
+        };
+        add("world_to_clip", 0);
+        add("object_to_world", 64);
+        add("world_to_object", 128);
+        add("camera_position_ws", 192);
+        add("light_count", 204);
+        add("light_position", 208);
+        add("light_color", 464);
+        add("ambient_sh", 720);
+        add("time", 864);
+        EXPECT_EQ(engine.members.size(), 9u);
+        engine.size = 880;
+        made.blocks.push_back(engine);
+        made.passes = {forward.passes.front()};
+        Pass& pass = made.passes.front();
+        pass.blocks = {"Engine"};
+        pass.textures = {"environment_map", "split_sum_table"};
+        for (const Texture& texture : made.textures) pass.textures.push_back(texture.name);
+        for (const Block& block : made.blocks) {
+            if (block.is_material) pass.blocks.push_back(block.name);
+        }
+        for (Texture texture : forward.textures) {
+            if (texture.name != "environment_map" && texture.name != "split_sum_table") continue;
+            texture.binding = texture.name == "environment_map" ? 1 : 2;
+            texture.sampler_binding = texture.binding + 2;
+            made.textures.push_back(texture);
+        }
+        pass.vertex_inputs = {
+            {"position_os", "float3", 0, ""}, {"normal_os", "float3", 1, ""}, {"uv0", "float2", 2, ""}};
+        return made;
+    }
 
-      static Image draw(const Reflection& reflection, const std::vector<std::uint32_t>& vertex,
-                        const std::vector<std::uint32_t>& fragment) {
-          Scene scene = default_scene("sphere");
-          scene.width = scene.height = 96;
-          scene.time = 0.5f;
-          scene.lights = {{.direction = {-0.5f, 0.7f, 1}, .color = glm::vec3(1, 0.9f, 0.8f)},
-                          {.kind = LightKind::Point, .position = {1.5f, 0, 1.5f}, .color = glm::vec3(0.2f, 0.5f, 1)}};
-          const auto values = material_values(reflection, {});
-          EXPECT_TRUE(values) << values.error;
-          LoadedTextures loaded = load_textures(reflection, "examples/graphs", {}, true);
-          EXPECT_EQ(loaded.errors, std::vector<std::string>{});
-          add_engine_textures(loaded.textures, reflection, scene);
-          const std::vector<BlockBytes> blocks = fill_blocks(reflection, values.value, scene);
-          auto image = renderer->draw({.reflection = &reflection,
-                                       .pass = "forward",
-                                       .scene = &scene,
-                                       .blocks = blocks,
-                                       .textures = loaded.textures,
-                                       .vertex_spirv = vertex,
-                                       .fragment_spirv = fragment});
-          EXPECT_TRUE(image) << image.error;
-          return image ? image.value : make_image(1, 1);
-      }
+    static Image draw(const Reflection& reflection, const std::vector<std::uint32_t>& vertex,
+                      const std::vector<std::uint32_t>& fragment) {
+        Scene scene = default_scene("sphere");
+        scene.width = scene.height = 96;
+        scene.time = 0.5f;
+        scene.lights = {{.direction = {-0.5f, 0.7f, 1}, .color = glm::vec3(1, 0.9f, 0.8f)},
+                        {.kind = LightKind::Point, .position = {1.5f, 0, 1.5f}, .color = glm::vec3(0.2f, 0.5f, 1)}};
+        const auto values = material_values(reflection, {});
+        EXPECT_TRUE(values) << values.error;
+        LoadedTextures loaded = load_textures(reflection, "examples/graphs", {}, true);
+        EXPECT_EQ(loaded.errors, std::vector<std::string>{});
+        add_engine_textures(loaded.textures, reflection, scene);
+        const std::vector<BlockBytes> blocks = fill_blocks(reflection, values.value, scene);
+        auto image = renderer->draw({.reflection = &reflection,
+                                     .pass = "forward",
+                                     .scene = &scene,
+                                     .blocks = blocks,
+                                     .textures = loaded.textures,
+                                     .vertex_spirv = vertex,
+                                     .fragment_spirv = fragment});
+        EXPECT_TRUE(image) << image.error;
+        return image ? image.value : make_image(1, 1);
+    }
 
-      static Image forward(const Material& material) {
-          std::vector<std::uint32_t> stages[2];
-          for (const Shader& each : material.forward.shaders) {
-              if (each.target == Target::Glsl) stages[each.stage == Stage::Vertex ? 0 : 1] = spirv(each);
-          }
-          return draw(material.forward.reflection, stages[0], stages[1]);
-      }
+    static Image forward(const Material& material) {
+        std::vector<std::uint32_t> stages[2];
+        for (const Shader& each : material.forward.shaders) {
+            if (each.target == Target::Glsl) stages[each.stage == Stage::Vertex ? 0 : 1] = spirv(each);
+        }
+        return draw(material.forward.reflection, stages[0], stages[1]);
+    }
 
-      static inline std::unique_ptr<Renderer> renderer;
-      static inline Material materials[2];
-  };
+    static inline std::unique_ptr<Renderer> renderer;
+    static inline Material materials[2];
+};
 
-  TEST_F(Pasting, GivesThePictureOfTheForwardPass) {
-      Image pictures[2];
-      for (std::size_t used : {0, 1}) {
-          const Image& expected = pictures[used] = forward(materials[used]);
-          for (const Target target : {Target::Glsl, Target::Hlsl}) {
-              const Image received = draw(reflection(materials[used]), spirv(shader(used, Stage::Vertex, target)),
-                                          spirv(shader(used, Stage::Fragment, target)));
-              const Comparison difference = compare(expected, received, 1.0 / 255);
-              EXPECT_TRUE(difference.same_size);
-              EXPECT_EQ(difference.share, 0)
-                  << materials[used].prefix << to_string(target) << ", " << difference.largest << " at "
-                  << difference.worst_x << ", " << difference.worst_y;
-          }
-      }
-      EXPECT_GT(compare(pictures[0], pictures[1], 1.0 / 255).share, 0.1);
-  }
+TEST_F(Pasting, GivesThePictureOfTheForwardPass) {
+    Image pictures[2];
+    for (std::size_t used : {0, 1}) {
+        const Image& expected = pictures[used] = forward(materials[used]);
+        for (const Target target : {Target::Glsl, Target::Hlsl}) {
+            const Image received = draw(reflection(materials[used]), spirv(shader(used, Stage::Vertex, target)),
+                                        spirv(shader(used, Stage::Fragment, target)));
+            const Comparison difference = compare(expected, received, 1.0 / 255);
+            EXPECT_TRUE(difference.same_size);
+            EXPECT_EQ(difference.share, 0) << materials[used].prefix << to_string(target) << ", " << difference.largest
+                                           << " at " << difference.worst_x << ", " << difference.worst_y;
+        }
+    }
+    EXPECT_GT(compare(pictures[0], pictures[1], 1.0 / 255).share, 0.1);
+}
 
-  // Whatever the text declares begins with the prefix, but for what the engine shares.
-  TEST_F(Pasting, TwoMaterialsShareOnlyWhatTheEngineProvides) {
-      for (const ShaderFunction& function : materials[0].functions.reflection.functions)
-          EXPECT_EQ(function.is_engines, !function.name.starts_with("Rock_")) << function.name;
-      const Reflection& reflection = materials[0].functions.reflection;
-      ASSERT_EQ(reflection.blocks.size(), 1u);
-      EXPECT_EQ(reflection.blocks[0].name, "Rock_Material");
-      EXPECT_EQ(reflection.blocks[0].members[0].name, "Rock_Height");
-      ASSERT_EQ(reflection.textures.size(), 1u);
-      EXPECT_EQ(reflection.textures[0].name, "_MainTex");
-      EXPECT_EQ(reflection.textures[0].identifier, "Rock_MainTex");
-      EXPECT_EQ(reflection.textures[0].sampler_name, "Rock_sampler_MainTex");
-  }
+// Whatever the text declares begins with the prefix, but for what the engine shares.
+TEST_F(Pasting, TwoMaterialsShareOnlyWhatTheEngineProvides) {
+    for (const ShaderFunction& function : materials[0].functions.reflection.functions)
+        EXPECT_EQ(function.is_engines, !function.name.starts_with("Rock_")) << function.name;
+    const Reflection& reflection = materials[0].functions.reflection;
+    ASSERT_EQ(reflection.blocks.size(), 1u);
+    EXPECT_EQ(reflection.blocks[0].name, "Rock_Material");
+    EXPECT_EQ(reflection.blocks[0].members[0].name, "Rock_Height");
+    ASSERT_EQ(reflection.textures.size(), 1u);
+    EXPECT_EQ(reflection.textures[0].name, "_MainTex");
+    EXPECT_EQ(reflection.textures[0].identifier, "Rock_MainTex");
+    EXPECT_EQ(reflection.textures[0].sampler_name, "Rock_sampler_MainTex");
+}
 
-  }  // namespace
-  }  // namespace patina::runtime
+}  // namespace
+}  // namespace patina::runtime
