@@ -46,8 +46,8 @@ struct EngineScene {
 // Frame: time, screen_size (pixels, samples included), fog_color, fog_settings (mode 0 none, 1 linear, 2 exponential, 3
 // its square; density; start; end). Lights: light_count, light_position, light_color, light_axis, light_cone (in the
 // order given, those that count at vertices behind the others), vertex_light_count, world_to_shadow, shadow_tile,
-// shadow_strength, shadow_texel, world_to_cookie (of cookie_light()), light_mask (1 in the channel of shadow masks that is
-// the light's: lights that cast shadows have one each, in the scene's order), main_light (slot of the light that
+// shadow_strength, shadow_texel, world_to_cookie (of cookie_light()), light_mask (1 in the channel of shadow masks that
+// is the light's: lights that cast shadows have one each, in the scene's order), main_light (slot of the light that
 // subtractive lightmaps hold, or -1), shadow_color, shadow_fade (scale and offset of ShadowFade). Ambient: ambient_sh.
 std::map<std::string, EngineValue> engine_values(const EngineScene& seen);
 

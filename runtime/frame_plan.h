@@ -45,8 +45,8 @@ struct FrameOptions {
     int shadow_atlas_size = 2048;          // texels along a side; even
     bool exact = false;                    // every colour target in rgba32f
     std::string shown_format = "rgba32f";  // of "color"; empty: as the passes say
-    // For each object of the world its textures of the engine ("lightmap_texture", "shadow_mask_texture"); may be shorter. Missing ones
-    // are white, and an object without a lightmap has no baked light.
+    // For each object of the world its textures of the engine ("lightmap_texture", "shadow_mask_texture"); may be
+    // shorter. Missing ones are white, and an object without a lightmap has no baked light.
     std::span<const std::vector<LoadedTexture>> object_textures{};
 };
 
