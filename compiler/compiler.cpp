@@ -137,6 +137,7 @@ void Compiler::Impl::describe() const {
             return std::pair(a.category, a.name) < std::pair(b.category, b.name);
         });
         semantics = describe_semantics(*library);
+        paths = describe_paths(*library);
         for (const auto& [name, graph] : library->workflows) {
             if (graph.get()) workflows.push_back(describe_model(*graph.get(), name, library->sources));
         }
@@ -182,6 +183,10 @@ const std::vector<ModelInfo>& Compiler::workflows() const {
 const std::vector<ModelInfo>& Compiler::lighting_models() const {
     impl_->describe();
     return impl_->lighting_models;
+}
+const std::vector<PathInfo>& Compiler::paths() const {
+    impl_->describe();
+    return impl_->paths;
 }
 
 bool passed(const NodeTest& test) {

@@ -16,6 +16,7 @@ struct Compiler::Impl {
     mutable std::vector<NodeInfo> nodes;
     mutable std::vector<SemanticInfo> semantics;
     mutable std::vector<ModelInfo> workflows, lighting_models;
+    mutable std::vector<PathInfo> paths;
 
     void describe() const;
 };

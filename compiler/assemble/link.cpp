@@ -73,7 +73,7 @@ void thread_function(const ir::Module& module, ir::Function& function, const std
         inst.op = Op::Param;
         inst.type = info.type;
         inst.data = static_cast<std::uint32_t>(function.params.size());
-        function.params.push_back({info.name, info.type, info.rate});
+        function.params.push_back({info.name, info.type, info.rate, true});
         function.insts.push_back(inst);
         params.push_back({static_cast<std::uint32_t>(function.insts.size() - 1)});
     }
@@ -154,13 +154,19 @@ public:
 private:
     // The stage's copy of a function, with those that it calls before it. What a pass puts in the place of a function
     // of the seam may call that function.
-    ir::FunctionId imported(ir::FunctionId function, ir::FunctionId replaced = {}) {
-        const auto other = in_vertex_stage() || function == replaced ? std::nullopt : pass_.replacement_of(function);
-        if (other) return imported(*other, function);
+    ir::FunctionId imported(ir::FunctionId function) {
+        const bool is_usual =
+            in_vertex_stage() || std::find(replacing_.begin(), replacing_.end(), function) != replacing_.end();
+        if (const auto other = is_usual ? std::nullopt : pass_.replacement_of(function)) {
+            replacing_.push_back(function);
+            const ir::FunctionId made = imported(*other);
+            replacing_.pop_back();
+            return made;
+        }
         if (imported_[function.index]) return imported_[function.index];
         ir::Function copy = linked_.functions[function.index];
         for (ir::Inst& inst : copy.insts) {
-            if (inst.op == Op::Call) inst.data = imported({inst.data}, replaced).index;
+            if (inst.op == Op::Call) inst.data = imported({inst.data}).index;
         }
         module_.functions.push_back(std::move(copy));
         return imported_[function.index] = {static_cast<std::uint32_t>(module_.functions.size() - 1)};
@@ -245,6 +251,7 @@ private:
     const Linked& linked_;
     const graph::LoweredPass& pass_;
     std::vector<SemanticId> giving_;
+    std::vector<ir::FunctionId> replacing_;
     ir::Module module_;
     ir::Function entry_{};
     ir::Builder builder_;

@@ -242,8 +242,11 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
     made.path = lowered.path;
     for (const auto& [name, value] : lowered.switches) made.switches.push_back({.name = name, .value = value});
     made.meta = graph.meta;
-    for (const ir::UniformBlock& block : lowered.module.blocks)
-        made.blocks.push_back(reflect_block(lowered.module, block));
+    // Functions alone read nothing of the engine's but their parameters.
+    const bool has_engine = lowered.functions.empty();
+    for (const ir::UniformBlock& block : lowered.module.blocks) {
+        if (has_engine || block.set == graph::kMaterialSet) made.blocks.push_back(reflect_block(lowered.module, block));
+    }
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
         const graph::MaterialProperty& entry = material.properties[i];
         made.properties.push_back(reflect_property(lowered.module, *entry.property, lowered.property_globals[i]));
@@ -259,7 +262,7 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
         const bool is_read = std::any_of(made.passes.begin(), made.passes.end(), [&](const Pass& pass) {
             return std::count(pass.textures.begin(), pass.textures.end(), global.name) > 0;
         });
-        if (!is_read && global.set == graph::kTargetSet) continue;
+        if (!is_read && (global.set == graph::kTargetSet || !has_engine)) continue;
         made.textures.push_back(bound_texture(lowered.module, global, lowered.module.globals[i + 1]));
         if (const auto target = lowered.reads.find(static_cast<std::uint32_t>(i)); target != lowered.reads.end()) {
             made.textures.back().reads = target->second;

@@ -180,6 +180,19 @@ void write_pass(Writer& writer, const Pass& pass) {
     json.words("textures", pass.textures);
 }
 
+void write_function(Writer& writer, const ShaderFunction& function) {
+    Json json(writer);
+    json.text("name", function.name);
+    json.text("stage", function.stage);
+    json.flag("engine", function.is_engines);
+    json.text("result", function.result);
+    json.list("parameters", function.parameters, [&](const ShaderFunction::Parameter& parameter) {
+        Json p(writer);
+        p.text("name", parameter.name);
+        p.text("type", parameter.type);
+    });
+}
+
 }  // namespace
 
 std::string Reflection::to_json() const {
@@ -205,6 +218,8 @@ std::string Reflection::to_json() const {
         json.list("blocks", blocks, [&](const Block& b) { write_block(writer, b); });
         json.list("textures", textures, [&](const Texture& t) { write_texture(writer, t); });
         json.list("passes", passes, [&](const Pass& p) { write_pass(writer, p); });
+        if (!functions.empty())
+            json.list("functions", functions, [&](const ShaderFunction& f) { write_function(writer, f); });
         json.list("hlslShifts", hlsl_shifts, [&](const Shifts& s) {
             Json shift(writer);
             shift.number("set", s.set);

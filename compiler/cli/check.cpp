@@ -30,13 +30,18 @@ Result check_shaders(const Console& console, const Compiler& compiler, const std
     return result;
 }
 
-bool check_graph(const Console& console, const Compiler& compiler, const Arguments& arguments,
-                 const std::string& graph) {
+CompileOptions options_of(const Arguments& arguments) {
     CompileOptions options;
     options.include_dirs = arguments.include_dirs;
-    options.accept_parts = true;
     options.path = arguments.path.path;
     options.switches = arguments.path.switches();
+    return options;
+}
+
+bool check_graph(const Console& console, const Compiler& compiler, const Arguments& arguments,
+                 const std::string& graph) {
+    CompileOptions options = options_of(arguments);
+    options.accept_parts = true;
     return check_shaders(console, compiler, graph, options).ok;
 }
 
@@ -65,8 +70,7 @@ bool check_set(const Console& console, const SceneMaterial& material, const Refl
 
 bool check_scene(const Console& console, const Compiler& compiler, const Arguments& arguments,
                  const std::string& scene) {
-    CompileOptions options;
-    options.include_dirs = arguments.include_dirs;
+    const CompileOptions options = options_of(arguments);
     const SceneResult read = compiler.read_scene(scene, options);
     report(console, read.diagnostics);
     bool ok = read.ok;

@@ -16,6 +16,7 @@ void add_nodes(Program& program);
 void add_node(Program& program);
 void add_models(Program& program);
 void add_model(Program& program);
+void add_paths(Program& program);
 void add_docs(Program& program);
 void add_schema(Program& program);
 
@@ -27,7 +28,7 @@ void add_import(Program& program);
 inline constexpr const char* kSummary =
     "Patina compiles material node graphs to readable GLSL and HLSL.\n"
     "Exit codes: 0 done, 1 the input is wrong, 2 the command line is wrong, 3 the machine lacks something.";
-inline constexpr const char* kRenderSummary = "Render graphs to pictures";
+inline constexpr const char* kRenderSummary = "Render graphs and scenes to pictures";
 inline constexpr const char* kSnapshotSummary = "Compare renders with reference pictures";
 inline constexpr const char* kTraceSummary = "Show what every node is worth at one pixel";
 inline constexpr const char* kImportSummary = "Make graphs of what was made elsewhere: measured materials";

@@ -17,6 +17,7 @@ struct Arguments {
     std::vector<std::string> dump;
     std::string folder;
     PathOptions path;
+    std::string functions;
     bool validate = false;
     bool depfile = false;
 
@@ -35,6 +36,7 @@ CompileOptions options_of(const Arguments& arguments) {
     options.dump = arguments.dump;
     options.path = arguments.path.path;
     options.switches = arguments.path.switches();
+    options.functions = arguments.functions;
     return options;
 }
 
@@ -90,12 +92,12 @@ Exit compile_graph(const Console& console, const Arguments& arguments, const Com
 }  // namespace
 
 void add_compile(Program& program) {
-    CLI::App& command =
-        add_command(program, "compile", "Compile graphs to shaders",
-                    {"patina compile rust.graph.json -o out", "patina compile *.graph.json -t glsl --validate -o out",
-                     "patina compile rust.graph.json -t spirv -o out --depfile",
-                     "patina compile rust.graph.json --path deferred -D shadows -o out",
-                     "patina compile rust.graph.json --dump tidy"});
+    CLI::App& command = add_command(
+        program, "compile", "Compile graphs to shaders",
+        {"patina compile rust.graph.json -o out", "patina compile *.graph.json -t glsl --validate -o out",
+         "patina compile rust.graph.json -t spirv -o out --depfile",
+         "patina compile rust.graph.json --path deferred -D shadows -o out",
+         "patina compile rust.graph.json --functions Rust_ -o out", "patina compile rust.graph.json --dump tidy"});
     auto arguments = std::make_shared<Arguments>();
     command.add_option("GRAPH", arguments->graphs, "Material graphs (JSON)")->required()->type_name(" ");
     command.add_option("-t,--target", arguments->targets, "glsl, hlsl, spirv, with commas between (glsl,hlsl)")
@@ -114,12 +116,23 @@ void add_compile(Program& program) {
         ->allow_extra_args(false)
         ->check(one_of("a stage", {"graph", "ir", "linked", "tidy", "rates"}));
     add_path_options(command, arguments->path);
+    CLI::Option* functions =
+        command
+            .add_option("--functions", arguments->functions,
+                        "Write functions for shaders of your own instead: what they declare begins with PREFIX")
+            ->type_name("PREFIX")
+            ->check([](const std::string& prefix) { return prefix.empty() ? "it needs a prefix" : ""; });
+    functions->excludes(command.get_option("--path"));
     add_include_option(command, arguments->include_dirs);
     command.parse_complete_callback([arguments] { refuse_equal_outputs(arguments->graphs, ".*", "compile"); });
 
     set_work(program, command, [arguments](const Console& console) {
         if (console.json && !arguments->dump.empty()) {
             complain(console, "usage", "--dump and --diagnostics=json would mix their texts on standard output");
+            return Exit::Usage;
+        }
+        if (!arguments->functions.empty() && arguments->wants("spirv")) {
+            complain(console, "usage", "functions have no main, and without one there is no SPIR-V");
             return Exit::Usage;
         }
         const Compiler compiler;

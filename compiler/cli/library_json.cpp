@@ -133,6 +133,65 @@ void write_model(Writer& writer, const Compiler& compiler, const ModelInfo& mode
     writer.EndObject();
 }
 
+void write_flag(Writer& writer, const char* key, bool value) {
+    writer.Key(key);
+    writer.Bool(value);
+}
+
+void write_targets(Writer& writer, const std::vector<RenderTarget>& targets) {
+    writer.Key("targets");
+    writer.StartArray();
+    for (const RenderTarget& target : targets) {
+        writer.StartObject();
+        write_text(writer, "name", target.name);
+        write_text(writer, "format", target.format);
+        writer.EndObject();
+    }
+    writer.EndArray();
+}
+
+void write_blends(Writer& writer, const std::vector<PassInfo::Blend>& blends) {
+    writer.Key("blends");
+    writer.StartArray();
+    for (const PassInfo::Blend& blend : blends) {
+        writer.StartObject();
+        write_text(writer, "surface", blend.surface);
+        write_text(writer, "source", blend.source);
+        write_text(writer, "destination", blend.destination);
+        writer.EndObject();
+    }
+    writer.EndArray();
+}
+
+void write_pass(Writer& writer, const PassInfo& pass) {
+    const Pass& state = pass.state;
+    writer.StartObject();
+    write_text(writer, "name", state.name);
+    write_text(writer, "draws", state.draws);
+    write_text(writer, "each", state.each);
+    write_text(writer, "lights", state.lights);
+    write_text(writer, "camera", state.camera);
+    write_text(writer, "fallback", state.fallback);
+    write_flag(writer, "optional", pass.is_optional);
+    write_text(writer, "depthTarget", state.depth_target);
+    write_targets(writer, state.targets);
+    write_blends(writer, pass.blends);
+    writer.EndObject();
+}
+
+void write_path(Writer& writer, const PathInfo& path) {
+    writer.StartObject();
+    write_text(writer, "name", path.name);
+    write_text(writer, "doc", path.doc);
+    write_text(writer, "source", path.source);
+    write_text(writer, "file", path.file);
+    writer.Key("passes");
+    writer.StartArray();
+    for (const PassInfo& pass : path.passes) write_pass(writer, pass);
+    writer.EndArray();
+    writer.EndObject();
+}
+
 template <class Write>
 std::string as_text(Write write) {
     rapidjson::StringBuffer buffer;
@@ -164,6 +223,14 @@ std::string to_json(const Compiler& compiler, std::span<const ModelInfo> models)
     return as_text([&](Writer& writer) {
         writer.StartArray();
         for (const ModelInfo& model : models) write_model(writer, compiler, model);
+        writer.EndArray();
+    });
+}
+
+std::string to_json(std::span<const PathInfo> paths) {
+    return as_text([&](Writer& writer) {
+        writer.StartArray();
+        for (const PathInfo& path : paths) write_path(writer, path);
         writer.EndArray();
     });
 }

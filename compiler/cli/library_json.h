@@ -1,5 +1,5 @@
-// Nodes and lighting models of the library as JSON, for `nodes --json`, `model --json` and so on: everything that is
-// known of them, empty fields left out.
+// Nodes, lighting models and rendering paths of the library as JSON, for `nodes --json`, `model --json` and so on:
+// everything that is known of them, empty fields left out.
 #pragma once
 
 #include <string>
@@ -12,5 +12,6 @@ std::string to_json(const NodeInfo& node);
 std::string to_json(std::span<const NodeInfo* const> nodes);
 std::string to_json(const Compiler& compiler, const ModelInfo& model);
 std::string to_json(const Compiler& compiler, std::span<const ModelInfo> models);
+std::string to_json(std::span<const PathInfo> paths);
 
 }  // namespace patina::cli

@@ -42,6 +42,7 @@ int main(int argc, char** argv) {
     add_node(program);
     add_models(program);
     add_model(program);
+    add_paths(program);
     add_docs(program);
     add_schema(program);
     program.app.footer("'patina COMMAND --help' shows options and examples.");

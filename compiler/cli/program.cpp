@@ -104,7 +104,11 @@ void add_path_options(CLI::App& command, PathOptions& options) {
         ->type_name("PATH");
     command.add_option("-D,--define", options.defines, "Turn a part of the path on: shadows, fog, ...")
         ->type_name("NAME[=VALUE]")
-        ->allow_extra_args(false);
+        ->allow_extra_args(false)
+        ->check([](const std::string& define) {
+            const bool has_name = !define.empty() && define[0] != '=';
+            return has_name ? std::string() : "'" + define + "' is not of the form NAME or NAME=VALUE";
+        });
 }
 
 std::function<std::string(std::string)> one_of(std::string what, std::vector<std::string> words) {

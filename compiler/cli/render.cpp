@@ -1,4 +1,4 @@
-// patina render: graphs to pictures, by Vulkan or on the CPU.
+// patina render: graphs and scenes to pictures, by Vulkan or on the CPU.
 #include <filesystem>
 #include <memory>
 
@@ -51,7 +51,13 @@ Exit render_graph(const Console& console, const Arguments& arguments, const Comp
 }
 
 // Everything that can be known to be wrong before the first graph is read.
-void complete(Arguments& arguments) {
+void complete(Arguments& arguments, bool has_mesh) {
+    if (arguments.path.path == "all")
+        throw CLI::ValidationError("--path", "a picture is drawn along one path; 'patina compile' takes all of them");
+    for (const std::string& graph : arguments.graphs) {
+        if (has_mesh && graph.ends_with(".scene.json"))
+            throw CLI::ValidationError("--mesh", "'" + graph + "' is a scene, which has meshes of its own");
+    }
     take_overrides(arguments.set, arguments.request);
     arguments.request.path = arguments.path.path;
     arguments.request.defines = arguments.path.defines;
@@ -78,7 +84,12 @@ void add_render(Program& program) {
          "patina render rust.graph.json --light 'directional direction=1,1,1 intensity=2' --ambient 0.1 --via cpu"});
     auto arguments = std::make_shared<Arguments>();
     runtime::RenderRequest& request = arguments->request;
-    command.add_option("GRAPH", arguments->graphs, "Material graphs and scenes (JSON)")->required()->type_name(" ");
+    command
+        .add_option("GRAPH", arguments->graphs,
+                    "Material graphs and scenes (JSON); a scene has meshes and values of its own, and no --mesh, --set "
+                    "or --node")
+        ->required()
+        ->type_name(" ");
     command.add_option("-o,--output", arguments->output, "A .png or .exr file, or a folder (NAME.png)")
         ->type_name("OUT");
     command
@@ -93,7 +104,8 @@ void add_render(Program& program) {
         ->check(one_of("a way to render", {"glsl", "hlsl", "cpu"}));
     command.add_option("--device", request.device, "Part of a GPU's name (the software renderer)")->type_name("NAME");
     command.add_flag("--vulkan-validation", request.validation, "Turn on the Khronos validation layer");
-    command.parse_complete_callback([arguments] { complete(*arguments); });
+    command.parse_complete_callback(
+        [arguments, mesh = command.get_option("--mesh")] { complete(*arguments, mesh->count() > 0); });
 
     set_work(program, command, [arguments](const Console& console) {
         const Compiler compiler;

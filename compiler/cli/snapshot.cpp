@@ -1,4 +1,4 @@
-// patina snapshot: renders of a folder's graphs, compared with the pictures beside them.
+// patina snapshot: renders of a folder's graphs and scenes, compared with the pictures beside them.
 #include "runtime/snapshot.h"
 
 #include <fmt/format.h>
@@ -68,7 +68,9 @@ void add_snapshot(Program& program) {
          "patina snapshot tests/graphs --update metal/rust    # accept what metal/rust looks like now"});
     auto arguments = std::make_shared<Arguments>();
     runtime::SnapshotOptions& options = arguments->options;
-    command.add_option("DIR", arguments->folder, "Folder with *.snapshot.json files, searched with what is below it")
+    command
+        .add_option("DIR", arguments->folder,
+                    "Folder with *.snapshot.json files, of graphs or scenes, searched with what is below it")
         ->required()
         ->type_name(" ");
     CLI::Option* update =

@@ -113,10 +113,6 @@ EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations&
             ++slot;
             continue;
         }
-        if (!attribute) {
-            emitter.diagnostics().report(Code::BadAttribute, variable.span, "reads", "stands before a Texture2D");
-            continue;
-        }
         const std::string_view name = nodelang::attribute_text(*attribute);
         auto block = std::find_if(module.blocks.begin(), module.blocks.end(),
                                   [&](const ir::UniformBlock& b) { return b.name == name; });
@@ -133,6 +129,10 @@ EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations&
         const ir::GlobalId global = add_block_global(module, index, std::string(variable.name), type, variable.span);
         emitter.set_extern(&variable, global);
         if (variable.attribute("per_object")) made.per_object.insert(global.index);
+    }
+    for (const nodelang::VariableDecl* older : stages.repeated) {
+        const nodelang::VariableDecl* newer = declarations.variable(older->name);
+        if (newer) emitter.share_extern(older, newer);
     }
     return made;
 }

@@ -32,6 +32,7 @@ struct Lowering {
     std::vector<std::string> active_interpolators;
     std::map<std::string_view, Part> parts;  // slots that are derived from others, as far as they were asked for
     std::set<std::uint32_t> per_object;      // globals of the object that is drawn
+    ir::FunctionId surface{};                // what the graph says of it
 
     bool is_on(std::string_view wanted) const;  // a switch
     // Of a slot's function; empty: it is another function.

@@ -134,13 +134,16 @@ void declare_switches(Lowering& lowering) {
                 .note(Diagnostics::suggestion(name, known));
         } else if (value != "true" && value != "false") {
             session.diagnostics.report(Code::UnknownWord, {}, value, fmt::format("a value of '{}'", name))
-                .note("there are: true, false");
+                .note("these exist: true and false");
         } else {
             lowering.out.switches[static_cast<std::size_t>(found - known.begin())].second = value == "true";
         }
     }
     for (const SwitchDecl& each : session.stages->switches)
         lowering.emitter.set_static(each.variable, lowering.is_on(each.variable->name) ? 1 : 0);
+    for (const nodelang::VariableDecl* older : session.stages->repeated) {
+        if (older->attribute("switch")) lowering.emitter.set_static(older, lowering.is_on(older->name) ? 1 : 0);
+    }
 }
 
 // The switches that are on, and the path.
@@ -219,7 +222,8 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
                       .interpolators = {},
                       .active_interpolators = {},
                       .parts = {},
-                      .per_object = {}};
+                      .per_object = {},
+                      .surface = {}};
     declare_switches(lowering);
     const std::vector<std::string_view> on = what_is_on(lowering);
     EngineGlobals engine = declare_engine(*session.stages, *session.declarations, lowering.emitter, on);
@@ -231,7 +235,12 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     declare_semantics(lowering);
     lower_slots(lowering);
     lower_vertex_outputs(lowering);
-    if (!session.diagnostics.has_errors()) lower_passes(lowering);
+    if (session.diagnostics.has_errors()) return out;
+    if (session.options.functions.empty()) {
+        lower_passes(lowering);
+    } else {
+        lower_functions(lowering);
+    }
     return out;
 }
 

@@ -27,11 +27,18 @@ struct LoweredPass {
 // How a pass blends surfaces of a kind; null: it does not draw them.
 const BlendRow* blend_of(const PassDecl& pass, std::string_view surface);
 
+// A function for an engine's own shaders.
+struct LoweredFunction {
+    ir::FunctionId id{};
+    bool is_vertex = false;
+};
+
 struct Lowered {
     ir::Module module;
     std::vector<SemanticRecipe> semantics;
     std::string path;  // that the passes belong to: the wanted one, or its fallback
     std::vector<LoweredPass> passes;
+    std::vector<LoweredFunction> functions;  // instead of passes, where CompileOptions::functions asks for them
     std::vector<std::pair<std::string, bool>> switches;
     std::map<std::uint32_t, std::string> reads;     // by global: the target of another pass that it shows
     std::vector<PropertyGlobals> property_globals;  // one per Material::properties

@@ -84,7 +84,7 @@ ir::FunctionId lower_lighting(Lowering& lowering, const FunctionDecl& slot, cons
 
 void lower_slots(Lowering& lowering) {
     std::vector<const Input*> members;
-    const ir::FunctionId surface = lower_surface(lowering, members);
+    const ir::FunctionId surface = lowering.surface = lower_surface(lowering, members);
     const nodelang::Declarations& declarations = *lowering.session.declarations;
     const nodelang::Scope scope{.declarations = &declarations};
     // The material's scope, for values that it hands to the lighting graph's properties.

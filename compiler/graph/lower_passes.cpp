@@ -25,7 +25,7 @@ public:
         emitter.set_slot_maker([this](const FunctionDecl& slot, Span at) { return slot_of(slot, at); });
         emitter.set_static_maker([this](const VariableDecl& variable) { return static_value(variable); });
         const std::vector<std::string>& wanted = lowering_.session.options.passes;
-        if (wanted.empty() && lowering_.session.path == kAllPaths) {
+        if (wanted.empty() && lowering_.session.options.path == kAllPaths) {
             lower_all();
         } else if (wanted.empty()) {
             lower_path(lowering_.session.path);
@@ -82,8 +82,8 @@ private:
             const bool is_own = std::find(passes.begin() + std::ptrdiff_t(own), passes.end(), pass) != passes.end();
             if (is_own && !pass->state.fallback.empty()) {
                 report(Code::PathRefused, refusal, path, pass->state.fallback, refusal.reason);
-                if (!stages_.passes_of(pass->state.fallback).empty() && pass->state.fallback != path)
-                    return lower_path(pass->state.fallback);
+                tried_.insert(path);
+                if (!tried_.contains(pass->state.fallback)) return lower_path(pass->state.fallback);
             }
             if (has_blend(*pass)) {
                 report(Code::PassRefused, refusal, pass->name, refusal.reason);
@@ -101,9 +101,10 @@ private:
     void report(Code code, const Refusal& refusal, const Words&... words) {
         const Span whole = lowering_.material.graph->graph->span;
         const bool is_graph = refusal.where.span.begin != refusal.where.span.end;
-        lowering_.session.diagnostics
-            .report(code, is_graph ? refusal.where.span : Span{whole.begin, whole.begin + 1}, words...)
-            .at(refusal.where.id);
+        DiagnosticRecord& record = lowering_.session.diagnostics.report(
+            code, is_graph ? refusal.where.span : Span{whole.begin, whole.begin + 1}, words...);
+        record.at(refusal.where.id);
+        if (!refusal.advice.empty()) record.note(refusal.advice);
     }
 
     // --- one pass
@@ -132,6 +133,7 @@ private:
         const nodelang::Declarations& declarations = *lowering_.session.declarations;
         nodelang::Emitter& emitter = lowering_.emitter;
         LoweredPass made{.declaration = &pass};
+        pass_ = pass.name;
         made.vertex = emitter.semantic_function(*pass.vertex, declarations, environment_, true);
         made.fragment = emitter.semantic_function(*pass.fragment, declarations, environment_, false);
         if (!made.vertex || !made.fragment) return {};
@@ -165,13 +167,7 @@ private:
                 continue;
             }
             const FunctionDecl* replaced = declarations.function(given.what);
-            if (!replaced || !replaced->attribute("extern")) {
-                lowering_.session.diagnostics.report(Code::BadAttribute, given.function->name_span, "gives",
-                                                     fmt::format("names '{}', which is neither a semantic nor a "
-                                                                 "function marked [extern]",
-                                                                 given.what));
-                continue;
-            }
+            if (!replaced) continue;  // reported when its file was read
             for (const nodelang::InstanceInfo& instance : emitter.instances_of(*replaced)) {
                 const ir::FunctionId made =
                     emitter.given_function(*given.function, declarations, environment_, instance.half);
@@ -204,8 +200,9 @@ private:
                 SemanticRecipe& recipe = out.semantics[inst.data];
                 if (!recipe.declaration || !recipe.declaration->function || recipe.recipe) continue;
                 reads_of_pass_ = reads_of_pass_ || recipe.declaration->is_of_pass;
-                const ir::FunctionId made = lowering_.emitter.semantic_function(
-                    *recipe.declaration->function, *lowering_.session.declarations, environment_, false);
+                const ir::FunctionId made =
+                    lowering_.emitter.semantic_function(*recipe.declaration->function, *lowering_.session.declarations,
+                                                        environment_, recipe.source == Source::Vertex);
                 if (!made) return;  // a fault in the library or the user's file, reported
                 out.semantics[inst.data].recipe = made;
             }
@@ -218,7 +215,12 @@ private:
         if (!is_part(slot)) return nullptr;
         const Part& part = part_of(lowering_, slot);
         if (part.slot.function) return &part.slot;
-        lowering_.session.diagnostics.report(Code::PassRefused, at, slot.name, part.why_not);
+        lowering_.session.diagnostics
+            .report(Code::PassRefused, at, pass_, fmt::format("it calls '{}', and {}", slot.name, part.why_not))
+            .note(
+                fmt::format("[needs(\"{0}\")] at the pass says so sooner, and a static(\"slot\", \"{0}\") asks whether "
+                            "the material has it",
+                            slot.name));
         return nullptr;
     }
 
@@ -254,9 +256,11 @@ private:
     Lowering& lowering_;
     const Stages& stages_;
     LibraryEnvironment environment_;
+    std::string_view pass_;       // that is being lowered
     bool reads_of_pass_ = false;  // some pass has a semantic of its own
     std::size_t next_ = 0;        // function whose semantics have not been looked at
     std::set<std::string_view> remarked_;
+    std::set<std::string> tried_;  // paths
 };
 
 }  // namespace

@@ -25,10 +25,13 @@ std::vector<std::string_view> packed_members(Lowering& lowering, std::string_vie
 
 // The passes of the wanted path, or of its fallback.
 void lower_passes(Lowering& lowering);
+// The functions for an engine's own shaders, instead of passes (lower_functions.cpp).
+void lower_functions(Lowering& lowering);
 // Why a pass cannot draw this material, found in its functions (take_part.cpp); empty: it can.
 struct Refusal {
     std::string reason{};
     ir::Origin where{};
+    std::string advice{};  // may be empty
     explicit operator bool() const { return !reason.empty(); }
 };
 Refusal refusal_of(Lowering& lowering, const LoweredPass& pass);

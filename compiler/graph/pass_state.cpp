@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <span>
 
+#include "compiler/base/text.h"
 #include "compiler/graph/stages.h"
 #include "compiler/graph/words.h"
 
@@ -25,7 +28,8 @@ constexpr std::array<std::string_view, 2> kCameras = {"any", "perspective"};
 constexpr std::array<std::string_view, 3> kCullWords = {"back", "front", "off"};
 constexpr std::array<std::string_view, 2> kDepthWrites = {"write", "keep"};
 constexpr std::array<std::string_view, 2> kStencilOps = {"keep", "replace"};
-constexpr std::array<std::string_view, 2> kStencilReferences = {"lighting", ""};
+constexpr std::array<std::string_view, 1> kStencilReferences = {"lighting"};
+constexpr std::array<std::string_view, 4> kTargetTypes = {"float", "float2", "float3", "float4"};
 constexpr std::array<std::string_view, 5> kFormats = {"rgba8", "rgb10a2", "rgba16f", "rgba32f", "r32f"};
 constexpr std::array<std::string_view, 10> kBlendFactors = {
     "one",       "zero",      "src_alpha",           "one_minus_src_alpha", "dst_alpha", "one_minus_dst_alpha",
@@ -51,21 +55,24 @@ public:
         return false;
     }
 
-    bool is_left() const { return next_ < attribute_.args.size(); }
-
-    // Any text; empty if there is none.
+    // A name in quotes.
     std::string_view text() {
         const Expr& given = *attribute_.args[next_++];
-        if (given.kind != Expr::Kind::File)
-            diagnostics_.report(Code::BadAttribute, given.span, attribute_.name, "takes words in quotes");
+        if (given.kind != Expr::Kind::File || given.text.empty())
+            diagnostics_.report(Code::BadAttribute, given.span, attribute_.name, "takes a name in quotes here");
         return given.text;
     }
 
     std::string_view word(Words words, std::string_view what) {
-        const Span span = attribute_.args[next_]->span;
-        const std::string_view given = text();
-        if (std::find(words.begin(), words.end(), given) != words.end()) return given;
-        diagnostics_.report(Code::UnknownWord, span, given, what).note(Diagnostics::suggestion(given, words));
+        const Expr& given = *attribute_.args[next_++];
+        if (given.kind != Expr::Kind::File) {
+            diagnostics_.report(Code::BadAttribute, given.span, attribute_.name, "takes words in quotes here");
+        } else if (std::find(words.begin(), words.end(), given.text) != words.end()) {
+            return given.text;
+        } else {
+            diagnostics_.report(Code::UnknownWord, given.span, given.text, what)
+                .note(Diagnostics::suggestion(given.text, words));
+        }
         return words.front();
     }
 
@@ -75,6 +82,8 @@ public:
         const Expr& digits = is_negative ? *given.args[0] : given;
         if (digits.kind != Expr::Kind::Number)
             diagnostics_.report(Code::BadAttribute, given.span, attribute_.name, "takes numbers here");
+        else if (std::abs(digits.number) > std::numeric_limits<float>::max())
+            diagnostics_.report(Code::BadNumber, given.span, shortest(digits.number), "float");
         return is_negative ? -digits.number : digits.number;
     }
 
@@ -142,36 +151,83 @@ constexpr StateRow kState[] = {
     {"optional", 0, 0, "[optional]", [](Arguments&, std::size_t, PassDecl& p) { p.is_optional = true; }},
 };
 
-void read_target(const Attribute& attribute, RenderTarget& target, Diagnostics& diagnostics) {
+// What a shader can write to a target.
+void check_type(const nodelang::TypeName& type, std::string_view what, Diagnostics& diagnostics) {
+    const bool fits = std::find(kTargetTypes.begin(), kTargetTypes.end(), type.name) != kTargetTypes.end();
+    if (!fits || type.array_size)
+        diagnostics.report(Code::TypeMismatch, type.span, what, type.array_size ? "an array" : type.name,
+                           "float, float2, float3 or float4");
+}
+
+void read_target(const Attribute& attribute, PassDecl& pass, Diagnostics& diagnostics) {
     Arguments in(attribute, diagnostics);
     if (!in.count(2, 2, "[target(\"color\", \"rgba16f\")]")) return;
-    target.name = in.text();
+    RenderTarget& target = pass.state.targets.back();
+    const std::string name(in.text());
     target.format = in.word(kFormats, "a target format");
+    const auto is_same = [&](const RenderTarget& other) { return other.name == name; };
+    if (!name.empty() && std::any_of(pass.state.targets.begin(), pass.state.targets.end(), is_same))
+        diagnostics.report(Code::BadAttribute, attribute.span, "target",
+                           fmt::format("names '{}', which the pass writes already", name));
+    target.name = name;
+}
+
+void read_members(const nodelang::FunctionDecl& fragment, const nodelang::StructDecl& structure, PassDecl& pass,
+                  Diagnostics& diagnostics) {
+    const auto has_target = [](const nodelang::MemberDecl& member) { return member.attribute("target") != nullptr; };
+    if (std::none_of(structure.members.begin(), structure.members.end(), has_target)) {
+        diagnostics
+            .report(Code::BadAttribute, fragment.result.span, "target",
+                    fmt::format("is missing at the members of '{}', which the pass returns", structure.name))
+            .note("[target(\"color\", \"rgba16f\")] before a member says where it goes");
+        return;
+    }
+    for (const nodelang::MemberDecl& member : structure.members) {
+        RenderTarget& target = pass.state.targets.emplace_back();
+        target.location = static_cast<std::uint32_t>(pass.state.targets.size() - 1);
+        if (const Attribute* attribute = member.attribute("target")) {
+            read_target(*attribute, pass, diagnostics);
+            check_type(member.type, fmt::format("the target '{}'", member.name), diagnostics);
+        } else {
+            diagnostics.report(Code::BadAttribute, member.span, "target",
+                               fmt::format("is missing at '{}': [target(\"color\", \"rgba16f\")]", member.name));
+        }
+    }
 }
 
 // A pass returns one colour, a struct of them, or nothing.
 void read_targets(const nodelang::FunctionDecl& fragment, const nodelang::Declarations& declarations, PassDecl& pass,
                   Diagnostics& diagnostics) {
     if (fragment.result.name == "void") return;
-    if (const nodelang::StructDecl* structure = declarations.structure(fragment.result.name)) {
-        for (const nodelang::MemberDecl& member : structure->members) {
-            RenderTarget& target = pass.state.targets.emplace_back();
-            target.location = static_cast<std::uint32_t>(pass.state.targets.size() - 1);
-            const Attribute* attribute = member.attribute("target");
-            if (attribute) {
-                read_target(*attribute, target, diagnostics);
-            } else {
-                diagnostics.report(Code::BadAttribute, member.span, "target",
-                                   fmt::format("is missing at '{}': [target(\"color\", \"rgba16f\")]", member.name));
-            }
-        }
+    const nodelang::StructDecl* structure = declarations.structure(fragment.result.name);
+    if (structure && !fragment.result.array_size) {
+        read_members(fragment, *structure, pass, diagnostics);
     } else {
-        pass.state.targets = {{.name = "color", .location = 0, .format = "rgba16f"}};
-        if (const Attribute* attribute = fragment.attribute("target"))
-            read_target(*attribute, pass.state.targets.front(), diagnostics);
+        check_type(fragment.result, "what a [fragment] function returns", diagnostics);
+        pass.state.targets = {{.name = {}, .location = 0, .format = "rgba16f"}};
+        if (const Attribute* attribute = fragment.attribute("target")) read_target(*attribute, pass, diagnostics);
+        if (pass.state.targets.front().name.empty()) pass.state.targets.front().name = "color";
     }
     if (pass.state.targets.size() > kMostTargets)
         diagnostics.report(Code::TooMany, fragment.name_span, pass.state.targets.size(), "targets", kMostTargets);
+}
+
+// What is said once holds; of [blend], once for each kind of surface.
+void check_twice(const nodelang::FunctionDecl& fragment, Diagnostics& diagnostics) {
+    for (std::size_t i = 0; i < fragment.attributes.size(); ++i) {
+        const Attribute& now = fragment.attributes[i];
+        if (now.name == "pass" || now.name == "gives") continue;
+        const auto is_same = [&](const Attribute& before) {
+            if (before.name != now.name) return false;
+            return now.name != "blend" || before.args.size() == 2 || now.args.size() == 2 ||
+                   nodelang::attribute_text(before) == nodelang::attribute_text(now);
+        };
+        const auto end = fragment.attributes.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto first = std::find_if(fragment.attributes.begin(), end, is_same);
+        if (first != end)
+            diagnostics.report(Code::BadAttribute, now.span, now.name, "says a second time what the first one says")
+                .note(first->span, "the first one is here");
+    }
 }
 
 }  // namespace
@@ -188,6 +244,7 @@ void read_pass_state(const nodelang::FunctionDecl& fragment, const nodelang::Dec
         Arguments in(attribute, diagnostics);
         if (in.count(row->least, row->most, row->example)) row->read(in, attribute.args.size(), pass);
     }
+    check_twice(fragment, diagnostics);
     read_targets(fragment, declarations, pass, diagnostics);
 }
 

@@ -94,12 +94,13 @@ std::optional<std::uint32_t> load_source(Session& session, const std::string& pa
 
 void find_path(Session& session) {
     const std::string& wanted = session.options.path;
-    if (!wanted.ends_with(".hlsl")) {
+    if (!wanted.ends_with(".pass.hlsl")) {
         std::vector<std::string_view> known = session.stages->paths();
         known.push_back(kAllPaths);
         if (std::find(known.begin(), known.end(), wanted) != known.end()) return;
+        const bool is_file = wanted.find_first_of("./\\") != wanted.npos;
         session.diagnostics.report(Code::UnknownWord, {}, wanted, "a rendering path")
-            .note(Diagnostics::suggestion(wanted, known));
+            .note(is_file ? "a file with passes is called NAME.pass.hlsl" : Diagnostics::suggestion(wanted, known));
         return;
     }
     const std::optional<std::uint32_t> base = load_source(session, wanted, {});
@@ -111,8 +112,14 @@ void find_path(Session& session) {
     file->stages = session.library.stages;
     collect_stages(file->ast, file->declarations, session.sources, file->stages, session.diagnostics);
     session.path = file_stem(wanted);
+    // The file is the whole path, also where the library has one of its name.
+    for (PassDecl& pass : file->stages.passes) {
+        if (pass.path == session.path && pass.is_older_fragment) pass.path.clear();
+    }
     if (file->stages.passes_of(session.path).empty() && !session.diagnostics.has_errors())
         session.diagnostics.report(Code::NoNodeInFile, {*base, *base}, "[pass]");
+    // What is wrong with the graph shows with the library's passes, too.
+    if (session.diagnostics.has_errors()) return;
     session.declarations = &file->declarations;
     session.stages = &file->stages;
     session.pass_file = std::move(file);

@@ -9,10 +9,6 @@ using nodelang::Attribute;
 using nodelang::FunctionDecl;
 using nodelang::VariableDecl;
 
-bool is_of_pass(const SourceMap& sources, Span span) {
-    return std::string_view(sources.resolve(span.begin).file).ends_with(".pass.hlsl");
-}
-
 std::string stem(std::string_view path) {
     const std::string_view name = path.substr(path.find_last_of("/\\") + 1);
     return std::string(name.substr(0, name.find('.', 1)));
@@ -55,6 +51,7 @@ public:
 
     void function(const FunctionDecl& function) {
         if (function.attribute("slot")) stages_.slots.push_back(&function);
+        if (function.attribute("export")) stages_.exports.push_back(&function);
         if (const Attribute* attribute = function.attribute("semantic")) {
             if (const std::optional<Source> source = source_of(nodelang::attribute_text(*attribute))) {
                 add({.name = function.name,
@@ -80,9 +77,13 @@ public:
 
 private:
     void add(SemanticDecl semantic) {
-        // The latest declaration of a name counts.
-        stages_.semantic_index.insert_or_assign(semantic.name, static_cast<std::uint32_t>(stages_.semantics.size()));
-        stages_.semantics.push_back(semantic);
+        const auto [found, is_new] =
+            stages_.semantic_index.emplace(semantic.name, static_cast<std::uint32_t>(stages_.semantics.size()));
+        if (is_new) return stages_.semantics.push_back(semantic);
+        // The latest declaration of a name counts, and graphs can read it if they could before.
+        SemanticDecl& older = stages_.semantics[found->second];
+        semantic.is_of_pass = semantic.is_of_pass && older.is_of_pass;
+        older = semantic;
     }
 
     // One of the two functions of a pass.
@@ -123,7 +124,9 @@ private:
         fresh.fragment = &function;
         *pass = std::move(fresh);
         pass->path = stem(sources_.resolve(function.span.begin).file);
-        read_pass_state(function, declarations_, *pass, diagnostics_);
+        Diagnostics said;  // of several passes by one function, the first one says what is wrong
+        const bool is_first = &attribute == function.attribute("pass");
+        read_pass_state(function, declarations_, *pass, is_first ? diagnostics_ : said);
     }
 
     const nodelang::Declarations& declarations_;
@@ -132,27 +135,35 @@ private:
     Diagnostics& diagnostics_;
 };
 
+bool is_in(const std::vector<std::string_view>& list, std::string_view name) {
+    return std::find(list.begin(), list.end(), name) != list.end();
+}
+
 // A file that begins as a copy of one of the library takes its place: passes, slots and the like go by their names.
 void make_way(const nodelang::Ast& ast, Stages& stages) {
-    std::vector<std::string_view> names, passes;
+    std::vector<std::string_view> names;
     for (const VariableDecl& variable : ast.variables) names.push_back(variable.name);
     for (const FunctionDecl& function : ast.functions) {
         names.push_back(function.name);
-        if (!function.attribute("fragment")) continue;
         for (const Attribute& attribute : function.attributes) {
-            if (attribute.name == "pass") passes.push_back(nodelang::attribute_text(attribute));
+            if (attribute.name != "gives") continue;
+            const std::vector<std::string_view> passes = attribute_words(attribute, 1);
+            for (GivenDecl& given : stages.given) {
+                if (given.what == nodelang::attribute_text(attribute))
+                    std::erase_if(given.passes, [&](std::string_view pass) { return is_in(passes, pass); });
+            }
         }
     }
-    const auto is_in = [](const std::vector<std::string_view>& list, std::string_view name) {
-        return std::find(list.begin(), list.end(), name) != list.end();
-    };
     for (PassDecl& pass : stages.passes) pass.is_older_vertex = pass.is_older_fragment = true;
-    for (GivenDecl& given : stages.given)
-        std::erase_if(given.passes, [&](std::string_view pass) { return is_in(passes, pass); });
     std::erase_if(stages.slots, [&](const FunctionDecl* slot) { return is_in(names, slot->name); });
-    std::erase_if(stages.externs, [&](const VariableDecl* variable) { return is_in(names, variable->name); });
-    std::erase_if(stages.statics, [&](const VariableDecl* variable) { return is_in(names, variable->name); });
-    std::erase_if(stages.switches, [&](const SwitchDecl& each) { return is_in(names, each.variable->name); });
+    const auto is_repeated = [&](const VariableDecl* variable) {
+        const bool found = is_in(names, variable->name);
+        if (found) stages.repeated.push_back(variable);
+        return found;
+    };
+    std::erase_if(stages.externs, is_repeated);
+    std::erase_if(stages.statics, is_repeated);
+    std::erase_if(stages.switches, [&](const SwitchDecl& each) { return is_repeated(each.variable); });
 }
 
 // What a pass excludes are switches; what a variable is there with, these or paths.
@@ -191,7 +202,7 @@ std::vector<const PassDecl*> Stages::passes_of(std::string_view path) const {
 std::vector<std::string_view> Stages::paths() const {
     std::vector<std::string_view> names;
     for (const PassDecl& each : passes) {
-        if (std::find(names.begin(), names.end(), each.path) == names.end()) names.push_back(each.path);
+        if (!each.path.empty() && !is_in(names, each.path)) names.push_back(each.path);
     }
     return names;
 }
@@ -219,6 +230,7 @@ void collect_stages(const nodelang::Ast& ast, const nodelang::Declarations& decl
         diagnostics.report(Code::BadAttribute, pass.span, "pass",
                            pass.vertex ? "needs a [fragment] function, too" : "needs a [vertex] function, too");
     }
+    check_stages(ast, declarations, sources, stages, diagnostics);
 }
 
 }  // namespace patina::graph

@@ -79,7 +79,9 @@ struct Stages {
     std::vector<GivenDecl> given;
     std::vector<SwitchDecl> switches;
     std::vector<const nodelang::VariableDecl*> externs, statics;
-    std::vector<const nodelang::FunctionDecl*> slots;
+    // The library's, which a file repeats: its functions mean what is declared again.
+    std::vector<const nodelang::VariableDecl*> repeated;
+    std::vector<const nodelang::FunctionDecl*> slots, exports;
 
     const PassDecl* pass(std::string_view name) const;
     // Those of a path, in the order of its file.
@@ -88,9 +90,15 @@ struct Stages {
     const SemanticDecl* semantic(std::string_view name) const;
 };
 
-// Adds what `ast` declares. Structs that passes return are looked up in `declarations`.
+// Adds what `ast` declares and checks it. Structs that passes return are looked up in `declarations`.
 void collect_stages(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const SourceMap& sources,
                     Stages& stages, Diagnostics& diagnostics);
+
+// --- whether all of it can be (check_stages.cpp)
+void check_stages(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const SourceMap& sources,
+                  const Stages& stages, Diagnostics& diagnostics);
+// Whether it stands in a .pass.hlsl.
+bool is_of_pass(const SourceMap& sources, Span span);
 
 // --- the state of a pass (pass_state.cpp)
 // Reads the attributes of a pass's fragment function, and the targets that it returns.

@@ -23,6 +23,7 @@ struct Place {
     std::string_view semantic{};  // that the slot reads, of which this is the recipe
     bool at_vertex = false;
     ir::Origin origin{};  // the innermost node
+    Span span{};          // the innermost function of a pass or recipe
 };
 
 class Walk {
@@ -31,8 +32,8 @@ public:
         : lowering_(lowering), module_(lowering.out.module), pass_(pass), declaration_(*pass.declaration) {}
 
     Refusal run() {
-        visit(pass_.vertex, {.at_vertex = true});
-        visit(pass_.fragment, {});
+        visit(pass_.vertex, {.at_vertex = true, .span = declaration_.vertex->name_span});
+        visit(pass_.fragment, {.span = declaration_.fragment->name_span});
         return refusal_;
     }
 
@@ -58,33 +59,53 @@ private:
             if (inst.op == Op::Semantic) semantic({inst.data}, here);
             if (inst.op == Op::Global) global({inst.data}, here);
             if (ir::has(inst.op, ir::Derivative) && here.at_vertex && !here.slot.empty() && inst.op != Op::Sample)
-                refuse(here, fmt::format("'{}' compares neighbouring pixels, and vertices have none", here.slot));
+                refuse(here, fmt::format("{} compares neighbouring pixels, and vertices have none", said(here)));
         }
+    }
+
+    // What reads, in words: a slot without parameters is the surface itself.
+    std::string said(const Place& place) const {
+        for (const nodelang::FunctionDecl* slot : lowering_.session.stages->slots) {
+            if (slot->name == place.slot && slot->params.empty()) return "the surface";
+        }
+        return fmt::format("'{}'", place.slot);
     }
 
     bool draws_objects() const { return declaration_.state.draws == "objects"; }
     bool is_graph(const Place& place) const { return !place.slot.empty(); }
 
     void semantic(SemanticId id, const Place& place) {
-        if (const auto recipe = pass_.recipe_of(id); recipe && !place.at_vertex) return visit(*recipe, {});
+        if (const auto recipe = pass_.recipe_of(id); recipe && !place.at_vertex)
+            return visit(*recipe, {.span = place.span});
         const SemanticRecipe& recipe = lowering_.out.semantics[id.index];
         Place inside = place;
         if (place.semantic.empty() && is_graph(place)) inside.semantic = module_.semantics[id.index].name;
         const std::string_view name = inside.semantic.empty() ? module_.semantics[id.index].name : inside.semantic;
         const bool is_interpolated = recipe.source == Source::Vertex || recipe.source == Source::Attribute;
         if (is_interpolated && is_graph(place) && !draws_objects())
-            return refuse(place, fmt::format("'{}' reads '@{}', which it cannot give", place.slot, name));
+            return refuse(place, fmt::format("{} reads '@{}', which it cannot give", said(place), name));
         const bool is_side = module_.semantics[id.index].type == ir::kBool;  // vertices see the front
         if (recipe.source == Source::Builtin && is_graph(place) && place.at_vertex && !is_side)
-            return refuse(place, fmt::format("'{}' reads '@{}', which vertices do not have", place.slot, name));
+            return refuse(place, fmt::format("{} reads '@{}', which vertices do not have", said(place), name));
+        if (recipe.source == Source::Builtin && !is_graph(place)) check_builtin(*recipe.declaration, place);
         if (!recipe.recipe) return;
+        if (recipe.declaration) inside.span = recipe.declaration->function->name_span;
         inside.at_vertex = place.at_vertex || recipe.source == Source::Vertex;
         visit(recipe.recipe, inside);
     }
 
+    // A pass file may ask a stage for what it does not have.
+    void check_builtin(const SemanticDecl& semantic, const Place& place) {
+        const std::string_view word = nodelang::attribute_text(*semantic.variable->attribute("builtin"));
+        const bool is_of_pixel = word == "frag_coord", is_of_vertex = word.ends_with("_index");
+        if (place.at_vertex ? is_of_pixel : is_of_vertex)
+            lowering_.session.diagnostics.report(Code::NoSuchStageValue, place.span, semantic.name,
+                                                 place.at_vertex ? "vertex" : "fragment");
+    }
+
     void global(ir::GlobalId id, const Place& place) {
         if (draws_objects() || !is_graph(place) || !lowering_.per_object.contains(id.index)) return;
-        refuse(place, fmt::format("'{}' reads '{}' of the object, which it cannot give", place.slot,
+        refuse(place, fmt::format("{} reads '{}' of the object, which it cannot give", said(place),
                                   module_.globals[id.index].name));
     }
 
@@ -98,8 +119,21 @@ private:
             if (holds(name)) continue;
             Place at = place;
             if (read.origin) at.origin = module_.origins[read.origin.index];
-            return refuse(at, fmt::format("'{}' reads '@surface.{}', which it cannot give", place.slot, name));
+            refuse(at, fmt::format("{} reads '@surface.{}', which it cannot give", said(place), name));
+            refusal_.advice = roomier_path();
+            return;
         }
+    }
+
+    // A path that stores what a lighting graph reads, whatever that is.
+    std::string roomier_path() const {
+        for (const PassDecl& each : lowering_.session.stages->passes) {
+            const bool packs = std::any_of(each.holds.begin(), each.holds.end(),
+                                           [&](std::string_view name) { return lowering_.is_packing(name); });
+            if (packs && each.path != declaration_.path)
+                return fmt::format("--path {} has room for more members of the surface", each.path);
+        }
+        return {};
     }
 
     bool holds(std::string_view member) {

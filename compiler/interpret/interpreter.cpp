@@ -103,6 +103,7 @@ Interpreter::Interpreter(const Program& program, std::string_view pass, Stage st
     impl_->program = &program;
     impl_->module = &found->module;
     impl_->machine = interpret::make_machine(found->module, found->module.stage.entry, precision);
+    impl_->machine.is_quad = stage == Stage::Fragment;
     impl_->inputs = stage_values(found->module.stage.inputs);
     impl_->outputs = stage_values(found->module.stage.outputs);
 }

@@ -111,6 +111,7 @@ struct Machine {
 
     std::vector<double> memory{};
     std::vector<std::shared_ptr<const TextureData>> textures{};  // by Module::globals; null: not bound
+    bool is_quad = true;  // the lanes are neighbouring pixels; false: of no relation, as vertices are
     Mask discarded = 0;
     Watcher* watcher = nullptr;  // null: no one watches
     int light = -1;

@@ -244,8 +244,9 @@ Reader make_reader(const Step& step, const Machine& machine, const TextureData& 
             .is_linear = sampler.filter != "nearest"};
 }
 
-// One level for the whole quad, from the differences at its first pixel.
+// One level for the whole quad, from the differences at its first pixel. Vertices read the finest.
 double implicit_level(const Step& step, const Machine& machine, const Reader& reader) {
+    if (!machine.is_quad) return 0;
     const auto corner = pair(step, machine, 2, 0), right = pair(step, machine, 2, 1), below = pair(step, machine, 2, 2);
     return level_of(reader, {right[0] - corner[0], right[1] - corner[1]}, {below[0] - corner[0], below[1] - corner[1]});
 }
@@ -289,6 +290,7 @@ double level_in_cube(const Step& step, const Machine& machine, const Reader& rea
         return cube_level(reader, at, direction_of(step, machine, 3, lane), direction_of(step, machine, 4, lane));
     }
     const double bias = op == Op::SampleBias ? operand(step, machine, 3, 0, lane) : 0;
+    if (!machine.is_quad) return bias;
     return cube_level(reader, at, difference(direction_of(step, machine, 2, 1), at),
                       difference(direction_of(step, machine, 2, 2), at)) +
            bias;

@@ -108,4 +108,25 @@ Type part_type(const Module& module, Type composite, std::uint32_t index) {
     return module.arrays[composite.ref].element;
 }
 
+namespace {
+
+void mark_structs(const Module& module, Type type, std::vector<bool>& marked) {
+    if (type.kind == Kind::Array) return mark_structs(module, module.arrays[type.ref].element, marked);
+    if (type.kind != Kind::Struct || marked[type.ref]) return;
+    marked[type.ref] = true;
+    for (const Member& member : module.structs[type.ref].members) mark_structs(module, member.type, marked);
+}
+
+}  // namespace
+
+std::vector<bool> shared_structs(const Module& module) {
+    std::vector<bool> shared(module.structs.size(), false);
+    for (const Function& function : module.functions) {
+        if (function.linkage != Linkage::External) continue;
+        mark_structs(module, function.result, shared);
+        for (const Param& param : function.params) mark_structs(module, param.type, shared);
+    }
+    return shared;
+}
+
 }  // namespace patina::ir

@@ -63,6 +63,14 @@ struct Param {
     std::string name{};
     Type type{};
     Rate rate = Rate::Pixel;
+    bool is_semantic = false;  // handed down by link(): of no concern where the function does not read it
+};
+
+// Who knows a function beside the module that it is in.
+enum class Linkage : std::uint8_t {
+    Internal,  // nobody: its signature may change
+    Exported,  // whoever calls the text that is printed: it loses semantics that it does not read, and nothing else
+    External,  // it is defined elsewhere: its body stands for nothing, and it is called as it is
 };
 
 // A value that has a name in a graph, for whoever watches the function run (interpret/). Rebuilding a function drops
@@ -89,8 +97,9 @@ struct Function {
     std::vector<Value> operands{};
     std::vector<Block> blocks{};  // blocks[0] is the body
     OriginId origin{};
-    std::string comment{};       // one line, printed above the function
+    std::string comment{};       // lines, printed above the function
     bool always_inline = false;  // recipes and pass bodies: they are spelled out where they are called
+    Linkage linkage = Linkage::Internal;
     std::vector<Probe> probes{};
 
     const Inst& operator[](Value v) const { return insts[v.index]; }
@@ -214,6 +223,9 @@ private:
 // Members of composite types, seen alike: type of part `index` of a vector (scalar), matrix (row), array or struct.
 Type part_type(const Module& module, Type composite, std::uint32_t index);
 std::uint32_t part_count(const Module& module, Type composite);
+
+// By struct: true if it is part of the signature of a function that is defined elsewhere.
+std::vector<bool> shared_structs(const Module& module);
 
 // Result type that the op's rule gives for these operand types, or Error where they do not fit.
 // For TypeRule::Declared ops it returns Error: their verifier rules are in verify.cpp.

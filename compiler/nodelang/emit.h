@@ -153,6 +153,10 @@ public:
     void set_static_maker(StaticMaker maker) { static_maker_ = std::move(maker); }
     // extern variables and functions are known by their declaration.
     void set_extern(const VariableDecl* variable, ir::GlobalId global) { externs_[variable] = global; }
+    // Two declarations of one thing.
+    void share_extern(const VariableDecl* variable, const VariableDecl* known) {
+        if (const auto found = externs_.find(known); found != externs_.end()) externs_[variable] = found->second;
+    }
 
     Typed extern_value(const VariableDecl& variable, Scope& scope);
     // A [static] variable: a constant of the material's render block.
@@ -255,6 +259,9 @@ private:
     std::vector<const FunctionDecl*> active_;  // for recursion
     std::deque<std::vector<std::string_view>> enumerator_lists_;
 };
+
+// Of a declaration's comment, without its slashes, on one line.
+std::string first_sentence(std::string_view doc);
 
 // Names of all intrinsic functions, for suggestions.
 std::vector<std::string_view> intrinsic_names();

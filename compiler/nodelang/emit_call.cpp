@@ -124,7 +124,9 @@ std::vector<std::string_view> intrinsic_names() {
 
 void Emitter::need_quad(Scope& scope, Span span, std::string_view what) {
     if (scope.in_vertex_stage) {
-        diagnostics_.report(Code::WrongStage, span, what, diagnostics_.context_node())
+        const bool is_node = !diagnostics_.context_node().empty();
+        const std::string_view own = scope.function ? scope.function->name : std::string_view();
+        diagnostics_.report(Code::WrongStage, span, what, is_node ? diagnostics_.context_node() : own)
             .note("vertices have no neighbouring pixels; a texture can be sampled at a level there (SampleLevel)");
     } else if (!scope.flow.empty()) {
         diagnostics_.report(Code::DerivativeInFlow, span, what, scope.flow)

@@ -17,6 +17,16 @@ namespace {
 // Sub-graphs and functions may be written deep, but not endlessly so.
 constexpr std::size_t kMaxCallDepth = 64;
 
+// A body that was read only now must be as sound as one that was read with its file.
+const Statements& body_of(const FunctionDecl& function, Diagnostics& diagnostics) {
+    const Diagnostics* errors = body_errors(function);
+    if (errors && errors->has_errors())
+        diagnostics.report(Code::Internal, function.name_span, fmt::format("the body of '{}' is wrong", function.name));
+    return nodelang::body_of(function);
+}
+
+}  // namespace
+
 std::string first_sentence(std::string_view doc) {
     std::string line;
     for (std::size_t at = 0; at < doc.size(); ++at) {
@@ -35,16 +45,6 @@ std::string first_sentence(std::string_view doc) {
     const std::size_t start = line.find_first_not_of(' ');
     return start == std::string::npos ? std::string() : line.substr(start);
 }
-
-// A body that was read only now must be as sound as one that was read with its file.
-const Statements& body_of(const FunctionDecl& function, Diagnostics& diagnostics) {
-    const Diagnostics* errors = body_errors(function);
-    if (errors && errors->has_errors())
-        diagnostics.report(Code::Internal, function.name_span, fmt::format("the body of '{}' is wrong", function.name));
-    return nodelang::body_of(function);
-}
-
-}  // namespace
 
 const Emitter::Instance& Emitter::instantiate(const FunctionDecl& function, const Declarations& home,
                                               std::span<const Argument> arguments, unsigned width, bool half,
@@ -184,7 +184,10 @@ ir::FunctionId Emitter::outer_function(const FunctionDecl& function, const Decla
             continue;
         }
         if (!param.initial) {
-            diagnostics_.report(Code::MissingInput, param.span, function.name, param.name);
+            diagnostics_.report(Code::MissingInput, param.span, function.name, param.name)
+                .note(
+                    "nothing calls it with arguments: the default of a parameter is a semantic that it reads, "
+                    "'float3 position = position_ws'");
             return {};
         }
         Scope outside{.builder = &builder, .declarations = &home, .environment = &environment};

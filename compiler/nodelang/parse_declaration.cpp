@@ -27,6 +27,8 @@ constexpr AttributeInfo kAttributes[] = {
     {kFunction, "pack"},
     {kFunction, "unpack"},
     {kFunction, "otherwise"},
+    // What an engine may call that draws by shaders of its own.
+    {kFunction, "export"},
     // A pass and how it draws.
     {kFunction, "pass"},
     {kFunction, "vertex"},

@@ -13,6 +13,8 @@ public:
     Body(Writer& writer, ir::FunctionId id, const EntryPoint* entry);
 
     void print();
+    // Only what it takes and gives.
+    void print_declaration();
 
     // --- for a language's own expressions
     const ir::Module& module() const { return writer_.module; }
@@ -55,6 +57,7 @@ private:
     Text row(ir::Value matrix, const std::string& index) const;
 
     // statements.cpp
+    std::string signature();
     void print_block(ir::BlockId block);
     void print_statement(ir::Value v);
     void print_assignment(ir::Value v);

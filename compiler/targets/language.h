@@ -80,6 +80,7 @@ struct Language {
     // The initial value of an array with these elements.
     std::string (*array_value)(const std::string& element_type, std::size_t count,
                                const std::string& elements) = nullptr;
+    std::string_view set_word;        // what stands before the number of a descriptor set
     std::string_view constant_array;  // what stands before a constant array's type
     // Ops that the table calls Own.
     Text (*expression)(const Body& body, ir::Value value) = nullptr;

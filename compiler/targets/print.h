@@ -30,10 +30,20 @@ struct SetShifts {
 struct Plan;
 std::vector<Plan> make_plans(const ir::Module& module);
 
+// Of a text that is pasted into shaders: it has no version of its own, and the descriptor set of the material stands in
+// it by a name, "Rust_set", that the shader may define before.
+struct Pasting {
+    std::string prefix;  // "Rust_"
+    std::uint32_t set = 0;
+
+    std::string set_name() const { return prefix + "set"; }
+};
+
 struct PrintOptions {
     std::string header;                        // lines for a comment at the top, without comment marks
     std::vector<SetShifts> shifts;             // GLSL writes slot + shift; HLSL writes registers
     const std::vector<Plan>* plans = nullptr;  // of this module; null: made for this printing
+    std::optional<Pasting> pasting = {};       // none: a whole shader
 };
 
 struct TargetInfo {

@@ -1,4 +1,8 @@
 // The order of a shader's sections, which is the same in every language.
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "compiler/targets/body.h"
 
 namespace patina::targets {
@@ -6,6 +10,19 @@ namespace patina::targets {
 using namespace ir;
 
 namespace {
+
+void print_comment(Writer& w, std::string_view lines, OriginId origin) {
+    while (!lines.empty()) {
+        const std::size_t end = std::min(lines.find('\n'), lines.size());
+        w.comment(0, lines.substr(0, end), origin);
+        lines.remove_prefix(std::min(end + 1, lines.size()));
+    }
+}
+
+void open_guard(Writer& w, const std::string& name, const std::string& value) {
+    w.line(0, "#ifndef " + name);
+    w.line(0, "#define " + name + value);
+}
 
 // All names of the outermost scope are taken before the first function is printed, so that no local hides one.
 void name_globals(Writer& w) {
@@ -42,17 +59,19 @@ void name_globals(Writer& w) {
     }
 }
 
-// A struct stands after those that its members are made of.
-void print_struct(Writer& w, std::size_t index, std::vector<bool>& printed) {
+// A struct stands after those that its members are made of. Those that the engine shares are declared once, however
+// many texts are pasted into a shader.
+void print_struct(Writer& w, std::size_t index, const std::vector<bool>& shared, std::vector<bool>& printed) {
     if (printed[index]) return;
     printed[index] = true;
     const Struct& structure = w.module.structs[index];
     for (const Member& member : structure.members) {
         Type type = member.type;
         while (type.kind == Kind::Array) type = w.module.arrays[type.ref].element;
-        if (type.kind == Kind::Struct) print_struct(w, type.ref, printed);
+        if (type.kind == Kind::Struct) print_struct(w, type.ref, shared, printed);
     }
     w.gap();
+    if (shared[index]) open_guard(w, "PATINA_" + w.structs[index], "");
     w.line(0, "struct " + w.structs[index]);
     w.line(0, "{");
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
@@ -61,12 +80,30 @@ void print_struct(Writer& w, std::size_t index, std::vector<bool>& printed) {
     // GLSL has no empty structs.
     if (structure.members.empty()) w.line(1, w.declaration(kFloat, "nothing") + ";");
     w.line(0, "};");
+    if (shared[index]) w.line(0, "#endif");
+}
+
+// What the engine provides. Declared more than once it is still one function.
+void print_declarations(Writer& w) {
+    bool is_first = true;
+    for (std::uint32_t i = 0; i < w.module.functions.size(); ++i) {
+        if (!w.reachable.functions[i] || w.module.functions[i].linkage != Linkage::External) continue;
+        w.gap();
+        if (is_first) w.comment(0, "The engine provides these functions.");
+        is_first = false;
+        print_comment(w, w.module.functions[i].comment, {});
+        Body(w, {i}, nullptr).print_declaration();
+    }
 }
 
 void print_globals(Writer& w) {
     std::vector<bool> printed(w.module.structs.size());
-    for (std::size_t i = 0; i < printed.size(); ++i) {
-        if (w.reachable.structs[i]) print_struct(w, i, printed);
+    const std::vector<bool> shared = shared_structs(w.module);
+    for (const bool is_shared : {true, false}) {
+        for (std::size_t i = 0; i < printed.size(); ++i) {
+            if (w.reachable.structs[i] && shared[i] == is_shared) print_struct(w, i, shared, printed);
+        }
+        if (is_shared) print_declarations(w);
     }
     for (std::size_t i = 0; i < w.module.blocks.size(); ++i) {
         if (!w.reachable.blocks[i]) continue;
@@ -82,17 +119,26 @@ void print_globals(Writer& w) {
 void print_function(Writer& w, FunctionId id, const EntryPoint* entry) {
     w.gap();
     const Function& function = w.module[id];
-    if (!function.comment.empty()) w.comment(0, function.comment, function.origin);
+    print_comment(w, function.comment, function.origin);
     Body(w, id, entry).print();
 }
 
-void print_header(Writer& w) {
-    std::string_view header = w.options.header;
-    while (!header.empty()) {
-        const std::size_t end = std::min(header.find('\n'), header.size());
-        w.comment(0, header.substr(0, end));
-        header.remove_prefix(std::min(end + 1, header.size()));
-    }
+// Pasted text leaves it to the shader around it to begin as it must.
+void print_preamble(Writer& w) {
+    if (!w.options.pasting) return w.language.preamble(w);
+    Writer lines(w.module, w.language, w.options, w.plans);
+    lines.reachable = w.reachable;
+    w.language.preamble(lines);
+    if (!lines.text.empty()) print_comment(w, "The shader around it begins with:\n" + lines.text, {});
+    if (std::none_of(w.module.globals.begin(), w.module.globals.end(), [&](const Global& global) {
+            return w.reachable.globals[static_cast<std::size_t>(&global - w.module.globals.data())];
+        }))
+        return;
+    w.gap();
+    w.comment(0, "Another descriptor set, if it is defined before.");
+    const Pasting& pasting = *w.options.pasting;
+    open_guard(w, pasting.set_name(), fmt::format(" {}{}", w.language.set_word, pasting.set));
+    w.line(0, "#endif");
 }
 
 }  // namespace
@@ -104,13 +150,14 @@ Printed print(const Module& module, const Language& language, const PrintOptions
     w.reachable = find_reachable(module);
     name_globals(w);
 
-    print_header(w);
-    language.preamble(w);
+    print_comment(w, options.header, {});
+    print_preamble(w);
     print_globals(w);
     w.gap();
     const EntryPoint entry = module.stage.entry ? language.entry_point(w) : EntryPoint{};
     for (std::uint32_t i = 0; i < module.functions.size(); ++i) {
-        if (w.reachable.functions[i] && module.stage.entry.index != i) print_function(w, {i}, nullptr);
+        const bool is_here = w.reachable.functions[i] && module.functions[i].linkage != Linkage::External;
+        if (is_here && module.stage.entry.index != i) print_function(w, {i}, nullptr);
     }
     if (module.stage.entry) print_function(w, module.stage.entry, &entry);
     return {std::move(w.text), std::move(w.lines)};

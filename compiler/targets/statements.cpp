@@ -54,21 +54,26 @@ Body::Body(Writer& writer, FunctionId id, const EntryPoint* entry)
     commented_.resize(writer.module.origins.size());
 }
 
+std::string Body::signature() {
+    if (entry_) return entry_->signature;
+    std::string list;
+    for (const Param& param : function_.params) {
+        params_.push_back(writer_.names.declare(param.name));
+        list += (list.empty() ? "" : ", ") + writer_.declaration(param.type, params_.back());
+    }
+    const auto index = static_cast<std::size_t>(&function_ - writer_.module.functions.data());
+    return fmt::format("{} {}({})", writer_.type(function_.result), writer_.functions[index], list);
+}
+
+void Body::print_declaration() {
+    writer_.names.open();
+    writer_.line(0, signature() + ";");
+    writer_.names.close();
+}
+
 void Body::print() {
     writer_.names.open();
-    if (!entry_) {
-        for (const Param& param : function_.params) params_.push_back(writer_.names.declare(param.name));
-    }
-    std::string signature = entry_ ? entry_->signature : "";
-    if (!entry_) {
-        std::string list;
-        for (std::size_t i = 0; i < params_.size(); ++i) {
-            list += (i == 0 ? "" : ", ") + writer_.declaration(function_.params[i].type, params_[i]);
-        }
-        const auto index = static_cast<std::size_t>(&function_ - writer_.module.functions.data());
-        signature = fmt::format("{} {}({})", writer_.type(function_.result), writer_.functions[index], list);
-    }
-    writer_.line(0, signature, function_.origin);
+    writer_.line(0, signature(), function_.origin);
     writer_.line(0, "{");
     print_block({0});
     writer_.line(0, "}");
@@ -95,12 +100,12 @@ void Body::find_member_names() {
 std::string Body::name_without_hint(Value v) const {
     const Inst& inst = function_[v];
     if (inst.type.kind == Kind::Struct) {
-        const std::string name = snake_case(writer_.module.structs[inst.type.ref].name);
+        const std::string name = snake_case(writer_.plain(writer_.module.structs[inst.type.ref].name));
         return writer_.names.is_free(name) ? name : initials(name);
     }
     if (!member_of_[v.index].empty()) return std::string(member_of_[v.index]);
     if (inst.op == Op::Construct && inst.type.is_matrix()) return "basis";
-    if (inst.op == Op::Call) return snake_case(writer_.module.functions[inst.data].name);
+    if (inst.op == Op::Call) return snake_case(writer_.plain(writer_.module.functions[inst.data].name));
     // A step on the way to a node's value is called after the node.
     const std::string_view id = inst.origin ? std::string_view(writer_.module.origins[inst.origin.index].id) : "";
     const std::string_view last = id.substr(id.rfind('/') + 1);

@@ -135,12 +135,25 @@ std::string Writer::declaration(Type type, std::string_view name) const {
     return text.append(" ").append(name).append(sizes);
 }
 
+std::string_view Writer::plain(std::string_view name) const {
+    if (options.pasting && name.starts_with(options.pasting->prefix))
+        name.remove_prefix(options.pasting->prefix.size());
+    return name;
+}
+
+std::string Writer::set(std::uint32_t set) const {
+    if (options.pasting && options.pasting->set == set) return options.pasting->set_name();
+    return fmt::format("{}{}", language.set_word, set);
+}
+
 void Writer::block_body(const UniformBlock& block) {
     const auto index = static_cast<std::size_t>(&block - module.blocks.data());
     line(0, "{");
     for (std::size_t i = 0; i < block.members.size(); ++i) {
         for (std::uint32_t n = 0; n < block.members[i].padding; ++n) {
-            line(1, declaration(kFloat, names.declare(fmt::format("_pad{}", paddings++))) + ";");
+            const std::string name =
+                fmt::format("{}pad{}", options.pasting ? options.pasting->prefix : "_", paddings++);
+            line(1, declaration(kFloat, names.declare(name)) + ";");
         }
         line(1, declaration(stored(block.members[i].type), block_members[index][i]) + ";");
     }

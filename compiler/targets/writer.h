@@ -45,6 +45,10 @@ struct Writer {
     std::string type(ir::Type type) const;
     // "vec3 n", "float k[4]"
     std::string declaration(ir::Type type, std::string_view name) const;
+    // A name of the text without the prefix that pasted texts have.
+    std::string_view plain(std::string_view name) const;
+    // A descriptor set: "1", "space1", or its name.
+    std::string set(std::uint32_t set) const;
     // Members of a uniform block, padding included, between braces.
     void block_body(const ir::UniformBlock& block);
     // The type that a value has in a uniform block or between stages, where `half` is a float.

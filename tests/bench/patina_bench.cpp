@@ -1,5 +1,6 @@
-// The compiler's figures: what a warm compile, the whole command, the library and very long graphs cost, and how long
-// the text is that comes out. Google Benchmark's options apply; the table at the end is the best of the repetitions.
+// The compiler's figures: what a warm compile, of one pass and of all, the whole command, the library and very long
+// graphs cost, and how long the text is that comes out. Google Benchmark's options apply; the table at the end is the
+// best of the repetitions.
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -8,7 +9,9 @@
 #include <iterator>
 
 #include "compiler/cli/model_cost.h"
+#include "compiler/cli/spirv_size.h"
 #include "patina/patina.h"
+#include "patina/validate.h"
 #include "tests/bench/figures.h"
 #include "tests/bench/long_graphs.h"
 
@@ -41,11 +44,13 @@ std::string read(const std::string& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// JSON to printed GLSL and HLSL, with a library that is loaded.
-void compile(benchmark::State& state, const std::string& path, const std::string& text) {
+// JSON to printed GLSL and HLSL, with a library that is loaded. `passes`: a rendering path.
+void compile(benchmark::State& state, const std::string& path, const std::string& text, const std::string& passes) {
     const Compiler compiler;
+    CompileOptions options;
+    options.path = passes;
     for ([[maybe_unused]] auto iteration : state) {
-        const Result result = compiler.compile_text(path, text);
+        const Result result = compiler.compile_text(path, text, options);
         if (!result.ok) return state.SkipWithError("it does not compile");
         benchmark::DoNotOptimize(result.shaders.data());
     }
@@ -84,14 +89,17 @@ void register_all() {
             ->ReportAggregatesOnly(false);
     };
     add("library", load_library);
-    add("compile/painted", compile, "painted.graph.json", std::string(kPainted));
-    add("compile/rusted_steel", compile, kRustedSteel, read(kRustedSteel));
+    const std::string one_pass = "forward";
+    add("compile/painted", compile, "painted.graph.json", std::string(kPainted), one_pass);
+    add("compile/rusted_steel", compile, kRustedSteel, read(kRustedSteel), one_pass);
+    add("compile/rusted_steel, all passes", compile, kRustedSteel, read(kRustedSteel), std::string("all"));
     add("patina compile", run_command);
     for (const int nodes : {5'000, 10'000}) {
         const std::string count = std::to_string(nodes);
-        add("chain/" + count, compile, "chain.graph.json", long_graph(Shape::Chain, nodes));
-        add("ladder/" + count, compile, "ladder.graph.json", long_graph(Shape::Ladder, nodes));
-        add("ladder on one line/" + count, compile, "ladder.graph.json", long_graph(Shape::Ladder, nodes, " "));
+        add("chain/" + count, compile, "chain.graph.json", long_graph(Shape::Chain, nodes), one_pass);
+        add("ladder/" + count, compile, "ladder.graph.json", long_graph(Shape::Ladder, nodes), one_pass);
+        add("ladder on one line/" + count, compile, "ladder.graph.json", long_graph(Shape::Ladder, nodes, " "),
+            one_pass);
     }
 }
 
@@ -113,17 +121,39 @@ void print_costs() {
     }
 }
 
+// Of each pass of the textured example: how many instructions its stages have, and the fragment stage for each light.
+void print_passes() {
+    CompileOptions options;
+    options.path = "all";
+    options.targets = {Target::Glsl};
+    const Result result = Compiler().compile_file(kRustedSteel, options);
+    std::printf(
+        "\nSPIR-V instructions of rusted_steel's passes after spirv-opt -O: vertex, fragment, for each light\n");
+    std::size_t in_vertex = 0;
+    for (const Shader& shader : result.shaders) {
+        const Validated validated = validate(shader);
+        const cli::SpirvSize size = cli::size_of(optimised(validated.spirv));
+        if (shader.stage == Stage::Vertex) {
+            in_vertex = size.instructions;
+        } else {
+            std::printf("  %-24s %5zu %5zu %5zu\n", shader.pass.c_str(), in_vertex, size.instructions, size.in_loops);
+        }
+    }
+}
+
 void print_figures(const Figures& figures) {
     std::printf("\n");
     figures.time("library", 0);
     figures.time("compile/painted", 0);
     figures.time("compile/rusted_steel", 1);
+    figures.time("compile/rusted_steel, all passes", 0);
     figures.time("patina compile", 20);
     for (const std::string shape : {"chain/", "ladder/", "ladder on one line/"}) {
         figures.time(shape + "10000", 0);
         figures.ratio(shape + "5000", shape + "10000", 2.5);
     }
     print_sizes();
+    print_passes();
     print_costs();
 }
 

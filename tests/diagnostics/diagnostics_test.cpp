@@ -5,6 +5,7 @@
 #include "compiler/base/diagnostics.h"
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 #include <vector>
 
@@ -21,7 +22,6 @@ constexpr std::pair<std::string_view, std::string_view> kExempt[] = {
     {"downstream-error",
      "a shader that another compiler refuses is a fault of the printers; validate_test.cpp makes one"},
     {"internal", "a library without one of its slots cannot be built"},
-    {"unknown-pass", "only a program can ask for passes: DiagnosticsOfTheLibrary below"},
 };
 
 bool is_exempt(std::string_view code) {
@@ -85,14 +85,26 @@ TEST_P(DiagnosticFolder, PrintsWhatIsExpected) {
     EXPECT_TRUE(as_expected("diagnostics/" + code + "/expected.txt", text));
 }
 
+// Every graph alone, and as the commands check it along a path.
+std::set<std::string> checks_of(const fs::path& folder) {
+    const std::string check = "patina check ";
+    std::set<std::string> arguments;
+    for (const std::string& graph : files_of(folder, ".graph.json")) arguments.insert(graph);
+    for (const std::string& command : commands_of(folder)) {
+        if (command.starts_with(check) && command.find(".graph.json ") != command.npos)
+            arguments.insert(command.substr(check.size()));
+    }
+    return arguments;
+}
+
 // An error leaves no file behind, however far the compiler came.
 TEST_P(DiagnosticFolder, LeavesNoPartialOutput) {
     const fs::path folder = working_copy(GetParam());
-    for (const std::string& graph : files_of(folder, ".graph.json")) {
-        const Ran ran = run("patina compile " + graph + " -o out --depfile", folder);
-        const int checked = run("patina check " + graph, folder).exit;
-        EXPECT_EQ(ran.exit, checked) << graph << "\n" << ran.output;
-        EXPECT_EQ(fs::exists(folder / "out"), checked == 0) << graph << "\n" << ran.output;
+    for (const std::string& arguments : checks_of(folder)) {
+        const Ran ran = run("patina compile " + arguments + " -o out --depfile", folder);
+        const int checked = run("patina check " + arguments, folder).exit;
+        EXPECT_EQ(ran.exit, checked) << arguments << "\n" << ran.output;
+        EXPECT_EQ(fs::exists(folder / "out"), checked == 0) << arguments << "\n" << ran.output;
         fs::remove_all(folder / "out");
     }
 }

@@ -1,6 +1,7 @@
 // The examples of the documentation work. A fenced block whose first line is `// NAME` is the file NAME; the files of
 // one page lie in one folder. Each graph compiles without a complaint and both other compilers accept its shaders; each
-// scene can be read; each file of nodes is sound and its test lines hold; every other file is used by one of these. A
+// scene can be read; each path draws the page's graphs; each file of nodes is sound and its test lines hold; every
+// other file is used by one of these. A
 // ```glsl block is what the graph before it becomes.
 #include <algorithm>
 #include <map>
@@ -79,6 +80,19 @@ TEST_P(Page, HoldsExamplesThatWork) {
             EXPECT_TRUE(scene.ok && scene.diagnostics.empty()) << joined(scene.diagnostics);
             used.push_back(path);
             for (const SceneMaterial& material : scene.scene.materials) used.push_back(material.graph.path);
+        } else if (block.name.ends_with(".pass.hlsl")) {
+            // A path of one's own draws every graph of its page.
+            ++examples;
+            used.push_back(path);
+            CompileOptions along;
+            along.path = path;
+            for (const Block& graph : blocks) {
+                if (!graph.name.ends_with(".graph.json")) continue;
+                const Result result = compiler.compile_file(folder / graph.name, along);
+                EXPECT_TRUE(result.ok && result.diagnostics.empty()) << joined(result.diagnostics);
+                EXPECT_EQ(result.reflection.path + ".pass.hlsl", block.name);
+                for (const Shader& shader : result.shaders) EXPECT_TRUE(validate(shader).ok) << shader.text;
+            }
         } else if (block.name.ends_with(".node.hlsl")) {
             ++examples;
             used.push_back(path);
@@ -170,8 +184,8 @@ TEST(ManualPage, OffersANodeThatCompiles) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Page,
-                         ::testing::Values("docs/graph-format.md", "docs/node-language.md", "docs/adding-a-node.md",
-                                           "README.md"),
+                         ::testing::Values("docs/graph-format.md", "docs/node-language.md", "docs/rendering-paths.md",
+                                           "docs/adding-a-node.md", "README.md"),
                          [](const auto& info) {
                              std::string name = fs::path(info.param).stem();
                              std::replace(name.begin(), name.end(), '-', '_');

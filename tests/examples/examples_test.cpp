@@ -87,12 +87,15 @@ TEST_P(Picture, IsTheSameThroughGlslHlslAndTheCpu) {
     ASSERT_TRUE(read.file);
     RenderRequest request = read.file->request;
     request.exact_textures = true;
+    request.exact_targets = true;  // how a GPU rounds to ten bits is its own business
     request.validation = true;
     const auto draw = [&](const char* via) {
         request.via = via;
         RenderOutcome outcome = render(compiler(), request, machine);
         for (const Diagnostic& d : outcome.diagnostics) {
-            if (d.code != "no-anisotropy") ADD_FAILURE() << via << ": " << to_text(d);
+            // What the CPU cannot sample, and materials of a scene that its path hands on to another.
+            const bool is_expected = d.code == "no-anisotropy" || d.code == "path-refused" || d.code == "path-loses";
+            if (!is_expected) ADD_FAILURE() << via << ": " << to_text(d);
         }
         EXPECT_TRUE(outcome.ok) << via << ": " << outcome.error;
         encode_srgb(outcome.image);

@@ -1,6 +1,7 @@
 // Each folder beside this file tells one story: a small graph, and what it becomes. The *.graph.json of the folder is
 // compiled; both other compilers must accept every stage, and GLSL, HLSL and reflection are compared with the files
-// beside it. A change of a printer shows here as a diff that a reviewer can read: tests/accept takes it over.
+// beside it. A folder with a file `prefix` tells of functions under that prefix instead of passes. A change of a
+// printer shows here as a diff that a reviewer can read: tests/accept takes it over.
 #include <algorithm>
 #include <vector>
 
@@ -26,6 +27,13 @@ const Compiler& compiler() {
     return kCompiler;
 }
 
+CompileOptions options_of(const std::string& folder) {
+    CompileOptions options;
+    std::string prefix = read_file(tests_folder() / folder / "prefix");
+    options.functions = prefix.substr(0, prefix.find('\n'));
+    return options;
+}
+
 class Story : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Story, BecomesWhatIsExpected) {
@@ -35,7 +43,7 @@ TEST_P(Story, BecomesWhatIsExpected) {
         const std::string path = entry.path();
         if (!path.ends_with(".graph.json")) continue;
         ++graphs;
-        const Result result = compiler().compile_file(path);
+        const Result result = compiler().compile_file(path, options_of(folder));
         for (const Diagnostic& d : result.diagnostics) ADD_FAILURE() << to_text(d);
         ASSERT_TRUE(result.ok);
         for (const Shader& shader : result.shaders) {
@@ -56,8 +64,8 @@ TEST_P(Story, IsTheSameEachTime) {
     for (const fs::directory_entry& entry : fs::directory_iterator(tests_folder() / folder)) {
         if (!entry.path().string().ends_with(".graph.json")) continue;
         const Compiler other;
-        const Result first = compiler().compile_file(entry.path());
-        const Result second = other.compile_file(entry.path());
+        const Result first = compiler().compile_file(entry.path(), options_of(folder));
+        const Result second = other.compile_file(entry.path(), options_of(folder));
         ASSERT_EQ(first.shaders.size(), second.shaders.size());
         for (std::size_t i = 0; i < first.shaders.size(); ++i) {
             EXPECT_EQ(first.shaders[i].text, second.shaders[i].text);

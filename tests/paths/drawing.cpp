@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 
 #include "runtime/world_file.h"
@@ -38,6 +39,23 @@ void add_object(World& world, const std::string& graph, const std::string& mesh,
                              .material = world.materials.size()});
     world.materials.push_back(
         {.name = fmt::format("{}", world.materials.size()), .graph = graph, .overrides = std::move(overrides)});
+}
+
+World proof_scene_and_metals(int width, int height) {
+    World world = proof_world(width, height);
+    world.pixel_light_count = static_cast<int>(runtime::kMostLights);
+    float x = -1.6f;
+    for (const char* model : {"cook-torrance", "blinn-phong", "cl-pbr-specular", "gltf", "energy-conserving"}) {
+        const std::string graph =
+            written(std::string(model) + ".graph.json",
+                    fmt::format(R"({{ "patina": 1, "workflow": "metallic-roughness", "lighting": "{}", "surface":
+ {{ "baseColor": [0.8, 0.6, 0.4], "metallic": 0.7, "roughness": 0.35, "occlusion": 0.7 }} }})",
+                                model));
+        add_object(world, graph, "sphere", 48,
+                   glm::scale(glm::translate(glm::mat4(1), {x, 0.3f, 2.4f}), glm::vec3(0.3f)));
+        x += 0.8f;
+    }
+    return world;
 }
 
 std::string written(const std::string& name, const std::string& text) {

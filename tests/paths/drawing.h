@@ -29,6 +29,10 @@ World proof_world(int width = 160, int height = 120);
 void add_object(World& world, const std::string& graph, const std::string& mesh, int segments,
                 const glm::mat4& object_to_world, std::map<std::string, std::string> overrides = {});
 
+// The proof scene with as many pixel lights as it has lights, and in front of it a row of metal balls of lighting
+// models that it lacks: those mirror the surroundings in a pass of their own where there is a G-buffer.
+World proof_scene_and_metals(int width = 160, int height = 120);
+
 // A graph, lighting graph or pass file that a test writes; its path. The same name is the same file.
 std::string written(const std::string& name, const std::string& text);
 

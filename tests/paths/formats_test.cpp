@@ -84,7 +84,7 @@ private:
 // Five lights and the reflections round the sum in the half floats of RT3 once each, and what is there before them: by
 // half of 2^-10 of the value at most. 7 * 2^-11 is 0.9 / 255 of the bound.
 TEST(UnitysFormats, DeferredIsForwardOverWhatIsRemembered) {
-    const World world = scene();
+    const World world = proof_scene_and_metals();
     const Remembered remembered(world);
     for (bool stated_formats : {false, true}) {
         const Difference far =

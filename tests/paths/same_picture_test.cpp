@@ -22,8 +22,12 @@ World scene() {
     return world;
 }
 
+World scene_and_metals() {
+    return proof_scene_and_metals();
+}
+
 World scene_in_fog() {
-    World world = scene();
+    World world = proof_scene_and_metals();
     world.view.fog = {.mode = runtime::FogMode::ExponentialSquared, .color = {0.3f, 0.4f, 0.5f}, .density = 0.1f};
     return world;
 }
@@ -91,8 +95,8 @@ TEST_P(SamePicture, BaseAndAddDeferredAndExtended) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, SamePicture,
-                         testing::Values(Case{"TheProofScene", scene}, Case{"Fog", scene_in_fog},
-                                         Case{"Cookies", scene_with_cookies},
+                         testing::Values(Case{"TheProofScene", scene}, Case{"MetalsBefore", scene_and_metals},
+                                         Case{"Fog", scene_in_fog}, Case{"Cookies", scene_with_cookies},
                                          Case{"CameraInVolumes", scene_from_within},
                                          Case{"OneLight", scene_of_the_fewest_lights}),
                          [](const auto& info) { return std::string(info.param.name); });
@@ -153,6 +157,18 @@ TEST(Deferred, TakesAllButToonAndDisney) {
             << material.name;
         EXPECT_EQ(path_of(world, material.name, "deferred-ldr"), is_toon || is_disney ? "forward" : "deferred-ldr")
             << material.name;
+    }
+}
+
+// What mirrors the surroundings is added by a pass of its own where the G-buffer knows all that it takes. Unity's
+// models ask for oneMinusReflectivity, which it does not: there the pass that fills the G-buffer does it.
+TEST(Deferred, MirrorsTheSurroundingsAfterTheLights) {
+    const World world = proof_scene_and_metals();
+    for (const runtime::WorldMaterial& material : world.materials) {
+        const Result result = compiled(material.graph, "deferred");
+        const std::string& model = result.reflection.lighting;
+        const bool has_own_pass = model == "cook-torrance" || model == "blinn-phong" || model == "cl-pbr-specular";
+        EXPECT_EQ(find_pass(result, "deferred-reflections") != nullptr, has_own_pass) << model;
     }
 }
 

@@ -36,8 +36,7 @@ inline Reflection reflection_of(std::string path, std::vector<Pass> passes) {
               {member("light_count", "int", 0), member("shadow_texel", "float", 4),
                member("light_position", "float4", 16, 16), member("light_cone", "float4", 272, 16),
                member("light_axis", "float4", 528, 16), member("shadow_strength", "float4", 784)});
-    add_block("VertexLights", 272,
-              {member("vertex_light_count", "float", 0), member("light_color", "float4", 16, 16)});
+    add_block("VertexLights", 272, {member("vertex_light_count", "float", 0), member("light_color", "float4", 16, 16)});
     add_block("Camera", 80,
               {member("world_to_clip", "float4x4", 0), member("shadow_bias", "float", 64),
                member("view_is_orthographic", "float", 68)});

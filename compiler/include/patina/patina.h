@@ -65,9 +65,10 @@ struct Shader {
     Stage stage = Stage::Vertex;
     Target target = Target::Glsl;
     std::string file_name;                        // "rust.forward.frag.glsl"
-    std::string text;                             // entry point: main
+    std::string text;                             // entry point: main; of functions: none
     std::vector<LineOrigin> line_map;             // ascending by line
     std::vector<Reflection::Shifts> hlsl_shifts;  // what glslang must add to HLSL registers
+    bool has_main = true;                         // false: functions, to be pasted into other shaders
 };
 
 // Text of a file that the compiler asks for (sub-graphs, lighting graphs, node files), or nothing if there is none.
@@ -79,6 +80,9 @@ struct CompileOptions {
     // path cannot take is compiled for the path's fallback, with a warning; the reflection says for which.
     std::string path = "forward";
     std::vector<std::string> passes{};  // these passes of any path instead
+    // Not empty: no passes, but the material's functions, for shaders of an engine's own. Whatever is declared beside
+    // them begins with this prefix ("Rust_"); the reflection lists them. `path` and `passes` do not count then.
+    std::string functions{};
     // Parts of the passes that can be had or left out, and their values: "shadows", "true".
     std::vector<std::pair<std::string, std::string>> switches{};
     std::vector<std::string> include_dirs;  // searched for files after the graph's own folder
@@ -175,6 +179,24 @@ struct ModelInfo {
     std::vector<std::pair<std::string, std::string>> outputs;  // "direct" and so on, and the value as written
 };
 
+// A pass of a rendering path, as its file states it.
+struct PassInfo {
+    Pass state{};  // what of it no material changes
+    struct Blend {
+        std::string surface;  // a surface kind that takes part; empty: every one
+        std::string source, destination;
+    };
+    std::vector<Blend> blends{};  // of pass.targets; none: every surface takes part, and overwrites
+    bool is_optional = false;     // a material that it cannot draw goes without it
+};
+struct PathInfo {
+    std::string name;  // as CompileOptions::path names it
+    std::string doc;   // the comment that opens its file: paragraphs, plain text
+    std::string source;
+    std::string file;
+    std::vector<PassInfo> passes;
+};
+
 // A `test:` line of a node's comment: `call` should equal `expected` within the tolerances.
 struct NodeTest {
     std::string node;
@@ -240,6 +262,7 @@ public:
     const std::vector<SemanticInfo>& semantics() const;
     const std::vector<ModelInfo>& workflows() const;
     const std::vector<ModelInfo>& lighting_models() const;
+    const std::vector<PathInfo>& paths() const;  // by name
     std::vector<NodeTest> tests(std::string_view node) const;
 
     // Reads a node file, describes its node and runs its test lines on the CPU.

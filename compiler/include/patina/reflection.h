@@ -114,6 +114,18 @@ struct Pass {
     std::vector<std::string> textures;  // names of the textures that either stage reads
 };
 
+// A function for an engine's own shaders. Types are spelled as in HLSL.
+struct ShaderFunction {
+    std::string name;         // prefix included
+    std::string stage;        // vertex | fragment: where it can be called
+    bool is_engines = false;  // the engine provides it
+    std::string result;
+    struct Parameter {
+        std::string name, type;
+    };
+    std::vector<Parameter> parameters;
+};
+
 // A part of the passes that can be had or left out: shadows, fog.
 struct Switch {
     std::string name;
@@ -130,7 +142,8 @@ struct Reflection {
     std::vector<Block> blocks;
     std::vector<Texture> textures;
     std::vector<Pass> passes;
-    std::string layout_hash;  // of blocks and bindings: equal hash, equal layout
+    std::vector<ShaderFunction> functions{};  // instead of passes
+    std::string layout_hash;                  // of blocks and bindings: equal hash, equal layout
     // Per set: glslang binding shifts that turn HLSL registers into `binding`. textures: t, samplers: s, buffers: b.
     struct Shifts {
         std::uint32_t set = 0, textures = 0, samplers = 0, buffers = 0;

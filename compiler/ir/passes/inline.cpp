@@ -52,9 +52,9 @@ Callee describe(const Module& module, const Function& function) {
                                           [&](const Param& p) { return holds_opaque(module, p.type); });
     const auto work =
         std::count_if(function.insts.begin(), function.insts.end(), [](const Inst& i) { return is_work(i.op); });
-    return {.always = function.always_inline || takes_opaque || work <= kSmall,
-            .nesting = nesting_of(function),
-            .verdicts = {}};
+    const bool is_wanted = function.always_inline || takes_opaque || work <= kSmall;
+    return {
+        .always = is_wanted && function.linkage != Linkage::External, .nesting = nesting_of(function), .verdicts = {}};
 }
 
 bool has_settled_work(const Function& callee, std::uint64_t params) {

@@ -1,6 +1,7 @@
 // Rewrites of a linked stage. Each is Module -> Module, one file, and rebuilds functions through the Builder, so that
 // new chances to fold are taken on the way. The list and its order are passes.def. A module without a stage may be
-// given too: then every function that nothing calls is kept as it is called from outside.
+// given too: then every exported function is kept as it is called from outside, or, where there are none, every
+// function that nothing calls.
 //
 //   Module small = tidy(std::move(linked));
 #pragma once

@@ -51,20 +51,14 @@ public:
     explicit Analysis(const Module& module) : module_(module), needs_(module.functions.size()) {}
 
     std::vector<Need> run() {
-        std::vector<std::uint8_t> is_root(module_.functions.size(), module_.stage.entry ? 0 : 1);
-        if (module_.stage.entry) is_root[module_.stage.entry.index] = 1;
-        for (const Function& function : module_.functions) {
-            if (module_.stage.entry) break;
-            for (const Inst& inst : function.insts) {
-                if (inst.op == Op::Call) is_root[inst.data] = 0;
-            }
-        }
+        const std::vector<std::uint8_t> is_root = roots();
         for (std::uint32_t f = 0; f < is_root.size(); f++) {
             if (is_root[f] == 0) continue;
             call(f);
             need_result(f);
             // Functions that are called from outside keep their signature; only a stage's entry may lose inputs.
-            if (!module_.stage.entry) std::fill(needs_[f].params.begin(), needs_[f].params.end(), 1);
+            const bool is_plain = !module_.stage.entry && module_.functions[f].linkage == Linkage::Internal;
+            if (is_plain) std::fill(needs_[f].params.begin(), needs_[f].params.end(), 1);
         }
         while (!work_.empty()) {
             const Site next = work_.back();
@@ -75,6 +69,35 @@ public:
     }
 
 private:
+    // The entry; without one, what is exported; without that, what nothing calls.
+    std::vector<std::uint8_t> roots() const {
+        std::vector<std::uint8_t> is_root(module_.functions.size(), 0);
+        if (module_.stage.entry) {
+            is_root[module_.stage.entry.index] = 1;
+            return is_root;
+        }
+        for (std::size_t f = 0; f < is_root.size(); f++) {
+            is_root[f] = module_.functions[f].linkage == Linkage::Exported ? 1 : 0;
+        }
+        if (std::count(is_root.begin(), is_root.end(), 1) > 0) return is_root;
+        std::fill(is_root.begin(), is_root.end(), 1);
+        for (const Function& function : module_.functions) {
+            for (const Inst& inst : function.insts) {
+                if (inst.op == Op::Call) is_root[inst.data] = 0;
+            }
+        }
+        return is_root;
+    }
+
+    // Those that know the function from elsewhere count on its result and on its own parameters.
+    void need_signature(std::uint32_t f) {
+        const std::vector<Param>& params = module_.functions[f].params;
+        for (std::size_t i = 0; i < params.size(); i++) {
+            if (!params[i].is_semantic) needs_[f].params[i] = 1;
+        }
+        need_result(f);
+    }
+
     void need(std::uint32_t f, Value value) {
         std::uint8_t& live = needs_[f].live.values[value.index];
         if (live != 0) return;
@@ -95,6 +118,14 @@ private:
         if (inst.op == Op::Call) need_result_member(inst.data, member);
     }
 
+    // A pass's body may discard, and give nothing that anybody reads.
+    bool calls_discard(const Inst& inst) const {
+        if (inst.op != Op::Call) return false;
+        const Function& callee = module_.functions[inst.data];
+        return std::any_of(callee.blocks[0].insts.begin(), callee.blocks[0].insts.end(),
+                           [&](Value value) { return callee[value].op == Op::DiscardIf; });
+    }
+
     // The function runs at all.
     void call(std::uint32_t f) {
         Need& need = needs_[f];
@@ -112,11 +143,12 @@ private:
             for (std::uint32_t k = 0; k + 1 < function.insts[i].operand_count; k++) need.owners[body[k].index] = {i};
         }
         for (const Value value : function.blocks[0].insts) {
-            if (function[value].op == Op::DiscardIf) this->need(f, value);
+            if (function[value].op == Op::DiscardIf || calls_discard(function[value])) need_all(f, value);
         }
         const Value end = function.blocks[0].insts.back();
         need.live.values[end.index] = 1;
         if (function[end].operand_count > 0) need.return_value = function.args(end)[0];
+        if (function.linkage != Linkage::Internal) need_signature(f);
     }
 
     void need_result(std::uint32_t f) {

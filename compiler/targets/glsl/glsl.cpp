@@ -139,7 +139,8 @@ SetShifts shifts_of(const Writer& w, std::uint32_t set) {
 void block(Writer& w, const UniformBlock& block) {
     const std::uint32_t binding = block.slot + shifts_of(w, block.set).buffers;
     const auto index = static_cast<std::size_t>(&block - w.module.blocks.data());
-    w.line(0, fmt::format("layout(set = {}, binding = {}, std140) uniform {}", block.set, binding, w.blocks[index]));
+    w.line(0, fmt::format("layout(set = {}, binding = {}, std140) uniform {}", w.set(block.set), binding,
+                          w.blocks[index]));
     w.block_body(block);
     w.line(0, "};");
 }
@@ -148,7 +149,7 @@ void resource(Writer& w, GlobalId id) {
     const Global& global = w.module.globals[id.index];
     const SetShifts shifts = shifts_of(w, global.set);
     const std::uint32_t shift = global.type.kind == Kind::Sampler ? shifts.samplers : shifts.textures;
-    w.line(0, fmt::format("layout(set = {}, binding = {}) uniform {};", global.set, global.slot + shift,
+    w.line(0, fmt::format("layout(set = {}, binding = {}) uniform {};", w.set(global.set), global.slot + shift,
                           w.declaration(global.type, w.globals[id.index])));
 }
 
@@ -206,6 +207,7 @@ constexpr Language kLanguage = {
     .bitcast = bitcast,
     .splat = splat,
     .array_value = array_value,
+    .set_word = "",
     .constant_array = "const",
     .expression = expression,
     .statement = statement,

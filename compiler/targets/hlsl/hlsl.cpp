@@ -85,15 +85,15 @@ void preamble(Writer&) {}
 
 void block(Writer& w, const UniformBlock& block) {
     const auto index = static_cast<std::size_t>(&block - w.module.blocks.data());
-    w.line(0, fmt::format("cbuffer {} : register(b{}, space{})", w.blocks[index], block.slot, block.set));
+    w.line(0, fmt::format("cbuffer {} : register(b{}, {})", w.blocks[index], block.slot, w.set(block.set)));
     w.block_body(block);
     w.line(0, "};");
 }
 
 void resource(Writer& w, GlobalId id) {
     const Global& global = w.module.globals[id.index];
-    w.line(0, fmt::format("{} : register({}{}, space{});", w.declaration(global.type, w.globals[id.index]),
-                          global.type.kind == Kind::Sampler ? 's' : 't', global.slot, global.set));
+    w.line(0, fmt::format("{} : register({}{}, {});", w.declaration(global.type, w.globals[id.index]),
+                          global.type.kind == Kind::Sampler ? 's' : 't', global.slot, w.set(global.set)));
 }
 
 std::string semantic(const StageVariable& variable, bool is_target) {
@@ -182,6 +182,7 @@ constexpr Language kLanguage = {
     .bitcast = bitcast,
     .splat = splat,
     .array_value = array_value,
+    .set_word = "space",
     .constant_array = "static const",
     .expression = expression,
     .statement = statement,

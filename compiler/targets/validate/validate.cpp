@@ -116,6 +116,12 @@ void add_messages(Validated& result, const Shader& shader, std::string_view log)
     if (result.diagnostics.size() == before) result.diagnostics.push_back(diagnostic(shader, trimmed(log)));
 }
 
+constexpr std::string_view kAroundGlsl =
+    "#version 450\n"
+    "#extension GL_EXT_shader_explicit_arithmetic_types_float16 : enable\n"
+    "#extension GL_EXT_samplerless_texture_functions : enable\n";
+constexpr std::string_view kEmptyMain = "\nvoid main() {}\n";
+
 bool compile(const Shader& shader, Validated& result) {
     const EShLanguage stage = shader.stage == Stage::Vertex ? EShLangVertex : EShLangFragment;
     const bool is_hlsl = shader.target == Target::Hlsl;
@@ -123,9 +129,17 @@ bool compile(const Shader& shader, Validated& result) {
     if (is_hlsl) messages = static_cast<EShMessages>(messages | EShMsgReadHlsl | EShMsgHlslLegalization);
 
     glslang::TShader unit(stage);
-    const char* text = shader.text.data();
-    const int length = static_cast<int>(shader.text.size());
-    unit.setStringsWithLengths(&text, &length, 1);
+    // Functions stand in the smallest shader.
+    const std::string_view before = shader.has_main || is_hlsl ? "" : kAroundGlsl;
+    const std::string_view after = shader.has_main ? "" : kEmptyMain;
+    std::vector<const char*> texts;
+    std::vector<int> lengths;
+    for (const std::string_view text : {before, std::string_view(shader.text), after}) {
+        if (text.empty()) continue;  // glslang wants #version in the first of them
+        texts.push_back(text.data());
+        lengths.push_back(static_cast<int>(text.size()));
+    }
+    unit.setStringsWithLengths(texts.data(), lengths.data(), static_cast<int>(texts.size()));
     unit.setEntryPoint("main");
     unit.setSourceEntryPoint("main");
     unit.setEnvInput(is_hlsl ? glslang::EShSourceHlsl : glslang::EShSourceGlsl, stage, glslang::EShClientVulkan, 100);

@@ -1,0 +1,82 @@
+// patina paths: the rendering paths of the library, each with its passes and what they draw.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "compiler/base/text.h"
+#include "compiler/cli/commands.h"
+#include "compiler/cli/library_json.h"
+#include "compiler/cli/page.h"
+
+namespace patina::cli {
+namespace {
+
+// "objects once, lights: all"
+std::string summary(const PassInfo& pass) {
+    const Pass& state = pass.state;
+    std::string text = state.draws + (state.each == "once" ? " once" : " for each " + state.each);
+    if (state.lights != "none") text += ", lights: " + state.lights;
+    if (state.camera != "any") text += fmt::format("; {} camera", state.camera);
+    if (!state.fallback.empty()) text += fmt::format("; else the path {}", state.fallback);
+    if (pass.is_optional) text += "; where it can";
+    return text;
+}
+
+// "into color (rgba16f), depth"
+std::string target_line(const PassInfo& pass) {
+    std::string text = "into ";
+    for (const RenderTarget& target : pass.state.targets) text += fmt::format("{} ({}), ", target.name, target.format);
+    return text + pass.state.depth_target;
+}
+
+// "opaque and cutout: one, zero": surfaces that blend alike share a line.
+std::vector<std::string> blend_lines(const PassInfo& pass) {
+    std::vector<std::pair<std::string, std::vector<std::string_view>>> groups;
+    for (const PassInfo::Blend& blend : pass.blends) {
+        const std::string factors = fmt::format("{}, {}", blend.source, blend.destination);
+        auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == factors; });
+        if (group == groups.end()) group = groups.insert(groups.end(), {factors, {}});
+        group->second.push_back(blend.surface.empty() ? "every surface" : std::string_view(blend.surface));
+    }
+    std::vector<std::string> lines;
+    for (const auto& [factors, surfaces] : groups) lines.push_back(fmt::format("{}: {}", enumerate(surfaces), factors));
+    return lines;
+}
+
+void print_path(const Console& console, const PathInfo& path) {
+    print(heading(console, path.name) + "\n  " + first_sentence(path.doc) + "\n");
+    std::size_t width = 0;
+    for (const PassInfo& pass : path.passes) width = std::max(width, pass.state.name.size());
+    for (const PassInfo& pass : path.passes) {
+        print(fmt::format("  {:<{}}  {}\n", pass.state.name, width, summary(pass)));
+        std::vector<std::string> lines = blend_lines(pass);
+        lines.insert(lines.begin(), target_line(pass));
+        for (const std::string& line : lines) print(fmt::format("  {:<{}}    {}\n", "", width, line));
+    }
+}
+
+Exit list_paths(const Console& console, bool json) {
+    const Compiler compiler;
+    if (json) {
+        print(to_json(compiler.paths()));
+        return Exit::Ok;
+    }
+    for (const PathInfo& path : compiler.paths()) {
+        if (&path != &compiler.paths().front()) print("\n");
+        print_path(console, path);
+    }
+    return Exit::Ok;
+}
+
+}  // namespace
+
+void add_paths(Program& program) {
+    CLI::App& command = add_command(program, "paths", "List the rendering paths of the library, with their passes",
+                                    {"patina paths", "patina paths --json"});
+    auto json = std::make_shared<bool>(false);
+    command.add_flag("--json", *json, "Print everything about each path as JSON");
+    set_work(program, command, [json](const Console& console) { return list_paths(console, *json); });
+}
+
+}  // namespace patina::cli

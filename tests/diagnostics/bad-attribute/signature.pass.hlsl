@@ -1,0 +1,13 @@
+[pass("mine")] [vertex]
+float4 mine_vertex(float3 position = position_ws) {
+    return mul(world_to_clip, float4(position, 1));
+}
+[pass("mine")] [fragment]
+float4 mine_fragment(float3 position = position_ws) {
+    return float4(lit_by_all(lighting_surface(), position), 1);
+}
+
+[gives("shadow", "mine")]
+float half_shadow(int index) {
+    return 0.5;
+}

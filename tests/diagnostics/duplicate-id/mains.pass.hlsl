@@ -1,0 +1,17 @@
+[pass("mine")] [vertex]
+float4 mine_vertex(float3 position = position_ws) {
+    return mul(world_to_clip, float4(position, 1));
+}
+[pass("mine")] [fragment]
+float4 mine_fragment(float3 position = position_ws) {
+    return float4(lit_by_all(lighting_surface(), position), 1);
+}
+
+[pass("mine")] [vertex]
+float4 second_vertex(float3 position = position_ws) {
+    return float4(position, 1);
+}
+[pass("mine")] [fragment]
+float4 second_fragment() {
+    return float4(1);
+}

@@ -1,0 +1,3 @@
+float twice(float value) {
+    return 2 * value;
+}

@@ -1,0 +1,14 @@
+[static("surfaces", "cutout")] bool asks_nothing;
+[static("surface", "cutuot")] bool asks_surface;
+[static("cull", "of")] bool asks_cull;
+[builtin("fragcoord")] float4 pixel;
+[reads("gbuffer_normals")] Texture2D normals;
+
+[pass("mine")] [vertex]
+float4 mine_vertex(float3 position = position_ws) {
+    return mul(world_to_clip, float4(position, 1));
+}
+[pass("mine")] [fragment]
+float4 mine_fragment(float3 position = position_ws) {
+    return float4(lit_by_all(lighting_surface(), position), 1);
+}
