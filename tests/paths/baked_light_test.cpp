@@ -159,7 +159,7 @@ World shaded_plane(float strength = 1) {
     world.view.lights = {{.direction = {0, 0, 1}, .color = glm::vec3(kLamp), .shadow = {.casts = true}},
                          {.direction = {1, 0, 1}, .color = glm::vec3(kSun), .shadow = {.casts = true}}};
     world.view.lights[1].shadow.strength = strength;
-    const glm::mat4 screen = glm::translate(glm::mat4(1), {2.5f, 0, 3}) * glm::scale(glm::mat4(1), {0.5f, 1.5f, 1});
+    const glm::mat4 screen = glm::translate(glm::mat4(1), {2.25f, 0, 3}) * glm::scale(glm::mat4(1), {0.75f, 1.5f, 1});
     add_object(world, matt(), "plane", 8, screen);
     return world;
 }
@@ -215,11 +215,21 @@ void expect_mixed(const Mixing& mixing, double fade, const Way& way) {
 TEST(ShadowMasks, MixByTheirFormulas) {
     for (const Mixing& mixing : kMixings) {
         for (const double fade : {0.0, 0.5, 1.0}) expect_mixed(mixing, fade, {"forward"});
-        for (const Way& way : kWays) {
-            // Between vertices lies no formula's value.
-            if (std::string_view(way.path) != "vertex") expect_mixed(mixing, 0.5, way);
-        }
+        for (const Way& way : kWays)
+            if (std::string(way.path) != "vertex") expect_mixed(mixing, 0.5, way);
     }
+}
+
+// Where they are the same in all pixels, so are they along the path that reads them at the vertices.
+TEST(ShadowMasks, AreReadAtTheVertices) {
+    World world = shaded_plane();
+    world.objects[0].shadow_mask = texture_file("even.exr", [](int, int) { return glm::dvec4(0.25, 0.75, 0, 0); });
+    const auto expected = [](int x, int) {
+        return glm::dvec3(kDiffuse * (kSun * kSunCosine * std::min(realtime(x), 0.75) + kLamp * 0.25));
+    };
+    const auto is_far = [](int x, int) { return std::abs(right(x)) > 0.4; };  // from the edge, by more than a triangle
+    for (const char* via : {"glsl", "cpu"})
+        expect_everywhere(draw(world, {.path = "vertex", .via = via}), expected, 2e-3, is_far);
 }
 
 // Without a fifth target there is no place for them: the objects that have one are drawn along `forward`.
@@ -229,6 +239,24 @@ TEST(ShadowMasks, NeedTheirOwnDeferredPath) {
     world.objects[0].shadow_mask = texture_file("masks.exr", masks);
     EXPECT_EQ(drawn(world, {.path = "deferred"}).codes(), std::vector<std::string>{"path-refused"});
     EXPECT_EQ(drawn(world, {.path = "deferred-shadowmask"}).codes(), std::vector<std::string>{});
+}
+
+// Eight materials, lights of three kinds: the fifth target tells what the forward path reads itself.
+TEST(ShadowMasks, AreTheSameInDeferredAndForward) {
+    World world = proof_world();
+    world.pixel_light_count = 16;  // all of them
+    for (runtime::WorldObject& object : world.objects) {
+        if (&object != &world.objects[2]) object.shadow_mask = texture_file("masks.exr", masks);
+        if (&object == &world.objects[0])
+            object.lightmap = texture_file("constant.exr", [](int, int) { return glm::dvec4(0.3, 0.2, 0.5, 1); });
+    }
+    world.view.mixed_lighting = {.mode = LightMixing::DistanceShadowMask, .shadow_distance = 9.0f, .shadow_fade = 4.0f};
+    const Image forward = draw(world, {.path = "forward", .exact_targets = true});
+    EXPECT_SAME_PICTURE(forward, draw(world, {.path = "deferred-shadowmask", .exact_targets = true}));
+    EXPECT_SAME_PICTURE(forward, draw(world, {.path = "forward-add", .exact_targets = true}));
+    world.view.mixed_lighting = {};
+    for (runtime::WorldObject& object : world.objects) object.shadow_mask.clear();
+    EXPECT_GT(difference(forward, draw(world, {.path = "forward", .exact_targets = true})).mean, kStep);
 }
 
 TEST(Subtractive, TakesTheShadowOutOfTheLightmap) {
