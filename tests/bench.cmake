@@ -2,7 +2,7 @@
 find_package(benchmark REQUIRED)
 add_executable(patina_bench bench/figures.cpp bench/patina_bench.cpp ${CMAKE_SOURCE_DIR}/compiler/cli/model_cost.cpp
                ${CMAKE_SOURCE_DIR}/compiler/cli/spirv_size.cpp)
-target_link_libraries(patina_bench PRIVATE patina_options patina_validate benchmark::benchmark)
+target_link_libraries(patina_bench PRIVATE patina_options patina_allocator patina_validate benchmark::benchmark)
 target_compile_definitions(patina_bench PRIVATE
   PATINA_EXAMPLES="${CMAKE_SOURCE_DIR}/examples/graphs" PATINA_COMMAND="$<TARGET_FILE:patina_cli>"
   PATINA_SCRATCH="${CMAKE_BINARY_DIR}/bench")

@@ -22,8 +22,8 @@ struct Place {
     std::string_view slot{};      // that it is a part of; empty: the pass's own
     std::string_view semantic{};  // that the slot reads, of which this is the recipe
     bool at_vertex = false;
-    ir::Origin origin{};  // the innermost node
-    Span span{};          // the innermost function of a pass or recipe
+    ir::OriginId origin{};  // the innermost node
+    Span span{};            // the innermost function of a pass or recipe
 };
 
 class Walk {
@@ -39,7 +39,9 @@ public:
 
 private:
     void refuse(const Place& place, std::string reason) {
-        if (!refusal_) refusal_ = {.reason = std::move(reason), .where = place.origin};
+        if (!refusal_)
+            refusal_ = {.reason = std::move(reason),
+                        .where = place.origin ? module_.origins[place.origin.index] : ir::Origin{}};
     }
 
     void visit(FunctionId function, Place place) {
@@ -53,8 +55,7 @@ private:
         for (const Inst& inst : module_[function].insts) {
             if (refusal_) return;
             Place here = place;
-            if (inst.origin && !module_.origins[inst.origin.index].id.empty())
-                here.origin = module_.origins[inst.origin.index];
+            if (inst.origin && !module_.origins[inst.origin.index].id.empty()) here.origin = inst.origin;
             if (inst.op == Op::Call) visit({inst.data}, here);
             if (inst.op == Op::Semantic) semantic({inst.data}, here);
             if (inst.op == Op::Global) global({inst.data}, here);
@@ -118,7 +119,7 @@ private:
             const std::string& name = members[read.member].name;
             if (holds(name)) continue;
             Place at = place;
-            if (read.origin) at.origin = module_.origins[read.origin.index];
+            if (read.origin) at.origin = read.origin;
             refuse(at, fmt::format("{} reads '@surface.{}', which it cannot give", said(place), name));
             refusal_.advice = roomier_path();
             return;

@@ -449,12 +449,13 @@ Typed Emitter::intrinsic(std::string_view name, const Expr& expr, Scope& scope, 
 // The builder leaves what is NaN or infinite to the GPU; the author is told.
 void Emitter::warn_unless_finite(Op op, Type type, std::span<const Value> values, const Scope& scope, Span span,
                                  std::string_view what) {
+    const auto is_constant = [&](Value value) { return !scope.builder->constant_of(value).empty(); };
+    if (!std::all_of(values.begin(), values.end(), is_constant)) return;
     std::vector<Type> types;
     std::vector<std::span<const double>> numbers;
     for (const Value value : values) {
         types.push_back(scope.builder->type(value));
         numbers.push_back(scope.builder->constant_of(value));
-        if (numbers.back().empty()) return;
     }
     std::vector<double> made;
     if (!ir::evaluate(op, type, types, numbers, 0, made)) return;

@@ -27,23 +27,18 @@ const Statements& body_of(const FunctionDecl& function, Diagnostics& diagnostics
 
 }  // namespace
 
+// A line at a time: a sentence ends with a full stop at the end of one.
 std::string first_sentence(std::string_view doc) {
-    std::string line;
-    for (std::size_t at = 0; at < doc.size(); ++at) {
-        if (doc.substr(at).starts_with("///")) {
-            at += 2;
-            continue;
-        }
-        if (doc[at] == '\n') {
-            if (!line.empty() && line.back() == '.') break;
-            if (line.find_first_not_of(' ') == std::string::npos) line.clear();
-            continue;
-        }
-        line += doc[at];
-        if (doc[at] == '.' && (at + 1 == doc.size() || doc[at + 1] == '\n')) break;
+    std::string sentence;
+    while (!doc.empty() && !sentence.ends_with('.')) {
+        std::string_view line = doc.substr(0, doc.find('\n'));
+        doc.remove_prefix(std::min(line.size() + 1, doc.size()));
+        if (const std::size_t marker = line.find("///"); marker != std::string_view::npos)
+            line.remove_prefix(marker + 3);
+        if (sentence.empty()) line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+        sentence += line;
     }
-    const std::size_t start = line.find_first_not_of(' ');
-    return start == std::string::npos ? std::string() : line.substr(start);
+    return sentence;
 }
 
 const Emitter::Instance& Emitter::instantiate(const FunctionDecl& function, const Declarations& home,
