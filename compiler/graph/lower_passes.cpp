@@ -53,17 +53,30 @@ private:
     // Every pass that can draw the material.
     void lower_all() {
         lowering_.out.path = kAllPaths;
-        for (const bool optional : {true, false}) {
-            for (const PassDecl& pass : stages_.passes) {
-                if (pass.is_optional == optional) lower_pass(pass);
-            }
+        for (const std::string_view path : stages_.paths()) {
+            begin_path();
+            for (const PassDecl* pass : optional_first(stages_.passes_of(path))) lower_pass(*pass);
         }
+        in_order_of([&](const LoweredPass& pass) { return pass.declaration - stages_.passes.data(); });
+    }
+
+    // Passes may ask which of the passes that they are drawn with are there; the optional ones are known first.
+    void begin_path() { first_of_path_ = lowering_.out.passes.size(); }
+    static std::vector<const PassDecl*> optional_first(std::vector<const PassDecl*> passes) {
+        std::stable_partition(passes.begin(), passes.end(), [](const PassDecl* pass) { return pass->is_optional; });
+        return passes;
+    }
+    template <class Place>
+    void in_order_of(const Place& place) {
+        std::sort(lowering_.out.passes.begin(), lowering_.out.passes.end(),
+                  [&](const LoweredPass& a, const LoweredPass& b) { return place(a) < place(b); });
     }
 
     void lower_path(const std::string& path) {
         Lowered& out = lowering_.out;
         out.passes.clear();
         out.path = path;
+        begin_path();
         std::vector<const PassDecl*> passes;
         for (const SwitchDecl& each : stages_.switches) {
             const PassDecl* brought = each.brings.empty() ? nullptr : stages_.pass(each.brings);
@@ -73,10 +86,7 @@ private:
         }
         const std::size_t own = passes.size();
         for (const PassDecl* pass : stages_.passes_of(path)) passes.push_back(pass);
-        // Others may ask whether an optional pass is there.
-        std::vector<const PassDecl*> order = passes;
-        std::stable_partition(order.begin(), order.end(), [](const PassDecl* p) { return p->is_optional; });
-        for (const PassDecl* pass : order) {
+        for (const PassDecl* pass : optional_first(passes)) {
             const Refusal refusal = lower_pass(*pass);
             if (!refusal || pass->is_optional) continue;
             const bool is_own = std::find(passes.begin() + std::ptrdiff_t(own), passes.end(), pass) != passes.end();
@@ -91,10 +101,7 @@ private:
                 report(Code::PassLeftOut, refusal, pass->name, refusal.reason);
             }
         }
-        std::sort(out.passes.begin(), out.passes.end(), [&](const LoweredPass& a, const LoweredPass& b) {
-            return std::find(passes.begin(), passes.end(), a.declaration) <
-                   std::find(passes.begin(), passes.end(), b.declaration);
-        });
+        in_order_of([&](const LoweredPass& p) { return std::find(passes.begin(), passes.end(), p.declaration); });
     }
 
     template <class... Words>
@@ -134,6 +141,7 @@ private:
         nodelang::Emitter& emitter = lowering_.emitter;
         LoweredPass made{.declaration = &pass};
         pass_ = pass.name;
+        emitter.forget_answers();
         made.vertex = emitter.semantic_function(*pass.vertex, declarations, environment_, true);
         made.fragment = emitter.semantic_function(*pass.fragment, declarations, environment_, false);
         if (!made.vertex || !made.fragment) return {};
@@ -200,13 +208,22 @@ private:
                 SemanticRecipe& recipe = out.semantics[inst.data];
                 if (!recipe.declaration || !recipe.declaration->function || recipe.recipe) continue;
                 reads_of_pass_ = reads_of_pass_ || recipe.declaration->is_of_pass;
+                const unsigned answers = lowering_.emitter.passing_answers();
                 const ir::FunctionId made =
                     lowering_.emitter.semantic_function(*recipe.declaration->function, *lowering_.session.declarations,
                                                         environment_, recipe.source == Source::Vertex);
                 if (!made) return;  // a fault in the library or the user's file, reported
+                if (lowering_.emitter.passing_answers() != answers) refuse_answers(*recipe.declaration->function);
                 out.semantics[inst.data].recipe = made;
             }
         }
+    }
+
+    // All passes share what a semantic computes.
+    void refuse_answers(const FunctionDecl& recipe) {
+        lowering_.session.diagnostics.report(
+            Code::BadAttribute, recipe.name_span, "semantic",
+            "stands before a function that asks a [static] which passes there are: that differs from path to path");
     }
 
     // --- what pass functions ask for
@@ -227,14 +244,24 @@ private:
     std::optional<double> static_value(const VariableDecl& variable) {
         const Attribute* attribute = variable.attribute("static");
         if (!attribute) return {};
-        const std::string_view key = nodelang::attribute_text(*attribute),
-                               name = nodelang::attribute_text(*attribute, 1);
-        if (key == "pass") {
-            const auto& passes = lowering_.out.passes;
-            return std::any_of(passes.begin(), passes.end(),
-                               [&](const LoweredPass& p) { return p.declaration->name == name; });
+        const std::string_view key = nodelang::attribute_text(*attribute);
+        if (key != "pass" && key != "slot") return {};
+        bool is_any = false;
+        for (std::size_t i = 1; i < attribute->args.size(); ++i) {
+            const std::string_view name = nodelang::attribute_text(*attribute, i);
+            is_any = (key == "pass" ? is_drawn_with(name) : has_slot(name)) || is_any;
         }
-        if (key != "slot") return {};
+        return is_any;
+    }
+
+    bool is_drawn_with(std::string_view pass) {
+        lowering_.emitter.answers_for_now();
+        const auto& passes = lowering_.out.passes;
+        return std::any_of(passes.begin() + std::ptrdiff_t(first_of_path_), passes.end(),
+                           [&](const LoweredPass& p) { return p.declaration->name == pass; });
+    }
+
+    bool has_slot(std::string_view name) {
         for (const FunctionDecl* slot : stages_.slots) {
             if (slot->name != name) continue;
             if (!is_part(*slot)) return lowering_.emitter.find_slot(name) != nullptr;
@@ -242,7 +269,7 @@ private:
             remark(*slot, part);
             return bool(part.slot.function);
         }
-        return 0;
+        return false;
     }
 
     // Says once what a part's absence costs.
@@ -256,9 +283,10 @@ private:
     Lowering& lowering_;
     const Stages& stages_;
     LibraryEnvironment environment_;
-    std::string_view pass_;       // that is being lowered
-    bool reads_of_pass_ = false;  // some pass has a semantic of its own
-    std::size_t next_ = 0;        // function whose semantics have not been looked at
+    std::string_view pass_;          // that is being lowered
+    std::size_t first_of_path_ = 0;  // of the passes that are drawn with it
+    bool reads_of_pass_ = false;     // some pass has a semantic of its own
+    std::size_t next_ = 0;           // function whose semantics have not been looked at
     std::set<std::string_view> remarked_;
     std::set<std::string> tried_;  // paths
 };

@@ -151,6 +151,11 @@ public:
     using StaticMaker = std::function<std::optional<double>(const VariableDecl& variable)>;
     void set_slot_maker(SlotMaker maker) { slot_maker_ = std::move(maker); }
     void set_static_maker(StaticMaker maker) { static_maker_ = std::move(maker); }
+    // The static maker says that its answer holds only until these are forgotten: functions that have got one are
+    // emitted again where they are called after that.
+    void answers_for_now() { ++passing_answers_; }
+    void forget_answers();
+    unsigned passing_answers() const { return passing_answers_; }
     // extern variables and functions are known by their declaration.
     void set_extern(const VariableDecl* variable, ir::GlobalId global) { externs_[variable] = global; }
     // Two declarations of one thing.
@@ -173,7 +178,8 @@ private:
         ir::Type result{};
         const Outputs* outputs = nullptr;
         bool needs_quad = false;
-        double rounds = 0;  // of its loops
+        double rounds = 0;        // of its loops
+        bool is_passing = false;  // holds until answers are forgotten
     };
     struct Argument {
         Typed value;
@@ -254,6 +260,7 @@ private:
     std::map<const VariableDecl*, double> statics_;
     SlotMaker slot_maker_;
     StaticMaker static_maker_;
+    unsigned passing_answers_ = 0;
     std::optional<ir::Type> texture2d_, texture_cube_;
     std::deque<Outputs> outputs_;
     std::vector<const FunctionDecl*> active_;  // for recursion

@@ -55,7 +55,10 @@ const Emitter::Instance& Emitter::instantiate(const FunctionDecl& function, cons
         }
     }
     if (half) name += "_half";
-    if (const auto found = instances_.find(key); found != instances_.end()) return found->second;
+    if (const auto found = instances_.find(key); found != instances_.end()) {
+        if (found->second.is_passing) answers_for_now();
+        return found->second;
+    }
     if (std::find(active_.begin(), active_.end(), &function) != active_.end() || active_.size() >= kMaxCallDepth) {
         std::string chain;
         for (const FunctionDecl* caller : active_) chain += fmt::format("{} > ", caller->name);
@@ -63,9 +66,15 @@ const Emitter::Instance& Emitter::instantiate(const FunctionDecl& function, cons
         return instances_[key] = {.id = {}, .result = Type::error()};
     }
     active_.push_back(&function);
+    const unsigned answers = passing_answers_;
     Instance made = emit_function(function, home, arguments, width, half, std::move(name));
+    made.is_passing = passing_answers_ != answers;
     active_.pop_back();
     return instances_[key] = made;
+}
+
+void Emitter::forget_answers() {
+    std::erase_if(instances_, [](const auto& entry) { return entry.second.is_passing; });
 }
 
 Emitter::Instance Emitter::emit_function(const FunctionDecl& function, const Declarations& home,

@@ -28,15 +28,13 @@ float3 not_reflected(LightingSurface surface);
 [slot] [part("final", "sum.indirect")]
 float3 added_indirect(LightingSurface surface, LightSum sum);
 
-[static("pass", "deferred-reflections")] bool reflects_later;
-[static("pass", "extended-reflections")] bool reflects_later_extended;
-[static("pass", "shadowmask-reflections")] bool reflects_later_shadowmask;
+[static("pass", "deferred-reflections", "extended-reflections", "shadowmask-reflections")] bool reflects_later;
 
 /// Emission and ambient light: `final`, before there is any light.
 [inline]
 float3 unlit_color(LightingSurface lit) {
     LightSum start;
-    if (reflects_later || reflects_later_extended || reflects_later_shadowmask) { start.indirect = not_reflected(lit); }
+    if (reflects_later) { start.indirect = not_reflected(lit); }
     else { start.indirect = indirect(lit); }
     return final(lit, start);
 }
