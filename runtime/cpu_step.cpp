@@ -88,8 +88,9 @@ void write_color(CpuTarget& target, const TargetBlend& blend, int x, int y, glm:
     const glm::vec4 before = target.load(x, y);
     glm::vec4 result;
     for (int c = 0; c < 4; c++) {
-        const float from = blend_factor(*blend.source, source, before, c),
-                    keep = blend_factor(*blend.destination, source, before, c);
+        const bool is_alpha = c == 3;
+        const float from = blend_factor(is_alpha ? *blend.source_alpha : *blend.source, source, before, c),
+                    keep = blend_factor(is_alpha ? *blend.destination_alpha : *blend.destination, source, before, c);
         // A factor of 0 drops its side even where that is NaN.
         result[c] = (from == 0 ? 0 : source[c] * from) + (keep == 0 ? 0 : before[c] * keep);
     }

@@ -114,8 +114,10 @@ void FixedState::set_blending(const PassState& state) {
     for (const TargetBlend& wanted : state.blends) {
         VkPipelineColorBlendAttachmentState target{};
         target.blendEnable = wanted.is_on();
-        target.srcColorBlendFactor = target.srcAlphaBlendFactor = wanted.source->vulkan;
-        target.dstColorBlendFactor = target.dstAlphaBlendFactor = wanted.destination->vulkan;
+        target.srcColorBlendFactor = wanted.source->vulkan;
+        target.dstColorBlendFactor = wanted.destination->vulkan;
+        target.srcAlphaBlendFactor = wanted.source_alpha->vulkan;
+        target.dstAlphaBlendFactor = wanted.destination_alpha->vulkan;
         target.colorWriteMask =
             VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
         targets.push_back(target);

@@ -62,10 +62,16 @@ Outcome<PassState> pass_state(const Pass& pass) {
     if (!state.replaces_stencil && pass.stencil.pass != "keep")
         return unknown(pass.stencil.pass, "what becomes of a stencil: keep or replace");
     for (const RenderTarget& target : pass.targets) {
-        TargetBlend blend{.source = find_word(kBlendFactors, target.blend_source),
-                          .destination = find_word(kBlendFactors, target.blend_destination)};
-        if (!blend.source) return unknown(target.blend_source, "a blend factor");
-        if (!blend.destination) return unknown(target.blend_destination, "a blend factor");
+        TargetBlend blend{};
+        const std::pair<const BlendWord**, const std::string*> factors[] = {
+            {&blend.source, &target.blend.source},
+            {&blend.destination, &target.blend.destination},
+            {&blend.source_alpha, &target.blend.source_alpha},
+            {&blend.destination_alpha, &target.blend.destination_alpha}};
+        for (const auto& [word, text] : factors) {
+            *word = find_word(kBlendFactors, *text);
+            if (!*word) return unknown(*text, "a blend factor");
+        }
         state.blends.push_back(blend);
     }
     return state;

@@ -32,9 +32,15 @@ struct BlendWord {
 };
 
 struct TargetBlend {
-    const BlendWord *source = nullptr, *destination = nullptr;
+    const BlendWord *source = nullptr, *destination = nullptr;              // of the colour
+    const BlendWord *source_alpha = nullptr, *destination_alpha = nullptr;  // of alpha
 
-    bool is_on() const { return source->vulkan != VK_BLEND_FACTOR_ONE || destination->vulkan != VK_BLEND_FACTOR_ZERO; }
+    bool is_on() const {
+        const auto overwrites = [](const BlendWord* from, const BlendWord* keep) {
+            return from->vulkan == VK_BLEND_FACTOR_ONE && keep->vulkan == VK_BLEND_FACTOR_ZERO;
+        };
+        return !overwrites(source, destination) || !overwrites(source_alpha, destination_alpha);
+    }
     friend bool operator==(const TargetBlend&, const TargetBlend&) = default;
 };
 

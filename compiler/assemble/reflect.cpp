@@ -171,10 +171,7 @@ Pass reflect_pass(const graph::Material& material, const graph::Lowered& lowered
         pass.queue = render.queue.value_or(surface.queue);
     }
     if (const graph::BlendRow* blend = graph::blend_of(declaration, text_of(graph::kSurfaceKinds, render.surface))) {
-        for (RenderTarget& target : pass.targets) {
-            target.blend_source = blend->source;
-            target.blend_destination = blend->destination;
-        }
+        for (RenderTarget& target : pass.targets) target.blend = blend->blend;
     }
     for (const ir::StageVariable& input : linked.vertex.stage.inputs) {
         if (input.builtin != ir::Builtin::None) continue;

@@ -166,8 +166,10 @@ void write_pass(Writer& writer, const Pass& pass) {
         t.text("name", target.name);
         t.number("location", target.location);
         t.text("format", target.format);
-        t.text("blendSource", target.blend_source);
-        t.text("blendDestination", target.blend_destination);
+        t.text("blendSource", target.blend.source);
+        t.text("blendDestination", target.blend.destination);
+        t.text("blendSourceAlpha", target.blend.source_alpha);
+        t.text("blendDestinationAlpha", target.blend.destination_alpha);
     });
     json.list("vertexInputs", pass.vertex_inputs, [&](const VertexInput& input) {
         Json v(writer);

@@ -150,14 +150,16 @@ void write_targets(Writer& writer, const std::vector<RenderTarget>& targets) {
     writer.EndArray();
 }
 
-void write_blends(Writer& writer, const std::vector<PassInfo::Blend>& blends) {
+void write_blends(Writer& writer, const std::vector<PassInfo::SurfaceBlend>& blends) {
     writer.Key("blends");
     writer.StartArray();
-    for (const PassInfo::Blend& blend : blends) {
+    for (const auto& [surface, blend] : blends) {
         writer.StartObject();
-        write_text(writer, "surface", blend.surface);
+        write_text(writer, "surface", surface);
         write_text(writer, "source", blend.source);
         write_text(writer, "destination", blend.destination);
+        write_text(writer, "sourceAlpha", blend.source_alpha);
+        write_text(writer, "destinationAlpha", blend.destination_alpha);
         writer.EndObject();
     }
     writer.EndArray();

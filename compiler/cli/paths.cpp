@@ -33,11 +33,14 @@ std::string target_line(const PassInfo& pass) {
 // "opaque and cutout: one, zero": surfaces that blend alike share a line.
 std::vector<std::string> blend_lines(const PassInfo& pass) {
     std::vector<std::pair<std::string, std::vector<std::string_view>>> groups;
-    for (const PassInfo::Blend& blend : pass.blends) {
-        const std::string factors = fmt::format("{}, {}", blend.source, blend.destination);
+    for (const auto& [surface, blend] : pass.blends) {
+        const bool is_alike = blend.source == blend.source_alpha && blend.destination == blend.destination_alpha;
+        const std::string factors =
+            fmt::format("{}, {}", blend.source, blend.destination) +
+            (is_alike ? "" : fmt::format("; alpha {}, {}", blend.source_alpha, blend.destination_alpha));
         auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == factors; });
         if (group == groups.end()) group = groups.insert(groups.end(), {factors, {}});
-        group->second.push_back(blend.surface.empty() ? "every surface" : std::string_view(blend.surface));
+        group->second.push_back(surface.empty() ? "every surface" : std::string_view(surface));
     }
     std::vector<std::string> lines;
     for (const auto& [factors, surfaces] : groups) lines.push_back(fmt::format("{}: {}", enumerate(surfaces), factors));

@@ -95,9 +95,13 @@ private:
 
 void read_blend(Arguments& in, std::size_t count, PassDecl& pass) {
     BlendRow row{};
-    if (count != 2) row.surface = in.word(texts(kSurfaceKinds), "a surface kind");
-    row.source = in.word(kBlendFactors, "a blend factor");
-    row.destination = in.word(kBlendFactors, "a blend factor");
+    if (count % 2 == 1) row.surface = in.word(texts(kSurfaceKinds), "a surface kind");
+    row.blend.source = row.blend.source_alpha = in.word(kBlendFactors, "a blend factor");
+    row.blend.destination = row.blend.destination_alpha = in.word(kBlendFactors, "a blend factor");
+    if (count > 3) {
+        row.blend.source_alpha = in.word(kBlendFactors, "a blend factor");
+        row.blend.destination_alpha = in.word(kBlendFactors, "a blend factor");
+    }
     pass.blends.push_back(row);
 }
 
@@ -135,7 +139,7 @@ constexpr StateRow kState[] = {
          p.has_cull = true;
          p.state.cull = in.word(kCullWords, "a way to cull");
      }},
-    {"blend", 2, 3, "[blend(\"fade\", \"src_alpha\", \"one\")] or, for every surface, [blend(\"one\", \"one\")]",
+    {"blend", 2, 5, "[blend(\"fade\", \"src_alpha\", \"one\")] or, for every surface, [blend(\"one\", \"one\")]",
      read_blend},
     {"depth", 2, 2, "[depth(\"lessEqual\", \"keep\")]",
      [](Arguments& in, std::size_t, PassDecl& p) { read_depth(in, p); }},

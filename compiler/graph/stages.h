@@ -39,7 +39,7 @@ struct SemanticDecl {
 // [blend("fade", "src_alpha", "one")]: surfaces of this kind take part, blended so.
 struct BlendRow {
     std::string_view surface;  // empty: every kind
-    std::string_view source, destination;
+    Blend blend{};
 };
 
 struct PassDecl {

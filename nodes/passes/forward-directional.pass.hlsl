@@ -8,8 +8,9 @@ float4 directional_vertex(float3 position = position_ws) {
 
 [pass("directional-base")] [fragment] [lights("main-only")] [needs("added")] [fallback("forward")]
 [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
-[blend("fade", "src_alpha", "one_minus_src_alpha")] [blend("transparent", "one", "one_minus_src_alpha")]
-[blend("additive", "one", "one")] [blend("multiply", "dst_color", "zero")]
+[blend("fade", "src_alpha", "one_minus_src_alpha", "one", "one_minus_src_alpha")]
+[blend("transparent", "one", "one_minus_src_alpha")] [blend("additive", "one", "one", "zero", "one")]
+[blend("multiply", "dst_color", "zero", "zero", "one")]
 float4 directional_base_fragment(float3 position = position_ws) {
     LightingSurface lit = as_lit(lighting_surface());
     float3 color = lit_by_all(lit, position);
@@ -20,8 +21,8 @@ float4 directional_base_fragment(float3 position = position_ws) {
 }
 
 [pass("directional-add")] [fragment] [each("light")] [lights("further")] [depth("lessEqual", "keep")]
-[blend("opaque", "one", "one")] [blend("cutout", "one", "one")] [blend("fade", "src_alpha", "one")]
-[blend("transparent", "one", "one")]
+[blend("opaque", "one", "one", "zero", "one")] [blend("cutout", "one", "one", "zero", "one")]
+[blend("fade", "src_alpha", "one", "zero", "one")] [blend("transparent", "one", "one", "zero", "one")]
 float4 directional_add_fragment(float3 position = position_ws) {
     LightingSurface lit = as_lit(lighting_surface());
     float3 color = added_by_light(lit, position);

@@ -34,8 +34,9 @@ float shadow_with_mask(int index, float3 position, float4 mask = shadows_of_ligh
 
 [pass("forward")] [fragment] [lights("all")]
 [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
-[blend("fade", "src_alpha", "one_minus_src_alpha")] [blend("transparent", "one", "one_minus_src_alpha")]
-[blend("additive", "one", "one")] [blend("multiply", "dst_color", "zero")]
+[blend("fade", "src_alpha", "one_minus_src_alpha", "one", "one_minus_src_alpha")]
+[blend("transparent", "one", "one_minus_src_alpha")] [blend("additive", "one", "one", "zero", "one")]
+[blend("multiply", "dst_color", "zero", "zero", "one")]
 float4 forward_fragment(float3 position = position_ws) {
     LightingSurface lit = as_lit(lighting_surface());
     float3 color = lit_by_all(lit, position);

@@ -67,8 +67,9 @@ float3 other_indirect() {
 
 [pass("vertex")] [fragment] [lights("all")]
 [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
-[blend("fade", "src_alpha", "one_minus_src_alpha")] [blend("transparent", "one", "one_minus_src_alpha")]
-[blend("additive", "one", "one")] [blend("multiply", "dst_color", "zero")]
+[blend("fade", "src_alpha", "one_minus_src_alpha", "one", "one_minus_src_alpha")]
+[blend("transparent", "one", "one_minus_src_alpha")] [blend("additive", "one", "one", "zero", "one")]
+[blend("multiply", "dst_color", "zero", "zero", "one")]
 float4 vertex_fragment(float3 position = position_ws, float3 by_diffuse = diffuse_light, float3 other = other_light,
                        float3 ambient_by_diffuse = diffuse_indirect, float3 other_ambient = other_indirect) {
     LightingSurface lit = as_lit(lighting_surface());

@@ -114,7 +114,7 @@ std::vector<Pass> base_and_add(int queue = 2000) {
     add.name = "add";
     add.each = "light";
     add.lights = "further";
-    add.targets[0].blend_destination = "one";
+    add.targets[0].blend.destination = "one";
     return {base, add};
 }
 

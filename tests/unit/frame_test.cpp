@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(Both, FrameTest, testing::Values(true, false),
 
 // --- colours
 
-// Each pair of words in a pixel of its own.
+// Each pair of words in a pixel of its own: alpha has the two the other way round.
 TEST_P(FrameTest, BlendsByEveryPairOfWords) {
     const glm::vec4 source(0.25f, 0.5f, 0.75f, 0.5f), before(0.5f, 0.25f, 1, 0.75f), one(1);
     const std::vector<std::pair<std::string, glm::vec4>> words = {
@@ -75,16 +75,20 @@ TEST_P(FrameTest, BlendsByEveryPairOfWords) {
     Frame frame{.targets = {target("rgba32f", before, count)}};
     for (int i = 0; i < count * count; i++) {
         HandMaterial& each = materials.emplace_back(material);
-        each.pass().targets[0].blend_source = words[i % count].first;
-        each.pass().targets[0].blend_destination = words[i / count].first;
+        each.pass().targets[0].blend = {.source = words[i % count].first,
+                                        .destination = words[i / count].first,
+                                        .source_alpha = words[i / count].first,
+                                        .destination_alpha = words[i % count].first};
         frame.steps.push_back(hand_step(each, full, {source}, {0}));
         frame.steps.back().area = {.x = i % count, .y = i / count, .width = 1, .height = 1};
     }
     const Image image = draw(frame);
     for (int y = 0; y < count; y++)
-        for (int x = 0; x < count; x++)
-            expect_near(pixel(image, x, y), source * words[x].second + before * words[y].second, 1e-6f,
-                        words[x].first + ", " + words[y].first);
+        for (int x = 0; x < count; x++) {
+            glm::vec4 expected = source * words[x].second + before * words[y].second;
+            expected.a = source.a * words[y].second.a + before.a * words[x].second.a;
+            expect_near(pixel(image, x, y), expected, 1e-6f, words[x].first + ", " + words[y].first);
+        }
 }
 
 TEST_P(FrameTest, WritesWhatTheFormatHolds) {
@@ -110,16 +114,16 @@ TEST_P(FrameTest, WritesWhatTheFormatHolds) {
 // Fixed-point targets blend what is clamped to 0..1: 0.2 of 1, not of 2.
 TEST_P(FrameTest, ClampsBeforeItBlendsInFixedPoint) {
     HandMaterial material = hand_material(1);
-    material.pass().targets[0].blend_source = "src_alpha";
-    material.pass().targets[0].blend_destination = "one";
+    material.pass().targets[0].blend.source = "src_alpha";
+    material.pass().targets[0].blend.destination = "one";
     const Frame frame{.targets = {target("rgba8", glm::vec4(0, 0.6f, 1, 0))},
                       .steps = {hand_step(material, full, {{2, 2, 2, 0.2f}}, {0})}};
-    expect_near(pixel(draw(frame)), {51 / 255.0f, 204 / 255.0f, 1, 10 / 255.0f}, 1e-6f, "0.2 * 1 + before");
+    expect_near(pixel(draw(frame)), {51 / 255.0f, 204 / 255.0f, 1, 51 / 255.0f}, 1e-6f, "0.2 * 1 + before");
 }
 
 TEST_P(FrameTest, WritesSeveralTargetsEachInItsWay) {
     HandMaterial material = hand_material(5);
-    material.pass().targets[3].blend_destination = "one";
+    material.pass().targets[3].blend.destination = "one";
     const std::vector<glm::vec4> colors = {{1, 0, 0, 1}, {0, 1 / 3.0f, 0, 1}, {0, 0, 3, 1}, {4, 4, 4, 4}, {5, 0, 0, 1}};
     Frame frame{.targets = {target("r32f"), target("rgba32f", glm::vec4(1)), target("rgba16f"), target("rgb10a2"),
                             target("rgba8")},
@@ -346,7 +350,7 @@ TEST_P(FrameTest, ThatDoesNotFitTogetherIsAnError) {
              Case{"loaded the texture 'earlier'", [](Frame& f, HandMaterial&) { f.steps[0].reads.clear(); }},
              Case{"no texture 'later'", [](Frame& f, HandMaterial&) { f.steps[0].reads.push_back({"later", 0}); }},
              Case{"'add' is not a blend factor",
-                  [](Frame&, HandMaterial& m) { m.pass().targets[0].blend_source = "add"; }},
+                  [](Frame&, HandMaterial& m) { m.pass().targets[0].blend.source = "add"; }},
              Case{"'deeper' is not a stencil test", [](Frame&, HandMaterial& m) { m.pass().stencil.test = "deeper"; }},
              Case{"'invert' is not what becomes", [](Frame&, HandMaterial& m) { m.pass().stencil.pass = "invert"; }},
              Case{"draws into nothing",
@@ -382,8 +386,8 @@ TEST_F(Frames, AreTheSameOnBoth) {
     ball.pass().depth_write = true;
     ball.pass().stencil = {"always", "replace", ""};
     light.pass().stencil = {"equal", "keep", ""};
-    light.pass().targets[0].blend_source = "src_alpha";
-    light.pass().targets[0].blend_destination = "one";
+    light.pass().targets[0].blend.source = "src_alpha";
+    light.pass().targets[0].blend.destination = "one";
     Mesh sphere = make_sphere(0.8f, 24, 12);
     for (Vertex& vertex : sphere.vertices) vertex.position.z = 0.5f - 0.5f * vertex.position.z;  // nearer is less
     constexpr int kLarge = 33;

@@ -295,8 +295,8 @@ TEST_F(RendererTest, BranchesOnAUniform) {
 }
 
 TEST_F(RendererTest, BlendsAsThePassSays) {
-    reflection.passes[0].targets[0].blend_source = "src_alpha";
-    reflection.passes[0].targets[0].blend_destination = "one_minus_src_alpha";
+    reflection.passes[0].targets[0].blend.source = "src_alpha";
+    reflection.passes[0].targets[0].blend.destination = "one_minus_src_alpha";
     scene = fullscreen_scene(2, 2);
     scene.background = {1, 0, 0, 1};
     EXPECT_NEAR(draw("vec4(0, 1, 0, 0.25)").at(0, 0)[0], 0.75f, 1e-6);

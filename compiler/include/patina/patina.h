@@ -182,11 +182,11 @@ struct ModelInfo {
 // A pass of a rendering path, as its file states it.
 struct PassInfo {
     Pass state{};  // what of it no material changes
-    struct Blend {
+    struct SurfaceBlend {
         std::string surface;  // a surface kind that takes part; empty: every one
-        std::string source, destination;
+        Blend blend{};
     };
-    std::vector<Blend> blends{};  // of pass.targets; none: every surface takes part, and overwrites
+    std::vector<SurfaceBlend> blends{};  // of pass.targets; none: every surface takes part, and overwrites
     bool is_optional = false;     // a material that it cannot draw goes without it
 };
 struct PathInfo {

@@ -75,13 +75,20 @@ struct VertexInput {
     std::string hlsl_semantic;
 };
 
+// What a pixel and the target's are multiplied by before they are added: Vulkan's words in lower case, one, zero,
+// src_alpha, one_minus_src_alpha, ...
+struct Blend {
+    std::string source = "one", destination = "zero";              // of the colour
+    std::string source_alpha = "one", destination_alpha = "zero";  // of alpha
+    friend bool operator==(const Blend&, const Blend&) = default;
+};
+
 // An image that a pass draws into. Passes that name the same target draw into the same image.
 struct RenderTarget {
     std::string name;  // "color": what is shown in the end
     std::uint32_t location = 0;
-    std::string format = "rgba16f";    // rgba8 | rgb10a2 | rgba16f | rgba32f | r32f
-    std::string blend_source = "one";  // Vulkan's words in lower case: one, zero, src_alpha, one_minus_src_alpha, ...
-    std::string blend_destination = "zero";
+    std::string format = "rgba16f";  // rgba8 | rgb10a2 | rgba16f | rgba32f | r32f
+    Blend blend{};
 };
 
 struct Stencil {
