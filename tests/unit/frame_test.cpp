@@ -123,7 +123,7 @@ TEST_P(FrameTest, ClampsBeforeItBlendsInFixedPoint) {
 
 TEST_P(FrameTest, WritesSeveralTargetsEachInItsWay) {
     HandMaterial material = hand_material(5);
-    material.pass().targets[3].blend.destination = "one";
+    material.pass().targets[3].blend.destination = material.pass().targets[3].blend.destination_alpha = "one";
     const std::vector<glm::vec4> colors = {{1, 0, 0, 1}, {0, 1 / 3.0f, 0, 1}, {0, 0, 3, 1}, {4, 4, 4, 4}, {5, 0, 0, 1}};
     Frame frame{.targets = {target("r32f"), target("rgba32f", glm::vec4(1)), target("rgba16f"), target("rgb10a2"),
                             target("rgba8")},
