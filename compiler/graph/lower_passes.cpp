@@ -55,7 +55,11 @@ private:
         lowering_.out.path = kAllPaths;
         for (const std::string_view path : stages_.paths()) {
             begin_path();
-            for (const PassDecl* pass : optional_first(stages_.passes_of(path))) lower_pass(*pass);
+            for (const PassDecl* pass : optional_first(stages_.passes_of(path))) {
+                if (!lower_pass(*pass) || pass->is_optional || pass->state.fallback.empty()) continue;
+                lowering_.out.passes.resize(first_of_path_);  // the path is not for this material
+                break;
+            }
         }
         in_order_of([&](const LoweredPass& pass) { return pass.declaration - stages_.passes.data(); });
     }

@@ -59,8 +59,7 @@ private:
             if (inst.op == Op::Call) visit({inst.data}, here);
             if (inst.op == Op::Semantic) semantic({inst.data}, here);
             if (inst.op == Op::Global) global({inst.data}, here);
-            if (ir::has(inst.op, ir::Derivative) && here.at_vertex && !here.slot.empty() && inst.op != Op::Sample)
-                refuse(here, fmt::format("{} compares neighbouring pixels, and vertices have none", said(here)));
+            if (ir::has(inst.op, ir::Derivative) && is_graph(here)) derivative(inst.op, here);
         }
     }
 
@@ -70,6 +69,16 @@ private:
             if (slot->name == place.slot && slot->params.empty()) return "the surface";
         }
         return fmt::format("'{}'", place.slot);
+    }
+
+    void derivative(Op op, const Place& place) {
+        if (place.at_vertex) {
+            if (op == Op::Sample) return;  // of the first level, there
+            refuse(place, fmt::format("{} compares neighbouring pixels, and vertices have none", said(place)));
+        } else if (!draws_objects()) {
+            refuse(place, fmt::format("{} compares neighbouring pixels, and here they may be of other objects",
+                                      said(place)));
+        }
     }
 
     bool draws_objects() const { return declaration_.state.draws == "objects"; }

@@ -17,10 +17,11 @@ float4 directional_base_fragment(float3 position = position_ws) {
     if (alpha_clip) {
         discard_if(lit.alpha < lit.alphaClip);
     }
-    return float4(in_fog(color, position), lit.alpha);
+    return blended_in_fog(color, lit.alpha, position);
 }
 
-[pass("directional-add")] [fragment] [each("light")] [lights("further")] [depth("lessEqual", "keep")]
+[pass("directional-add")] [fragment] [each("light")] [lights("further")] [needs("added")]
+[depth("lessEqual", "keep")]
 [blend("opaque", "one", "one", "zero", "one")] [blend("cutout", "one", "one", "zero", "one")]
 [blend("fade", "src_alpha", "one", "zero", "one")] [blend("transparent", "one", "one", "zero", "one")]
 float4 directional_add_fragment(float3 position = position_ws) {

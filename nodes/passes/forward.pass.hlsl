@@ -43,5 +43,5 @@ float4 forward_fragment(float3 position = position_ws) {
     if (alpha_clip) {
         discard_if(lit.alpha < lit.alphaClip);
     }
-    return float4(in_fog(color, position), lit.alpha);
+    return blended_in_fog(color, lit.alpha, position);
 }

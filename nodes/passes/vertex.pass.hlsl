@@ -65,7 +65,7 @@ float3 other_indirect() {
     return indirect(lit);
 }
 
-[pass("vertex")] [fragment] [lights("all")]
+[pass("vertex")] [fragment] [lights("all")] [fallback("forward")]
 [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
 [blend("fade", "src_alpha", "one_minus_src_alpha", "one", "one_minus_src_alpha")]
 [blend("transparent", "one", "one_minus_src_alpha")] [blend("additive", "one", "one", "zero", "one")]
@@ -83,5 +83,5 @@ float4 vertex_fragment(float3 position = position_ws, float3 by_diffuse = diffus
     if (alpha_clip) {
         discard_if(lit.alpha < lit.alphaClip);
     }
-    return float4(in_fog(color, position), lit.alpha);
+    return blended_in_fog(color, lit.alpha, position);
 }

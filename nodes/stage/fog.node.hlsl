@@ -26,3 +26,15 @@ float3 faded_by_fog(float3 color, float3 position) {
     if (!fog) { return color; }
     return color * fog_visibility(position);
 }
+
+/// A pixel, ready to be blended as its kind of surface is: fog covers as much as the surface does, dims what is only
+/// added, and takes away from what the picture is multiplied by. `color`: of a transparent surface, times its coverage.
+[inline]
+float4 blended_in_fog(float3 color, float alpha, float3 position) {
+    float covered = 1;
+    if (fades || premultiplied) { covered = alpha; }
+    if (fog && premultiplied) { return float4(lerp(fog_color.rgb * alpha, color, fog_visibility(position)), covered); }
+    if (fog && adds) { return float4(faded_by_fog(color, position), covered); }
+    if (fog && multiplies) { return float4(lerp(float3(1), color, fog_visibility(position)), covered); }
+    return float4(in_fog(color, position), covered);
+}

@@ -27,6 +27,10 @@
 [static("surface", "transparent")] bool premultiplied;
 /// The material fades as a whole, with what it mirrors.
 [static("surface", "fade")] bool fades;
+/// The material adds to what is behind it.
+[static("surface", "additive")] bool adds;
+/// What is behind the material is multiplied by it.
+[static("surface", "multiply")] bool multiplies;
 
 [extern("Object")] [per_object] float4x4 object_to_world;
 [extern("Object")] [per_object] float4x4 world_to_object;

@@ -130,7 +130,7 @@ Difference difference(const Image& a, const Image& b, const std::function<bool(i
     for (int y = 0; y < a.height; ++y) {
         for (int x = 0; x < a.width; ++x) {
             if (counts && !counts(x, y)) continue;
-            for (std::size_t c = 0; c < 3; ++c, ++channels) {
+            for (std::size_t c = 0; c < 4; ++c, ++channels) {
                 const double here = apart(double(a.at(x, y)[c]), double(b.at(x, y)[c]));
                 found.mean += here;
                 if (here <= found.largest) continue;
