@@ -64,6 +64,7 @@ void check_varyings(const ir::Module& vertex, const graph::Graph& graph, std::st
 }
 
 // The two stages of a pass. The fragment stage is finished first: the vertex stage computes what is left of its inputs.
+// Those that turn out to be constants are none, and leave less of both stages.
 LinkedPass link_pass(const assemble::Linked& linked, const graph::LoweredPass& pass, bool optimise, Result& result,
                      const CompileOptions& options) {
     const std::string name(pass.declaration->name);
@@ -80,6 +81,10 @@ LinkedPass link_pass(const assemble::Linked& linked, const graph::LoweredPass& p
         verified(made.vertex, "linked vertex");
         dump_stage(result, options, "linked", name + ".vertex.linked", made.vertex);
         made.vertex = ir::tidy(std::move(made.vertex));
+        if (assemble::take_constants(made.fragment, made.vertex)) {
+            made.fragment = ir::tidy(std::move(made.fragment));
+            made.vertex = ir::tidy(assemble::link_vertex(linked, pass, made.fragment, build));
+        }
         number_inputs(made.vertex);
         dump_stage(result, options, "tidy", name + ".vertex.tidy", made.vertex);
         dump_stage(result, options, "tidy", name + ".fragment.tidy", made.fragment);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
+
+#include "compiler/ir/rebuild.h"
 
 namespace patina::assemble {
 
@@ -318,6 +321,33 @@ ir::Module link_vertex(const Linked& linked, const graph::LoweredPass& pass, ir:
                        .semantic = "SV_Position"});
     values.push_back(position);
     return entry.finish("Varyings", std::move(outputs), values);
+}
+
+bool take_constants(ir::Module& fragment, const ir::Module& vertex) {
+    const ir::Function& maker = vertex[vertex.stage.entry];
+    const Value outputs = maker.args(maker.blocks[0].insts.back())[0];
+    if (maker[outputs].op != Op::Construct) return false;
+    std::map<std::uint32_t, std::span<const double>> known;  // by parameter
+    std::size_t varying = 0;
+    for (std::uint32_t i = 0; i < fragment.stage.inputs.size(); ++i) {
+        if (fragment.stage.inputs[i].builtin != ir::Builtin::None) continue;
+        const ir::Inst& made = maker[maker.args(outputs)[varying++]];
+        if (made.op == Op::Constant) known[i] = vertex.numbers_of(vertex.constants[made.data]);
+    }
+    if (known.empty()) return false;
+    ir::Function& entry = fragment.functions[fragment.stage.entry.index];
+    const ir::Function from = std::move(entry);
+    ir::Function made = ir::shell(from);
+    ir::Builder builder(fragment, made, {});
+    ir::Copy copy{.from = from, .to = builder, .rewrite = [&](ir::Copy& c, Value v) {
+                      const auto found = known.find(from[v].data);
+                      if (from[v].op != Op::Param || found == known.end()) return false;
+                      c.map[v.index] = c.to.constant(from[v].type, found->second);
+                      return true;
+                  }};
+    ir::copy_body(copy);
+    fragment.functions[fragment.stage.entry.index] = std::move(made);
+    return true;
 }
 
 }  // namespace patina::assemble

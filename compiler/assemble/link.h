@@ -23,5 +23,8 @@ ir::Module link_fragment(const Linked& linked, const graph::LoweredPass& pass, i
 // are given their locations here.
 ir::Module link_vertex(const Linked& linked, const graph::LoweredPass& pass, ir::Module& fragment,
                        ir::BuildOptions options);
+// Where the finished vertex stage hands over a constant, the fragment stage gets that constant instead. True if it got
+// any: then it is to be tidied again, and the vertex stage to be linked again.
+bool take_constants(ir::Module& fragment, const ir::Module& vertex);
 
 }  // namespace patina::assemble

@@ -14,6 +14,7 @@ struct Part {
     nodelang::Slot slot{};
     std::string why_not{};  // it cannot be had
     ir::Origin where{};     // and this is in the way
+    bool is_zero = false;   // always: the slot does not read what this is linear in
 };
 
 // Shared by all scopes of one lowering.

@@ -102,7 +102,8 @@ Part linear_slot(Lowering& lowering, const Attribute& attribute) {
     const ir::FunctionId function = add_function(module, std::move(*made.function));
     if (const std::string other = componentwise ? "" : other_member_of(module, function, *source.seed); !other.empty())
         return {.why_not = fmt::format("what '{}' does with '{}' depends on '{}', too", of, name, other)};
-    return {.slot = {.function = function, .result = whole->result, .needs_quad = whole->needs_quad}};
+    return {.slot = {.function = function, .result = whole->result, .needs_quad = whole->needs_quad},
+            .is_zero = !made.depends};
 }
 
 Part slot_without(Lowering& lowering, const Attribute& attribute) {

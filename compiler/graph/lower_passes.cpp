@@ -271,7 +271,7 @@ private:
             if (!is_part(*slot)) return lowering_.emitter.find_slot(name) != nullptr;
             const Part& part = part_of(lowering_, *slot);
             remark(*slot, part);
-            return bool(part.slot.function);
+            return part.slot.function && !part.is_zero;
         }
         return false;
     }

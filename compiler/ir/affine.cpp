@@ -1,6 +1,7 @@
 #include "compiler/ir/affine.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <initializer_list>
 #include <utility>
@@ -13,10 +14,15 @@ namespace {
 // Calls are looked into one by one: functions that call one another twice would double at each step.
 constexpr std::size_t kBudget = 1u << 18;
 constexpr int kMaxDepth = 32;
-constexpr std::uint32_t kSeedBits = 7;
+constexpr std::uint32_t kSeedBits = 6;
 
 bool is_one_of(Op op, std::initializer_list<Op> ops) {
     return std::find(ops.begin(), ops.end(), op) != ops.end();
+}
+
+// Components of the result are components of the operands.
+bool is_moving(Op op) {
+    return is_one_of(op, {Op::Construct, Op::Extract, Op::Insert, Op::Swizzle, Op::Transpose});
 }
 
 // Component i of the result is made of the components i of the operands.
@@ -71,7 +77,7 @@ private:
     Dependence of_param(Type type) const {
         if (type.kind != Kind::Struct) return whole(type);
         Dependence made{};
-        made.on.resize(component_count(module_, type));
+        made.on.resize(component_count(module_, type), Dependence::kOffset);
         const Dependence member = whole(part_type(module_, type, seed_.member));
         std::copy(member.on.begin(), member.on.end(), made.on.begin() + first_component(module_, type, seed_.member));
         return made;
@@ -94,7 +100,7 @@ private:
                 Dependence made = dependence(frame, value);
                 note_mixing(frame, inst, made);
                 if ((made.all_of() & Dependence::kBroken) == 0) made.broken_by = kNoBlame;
-                if (!made.any()) made = {};
+                if (is_all_offset(made)) made = {};
                 frame.made.values[value.index] = std::move(made);
             }
         }
@@ -107,8 +113,7 @@ private:
         const std::vector<Value>& body = frame.function.blocks[inst.data].insts;
         for (std::uint32_t k = 0; k + 2 < args.size(); k++) {
             Dependence& carried = frame.made.values[body[k + 1].index];
-            carried = {};
-            add(carried, of(frame, args[k + 2]));
+            carried = of(frame, args[k + 2]);
             const std::uint32_t count = component_count(module_, frame.function[args[k + 2]].type);
             if (of(frame, args[0]).any() || of(frame, args[1]).any())
                 carried = broken(frame, inst, count, {args[0], args[1]}, Blame::What::Condition);
@@ -126,16 +131,20 @@ private:
     const Dependence& of(const Frame& frame, Value value) const { return frame.made.values[value.index]; }
 
     static std::uint8_t at(const Dependence& dependence, std::size_t component) {
-        return component < dependence.on.size() ? dependence.on[component] : 0;
+        return dependence.on.empty() ? Dependence::kOffset : dependence.on[component];
+    }
+    static bool is_dependent(std::uint8_t component) { return (component & ~Dependence::kOffset) != 0; }
+    static bool is_all_offset(const Dependence& dependence) {
+        return std::ranges::all_of(dependence.on, [](std::uint8_t on) { return on == Dependence::kOffset; });
     }
 
     // What either of two values depends on; true if that is more than before.
     static bool add(Dependence& to, const Dependence& from) {
         bool has_grown = false;
-        if (to.on.size() < from.on.size()) to.on.resize(from.on.size());
-        for (std::size_t i = 0; i < from.on.size(); i++) {
-            has_grown |= (from.on[i] & ~to.on[i]) != 0;
-            to.on[i] |= from.on[i];
+        if (to.on.empty()) to.on.resize(from.on.size(), Dependence::kOffset);
+        for (std::size_t i = 0; i < to.on.size(); i++) {
+            has_grown |= (at(from, i) & ~to.on[i]) != 0;
+            to.on[i] |= at(from, i);
         }
         if (to.broken_by == kNoBlame) to.broken_by = from.broken_by;
         if (to.mixed_by == kNoBlame) to.mixed_by = from.mixed_by;
@@ -170,7 +179,7 @@ private:
         std::uint8_t all = 0;
         for (const Value arg : args) all |= of(frame, arg).all_of();
         inherit(frame, args, made);
-        made.on.assign(count, all);
+        made.on.assign(count, all | Dependence::kOffset);
         for (std::size_t i = 0; i < made.on.size(); i++) break_component(frame, inst, made, i, what);
         return made;
     }
@@ -182,7 +191,7 @@ private:
     void note_mixing(const Frame& frame, const Inst& inst, Dependence& made) {
         if (made.mixed_by != kNoBlame || !inst.type.is_numeric() || inst.type.is_matrix()) return;
         for (std::size_t i = 0; i < made.on.size(); i++) {
-            const std::uint8_t on = made.on[i] & ~Dependence::kBroken;
+            const std::uint8_t on = made.on[i] & ~(Dependence::kBroken | Dependence::kOffset);
             const bool is_mixed = inst.type.is_scalar() ? std::popcount(on) > 1 : (on & ~bit(i)) != 0;
             if (is_mixed) made.mixed_by = blame(frame, inst, Blame::What::Mixes);
             if (is_mixed) return;
@@ -197,20 +206,41 @@ private:
         if (inst.op == Op::Param) return frame.arguments[inst.data];
         if (inst.op == Op::Result) return result(frame, inst);
         if (inst.op == Op::Call) return call(frame, value);
-        if (std::none_of(args.begin(), args.end(), [&](Value v) { return of(frame, v).any(); })) return {};
+        if (inst.op == Op::Constant) return constant(inst);
         const std::uint32_t count = component_count(module_, inst.type);
+        if (std::none_of(args.begin(), args.end(), [&](Value v) { return of(frame, v).any(); }))
+            return is_moving(inst.op) && has_zeros(frame, args) ? moved(frame, inst, count) : Dependence{};
         if (is_by_component(inst.op) || (inst.op == Op::Convert && is_linear(inst, frame)))
             return by_component(frame, inst, count);
         if (inst.op == Op::Select) return select(frame, inst, count);
         if (is_one_of(inst.op, {Op::Dot, Op::Cross, Op::MatMul})) return product(frame, inst, count);
         if (inst.op == Op::Reflect || inst.op == Op::Index) return linear_in_first(frame, inst, count);
-        if (is_one_of(inst.op, {Op::Construct, Op::Extract, Op::Insert, Op::Swizzle, Op::Transpose}))
-            return moved(frame, inst, count);
+        if (is_moving(inst.op)) return moved(frame, inst, count);
         return broken(frame, inst, count, args, Blame::What::NotLinear);
+    }
+
+    bool has_zeros(const Frame& frame, std::span<const Value> args) const {
+        return std::ranges::any_of(args, [&](Value v) { return !of(frame, v).on.empty(); });
     }
 
     bool is_linear(const Inst& convert, const Frame& frame) const {
         return convert.type.is_floating() && frame.function[frame.function.args(convert)[0]].type.is_floating();
+    }
+
+    Dependence constant(const Inst& inst) const {
+        Dependence made{};
+        for (const double number : module_.numbers_of(module_.constants[inst.data]))
+            made.on.push_back(number == 0 ? std::uint8_t{0} : Dependence::kOffset);
+        return made;
+    }
+
+    // What has a part that does not depend on x, of one component of the operands. x times anything has none.
+    static std::uint8_t offset(Op op, std::array<std::uint8_t, 3> on) {
+        const std::uint8_t either = on[0] | on[1];
+        if (!is_dependent(either | on[2])) return Dependence::kOffset;
+        if (op == Op::Mul) return (is_dependent(on[0]) ? on[0] : on[1]) & Dependence::kOffset;
+        const bool is_of_first = op == Op::Div || (op == Op::Lerp && !is_dependent(either));
+        return (is_of_first ? on[0] : either) & Dependence::kOffset;
     }
 
     Dependence by_component(const Frame& frame, const Inst& inst, std::uint32_t count) {
@@ -219,13 +249,13 @@ private:
         inherit(frame, args, made);
         made.on.resize(count);
         for (std::uint32_t i = 0; i < count; i++) {
-            const auto on = [&](std::size_t k) {
-                return k < args.size() ? at(of(frame, args[k]), i) : std::uint8_t{0};
-            };
-            made.on[i] = on(0) | on(1) | on(2);
-            const bool is_product = (inst.op == Op::Mul && on(0) != 0 && on(1) != 0) ||
-                                    (inst.op == Op::Lerp && (on(0) | on(1)) != 0 && on(2) != 0);
-            const bool is_quotient = inst.op == Op::Div && on(1) != 0;
+            std::array<std::uint8_t, 3> on{};
+            for (std::size_t k = 0; k < args.size(); k++) on[k] = at(of(frame, args[k]), i);
+            made.on[i] = ((on[0] | on[1] | on[2]) & ~Dependence::kOffset) | offset(inst.op, on);
+            const bool of_first = is_dependent(on[0]), of_second = is_dependent(on[1]), of_third = is_dependent(on[2]);
+            const bool is_product =
+                (inst.op == Op::Mul && of_first && of_second) || (of_third && (of_first || of_second));
+            const bool is_quotient = inst.op == Op::Div && of_second;
             if (is_product) break_component(frame, inst, made, i, Blame::What::Product);
             if (is_quotient) break_component(frame, inst, made, i, Blame::What::NotLinear);
         }
@@ -239,7 +269,7 @@ private:
         inherit(frame, args, made);
         made.on.resize(count);
         for (std::uint32_t i = 0; i < count; i++) {
-            const std::uint8_t condition = at(of(frame, args[0]), is_by_vector ? i : 0);
+            const std::uint8_t condition = at(of(frame, args[0]), is_by_vector ? i : 0) & ~Dependence::kOffset;
             made.on[i] = condition | at(of(frame, args[1]), i) | at(of(frame, args[2]), i);
             if (condition != 0) break_component(frame, inst, made, i, Blame::What::Condition);
         }
@@ -252,7 +282,7 @@ private:
         Dependence made{};
         inherit(frame, args, made);
         std::uint8_t all = 0;
-        for (const Value arg : args) all |= of(frame, arg).all_of();
+        for (const Value arg : args) all |= of(frame, arg).any() ? of(frame, arg).all_of() : 0;
         made.on.assign(count, all);
         return made;
     }
@@ -335,7 +365,7 @@ private:
         if (!has_arguments && !reaches) return {};
         if (budget_ < module_.functions[inst.data].insts.size() || frame.depth >= kMaxDepth) {
             Dependence made = broken(frame, inst, count, args, Blame::What::TooLong);
-            for (std::uint8_t& on : made.on) on |= bit(0);
+            for (std::uint8_t& on : made.on) on |= bit(0) | Dependence::kOffset;
             return made;
         }
         std::vector<Dependence> arguments;
@@ -357,7 +387,11 @@ private:
 }  // namespace
 
 bool Dependence::any() const {
-    return std::any_of(on.begin(), on.end(), [](std::uint8_t component) { return component != 0; });
+    return std::ranges::any_of(on, [](std::uint8_t component) { return (component & ~kOffset) != 0; });
+}
+
+bool Dependence::is_homogeneous() const {
+    return any() && (all_of() & (kBroken | kOffset)) == 0;
 }
 
 std::uint8_t Dependence::all_of() const {

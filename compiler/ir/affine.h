@@ -23,13 +23,15 @@ inline constexpr std::uint32_t kNoBlame = 0xffffffffu;
 // How a value depends on x. Components are counted end to end: of vectors, rows, members and elements.
 struct Dependence {
     static constexpr std::uint8_t kBroken = 0x80;  // beside the components: not affine
-    // One byte for each component: bit i is component i of x (of one with more than seven components: any of i, i + 7,
-    // ...). Empty: none depends on x.
+    static constexpr std::uint8_t kOffset = 0x40;  // beside the components: has a part that does not depend on x
+    // One byte for each component: bit i is component i of x (of one with more than six components: any of i, i + 6,
+    // ...). Empty: none depends on x, and each is its offset. A zero byte: nothing but zero.
     std::vector<std::uint8_t> on{};
     std::uint32_t broken_by = kNoBlame;  // into Affine::blames: the first that broke any component
     std::uint32_t mixed_by = kNoBlame;   // the first that put a component of x in another one's place
 
     bool any() const;
+    bool is_homogeneous() const;  // a multiple of x: zero where x is
     std::uint8_t all_of() const;  // of all components together
 };
 

@@ -274,48 +274,63 @@ std::string reason_of(const Module& module, const Blame& blame, FunctionId funct
 
 bool is_componentwise(const Dependence& result) {
     for (std::size_t i = 0; i < result.on.size(); i++) {
-        if ((result.on[i] & ~(1u << i)) != 0) return false;
+        if ((result.on[i] & ~(1u << i | Dependence::kOffset)) != 0) return false;
     }
     return true;
 }
 
-// The function with something else in the place of x.
+// The function with zero in the place of x. What is homogeneous in x is zero at once: the rest of a product need not be
+// computed to be multiplied by zero.
 class Without {
 public:
     Without(Module& module, const Seed& seed, BuildOptions options) : module_(module), seed_(seed), options_(options) {
         if (seed.callee) reaches_ = reaching(module, seed.callee);
     }
 
-    Function run(FunctionId function) {
+    Function run(FunctionId function, const Activation& facts) {
         Function made = shell(module_[function]);
         made.probes.clear();
         Builder builder(module_, made, options_);
         Copy copy{.from = module_[function], .to = builder, .rewrite = [&](Copy& c, Value v) {
-                      return c.from[v].op == Op::Param ? param(c, v) : call(c, v);
+                      return homogeneous(c, v, &facts) ||
+                             (c.from[v].op == Op::Param ? param(c, v) : call(c, v, &facts));
                   }};
         copy_body(copy);
         return made;
     }
 
 private:
+    // `facts`: null where nothing is known of the function.
+    static bool homogeneous(Copy& copy, Value value, const Activation* facts) {
+        if (!facts || copy.from[value].op == Op::LoopCarried || !facts->values[value.index].is_homogeneous())
+            return false;
+        copy_plain(copy, value);
+        copy.map[value.index] = zero(copy.to, copy.map[value.index]);
+        copy.changed[value.index] = 1;
+        return true;
+    }
+
     bool param(Copy& copy, Value value) {
         const Inst& inst = copy.from[value];
         if (seed_.callee || inst.data != seed_.param) return false;
         copy_plain(copy, value);
         const Value whole = copy.map[value.index];
-        copy.map[value.index] =
-            inst.type.kind != Kind::Struct
-                ? zero(copy.to, whole)
-                : copy.to.emit(Op::Insert, inst.type, {whole, zero(copy.to, copy.to.extract(whole, seed_.member))},
-                               seed_.member);
+        copy.map[value.index] = copy.to.emit(
+            Op::Insert, inst.type, {whole, zero(copy.to, copy.to.extract(whole, seed_.member))}, seed_.member);
         copy.changed[value.index] = 1;
         return true;
     }
 
-    bool call(Copy& outer, Value value) {
+    // A function that calls the seed's, or that is affine in what it is given of x, is spelled out.
+    bool call(Copy& outer, Value value, const Activation* facts) {
         const Inst& inst = outer.from[value];
-        if (inst.op != Op::Call || !seed_.callee || reaches_[inst.data] == 0) return false;
-        if (inst.data == seed_.callee.index) {
+        if (inst.op != Op::Call) return false;
+        const Activation* inside = nullptr;
+        if (facts && facts->calls.contains(value.index)) inside = facts->calls.at(value.index).get();
+        const bool is_affine = inside && (inside->result.all_of() & Dependence::kBroken) == 0;
+        const bool reaches = seed_.callee && reaches_[inst.data] != 0;
+        if (!reaches && !is_affine) return false;
+        if (seed_.callee && inst.data == seed_.callee.index) {
             copy_plain(outer, value);
             outer.map[value.index] = zero(outer.to, outer.map[value.index]);
             outer.changed[value.index] = 1;
@@ -329,7 +344,8 @@ private:
                        const Inst& at = c.from[v];
                        if (at.op == Op::Param) c.map[v.index] = outer.map[outer.from.args(inst)[at.data].index];
                        if (at.op == Op::Return) result = c.map[c.from.args(at)[0].index];
-                       return at.op == Op::Param || at.op == Op::Return || call(c, v);
+                       return at.op == Op::Param || at.op == Op::Return || homogeneous(c, v, inside) ||
+                              call(c, v, inside);
                    }};
         copy_body(inner);
         outer.to.name(result, inst.name);
@@ -363,7 +379,8 @@ LinearPart linear_part(Module& module, FunctionId function, const Seed& seed, co
 }
 
 Function without(Module& module, FunctionId function, const Seed& seed, BuildOptions build) {
-    return swept(module, Without(module, seed, build).run(function), build);
+    const Affine affine = affine_in(module, function, seed);
+    return swept(module, Without(module, seed, build).run(function, *affine.root), build);
 }
 
 }  // namespace patina::ir

@@ -47,8 +47,9 @@ struct LinearPart {
 // depend on x, and calls of functions that call the seed's, are spelled out in it. Probes are not kept.
 LinearPart linear_part(Module& module, FunctionId function, const Seed& seed, const LinearOptions& options = {});
 
-// B: the function with zero in the place of x. Functions that call the seed's are spelled out however many they are:
-// linear_part() is to have been asked first.
+// B: the function with zero in the place of x. What is homogeneous in x, such as k x, is zero as a whole, whatever k
+// is, and k is not computed for it; what is not affine is computed for x = 0. Functions that call the seed's are
+// spelled out however many they are: linear_part() is to have been asked first.
 Function without(Module& module, FunctionId function, const Seed& seed, BuildOptions build = {});
 
 // A member that is read, and by which graph node first.

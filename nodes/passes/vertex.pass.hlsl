@@ -24,30 +24,42 @@ Light light_at_vertex(int index, float3 position, float2 uv) {
     return light;
 }
 
-/// Direct light for each unit of the diffuse colour.
-[semantic("vertex")]
-float3 diffuse_light(float3 position = position_ws, float2 uv = uv1) {
-    float3 sum = float3(0);
-    if (splits_direct) {
-        LightingSurface white = as_lit(lighting_surface());
-        white.diffuseColor = float3(1);
-        [light] for (int i = 0; i < min(light_count, MAX_LIGHTS); i++) {
-            sum += direct_by_diffuse(white, light_at_vertex(i, position, uv));
+/// Light that the diffuse colour multiplies, for a diffuse colour of 1, and light that it does not change; where they
+/// cannot be told apart, all is of the second kind.
+struct SplitLight {
+    float3 by_diffuse;
+    float3 other;
+};
+
+/// Direct light. One loop makes both kinds, so that each light is evaluated once. Worked out where it is read, which is
+/// at the vertices.
+[semantic("pixel")]
+SplitLight split_light(float3 position = position_ws, float2 uv = uv1) {
+    LightingSurface lit = as_lit(lighting_surface());
+    LightingSurface white = lit;
+    white.diffuseColor = float3(1);
+    float3 by_diffuse = float3(0);
+    float3 other = float3(0);
+    [light] for (int i = 0; i < min(light_count, MAX_LIGHTS); i++) {
+        Light light = light_at_vertex(i, position, uv);
+        if (splits_direct) {
+            by_diffuse += direct_by_diffuse(white, light);
+            other += direct_without_diffuse(lit, light);
         }
+        if (!splits_direct) { other += direct(lit, light); }
     }
+    SplitLight sum;
+    sum.by_diffuse = by_diffuse;
+    sum.other = other;
     return sum;
 }
-
-/// Direct light that the diffuse colour does not change; all of it, where they cannot be told apart.
 [semantic("vertex")]
-float3 other_light(float3 position = position_ws, float2 uv = uv1) {
-    LightingSurface lit = as_lit(lighting_surface());
-    float3 sum = float3(0);
-    [light] for (int i = 0; i < min(light_count, MAX_LIGHTS); i++) {
-        if (splits_direct) { sum += direct_without_diffuse(lit, light_at_vertex(i, position, uv)); }
-        if (!splits_direct) { sum += direct(lit, light_at_vertex(i, position, uv)); }
-    }
-    return sum;
+float3 diffuse_light(SplitLight sum = split_light) {
+    return sum.by_diffuse;
+}
+[semantic("vertex")]
+float3 other_light(SplitLight sum = split_light) {
+    return sum.other;
 }
 
 /// The same of indirect light.

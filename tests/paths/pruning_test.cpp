@@ -1,5 +1,9 @@
 // Each pass has what it needs and nothing more: read off the reflection, which both shaders of a pass are bound by.
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <regex>
+#include <sstream>
 
 #include "paths/drawing.h"
 
@@ -120,6 +124,126 @@ TEST(Pruning, AdditivePassesHaveNoAmbientLightAndNoEmission) {
     EXPECT_FALSE(has(add->blocks, "Ambient"));
     EXPECT_TRUE(reads_material(result, *base));  // _Glow
     EXPECT_FALSE(reads_material(result, *add));
+}
+
+// --- parts of lighting graphs
+
+// Every input of the surface varies, so that no number in the graph is zero.
+std::string varying_graph(const ModelInfo& model) {
+    const std::vector<ModelInfo>& workflows = compiler().workflows();
+    const ModelInfo& workflow = *std::ranges::find(workflows, "metallic-roughness", &ModelInfo::name);
+    std::string properties, surface;
+    for (const std::vector<ModelInputInfo>* inputs : {&workflow.inputs, &model.inputs}) {
+        for (const ModelInputInfo& input : *inputs) {
+            if (!input.gives.empty() || input.default_value.find('@') != std::string::npos) continue;
+            const char* comma = properties.empty() ? "" : ", ";
+            properties += fmt::format(R"({}{{ "name": "_{}", "type": "{}" }})", comma, input.name, input.type);
+            surface += fmt::format(R"({}"{}": "= $_{}{} * @uv0.x")", comma, input.name, input.name,
+                                   input.type == "color" ? ".rgb" : "");
+        }
+    }
+    return written("varying-" + model.name + ".graph.json",
+                   fmt::format(R"({{ "patina": 1, "workflow": "metallic-roughness", "lighting": "{}",
+                                    "properties": [ {} ], "surface": {{ {} }} }})",
+                               model.name, properties, surface));
+}
+
+const Shader* find_shader(const Result& result, const std::string& pass, Stage stage) {
+    for (const Shader& shader : result.shaders) {
+        if (shader.pass == pass && shader.stage == stage && shader.target == Target::Glsl) return &shader;
+    }
+    return nullptr;
+}
+
+// What is written behind the `=` of lines that multiply by a zero that is written out.
+Words products_with_zero(const std::string& text) {
+    static const std::string zero = R"((0\.0|vec[234]\(0\.0\)))";
+    static const std::regex product("(^|[^\\w.])" + zero + " \\*|\\*=? " + zero + "($|[^\\d])");
+    Words found;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        if (std::regex_search(line, product)) found.push_back(line.substr(line.find('=') + 1));
+    }
+    return found;
+}
+
+TEST(Pruning, SeesProductsWithZero) {
+    for (const char* line : {"vec3 a = setup.f0 * 0.0;", "b += (vec3(0.0) * (c * d) + e) * f;", "0.0 * ambient * 0.7",
+                             "a *= vec3(0.0);", "a *= 0.0;"})
+        EXPECT_EQ(products_with_zero(line).size(), 1u) << line;
+    for (const char* line :
+         {"a * 0.05 + 10.0 * b", "max(a, 0.0) * b", "vec3(0.0, 1.0, 0.0) + a", "a0.0", "0.0 + a * b"})
+        EXPECT_EQ(products_with_zero(line).size(), 0u) << line;
+}
+
+// What a slot is without something is computed without it, not with a zero in its place.
+TEST(Pruning, NothingIsMultipliedByZero) {
+    int stages = 0;
+    for (const ModelInfo& model : compiler().lighting_models()) {
+        // A lighting graph may say so itself: Disney's clear coat is a lobe with an anisotropy of 0.
+        Words own;
+        for (const Shader& shader : compiled(varying_graph(model), "forward").shaders) {
+            for (std::string& product : products_with_zero(shader.text)) own.push_back(std::move(product));
+        }
+        EXPECT_LE(own.size(), model.name == "disney-principled" ? 2u : 0u) << model.name;
+        for (const char* path : {"vertex", "deferred"}) {
+            for (const Shader& shader : compiled(varying_graph(model), path).shaders) {
+                for (const std::string& product : products_with_zero(shader.text))
+                    EXPECT_TRUE(has(own, product))
+                        << model.name << ", " << shader.pass << ", " << to_string(shader.stage) << ": " << product;
+                ++stages;
+            }
+        }
+    }
+    EXPECT_GT(stages, 60);
+}
+
+// Its reflections are added later, with the table of what they are multiplied by.
+TEST(Pruning, GBuffersHaveNoReflectionsThatComeLater) {
+    const auto& models = compiler().lighting_models();
+    const ModelInfo& model = *std::ranges::find(models, "cook-torrance", &ModelInfo::name);
+    const Result result = compiled(varying_graph(model), "deferred");
+    const Pass *gbuffer = find_pass(result, "gbuffer"), *later = find_pass(result, "deferred-reflections");
+    ASSERT_TRUE(gbuffer && later);
+    for (const char* texture : {"split_sum_table", "environment_map"}) {
+        EXPECT_FALSE(has(gbuffer->textures, texture)) << texture;
+        EXPECT_TRUE(has(later->textures, texture)) << texture;
+    }
+}
+
+std::size_t count(const std::string& text, std::string_view what) {
+    std::size_t n = 0;
+    for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + 1)) ++n;
+    return n;
+}
+
+// One loop, whether or not light is split into what the diffuse colour multiplies and the rest; so shadows are sampled
+// once for each light.
+TEST(Pruning, VerticesEvaluateEachLightOnce) {
+    for (const ModelInfo& model : compiler().lighting_models()) {
+        for (const char* shadows : {"false", "true"}) {
+            SCOPED_TRACE(model.name + ", shadows " + shadows);
+            const Result result = compiled(varying_graph(model), "vertex", {{"shadows", shadows}});
+            const Shader* vertex = find_shader(result, "vertex", Stage::Vertex);
+            ASSERT_TRUE(vertex);
+            const std::size_t lights = model.name == "unlit" ? 0 : 1;
+            EXPECT_EQ(count(vertex->text, "= light_at("), lights) << vertex->text;
+        }
+    }
+}
+
+// Lambert's light is all diffuse. That the rest is zero need not be handed over.
+TEST(Pruning, VerticesHandOverNoConstants) {
+    for (const char* name : {"lambert", "half-lambert"}) {
+        const auto& models = compiler().lighting_models();
+        const Result result = compiled(varying_graph(*std::ranges::find(models, name, &ModelInfo::name)), "vertex");
+        for (const Stage stage : {Stage::Vertex, Stage::Fragment}) {
+            const Shader* shader = find_shader(result, "vertex", stage);
+            ASSERT_TRUE(shader);
+            EXPECT_GT(count(shader->text, "v_diffuse_light"), 0u) << shader->text;
+            EXPECT_EQ(count(shader->text, "v_other"), 0u) << shader->text;
+        }
+    }
 }
 
 }  // namespace

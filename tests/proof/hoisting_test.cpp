@@ -1,6 +1,6 @@
 // A fragment shader computes nothing inside its loop over the lights that does not depend on the light: of every
-// lighting model under every workflow, and of the examples. Read off the rates of the finished IR, in the loop itself
-// and in what is called there.
+// lighting model under every workflow, and of the examples. Nor does a vertex shader that is lit. Read off the rates of
+// the finished IR, in the loop itself and in what is called there.
 //
 // Nothing that computes is exempt. Constants, parameters and globals stand at the head of a function, and a Yield
 // computes nothing: it hands on what was made, which may come from outside the loop. In a function that is called from
@@ -129,20 +129,27 @@ std::string varying_material(const ModelInfo& model, const ModelInfo& workflow) 
         workflow.name, model.name, properties, surface);
 }
 
-std::vector<std::pair<std::string, Module>> linked_fragments(LoweredMaterial& made) {
-    std::vector<std::pair<std::string, Module>> stages;
+using Stages = std::vector<std::pair<std::string, Module>>;  // by pass
+
+Stages linked_stages(LoweredMaterial& made, ir::StageKind kind) {
+    Stages stages;
     assemble::name_interface(made.module());
     const assemble::Linked linked = assemble::link(std::move(made.lowered()));
     for (const graph::LoweredPass& pass : linked.lowered.passes) {
-        stages.emplace_back(std::string(pass.declaration->name), assemble::link_fragment(linked, pass, {}));
+        Module stage = assemble::link_fragment(linked, pass, {});
+        if (kind == ir::StageKind::Vertex) {
+            Module fragment = ir::tidy(std::move(stage));
+            stage = assemble::link_vertex(linked, pass, fragment, {});
+        }
+        stages.emplace_back(std::string(pass.declaration->name), std::move(stage));
     }
     return stages;
 }
 
-// The number of light loops.
-int expect_nothing_left_in_loops(LoweredMaterial& made, const std::string& name) {
+// The number of light loops that the pass `counted` has.
+int expect_nothing_left_in_loops(Stages stages, const std::string& name, std::string_view counted = "forward") {
     int loops = 0;
-    for (auto& [pass, linked] : linked_fragments(made)) {
+    for (auto& [pass, linked] : stages) {
         const Module tidied = ir::tidy(std::move(linked));
         Search search(tidied);
         for (const std::string& line : search.run()) ADD_FAILURE() << name << ", pass " << pass << ": " << line;
@@ -153,7 +160,7 @@ int expect_nothing_left_in_loops(LoweredMaterial& made, const std::string& name)
             for (const std::string& line : Search(*rewritten).run())
                 ADD_FAILURE() << name << ", pass " << pass << ", " << target << ": " << line;
         }
-        if (pass == "forward") loops += search.loops;
+        if (pass == counted) loops += search.loops;
         EXPECT_TRUE(search.loops == 0 || search.instructions > 10) << name;
     }
     return loops;
@@ -166,8 +173,22 @@ TEST(Hoisting, OfEveryModelUnderEveryWorkflow) {
             const std::string name = model.name + " under " + workflow.name;
             LoweredMaterial made(varying_material(model, workflow));
             ASSERT_TRUE(made.ok()) << name;
-            const int loops = expect_nothing_left_in_loops(made, name);
+            const int loops = expect_nothing_left_in_loops(linked_stages(made, ir::StageKind::Fragment), name);
             // What is lit by no light has no loop.
+            EXPECT_EQ(loops, model.name == "unlit" ? 0 : 1) << name;
+        }
+    }
+}
+
+// The path that lights vertices has one loop, too, whatever is split.
+TEST(Hoisting, OfLitVertices) {
+    const Compiler compiler;
+    for (const ModelInfo& model : compiler.lighting_models()) {
+        for (const ModelInfo& workflow : compiler.workflows()) {
+            const std::string name = model.name + " under " + workflow.name + ", at vertices";
+            LoweredMaterial made(varying_material(model, workflow), "proof.graph.json", {}, "vertex");
+            ASSERT_TRUE(made.ok()) << name;
+            const int loops = expect_nothing_left_in_loops(linked_stages(made, ir::StageKind::Vertex), name, "vertex");
             EXPECT_EQ(loops, model.name == "unlit" ? 0 : 1) << name;
         }
     }
@@ -181,7 +202,7 @@ TEST(Hoisting, OfTheExamples) {
         std::ifstream in(path, std::ios::binary);
         LoweredMaterial made(std::string(std::istreambuf_iterator<char>(in), {}), path);
         ASSERT_TRUE(made.ok()) << path;
-        loops += expect_nothing_left_in_loops(made, path);
+        loops += expect_nothing_left_in_loops(linked_stages(made, ir::StageKind::Fragment), path);
         ++graphs;
     }
     EXPECT_GT(graphs, 9);
@@ -196,7 +217,7 @@ TEST(Hoisting, TakesBothPasses) {
     for (const ModelInfo& model : compiler.lighting_models()) {
         LoweredMaterial made(varying_material(model, workflow));
         ASSERT_TRUE(made.ok());
-        for (auto& [pass, linked] : linked_fragments(made)) {
+        for (auto& [pass, linked] : linked_stages(made, ir::StageKind::Fragment)) {
             if (pass != "forward") continue;
             const Module pruned = ir::specialise(ir::prune(std::move(linked)));
             if (!Search(ir::inline_calls(pruned)).run().empty()) without_schedule.insert(model.name);

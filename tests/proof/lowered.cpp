@@ -15,8 +15,19 @@ std::string material_of(std::string_view model, std::string_view workflow) {
     return fmt::format(R"({{ "patina": 1, "workflow": "{}", "lighting": "{}", "surface": {{}} }})", workflow, model);
 }
 
-LoweredMaterial::LoweredMaterial(std::string text, const std::string& path, ir::BuildOptions build)
-    : session_(library(), options_) {
+namespace {
+
+CompileOptions options_for(const std::string& rendering_path) {
+    CompileOptions options;
+    options.path = rendering_path;
+    return options;
+}
+
+}  // namespace
+
+LoweredMaterial::LoweredMaterial(std::string text, const std::string& path, ir::BuildOptions build,
+                                 const std::string& rendering_path)
+    : options_(options_for(rendering_path)), session_(library(), options_) {
     const std::uint32_t base = session_.sources.add(path, std::move(text));
     const auto json = graph::parse_json(session_.sources, base, session_.diagnostics);
     if (json) {

@@ -20,7 +20,7 @@ public:
     // `path`: of the graph's file, or any name if `text` does not need it to find others. Fails the test, and is not
     // ok(), if there are errors.
     explicit LoweredMaterial(std::string text, const std::string& path = "proof.graph.json",
-                             ir::BuildOptions build = {});
+                             ir::BuildOptions build = {}, const std::string& rendering_path = "forward");
 
     bool ok() const { return ok_; }
     ir::Module& module() { return lowered_.module; }
