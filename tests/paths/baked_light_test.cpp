@@ -354,19 +354,36 @@ TEST(Cookies, OfSeveralLightsNeedADrawForEach) {
 
 // --- what is not there costs nothing
 
+// In a block, a texture or a shader's text.
+bool mentions(const Result& result, const std::string& name) {
+    for (const Block& block : result.reflection.blocks)
+        for (const BlockMember& member : block.members)
+            if (member.name == name) return true;
+    for (const Texture& texture : result.reflection.textures)
+        if (texture.name == name) return true;
+    for (const Shader& shader : result.shaders)
+        if (shader.text.find(name) != shader.text.npos) return true;
+    return false;
+}
+
+// Of fog and cookies, too.
 TEST(BakedLight, LeavesNoTraceWhereItIsOff) {
-    const std::vector<std::string> own = {"lightmap_texture",    "lightmap_decode", "main_light",  "shadow_color",
-                                          "shadow_mask_texture", "light_mask",      "shadow_fade", "uv1"};
+    const std::vector<std::string> own = {"lightmap_texture", "lightmap_decode", "main_light",   "shadow_color",
+                                          "shadow_mask",      "light_mask",      "shadow_fade",  "uv1",
+                                          "fog_color",        "fog_settings",    "light_cookie", "world_to_cookie"};
     for (const char* path :
-         {"forward", "forward-add", "forward-directional", "vertex", "deferred", "deferred-extended", "deferred-ldr"}) {
-        const Result result = compiled(matt(), path);
-        for (const std::string& name : own) {
-            for (const Block& block : result.reflection.blocks)
-                for (const BlockMember& member : block.members) EXPECT_NE(member.name, name) << path;
-            for (const Texture& texture : result.reflection.textures) EXPECT_NE(texture.name, name) << path;
-            for (const Shader& shader : result.shaders) EXPECT_EQ(shader.text.find(name), shader.text.npos) << path;
-        }
-    }
+         {"forward", "forward-add", "forward-directional", "vertex", "deferred", "deferred-extended", "deferred-ldr"})
+        for (const std::string& name : own)
+            EXPECT_FALSE(mentions(compiled(matt(), path), name)) << path << ": " << name;
+}
+
+TEST(BakedLight, IsThereWhereASwitchIsOn) {
+    const std::pair<const char*, std::vector<std::string>> on[] = {{"fog", {"fog_color", "fog_settings"}},
+                                                                   {"cookies", {"light_cookie", "world_to_cookie"}},
+                                                                   {"lightmap", {"lightmap_texture", "uv1"}}};
+    for (const auto& [name, values] : on)
+        for (const std::string& value : values)
+            EXPECT_TRUE(mentions(compiled(matt(), "forward", {{name, "true"}}), value)) << value;
 }
 
 TEST(BakedLight, ReadsWhatItsSwitchesSay) {
