@@ -50,10 +50,10 @@ float3 ambient_with_vertex_lights(float3 normal, float3 at_vertices = vertex_lig
 [blend("additive", "one", "one")] [blend("multiply", "dst_color", "zero")]
 float4 forward_base_fragment(float3 position = position_ws) {
     LightingSurface lit = as_lit(lighting_surface());
-    float3 color = lit_by_all(lit, position);
     if (alpha_clip) {
         discard_if(lit.alpha < lit.alphaClip);
     }
+    float3 color = lit_by_all(lit, position);
     return float4(in_fog(color, position), lit.alpha);
 }
 
@@ -62,9 +62,9 @@ float4 forward_base_fragment(float3 position = position_ws) {
 [blend("transparent", "one", "one")]
 float4 forward_add_fragment(float3 position = position_ws) {
     LightingSurface lit = as_lit(lighting_surface());
-    float3 color = added_by_light(lit, position);
     if (alpha_clip) {
         discard_if(lit.alpha < lit.alphaClip);
     }
+    float3 color = added_by_light(lit, position);
     return float4(faded_by_fog(color, position), fades ? lit.alpha : 0);
 }

@@ -12,10 +12,10 @@ float4 directional_vertex(float3 position = position_ws) {
 [blend("additive", "one", "one")] [blend("multiply", "dst_color", "zero")]
 float4 directional_base_fragment(float3 position = position_ws) {
     LightingSurface lit = as_lit(lighting_surface());
-    float3 color = lit_by_all(lit, position);
     if (alpha_clip) {
         discard_if(lit.alpha < lit.alphaClip);
     }
+    float3 color = lit_by_all(lit, position);
     return float4(in_fog(color, position), lit.alpha);
 }
 
@@ -24,9 +24,9 @@ float4 directional_base_fragment(float3 position = position_ws) {
 [blend("transparent", "one", "one")]
 float4 directional_add_fragment(float3 position = position_ws) {
     LightingSurface lit = as_lit(lighting_surface());
-    float3 color = added_by_light(lit, position);
     if (alpha_clip) {
         discard_if(lit.alpha < lit.alphaClip);
     }
+    float3 color = added_by_light(lit, position);
     return float4(faded_by_fog(color, position), fades ? lit.alpha : 0);
 }

@@ -38,9 +38,9 @@ float shadow_with_mask(int index, float3 position, float4 mask = shadows_of_ligh
 [blend("additive", "one", "one")] [blend("multiply", "dst_color", "zero")]
 float4 forward_fragment(float3 position = position_ws) {
     LightingSurface lit = as_lit(lighting_surface());
-    float3 color = lit_by_all(lit, position);
     if (alpha_clip) {
         discard_if(lit.alpha < lit.alphaClip);
     }
+    float3 color = lit_by_all(lit, position);
     return float4(in_fog(color, position), lit.alpha);
 }
