@@ -620,7 +620,7 @@ TEST(FramePlan, SaysWhatIsWrongAndWhere) {
     Pass& pass = stage.reflections[0].passes[0];
     const std::string subject = "pass 'forward' of the material 'material 0' ";
     pass.draws = "cubes";
-    EXPECT_EQ(stage.error(), subject + "draws 'cubes', which is none of objects, fullscreen and light-volumes");
+    EXPECT_EQ(stage.error(), subject + "draws 'cubes'; these words exist: objects, fullscreen, light-volumes");
     pass.draws = "light-volumes";
     EXPECT_EQ(stage.error(),
               subject + "draws light volumes, so its lights must be 'local': directional ones have no volume");
@@ -628,12 +628,12 @@ TEST(FramePlan, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(stage.error(), subject + "draws from the lights, so it must draw objects");
     pass = forward_pass();
     pass.each = "frame";
-    EXPECT_EQ(stage.error(), subject + "is drawn each 'frame', which is neither once nor light");
+    EXPECT_EQ(stage.error(), subject + "is drawn each 'frame'; these words exist: once, light");
     pass = forward_pass();
     pass.lights = "bright";
     EXPECT_EQ(stage.error(), subject +
-                                 "wants the lights 'bright'; there are all, main, main-only, further, directional, "
-                                 "local, shadowed and none");
+                                 "wants the lights 'bright'; these words exist: all, main, main-only, further, "
+                                 "directional, local, shadowed, none");
     pass = forward_pass();
     stage.materials[0].passes.clear();
     EXPECT_EQ(stage.error(), subject + "has no shaders");
