@@ -118,6 +118,7 @@ void add_lights(Values& values, const EngineScene& seen) {
     const std::size_t at_vertices =
         std::min({seen.vertex_lights.size(), kMostVertexLights, kMostLights - lights.size()});
     for (std::size_t i = 0; i < at_vertices; i++) add(seen.vertex_lights[i]);
+    for (std::size_t i = lights.size() + at_vertices; i < kMostLights; i++) append(cone, glm::vec4(0, 0, 0, -1));
     values["light_count"] = scalar(double(lights.size()));
     values["vertex_light_count"] = scalar(double(at_vertices));
     values["light_position"] = position;

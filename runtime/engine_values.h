@@ -42,13 +42,14 @@ struct EngineScene {
 };
 
 // Camera: world_to_clip, clip_to_world, world_to_view, camera_position_ws, camera_forward_ws, view_is_orthographic,
-// clip_planes (near, far), shadow_bias, shadow_normal_bias. Object: object_to_world, world_to_object, lightmap_decode.
-// Frame: time, screen_size (pixels, samples included), fog_color, fog_settings (mode 0 none, 1 linear, 2 exponential, 3
-// its square; density; start; end). Lights: light_count, light_position, light_color, light_axis, light_cone (in the
-// order given, those that count at vertices behind the others), vertex_light_count, world_to_shadow, shadow_tile,
-// shadow_strength, shadow_texel, world_to_cookie (of cookie_light()), light_mask (1 in the channel of shadow masks that
-// is the light's: lights that cast shadows have one each, in the scene's order), main_light (slot of the light that
-// subtractive lightmaps hold, or -1), shadow_color, shadow_fade (scale and offset of ShadowFade). Ambient: ambient_sh.
+// clip_planes (near, far), shadow_bias, shadow_normal_bias. Object: object_to_world, world_to_object,
+// lightmap_decode. Frame: time, screen_size (pixels, samples included), fog_color, fog_settings (mode 0 none, 1
+// linear, 2 exponential, 3 its square; density; start; end). Lights: light_count, light_position, light_color,
+// light_axis, light_cone (in the order given, those that count at vertices behind the others; slots without a light
+// have no shadow map), vertex_light_count, world_to_shadow, shadow_tile, shadow_strength, shadow_texel,
+// world_to_cookie (of cookie_light()), light_mask (1 in the channel of shadow masks that is the light's: lights that
+// cast shadows have one each, in the scene's order), main_light (slot of the light that subtractive lightmaps hold,
+// or -1), shadow_color, shadow_fade (scale and offset of ShadowFade). Ambient: ambient_sh.
 std::map<std::string, EngineValue> engine_values(const EngineScene& seen);
 
 // Of a single draw: all lights, those that are directional first, the main one at their head; no shadow map.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <span>
 
 #include "runtime/frame_builder.h"
 #include "runtime/light_split.h"
@@ -49,19 +50,17 @@ bool reads_own_targets(const Reflection& reflection) {
     return false;
 }
 
+// A reflection may come from elsewhere than from our compiler.
 std::string check_words(const Pass& pass) {
-    auto is_one_of = [](std::string_view word, std::initializer_list<std::string_view> words) {
-        return std::find(words.begin(), words.end(), word) != words.end();
+    struct Choice {
+        std::string_view says, word;
+        std::span<const std::string_view> words;
     };
-    if (!is_one_of(pass.draws, {"objects", "fullscreen", "light-volumes"}))
-        return fmt::format("draws '{}', which is none of objects, fullscreen and light-volumes", pass.draws);
-    if (!is_one_of(pass.each, {"once", "light"}))
-        return fmt::format("is drawn each '{}', which is neither once nor light", pass.each);
-    if (!is_one_of(pass.lights, {"all", "main", "main-only", "further", "directional", "local", "shadowed", "none"}))
-        return fmt::format(
-            "wants the lights '{}'; there are all, main, main-only, further, directional, local, shadowed "
-            "and none",
-            pass.lights);
+    for (const Choice& choice : {Choice{"draws", pass.draws, kPassDraws}, Choice{"is drawn each", pass.each, kPassEach},
+                                 Choice{"wants the lights", pass.lights, kPassLights}})
+        if (std::find(choice.words.begin(), choice.words.end(), choice.word) == choice.words.end())
+            return fmt::format("{} '{}'; these words exist: {}", choice.says, choice.word,
+                               fmt::join(choice.words, ", "));
     if (pass.draws != "objects" && is_shadow_pass(pass)) return "draws from the lights, so it must draw objects";
     if (pass.draws == "light-volumes" && pass.lights != "local")
         return "draws light volumes, so its lights must be 'local': directional ones have no volume";

@@ -39,7 +39,7 @@ std::optional<std::size_t> main_light(std::span<const Light> lights) {
     std::optional<std::size_t> brightest;
     for (std::size_t i = 0; i < lights.size(); i++) {
         const Light& light = lights[i];
-        if (light.kind != LightKind::Directional || light.importance == LightImportance::NotImportant) continue;
+        if (light.kind != LightKind::Directional) continue;
         if (!brightest || luminance(light.color) > luminance(lights[*brightest].color)) brightest = i;
     }
     return brightest;

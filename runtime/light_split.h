@@ -2,10 +2,9 @@
 // lights per pixel, lights per vertex, and the rest as spherical harmonics. By the rules of Unity's forward path
 // (Manual, "Forward Rendering Rendering Path Details"):
 //
-//   1. the brightest directional light is the main one and always per pixel; the others are taken by decreasing
-//      brightness at the object, and the scene's order where they are as bright
-//   2. those that are "important" are per pixel however many they are, those that are "not important" never (that goes
-//      for the main light too)
+//   1. the brightest directional light is the main one and always per pixel, whatever its render mode; the others are
+//      taken by decreasing brightness at the object, and the scene's order where they are as bright
+//   2. those that are "important" are per pixel however many they are, those that are "not important" never
 //   3. as long as the main and the important lights are fewer than the pixel light count, the next ones are per pixel
 //   4. of what is left, the first four point lights are per vertex; the others, and all spots and directional lights,
 //      are spherical harmonics
@@ -38,7 +37,7 @@ struct LightSplit {
 };
 LightSplit split_lights(std::span<const Light> lights, const Sphere& object, int pixel_light_count);
 
-// The brightest directional light that is not "not important"; the first of several that are as bright.
+// The brightest directional light; the first of several that are as bright.
 std::optional<std::size_t> main_light(std::span<const Light> lights);
 
 // All lights as shaders want them: the main one, the other directional ones, then the rest in the scene's order.

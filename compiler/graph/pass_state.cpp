@@ -20,10 +20,6 @@ using Words = std::span<const std::string_view>;
 
 constexpr std::size_t kMostTargets = 8;  // of Vulkan's and Direct3D 12's
 
-constexpr std::array<std::string_view, 3> kDraws = {"objects", "fullscreen", "light-volumes"};
-constexpr std::array<std::string_view, 2> kEach = {"once", "light"};
-constexpr std::array<std::string_view, 8> kLights = {"all",         "main",  "main-only", "further",
-                                                     "directional", "local", "shadowed",  "none"};
 constexpr std::array<std::string_view, 2> kCameras = {"any", "perspective"};
 constexpr std::array<std::string_view, 3> kCullWords = {"back", "front", "off"};
 constexpr std::array<std::string_view, 2> kDepthWrites = {"write", "keep"};
@@ -125,11 +121,11 @@ struct StateRow {
 };
 constexpr StateRow kState[] = {
     {"draws", 1, 1, "[draws(\"objects\")]",
-     [](Arguments& in, std::size_t, PassDecl& p) { p.state.draws = in.word(kDraws, "what a pass draws"); }},
+     [](Arguments& in, std::size_t, PassDecl& p) { p.state.draws = in.word(kPassDraws, "what a pass draws"); }},
     {"each", 1, 1, "[each(\"light\")]",
-     [](Arguments& in, std::size_t, PassDecl& p) { p.state.each = in.word(kEach, "how often a pass draws"); }},
+     [](Arguments& in, std::size_t, PassDecl& p) { p.state.each = in.word(kPassEach, "how often a pass draws"); }},
     {"lights", 1, 1, "[lights(\"all\")]",
-     [](Arguments& in, std::size_t, PassDecl& p) { p.state.lights = in.word(kLights, "a set of lights"); }},
+     [](Arguments& in, std::size_t, PassDecl& p) { p.state.lights = in.word(kPassLights, "a set of lights"); }},
     {"camera", 1, 1, "[camera(\"perspective\")]",
      [](Arguments& in, std::size_t, PassDecl& p) { p.state.camera = in.word(kCameras, "a camera"); }},
     {"fallback", 1, 1, "[fallback(\"forward\")]",

@@ -28,7 +28,7 @@ float3 DecodeGBufferNormal(
     return normal * rsqrt(max(dot(normal, normal), 1e-6));
 }
 
-/// Light as a render target of unsigned bytes holds it: lights are then added by multiplying.
+/// Light as a render target of unsigned numbers holds it: lights are then added by multiplying.
 ///
 /// formula: 2^-c
 /// source: Unity built-in shaders, the deferred pass without HDR
@@ -41,15 +41,23 @@ float3 EncodeLightLdr(
     return exp2(-color);
 }
 
+// Unity's target has ten bits, and 0 is what was below half a step of them when it was rounded. No more is known of it, so it
+// counts as that half step: light ends at log2(2046) = 10.999, as far beyond the last step, log2(1023) = 9.999, as that is
+// beyond the one before.
+const float LDR_DARKEST = 0.5 / 1023;
+
 /// The light that EncodeLightLdr wrote.
 ///
-/// formula: -log2(c)
+/// The target has ten bits: black counts as half a step of them, so that light ends at 11.
+///
+/// formula: -log2(max(c, 1 / 2046))
 /// source: Unity built-in shaders, the deferred pass without HDR
 /// test: DecodeLightLdr(float3(1, 0.5, 0.125)) == float3(0, 1, 3)
 /// test: DecodeLightLdr(0.6155722066724582) == float3(0.7, 0.7, 0.7)
+/// test: DecodeLightLdr(0) == float3(10.99859042974533, 10.99859042974533, 10.99859042974533)
 [node("Lighting/Deferred/Decode Light")]
 float3 DecodeLightLdr(
-    [range(0, 1)] float3 encoded = 1  ///< the texel; black counts as 1e-7
+    [range(0, 1)] float3 encoded = 1  ///< the texel
 ) {
-    return -log2(max(encoded, 1e-7));
+    return -log2(max(encoded, LDR_DARKEST));
 }

@@ -1,5 +1,5 @@
 // Deferred for a picture without high dynamic range: RT3 holds 2^-light in 10:10:10:2, which lights multiply, and a last
-// pass turns it into the picture. Reflections are part of the G-buffer's light.
+// pass turns it into the picture, up to a light of 11 (DecodeLightLdr). Reflections are part of the G-buffer's light.
 
 struct GBufferLdr {
     [target("gbuffer_diffuse", "rgba8")] float4 diffuse;

@@ -16,14 +16,15 @@ float3 sh_quadratic(float3 n, float3 sh4, float3 sh5, float3 sh6, float3 sh7, fl
     return sum + sh8 * (SH_DIFFERENCE * (n.x * n.x - n.y * n.y));
 }
 
+const int MAX_VERTEX_LIGHTS = 4;
+
 /// What the lights behind the main one send to a white Lambert surface.
 [semantic("vertex")]
 float3 vertex_lights(float3 position = position_ws, float3 normal = vertex_normal_ws) {
     float3 sum = float3(0);
-    for (int i = 0; i < 4; i++) {
+    [light] for (int i = 0; i < min(vertex_light_count, MAX_VERTEX_LIGHTS); i++) {
         Light light = light_at(light_count + i, position);
-        float3 arrives = light.radiance * saturate(dot(normal, light.direction));
-        sum += i < vertex_light_count ? arrives : float3(0);
+        sum += light.radiance * saturate(dot(normal, light.direction));
     }
     if (sh_per_vertex && !lightmap) {
         sum += sh_quadratic(normal, ambient_sh[4].rgb, ambient_sh[5].rgb, ambient_sh[6].rgb, ambient_sh[7].rgb,
@@ -50,11 +51,10 @@ float3 ambient_with_vertex_lights(float3 normal, float3 at_vertices = vertex_lig
 [blend("multiply", "dst_color", "zero", "zero", "one")]
 float4 forward_base_fragment(float3 position = position_ws) {
     LightingSurface lit = as_lit(lighting_surface());
-    float3 color = lit_by_all(lit, position);
     if (alpha_clip) {
         discard_if(lit.alpha < lit.alphaClip);
     }
-    return blended_in_fog(color, lit.alpha, position);
+    return blended_in_fog(lit_by_all(lit, position), lit.alpha, position);
 }
 
 [pass("forward-add")] [fragment] [each("light")] [lights("further")] [needs("added")]
@@ -63,9 +63,9 @@ float4 forward_base_fragment(float3 position = position_ws) {
 [blend("fade", "src_alpha", "one", "zero", "one")] [blend("transparent", "one", "one", "zero", "one")]
 float4 forward_add_fragment(float3 position = position_ws) {
     LightingSurface lit = as_lit(lighting_surface());
-    float3 color = added_by_light(lit, position);
     if (alpha_clip) {
         discard_if(lit.alpha < lit.alphaClip);
     }
+    float3 color = added_by_light(lit, position);
     return float4(faded_by_fog(color, position), fades ? lit.alpha : 0);
 }

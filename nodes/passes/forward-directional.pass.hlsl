@@ -13,11 +13,10 @@ float4 directional_vertex(float3 position = position_ws) {
 [blend("multiply", "dst_color", "zero", "zero", "one")]
 float4 directional_base_fragment(float3 position = position_ws) {
     LightingSurface lit = as_lit(lighting_surface());
-    float3 color = lit_by_all(lit, position);
     if (alpha_clip) {
         discard_if(lit.alpha < lit.alphaClip);
     }
-    return blended_in_fog(color, lit.alpha, position);
+    return blended_in_fog(lit_by_all(lit, position), lit.alpha, position);
 }
 
 [pass("directional-add")] [fragment] [each("light")] [lights("further")] [needs("added")]
@@ -26,9 +25,9 @@ float4 directional_base_fragment(float3 position = position_ws) {
 [blend("fade", "src_alpha", "one", "zero", "one")] [blend("transparent", "one", "one", "zero", "one")]
 float4 directional_add_fragment(float3 position = position_ws) {
     LightingSurface lit = as_lit(lighting_surface());
-    float3 color = added_by_light(lit, position);
     if (alpha_clip) {
         discard_if(lit.alpha < lit.alphaClip);
     }
+    float3 color = added_by_light(lit, position);
     return float4(faded_by_fog(color, position), fades ? lit.alpha : 0);
 }

@@ -39,9 +39,8 @@ float shadow_with_mask(int index, float3 position, float4 mask = shadows_of_ligh
 [blend("multiply", "dst_color", "zero", "zero", "one")]
 float4 forward_fragment(float3 position = position_ws) {
     LightingSurface lit = as_lit(lighting_surface());
-    float3 color = lit_by_all(lit, position);
     if (alpha_clip) {
         discard_if(lit.alpha < lit.alphaClip);
     }
-    return blended_in_fog(color, lit.alpha, position);
+    return blended_in_fog(lit_by_all(lit, position), lit.alpha, position);
 }

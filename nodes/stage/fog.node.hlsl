@@ -2,9 +2,9 @@
 
 /// What is far fades into fog.
 [switch] bool fog;
-[extern("Frame")] float4 fog_color;     // rgb, linear
-[extern("Frame")] float4 fog_settings;  // x: 0 none, 1 linear, 2 exponential, 3 exponential squared; y: density per metre;
-                                        // z, w: where linear fog starts and ends, metres
+[extern("Frame")] [with("fog")] float4 fog_color;     // rgb, linear
+[extern("Frame")] [with("fog")] float4 fog_settings;  // x: 0 none, 1 linear, 2 exponential, 3 exponential squared; y:
+                                                      // density per metre; z, w: where linear fog starts and ends, metres
 
 /// How much of a surface fog leaves to be seen: 1 all of it. Distance counts along the camera's axis.
 [extern]

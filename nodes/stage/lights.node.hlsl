@@ -38,8 +38,8 @@ const int MAX_LIGHTS = 16;
 
 /// A light shines through a picture.
 [switch] bool cookies;
-[extern("Shadows")] float4x4 world_to_cookie;
-[extern] Texture2D light_cookie;
+[extern("Shadows")] [with("cookies")] float4x4 world_to_cookie;
+[extern] [with("cookies")] Texture2D light_cookie;
 
 /// Colour times attenuation times shadow.
 [member]

@@ -5,7 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
-#include "paths/drawing.h"
+#include "paths/matt_plane.h"
 
 namespace patina::paths {
 namespace {
@@ -14,34 +14,7 @@ using runtime::Light;
 using runtime::LightKind;
 using runtime::LightMixing;
 
-constexpr int kSide = 16;  // pixels of the picture, and texels of its textures: pixel centres are texel centres
-// What the workflow leaves of a base colour of a half: 1 - 0.04 of it is diffuse.
-constexpr double kDiffuse = 0.5 * 0.96;
-
-// Where the centre of a column or row of pixels lies on the plane, -1 to 1 to the right or upwards.
-double right(int x) {
-    return 2 * (x + 0.5) / kSide - 1;
-}
-double up(int y) {
-    return 1 - 2 * (y + 0.5) / kSide;
-}
-
-std::string matt() {
-    return written("matt.graph.json",
-                   R"({"patina":1,"workflow":"metallic-roughness","lighting":"lambert","surface":{"baseColor":0.5}})");
-}
-
-// From -1 to 1, seen from 4 m: it fills the picture, and all of it is 4 m away along the camera's axis.
-World plane() {
-    World world;
-    world.view.width = world.view.height = kSide;
-    world.view.background = glm::vec4(0);
-    world.view.camera = {
-        .position = {0, 0, 4}, .target = {0, 0, 0}, .fov = float(2 * std::atan(0.25) * 180 / std::numbers::pi)};
-    add_object(world, matt(), "plane", 8, glm::mat4(1));
-    return world;
-}
-
+// Texels are as many as pixels, so that pixel centres are texel centres.
 std::string texture_file(const std::string& name, const std::function<glm::dvec4(int x, int y)>& texel) {
     Image image = runtime::make_image(kSide, kSide);
     for (int i = 0; i < kSide * kSide; ++i) {
@@ -51,20 +24,6 @@ std::string texture_file(const std::string& name, const std::function<glm::dvec4
     const std::string file = written(name, "");
     EXPECT_EQ(name.ends_with(".png") ? runtime::save_png_as_is(file, image) : runtime::save_exr(file, image), "");
     return file;
-}
-
-void expect_everywhere(const Image& image, const std::function<glm::dvec3(int x, int y)>& expected,
-                       double tolerance = 2e-3, const std::function<bool(int x, int y)>& counts = {}) {
-    for (int y = 0; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x) {
-            if (counts && !counts(x, y)) continue;
-            const glm::dvec3 wanted = expected(x, y);
-            for (int c = 0; c < 3; ++c) {
-                const double got = double(image.at(x, y)[std::size_t(c)]);
-                ASSERT_NEAR(got, wanted[c], tolerance * std::max(1.0, wanted[c]))
-                    << "pixel (" << x << ", " << y << "), channel " << c;
-            }
-        }
 }
 
 struct Way {
@@ -119,7 +78,7 @@ std::vector<Baked> all_baked() {
 
 // The lightmap stands in the place of ambient light, of which there is some; a lamp adds its own.
 TEST(Lightmaps, AreTheDiffuseColourTimesTheirLight) {
-    World world = plane();
+    World world = matt_plane();
     world.view.ambient = runtime::constant_ambient(glm::vec3(7));
     world.view.lights = {{.direction = {0, 0, 1}, .color = {0.25f, 0.5f, 1}}};
     for (const Baked& baked : all_baked()) {
@@ -134,7 +93,7 @@ TEST(Lightmaps, AreTheDiffuseColourTimesTheirLight) {
 }
 
 TEST(Lightmaps, BelongToTheirObjectsAlone) {
-    World world = plane();
+    World world = matt_plane();
     world.view.ambient = runtime::constant_ambient(glm::vec3(0.5f));
     world.objects[0].object_to_world = glm::scale(glm::mat4(1), {1, 1, 1});
     // The left half is another plane, a little nearer, without a lightmap.
@@ -155,7 +114,7 @@ TEST(Lightmaps, BelongToTheirObjectsAlone) {
 // half. A lamp straight in front casts shadows too, and none falls on the plane.
 constexpr double kSun = 2, kLamp = 0.5, kSunCosine = 1 / std::numbers::sqrt2;
 World shaded_plane(float strength = 1) {
-    World world = plane();
+    World world = matt_plane();
     world.view.lights = {{.direction = {0, 0, 1}, .color = glm::vec3(kLamp), .shadow = {.casts = true}},
                          {.direction = {1, 0, 1}, .color = glm::vec3(kSun), .shadow = {.casts = true}}};
     world.view.lights[1].shadow.strength = strength;
@@ -325,7 +284,7 @@ double through_spot(int x, int y) {
 }
 
 TEST(Cookies, AreWhatLightsShineThrough) {
-    World world = plane();
+    World world = matt_plane();
     for (const Way& way : kWays) {
         SCOPED_TRACE(std::string(way.path) + " via " + way.via);
         if (std::string(way.path) == "vertex") continue;  // it has their light at the vertices
@@ -339,7 +298,7 @@ TEST(Cookies, AreWhatLightsShineThrough) {
 }
 
 TEST(Cookies, OfSeveralLightsNeedADrawForEach) {
-    World world = plane();
+    World world = matt_plane();
     world.view.lights = {sun_with_cookie(), spot_with_cookie()};
     for (const char* path : {"forward-add", "deferred"}) {
         const Drawn both = drawn(world, {.path = path, .exact_targets = true});
@@ -354,19 +313,36 @@ TEST(Cookies, OfSeveralLightsNeedADrawForEach) {
 
 // --- what is not there costs nothing
 
+// In a block, a texture or a shader's text.
+bool mentions(const Result& result, const std::string& name) {
+    for (const Block& block : result.reflection.blocks)
+        for (const BlockMember& member : block.members)
+            if (member.name == name) return true;
+    for (const Texture& texture : result.reflection.textures)
+        if (texture.name == name) return true;
+    for (const Shader& shader : result.shaders)
+        if (shader.text.find(name) != shader.text.npos) return true;
+    return false;
+}
+
+// Of fog and cookies, too.
 TEST(BakedLight, LeavesNoTraceWhereItIsOff) {
-    const std::vector<std::string> own = {"lightmap_texture",    "lightmap_decode", "main_light",  "shadow_color",
-                                          "shadow_mask_texture", "light_mask",      "shadow_fade", "uv1"};
+    const std::vector<std::string> own = {"lightmap_texture", "lightmap_decode", "main_light",   "shadow_color",
+                                          "shadow_mask",      "light_mask",      "shadow_fade",  "uv1",
+                                          "fog_color",        "fog_settings",    "light_cookie", "world_to_cookie"};
     for (const char* path :
-         {"forward", "forward-add", "forward-directional", "vertex", "deferred", "deferred-extended", "deferred-ldr"}) {
-        const Result result = compiled(matt(), path);
-        for (const std::string& name : own) {
-            for (const Block& block : result.reflection.blocks)
-                for (const BlockMember& member : block.members) EXPECT_NE(member.name, name) << path;
-            for (const Texture& texture : result.reflection.textures) EXPECT_NE(texture.name, name) << path;
-            for (const Shader& shader : result.shaders) EXPECT_EQ(shader.text.find(name), shader.text.npos) << path;
-        }
-    }
+         {"forward", "forward-add", "forward-directional", "vertex", "deferred", "deferred-extended", "deferred-ldr"})
+        for (const std::string& name : own)
+            EXPECT_FALSE(mentions(compiled(matt(), path), name)) << path << ": " << name;
+}
+
+TEST(BakedLight, IsThereWhereASwitchIsOn) {
+    const std::pair<const char*, std::vector<std::string>> on[] = {{"fog", {"fog_color", "fog_settings"}},
+                                                                   {"cookies", {"light_cookie", "world_to_cookie"}},
+                                                                   {"lightmap", {"lightmap_texture", "uv1"}}};
+    for (const auto& [name, values] : on)
+        for (const std::string& value : values)
+            EXPECT_TRUE(mentions(compiled(matt(), "forward", {{name, "true"}}), value)) << value;
 }
 
 TEST(BakedLight, ReadsWhatItsSwitchesSay) {

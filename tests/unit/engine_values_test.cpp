@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace patina::runtime {
@@ -73,6 +74,26 @@ TEST(EngineValues, VertexLightsStandBehindTheOthers) {
     EXPECT_EQ(numbers(values, "vertex_light_count"), Numbers{2});
     EXPECT_EQ(numbers(values, "light_position"), (Numbers{0, 1, 0, 0, 1, 2, 3, 1, 7, 8, 9, 1}));
     EXPECT_EQ(numbers(values, "light_color"), (Numbers{9, 9, 9, 10, 4, 5, 6, 10, 1, 1, 2, 2}));
+}
+
+TEST(EngineValues, FourLightsCountAtVerticesAndSlotsWithoutALightHaveNoShadowMap) {
+    Scene scene;
+    const Light light{.kind = LightKind::Point};
+    EngineScene seen{.scene = &scene, .lights = {{.light = &light}}};
+    for (std::size_t i = 0; i < 9; i++) {
+        const double at_vertices = double(std::min<std::size_t>(seen.vertex_lights.size(), 4));
+        auto values = engine_values(seen);
+        EXPECT_EQ(numbers(values, "vertex_light_count"), Numbers{at_vertices});
+        const Numbers cone = numbers(values, "light_cone");
+        ASSERT_EQ(cone.size(), 4 * kMostLights);
+        for (std::size_t slot = 0; slot < kMostLights; slot++) EXPECT_EQ(cone[4 * slot + 3], -1) << slot;
+        seen.vertex_lights.push_back({.light = &light});
+    }
+    seen.lights.assign(kMostLights, {.light = &light, .shadow_map = 2});  // no slot is left
+    auto values = engine_values(seen);
+    EXPECT_EQ(numbers(values, "vertex_light_count"), Numbers{0});
+    EXPECT_EQ(numbers(values, "light_cone").size(), 4 * kMostLights);
+    EXPECT_EQ(numbers(values, "light_cone").back(), 2);
 }
 
 TEST(EngineValues, ShadowMapsAreMatrixTileAndStrength) {

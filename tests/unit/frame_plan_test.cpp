@@ -158,7 +158,10 @@ TEST(AdditiveFrame, LightsThatAreLeftGoToTheBasePass) {
         stage.world.view.lights.push_back(point_light({0, 2 + float(i), 0}));
         stage.world.view.lights.back().color = glm::vec3(1, 0, float(i));
     }
-    stage.world.view.lights.push_back({.direction = {0, 0, 3}, .importance = LightImportance::NotImportant});
+    stage.world.view.lights.push_back(point_light({0, 2, 0}));
+    stage.world.view.lights.back().kind = LightKind::Spot;
+    stage.world.view.lights.back().direction = {0, -3, 0};
+    stage.world.view.lights.back().importance = LightImportance::NotImportant;
     stage.world.view.ambient = constant_ambient(glm::vec3(0.25f));
     stage.world.pixel_light_count = 1;
     stage.add_object(stage.add_material(reflection_of("forward", base_and_add())));
@@ -169,7 +172,7 @@ TEST(AdditiveFrame, LightsThatAreLeftGoToTheBasePass) {
     LightSplit split = split_lights(stage.world.view.lights, {.radius = 1}, 1);
     ASSERT_EQ(split.vertex.size(), 4u);
     for (std::size_t i = 0; i < 4; i++) EXPECT_EQ(colors[4 * i + 2], float(split.vertex[i])) << i;
-    // One point is left over, and the sun that is not important.
+    // One point is left over, and the spot that is not important.
     SphericalHarmonics expected = stage.world.view.ambient;
     ASSERT_EQ(split.sh.size(), 2u);
     for (std::size_t i : split.sh) add_light(expected, stage.world.view.lights[i], {.radius = 1});
@@ -200,13 +203,16 @@ TEST(AdditiveFrame, EveryLightThatReachesAnObjectIsSeenOnce) {
         stage.world.pixel_light_count = 14;
         stage.add_object(stage.add_material(reflection_of("forward", base_and_add())));
         Frame frame = stage.plan();
+        const auto is_directional = [](const Light& light) { return light.kind == LightKind::Directional; };
+        const std::vector<Light>& all = stage.world.view.lights;  // of one brightness: the main one is the first
+        const auto main = std::find_if(all.begin(), all.end(), is_directional);
         std::vector<int> count(14, 0);
         for (const FrameStep& step : frame.steps)
             for (int i : lights_seen(step)) count[std::size_t(i)]++;
         for (std::size_t i = 0; i < count.size(); i++) {
             const Light& light = stage.world.view.lights[i];
             bool reaches = attenuation_within(light, {.radius = 1.001f}) > 0;
-            bool is_per_pixel = light.importance != LightImportance::NotImportant;
+            bool is_per_pixel = light.importance != LightImportance::NotImportant || all.begin() + int(i) == main;
             EXPECT_LE(count[i], reaches && is_per_pixel ? 1 : 0) << round << " " << i;
             if (attenuation_within(light, {.radius = 0.9f}) > 0 && is_per_pixel) {
                 EXPECT_EQ(count[i], 1) << round;
@@ -614,7 +620,7 @@ TEST(FramePlan, SaysWhatIsWrongAndWhere) {
     Pass& pass = stage.reflections[0].passes[0];
     const std::string subject = "pass 'forward' of the material 'material 0' ";
     pass.draws = "cubes";
-    EXPECT_EQ(stage.error(), subject + "draws 'cubes', which is none of objects, fullscreen and light-volumes");
+    EXPECT_EQ(stage.error(), subject + "draws 'cubes'; these words exist: objects, fullscreen, light-volumes");
     pass.draws = "light-volumes";
     EXPECT_EQ(stage.error(),
               subject + "draws light volumes, so its lights must be 'local': directional ones have no volume");
@@ -622,12 +628,12 @@ TEST(FramePlan, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(stage.error(), subject + "draws from the lights, so it must draw objects");
     pass = forward_pass();
     pass.each = "frame";
-    EXPECT_EQ(stage.error(), subject + "is drawn each 'frame', which is neither once nor light");
+    EXPECT_EQ(stage.error(), subject + "is drawn each 'frame'; these words exist: once, light");
     pass = forward_pass();
     pass.lights = "bright";
     EXPECT_EQ(stage.error(), subject +
-                                 "wants the lights 'bright'; there are all, main, main-only, further, directional, "
-                                 "local, shadowed and none");
+                                 "wants the lights 'bright'; these words exist: all, main, main-only, further, "
+                                 "directional, local, shadowed, none");
     pass = forward_pass();
     stage.materials[0].passes.clear();
     EXPECT_EQ(stage.error(), subject + "has no shaders");

@@ -93,15 +93,15 @@ TEST(LightSplit, ImportantLightsArePerPixelBeyondTheCount) {
     EXPECT_EQ(split.vertex, (Indices{5}));
 }
 
-TEST(LightSplit, NotImportantLightsAreNeverPerPixel) {
-    std::vector<Light> lights = {sun(9, NotImportant), point_at(2, NotImportant), point_at(3), sun(1)};
-    LightSplit split = split_lights(lights, kBall, 8);
-    EXPECT_EQ(split.main, 3u);
-    EXPECT_EQ(split.further, (Indices{2}));
-    EXPECT_EQ(split.vertex, (Indices{1}));
-    EXPECT_EQ(split.sh, (Indices{0}));
-    lights.resize(1);
-    EXPECT_EQ(split_lights(lights, kBall, 8).main, std::nullopt);
+TEST(LightSplit, NotImportantLightsAreNeverPerPixelButTheMainOne) {
+    std::vector<Light> lights = {sun(9, NotImportant), point_at(2, NotImportant), point_at(3), sun(1, NotImportant)};
+    for (int count : {0, 2, 8}) {
+        LightSplit split = split_lights(lights, kBall, count);
+        EXPECT_EQ(split.main, 0u);
+        EXPECT_EQ(split.further, count == 0 ? Indices{} : Indices{2});
+        EXPECT_EQ(split.vertex, count == 0 ? (Indices{1, 2}) : Indices{1});
+        EXPECT_EQ(split.sh, (Indices{3}));
+    }
 }
 
 TEST(LightSplit, SpotsAreNeverPerVertex) {
@@ -124,7 +124,7 @@ TEST(LightSplit, LightsOutOfReachAreInNoGroup) {
 
 TEST(LightSplit, OrderOfSlotsIsMainDirectionalRest) {
     std::vector<Light> lights = {point_at(1), sun(1), spot_at(2), sun(2), sun(3, NotImportant)};
-    EXPECT_EQ(light_order(lights), (Indices{3, 1, 4, 0, 2}));
+    EXPECT_EQ(light_order(lights), (Indices{4, 1, 3, 0, 2}));
 }
 
 // light_at() of nodes/stage/lights.node.hlsl in double.

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace patina {
@@ -97,18 +98,23 @@ struct Stencil {
     std::string reference;        // lighting: a number that the materials of one lighting pass share; empty: unused
 };
 
+// What a pass draws; how often (light: once for each of its lights, which is then the only one it sees); and which
+// lights it is given. main: the brightest directional one, while the others come as vertex lights and in the ambient
+// light; main-only: without those; further: those that count per pixel beside the main one; local: point and spot.
+inline constexpr std::array<std::string_view, 3> kPassDraws = {"objects", "fullscreen", "light-volumes"};
+inline constexpr std::array<std::string_view, 2> kPassEach = {"once", "light"};
+inline constexpr std::array<std::string_view, 8> kPassLights = {"all",         "main",  "main-only", "further",
+                                                                "directional", "local", "shadowed",  "none"};
+
 // A pass of the material: two stages and the fixed-function state that goes with them.
 struct Pass {
     std::string name;
-    std::string draws = "objects";  // objects | fullscreen | light-volumes
-    std::string each = "once";      // once | light: once for each of `lights`, which is then the only one it sees
-    // all | main: the brightest directional light, while the others come as vertex lights and in the ambient light |
-    // main-only: without those |
-    // further: those that count per pixel beside the main one | directional | local: point and spot | shadowed | none
-    std::string lights = "all";
-    std::string camera = "any";  // any | perspective: another camera needs the path `fallback`
-    std::string fallback;        // a path; empty: none
-    std::string cull = "back";   // back | front | off; front faces are counter-clockwise
+    std::string draws = "objects";  // of kPassDraws
+    std::string each = "once";      // of kPassEach
+    std::string lights = "all";     // of kPassLights
+    std::string camera = "any";     // any | perspective: another camera needs the path `fallback`
+    std::string fallback;           // a path; empty: none
+    std::string cull = "back";      // back | front | off; front faces are counter-clockwise
     std::string depth_target = "depth";
     bool depth_write = true;
     std::string depth_test = "lessEqual";         // as in `render`: never, less, equal, lessEqual, greater, ...

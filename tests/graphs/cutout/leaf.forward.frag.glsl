@@ -97,6 +97,7 @@ void main()
     vec3 setup = MetallicSetup(leaf.xyz, 0.0);
 
     vec3 normal_ws = normalize(geometry_normal_ws);
+    if (leaf.w < 0.4) discard;
     int count = min(light_count, 16);
     vec3 direct_sum = vec3(0.0);
     for (int i = 0; i < count; ++i) {
@@ -115,6 +116,5 @@ void main()
         ambient_sh[4].xyz, ambient_sh[5].xyz, ambient_sh[6].xyz, ambient_sh[7].xyz, ambient_sh[8].xyz);
 
     vec3 color = direct_sum + setup * ambient;
-    if (leaf.w < 0.4) discard;
     out_color = vec4(color, leaf.w);
 }

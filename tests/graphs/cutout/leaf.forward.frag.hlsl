@@ -105,6 +105,7 @@ FragmentOutput main(FragmentInput input)
     float3 setup = MetallicSetup(leaf.xyz, 0.0);
 
     float3 normal_ws = normalize(geometry_normal_ws);
+    if (leaf.w < 0.4) discard;
     int count = min(light_count, 16);
     float3 direct_sum = float3(0.0, 0.0, 0.0);
     for (int i = 0; i < count; ++i) {
@@ -123,7 +124,6 @@ FragmentOutput main(FragmentInput input)
         ambient_sh[4].xyz, ambient_sh[5].xyz, ambient_sh[6].xyz, ambient_sh[7].xyz, ambient_sh[8].xyz);
 
     float3 color = direct_sum + setup * ambient;
-    if (leaf.w < 0.4) discard;
     FragmentOutput output;
     output.color = float4(color, leaf.w);
     return output;

@@ -77,8 +77,8 @@ layout(set = 1, binding = 0, std140) uniform Material
     float _Glossiness;
 };
 
-layout(set = 0, binding = 7) uniform textureCube environment_map;
-layout(set = 0, binding = 10) uniform sampler environment_map_sampler;
+layout(set = 0, binding = 6) uniform textureCube environment_map;
+layout(set = 0, binding = 8) uniform sampler environment_map_sampler;
 layout(set = 1, binding = 1) uniform texture2D _NormalTex;
 layout(set = 1, binding = 2) uniform sampler sampler_NormalTex;
 

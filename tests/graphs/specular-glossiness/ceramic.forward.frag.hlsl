@@ -76,8 +76,8 @@ cbuffer Material : register(b0, space1)
     float _Glossiness;
 };
 
-TextureCube environment_map : register(t1, space0);
-SamplerState environment_map_sampler : register(s1, space0);
+TextureCube environment_map : register(t0, space0);
+SamplerState environment_map_sampler : register(s0, space0);
 Texture2D _NormalTex : register(t0, space1);
 SamplerState sampler_NormalTex : register(s0, space1);
 

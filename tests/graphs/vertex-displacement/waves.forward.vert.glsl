@@ -7,8 +7,6 @@ layout(set = 0, binding = 0, std140) uniform Frame
     float time;
     float _pad0;
     vec2 screen_size;
-    vec4 fog_color;
-    vec4 fog_settings;
 };
 
 layout(set = 0, binding = 1, std140) uniform Camera

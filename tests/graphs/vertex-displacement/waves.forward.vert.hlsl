@@ -6,8 +6,6 @@ cbuffer Frame : register(b0, space0)
     float time;
     float _pad0;
     float2 screen_size;
-    float4 fog_color;
-    float4 fog_settings;
 };
 
 cbuffer Camera : register(b1, space0)
