@@ -12,9 +12,10 @@ namespace patina::graph {
 // A slot that is derived from others (lower_parts.cpp): made when a pass first asks for it.
 struct Part {
     nodelang::Slot slot{};
-    std::string why_not{};  // it cannot be had
-    ir::Origin where{};     // and this is in the way
-    bool is_zero = false;   // always: the slot does not read what this is linear in
+    std::string why_not{};       // it cannot be had
+    ir::Origin where{};          // and this is in the way
+    bool is_zero = false;        // always: the slot does not read what this is linear in
+    bool is_of_missing = false;  // it would be a part of a part that cannot be had, whose reason this is
 };
 
 // Shared by all scopes of one lowering.

@@ -82,11 +82,31 @@ ir::Origin origin_of(const ir::Module& module, ir::OriginId id) {
     return id ? module.origins[id.index] : ir::Origin{};
 }
 
+// The graph's own slot that a part is taken of, through all parts between.
+std::string_view root_of(const Lowering& lowering, std::string_view of) {
+    for (const FunctionDecl* slot = find_slot(lowering, of); slot; slot = find_slot(lowering, of)) {
+        const Attribute* taken = slot->attribute("part") ? slot->attribute("part") : slot->attribute("without");
+        if (!taken) break;
+        of = nodelang::attribute_text(*taken);
+    }
+    return of;
+}
+
+Part not_linear(const Lowering& lowering, std::string_view of, std::string_view name, const ir::LinearPart& found) {
+    return {.why_not = fmt::format("'{}' is not linear in '{}': {}", root_of(lowering, of), name, found.reason),
+            .where = origin_of(lowering.out.module, found.origin)};
+}
+
 Part linear_slot(Lowering& lowering, const Attribute& attribute) {
     ir::Module& module = lowering.out.module;
     const std::string_view of = nodelang::attribute_text(attribute);
     const nodelang::Slot* whole = slot_named(lowering, of);
     const FunctionDecl* declared = find_slot(lowering, of);
+    if (declared && is_part(*declared) && !part_of(lowering, *declared).slot.function) {
+        Part missing = part_of(lowering, *declared);
+        missing.is_of_missing = true;
+        return missing;
+    }
     if (!whole || !whole->function || !declared) return {.why_not = fmt::format("there is no '{}'", of)};
     const std::string_view name = nodelang::attribute_text(attribute, 1);
     const Source source = source_named(lowering, *declared, whole->function, name);
@@ -95,10 +115,7 @@ Part linear_slot(Lowering& lowering, const Attribute& attribute) {
     const bool componentwise = nodelang::attribute_text(attribute, 2) == "componentwise";
     ir::LinearPart made = ir::linear_part(module, whole->function, *source.seed,
                                           {.componentwise = componentwise, .build = lowering.emitter.options()});
-    if (!made.function) {
-        return {.why_not = fmt::format("'{}' is not linear in '{}': {}", of, name, made.reason),
-                .where = origin_of(module, made.origin)};
-    }
+    if (!made.function) return not_linear(lowering, of, name, made);
     const ir::FunctionId function = add_function(module, std::move(*made.function));
     if (const std::string other = componentwise ? "" : other_member_of(module, function, *source.seed); !other.empty())
         return {.why_not = fmt::format("what '{}' does with '{}' depends on '{}', too", of, name, other)};
@@ -112,9 +129,13 @@ Part slot_without(Lowering& lowering, const Attribute& attribute) {
     const nodelang::Slot* whole = slot_named(lowering, of);
     const FunctionDecl* declared = find_slot(lowering, of);
     if (!whole || !whole->function || !declared) return {.why_not = fmt::format("there is no '{}'", of)};
-    const Source source = source_named(lowering, *declared, whole->function, nodelang::attribute_text(attribute, 1));
+    const std::string_view name = nodelang::attribute_text(attribute, 1);
+    const Source source = source_named(lowering, *declared, whole->function, name);
     if (source.is_absent) return {.slot = *whole};
     if (!source.seed) return {.why_not = source.why_not};
+    const ir::LinearPart taken =
+        ir::linear_part(module, whole->function, *source.seed, {.build = lowering.emitter.options()});
+    if (!taken.function) return not_linear(lowering, of, name, taken);
     const ir::FunctionId function =
         add_function(module, ir::without(module, whole->function, *source.seed, lowering.emitter.options()));
     return {.slot = {.function = function, .result = whole->result, .needs_quad = whole->needs_quad}};

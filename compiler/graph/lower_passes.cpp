@@ -279,7 +279,7 @@ private:
     // Says once what a part's absence costs.
     void remark(const FunctionDecl& slot, const Part& part) {
         const Attribute* otherwise = slot.attribute("otherwise");
-        if (part.slot.function || !otherwise || !remarked_.insert(slot.name).second) return;
+        if (part.slot.function || part.is_of_missing || !otherwise || !remarked_.insert(slot.name).second) return;
         report(Code::PathLoses, {.reason = {}, .where = part.where}, lowering_.out.path,
                nodelang::attribute_text(*otherwise), part.why_not);
     }

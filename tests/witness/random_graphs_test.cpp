@@ -1,5 +1,5 @@
-// 1,000 random graphs mean the same to GLSL and HLSL on the GPU and to the CPU interpreter. WITNESS_SEED=17 runs only
-// that one.
+// 1,000 random graphs mean the same to GLSL and HLSL on the GPU and to the CPU interpreter. WITNESS_SEED=17 prints and
+// runs only that one.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -91,20 +91,25 @@ protected:
         }
     }
 
+    static std::string text_of(const RandomGraph& graph) {
+        std::string text = graph.exact.json;
+        for (const auto& [name, file] : graph.exact.files) text += "--- " + name + "\n" + file;
+        return text;
+    }
+
     static void report(unsigned seed, const RandomGraph& graph, Target target, std::size_t i, const Image& image,
                        const Image& exact, double allowed) {
-        std::string files;
-        for (const auto& [name, text] : graph.exact.files) files += "--- " + name + "\n" + text;
         ADD_FAILURE() << "seed " << seed << ": pixel (" << i / 4 % kSide << ", " << i / 4 / kSide << "), channel "
                       << "rgba"[i % 4] << ": " << to_string(target) << " says " << image.pixels[i] << ", the CPU "
                       << exact.pixels[i] << ", tolerance " << allowed << "\n"
-                      << graph.exact.json << files;
+                      << text_of(graph);
     }
 
     void compare_all(unsigned begin, unsigned end) {
         if (const char* only = std::getenv("WITNESS_SEED")) {
             begin = static_cast<unsigned>(std::atoi(only));
             end = begin + 1;
+            std::printf("%s\n", text_of(random_graph(bench->compiler(), begin)).c_str());
         }
         Tally tally;
         for (unsigned seed = begin; seed < end && tally.failures < kMostFailures; ++seed) compare(seed, tally);
