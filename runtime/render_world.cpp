@@ -8,6 +8,7 @@
 #include <set>
 
 #include "patina/validate.h"
+#include "runtime/scene_values.h"
 #include "runtime/view.h"
 
 namespace patina::runtime {
@@ -45,26 +46,51 @@ public:
 
     RenderOutcome run() {
         find_variants();
-        for (std::size_t i = 0; i < variants_.size() && ok_; ++i) compile(i);
+        prepare();
         if (!ok_) return std::move(outcome_);
-        load_object_textures();
-        if (!ok_) return std::move(outcome_);
-        std::vector<DrawnMaterial> drawn;
-        for (const auto& material : compiled_) drawn.push_back(drawn_material(*material));
-        if (!ok_) return std::move(outcome_);
-        const Outcome<Frame> frame = plan_frame(spread_, drawn,
-                                                {.path = path_name(),
-                                                 .shadow_atlas_size = options_.shadow_atlas_size,
-                                                 .exact = options_.exact_targets,
-                                                 .shown_format = options_.stated_formats ? "" : "rgba32f",
-                                                 .object_textures = object_textures_});
+        Outcome<Frame> frame = plan();
         if (!frame) return failed(frame.error);
-        Frame planned = std::move(frame.value);
-        planned.progress = options_.progress;
-        return draw(planned);
+        frame.value.progress = options_.progress;
+        return draw(frame.value);
+    }
+
+    // Everything but the picture; materials that no object has, too.
+    RenderOutcome check() {
+        is_drawing_ = false;
+        find_variants();
+        for (std::size_t i = 0; i < world_.materials.size(); ++i) {
+            const auto is_of = [&](const Variant& variant) { return variant.material == i; };
+            if (std::any_of(variants_.begin(), variants_.end(), is_of)) continue;
+            variants_.push_back({.material = i});
+            spread_.materials.push_back(world_.materials[i]);
+        }
+        prepare();
+        if (!ok_) return std::move(outcome_);
+        // All paths at once draw no frame.
+        const Outcome<Frame> frame = options_.path == "all" ? Outcome<Frame>(Frame{}) : plan();
+        if (!frame) return failed(frame.error);
+        outcome_.ok = true;
+        return std::move(outcome_);
     }
 
 private:
+    // Each material, the pictures of the objects, and the shaders; tells of as much as there is.
+    void prepare() {
+        for (std::size_t i = 0; i < variants_.size(); ++i) compile(i);
+        load_object_textures();
+        if (!ok_) return;
+        for (const auto& material : compiled_) drawn_.push_back(drawn_material(*material));
+    }
+
+    Outcome<Frame> plan() const {
+        return plan_frame(spread_, drawn_,
+                          {.path = path_name(),
+                           .shadow_atlas_size = options_.shadow_atlas_size,
+                           .exact = options_.exact_targets,
+                           .shown_format = options_.stated_formats ? "" : "rgba32f",
+                           .object_textures = object_textures_});
+    }
+
     bool on_cpu() const { return options_.via == "cpu"; }
     Target target() const { return options_.via == "hlsl" ? Target::Hlsl : Target::Glsl; }
 
@@ -116,7 +142,7 @@ private:
 
     Result compile_for(const Variant& variant, const std::string& path) const {
         CompileOptions options;
-        options.targets = {target()};
+        if (is_drawing_) options.targets = {target()};
         options.path = path;
         options.switches = switches_of(variant);
         options.include_dirs = options_.include_dirs;
@@ -177,27 +203,35 @@ private:
             }
         }
         report(made->result.diagnostics);
-        ok_ = made->result.ok && give_values(material, *made);
-        if (ok_) warn_of_cookies(material, made->result.reflection);
-        if (ok_ && on_cpu()) warn_of_anisotropy(material, made->result.reflection);
+        const bool is_good = made->result.ok && give_values(material, *made);
+        if (is_good) warn_of_cookies(material, made->result.reflection);
+        if (is_good && on_cpu()) warn_of_anisotropy(material, made->result.reflection);
+        ok_ &= is_good;
         compiled_.push_back(std::move(made));
     }
 
     bool give_values(const WorldMaterial& material, Compiled& made) {
         const Reflection& reflection = made.result.reflection;
+        const SceneFaults faults = check_values(reflection, material);
+        report(faults.diagnostics);
+        if (!faults.ok) return false;
         Outcome<MaterialValues> values = material_values(reflection, material.overrides);
         if (!values) {
             outcome_.error = material.name.empty() ? values.error : material.name + ": " + values.error;
             return false;
         }
         made.values = std::move(values.value);
-        for (const std::string& warning : made.values.warnings)
-            report({complaint(material.graph, Severity::Warning, "soft-range", warning)});
+        for (const std::string& warning : made.values.warnings) {
+            if (material.set.empty()) report({complaint(material.graph, Severity::Warning, "soft-range", warning)});
+        }
         const std::string folder = std::filesystem::path(material.graph).parent_path().string();
         made.loaded = load_textures(reflection, folder, made.values.textures, options_.exact_textures);
-        for (const std::string& error : made.loaded.errors)
-            report({complaint(material.graph, Severity::Error, "bad-texture", error)});
-        add_engine_textures(made.loaded.textures, reflection, world_.view);
+        for (std::size_t i = 0; i < made.loaded.errors.size(); ++i) {
+            const ScenePlace* place = place_of_value(material, made.loaded.failed[i]);
+            report({place ? diagnostic_at(*place, "bad-texture", made.loaded.errors[i])
+                          : complaint(material.graph, Severity::Error, "bad-texture", made.loaded.errors[i])});
+        }
+        if (is_drawing_) add_engine_textures(made.loaded.textures, reflection, world_.view);
         return made.loaded.errors.empty();
     }
 
@@ -206,14 +240,14 @@ private:
     void load_object_textures() {
         std::map<std::string, LoadedTexture> known;
         object_textures_.resize(world_.objects.size());
-        const auto load = [&](std::size_t object, const std::string& name, const std::string& file, bool is_color) {
-            if (file.empty() || !ok_) return;
+        const auto load = [&](std::size_t object, const std::string& name, const std::string& file,
+                              const ScenePlace& place, bool is_color) {
+            if (file.empty()) return;
             const std::string key = (is_color ? "color " : "data ") + file;
             if (!known.contains(key)) {
                 Outcome<Image> image = load_image(file);
                 if (!image) {
-                    outcome_.error =
-                        fmt::format("the {} of the object '{}': {}", name, world_.objects[object].name, image.error);
+                    report({diagnostic_at(place, "bad-texture", image.error)});
                     ok_ = false;
                     return;
                 }
@@ -226,8 +260,9 @@ private:
             object_textures_[object].back().name = name + "_texture";
         };
         for (std::size_t i = 0; i < world_.objects.size(); ++i) {
-            load(i, "lightmap", world_.objects[i].lightmap, true);
-            load(i, "shadow_mask", world_.objects[i].shadow_mask, false);
+            const WorldObject& object = world_.objects[i];
+            load(i, "lightmap", object.lightmap, object.lightmap_place, true);
+            load(i, "shadow_mask", object.shadow_mask, object.shadow_mask_place, false);
         }
     }
 
@@ -256,6 +291,7 @@ private:
                 if (shader.stage == Stage::Fragment) made.fragment = shader.text;
                 if (on_cpu()) continue;
                 const Spirv* spirv = spirv_of(shader);
+                if (shader.target != target()) continue;
                 (shader.stage == Stage::Vertex ? made.stages.vertex_spirv : made.stages.fragment_spirv) = *spirv;
             }
         }
@@ -302,9 +338,11 @@ private:
     RenderMachine& machine_;
     RenderOutcome outcome_{};
     bool ok_ = true;
+    bool is_drawing_ = true;
     World spread_{};  // the world, with a material for each variant
     std::vector<Variant> variants_{};
     std::vector<std::unique_ptr<Compiled>> compiled_{};  // one for each variant
+    std::vector<DrawnMaterial> drawn_{};                 // in their order
     std::vector<std::vector<LoadedTexture>> object_textures_{};
     std::map<std::string, Spirv> spirv_{};  // by text
     std::set<std::string> said_{};
@@ -315,6 +353,11 @@ private:
 RenderOutcome draw_world(const Compiler& compiler, const World& world, const WorldOptions& options,
                          RenderMachine& machine) {
     return Drawing(compiler, world, options, machine).run();
+}
+
+RenderOutcome check_world(const Compiler& compiler, const World& world, const WorldOptions& options) {
+    RenderMachine none;
+    return Drawing(compiler, world, options, none).check();
 }
 
 }  // namespace patina::runtime
