@@ -7,6 +7,7 @@
 // runs.
 #include <algorithm>
 
+#include "compiler/assemble/check_reads.h"
 #include "compiler/assemble/functions.h"
 #include "compiler/assemble/identifiers.h"
 #include "compiler/assemble/program.h"
@@ -240,6 +241,7 @@ void compile_graph(graph::Session& session, std::uint32_t base, const std::strin
     const std::unique_ptr<graph::Material> material = graph::resolve_material(session, graph, options.preview);
     if (!material) return;
     dump_graph(result, session, *material);
+    graph::check_surface_members(session, *material);
     // Types are checked by lowering: do it even after errors, to report as many as there are.
     graph::Lowered lowered = graph::lower(session, *material, {.fold = true});
     if (session.diagnostics.has_errors()) return;
@@ -256,6 +258,7 @@ void compile_graph(graph::Session& session, std::uint32_t base, const std::strin
         passes.push_back(link_pass(linked, pass, true, result, options));
         check_varyings(passes.back().vertex, *graph, pass.declaration->name, session.diagnostics);
     }
+    assemble::check_reads(session, linked.lowered, passes);
     if (session.diagnostics.has_errors()) return;
     result.reflection = assemble::reflect(*material, linked.lowered, passes);
     for (const LinkedPass& pass : passes) {
