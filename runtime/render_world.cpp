@@ -8,11 +8,14 @@
 #include <set>
 
 #include "patina/validate.h"
+#include "runtime/engine_values.h"
 #include "runtime/scene_values.h"
 #include "runtime/view.h"
 
 namespace patina::runtime {
 namespace {
+
+constexpr std::string_view kPicture = "color";
 
 // What the shaders of an object depend on beside its graph.
 struct Variant {
@@ -48,6 +51,7 @@ public:
         find_variants();
         prepare();
         if (!ok_) return std::move(outcome_);
+        if (std::string error = no_picture(); !error.empty()) return failed(std::move(error));
         Outcome<Frame> frame = plan();
         if (!frame) return failed(frame.error);
         frame.value.progress = options_.progress;
@@ -80,6 +84,28 @@ private:
         load_object_textures();
         if (!ok_) return;
         for (const auto& material : compiled_) drawn_.push_back(drawn_material(*material));
+    }
+
+    // Empty, or why nothing would be seen: no pass draws into the picture.
+    std::string no_picture() const {
+        std::vector<std::string> drawn;
+        if (compiled_.empty()) return "";
+        for (const auto& material : compiled_) {
+            for (const Pass& pass : material->result.reflection.passes) {
+                for (const RenderTarget& target : pass.targets) {
+                    if (target.name == kPicture) return "";
+                    if (std::find(drawn.begin(), drawn.end(), target.name) == drawn.end()) drawn.push_back(target.name);
+                }
+            }
+        }
+        std::string error = fmt::format("the path '{}' draws no picture: ", path_name());
+        if (drawn.empty()) return error + "its passes write depth alone, which 'patina compile' is for";
+        error += fmt::format("no pass of it writes the target '{}', but '{}'", kPicture, fmt::join(drawn, "', '"));
+        const auto is_near = [](const std::string& name) {
+            return suggestion(name, {std::string(kPicture)}).starts_with("did you mean");
+        };
+        const auto near = std::find_if(drawn.begin(), drawn.end(), is_near);
+        return near == drawn.end() ? error : fmt::format("{}; did you mean '{}' by '{}'?", error, kPicture, *near);
     }
 
     Outcome<Frame> plan() const {
@@ -186,6 +212,29 @@ private:
         }
     }
 
+    // A pass file may declare values of an engine that only its author's engine has.
+    void warn_of_unknown_values(const Reflection& reflection) {
+        const std::vector<std::string> known = engine_value_names();
+        for (const Block& block : reflection.blocks) {
+            const bool is_read = std::any_of(reflection.passes.begin(), reflection.passes.end(), [&](const Pass& pass) {
+                return std::count(pass.blocks.begin(), pass.blocks.end(), block.name) > 0;
+            });
+            if (block.is_material || !is_read) continue;
+            for (const BlockMember& member : block.members) {
+                if (std::find(known.begin(), known.end(), member.name) != known.end()) continue;
+                Diagnostic unknown = complaint(
+                    options_.path, Severity::Warning, "no-engine-value",
+                    fmt::format("there is no value for '{}' of the block '{}': it is 0", member.name, block.name));
+                if (std::string advice = suggestion(member.name, known); advice.starts_with("did you mean")) {
+                    Diagnostic& note = unknown.notes.emplace_back();
+                    note.severity = Severity::Note;
+                    note.message = std::move(advice);
+                }
+                report({unknown});
+            }
+        }
+    }
+
     void compile(std::size_t index) {
         const Variant& variant = variants_[index];
         const WorldMaterial& material = world_.materials[variant.material];
@@ -205,6 +254,7 @@ private:
         report(made->result.diagnostics);
         const bool is_good = made->result.ok && give_values(material, *made);
         if (is_good) warn_of_cookies(material, made->result.reflection);
+        if (is_good && is_pass_file()) warn_of_unknown_values(made->result.reflection);
         if (is_good && on_cpu()) warn_of_anisotropy(material, made->result.reflection);
         ok_ &= is_good;
         compiled_.push_back(std::move(made));
@@ -299,8 +349,9 @@ private:
     }
 
     // The wanted path as reflections name it.
+    bool is_pass_file() const { return options_.path.ends_with(".hlsl"); }
     std::string path_name() const {
-        if (!options_.path.ends_with(".hlsl")) return options_.path;
+        if (!is_pass_file()) return options_.path;
         const std::string name = std::filesystem::path(options_.path).filename().string();
         return name.substr(0, name.find('.', 1));
     }
