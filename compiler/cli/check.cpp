@@ -1,5 +1,6 @@
 // patina check: everything that compile does, and both other compilers, but nothing is written. A node file is read,
-// and its test lines are run; a scene is read, and everything about it is checked but its picture.
+// and its test lines are run; a pass file is read, and compiled for some material; a scene is read, and everything
+// about it is checked but its picture.
 #include <memory>
 
 #include "compiler/base/text.h"
@@ -8,6 +9,8 @@
 
 namespace patina::cli {
 namespace {
+
+constexpr const char* kAnyMaterial = "material.graph.json";
 
 struct Arguments {
     std::vector<std::string> graphs;
@@ -43,6 +46,27 @@ bool check_graph(const Console& console, const Compiler& compiler, const Argumen
     return check_shaders(console, compiler, graph, options).ok;
 }
 
+// A pass file by itself: with the smallest material that it could draw, of which nothing is said.
+bool check_pass_file(const Console& console, const Compiler& compiler, const Arguments& arguments,
+                     const std::string& file) {
+    CompileOptions options = options_of(arguments);
+    options.path = file;
+    const Result result =
+        compiler.compile_text(kAnyMaterial, R"({ "patina": 1, "workflow": "metallic-roughness" })", options);
+    bool ok = true;
+    for (const Diagnostic& diagnostic : result.diagnostics) {
+        if (diagnostic.file == kAnyMaterial) continue;
+        report(console, std::span(&diagnostic, 1));
+        ok &= diagnostic.severity != Severity::Error;
+    }
+    for (const Shader& shader : result.shaders) {
+        const Validated validated = validate(shader);
+        report(console, validated.diagnostics);
+        ok &= validated.ok;
+    }
+    return ok;
+}
+
 std::string written(const std::vector<double>& values) {
     std::string text;
     for (const double value : values) text += (text.empty() ? "" : ", ") + shortest(value);
@@ -76,9 +100,12 @@ bool check_node_file(const Console& console, const Compiler& compiler, const Arg
 void add_check(Program& program, SceneCheck check_scene) {
     CLI::App& command = add_command(program, "check", "Look for mistakes in graphs; writes nothing",
                                     {"patina check rust.graph.json", "patina check art/*.graph.json --quiet",
-                                     "patina check rust.graph.json --diagnostics=json", "patina check wave.node.hlsl"});
+                                     "patina check rust.graph.json --diagnostics=json", "patina check wave.node.hlsl",
+                                     "patina check mine.pass.hlsl"});
     auto arguments = std::make_shared<Arguments>();
-    command.add_option("GRAPH", arguments->graphs, "Graphs and scenes (JSON), and files of nodes (.node.hlsl)")
+    command
+        .add_option("GRAPH", arguments->graphs,
+                    "Graphs and scenes (JSON), and files of nodes (.node.hlsl) and of passes (.pass.hlsl)")
         ->required()
         ->type_name(" ");
     add_path_options(command, arguments->path);
@@ -90,9 +117,11 @@ void add_check(Program& program, SceneCheck check_scene) {
         for (std::size_t i = 0; i < arguments->graphs.size(); ++i) {
             const std::string& graph = arguments->graphs[i];
             show_progress(console, i, arguments->graphs.size(), graph);
-            const bool ok = graph.ends_with(".hlsl") ? check_node_file(console, compiler, *arguments, graph)
-                            : is_scene(graph)        ? check_scene(console, compiler, graph, options_of(*arguments))
-                                                     : check_graph(console, compiler, *arguments, graph);
+            const auto check = graph.ends_with(".pass.hlsl") ? check_pass_file
+                               : graph.ends_with(".hlsl")    ? check_node_file
+                                                             : check_graph;
+            const bool ok = is_scene(graph) ? check_scene(console, compiler, graph, options_of(*arguments))
+                                            : check(console, compiler, *arguments, graph);
             if (ok) say(console, graph + ": ok");
             if (!ok) exit = Exit::Wrong;
         }
