@@ -244,8 +244,9 @@ private:
             const Reflection& reflection = made->result.reflection;
             const std::string path = path_for(world_.view.camera, reflection);
             if (path != reflection.path && !path.empty()) {
-                report({complaint(material.graph, Severity::Warning, "path-refused",
-                                  fmt::format("the path '{}' needs a perspective camera; the material is drawn along "
+                // Of the camera, not of the material: said once.
+                report({complaint({}, Severity::Warning, "path-refused",
+                                  fmt::format("the path '{}' needs a perspective camera; its materials are drawn along "
                                               "the path '{}'",
                                               reflection.path, path))});
                 made->result = compile_for(variant, path);
