@@ -7,6 +7,7 @@
 // runs.
 #include <algorithm>
 
+#include "compiler/assemble/check_reads.h"
 #include "compiler/assemble/functions.h"
 #include "compiler/assemble/identifiers.h"
 #include "compiler/assemble/program.h"
@@ -17,6 +18,7 @@
 #include "compiler/graph/lower.h"
 #include "compiler/graph/part.h"
 #include "compiler/graph/read_graph.h"
+#include "compiler/graph/words.h"
 #include "compiler/impl.h"
 #include "compiler/ir/passes/passes.h"
 #include "compiler/ir/verify.h"
@@ -233,6 +235,19 @@ std::shared_ptr<const Program> keep_program(graph::Session& session, const graph
     return program;
 }
 
+// A path that leaves a kind of surface to another path does so by its design, and the reflection says which path it is.
+void forget_planned_fallback(graph::Session& session, const graph::Material& material) {
+    const std::string_view surface = text_of(graph::kSurfaceKinds, material.graph->graph->render.surface);
+    const auto leaves_it = [&](const graph::PassDecl* pass) {
+        return pass->state.draws == "objects" && !pass->state.fallback.empty() && !pass->blends.empty() &&
+               !graph::blend_of(*pass, surface);
+    };
+    const std::vector<const graph::PassDecl*> passes = session.stages->passes_of(session.path);
+    if (std::none_of(passes.begin(), passes.end(), leaves_it)) return;
+    std::erase_if(session.diagnostics.records(),
+                  [](const DiagnosticRecord& record) { return record.code == Code::PathRefused; });
+}
+
 void compile_graph(graph::Session& session, std::uint32_t base, const std::string& path, Result& result) {
     const CompileOptions& options = session.options;
     if (options.functions.empty()) {
@@ -245,6 +260,7 @@ void compile_graph(graph::Session& session, std::uint32_t base, const std::strin
     const std::unique_ptr<graph::Material> material = graph::resolve_material(session, graph, options.preview);
     if (!material) return;
     dump_graph(result, session, *material);
+    graph::check_surface_members(session, *material);
     // Types are checked by lowering: do it even after errors, to report as many as there are.
     graph::Lowered lowered = graph::lower(session, *material, {.fold = true});
     if (session.diagnostics.has_errors()) return;
@@ -261,6 +277,7 @@ void compile_graph(graph::Session& session, std::uint32_t base, const std::strin
         passes.push_back(link_pass(linked, pass, true, result, options));
         check_varyings(passes.back().vertex, *graph, pass.declaration->name, session.diagnostics);
     }
+    assemble::check_reads(session, linked.lowered, passes);
     if (session.diagnostics.has_errors()) return;
     result.reflection = assemble::reflect(*material, linked.lowered, passes);
     for (const LinkedPass& pass : passes) {
@@ -273,6 +290,7 @@ void compile_graph(graph::Session& session, std::uint32_t base, const std::strin
         }
     }
     if (options.keep_programs) result.program = keep_program(session, *material);
+    forget_planned_fallback(session, *material);
 }
 
 Result finish(graph::Session& session, Result result) {

@@ -177,4 +177,10 @@ std::map<std::string, EngineValue> engine_values(const Scene& scene) {
     return engine_values(seen);
 }
 
+std::vector<std::string> engine_value_names() {
+    std::vector<std::string> names;
+    for (const auto& [name, value] : engine_values(fullscreen_scene(1, 1))) names.push_back(name);
+    return names;
+}
+
 }  // namespace patina::runtime

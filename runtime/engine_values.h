@@ -55,6 +55,9 @@ std::map<std::string, EngineValue> engine_values(const EngineScene& seen);
 // Of a single draw: all lights, those that are directional first, the main one at their head; no shadow map.
 std::map<std::string, EngineValue> engine_values(const Scene& scene);
 
+// Of every value that there is.
+std::vector<std::string> engine_value_names();
+
 // The light whose cookie a draw binds: the first that has one; null: none has.
 const Light* cookie_light(std::span<const SeenLight> lights);
 

@@ -30,11 +30,21 @@ int components(const std::string& type) {
     return 1;
 }
 
-Outcome<Numbers> parse_vector(const Property& property, const std::string& text) {
+// The forms that its value can have.
+std::string forms(const Property& property, Spelling spelling) {
+    const int count = components(property.type);
+    if (spelling == Spelling::Json) {
+        if (property.type == "int") return "a whole number";
+        if (property.type == "color") return "\"#rrggbb\", a number or an array of 3 or 4 numbers";
+        return count == 1 ? "a number" : fmt::format("a number or an array of {} numbers", count);
+    }
+    if (property.type == "color") return "#rrggbb, or three or four numbers with commas";
+    return count == 1 ? "one number" : std::to_string(count) + " numbers with commas";
+}
+
+Outcome<Numbers> parse_vector(const Property& property, const std::string& text, Spelling spelling) {
     int wanted = components(property.type);
-    std::string words = wanted == 1 ? "one number" : std::to_string(wanted) + " numbers with commas";
-    if (property.type == "color") words = "#rrggbb, or three or four numbers with commas";
-    Failure wrong{property.name + " must be " + words + ", not '" + text + "'"};
+    Failure wrong{property.name + " must be " + forms(property, spelling) + ", not '" + text + "'"};
 
     if (text.starts_with('#')) {
         if (wanted < 3) return wrong;
@@ -52,7 +62,7 @@ Outcome<Numbers> parse_vector(const Property& property, const std::string& text)
     return Numbers{value.value.x, value.value.y, value.value.z, value.value.w};
 }
 
-Outcome<Numbers> parse_value(const Property& property, const std::string& text) {
+Outcome<Numbers> parse_value(const Property& property, const std::string& text, Spelling spelling) {
     if (property.type == "bool") {
         if (text == "true" || text == "1") return Numbers{1};
         if (text == "false" || text == "0") return Numbers{0};
@@ -64,7 +74,7 @@ Outcome<Numbers> parse_value(const Property& property, const std::string& text) 
         return Failure{property.name + " must be one of " + list(property.values, [](const auto& v) { return v; }) +
                        ", not '" + text + "'"};
     }
-    Outcome<Numbers> value = parse_vector(property, text);
+    Outcome<Numbers> value = parse_vector(property, text, spelling);
     if (value && property.type == "int" && value.value[0] != std::floor(value.value[0]))
         return Failure{property.name + " must be a whole number, not '" + text + "'"};
     return value;
@@ -85,11 +95,7 @@ std::string outside_range(const Property& property, const Numbers& value) {
 }
 
 std::string no_property(const Reflection& reflection, const std::string& name) {
-    std::vector<std::string> known;
-    for (const Property& property : reflection.properties) known.push_back(property.name);
-    for (const Texture& texture : reflection.textures)
-        if (!texture.tiling.empty()) known.push_back(texture.name + "_ST");
-    const std::string hint = suggestion(name, known);
+    const std::string hint = suggestion(name, property_names(reflection));
     return "the material has no property '" + name + "'" + (hint.empty() ? "" : "; " + hint);
 }
 
@@ -181,7 +187,16 @@ std::vector<BlockBytes> fill_with(const Reflection& reflection, const MaterialVa
 
 }  // namespace
 
-Outcome<MaterialValues> material_values(const Reflection& reflection, const std::map<std::string, std::string>& words) {
+std::vector<std::string> property_names(const Reflection& reflection) {
+    std::vector<std::string> names;
+    for (const Property& property : reflection.properties) names.push_back(property.name);
+    for (const Texture& texture : reflection.textures)
+        if (!texture.tiling.empty()) names.push_back(texture.name + "_ST");
+    return names;
+}
+
+Outcome<MaterialValues> material_values(const Reflection& reflection, const std::map<std::string, std::string>& words,
+                                        Spelling spelling) {
     MaterialValues result;
     for (const Property& property : reflection.properties)
         if (property.type != "texture2d") result.numbers[property.name] = property.value;
@@ -191,8 +206,8 @@ Outcome<MaterialValues> material_values(const Reflection& reflection, const std:
             int count = 0;
             Outcome<glm::vec4> value = parse_numbers(text, count);
             if (!value || count != 4)
-                return Failure{name + " must be scale x, scale y, offset x, offset y, like 2,2,0,0, not '" + text +
-                               "'"};
+                return Failure{name + " must be scale x, scale y, offset x, offset y, like " +
+                               (spelling == Spelling::Json ? "[2, 2, 0, 0]" : "2,2,0,0") + ", not '" + text + "'"};
             result.tilings[texture->name] = {value.value.x, value.value.y, value.value.z, value.value.w};
             continue;
         }
@@ -203,7 +218,7 @@ Outcome<MaterialValues> material_values(const Reflection& reflection, const std:
             result.textures[name] = text;
             continue;
         }
-        Outcome<Numbers> value = parse_value(*found, text);
+        Outcome<Numbers> value = parse_value(*found, text, spelling);
         if (!value) return Failure{value.error};
         if (std::string outside = outside_range(*found, value.value); !outside.empty()) {
             if (found->hard) return Failure{outside};

@@ -29,7 +29,13 @@ struct MaterialValues {
 
 // Words: "0.2", "1,0,0" (linear), "#ff8800", "true", "Wet" (an enumerator), a file name, or "NAME_ST" = "2,2,0,0" for a
 // texture's tiling. A bad one, or one outside a hard range, is an error that lists what there is.
-Outcome<MaterialValues> material_values(const Reflection& reflection, const std::map<std::string, std::string>& words);
+// Complaints name the forms that a value can have as the user writes them: "1,0,0" on a command line, [1, 0, 0] in
+// JSON.
+enum class Spelling { Words, Json };
+Outcome<MaterialValues> material_values(const Reflection& reflection, const std::map<std::string, std::string>& words,
+                                        Spelling spelling = Spelling::Words);
+// Of everything that can be given a value, tilings too.
+std::vector<std::string> property_names(const Reflection& reflection);
 
 struct BlockBytes {
     std::string name;

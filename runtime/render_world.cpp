@@ -8,10 +8,14 @@
 #include <set>
 
 #include "patina/validate.h"
+#include "runtime/engine_values.h"
+#include "runtime/scene_values.h"
 #include "runtime/view.h"
 
 namespace patina::runtime {
 namespace {
+
+constexpr std::string_view kPicture = "color";
 
 // What the shaders of an object depend on beside its graph.
 struct Variant {
@@ -45,26 +49,74 @@ public:
 
     RenderOutcome run() {
         find_variants();
-        for (std::size_t i = 0; i < variants_.size() && ok_; ++i) compile(i);
+        prepare();
         if (!ok_) return std::move(outcome_);
-        load_object_textures();
-        if (!ok_) return std::move(outcome_);
-        std::vector<DrawnMaterial> drawn;
-        for (const auto& material : compiled_) drawn.push_back(drawn_material(*material));
-        if (!ok_) return std::move(outcome_);
-        const Outcome<Frame> frame = plan_frame(spread_, drawn,
-                                                {.path = path_name(),
-                                                 .shadow_atlas_size = options_.shadow_atlas_size,
-                                                 .exact = options_.exact_targets,
-                                                 .shown_format = options_.stated_formats ? "" : "rgba32f",
-                                                 .object_textures = object_textures_});
+        if (std::string error = no_picture(); !error.empty()) return failed(std::move(error));
+        Outcome<Frame> frame = plan();
         if (!frame) return failed(frame.error);
-        Frame planned = std::move(frame.value);
-        planned.progress = options_.progress;
-        return draw(planned);
+        frame.value.progress = options_.progress;
+        return draw(frame.value);
+    }
+
+    // Everything but the picture; materials that no object has, too.
+    RenderOutcome check() {
+        is_drawing_ = false;
+        find_variants();
+        for (std::size_t i = 0; i < world_.materials.size(); ++i) {
+            const auto is_of = [&](const Variant& variant) { return variant.material == i; };
+            if (std::any_of(variants_.begin(), variants_.end(), is_of)) continue;
+            variants_.push_back({.material = i});
+            spread_.materials.push_back(world_.materials[i]);
+        }
+        prepare();
+        if (!ok_) return std::move(outcome_);
+        // All paths at once draw no frame.
+        const Outcome<Frame> frame = options_.path == "all" ? Outcome<Frame>(Frame{}) : plan();
+        if (!frame) return failed(frame.error);
+        outcome_.ok = true;
+        return std::move(outcome_);
     }
 
 private:
+    // Each material, the pictures of the objects, and the shaders; tells of as much as there is.
+    void prepare() {
+        for (std::size_t i = 0; i < variants_.size(); ++i) compile(i);
+        load_object_textures();
+        if (!ok_) return;
+        for (const auto& material : compiled_) drawn_.push_back(drawn_material(*material));
+    }
+
+    // Empty, or why nothing would be seen: no pass draws into the picture.
+    std::string no_picture() const {
+        std::vector<std::string> drawn;
+        if (compiled_.empty()) return "";
+        for (const auto& material : compiled_) {
+            for (const Pass& pass : material->result.reflection.passes) {
+                for (const RenderTarget& target : pass.targets) {
+                    if (target.name == kPicture) return "";
+                    if (std::find(drawn.begin(), drawn.end(), target.name) == drawn.end()) drawn.push_back(target.name);
+                }
+            }
+        }
+        std::string error = fmt::format("the path '{}' draws no picture: ", path_name());
+        if (drawn.empty()) return error + "its passes write depth alone, which 'patina compile' is for";
+        error += fmt::format("no pass of it writes the target '{}', but '{}'", kPicture, fmt::join(drawn, "', '"));
+        const auto is_near = [](const std::string& name) {
+            return suggestion(name, {std::string(kPicture)}).starts_with("did you mean");
+        };
+        const auto near = std::find_if(drawn.begin(), drawn.end(), is_near);
+        return near == drawn.end() ? error : fmt::format("{}; did you mean '{}' by '{}'?", error, kPicture, *near);
+    }
+
+    Outcome<Frame> plan() const {
+        return plan_frame(spread_, drawn_,
+                          {.path = path_name(),
+                           .shadow_atlas_size = options_.shadow_atlas_size,
+                           .exact = options_.exact_targets,
+                           .shown_format = options_.stated_formats ? "" : "rgba32f",
+                           .object_textures = object_textures_});
+    }
+
     bool on_cpu() const { return options_.via == "cpu"; }
     Target target() const { return options_.via == "hlsl" ? Target::Hlsl : Target::Glsl; }
 
@@ -116,7 +168,7 @@ private:
 
     Result compile_for(const Variant& variant, const std::string& path) const {
         CompileOptions options;
-        options.targets = {target()};
+        if (is_drawing_) options.targets = {target()};
         options.path = path;
         options.switches = switches_of(variant);
         options.include_dirs = options_.include_dirs;
@@ -160,6 +212,29 @@ private:
         }
     }
 
+    // A pass file may declare values of an engine that only its author's engine has.
+    void warn_of_unknown_values(const Reflection& reflection) {
+        const std::vector<std::string> known = engine_value_names();
+        for (const Block& block : reflection.blocks) {
+            const bool is_read = std::any_of(reflection.passes.begin(), reflection.passes.end(), [&](const Pass& pass) {
+                return std::count(pass.blocks.begin(), pass.blocks.end(), block.name) > 0;
+            });
+            if (block.is_material || !is_read) continue;
+            for (const BlockMember& member : block.members) {
+                if (std::find(known.begin(), known.end(), member.name) != known.end()) continue;
+                Diagnostic unknown = complaint(
+                    options_.path, Severity::Warning, "no-engine-value",
+                    fmt::format("there is no value for '{}' of the block '{}': it is 0", member.name, block.name));
+                if (std::string advice = suggestion(member.name, known); advice.starts_with("did you mean")) {
+                    Diagnostic& note = unknown.notes.emplace_back();
+                    note.severity = Severity::Note;
+                    note.message = std::move(advice);
+                }
+                report({unknown});
+            }
+        }
+    }
+
     void compile(std::size_t index) {
         const Variant& variant = variants_[index];
         const WorldMaterial& material = world_.materials[variant.material];
@@ -169,35 +244,45 @@ private:
             const Reflection& reflection = made->result.reflection;
             const std::string path = path_for(world_.view.camera, reflection);
             if (path != reflection.path && !path.empty()) {
-                report({complaint(material.graph, Severity::Warning, "path-refused",
-                                  fmt::format("the path '{}' needs a perspective camera; the material is drawn along "
+                // Of the camera, not of the material: said once.
+                report({complaint({}, Severity::Warning, "path-refused",
+                                  fmt::format("the path '{}' needs a perspective camera; its materials are drawn along "
                                               "the path '{}'",
                                               reflection.path, path))});
                 made->result = compile_for(variant, path);
             }
         }
         report(made->result.diagnostics);
-        ok_ = made->result.ok && give_values(material, *made);
-        if (ok_) warn_of_cookies(material, made->result.reflection);
-        if (ok_ && on_cpu()) warn_of_anisotropy(material, made->result.reflection);
+        const bool is_good = made->result.ok && give_values(material, *made);
+        if (is_good) warn_of_cookies(material, made->result.reflection);
+        if (is_good && is_pass_file()) warn_of_unknown_values(made->result.reflection);
+        if (is_good && on_cpu()) warn_of_anisotropy(material, made->result.reflection);
+        ok_ &= is_good;
         compiled_.push_back(std::move(made));
     }
 
     bool give_values(const WorldMaterial& material, Compiled& made) {
         const Reflection& reflection = made.result.reflection;
+        const SceneFaults faults = check_values(reflection, material);
+        report(faults.diagnostics);
+        if (!faults.ok) return false;
         Outcome<MaterialValues> values = material_values(reflection, material.overrides);
         if (!values) {
             outcome_.error = material.name.empty() ? values.error : material.name + ": " + values.error;
             return false;
         }
         made.values = std::move(values.value);
-        for (const std::string& warning : made.values.warnings)
-            report({complaint(material.graph, Severity::Warning, "soft-range", warning)});
+        for (const std::string& warning : made.values.warnings) {
+            if (material.set.empty()) report({complaint(material.graph, Severity::Warning, "soft-range", warning)});
+        }
         const std::string folder = std::filesystem::path(material.graph).parent_path().string();
         made.loaded = load_textures(reflection, folder, made.values.textures, options_.exact_textures);
-        for (const std::string& error : made.loaded.errors)
-            report({complaint(material.graph, Severity::Error, "bad-texture", error)});
-        add_engine_textures(made.loaded.textures, reflection, world_.view);
+        for (std::size_t i = 0; i < made.loaded.errors.size(); ++i) {
+            const ScenePlace* place = place_of_value(material, made.loaded.failed[i]);
+            report({place ? diagnostic_at(*place, "bad-texture", made.loaded.errors[i])
+                          : complaint(material.graph, Severity::Error, "bad-texture", made.loaded.errors[i])});
+        }
+        if (is_drawing_) add_engine_textures(made.loaded.textures, reflection, world_.view);
         return made.loaded.errors.empty();
     }
 
@@ -206,14 +291,14 @@ private:
     void load_object_textures() {
         std::map<std::string, LoadedTexture> known;
         object_textures_.resize(world_.objects.size());
-        const auto load = [&](std::size_t object, const std::string& name, const std::string& file, bool is_color) {
-            if (file.empty() || !ok_) return;
+        const auto load = [&](std::size_t object, const std::string& name, const std::string& file,
+                              const ScenePlace& place, bool is_color) {
+            if (file.empty()) return;
             const std::string key = (is_color ? "color " : "data ") + file;
             if (!known.contains(key)) {
                 Outcome<Image> image = load_image(file);
                 if (!image) {
-                    outcome_.error =
-                        fmt::format("the {} of the object '{}': {}", name, world_.objects[object].name, image.error);
+                    report({diagnostic_at(place, "bad-texture", image.error)});
                     ok_ = false;
                     return;
                 }
@@ -226,8 +311,9 @@ private:
             object_textures_[object].back().name = name + "_texture";
         };
         for (std::size_t i = 0; i < world_.objects.size(); ++i) {
-            load(i, "lightmap", world_.objects[i].lightmap, true);
-            load(i, "shadow_mask", world_.objects[i].shadow_mask, false);
+            const WorldObject& object = world_.objects[i];
+            load(i, "lightmap", object.lightmap, object.lightmap_place, true);
+            load(i, "shadow_mask", object.shadow_mask, object.shadow_mask_place, false);
         }
     }
 
@@ -256,6 +342,7 @@ private:
                 if (shader.stage == Stage::Fragment) made.fragment = shader.text;
                 if (on_cpu()) continue;
                 const Spirv* spirv = spirv_of(shader);
+                if (shader.target != target()) continue;
                 (shader.stage == Stage::Vertex ? made.stages.vertex_spirv : made.stages.fragment_spirv) = *spirv;
             }
         }
@@ -263,8 +350,9 @@ private:
     }
 
     // The wanted path as reflections name it.
+    bool is_pass_file() const { return options_.path.ends_with(".hlsl"); }
     std::string path_name() const {
-        if (!options_.path.ends_with(".hlsl")) return options_.path;
+        if (!is_pass_file()) return options_.path;
         const std::string name = std::filesystem::path(options_.path).filename().string();
         return name.substr(0, name.find('.', 1));
     }
@@ -302,9 +390,11 @@ private:
     RenderMachine& machine_;
     RenderOutcome outcome_{};
     bool ok_ = true;
+    bool is_drawing_ = true;
     World spread_{};  // the world, with a material for each variant
     std::vector<Variant> variants_{};
     std::vector<std::unique_ptr<Compiled>> compiled_{};  // one for each variant
+    std::vector<DrawnMaterial> drawn_{};                 // in their order
     std::vector<std::vector<LoadedTexture>> object_textures_{};
     std::map<std::string, Spirv> spirv_{};  // by text
     std::set<std::string> said_{};
@@ -315,6 +405,11 @@ private:
 RenderOutcome draw_world(const Compiler& compiler, const World& world, const WorldOptions& options,
                          RenderMachine& machine) {
     return Drawing(compiler, world, options, machine).run();
+}
+
+RenderOutcome check_world(const Compiler& compiler, const World& world, const WorldOptions& options) {
+    RenderMachine none;
+    return Drawing(compiler, world, options, none).check();
 }
 
 }  // namespace patina::runtime

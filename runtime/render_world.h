@@ -33,4 +33,8 @@ struct WorldOptions {
 RenderOutcome draw_world(const Compiler& compiler, const World& world, const WorldOptions& options,
                          RenderMachine& machine);
 
+// What draw_world() would say before it draws, with the shaders of every target proved; also of materials that no
+// object has. Ok if it would draw.
+RenderOutcome check_world(const Compiler& compiler, const World& world, const WorldOptions& options);
+
 }  // namespace patina::runtime

@@ -110,7 +110,15 @@ SnapshotCase run_case(const Compiler& compiler, const fs::path& stem, const std:
     result.tolerance = read.file->tolerance;
 
     RenderOutcome outcome = render(compiler, request, machine);
-    result.diagnostics = outcome.diagnostics;
+    result.diagnostics = std::move(outcome.diagnostics);
+    // What has no place is about the path.
+    for (Diagnostic& each : result.diagnostics) {
+        if (!each.file.empty()) continue;
+        Diagnostic placed = diagnostic_at(read.path_place, each.code, each.message);
+        placed.severity = each.severity;
+        placed.notes = std::move(each.notes);
+        each = std::move(placed);
+    }
     result.missing_machine = outcome.missing_machine;
     if (!outcome.ok) {
         result.message = outcome.error;

@@ -303,7 +303,19 @@ ReadSnapshot read_snapshot(const std::string& path) {
     if (request.graph.empty()) request.graph = default_graph(folder, stem);
     request.graph = (folder / request.graph).string();
     if (request.path.ends_with(".hlsl")) request.path = (folder / request.path).string();
-    return {.file = std::move(file), .error = {}};
+    ReadSnapshot read{.file = std::move(file), .error = {}};
+    read.path_place.file = path;
+    for (const Entry& entry : flat.entries) {
+        if (entry.path != "path") continue;
+        const Diagnostic at = located({}, path, text.value, entry.key);
+        read.path_place = {.file = path,
+                           .line = at.line,
+                           .column = at.column,
+                           .end_line = at.end_line,
+                           .end_column = at.end_column,
+                           .source_line = at.source_line};
+    }
+    return read;
 }
 
 }  // namespace patina::runtime

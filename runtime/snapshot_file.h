@@ -32,7 +32,8 @@ struct SnapshotFile {
 
 struct ReadSnapshot {
     std::optional<SnapshotFile> file;
-    Diagnostic error;  // without a file: what is wrong, and where
+    Diagnostic error;         // without a file: what is wrong, and where
+    ScenePlace path_place{};  // where the snapshot names its path; of its file alone if it names none
 };
 ReadSnapshot read_snapshot(const std::string& path);
 

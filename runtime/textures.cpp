@@ -107,10 +107,12 @@ LoadedTextures load_textures(const Reflection& reflection, const std::string& gr
         auto chosen = files.find(texture.name);
         Outcome<LoadedTexture> loaded = load_texture(
             texture, chosen == files.end() ? default_source(texture, graph_folder) : chosen->second, exact);
-        if (loaded)
+        if (loaded) {
             result.textures.push_back(std::move(loaded.value));
-        else
+        } else {
             result.errors.push_back(loaded.error);
+            result.failed.push_back(texture.name);
+        }
     }
     return result;
 }

@@ -194,6 +194,7 @@ WorldFile make_world(const SceneFile& scene) {
         made.name = material.name;
         made.graph = material.graph.path;
         made.place = material.place;
+        made.set = material.set;
         for (const SceneValue& value : material.set) made.overrides[value.property] = value.words;
     }
     Meshes meshes;
@@ -206,7 +207,9 @@ WorldFile make_world(const SceneFile& scene) {
                                  .material = object.material,
                                  .lightmap = object.lightmap.path,
                                  .lightmap_encoding = encoding_of(object.lightmap_encoding),
-                                 .shadow_mask = object.shadow_mask.path});
+                                 .shadow_mask = object.shadow_mask.path,
+                                 .lightmap_place = object.lightmap.place,
+                                 .shadow_mask_place = object.shadow_mask.place});
     }
     file.ok = file.diagnostics.empty();
     return file;

@@ -65,6 +65,15 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
             best_distance = d;
         }
     }
+    if (!best.empty() && word.starts_with(best)) {
+        // The word goes on where the best one ends: one that goes on like it is what was meant.
+        const auto common = [&](std::string_view candidate) {
+            return std::mismatch(word.begin(), word.end(), candidate.begin(), candidate.end()).first - word.begin();
+        };
+        for (std::string_view candidate : candidates) {
+            if (common(candidate) > common(best) && distance(word, candidate) <= best_distance + 1) best = candidate;
+        }
+    }
     if (!best.empty() || word.size() < 4) return best;
     const auto completes = [&](std::string_view candidate) { return candidate.starts_with(word); };
     const auto longer = std::find_if(candidates.begin(), candidates.end(), completes);

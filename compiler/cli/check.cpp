@@ -1,7 +1,6 @@
 // patina check: everything that compile does, and both other compilers, but nothing is written. A node file is read,
-// and its test lines are run; a scene is read, and its materials are checked.
-#include <algorithm>
-#include <map>
+// and its test lines are run; a pass file is read, and compiled for some material; a scene is read, and everything
+// about it is checked but its picture.
 #include <memory>
 
 #include "compiler/base/text.h"
@@ -10,6 +9,8 @@
 
 namespace patina::cli {
 namespace {
+
+constexpr const char* kAnyMaterial = "material.graph.json";
 
 struct Arguments {
     std::vector<std::string> graphs;
@@ -45,44 +46,23 @@ bool check_graph(const Console& console, const Compiler& compiler, const Argumen
     return check_shaders(console, compiler, graph, options).ok;
 }
 
-// Whether the graph has every property that the scene gives a value to.
-bool check_set(const Console& console, const SceneMaterial& material, const Reflection& reflection) {
-    std::vector<std::string> names;
-    for (const Property& property : reflection.properties) names.push_back(property.name);
-    for (const Texture& texture : reflection.textures) {
-        if (!texture.tiling.empty()) names.push_back(texture.name + "_ST");
-    }
+// A pass file by itself: with the smallest material that it could draw, of which nothing is said.
+bool check_pass_file(const Console& console, const Compiler& compiler, const Arguments& arguments,
+                     const std::string& file) {
+    CompileOptions options = options_of(arguments);
+    options.path = file;
+    const Result result =
+        compiler.compile_text(kAnyMaterial, R"({ "patina": 1, "workflow": "metallic-roughness" })", options);
     bool ok = true;
-    for (const SceneValue& value : material.set) {
-        if (std::ranges::find(names, value.property) != names.end()) continue;
-        ok = false;
-        Diagnostic unknown = diagnostic_at(value.property_place, "unknown-property",
-                                           "'" + material.graph.path + "' has no property '" + value.property + "'");
-        if (std::string advice = suggestion(value.property, names); !advice.empty()) {
-            Diagnostic& note = unknown.notes.emplace_back();
-            note.severity = Severity::Note;
-            note.message = std::move(advice);
-        }
-        report(console, std::span(&unknown, 1));
+    for (const Diagnostic& diagnostic : result.diagnostics) {
+        if (diagnostic.file == kAnyMaterial) continue;
+        report(console, std::span(&diagnostic, 1));
+        ok &= diagnostic.severity != Severity::Error;
     }
-    return ok;
-}
-
-bool check_scene(const Console& console, const Compiler& compiler, const Arguments& arguments,
-                 const std::string& scene) {
-    const CompileOptions options = options_of(arguments);
-    const SceneResult read = compiler.read_scene(scene, options);
-    report(console, read.diagnostics);
-    bool ok = read.ok;
-    std::map<std::string, Result> checked;  // several materials may be of one graph
-    for (const SceneMaterial& material : read.scene.materials) {
-        if (material.graph.path.empty()) continue;
-        auto found = checked.find(material.graph.path);
-        if (found == checked.end()) {
-            Result result = check_shaders(console, compiler, material.graph.path, options);
-            found = checked.emplace(material.graph.path, std::move(result)).first;
-        }
-        ok &= found->second.ok && check_set(console, material, found->second.reflection);
+    for (const Shader& shader : result.shaders) {
+        const Validated validated = validate(shader);
+        report(console, validated.diagnostics);
+        ok &= validated.ok;
     }
     return ok;
 }
@@ -117,27 +97,31 @@ bool check_node_file(const Console& console, const Compiler& compiler, const Arg
 
 }  // namespace
 
-void add_check(Program& program) {
+void add_check(Program& program, SceneCheck check_scene) {
     CLI::App& command = add_command(program, "check", "Look for mistakes in graphs; writes nothing",
                                     {"patina check rust.graph.json", "patina check art/*.graph.json --quiet",
-                                     "patina check rust.graph.json --diagnostics=json", "patina check wave.node.hlsl"});
+                                     "patina check rust.graph.json --diagnostics=json", "patina check wave.node.hlsl",
+                                     "patina check mine.pass.hlsl"});
     auto arguments = std::make_shared<Arguments>();
-    command.add_option("GRAPH", arguments->graphs, "Graphs and scenes (JSON), and files of nodes (.node.hlsl)")
+    command
+        .add_option("GRAPH", arguments->graphs,
+                    "Graphs and scenes (JSON), and files of nodes (.node.hlsl) and of passes (.pass.hlsl)")
         ->required()
         ->type_name(" ");
     add_path_options(command, arguments->path);
     add_include_option(command, arguments->include_dirs);
 
-    set_work(program, command, [arguments](const Console& console) {
+    set_work(program, command, [arguments, check_scene](const Console& console) {
         const Compiler compiler;
         Exit exit = Exit::Ok;
         for (std::size_t i = 0; i < arguments->graphs.size(); ++i) {
             const std::string& graph = arguments->graphs[i];
             show_progress(console, i, arguments->graphs.size(), graph);
-            const auto check = graph.ends_with(".hlsl")         ? check_node_file
-                               : graph.ends_with(".scene.json") ? check_scene
-                                                                : check_graph;
-            const bool ok = check(console, compiler, *arguments, graph);
+            const auto check = graph.ends_with(".pass.hlsl") ? check_pass_file
+                               : graph.ends_with(".hlsl")    ? check_node_file
+                                                             : check_graph;
+            const bool ok = is_scene(graph) ? check_scene(console, compiler, graph, options_of(*arguments))
+                                            : check(console, compiler, *arguments, graph);
             if (ok) say(console, graph + ": ok");
             if (!ok) exit = Exit::Wrong;
         }

@@ -1,6 +1,6 @@
 // The subcommands, one function and one file each. `patina` holds those that touch no pictures; `render`, `snapshot`,
-// `trace` and `import` live in a second program, `patina-render`, which `patina` turns into when they are asked for:
-// the image library that they load takes longer to start than a whole compilation.
+// `trace`, `import` and the `check` of scenes live in a second program, `patina-render`, which `patina` turns into when
+// they are asked for: the image library that they load takes longer to start than a whole compilation.
 #pragma once
 
 #include "compiler/cli/program.h"
@@ -8,7 +8,14 @@
 namespace patina::cli {
 
 void add_compile(Program& program);
-void add_check(Program& program);
+// How scenes are checked; false: something is wrong with one, and it is said.
+using SceneCheck = bool (*)(const Console&, const Compiler&, const std::string& scene, const CompileOptions&);
+void add_check(Program& program, SceneCheck check_scene);
+bool check_scene(const Console& console, const Compiler& compiler, const std::string& scene,
+                 const CompileOptions& options);
+inline bool is_scene(std::string_view file) {
+    return file.ends_with(".scene.json");
+}
 void add_new(Program& program);
 void add_fmt(Program& program);
 void add_eval(Program& program);

@@ -123,6 +123,7 @@ void add_compile(Program& program) {
             ->type_name("PREFIX")
             ->check([](const std::string& prefix) { return prefix.empty() ? "it needs a prefix" : ""; });
     functions->excludes(command.get_option("--path"));
+    functions->excludes(command.get_option("--define"));
     add_include_option(command, arguments->include_dirs);
     command.parse_complete_callback([arguments] { refuse_equal_outputs(arguments->graphs, ".*", "compile"); });
 

@@ -1,6 +1,7 @@
 // The `patina` command.
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string_view>
 
@@ -26,11 +27,13 @@ int become_renderer(char** argv) {
 
 int main(int argc, char** argv) {
     const std::string_view first = argc > 1 ? argv[1] : "";
+    const bool has_scene = std::any_of(argv, argv + argc, [](const char* word) { return is_scene(word); });
+    if (first == "check" && has_scene) return become_renderer(argv);
     if (first == "render" || first == "snapshot" || first == "trace" || first == "import") return become_renderer(argv);
 
     Program program(kSummary);
     add_compile(program);
-    add_check(program);
+    add_check(program, nullptr);  // scenes are the other program's
     program.app.add_subcommand("render", kRenderSummary);
     program.app.add_subcommand("trace", kTraceSummary);
     program.app.add_subcommand("snapshot", kSnapshotSummary);

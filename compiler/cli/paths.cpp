@@ -59,14 +59,26 @@ void print_path(const Console& console, const PathInfo& path) {
     }
 }
 
-Exit list_paths(const Console& console, bool json) {
+Exit list_paths(const Console& console, const std::string& name, bool json) {
     const Compiler compiler;
+    std::vector<PathInfo> paths = compiler.paths();
+    if (!name.empty()) {
+        std::vector<std::string> known;
+        for (const PathInfo& path : paths) known.push_back(path.name);
+        std::erase_if(paths, [&](const PathInfo& path) { return path.name != name; });
+        if (paths.empty()) {
+            const std::string advice = suggestion(name, known);
+            complain(console, "unknown-word",
+                     fmt::format("there is no path '{}'{}{}", name, advice.empty() ? "" : "; ", advice));
+            return Exit::Wrong;
+        }
+    }
     if (json) {
-        print(to_json(compiler.paths()));
+        print(to_json(paths));
         return Exit::Ok;
     }
-    for (const PathInfo& path : compiler.paths()) {
-        if (&path != &compiler.paths().front()) print("\n");
+    for (const PathInfo& path : paths) {
+        if (&path != &paths.front()) print("\n");
         print_path(console, path);
     }
     return Exit::Ok;
@@ -76,10 +88,12 @@ Exit list_paths(const Console& console, bool json) {
 
 void add_paths(Program& program) {
     CLI::App& command = add_command(program, "paths", "List the rendering paths of the library, with their passes",
-                                    {"patina paths", "patina paths --json"});
+                                    {"patina paths", "patina paths deferred", "patina paths --json"});
     auto json = std::make_shared<bool>(false);
+    auto name = std::make_shared<std::string>();
+    command.add_option("PATH", *name, "Only this one")->type_name(" ");
     command.add_flag("--json", *json, "Print everything about each path as JSON");
-    set_work(program, command, [json](const Console& console) { return list_paths(console, *json); });
+    set_work(program, command, [json, name](const Console& console) { return list_paths(console, *name, *json); });
 }
 
 }  // namespace patina::cli

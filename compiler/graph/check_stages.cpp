@@ -322,20 +322,49 @@ private:
         if (made->args.size() < 2 || made->args.size() > 3)
             return bad(made->span, made->name,
                        fmt::format("reads like this: [{}(\"final\", \"sum.direct\")]", made->name));
-        if (const FunctionDecl* whole = slot(*made->args[0])) is_like(decl, *whole, made->span, made->name);
+        const FunctionDecl* whole = slot(*made->args[0]);
+        if (whole && is_like(decl, *whole, made->span, made->name)) part_source(decl, *made->args[1]);
     }
 
-    void is_like(const FunctionDecl& decl, const FunctionDecl& whole, Span span, std::string_view attribute) {
+    // "sum.direct", or a function. What a lighting surface may have is each lighting model's to say (check_passes.cpp).
+    void part_source(const FunctionDecl& decl, const Expr& given) {
+        const std::size_t dot = given.text.find('.');
+        if (dot == given.text.npos) {
+            if (!declarations_.function(given.text))
+                diagnostics_.report(Code::UnknownName, given.span, "function", given.text)
+                    .note("a member of a parameter reads like this: \"sum.direct\"");
+            return;
+        }
+        const std::string_view name = given.text.substr(0, dot), member = given.text.substr(dot + 1);
+        const auto param = std::find_if(decl.params.begin(), decl.params.end(),
+                                        [&](const ParamDecl& each) { return each.name == name; });
+        std::vector<std::string_view> known;
+        if (param == decl.params.end()) {
+            for (const ParamDecl& each : decl.params) known.push_back(each.name);
+            diagnostics_.report(Code::UnknownName, given.span, "parameter", name)
+                .note(Diagnostics::suggestion(name, known));
+            return;
+        }
+        const StructDecl* structure = declarations_.structure(param->type.name);
+        if (!structure || is_surface(param->type)) return;
+        for (const auto& each : structure->members) known.push_back(each.name);
+        if (!is_in(known, member))
+            diagnostics_.report(Code::UnknownName, given.span, "member", given.text)
+                .note(Diagnostics::suggestion(member, known));
+    }
+
+    bool is_like(const FunctionDecl& decl, const FunctionDecl& whole, Span span, std::string_view attribute) {
         const auto same = [](const ParamDecl& a, const ParamDecl& b) {
             return is_same(a.type, b.type) && a.name == b.name;
         };
-        if (!is_same(decl.result, whole.result) ||
-            !std::equal(decl.params.begin(), decl.params.end(), whole.params.begin(), whole.params.end(), same))
-            diagnostics_
-                .report(
-                    Code::BadAttribute, span, attribute,
+        if (is_same(decl.result, whole.result) &&
+            std::equal(decl.params.begin(), decl.params.end(), whole.params.begin(), whole.params.end(), same))
+            return true;
+        diagnostics_
+            .report(Code::BadAttribute, span, attribute,
                     fmt::format("makes '{}' of '{}', whose parameters and result it must have", decl.name, whole.name))
-                .note(whole.name_span, "the whole is here");
+            .note(whole.name_span, "the whole is here");
+        return false;
     }
 
     // The struct that every slot takes first.

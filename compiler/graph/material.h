@@ -31,6 +31,10 @@ struct Material {
 // go on with.
 std::unique_ptr<Material> resolve_material(Session& session, std::shared_ptr<Graph> graph, std::string_view preview);
 
+// Whether what a user's pass file says of the lighting surface's members holds, the lighting model's own among them
+// (check_passes.cpp).
+void check_surface_members(Session& session, const Material& material);
+
 // Warns of nodes that nothing reads; once there are no errors, which may be the reason.
 void warn_unused(Session& session, const Material& material);
 

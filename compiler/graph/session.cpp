@@ -99,8 +99,11 @@ void find_path(Session& session) {
         known.push_back(kAllPaths);
         if (std::find(known.begin(), known.end(), wanted) != known.end()) return;
         const bool is_file = wanted.find_first_of("./\\") != wanted.npos;
-        session.diagnostics.report(Code::UnknownWord, {}, wanted, "a rendering path")
-            .note(is_file ? "a file with passes is called NAME.pass.hlsl" : Diagnostics::suggestion(wanted, known));
+        std::string advice =
+            is_file ? "a file with passes is called NAME.pass.hlsl" : Diagnostics::suggestion(wanted, known);
+        const std::string file = wanted + ".pass.hlsl";
+        if (exists(session, file)) advice = fmt::format("did you mean '{}{}'?", is_file ? "" : "./", file);
+        session.diagnostics.report(Code::UnknownWord, {}, wanted, "a rendering path").note(std::move(advice));
         return;
     }
     const std::optional<std::uint32_t> base = load_source(session, wanted, {});

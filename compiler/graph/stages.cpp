@@ -231,6 +231,7 @@ void collect_stages(const nodelang::Ast& ast, const nodelang::Declarations& decl
                            pass.vertex ? "needs a [fragment] function, too" : "needs a [vertex] function, too");
     }
     check_stages(ast, declarations, sources, stages, diagnostics);
+    check_passes(ast, declarations, stages, diagnostics);
 }
 
 }  // namespace patina::graph

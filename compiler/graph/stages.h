@@ -97,6 +97,9 @@ void collect_stages(const nodelang::Ast& ast, const nodelang::Declarations& decl
 // --- whether all of it can be (check_stages.cpp)
 void check_stages(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const SourceMap& sources,
                   const Stages& stages, Diagnostics& diagnostics);
+// --- whether its passes agree with each other (check_passes.cpp)
+void check_passes(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const Stages& stages,
+                  Diagnostics& diagnostics);
 // Whether it stands in a .pass.hlsl.
 bool is_of_pass(const SourceMap& sources, Span span);
 

@@ -28,7 +28,7 @@ TEST_P(Witnesses, DrawTheSame) {
 
 INSTANTIATE_TEST_SUITE_P(Of, Witnesses,
                          testing::Values("forward", "forward-add", "forward-directional", "vertex", "deferred",
-                                         "deferred-extended", "deferred-ldr", "depth-only", "depth-normals"),
+                                         "deferred-extended", "deferred-ldr", "depth-normals"),
                          [](const auto& info) {
                              std::string name = info.param;
                              std::erase(name, '-');

@@ -1,0 +1,21 @@
+// patina check of a scene: what rendering it would say, and no picture.
+#include "compiler/cli/commands.h"
+#include "runtime/render_world.h"
+#include "runtime/world_file.h"
+
+namespace patina::cli {
+
+bool check_scene(const Console& console, const Compiler& compiler, const std::string& scene,
+                 const CompileOptions& options) {
+    const runtime::WorldFile file = runtime::read_world(compiler, scene, options);
+    report(console, file.diagnostics);
+    if (!file.ok) return false;
+    const runtime::RenderOutcome outcome = runtime::check_world(
+        compiler, file.world,
+        {.path = options.path, .switches = options.switches, .include_dirs = options.include_dirs});
+    report(console, outcome.diagnostics);
+    if (!outcome.error.empty()) complain(console, "cannot-render", outcome.error);
+    return outcome.ok;
+}
+
+}  // namespace patina::cli

@@ -1,0 +1,22 @@
+// What a scene file gives its materials, held against their reflections: each complaint at its place in the file.
+//
+//   SceneFaults faults = check_values(reflection, world.materials[0]);
+//   if (faults.ok) use(material_values(reflection, world.materials[0].overrides));
+#pragma once
+
+#include "patina/patina.h"
+#include "runtime/world.h"
+
+namespace patina::runtime {
+
+struct SceneFaults {
+    bool ok = true;                         // no errors among them
+    std::vector<Diagnostic> diagnostics{};  // warnings too: values outside the usual range
+};
+
+// Of a material that no scene file holds: nothing.
+SceneFaults check_values(const Reflection& reflection, const WorldMaterial& material);
+// Where the file gives the property its value; null if it does not.
+const ScenePlace* place_of_value(const WorldMaterial& material, const std::string& property);
+
+}  // namespace patina::runtime
