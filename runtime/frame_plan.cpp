@@ -167,13 +167,18 @@ void Planner::place_objects() {
 
 void Planner::find_shadow_maps() {
     shadow_map_of_.assign(scene_.lights.size(), -1);
-    std::vector<Sphere> casters, everything;
-    for (const PlannedObject& object : objects_) {
-        everything.push_back(object.bounds);
-        const std::vector<Pass>& passes = reflection_of(object).passes;
-        if (std::any_of(passes.begin(), passes.end(), is_shadow_pass)) casters.push_back(object.bounds);
+    std::vector<ShadowObject> objects;
+    bool has_casters = false;
+    for (const PlannedObject& planned : objects_) {
+        const Reflection& reflection = reflection_of(planned);
+        const WorldObject& object = world_.objects[planned.index];
+        objects.push_back({.mesh = object.mesh.get(),
+                           .object_to_world = object.object_to_world,
+                           .casts = std::any_of(reflection.passes.begin(), reflection.passes.end(), is_shadow_pass),
+                           .moves_vertices = reflection.moves_vertices});
+        has_casters |= objects.back().casts;
     }
-    if (casters.empty()) return;
+    if (!has_casters) return;
     for (std::size_t i = 0; i < scene_.lights.size(); i++) {
         const Light& light = scene_.lights[i];
         if (!light.shadow.casts) continue;
@@ -188,8 +193,10 @@ void Planner::find_shadow_maps() {
         }
         shadow_map_of_[i] = static_cast<int>(shadow_maps_.size());
         ShadowTile tile{.number = shadow_map_of_[i], .atlas_size = options_.shadow_atlas_size};
-        shadow_maps_.push_back(light.kind == LightKind::Spot ? spot_shadow(light, tile)
-                                                             : directional_shadow(light, casters, everything, tile));
+        shadow_maps_.push_back(
+            light.kind == LightKind::Spot
+                ? spot_shadow(light, tile)
+                : directional_shadow(light, objects, view_, scene_.mixed_lighting.shadow_distance, tile));
         shadow_lights_.push_back(i);
     }
 }

@@ -20,7 +20,7 @@ struct View {
     bool is_parallel = false;     // orthographic, or clip space as it is
     float near_plane = 0, far_plane = 1;
     float bias = 0;         // a light's: metres that casters are moved away from it
-    float normal_bias = 0;  // a light's: metres that casters are shrunk by, along their normals
+    float normal_bias = 0;  // a light's: metres times w of clip space that casters are shrunk by, along their normals
 };
 
 View camera_view(const Scene& scene);

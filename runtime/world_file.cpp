@@ -1,11 +1,14 @@
 #include "runtime/world_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 #include <utility>
 
 #include "runtime/scene_text.h"
 #include "runtime/textures.h"
+#include "runtime/view.h"
 
 namespace patina::runtime {
 namespace {
@@ -87,6 +90,17 @@ Outcome<std::shared_ptr<const TextureData>> load_cookie(const SceneLight& light)
     return std::make_shared<const TextureData>(std::move(data));
 }
 
+Diagnostic cut_shadow(const SceneLight& light, float outer) {
+    Diagnostic diagnostic = diagnostic_at(
+        light.place, "cut-shadow",
+        fmt::format(
+            "the shadow of this spot ends {} degrees from its axis, which is all that a shadow map holds; beyond, "
+            "up to its 'outer' of {}, everything is lit",
+            kWidestSpot, outer));
+    diagnostic.severity = Severity::Warning;
+    return diagnostic;
+}
+
 Light make_light(const SceneLight& light, WorldFile& file) {
     // However short or long: its largest component becomes 1 first, which the square of a length can take.
     const glm::dvec3 given(light.direction[0], light.direction[1], light.direction[2]);
@@ -105,6 +119,8 @@ Light make_light(const SceneLight& light, WorldFile& file) {
                        .strength = float(light.shadow->strength),
                        .bias = float(light.shadow->bias),
                        .normal_bias = float(light.shadow->normal_bias)};
+        if (made.kind == LightKind::Spot && made.outer_angle > kWidestSpot)
+            file.diagnostics.push_back(cut_shadow(light, made.outer_angle));
     }
     if (light.cookie.path.empty()) return made;
     Outcome<std::shared_ptr<const TextureData>> cookie = load_cookie(light);
@@ -211,7 +227,8 @@ WorldFile make_world(const SceneFile& scene) {
                                  .lightmap_place = object.lightmap.place,
                                  .shadow_mask_place = object.shadow_mask.place});
     }
-    file.ok = file.diagnostics.empty();
+    file.ok = std::none_of(file.diagnostics.begin(), file.diagnostics.end(),
+                           [](const Diagnostic& diagnostic) { return diagnostic.severity == Severity::Error; });
     return file;
 }
 

@@ -236,6 +236,7 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
     made.workflow = graph.workflow;
     made.lighting = material.lighting_name;
     made.surface = text_of(graph::kSurfaceKinds, graph.render.surface);
+    made.moves_vertices = !graph.vertex.empty();
     made.path = lowered.path;
     for (const auto& [name, value] : lowered.switches) made.switches.push_back({.name = name, .value = value});
     made.meta = graph.meta;

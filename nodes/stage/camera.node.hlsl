@@ -16,7 +16,7 @@
 [extern("Camera")] float shadow_bias;         // of a light's own view: metres that everything is moved away from it
 [extern("Camera")] float4x4 clip_to_world;
 [extern("Camera")] float2 clip_planes;        // distances of the near and the far plane, metres
-[extern("Camera")] float shadow_normal_bias;  // of a light's own view: metres that a surface is moved inside
+[extern("Camera")] float shadow_normal_bias;  // of a light's own view: metres that a surface is moved inside, for w of clip space 1
 
 /// Direction from the surface to the camera in world space, unit.
 [semantic("pixel")]

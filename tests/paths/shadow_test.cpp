@@ -27,11 +27,19 @@ using runtime::ShadowView;
 
 constexpr float kRadius = 0.5f;
 constexpr glm::vec3 kBall{0, 2, 0};
-constexpr int kAtlas = 512;
+// Their texels are about as large as a pixel: what a map holds is what they cast, the ball's square or the spot's cone.
+constexpr int kSunAtlas = 128, kSpotAtlas = 512;
 constexpr double kTent = 2.5;  // texels
 
 Light sun() {
     Light light{.direction = {-0.6f, 1, 0.25f}};
+    light.shadow = {.casts = true};
+    return light;
+}
+// `height`: degrees above the horizon; at an angle to the axes of the world and, low, of the map.
+Light sun_at(float height) {
+    const float angle = glm::radians(height), turn = glm::radians(25.0f);
+    Light light{.direction = {-std::cos(angle) * std::cos(turn), std::sin(angle), std::cos(angle) * std::sin(turn)}};
     light.shadow = {.casts = true};
     return light;
 }
@@ -52,20 +60,26 @@ glm::vec3 way_past_ball(const Light& light) {
                                                 : glm::normalize(kBall - light.position);
 }
 
-// The camera looks straight down on the shadow, and does not see the ball.
-World scene(const Light& light, int size, const std::string& caster) {
+// A floor of y = 0 that shows its shadow; the camera looks straight down on a square of it.
+World floor_scene(const Light& light, int size, float floor, glm::vec3 middle, float seen) {
     World world{.view = runtime::default_scene("")};
     world.view.width = world.view.height = size;
     world.view.samples = 1;
     world.view.lights = {light};
-    const glm::vec3 way = way_past_ball(light);
-    const glm::vec3 middle = kBall + way * (-kBall.y / way.y);
     world.view.camera = {
-        .position = middle + glm::vec3(0, 0.9f, 0.001f), .target = middle, .orthographic_height = 2.2f};
+        .position = middle + glm::vec3(0, 0.9f, 0.001f), .target = middle, .orthographic_height = seen};
     const std::string receiver = written("receiver.graph.json", R"json({ "patina": 1, "workflow": "unlit",
   "nodes": [ { "id": "shadow", "expr": "@light.shadow" } ], "surface": { "color": "= float3(shadow)" } })json");
     const glm::mat4 flat = glm::rotate(glm::mat4(1), glm::radians(-90.0f), {1, 0, 0});
-    add_object(world, receiver, "plane", 1, glm::scale(flat, glm::vec3(4)));
+    add_object(world, receiver, "plane", 1, glm::scale(flat, glm::vec3(floor / 2)));
+    return world;
+}
+
+// The camera sees the ball's shadow whole, and not the ball. `floor`: metres along a side.
+World scene(const Light& light, int size, const std::string& caster, float floor = 8) {
+    const glm::vec3 way = way_past_ball(light);
+    const glm::vec3 middle = kBall + way * (-kBall.y / way.y);
+    World world = floor_scene(light, size, floor, middle, 1.9f / std::abs(way.y));
     add_object(world, caster, "sphere", 256, glm::scale(glm::translate(glm::mat4(1), kBall), glm::vec3(kRadius)));
     return world;
 }
@@ -75,19 +89,20 @@ std::string plain_caster() {
 }
 
 // The map as the frame has it: every object casts.
-ShadowView map_of(const World& world) {
+ShadowView map_of(const World& world, int atlas) {
     const Light& light = world.view.lights[0];
-    const runtime::ShadowTile tile{.number = 0, .atlas_size = kAtlas};
-    std::vector<runtime::Sphere> all;
+    const runtime::ShadowTile tile{.number = 0, .atlas_size = atlas};
+    std::vector<runtime::ShadowObject> all;
     for (const runtime::WorldObject& object : world.objects)
-        all.push_back(runtime::world_bounds(*object.mesh, object.object_to_world));
-    return light.kind == LightKind::Spot ? runtime::spot_shadow(light, tile)
-                                         : runtime::directional_shadow(light, all, all, tile);
+        all.push_back({.mesh = object.mesh.get(), .object_to_world = object.object_to_world});
+    return light.kind == LightKind::Spot
+               ? runtime::spot_shadow(light, tile)
+               : runtime::directional_shadow(light, all, runtime::camera_view(world.view), {}, tile);
 }
 
 class Measured {
 public:
-    Measured(const World& world, const Image& image) : world_(world), map_(map_of(world)) {
+    Measured(const World& world, const Image& image, int atlas) : world_(world), map_(map_of(world, atlas)) {
         const Light& light = world.view.lights[0];
         const glm::dmat4 to_world = glm::inverse(glm::dmat4(runtime::view_to_clip(world.view.camera, 1)) *
                                                  glm::dmat4(runtime::world_to_view(world.view.camera)));
@@ -121,15 +136,9 @@ public:
         inwards /= length_;
     }
 
-    // How far the normal bias moves the outline: by its metres where the light grazes the ball.
-    double bias_in_texels() const {
-        const Light& light = world_.view.lights[0];
-        if (light.kind == LightKind::Directional) return double(light.shadow.normal_bias);
-        // Said in texels at the range, which are larger than those where rays touch the ball.
-        const glm::vec3 to_ball = kBall - light.position;
-        const glm::vec3 to_outline = to_ball * (1 - kRadius * kRadius / glm::dot(to_ball, to_ball));
-        return double(light.shadow.normal_bias * light.range / glm::dot(to_outline, glm::normalize(light.direction)));
-    }
+    // How far the normal bias moves the outline, where the light grazes the ball; a spot's in the texels that are
+    // there.
+    double bias_in_texels() const { return double(world_.view.lights[0].shadow.normal_bias); }
     double most() const { return std::sqrt(kTent * kTent / 6 + bias_in_texels() * bias_in_texels() + 1.0 / 12); }
 
     double mean_distance = 0;  // texels from the true edge
@@ -180,10 +189,10 @@ private:
     double length_ = 0;
 };
 
-void expect_shadow(const Light& light) {
-    const World world = scene(light, 192, plain_caster());
-    const Image image = draw(world, {.path = "forward", .shadow_atlas_size = kAtlas});
-    const Measured measured(world, image);
+void expect_shadow(const Light& light, int atlas, float floor = 8) {
+    const World world = scene(light, 192, plain_caster(), floor);
+    const Image image = draw(world, {.path = "forward", .shadow_atlas_size = atlas});
+    const Measured measured(world, image, atlas);
     std::printf("mean distance %.3f texels (at most %.3f), too small by %.3f (bias %.3f), over %.0f texels\n",
                 measured.mean_distance, measured.most(), measured.inwards, measured.bias_in_texels(), measured.dark);
     EXPECT_GT(measured.dark, 150);
@@ -195,11 +204,145 @@ void expect_shadow(const Light& light) {
 }
 
 TEST(Shadow, OfTheSunIsWhereRaysSayItIs) {
-    expect_shadow(sun());
+    expect_shadow(sun(), kSunAtlas);
 }
 
 TEST(Shadow, OfASpotIsWhereRaysSayItIs) {
-    expect_shadow(spot());
+    expect_shadow(spot(), kSpotAtlas);
+}
+
+// Whatever the floor's size, the map holds the ball, and its texels are as large.
+TEST(Shadow, OfTheSunIsThereForEveryHeightAndFloor) {
+    for (float height : {11.0f, 26.0f, 44.0f, 80.0f}) {
+        for (float floor : {30.0f, 600.0f}) {
+            SCOPED_TRACE(testing::Message() << "height " << height << " floor " << floor);
+            expect_shadow(sun_at(height), kSunAtlas, floor);
+        }
+    }
+}
+
+TEST(Shadow, OfASpotIsThereForEveryRangeAndCone) {
+    for (float range : {10.0f, 200.0f, 900.0f}) {
+        SCOPED_TRACE(testing::Message() << "range " << range);
+        Light light = spot();
+        light.range = range;
+        expect_shadow(light, kSpotAtlas);
+    }
+    Light wide = spot();
+    wide.outer_angle = 80;
+    expect_shadow(wide, 4096);
+    wide.outer_angle = 90;  // the map holds 85
+    expect_shadow(wide, 8192);
+}
+
+double least(const Image& image) {
+    double least = 1;
+    for (std::size_t i = 0; i < image.pixels.size(); i += 4) least = std::min(least, double(image.pixels[i]));
+    return least;
+}
+
+// Of @light.shadow on a floor on which nothing stands.
+double least_on_lone_floor(const Light& light, float floor, glm::vec3 middle, float seen, bool on_cpu = false) {
+    const World world = floor_scene(light, 96, floor, middle, seen);
+    WorldOptions options{.path = "forward", .shadow_atlas_size = 512};
+    if (on_cpu) options.via = "cpu";
+    return least(draw(world, options));
+}
+
+TEST(Shadow, OfALoneFloorIsNone) {
+    for (float floor : {10.0f, 20.0f, 40.0f, 80.0f, 600.0f})
+        for (float height : {11.0f, 26.0f, 44.0f, 62.0f, 80.0f})
+            EXPECT_GE(least_on_lone_floor(sun_at(height), floor, {}, floor / 4), 1 - kStep) << floor << " " << height;
+    EXPECT_GE(least_on_lone_floor(sun_at(26), 600, {}, 60, true), 1 - kStep);
+
+    for (float range : {10.0f, 200.0f, 900.0f}) {
+        Light light = spot();
+        light.range = range;
+        light.outer_angle = 50;
+        EXPECT_GE(least_on_lone_floor(light, 8, {}, 8), 1 - kStep) << range;
+        EXPECT_GE(least_on_lone_floor(light, 600, {}, 8), 1 - kStep) << range;
+        light.position *= range / 9;  // at six tenths of the range
+        EXPECT_GE(least_on_lone_floor(light, 2 * range, {}, range), 1 - kStep) << range;
+    }
+}
+
+// Without the light's own biases, what the filter needs is all there is: on planes that fall off along an axis of the
+// map or between both: no texel that the filter weighs, however little, is in front; ...
+TEST(Shadow, OfALonePlaneIsNoneWithoutBiases) {
+    Light light = sun();
+    light.shadow.bias = light.shadow.normal_bias = 0;
+    const glm::mat3 to_world = glm::transpose(glm::mat3(runtime::world_to_light(light)));
+    for (float theta : {10.0f, 45.0f, 75.0f, 80.0f}) {
+        for (float turn : {0.0f, 20.0f, 45.0f}) {
+            const float t = glm::radians(theta), u = glm::radians(turn);
+            const glm::vec3 normal =
+                to_world * glm::vec3(std::sin(t) * std::cos(u), std::sin(t) * std::sin(u), std::cos(t));
+            World world = floor_scene(light, 96, 40, {}, 10);
+            world.view.camera.position = 30.0f * normal;
+            world.objects[0].object_to_world =
+                glm::scale(glm::inverse(runtime::world_to_view({.position = normal, .target = {}})), glm::vec3(20));
+            EXPECT_GE(least(draw(world, {.path = "forward", .shadow_atlas_size = 512})), 1 - 1e-5)
+                << theta << " " << turn;
+        }
+    }
+}
+
+// ... and on a ball of 24 texels, up to 60 degrees from the light.
+TEST(Shadow, OfALoneBallIsNoneOnItsLitSideWithoutBiases) {
+    Light light = sun();
+    light.shadow.bias = light.shadow.normal_bias = 0;
+    World world = floor_scene(light, 192, 8, {}, 2 * kRadius * std::sin(glm::radians(60.0f)));
+    world.objects.clear();
+    const glm::mat4 ball = glm::scale(glm::mat4(1), glm::vec3(kRadius));
+    world.objects.push_back({.name = "ball",
+                             .mesh = std::make_shared<const runtime::Mesh>(*runtime::make_mesh("sphere", 512)),
+                             .object_to_world = ball});
+    world.view.camera.position = 3.0f * glm::normalize(light.direction);
+    const Image image = draw(world, {.path = "forward", .shadow_atlas_size = kSunAtlas});
+    double darkest = 1;
+    for (int y = 0; y < 192; ++y)
+        for (int x = 0; x < 192; ++x)
+            if (std::hypot(x - 95.5, y - 95.5) < 95) darkest = std::min(darkest, double(image.at(x, y)[0]));
+    EXPECT_GE(darkest, 1 - kStep);
+}
+
+// A box whose foot is on the floor: behind it, the shadow begins where the box ends.
+TEST(Shadow, OfABoxBeginsAtItsFoot) {
+    const float half = 0.5f;
+    for (float height : {26.0f, 44.0f, 62.0f}) {
+        const Light light = sun_at(height);
+        World world = floor_scene(light, 192, 600, {}, 3);
+        world.view.camera.position.y = 3;
+        add_object(world, plain_caster(), "cube", 1,
+                   glm::scale(glm::translate(glm::mat4(1), {0, half, 0}), glm::vec3(half / 0.75f)));
+        const Image image = draw(world, {.path = "forward"});
+        const double texel = 3.0 / 1000;  // and less: the box is smaller than 3 m however it is seen
+        int close = 0;
+        for (int y = 0; y < 192; ++y) {
+            for (int x = 0; x < 192; ++x) {
+                const glm::dvec3 point((x + 0.5) / 64 - 1.5, 0, (y + 0.5) / 64 - 1.5);
+                const double past_foot = std::max(std::abs(point.x), std::abs(point.z)) - double(half);
+                if (past_foot <= 0.01 || past_foot > 0.1) continue;  // the box itself, or far from its foot
+                // The ray leaves the box's height at `top`: within the box, by more than the filter's reach, it hit it.
+                const auto hits = [&](double aside_x, double aside_z) {
+                    const glm::dvec3 way(light.direction);
+                    for (int step = 0; step <= 400; ++step) {
+                        const glm::dvec3 at = point + glm::dvec3(aside_x, 0, aside_z) + way * (step / 400.0 / way.y);
+                        if (std::max(std::abs(at.x), std::abs(at.z)) <= double(half) && at.y <= 2 * double(half))
+                            return true;
+                    }
+                    return false;
+                };
+                const double reach = 5 * texel / double(light.direction.y);
+                if (!hits(0, 0) || !hits(reach, reach) || !hits(-reach, reach) || !hits(reach, -reach) ||
+                    !hits(-reach, -reach))
+                    continue;
+                ++close;
+                EXPECT_EQ(image.at(x, y)[0], 0) << height << " at " << point.x << " " << point.z;
+            }
+        }
+        EXPECT_GT(close, 100);
+    }
 }
 
 TEST(Shadow, IsAsDarkAsItsStrength) {
@@ -212,8 +355,8 @@ TEST(Shadow, IsAsDarkAsItsStrength) {
 // A finer map has a sharper edge: errors are texels, whatever their size.
 TEST(Shadow, OfAFinerMapIsNearerToTheTruth) {
     const World world = scene(sun(), 128, plain_caster());
-    const Image coarse = draw(world, {.path = "forward", .shadow_atlas_size = 512});
-    const Image fine = draw(world, {.path = "forward", .shadow_atlas_size = 4096});
+    const Image coarse = draw(world, {.path = "forward", .shadow_atlas_size = 128});
+    const Image fine = draw(world, {.path = "forward", .shadow_atlas_size = 1024});
     int between_coarse = 0, between_fine = 0;
     for (std::size_t i = 0; i < coarse.pixels.size(); i += 4) {
         between_coarse += coarse.pixels[i] > 0 && coarse.pixels[i] < 1;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace patina::runtime {
 namespace {
@@ -99,9 +100,11 @@ TEST(EngineValues, FourLightsCountAtVerticesAndSlotsWithoutALightHaveNoShadowMap
 TEST(EngineValues, ShadowMapsAreMatrixTileAndStrength) {
     Scene scene;
     Light sun{.direction = {0, 1, 0}, .shadow = {.casts = true, .strength = 0.5f}};
-    const Sphere ball{.center = {3, 0, 1}, .radius = 2};
+    scene.camera = {.position = {0, 0, 60}};
+    const Mesh mesh = make_sphere(2);
+    const ShadowObject ball{.mesh = &mesh, .object_to_world = glm::translate(glm::mat4(1), {3, 0, 1})};
     const ShadowView map =
-        directional_shadow(sun, std::span(&ball, 1), std::span(&ball, 1), {.number = 3, .atlas_size = 512});
+        directional_shadow(sun, std::span(&ball, 1), camera_view(scene), {}, {.number = 3, .atlas_size = 512});
     EngineScene seen{.scene = &scene,
                      .lights = {{.light = &sun, .index = 5, .shadow_map = 0}},
                      .shadow_maps = std::span(&map, 1),

@@ -245,6 +245,25 @@ TEST_F(WorldOfFile, SaysWhichPictureCannotBeRead) {
     EXPECT_NE(file.diagnostics[0].message.find("cookie.png"), std::string::npos);
 }
 
+// A shadow map is flat: it cannot hold a half-space.
+TEST_F(WorldOfFile, WarnsOfShadowsThatEndWithinTheirCone) {
+    const auto spot = [&](const std::string& rest) {
+        return read(
+            "\"lights\":[\n"
+            R"({"type":"spot","position":[0,3,0],"direction":[0,-1,0],)" +
+            rest + "}]");
+    };
+    const WorldFile file = spot(R"("outer":90,"shadow":true)");
+    EXPECT_TRUE(file.ok);
+    ASSERT_EQ(file.diagnostics.size(), 1u);
+    EXPECT_EQ(file.diagnostics[0].code, "cut-shadow");
+    EXPECT_EQ(file.diagnostics[0].severity, Severity::Warning);
+    EXPECT_EQ(file.diagnostics[0].line, 4);
+    EXPECT_NE(file.diagnostics[0].message.find("85 degrees"), std::string::npos);
+    EXPECT_TRUE(spot(R"("outer":85,"shadow":true)").diagnostics.empty());
+    EXPECT_TRUE(spot(R"("outer":90)").diagnostics.empty());
+}
+
 TEST_F(WorldOfFile, PassesOnWhatTheReaderSays) {
     const WorldFile file = read(R"("lights":[{"type":"sun"}])");
     EXPECT_FALSE(file.ok);

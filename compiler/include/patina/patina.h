@@ -187,7 +187,7 @@ struct PassInfo {
         Blend blend{};
     };
     std::vector<SurfaceBlend> blends{};  // of pass.targets; none: every surface takes part, and overwrites
-    bool is_optional = false;     // a material that it cannot draw goes without it
+    bool is_optional = false;            // a material that it cannot draw goes without it
 };
 struct PathInfo {
     std::string name;  // as CompileOptions::path names it

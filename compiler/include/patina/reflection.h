@@ -150,6 +150,7 @@ struct Reflection {
     std::string workflow, lighting;
     std::string surface = "opaque";  // opaque | cutout | fade | transparent | additive | multiply
     std::string path = "forward";    // the rendering path that the passes belong to
+    bool moves_vertices = false;     // the graph's vertex stage does: a mesh's bounds are not what is drawn
     std::vector<Switch> switches{};
     std::vector<Property> properties;
     std::vector<Block> blocks;
