@@ -40,7 +40,7 @@ World plane(const std::string& surface, bool in_fog) {
     if (in_fog)
         world.view.fog = {.mode = runtime::FogMode::Exponential, .color = glm::vec3(kFog), .density = float(kDensity)};
     const std::string graph = written("blended_" + surface + ".graph.json", R"({ "patina": 1,
-  "workflow": "metallic-roughness", "lighting": "lambert", "surface": { "baseColor": 0.5, "alpha": 0.25 },
+  "workflow": "metallic-roughness", "lighting": "lambert", "surface": { "baseColor": 0.5, "alpha": 0.25, "alphaClip": 0.1 },
   "render": { "surface": ")" + surface + "\" } }");
     add_object(world, graph, "plane", 8, glm::scale(glm::mat4(1), glm::vec3(4)));
     return world;
@@ -57,6 +57,8 @@ glm::dvec3 fogged(const glm::dvec3& fog, double light, double seen) {
 }
 constexpr Case kCases[] = {
     {"opaque", [](double light, double seen) { return glm::dvec4(fogged(kFog, light, seen), 1); }},
+    {"cutout",  // alpha is not below alphaClip, which is 0.1
+     [](double light, double seen) { return glm::dvec4(fogged(kFog, light, seen), 1); }},
     {"fade",
      [](double light, double seen) {
          return glm::dvec4(glm::mix(glm::dvec3(kBehind), fogged(kFog, light, seen), kAlpha),

@@ -240,7 +240,7 @@ TEST(Pruning, VerticesHandOverNoConstants) {
         for (const Stage stage : {Stage::Vertex, Stage::Fragment}) {
             const Shader* shader = find_shader(result, "vertex", stage);
             ASSERT_TRUE(shader);
-            EXPECT_GT(count(shader->text, "v_diffuse_light"), 0u) << shader->text;
+            EXPECT_GT(count(shader->text, "v_light_by_diffuse"), 0u) << shader->text;
             EXPECT_EQ(count(shader->text, "v_other"), 0u) << shader->text;
         }
     }

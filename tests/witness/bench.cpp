@@ -17,6 +17,19 @@ std::string words_of(const std::vector<Diagnostic>& diagnostics) {
     return text;
 }
 
+// The forward pass, of an opaque surface whose alpha is a number like the others.
+constexpr const char* kPath = "values.pass.hlsl";
+constexpr const char* kPass = R"(
+[pass("values")] [vertex]
+float4 values_vertex(float3 position = position_ws) { return mul(world_to_clip, float4(position, 1)); }
+
+[pass("values")] [fragment] [lights("all")] [blend("one", "zero")]
+float4 values_fragment(float3 position = position_ws) {
+    LightingSurface lit = lighting_surface();
+    return float4(lit_by_all(lit, position), lit.alpha);
+}
+)";
+
 // What both ways of drawing are given.
 struct Setting {
     runtime::Scene scene;
@@ -44,6 +57,7 @@ struct Setting {
     }
     runtime::Draw draw(const Result& result) const {
         return {.reflection = &result.reflection,
+                .pass = "values",
                 .scene = &scene,
                 .blocks = blocks,
                 .textures = textures,
@@ -97,12 +111,14 @@ std::vector<std::uint32_t> Bench::spirv(const Result& result, Stage stage, Targe
 std::optional<Material> Bench::compile(const std::string& text, const std::map<std::string, std::string>& files,
                                        bool only_cpu) {
     const Loader loader = [&files](const std::string& path) -> std::optional<std::string> {
+        if (path.ends_with(kPath)) return kPass;
         const auto found = files.find(path.substr(path.find_last_of('/') + 1));
         return found == files.end() ? std::nullopt : std::optional(found->second);
     };
     Material material{.result = compiler_.compile_text(
                           "witness.graph.json", text,
                           {.targets = only_cpu ? std::vector<Target>{} : std::vector{Target::Glsl, Target::Hlsl},
+                           .path = kPath,
                            .passes = {},
                            .include_dirs = {},
                            .loader = loader,

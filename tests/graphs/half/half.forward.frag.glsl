@@ -3,12 +3,6 @@
 #version 450
 #extension GL_EXT_shader_explicit_arithmetic_types_float16 : require
 
-struct Surface
-{
-    vec3 color;
-    float alpha;
-};
-
 layout(set = 1, binding = 0, std140) uniform Material
 {
     vec4 _Color;
@@ -16,21 +10,18 @@ layout(set = 1, binding = 0, std140) uniform Material
 
 layout(location = 0) out vec4 out_color;
 
-Surface surface()
+vec3 surface()
 {
     // Contrast "graded"
     f16vec3 graded = 0.18005371hf + (f16vec3(_Color.xyz) - 0.18005371hf) * 1.4003906hf;
 
     f16vec3 dark = graded * graded;
 
-    Surface s;
-    s.color = vec3(dark);
-    s.alpha = 1.0;
-    return s;
+    return vec3(dark);
 }
 
 void main()
 {
-    Surface material = surface();
-    out_color = vec4(material.color, material.alpha);
+    vec3 material = surface();
+    out_color = vec4(material, 1.0);
 }

@@ -112,6 +112,5 @@ void main()
     vec3 evaluate_sh9 = EvaluateSH9(geometry_normal_ws, ambient_sh[0].xyz, ambient_sh[1].xyz, ambient_sh[2].xyz,
         ambient_sh[3].xyz, ambient_sh[4].xyz, ambient_sh[5].xyz, ambient_sh[6].xyz, ambient_sh[7].xyz,
         ambient_sh[8].xyz);
-    vec3 color = direct_sum + setup * evaluate_sh9;
-    out_color = vec4(color, 1.0);
+    out_color = vec4(direct_sum + setup * evaluate_sh9, 1.0);
 }

@@ -17,7 +17,6 @@ struct Surface
     vec3 normal_ws;
     float occlusion;
     vec3 emission;
-    float alpha;
 };
 
 struct Light
@@ -94,7 +93,6 @@ Surface surface(vec2 uv0, vec3 geometry_normal_ws)
     s.normal_ws = geometry_normal_ws;
     s.occlusion = light_count_2 * main_;
     s.emission = vec3(0.0);
-    s.alpha = 1.0;
     return s;
 }
 
@@ -270,6 +268,5 @@ void main()
     vec3 reflectance = mix(setup.f0, vec3(grazing), SchlickWeight(ndotv));
 
     vec3 product = (setup.diffuse_color * ambient + reduction * reflectance * environment_texel.xyz) * material.occlusion;
-    vec3 color = direct_sum + product + material.emission;
-    out_color = vec4(color, material.alpha);
+    out_color = vec4(direct_sum + product + material.emission, 1.0);
 }

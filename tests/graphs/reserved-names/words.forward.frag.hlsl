@@ -16,7 +16,6 @@ struct Surface
     float3 normal_ws;
     float occlusion;
     float3 emission;
-    float alpha;
 };
 
 struct Light
@@ -100,7 +99,6 @@ Surface surface(float2 uv0, float3 geometry_normal_ws)
     s.normal_ws = geometry_normal_ws;
     s.occlusion = light_count_2 * main_;
     s.emission = float3(0.0, 0.0, 0.0);
-    s.alpha = 1.0;
     return s;
 }
 
@@ -277,8 +275,7 @@ FragmentOutput main(FragmentInput input)
     float3 reflectance = lerp(setup.f0, grazing.xxx, SchlickWeight(ndotv));
 
     float3 product = (setup.diffuse_color * ambient + reduction * reflectance * environment_texel.xyz) * material.occlusion;
-    float3 color = direct_sum + product + material.emission;
     FragmentOutput output;
-    output.color = float4(color, material.alpha);
+    output.color = float4(direct_sum + product + material.emission, 1.0);
     return output;
 }

@@ -23,7 +23,6 @@ struct Surface
     vec3 normal_ws;
     float occlusion;
     vec3 emission;
-    float alpha;
 };
 
 struct MetallicFromSpecularQuickResult
@@ -121,7 +120,6 @@ Surface surface(vec2 uv0, vec3 geometry_normal_ws, vec3 tangent_ws, vec3 bitange
     s.normal_ws = NormalTangentToWorld(bumps, geometry_normal_ws, tangent_ws, bitangent_ws);
     s.occlusion = 1.0;
     s.emission = vec3(0.0);
-    s.alpha = 1.0;
     return s;
 }
 
@@ -348,6 +346,5 @@ void main()
     vec3 reflectance = mix(setup.f0, vec3(grazing), SchlickWeight(ndotv));
 
     vec3 product_2 = (setup.diffuse_color * ambient + reduction * reflectance * environment_texel.xyz) * material.occlusion;
-    vec3 color = direct_sum + product_2 + material.emission;
-    out_color = vec4(color, material.alpha);
+    out_color = vec4(direct_sum + product_2 + material.emission, 1.0);
 }

@@ -22,7 +22,6 @@ struct Surface
     float3 normal_ws;
     float occlusion;
     float3 emission;
-    float alpha;
 };
 
 struct MetallicFromSpecularQuickResult
@@ -127,7 +126,6 @@ Surface surface(float2 uv0, float3 geometry_normal_ws, float3 tangent_ws, float3
     s.normal_ws = NormalTangentToWorld(bumps, geometry_normal_ws, tangent_ws, bitangent_ws);
     s.occlusion = 1.0;
     s.emission = float3(0.0, 0.0, 0.0);
-    s.alpha = 1.0;
     return s;
 }
 
@@ -355,8 +353,7 @@ FragmentOutput main(FragmentInput input)
     float3 reflectance = lerp(setup.f0, grazing.xxx, SchlickWeight(ndotv));
 
     float3 product_2 = (setup.diffuse_color * ambient + reduction * reflectance * environment_texel.xyz) * material.occlusion;
-    float3 color = direct_sum + product_2 + material.emission;
     FragmentOutput output;
-    output.color = float4(color, material.alpha);
+    output.color = float4(direct_sum + product_2 + material.emission, 1.0);
     return output;
 }

@@ -15,5 +15,5 @@ void main()
     float grey = _Color.z * 0.25 + v_uv0.y;
 
     vec3 emission = _Color.zyx * grey;
-    out_color = vec4(emission, _Color.w);
+    out_color = vec4(emission, 1.0);
 }

@@ -22,6 +22,6 @@ FragmentOutput main(FragmentInput input)
 
     float3 emission = _Color.zyx * grey;
     FragmentOutput output;
-    output.color = float4(emission, _Color.w);
+    output.color = float4(emission, 1.0);
     return output;
 }

@@ -106,6 +106,5 @@ void main()
         ambient_sh[3].xyz, ambient_sh[4].xyz, ambient_sh[5].xyz, ambient_sh[6].xyz, ambient_sh[7].xyz,
         ambient_sh[8].xyz);
 
-    vec3 color = direct_sum + setup * ambient;
-    out_color = vec4(color, 1.0);
+    out_color = vec4(direct_sum + setup * ambient, 1.0);
 }
