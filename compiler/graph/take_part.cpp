@@ -76,8 +76,8 @@ private:
             if (op == Op::Sample) return;  // of the first level, there
             refuse(place, fmt::format("{} compares neighbouring pixels, and vertices have none", said(place)));
         } else if (!draws_objects()) {
-            refuse(place, fmt::format("{} compares neighbouring pixels, and here they may be of other objects",
-                                      said(place)));
+            refuse(place,
+                   fmt::format("{} compares neighbouring pixels, and here they may be of other objects", said(place)));
         }
     }
 

@@ -1,5 +1,5 @@
 // The lighting surface: what stands between a material and its lighting. A workflow fills it, lighting graphs read it,
-// a G-buffer will store it. A lighting model's own inputs are added to it by the compiler.
+// a G-buffer stores it. A lighting model's own inputs are added to it by the compiler.
 
 /// What lighting knows about a point of a surface.
 struct LightingSurface {

@@ -58,7 +58,7 @@ TEST_P(Mistakes, AreSeen) {
 INSTANTIATE_TEST_SUITE_P(
     Of, Mistakes,
     testing::Values(
-        Mistake{"LightsReplaceEachOther", "forward-add", R"([blend("opaque", "one", "one")])",
+        Mistake{"LightsReplaceEachOther", "forward-add", R"([blend("opaque", "one", "one", "zero", "one")])",
                 R"([blend("opaque", "one", "zero")])"},
         Mistake{"AddedPassIsHidden", "forward-add", R"([depth("lessEqual", "keep")])", R"([depth("less", "keep")])"},
         Mistake{"AddedPassTakesAllLights", "forward-add", R"([each("light")] [lights("further")])",

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "paths/drawing.h"
+#include "runtime/world_file.h"
 
 namespace patina::paths {
 namespace {
@@ -219,6 +220,20 @@ TEST(OwnLighting, IsTheSameInForwardAddAndDeferred) {
         const Drawn other = drawn(world, {.path = path, .exact_targets = true});
         EXPECT_EQ(other.codes(), std::vector<std::string>{});
         EXPECT_SAME_PICTURE(forward, other.image);
+    }
+}
+
+// The scene that the README shows.
+TEST(OwnLighting, IsTheSameInTheShownScene) {
+    runtime::WorldFile file = runtime::read_world(compiler(), "examples/scenes/ramps.scene.json", {});
+    ASSERT_TRUE(file.ok);
+    World& world = file.world;
+    world.view.samples = 1;
+    world.pixel_light_count = 16;
+    const Image forward = draw(world, {.path = "forward", .exact_targets = true});
+    for (const char* path : {"forward-add", "deferred-extended"}) {
+        SCOPED_TRACE(path);
+        EXPECT_SAME_PICTURE(forward, draw(world, {.path = path, .exact_targets = true}));
     }
 }
 

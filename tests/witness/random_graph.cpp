@@ -376,8 +376,8 @@ private:
         }
     }
 
-    // Its branches ask the flag. Mesa walks a condition of uniforms alone along every way through what they share, which
-    // may take it hours; a texel, which never says yes, ends the walk at once.
+    // Its branches ask the flag. Mesa walks a condition of uniforms alone along every way through what they share,
+    // which may take it hours; a texel, which never says yes, ends the walk at once.
     void file_node(const std::string& id) {
         const bool half = choose_half();
         const std::string name = "Generated_" + id, file = name + ".node.hlsl";
