@@ -203,7 +203,7 @@ private:
     Typed literal_as(Typed value, ir::Scalar scalar, Scope& scope, Span span);
     bool unify(std::span<Typed> operands, Scope& scope, Span span, std::string_view op);
 
-    // calls (emit_call.cpp)
+    // calls (emit_call.cpp, emit_intrinsic.cpp)
     Typed call_expression(const Expr& expr, Scope& scope);
     Typed method(const Expr& expr, Scope& scope);
     Typed constructor(ir::Type type, const Expr& expr, Scope& scope);

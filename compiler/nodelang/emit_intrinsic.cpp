@@ -1,0 +1,359 @@
+// Built-in functions, constructors and methods of textures: what a call means that no declaration explains.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "compiler/base/text.h"
+#include "compiler/ir/fold.h"
+#include "compiler/nodelang/emit.h"
+
+namespace patina::nodelang {
+
+using ir::Op;
+using ir::Scalar;
+using ir::Type;
+using ir::Value;
+
+namespace {
+
+// What operands an intrinsic takes.
+enum class Takes {
+    Floats,    // any width, one type
+    Numbers,   // integers too
+    Vectors,   // floats of at least two components
+    Vectors3,  // float3
+    Unlike,    // refract: two vectors and a scalar
+    Bools,     // any, all
+    Product,   // mul
+    Matrix,    // transpose, determinant
+    Floating,  // isnan, isinf: result is bool
+    Pixels,    // derivatives
+};
+struct Intrinsic {
+    std::string_view name;
+    Op op;
+    std::size_t arguments;
+    Takes takes;
+};
+constexpr Intrinsic kIntrinsics[] = {
+    {"abs", Op::Abs, 1, Takes::Numbers},
+    {"acos", Op::Acos, 1, Takes::Floats},
+    {"all", Op::All, 1, Takes::Bools},
+    {"any", Op::Any, 1, Takes::Bools},
+    {"asin", Op::Asin, 1, Takes::Floats},
+    {"atan", Op::Atan, 1, Takes::Floats},
+    {"atan2", Op::Atan2, 2, Takes::Floats},
+    {"ceil", Op::Ceil, 1, Takes::Floats},
+    {"clamp", Op::Clamp, 3, Takes::Numbers},
+    {"cos", Op::Cos, 1, Takes::Floats},
+    {"cosh", Op::Cosh, 1, Takes::Floats},
+    {"cross", Op::Cross, 2, Takes::Vectors3},
+    {"ddx", Op::Ddx, 1, Takes::Pixels},
+    {"ddy", Op::Ddy, 1, Takes::Pixels},
+    {"degrees", Op::Degrees, 1, Takes::Floats},
+    {"determinant", Op::Determinant, 1, Takes::Matrix},
+    {"distance", Op::Distance, 2, Takes::Vectors},
+    {"dot", Op::Dot, 2, Takes::Vectors},
+    {"exp", Op::Exp, 1, Takes::Floats},
+    {"exp2", Op::Exp2, 1, Takes::Floats},
+    {"floor", Op::Floor, 1, Takes::Floats},
+    {"fmod", Op::Mod, 2, Takes::Floats},
+    {"frac", Op::Frac, 1, Takes::Floats},
+    {"fwidth", Op::Fwidth, 1, Takes::Pixels},
+    {"isinf", Op::IsInf, 1, Takes::Floating},
+    {"isnan", Op::IsNan, 1, Takes::Floating},
+    {"length", Op::Length, 1, Takes::Vectors},
+    {"lerp", Op::Lerp, 3, Takes::Floats},
+    {"log", Op::Log, 1, Takes::Floats},
+    {"log2", Op::Log2, 1, Takes::Floats},
+    {"max", Op::Max, 2, Takes::Numbers},
+    {"min", Op::Min, 2, Takes::Numbers},
+    {"mul", Op::MatMul, 2, Takes::Product},
+    {"normalize", Op::Normalize, 1, Takes::Vectors},
+    {"pow", Op::Pow, 2, Takes::Floats},
+    {"radians", Op::Radians, 1, Takes::Floats},
+    {"reflect", Op::Reflect, 2, Takes::Vectors},
+    {"refract", Op::Refract, 3, Takes::Unlike},
+    {"round", Op::Round, 1, Takes::Floats},
+    {"rsqrt", Op::Rsqrt, 1, Takes::Floats},
+    {"saturate", Op::Saturate, 1, Takes::Floats},
+    {"sign", Op::Sign, 1, Takes::Floats},
+    {"sin", Op::Sin, 1, Takes::Floats},
+    {"sinh", Op::Sinh, 1, Takes::Floats},
+    {"smoothstep", Op::Smoothstep, 3, Takes::Floats},
+    {"sqrt", Op::Sqrt, 1, Takes::Floats},
+    {"step", Op::Step, 2, Takes::Floats},
+    {"tan", Op::Tan, 1, Takes::Floats},
+    {"tanh", Op::Tanh, 1, Takes::Floats},
+    {"transpose", Op::Transpose, 1, Takes::Matrix},
+    {"trunc", Op::Trunc, 1, Takes::Floats},
+};
+constexpr std::pair<std::string_view, Scalar> kBitcasts[] = {
+    {"asfloat", Scalar::Float}, {"asint", Scalar::Int}, {"asuint", Scalar::Uint}};
+
+const Intrinsic* find_intrinsic(std::string_view name) {
+    const auto found = std::lower_bound(std::begin(kIntrinsics), std::end(kIntrinsics), name,
+                                        [](const Intrinsic& row, std::string_view n) { return row.name < n; });
+    return found != std::end(kIntrinsics) && found->name == name ? found : nullptr;
+}
+
+}  // namespace
+
+std::vector<std::string_view> intrinsic_names() {
+    std::vector<std::string_view> names;
+    for (const Intrinsic& row : kIntrinsics) names.push_back(row.name);
+    return names;
+}
+
+void Emitter::need_quad(Scope& scope, Span span, std::string_view what) {
+    if (scope.in_vertex_stage) {
+        const bool is_node = !diagnostics_.context_node().empty();
+        const std::string_view own = scope.function ? scope.function->name : std::string_view();
+        diagnostics_.report(Code::WrongStage, span, what, is_node ? diagnostics_.context_node() : own)
+            .note("vertices have no neighbouring pixels; a texture can be sampled at a level there (SampleLevel)");
+    } else if (!scope.flow.empty()) {
+        diagnostics_.report(Code::DerivativeInFlow, span, what, scope.flow)
+            .note("compute it before, or sample with SampleLevel or SampleGrad");
+    }
+    if (scope.needs_quad) *scope.needs_quad = true;
+}
+
+Typed Emitter::intrinsic(std::string_view name, const Expr& expr, Scope& scope, bool& found) {
+    const auto bitcast =
+        std::find_if(std::begin(kBitcasts), std::end(kBitcasts), [&](const auto& row) { return row.first == name; });
+    const Intrinsic* row = find_intrinsic(name);
+    found = row || bitcast != std::end(kBitcasts);
+    if (!found) return {};
+    const std::size_t wanted = row ? row->arguments : 1;
+    if (expr.args.size() != wanted) {
+        diagnostics_.report(Code::ArgumentCount, expr.name_span, name, wanted, expr.args.size());
+        return {};
+    }
+    std::vector<Typed> operands;
+    operands.reserve(expr.args.size());
+    bool good = true;
+    for (const Expr* argument : expr.args) {
+        operands.push_back(primary(expression(*argument, scope), scope, argument->span));
+        good = good && operands.back().ok();
+    }
+    if (!good) return {};
+    ir::Builder& b = *scope.builder;
+    const auto refuse = [&](const Typed& operand) {
+        diagnostics_.report(Code::BadOperand, expr.span, name, module_.type_name(operand.type));
+        return Typed{};
+    };
+    for (const Typed& operand : operands) {
+        if (!operand.type.is_numeric()) return refuse(operand);
+    }
+    const Scalar floating = scope.half ? Scalar::Half : Scalar::Float;
+    if (!row) {
+        if (operands[0].literal && operands[0].type.is_integer() && bitcast->second != Scalar::Float)
+            return operands[0];
+        const Type type = operands[0].type.with_scalar(bitcast->second);
+        if (operands[0].type.is_bool() || operands[0].type.scalar == Scalar::Half) return refuse(operands[0]);
+        return {.value = b.emit(Op::Bitcast, type, {operands[0].value}), .type = type};
+    }
+    if (row->takes == Takes::Product) {
+        // Half joins float as float.
+        for (std::size_t i : {0u, 1u}) {
+            Typed& half = operands[i];
+            if (half.type.scalar != Scalar::Half || operands[1 - i].type.scalar != Scalar::Float) continue;
+            half = {.value = b.convert(half.value, Scalar::Float), .type = half.type.with_scalar(Scalar::Float)};
+        }
+        const Type left = operands[0].type, right = operands[1].type;
+        const std::array types{left, right};
+        if (left.is_matrix() || right.is_matrix()) {
+            const Type type = ir::result_type(Op::MatMul, types);
+            if (type.is_error()) {
+                diagnostics_.report(Code::BadOperands, expr.span, name, module_.type_name(left),
+                                    module_.type_name(right));
+                return {};
+            }
+            return {.value = b.emit(Op::MatMul, type, {operands[0].value, operands[1].value}), .type = type};
+        }
+        return refuse(operands[0]);
+    }
+    if (row->takes == Takes::Matrix) {
+        if (!operands[0].type.is_matrix()) return refuse(operands[0]);
+        const Value value = b.emit(row->op, {operands[0].value});
+        return {.value = value, .type = b.type(value)};
+    }
+    if (row->takes == Takes::Bools) {
+        if (!operands[0].type.is_bool()) return refuse(operands[0]);
+        if (operands[0].type.is_scalar()) return operands[0];
+        return {.value = b.emit(row->op, ir::kBool, {operands[0].value}), .type = ir::kBool};
+    }
+    // Whole literals are floats here, unless they meet an integer.
+    const bool integers =
+        row->takes == Takes::Numbers &&
+        std::any_of(operands.begin(), operands.end(), [](const Typed& t) { return t.type.is_integer() && !t.literal; });
+    for (Typed& operand : operands) {
+        if (!integers && operand.literal && operand.type.is_integer())
+            operand = literal_as(operand, floating, scope, expr.span);
+        if (operand.type.is_bool() || (operand.type.is_integer() && !integers) || operand.type.is_matrix()) {
+            return refuse(operand);
+        }
+    }
+    const std::size_t joined = row->takes == Takes::Unlike ? 2 : operands.size();
+    if (joined > 1 && !unify(std::span(operands).subspan(0, joined), scope, expr.span, name)) return {};
+    const Type type = operands[0].type;
+    // A vector of one component: what floatN may come to.
+    if (row->takes == Takes::Vectors && type.is_scalar() && ir::info(row->op).rule == ir::TypeRule::Scalar) {
+        const Value first = operands[0].value;
+        if (row->op == Op::Dot) return {.value = b.emit(Op::Mul, type, {first, operands[1].value}), .type = type};
+        const Value difference = row->op == Op::Distance ? b.emit(Op::Sub, type, {first, operands[1].value}) : first;
+        return {.value = b.emit(Op::Abs, type, {difference}), .type = type};
+    }
+    if (row->takes == Takes::Vectors || row->takes == Takes::Vectors3 || row->takes == Takes::Unlike) {
+        if (!type.is_vector() || (row->takes == Takes::Vectors3 && type.width() != 3)) return refuse(operands[0]);
+    }
+    if (row->takes == Takes::Unlike) {
+        operands[2] = convert(operands[2], Type::scalar_of(type.scalar), scope, expr.args[2]->span, "the ratio");
+        if (!operands[2].ok()) return {};
+    }
+    if (row->takes == Takes::Pixels) need_quad(scope, expr.span, name);
+    std::vector<Value> values;
+    for (const Typed& operand : operands) values.push_back(operand.value);
+    const ir::TypeRule rule = ir::info(row->op).rule;
+    const Type result = rule == ir::TypeRule::Scalar  ? Type::scalar_of(type.scalar)
+                        : rule == ir::TypeRule::Bools ? Type::vector(Scalar::Bool, type.width())
+                                                      : type;
+    warn_unless_finite(row->op, result, values, scope, expr.span, name);
+    return {.value = b.emit(row->op, result, values), .type = result};
+}
+
+// The builder leaves what is NaN or infinite to the GPU; the author is told.
+void Emitter::warn_unless_finite(Op op, Type type, std::span<const Value> values, const Scope& scope, Span span,
+                                 std::string_view what) {
+    const auto is_constant = [&](Value value) { return !scope.builder->constant_of(value).empty(); };
+    if (!std::all_of(values.begin(), values.end(), is_constant)) return;
+    std::vector<Type> types;
+    std::vector<std::span<const double>> numbers;
+    for (const Value value : values) {
+        types.push_back(scope.builder->type(value));
+        numbers.push_back(scope.builder->constant_of(value));
+    }
+    std::vector<double> made;
+    if (!ir::evaluate(op, type, types, numbers, 0, made)) return;
+    if (std::all_of(made.begin(), made.end(), [](double number) { return std::isfinite(number); })) return;
+    diagnostics_.report(Code::NotFinite, span, fmt::format("'{}'", what));
+}
+
+Typed Emitter::constructor(Type wanted, const Expr& expr, Scope& scope) {
+    ir::Builder& b = *scope.builder;
+    std::vector<Value> parts;
+    unsigned count = 0;
+    for (const Expr* argument : expr.args) {
+        Typed part = primary(expression(*argument, scope), scope, argument->span);
+        if (!part.ok()) return {};
+        if (!part.type.is_numeric() || part.type.is_matrix()) {
+            diagnostics_.report(Code::BadOperand, argument->span, expr.text, module_.type_name(part.type));
+            return {};
+        }
+        if (part.literal && !wanted.is_bool()) part = literal_as(part, wanted.scalar, scope, argument->span);
+        if (part.type.scalar != wanted.scalar) part.value = b.convert(part.value, wanted.scalar);
+        parts.push_back(part.value);
+        count += part.type.width();
+    }
+    const unsigned needed = wanted.components();
+    if (wanted.is_matrix()) {
+        // Rows, as in HLSL: one vector a row, or every component.
+        std::vector<Value> rows;
+        if (parts.size() == wanted.rows && count == needed) {
+            rows = parts;
+        } else if (parts.size() == needed) {
+            for (unsigned r = 0; r < wanted.rows; ++r) {
+                rows.push_back(b.construct(Type::vector(wanted.scalar, wanted.cols),
+                                           std::span(parts).subspan(r * wanted.cols, wanted.cols)));
+            }
+        } else {
+            diagnostics_.report(Code::ArgumentCount, expr.name_span, expr.text, needed, count);
+            return {};
+        }
+        return {.value = b.construct(wanted, rows), .type = wanted};
+    }
+    if (parts.size() == 1 && count == needed) return {.value = parts[0], .type = wanted};
+    if (parts.size() == 1 && count == 1) return {.value = b.splat(parts[0], needed), .type = wanted};
+    if (count != needed) {
+        DiagnosticRecord& record = diagnostics_.report(Code::ArgumentCount, expr.name_span, expr.text, needed, count);
+        if (count > needed && parts.size() == 1) {
+            record.note(fmt::format("take a part: .{}", std::string_view("xyzw").substr(0, needed)));
+        }
+        return {};
+    }
+    return {.value = b.construct(wanted, parts), .type = wanted};
+}
+
+// texture.Sample(uv), texture.Sample(sampler, uv), ...
+Typed Emitter::method(const Expr& expr, Scope& scope) {
+    struct Method {
+        std::string_view name;
+        Op op;
+        std::array<Type, 3> params;
+        std::size_t count;
+        bool sampler;
+    };
+    static constexpr Method kMethods2D[] = {
+        {"Sample", Op::Sample, {ir::kFloat2}, 1, true},
+        {"SampleBias", Op::SampleBias, {ir::kFloat2, ir::kFloat}, 2, true},
+        {"SampleLevel", Op::SampleLevel, {ir::kFloat2, ir::kFloat}, 2, true},
+        {"SampleGrad", Op::SampleGrad, {ir::kFloat2, ir::kFloat2, ir::kFloat2}, 3, true},
+        {"Load", Op::TexelLoad, {Type::vector(Scalar::Int, 2), ir::kInt}, 2, false},
+        {"Size", Op::TextureSize, {ir::kInt}, 1, false},
+    };
+    static constexpr Method kMethodsCube[] = {
+        {"Sample", Op::Sample, {ir::kFloat3}, 1, true},
+        {"SampleBias", Op::SampleBias, {ir::kFloat3, ir::kFloat}, 2, true},
+        {"SampleLevel", Op::SampleLevel, {ir::kFloat3, ir::kFloat}, 2, true},
+        {"SampleGrad", Op::SampleGrad, {ir::kFloat3, ir::kFloat3, ir::kFloat3}, 3, true},
+        {"Size", Op::TextureSize, {ir::kInt}, 1, false},
+    };
+    const Typed object = primary(expression(*expr.args[0], scope), scope, expr.args[0]->span);
+    if (!object.ok()) return {};
+    const std::span<const Method> methods = texture_cube_ && object.type == *texture_cube_
+                                                ? std::span<const Method>(kMethodsCube)
+                                                : std::span<const Method>(kMethods2D);
+    const auto row = std::find_if(methods.begin(), methods.end(), [&](const Method& m) { return m.name == expr.text; });
+    if (!is_texture(object.type) || row == methods.end()) {
+        DiagnosticRecord& record = diagnostics_.report(Code::UnknownName, expr.name_span, "method", expr.text);
+        if (is_texture(object.type)) {
+            std::vector<std::string_view> names;
+            for (const Method& m : methods) names.push_back(m.name);
+            record.note(Diagnostics::suggestion(expr.text, names));
+        } else {
+            record.note(fmt::format("{} has no methods", module_.type_name(object.type)));
+        }
+        return {};
+    }
+    ir::Builder& b = *scope.builder;
+    std::span<const Expr* const> arguments = std::span(expr.args).subspan(1);
+    std::vector<Value> operands{b.extract(object.value, 0)};
+    Value sampler = b.extract(object.value, 1);
+    if (row->sampler && arguments.size() == row->count + 1) {
+        const Typed given = expression(*arguments[0], scope);
+        if (!given.ok()) return {};
+        if (given.type.kind != ir::Kind::Sampler) {
+            diagnostics_.report(Code::TypeMismatch, arguments[0]->span, "the first argument",
+                                module_.type_name(given.type), "SamplerState");
+            return {};
+        }
+        sampler = given.value;
+        arguments = arguments.subspan(1);
+    }
+    if (arguments.size() != row->count) {
+        diagnostics_.report(Code::ArgumentCount, expr.name_span, expr.text, row->count, arguments.size());
+        return {};
+    }
+    if (row->op != Op::TextureSize && row->op != Op::TexelLoad) operands.push_back(sampler);
+    for (std::size_t i = 0; i < row->count; ++i) {
+        const Typed value =
+            expression_as(*arguments[i], row->params[i], scope, fmt::format("an argument of {}", expr.text));
+        if (!value.ok()) return {};
+        operands.push_back(value.value);
+    }
+    if (ir::has(row->op, ir::Derivative)) need_quad(scope, expr.span, expr.text);
+    const Type result = row->op == Op::TextureSize ? Type::vector(Scalar::Int, 2) : ir::kFloat4;
+    return {.value = b.emit(row->op, result, operands), .type = result};
+}
+
+}  // namespace patina::nodelang
