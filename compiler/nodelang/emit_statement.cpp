@@ -205,6 +205,7 @@ bool Emitter::store(const Expr& target, Typed value, Scope& scope) {
     const auto insert = [&](std::uint32_t part) {
         const Typed fitted = convert(value, ir::part_type(module_, object.type, part), scope, target.span, "the value");
         if (!fitted.ok()) return false;
+        if (object.type.kind == ir::Kind::Struct) b.name(fitted.value, module_.intern(target.text));
         const Value whole = b.emit(Op::Insert, object.type, {object.value, fitted.value}, part);
         return store(*target.args[0], {.value = whole, .type = object.type}, scope);
     };

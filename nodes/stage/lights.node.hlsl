@@ -109,13 +109,14 @@ Light light_at(int index, float3 position) {
     int slot = clamp(index, 0, MAX_LIGHTS - 1);
     float4 place = light_position[slot];
     float4 color = light_color[slot];
-    float3 to_light = place.xyz - (place.w > 0.5 ? position : float3(0));
+    bool is_local = place.w > 0.5;
+    float3 to_light = place.xyz - (is_local ? position : float3(0));
     float distance_squared = dot(to_light, to_light);
     Light light;
     light.direction = to_light * rsqrt(max(distance_squared, 1e-12));
     light.color = color.rgb;
     if (lightmap && subtractive) { light.color = slot == main_light ? float3(0) : light.color; }
-    light.attenuation = place.w > 0.5 ? distance_attenuation(distance_squared, color.w) : 1;
+    light.attenuation = is_local ? distance_attenuation(distance_squared, color.w) : 1;
     float cosine = -dot(light_axis[slot].xyz, light.direction);
     float4 cone = light_cone[slot];
     float spot = saturate((cosine - cone.y) / max(cone.x - cone.y, 0.001));

@@ -191,18 +191,18 @@ Light light_at(int index, vec3 position)
     int slot = clamp(index, 0, 15);
     vec4 place = light_position[slot];
     vec4 color = light_color[slot];
-    bool test = place.w > 0.5;
-    vec3 to_light = place.xyz - (test ? position : vec3(0.0));
+    bool is_local = place.w > 0.5;
+    vec3 to_light = place.xyz - (is_local ? position : vec3(0.0));
     float distance_squared = dot(to_light, to_light);
     vec3 direction = to_light * inversesqrt(max(distance_squared, 1e-12));
-    float choice = test ? distance_attenuation(distance_squared, color.w) : 1.0;
+    float attenuation = is_local ? distance_attenuation(distance_squared, color.w) : 1.0;
     float cosine = -dot(light_axis[slot].xyz, direction);
     vec4 cone = light_cone[slot];
     float spot = clamp((cosine - cone.y) / max(cone.x - cone.y, 0.001), 0.0, 1.0);
     Light light;
     light.direction = direction;
     light.color = color.xyz;
-    light.attenuation = choice * (place.w > 1.5 ? spot * spot : 1.0);
+    light.attenuation = attenuation * (place.w > 1.5 ? spot * spot : 1.0);
     light.shadow = 1.0;
     return light;
 }
@@ -345,6 +345,6 @@ void main()
     // FresnelLerp "reflectance"
     vec3 reflectance = mix(setup.f0, vec3(grazing), SchlickWeight(ndotv));
 
-    vec3 product_2 = (setup.diffuse_color * ambient + reduction * reflectance * environment_texel.xyz) * material.occlusion;
-    out_color = vec4(direct_sum + product_2 + material.emission, 1.0);
+    vec3 indirect = (setup.diffuse_color * ambient + reduction * reflectance * environment_texel.xyz) * material.occlusion;
+    out_color = vec4(direct_sum + indirect + material.emission, 1.0);
 }

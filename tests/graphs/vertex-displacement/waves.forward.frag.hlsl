@@ -59,18 +59,18 @@ Light light_at(int index, float3 position)
     int slot = clamp(index, 0, 15);
     float4 place = light_position[slot];
     float4 color = light_color[slot];
-    bool test = place.w > 0.5;
-    float3 to_light = place.xyz - (test ? position : float3(0.0, 0.0, 0.0));
+    bool is_local = place.w > 0.5;
+    float3 to_light = place.xyz - (is_local ? position : float3(0.0, 0.0, 0.0));
     float distance_squared = dot(to_light, to_light);
     float3 direction = to_light * rsqrt(max(distance_squared, 1e-12));
-    float choice = test ? distance_attenuation(distance_squared, color.w) : 1.0;
+    float attenuation = is_local ? distance_attenuation(distance_squared, color.w) : 1.0;
     float cosine = -dot(light_axis[slot].xyz, direction);
     float4 cone = light_cone[slot];
     float spot = saturate((cosine - cone.y) / max(cone.x - cone.y, 0.001));
     Light light;
     light.direction = direction;
     light.color = color.xyz;
-    light.attenuation = choice * (place.w > 1.5 ? spot * spot : 1.0);
+    light.attenuation = attenuation * (place.w > 1.5 ? spot * spot : 1.0);
     light.shadow = 1.0;
     return light;
 }
@@ -113,7 +113,8 @@ FragmentOutput main(FragmentInput input)
         ambient_sh[3].xyz, ambient_sh[4].xyz, ambient_sh[5].xyz, ambient_sh[6].xyz, ambient_sh[7].xyz,
         ambient_sh[8].xyz);
 
+    float3 indirect = setup * ambient;
     FragmentOutput output;
-    output.color = float4(direct_sum + setup * ambient, 1.0);
+    output.color = float4(direct_sum + indirect, 1.0);
     return output;
 }
