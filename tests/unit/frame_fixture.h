@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <deque>
+#include <span>
 
 #include "compiler/assemble/program.h"
 #include "compiler/ir/builder.h"
@@ -157,7 +159,8 @@ inline HandMaterial hand_material(unsigned outputs, bool reads = false) {
 inline FrameStep hand_step(const HandMaterial& material, const Mesh& mesh, const std::vector<glm::vec4>& colors,
                            std::vector<std::size_t> targets, int depth = -1) {
     BlockBytes block{.name = "Colors", .bytes = std::vector<std::byte>(128)};
-    std::memcpy(block.bytes.data(), colors.data(), colors.size() * sizeof(glm::vec4));
+    const auto bytes = std::as_bytes(std::span(colors));
+    std::copy(bytes.begin(), bytes.end(), block.bytes.begin());
     return {
         .reflection = &material.reflection,
         .pass = &material.reflection.passes.front(),
