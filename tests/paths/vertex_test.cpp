@@ -5,6 +5,7 @@
 // 8 along each). Halving h leaves a quarter. Where light ends on a body, f has a bend: there a strip as wide as h is
 // missed by h / 4 at most, which in the mean is h^2 again. A method of the first order would leave half. Less than
 // sqrt(1/2 * 1/4) left, the geometric middle of both, is the second order.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -76,6 +77,36 @@ TEST(VertexLit, IsAsFarFromForwardAsInterpolationIs) {
         EXPECT_LE(far.mean, 0.7 * (h * h / 4 + h * h / 4)) << to_text(far);
         EXPECT_GT(far.mean, 0.7 * h * h / 100) << "as if every pixel had been lit";
     }
+}
+
+// Seen in parallel, under the sun, all is the same everywhere on a plane but its colour: whatever the lighting graph,
+// the picture of forward comes out of four vertices, or a note says that the colour is lost between them.
+TEST(VertexLit, KeepsTheColourOfPixelsOrSaysSo) {
+    int kept = 0, lost = 0;
+    for (const ModelInfo& model : compiler().lighting_models()) {
+        SCOPED_TRACE(model.name);
+        World world;
+        world.view.width = world.view.height = 32;
+        world.view.camera = {.position = {0, 0, 4}, .target = {0, 0, 0}, .orthographic_height = 1.9f};
+        world.view.ambient = runtime::constant_ambient(glm::vec3(0.25f));
+        world.view.lights = {{.direction = {0.5f, 0.25f, 1}, .color = glm::vec3(1.5f)}};
+        add_object(world,
+                   painted("stripes_" + model.name, model.name, R"("= 0.2 + step(0.5, frac(@uv0.x * 7)) * 0.6")"),
+                   "plane", 1, glm::mat4(1));
+        const Image forward = draw(world, {.path = "forward", .exact_targets = true});
+        const Drawn vertex = drawn(world, {.path = "vertex", .exact_targets = true});
+        const std::vector<std::string> codes = vertex.codes();
+        const bool is_lost = std::find(codes.begin(), codes.end(), "path-loses") != codes.end();
+        const double largest = difference(forward, vertex.image).largest;
+        if (is_lost) {
+            EXPECT_GT(largest, 5 * kStep) << "the note is wrong";
+        } else {
+            EXPECT_LE(largest, kStep) << "no note says that something is lost";
+        }
+        (is_lost ? lost : kept) += 1;
+    }
+    EXPECT_GT(kept, 8);
+    EXPECT_GT(lost, 0);
 }
 
 }  // namespace
