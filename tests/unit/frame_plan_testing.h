@@ -153,4 +153,13 @@ inline Texture texture_of(const std::string& name, const std::string& reads = ""
     return texture;
 }
 
+using Ints = std::vector<int>;
+
+// The frame's target of that name; null if there is none.
+inline const FrameTarget* target(const Frame& frame, const std::string& name) {
+    for (const FrameTarget& each : frame.targets)
+        if (each.name == name) return &each;
+    return nullptr;
+}
+
 }  // namespace patina::runtime
