@@ -235,19 +235,6 @@ std::shared_ptr<const Program> keep_program(graph::Session& session, const graph
     return program;
 }
 
-// A path that leaves a kind of surface to another path does so by its design, and the reflection says which path it is.
-void forget_planned_fallback(graph::Session& session, const graph::Material& material) {
-    const std::string_view surface = text_of(graph::kSurfaceKinds, material.graph->graph->render.surface);
-    const auto leaves_it = [&](const graph::PassDecl* pass) {
-        return pass->state.draws == "objects" && !pass->state.fallback.empty() && !pass->blends.empty() &&
-               !graph::blend_of(*pass, surface);
-    };
-    const std::vector<const graph::PassDecl*> passes = session.stages->passes_of(session.path);
-    if (std::none_of(passes.begin(), passes.end(), leaves_it)) return;
-    std::erase_if(session.diagnostics.records(),
-                  [](const DiagnosticRecord& record) { return record.code == Code::PathRefused; });
-}
-
 void compile_graph(graph::Session& session, std::uint32_t base, const std::string& path, Result& result) {
     const CompileOptions& options = session.options;
     if (options.functions.empty()) {
@@ -290,7 +277,6 @@ void compile_graph(graph::Session& session, std::uint32_t base, const std::strin
         }
     }
     if (options.keep_programs) result.program = keep_program(session, *material);
-    forget_planned_fallback(session, *material);
 }
 
 Result finish(graph::Session& session, Result result) {

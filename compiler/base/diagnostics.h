@@ -73,7 +73,6 @@ public:
     bool is_full() const;
     std::size_t error_count() const { return errors_; }
     const std::vector<DiagnosticRecord>& records() const { return records_; }
-    std::vector<DiagnosticRecord>& records() { return records_; }
 
     // While a context is set, new records carry its node and port unless they name their own.
     void set_context(std::string_view node, std::string_view port) {

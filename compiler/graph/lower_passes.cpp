@@ -95,7 +95,8 @@ private:
             if (!refusal || pass->is_optional) continue;
             const bool is_own = std::find(passes.begin() + std::ptrdiff_t(own), passes.end(), pass) != passes.end();
             if (is_own && !pass->state.fallback.empty()) {
-                report(Code::PathRefused, refusal, path, pass->state.fallback, refusal.reason);
+                // That a path leaves a kind of surface to another one is its design, and no news.
+                if (has_blend(*pass)) report(Code::PathRefused, refusal, path, pass->state.fallback, refusal.reason);
                 tried_.insert(path);
                 if (!tried_.contains(pass->state.fallback)) return lower_path(pass->state.fallback);
             }
