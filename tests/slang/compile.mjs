@@ -2,7 +2,8 @@
 //     node compile.mjs PATH...     files, and folders with all *.vert.hlsl and *.frag.hlsl in and below them
 // The entry point is `main`, the target SPIR-V. The package's interface does not set a shader model: Slang takes what each
 // stage needs. Stages of the same text are compiled once.
-// Prints FILE(LINE): and what Slang complains of. Exit codes: 0 done, 1 complaints, 2 no such file or nothing to compile, 3 no Slang.
+// Prints FILE(LINE): and what Slang complains of.
+// Exit codes: 0 done, 1 complaints, 2 no such file or nothing to compile, 3 no Slang.
 import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 
