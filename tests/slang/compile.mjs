@@ -1,7 +1,7 @@
 // Compiles HLSL with Slang's front end, which shares no code with glslang's.
 //     node compile.mjs PATH...     files, and folders with all *.vert.hlsl and *.frag.hlsl in and below them
-// The entry point is `main`, the target SPIR-V. The package's interface does not set a shader model: Slang takes what each
-// stage needs. Stages of the same text are compiled once.
+// The entry point is `main`, the target SPIR-V. The package's interface does not set a shader model: Slang takes what
+// each stage needs. Stages of the same text are compiled once.
 // Prints FILE(LINE): and what Slang complains of.
 // Exit codes: 0 done, 1 complaints, 2 no such file or nothing to compile, 3 no Slang.
 import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
@@ -28,6 +28,8 @@ function complaints(slang, compiler, target, file, text) {
     const program = session.createCompositeComponentType([module, main])?.link();
     const code = program?.getEntryPointCodeBlob(0, 0);
     return code?.length ? '' : `${file}: no code is made\n${failed()}`;
+  } catch (error) {
+    return `${file}: Slang itself failed: ${error.message ?? error}`;
   } finally {
     session.delete();
   }

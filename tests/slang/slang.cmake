@@ -1,6 +1,6 @@
 # cmake -D PATINA=... -D SOURCE=... -D WORK=... -P slang.cmake
-# Slang as a second witness of the HLSL: it must refuse every stage of refused/ where expected.txt says, and accept every
-# stage of every example, on every rendering path, and of one example with each switch.
+# Slang as a second witness of the HLSL: it must refuse every stage of refused/ where expected.txt says, and accept
+# every stage of every example, on every rendering path, and of one example with each switch.
 # Prints "skipped: ..." where Node or the package is absent.
 cmake_minimum_required(VERSION 3.22)
 set(time_limit 300)  # seconds that Slang has for all of it
