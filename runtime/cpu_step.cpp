@@ -13,6 +13,8 @@ namespace {
 Interpreter& bound_stage(const CpuStep& step, std::optional<Interpreter>& place, Stage stage) {
     if (!place) place.emplace(*step.step->stages.program, step.step->pass->name, stage, step.precision);
     for (const BlockBytes& block : step.step->blocks) place->set_block(block.name, block.bytes);
+    for (const ConstantValue& constant : step.step->constants)
+        place->set_value(constant.name, std::array{double(constant.value)});
     for (const LoadedTexture& texture : step.textures) place->set_texture(texture.name, texture.data);
     return *place;
 }

@@ -38,6 +38,7 @@ Frame frame_of(const Draw& draw, const Pass& pass) {
                    .stages = stages,
                    .mesh = &scene.mesh,
                    .blocks = {draw.blocks.begin(), draw.blocks.end()},
+                   .constants = draw.constants,
                    .textures = draw.textures,
                    .targets = {0},
                    .depth = 1};

@@ -23,6 +23,7 @@ struct Draw {
     std::string pass = "forward";
     const Scene* scene = nullptr;
     std::span<const BlockBytes> blocks{};
+    std::vector<ConstantValue> constants{};
     std::span<const LoadedTexture> textures{};
     std::span<const std::uint32_t> vertex_spirv{};  // GPU; entry point "main"
     std::span<const std::uint32_t> fragment_spirv{};

@@ -56,6 +56,7 @@ struct FrameStep {
     StagePair stages{};
     const Mesh* mesh = nullptr;
     std::vector<BlockBytes> blocks{};
+    std::vector<ConstantValue> constants{};
     std::span<const LoadedTexture> textures{};
     std::vector<FrameRead> reads{};
     std::vector<std::size_t> targets{};  // one per Pass::targets, indices into Frame::targets

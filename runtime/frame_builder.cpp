@@ -163,6 +163,7 @@ void FrameBuilder::add(PlannedStep planned) {
                    .stages = material.passes.at(pass.name).stages,
                    .mesh = planned.mesh,
                    .blocks = fill_blocks(*material.reflection, material.values, planned.seen),
+                   .constants = constants_of(*material.reflection, material.values),
                    .textures = textures_of(planned),
                    .area = planned.area};
     if (!pass.stencil.reference.empty()) step.stencil_reference = static_cast<std::uint8_t>(planned.group);

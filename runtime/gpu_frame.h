@@ -25,9 +25,9 @@ struct ReadyFrame {
     FrameData data;
     SamplerHandle read_sampler;  // targets are read texel by texel
     std::map<SlotShape, BindingLayout> layouts;
-    // By pass, shaders, layout and formats: two steps with the same ones share the pipeline.
+    // By pass, shaders, layout, formats and constants: two steps with the same ones share the pipeline.
     using PipelineKey = std::tuple<const Pass*, const std::uint32_t*, const std::uint32_t*, VkPipelineLayout,
-                                   std::vector<VkFormat>, VkFormat>;
+                                   std::vector<VkFormat>, VkFormat, std::vector<ConstantValue>>;
     std::map<PipelineKey, PipelineHandle> pipelines;
     std::vector<ReadyStep> steps;
 };

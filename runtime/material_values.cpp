@@ -229,6 +229,32 @@ Outcome<MaterialValues> material_values(const Reflection& reflection, const std:
     return result;
 }
 
+std::vector<std::pair<std::string, std::string>> variants_of(const Reflection& reflection,
+                                                              const MaterialValues& values) {
+    std::vector<std::pair<std::string, std::string>> wanted;
+    for (const Property& property : reflection.properties) {
+        if (property.binding != "variant") continue;
+        const double value = values.numbers.at(property.name)[0];
+        if (value == property.value[0]) continue;
+        wanted.emplace_back(property.name, property.type == "enum" ? property.values[std::size_t(value)]
+                                           : value != 0            ? "true"
+                                                                   : "false");
+    }
+    return wanted;
+}
+
+std::vector<ConstantValue> constants_of(const Reflection& reflection, const MaterialValues& values) {
+    std::vector<ConstantValue> constants;
+    for (const Property& property : reflection.properties) {
+        if (!property.constant_id) continue;
+        const auto found = values.numbers.find(property.name);
+        const double value = found == values.numbers.end() ? property.value[0] : found->second[0];
+        constants.push_back(
+            {.id = *property.constant_id, .value = static_cast<std::uint32_t>(value), .name = property.identifier});
+    }
+    return constants;
+}
+
 std::vector<BlockBytes> fill_blocks(const Reflection& reflection, const MaterialValues& values, const Scene& scene) {
     return fill_with(reflection, values, engine_values(scene));
 }

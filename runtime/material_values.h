@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -36,6 +37,19 @@ Outcome<MaterialValues> material_values(const Reflection& reflection, const std:
                                         Spelling spelling = Spelling::Words);
 // Of everything that can be given a value, tilings too.
 std::vector<std::string> property_names(const Reflection& reflection);
+
+// The variants that the compiler must be told of, because the material was compiled for other values: as
+// CompileOptions::switches.
+std::vector<std::pair<std::string, std::string>> variants_of(const Reflection& reflection, const MaterialValues& values);
+
+// Of the specialization constant `id`: a bool as 0 or 1, an enum as its index.
+struct ConstantValue {
+    std::uint32_t id = 0;
+    std::uint32_t value = 0;
+    std::string name{};  // in the shaders
+    friend auto operator<=>(const ConstantValue&, const ConstantValue&) = default;
+};
+std::vector<ConstantValue> constants_of(const Reflection& reflection, const MaterialValues& values);
 
 struct BlockBytes {
     std::string name;

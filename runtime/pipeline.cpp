@@ -134,6 +134,26 @@ VkPipelineShaderStageCreateInfo shader_stage(VkShaderStageFlagBits stage, const 
     return info;
 }
 
+// The values of specialization constants, as Vulkan takes them.
+struct Constants {
+    std::vector<VkSpecializationMapEntry> entries;
+    std::vector<std::uint32_t> values;
+    VkSpecializationInfo info{};
+
+    explicit Constants(std::span<const ConstantValue> wanted) {
+        for (const ConstantValue& constant : wanted) {
+            const auto offset = std::uint32_t(values.size() * sizeof(std::uint32_t));
+            entries.push_back({.constantID = constant.id, .offset = offset, .size = sizeof(std::uint32_t)});
+            values.push_back(constant.value);
+        }
+        info = {.mapEntryCount = std::uint32_t(entries.size()),
+                .pMapEntries = entries.data(),
+                .dataSize = values.size() * sizeof(std::uint32_t),
+                .pData = values.data()};
+    }
+    Constants(const Constants&) = delete;
+};
+
 }  // namespace
 
 Outcome<PipelineHandle> make_pipeline(Gpu& gpu, const PipelineInfo& wanted) {
@@ -148,6 +168,8 @@ Outcome<PipelineHandle> make_pipeline(Gpu& gpu, const PipelineInfo& wanted) {
 
     VkPipelineShaderStageCreateInfo stages[] = {shader_stage(VK_SHADER_STAGE_VERTEX_BIT, vertex),
                                                 shader_stage(VK_SHADER_STAGE_FRAGMENT_BIT, fragment)};
+    const Constants constants(wanted.constants);
+    for (VkPipelineShaderStageCreateInfo& stage : stages) stage.pSpecializationInfo = &constants.info;
     VkVertexInputBindingDescription vertices{0, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX};
     auto input =
         started<VkPipelineVertexInputStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO);

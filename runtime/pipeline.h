@@ -9,6 +9,7 @@
 
 #include "patina/reflection.h"
 #include "runtime/gpu.h"
+#include "runtime/material_values.h"
 #include "runtime/outcome.h"
 
 namespace patina::runtime {
@@ -18,6 +19,7 @@ struct PipelineInfo {
     VkPipelineLayout layout = VK_NULL_HANDLE;
     std::span<const std::uint32_t> vertex_spirv{};
     std::span<const std::uint32_t> fragment_spirv{};
+    std::span<const ConstantValue> constants{};
     std::vector<VkFormat> color_formats{};        // one per target of the pass
     VkFormat depth_format = VK_FORMAT_UNDEFINED;  // of depth and stencil; undefined: none
 };

@@ -134,6 +134,11 @@ bool prepare(const Compiler& compiler, const RenderRequest& request, Prepared& m
     const Reflection& reflection = made.compiled.reflection;
     Outcome<MaterialValues> values = material_values(reflection, request.overrides);
     if (!values) return refuse(values.error);
+    if (const auto wanted = variants_of(reflection, values.value); !wanted.empty()) {
+        options.switches.insert(options.switches.end(), wanted.begin(), wanted.end());
+        made.compiled = compiler.compile_file(request.graph, options);
+        if (!made.compiled.ok) return false;
+    }
     for (const std::string& warning : values.value.warnings)
         outcome.diagnostics.push_back(complaint(request, Severity::Warning, "soft-range", warning));
     const std::string graph_folder = std::filesystem::path(request.graph).parent_path().string();
@@ -148,6 +153,7 @@ bool prepare(const Compiler& compiler, const RenderRequest& request, Prepared& m
                  .pass = choose_pass(reflection),
                  .scene = &made.scene,
                  .blocks = made.blocks,
+                 .constants = constants_of(reflection, values.value),
                  .textures = made.loaded.textures,
                  .program = made.compiled.program.get(),
                  .progress = request.progress};

@@ -166,11 +166,23 @@ private:
         return switches;
     }
 
+    // Values may ask for other variants than the graph's own: then it is compiled once more, for them.
     Result compile_for(const Variant& variant, const std::string& path) const {
+        const WorldMaterial& material = world_.materials[variant.material];
+        Result made = compile_with(variant, path, {});
+        if (!made.ok || material.overrides.empty()) return made;
+        const Outcome<MaterialValues> values = material_values(made.reflection, material.overrides);
+        const auto wanted = values ? variants_of(made.reflection, values.value) : decltype(options_.switches){};
+        return wanted.empty() ? made : compile_with(variant, path, wanted);
+    }
+
+    Result compile_with(const Variant& variant, const std::string& path,
+                        const std::vector<std::pair<std::string, std::string>>& keywords) const {
         CompileOptions options;
         if (is_drawing_) options.targets = {target()};
         options.path = path;
         options.switches = switches_of(variant);
+        options.switches.insert(options.switches.end(), keywords.begin(), keywords.end());
         options.include_dirs = options_.include_dirs;
         options.preview = options_.preview;
         options.keep_programs = on_cpu();

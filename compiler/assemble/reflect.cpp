@@ -104,12 +104,14 @@ Texture reflect_texture(const ir::Module& module, const graph::MaterialProperty&
     return made;
 }
 
-patina::Property reflect_property(const ir::Module& module, const Property& property,
+patina::Property reflect_property(const ir::Module& module, const graph::MaterialProperty& entry,
                                   const graph::PropertyGlobals& globals) {
+    const Property& property = *entry.property;
     patina::Property made{.name = property.name,
                           .identifier = property.name,
                           .type = std::string(graph::to_string(property.type)),
                           .value = property.value,
+                          .binding = std::string(text_of(graph::kBindings, property.binding)),
                           .range = property.range,
                           .hard = property.hard,
                           .values = property.values,
@@ -119,6 +121,11 @@ patina::Property reflect_property(const ir::Module& module, const Property& prop
                           .block = {},
                           .offset = 0,
                           .size = 0};
+    if (graph::is_keyword(property.binding)) made.value = {entry.chosen};
+    if (globals.keyword) {
+        made.identifier = module.globals[globals.keyword.index].name;
+        made.constant_id = module.keywords[module.globals[globals.keyword.index].keyword].constant_id;
+    }
     if (globals.texture) made.identifier = module.globals[globals.texture.index].name;
     if (globals.value) {
         const ir::Global& global = module.globals[globals.value.index];
@@ -247,7 +254,7 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
     }
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
         const graph::MaterialProperty& entry = material.properties[i];
-        made.properties.push_back(reflect_property(lowered.module, *entry.property, lowered.property_globals[i]));
+        made.properties.push_back(reflect_property(lowered.module, entry, lowered.property_globals[i]));
         if (entry.property->type == PropertyType::Texture2D) {
             made.textures.push_back(reflect_texture(lowered.module, entry, lowered.property_globals[i], graph.path));
         }

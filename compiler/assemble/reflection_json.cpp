@@ -84,6 +84,8 @@ void write_property(Writer& writer, const Property& property, const Reflection& 
     json.text("name", property.name);
     json.text("identifier", property.identifier);
     json.text("type", property.type);
+    if (property.binding != "uniform") json.text("as", property.binding);
+    if (property.constant_id) json.number("constantId", *property.constant_id);
     write_default(json, property, reflection);
     if (property.range) json.list("range", *property.range, [&](double v) { json.raw(shortest(v)); });
     if (property.hard) json.flag("hard", true);

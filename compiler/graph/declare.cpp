@@ -44,6 +44,18 @@ bool is_wanted(const nodelang::VariableDecl& variable, std::span<const std::stri
     return std::find_first_of(words.begin(), words.end(), on.begin(), on.end()) != words.end();
 }
 
+// Bools stay bools: no uniform block holds them.
+ir::GlobalId add_keyword(ir::Module& module, const MaterialProperty& entry) {
+    const Property& property = *entry.property;
+    module.globals.push_back({.name = property.name,
+                              .type = property.type == PropertyType::Bool ? ir::kBool : ir::kInt,
+                              .keyword = static_cast<std::uint32_t>(module.keywords.size()),
+                              .set = kMaterialSet,
+                              .span = property.span});
+    module.keywords.push_back({.value = entry.chosen, .values = property.values});
+    return {static_cast<std::uint32_t>(module.globals.size() - 1)};
+}
+
 }  // namespace
 
 Type property_type(PropertyType type) {
@@ -137,14 +149,21 @@ EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations&
     return made;
 }
 
-std::vector<PropertyGlobals> declare_material(const Material& material, ir::Module& module) {
+std::vector<PropertyGlobals> declare_material(const Material& material, ir::Module& module, bool keep_variants) {
     std::vector<PropertyGlobals> globals;
+    std::uint32_t constant_id = 0;
     module.blocks.push_back({.name = "Material", .set = kMaterialSet, .slot = 0, .size = 0, .members = {}});
     const auto block = static_cast<std::uint32_t>(module.blocks.size() - 1);
     std::uint32_t slot = 0;
     for (const MaterialProperty& entry : material.properties) {
         const Property& property = *entry.property;
         PropertyGlobals& made = globals.emplace_back();
+        if (is_keyword(property.binding)) {
+            const bool is_variant = property.binding == Binding::Variant;
+            if (!is_variant || keep_variants) made.keyword = add_keyword(module, entry);
+            if (!is_variant) module.keywords.back().constant_id = constant_id++;
+            continue;
+        }
         if (property.type != PropertyType::Texture2D) {
             made.value = add_block_global(module, block, property.name, property_type(property.type), property.span);
             continue;

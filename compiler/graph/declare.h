@@ -21,6 +21,8 @@ struct PropertyGlobals {
     ir::GlobalId texture;  // texture properties
     ir::GlobalId sampler;
     ir::GlobalId tiling;  // float4 scale and offset, when the property has "tiling"
+    // A keyword: its global; or none, and it is a constant, where texts are made for one value of it.
+    ir::GlobalId keyword;
 };
 
 // The type of a numeric property's value in its block.
@@ -35,8 +37,8 @@ struct EngineGlobals {
 };
 EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations& declarations,
                              nodelang::Emitter& emitter, std::span<const std::string_view> on = {});
-// One entry per Material::properties.
-std::vector<PropertyGlobals> declare_material(const Material& material, ir::Module& module);
+// One entry per Material::properties. `keep_variants`: they are globals too, and not constants.
+std::vector<PropertyGlobals> declare_material(const Material& material, ir::Module& module, bool keep_variants);
 
 // Appends a member at the next offset that both layouts accept.
 void add_member(ir::UniformBlock& block, const ir::Module& module, std::string name, ir::Type type);

@@ -51,8 +51,12 @@ struct SamplerState {
     int anisotropy = 1;  // 1 to 16
 };
 
-// When a property gets its value.
+// When a property gets its value: when something is drawn; when a pipeline is made; when the graph is compiled.
 enum class Binding { Uniform, Specialization, Variant };
+// Such a property has a value for each shader, and none in the material's block.
+constexpr bool is_keyword(Binding binding) {
+    return binding == Binding::Specialization || binding == Binding::Variant;
+}
 
 struct Property {
     std::string name;
@@ -69,8 +73,7 @@ struct Property {
     TextureUsage usage = TextureUsage::Color;
     bool tiling = false;
     SamplerState sampler;
-    // Variant: known when the graph is compiled; bool and enum.
-    Binding binding = Binding::Uniform;
+    Binding binding = Binding::Uniform;  // Specialization and Variant: bool and enum
     Span binding_span;
 };
 

@@ -372,7 +372,7 @@ Typed GraphScope::property(const Expr& expr, nodelang::Scope&) {
     for (const Property& property : own) {
         const auto variant = lowering_.material.variants.find(&property);
         if (property.name == expr.text && variant != lowering_.material.variants.end())
-            return variant_property(property, variant->second);
+            return keyword(property, known_value(property, variant->second));
     }
     const bool is_own = graph_.graph->kind == GraphKind::Material ||
                         std::any_of(own.begin(), own.end(), [&](const Property& p) { return p.name == expr.text; });
@@ -408,19 +408,26 @@ Typed GraphScope::bound_property(const PortValue& port) {
     return value;
 }
 
-Typed GraphScope::variant_property(const Property& property, double value) {
-    ir::Builder& b = *scope_.builder;
-    if (property.type == PropertyType::Bool) return {.value = b.constant(ir::kBool, {value}), .type = ir::kBool};
+// A bool, or an enum as an int.
+Typed GraphScope::keyword(const Property& property, Value value) {
+    if (property.type == PropertyType::Bool) return {.value = value, .type = ir::kBool};
     lowering_.enumerators.emplace_back(property.values.begin(), property.values.end());
-    return {.value = b.constant(ir::kInt, {value}), .type = ir::kInt, .enumerators = &lowering_.enumerators.back()};
+    return {.value = value, .type = ir::kInt, .enumerators = &lowering_.enumerators.back()};
+}
+
+Value GraphScope::known_value(const Property& property, double value) {
+    return scope_.builder->constant(property.type == PropertyType::Bool ? ir::kBool : ir::kInt, {value});
 }
 
 Typed GraphScope::material_property(std::size_t index) {
     const PropertyGlobals& globals = lowering_.out.property_globals[index];
     const Property& property = *lowering_.material.properties[index].property;
+    const double chosen = lowering_.material.properties[index].chosen;
     ir::Module& module = lowering_.out.module;
     ir::Builder& b = *scope_.builder;
     const auto read = [&](ir::GlobalId id) { return b.emit(Op::Global, module.globals[id.index].type, {}, id.index); };
+    if (is_keyword(property.binding))
+        return keyword(property, globals.keyword ? read(globals.keyword) : known_value(property, chosen));
     if (property.type == PropertyType::Texture2D) {
         const Value tiling = globals.tiling ? read(globals.tiling) : b.constant(ir::kFloat4, {1, 1, 0, 0});
         return lowering_.emitter.make_texture(read(globals.texture), read(globals.sampler), tiling, scope_);

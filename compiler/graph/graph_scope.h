@@ -94,7 +94,8 @@ private:
     std::unique_ptr<GraphScope> vertex_twin(ir::Builder& builder, std::deque<std::unique_ptr<GraphScope>>& keep);
     Typed material_property(std::size_t index);
     Typed bound_property(const PortValue& port);
-    Typed variant_property(const Property& property, double value);
+    Typed keyword(const Property& property, ir::Value value);
+    ir::Value known_value(const Property& property, double value);
     bool uses_half(const Node& node) const;
     std::string id_path(std::string_view id) const;
     std::string_view what_graph() const;

@@ -128,9 +128,11 @@ void declare_switches(Lowering& lowering) {
         lowering.out.switches.emplace_back(each.variable->name, false);
     }
     for (const auto& [name, value] : session.options.switches) {
+        if (lowering.material.property_index.contains(name)) continue;  // the graph's own (keywords.cpp)
         const auto found = std::find(known.begin(), known.end(), name);
         if (found == known.end()) {
-            session.diagnostics.report(Code::UnknownWord, {}, name, "a switch of a pass")
+            for (const std::string_view keyword : keyword_names(lowering.material)) known.push_back(keyword);
+            session.diagnostics.report(Code::UnknownWord, {}, name, "a switch of a pass or a keyword of the graph")
                 .note(Diagnostics::suggestion(name, known));
         } else if (value != "true" && value != "false") {
             session.diagnostics.report(Code::UnknownWord, {}, value, fmt::format("a value of '{}'", name))
@@ -229,7 +231,7 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     EngineGlobals engine = declare_engine(*session.stages, *session.declarations, lowering.emitter, on);
     lowering.per_object = std::move(engine.per_object);
     out.reads = std::move(engine.reads);
-    out.property_globals = declare_material(material, out.module);
+    out.property_globals = declare_material(material, out.module, session.keep_variants);
     declare_statics(lowering);
     extend_lighting_surface(lowering);
     declare_semantics(lowering);

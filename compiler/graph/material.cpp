@@ -66,13 +66,15 @@ void add_property(Session& session, Material& material, const Property& property
     if (!is_new) {
         const Property& first = *material.properties[existing->second].property;
         if (&first == &property) return;
-        if (first.type != property.type) {
+        if (first.type != property.type || first.binding != property.binding || first.values != property.values) {
             session.diagnostics.report(Code::DuplicateId, property.name_span, "property", property.name)
-                .note(first.name_span, "the first is here, with another type");
+                .note(first.name_span, first.type != property.type         ? "the first is here, with another type"
+                                       : first.binding != property.binding ? "the first is here, bound at another time"
+                                                                           : "the first is here, with other values");
         }
         return;  // a sub-graph's property of the same name and type is the same property
     }
-    MaterialProperty entry{.property = &property, .texture_path = property.texture};
+    MaterialProperty entry{.property = &property, .texture_path = property.texture, .chosen = property.value[0]};
     if (property.type == PropertyType::Texture2D && property.texture.find_first_of("./") != std::string::npos) {
         entry.texture_path = find_file(session, property.texture, from);
         if (entry.texture_path.empty()) {
@@ -160,11 +162,25 @@ bool set_default(Session& session, Property& property, const Expr& value) {
     return true;
 }
 
-// A property that is known when the graph is compiled: its default, or what the material says.
+// A lighting graph's property that is known when the graph is compiled: its default, what the material says, or a
+// keyword of the material, which must have the same values.
 void bind_variant(Session& session, Material& material, const Property& property, const PortValue* input) {
+    const Expr* value = input ? input->value : nullptr;
+    if (const MaterialProperty* keyword = value ? keyword_named(material, *value) : nullptr) {
+        if (keyword->property->type == property.type && keyword->property->values == property.values) {
+            material.lighting_inputs.push_back(*input);
+            return;
+        }
+        session.diagnostics
+            .report(Code::TypeMismatch, input->value_span, fmt::format("'{}'", keyword->property->name),
+                    told_values(*keyword->property), told_values(property))
+            .note(keyword->property->name_span, "it is declared here");
+        return;
+    }
     Property bound = property;
-    if (input && input->value && !set_default(session, bound, *input->value)) {
-        session.diagnostics.report(Code::NotConstant, input->value_span, fmt::format("'{}'", property.name));
+    if (value && !set_default(session, bound, *value)) {
+        session.diagnostics.report(Code::NotConstant, input->value_span, fmt::format("'{}'", property.name))
+            .note("a property of the material can be given that is a variant or a specialization constant");
     }
     material.variants[&property] = bound.value[0];
 }
@@ -324,6 +340,7 @@ std::unique_ptr<Material> resolve_material(Session& session, std::shared_ptr<Gra
     if (!material->lighting) return nullptr;
     std::set<const CheckedGraph*> seen;
     add_graph(session, *material, *material->graph, seen);
+    choose_keywords(session, *material);
     bind_lighting_properties(session, *material, graph->lighting.inputs);
     add_graph(session, *material, *material->lighting, seen);
     check_surface(session, *material);

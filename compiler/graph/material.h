@@ -10,6 +10,7 @@ struct MaterialProperty {
     const Property* property = nullptr;
     std::string texture_path;  // a texture's default: a file, found on disk; or white, black, gray, bump
     bool is_file = false;      // `texture_path` is one
+    double chosen = 0;         // of a keyword: bool 0 or 1; enum: index
 };
 
 struct Material {
@@ -30,6 +31,16 @@ struct Material {
 // `preview`: "mask", "rust.amount" or "layers/mask" (in a sub-graph), or empty. Null after errors that leave nothing to
 // go on with.
 std::unique_ptr<Material> resolve_material(Session& session, std::shared_ptr<Graph> graph, std::string_view preview);
+
+// --- keywords: properties that are known before a shader runs (keywords.cpp)
+// Gives them the values that the caller wants ("_DETAIL", "true"), and reports those that they cannot have.
+void choose_keywords(Session& session, Material& material);
+// The keyword of the material that an expression reads and nothing else, or null.
+const MaterialProperty* keyword_named(const Material& material, const nodelang::Expr& expr);
+// What such a property may be: "a bool", "one of Dry and Wet".
+std::string told_values(const Property& property);
+// Names of all keywords.
+std::vector<std::string_view> keyword_names(const Material& material);
 
 // Whether what a user's pass file says of the lighting surface's members holds, the lighting model's own among them
 // (check_passes.cpp).

@@ -85,11 +85,7 @@ std::optional<E> read_word(Reading& reading, const Json& json, std::string_view 
     if (!text) return std::nullopt;
     std::array<std::string_view, N> texts;
     for (std::size_t i = 0; i < N; ++i) {
-        if (words[i].text == *text) {
-            if (!words[i].later) return words[i].value;
-            reading.diagnostics.report(Code::NotYet, json.span, fmt::format("\"{}\": \"{}\"", key, *text));
-            return std::nullopt;
-        }
+        if (words[i].text == *text) return words[i].value;
         texts[i] = words[i].text;
     }
     suggest(reading, reading.diagnostics.report(Code::UnknownWord, inside(json.span), shown(*text), what), *text,

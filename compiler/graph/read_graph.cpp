@@ -38,10 +38,6 @@ void read_common(Reading& reading, const Json& json, Graph& graph, UniqueNames& 
     }
     if (const Json* properties = json.find("properties")) {
         graph.properties = read_properties(reading, *properties, names);
-        for (const Property& property : graph.properties) {
-            if (property.binding != Binding::Variant || graph.kind == GraphKind::Lighting) continue;
-            reading.diagnostics.report(Code::NotYet, property.binding_span, "\"as\": \"variant\"");
-        }
     }
     if (const Json* nodes = json.find("nodes")) graph.nodes = read_nodes(reading, *nodes);
     if (const Json* meta = json.find("meta")) append_one_line(graph.meta, *meta, reading.sources);

@@ -222,8 +222,8 @@ Property read_property(Reading& reading, const Json& json, UniqueNames& names) {
     if (!known) return property;  // what the other keys must hold depends on it
     property.type = *known;
     check_keys_of_type(reading, json, property);
-    if (property.binding == Binding::Variant && property.type != PropertyType::Bool &&
-        property.type != PropertyType::Enum) {
+    const bool is_choice = property.type == PropertyType::Bool || property.type == PropertyType::Enum;
+    if (is_keyword(property.binding) && !is_choice) {
         reading.diagnostics.report(Code::TypeMismatch, property.binding_span, fmt::format("'{}'", shown(property.name)),
                                    to_string(property.type), "a bool or an enum");
     }

@@ -54,7 +54,7 @@ template <class E, std::size_t N>
 std::string words_schema(const std::array<Word<E>, N>& words) {
     std::vector<std::string> texts;
     for (const Word<E>& word : words) {
-        if (!word.later) texts.push_back(quoted(word.text));
+        texts.push_back(quoted(word.text));
     }
     return object({{"enum", list(texts)}});
 }

@@ -17,13 +17,12 @@ template <class E>
 struct Word {
     std::string_view text;
     E value;
-    bool later = false;  // part of the format, and not compiled yet
 };
 
 template <class E, std::size_t N>
 constexpr std::string_view text_of(const std::array<Word<E>, N>& words, E value) {
     for (const Word<E>& word : words) {
-        if (word.value == value && !word.later) return word.text;
+        if (word.value == value) return word.text;
     }
     return {};
 }
@@ -57,7 +56,7 @@ inline constexpr std::array<std::string_view, 4> kDefaultTextures = {"white", "b
 
 inline constexpr std::array kBindings = {
     Word<Binding>{"uniform", Binding::Uniform},
-    Word<Binding>{"specialization", Binding::Specialization, true},
+    Word<Binding>{"specialization", Binding::Specialization},
     Word<Binding>{"variant", Binding::Variant},
 };
 

@@ -137,7 +137,8 @@ void Interpreter::set_value(std::string_view name, std::span<const double> compo
     if (!impl_->module) return;
     const ir::Module& module = *impl_->module;
     for (std::uint32_t i = 0; i < module.globals.size(); ++i) {
-        if (module.globals[i].in_block() && module.globals[i].name == name)
+        const ir::Global& global = module.globals[i];
+        if ((global.in_block() || global.is_keyword()) && global.name == name)
             interpret::set_uniform(impl_->machine, module, ir::GlobalId{i}, components);
     }
 }

@@ -266,6 +266,8 @@ void Planner::global(Value value) {
     if (place == kNowhere) {
         place = reserve(size(type));
         if (type.is_opaque()) presets_.push_back({place, static_cast<double>(index)});
+        const ir::Global& global = module_.globals[index];
+        if (global.is_keyword()) presets_.push_back({place, module_.keywords[global.keyword].value});
     }
     slot(value) = place;
 }

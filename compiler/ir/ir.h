@@ -19,6 +19,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -130,17 +131,27 @@ struct Constant {
     std::uint32_t first = 0;  // into Module::numbers; type.components() of them
 };
 
+// A bool, or an enum as an int, that is known before a shader runs: a specialization constant, or a keyword, for an
+// engine that compiles the text once for each of its values.
+struct Keyword {
+    std::optional<std::uint32_t> constant_id{};  // of a specialization constant
+    double value = 0;                            // until somebody sets another
+    std::vector<std::string> values{};           // of an enum: its words
+};
+
 // Where a global lives. The printers place it, the runtime and the interpreter fill it.
 struct Global {
     std::string name{};
     Type type{};
-    // For a member of a uniform block: the block and the member in it. For a texture or sampler: neither.
+    // For a member of a uniform block: the block and the member in it. For a texture, sampler or keyword: neither.
     std::uint32_t block = 0xffffffffu;
     std::uint32_t member = 0;
+    std::uint32_t keyword = 0xffffffffu;  // of Module::keywords
     std::uint32_t slot = 0;  // texture or sampler: number of its binding (t0.., s0..) within the set
     std::uint32_t set = 0;   // texture or sampler: descriptor set
     Span span{};
     bool in_block() const { return block != 0xffffffffu; }
+    bool is_keyword() const { return keyword != 0xffffffffu; }
 };
 
 struct BlockMember {
@@ -198,6 +209,7 @@ struct Module {
     std::vector<double> numbers;
     std::vector<UniformBlock> blocks;
     std::vector<Global> globals;
+    std::vector<Keyword> keywords;
     std::vector<Semantic> semantics;
     std::vector<Origin> origins;
     std::vector<std::string> names;

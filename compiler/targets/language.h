@@ -91,6 +91,7 @@ struct Language {
     void (*preamble)(Writer& writer) = nullptr;  // version and extensions
     void (*block)(Writer& writer, const ir::UniformBlock& block) = nullptr;
     void (*resource)(Writer& writer, ir::GlobalId global) = nullptr;
+    void (*keyword)(Writer& writer, ir::GlobalId global) = nullptr;
     EntryPoint (*entry_point)(Writer& writer) = nullptr;
 };
 

@@ -24,6 +24,13 @@ void open_guard(Writer& w, const std::string& name, const std::string& value) {
     w.line(0, "#define " + name + value);
 }
 
+// "0 Dry, 1 Wet"
+std::string numbered(const std::vector<std::string>& words) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i) text += fmt::format("{}{} {}", i > 0 ? ", " : "", i, words[i]);
+    return text;
+}
+
 // All names of the outermost scope are taken before the first function is printed, so that no local hides one.
 void name_globals(Writer& w) {
     const Module& m = w.module;
@@ -112,7 +119,15 @@ void print_globals(Writer& w) {
     }
     w.gap();
     for (std::uint32_t i = 0; i < w.module.globals.size(); ++i) {
-        if (w.reachable.globals[i] && !w.module.globals[i].in_block()) w.language.resource(w, {i});
+        const Global& global = w.module.globals[i];
+        if (!w.reachable.globals[i] || global.in_block()) continue;
+        if (!global.is_keyword()) {
+            w.language.resource(w, {i});
+            continue;
+        }
+        const std::vector<std::string>& words = w.module.keywords[global.keyword].values;
+        if (!words.empty()) w.comment(0, fmt::format("{}: {}", w.plain(global.name), numbered(words)));
+        w.language.keyword(w, {i});
     }
 }
 

@@ -141,6 +141,12 @@ std::string_view Writer::plain(std::string_view name) const {
     return name;
 }
 
+std::string Writer::keyword_value(const Global& global) const {
+    const double value = module.keywords[global.keyword].value;
+    if (global.type == kBool) return value != 0 ? "true" : "false";
+    return std::to_string(static_cast<int>(value));
+}
+
 std::string Writer::set(std::uint32_t set) const {
     if (options.pasting && options.pasting->set == set) return options.pasting->set_name();
     return fmt::format("{}{}", language.set_word, set);

@@ -47,6 +47,8 @@ struct Writer {
     std::string declaration(ir::Type type, std::string_view name) const;
     // A name of the text without the prefix that pasted texts have.
     std::string_view plain(std::string_view name) const;
+    // What a keyword is until somebody sets another value: "true", "2".
+    std::string keyword_value(const ir::Global& global) const;
     // A descriptor set: "1", "space1", or its name.
     std::string set(std::uint32_t set) const;
     // Members of a uniform block, padding included, between braces.

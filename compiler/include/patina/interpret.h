@@ -76,7 +76,8 @@ public:
 
     // Bytes of a uniform block as the reflection lays it out.
     void set_block(std::string_view name, std::span<const std::byte> bytes);
-    // One member of a uniform block by its name, component by component, with all the digits of a double.
+    // One member of a uniform block, or a specialization constant, by its name, component by component, with all the
+    // digits of a double.
     void set_value(std::string_view name, std::span<const double> components);
     void set_texture(std::string_view name, std::shared_ptr<const TextureData> texture);
 

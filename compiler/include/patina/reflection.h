@@ -60,11 +60,15 @@ struct Property {
     std::string identifier;         // in the shaders: the name, or another where a language or a block has it already
     std::string type;               // float | float2 | float3 | float4 | color | int | bool | enum | texture2d
     std::array<double, 4> value{};  // default; colours linear; bool 0 or 1; enum: index
+    // uniform | specialization: a constant that is set when a pipeline is made | variant: the shaders are compiled for
+    // `value`, and hold no other
+    std::string binding = "uniform";
+    std::optional<std::uint32_t> constant_id{};  // of a specialization constant; the same in all passes and variants
     std::optional<std::array<double, 2>> range;
     bool hard = false;                // the range is a limit, not a hint
     std::vector<std::string> values;  // enumerators
     std::string label, group, help;
-    std::string block;         // block that holds it; empty for textures
+    std::string block;         // block that holds it; empty for textures, specialization constants and variants
     std::uint32_t offset = 0;  // in that block
     std::uint32_t size = 0;
 };

@@ -153,6 +153,12 @@ void resource(Writer& w, GlobalId id) {
                           w.declaration(global.type, w.globals[id.index])));
 }
 
+void keyword(Writer& w, GlobalId id) {
+    const Global& global = w.module.globals[id.index];
+    w.line(0, fmt::format("layout(constant_id = {}) const {} = {};", *w.module.keywords[global.keyword].constant_id,
+                          w.declaration(global.type, w.globals[id.index]), w.keyword_value(global)));
+}
+
 std::string_view builtin_name(Builtin builtin) {
     switch (builtin) {
         case Builtin::None: return {};
@@ -214,6 +220,7 @@ constexpr Language kLanguage = {
     .preamble = preamble,
     .block = block,
     .resource = resource,
+    .keyword = keyword,
     .entry_point = entry_point,
 };
 

@@ -96,6 +96,13 @@ void resource(Writer& w, GlobalId id) {
                           global.type.kind == Kind::Sampler ? 's' : 't', global.slot, w.set(global.set)));
 }
 
+// Vulkan's: Direct3D has no constants that a pipeline sets.
+void keyword(Writer& w, GlobalId id) {
+    const Global& global = w.module.globals[id.index];
+    w.line(0, fmt::format("[[vk::constant_id({})]] const {} = {};", *w.module.keywords[global.keyword].constant_id,
+                          w.declaration(global.type, w.globals[id.index]), w.keyword_value(global)));
+}
+
 std::string semantic(const StageVariable& variable, bool is_target) {
     if (!variable.semantic.empty()) return variable.semantic;
     switch (variable.builtin) {
@@ -189,6 +196,7 @@ constexpr Language kLanguage = {
     .preamble = preamble,
     .block = block,
     .resource = resource,
+    .keyword = keyword,
     .entry_point = entry_point,
 };
 

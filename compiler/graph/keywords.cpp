@@ -1,0 +1,66 @@
+// Keywords: properties that are known before a shader runs, because it is compiled for their values (variants) or
+// because its pipeline is made for them (specialization constants).
+#include <algorithm>
+
+#include "compiler/base/text.h"
+#include "compiler/graph/material.h"
+
+namespace patina::graph {
+namespace {
+
+constexpr std::array<std::string_view, 2> kBools = {"false", "true"};
+
+std::vector<std::string_view> words_of(const Property& property) {
+    if (property.type == PropertyType::Bool) return {kBools.begin(), kBools.end()};
+    return {property.values.begin(), property.values.end()};
+}
+
+void choose(Session& session, MaterialProperty& entry, const std::string& word) {
+    const Property& property = *entry.property;
+    if (!is_keyword(property.binding)) {
+        session.diagnostics.report(Code::NotAKeyword, {}, property.name)
+            .note(property.name_span, "with \"as\": \"variant\" or \"specialization\" here, it would be");
+        return;
+    }
+    const std::vector<std::string_view> words = words_of(property);
+    const auto found = std::find(words.begin(), words.end(), word);
+    if (found != words.end()) {
+        entry.chosen = static_cast<double>(found - words.begin());
+        return;
+    }
+    session.diagnostics.report(Code::UnknownWord, {}, word, fmt::format("a value of '{}'", property.name))
+        .note(Diagnostics::suggestion(word, words))
+        .note(property.name_span, "the property is here");
+}
+
+}  // namespace
+
+void choose_keywords(Session& session, Material& material) {
+    for (const auto& [name, word] : session.options.switches) {
+        const auto found = material.property_index.find(name);
+        if (found != material.property_index.end()) choose(session, material.properties[found->second], word);
+    }
+}
+
+const MaterialProperty* keyword_named(const Material& material, const nodelang::Expr& expr) {
+    if (expr.kind != nodelang::Expr::Kind::Property) return nullptr;
+    const auto found = material.property_index.find(expr.text);
+    if (found == material.property_index.end()) return nullptr;
+    const MaterialProperty& entry = material.properties[found->second];
+    return is_keyword(entry.property->binding) ? &entry : nullptr;
+}
+
+std::string told_values(const Property& property) {
+    if (property.type == PropertyType::Bool) return "a bool";
+    return fmt::format("one of {}", enumerate(words_of(property)));
+}
+
+std::vector<std::string_view> keyword_names(const Material& material) {
+    std::vector<std::string_view> names;
+    for (const MaterialProperty& entry : material.properties) {
+        if (is_keyword(entry.property->binding)) names.push_back(entry.property->name);
+    }
+    return names;
+}
+
+}  // namespace patina::graph
