@@ -43,8 +43,8 @@ Outcome<VkPipeline> find_pipeline(Gpu& gpu, ReadyFrame& ready, const FrameStep& 
                       .constants = step.constants};
     for (std::size_t target : step.targets) info.color_formats.push_back(targets[target].format->vulkan);
     if (step.depth >= 0) info.depth_format = targets[std::size_t(step.depth)].format->vulkan;
-    ReadyFrame::PipelineKey key{step.pass, info.vertex_spirv.data(), info.fragment_spirv.data(),
-                                layout,    info.color_formats,       info.depth_format,
+    ReadyFrame::PipelineKey key{step.pass,     info.vertex_spirv.data(), info.fragment_spirv.data(),
+                                layout,        info.color_formats,       info.depth_format,
                                 step.constants};
     auto found = ready.pipelines.find(key);
     if (found == ready.pipelines.end()) {

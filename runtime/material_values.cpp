@@ -230,7 +230,7 @@ Outcome<MaterialValues> material_values(const Reflection& reflection, const std:
 }
 
 std::vector<std::pair<std::string, std::string>> variants_of(const Reflection& reflection,
-                                                              const MaterialValues& values) {
+                                                             const MaterialValues& values) {
     std::vector<std::pair<std::string, std::string>> wanted;
     for (const Property& property : reflection.properties) {
         if (property.binding != "variant") continue;

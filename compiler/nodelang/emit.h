@@ -184,6 +184,7 @@ private:
     struct Argument {
         Typed value;
         std::optional<double> constant;  // of a const parameter
+        std::vector<double> choices{};   // of a const parameter whose `value` is known later: by value, what it chooses
     };
 
     // expressions (emit_expression.cpp)
@@ -216,6 +217,10 @@ private:
                           std::span<const Expr* const> arguments, Scope& scope, Span span,
                           std::vector<Argument>& gathered);
     Argument const_argument(const ParamDecl& param, const Declarations& home, const Expr& expr, Scope& scope);
+    Argument choosing_argument(const ParamDecl& param, const EnumDecl* enumeration, const Expr& expr, Scope& scope);
+    Typed call_gathered(const FunctionDecl& function, const Declarations& home, std::span<const Expr* const> arguments,
+                        std::vector<Argument>& gathered, Scope& scope, Span span, bool half);
+    Typed choose(ir::Value chooser, std::span<const Typed> choices, Scope& scope);
     Typed default_value(const Expr& expr, const Declarations& home, Scope& scope, ir::Type wanted);
     unsigned deduce_width(const FunctionDecl& function, std::span<const Argument> arguments);
     Typed call_slot(const FunctionDecl& function, const Expr& expr, Scope& scope);

@@ -75,6 +75,26 @@ Typed Emitter::call(const FunctionDecl& function, const Declarations& home, std:
     std::vector<Argument> gathered;
     gathered.reserve(function.params.size());
     if (!gather_arguments(function, home, arguments, scope, span, gathered)) return {};
+    return call_gathered(function, home, arguments, gathered, scope, span, half);
+}
+
+// A const parameter whose value is known only later is a call for each of its values, and a choice between them.
+Typed Emitter::call_gathered(const FunctionDecl& function, const Declarations& home,
+                             std::span<const Expr* const> arguments, std::vector<Argument>& gathered, Scope& scope,
+                             Span span, bool half) {
+    for (Argument& argument : gathered) {
+        if (argument.choices.empty()) continue;
+        const std::vector<double> choices = std::move(argument.choices);
+        argument.choices.clear();
+        std::vector<Typed> results;
+        for (const double choice : choices) {
+            argument.constant = choice;
+            std::vector<Argument> rest = gathered;
+            results.push_back(call_gathered(function, home, arguments, rest, scope, span, half));
+            if (!results.back().ok()) return {};
+        }
+        return choose(argument.value.value, results, scope);
+    }
     const unsigned width = deduce_width(function, gathered);
     Scope border{.builder = scope.builder, .declarations = &home, .generic_width = width, .half = half};
     std::vector<Value> values;
@@ -99,6 +119,34 @@ Typed Emitter::call(const FunctionDecl& function, const Declarations& home, std:
     if (instance.needs_quad) need_quad(scope, span, function.name);
     if (instance.rounds > 0) count_rounds(instance.rounds, scope, span);
     return {.value = scope.builder->call(instance.id, values), .type = instance.result, .outputs = instance.outputs};
+}
+
+// choices[chooser], part by part where they have parts.
+Typed Emitter::choose(Value chooser, std::span<const Typed> choices, Scope& scope) {
+    ir::Builder& b = *scope.builder;
+    const bool is_bool = b.type(chooser) == ir::kBool;
+    const auto is_chosen = [&](std::size_t i) {
+        return is_bool ? b.emit(Op::Not, ir::kBool, {chooser})
+                       : b.emit(Op::Equal, ir::kBool, {chooser, b.constant(ir::kInt, {static_cast<double>(i)})});
+    };
+    Typed result = choices.back();
+    for (std::size_t i = choices.size() - 1; i-- > 0;) {
+        const Value condition = is_chosen(i);
+        const auto select = [&](Type type, Value yes, Value no) {
+            return b.emit(Op::Select, type, {condition, yes, no});
+        };
+        if (result.type.kind != ir::Kind::Struct) {
+            result.value = select(result.type, choices[i].value, result.value);
+            continue;
+        }
+        std::vector<Value> parts;
+        for (std::uint32_t part = 0; part < ir::part_count(module_, result.type); ++part) {
+            parts.push_back(select(ir::part_type(module_, result.type, part), b.extract(choices[i].value, part),
+                                   b.extract(result.value, part)));
+        }
+        result.value = b.construct(result.type, parts);
+    }
+    return result;
 }
 
 // The body in the place of the call: what a pass is made of should read as one text. Such functions have one result and
@@ -180,6 +228,8 @@ Emitter::Argument Emitter::const_argument(const ParamDecl& param, const Declarat
         if (expr.kind == Expr::Kind::Name) {
             diagnostics_.report(Code::UnknownEnumerator, expr.span, expr.text, fmt::format("'{}'", param.name))
                 .note(Diagnostics::suggestion(expr.text, enumeration->values));
+        } else if (expr.kind == Expr::Kind::Property) {
+            return choosing_argument(param, enumeration, expr, scope);
         } else {
             diagnostics_.report(Code::NotConstant, expr.span, fmt::format("'{}'", param.name))
                 .note(fmt::format("write one of {}", enumerate(enumeration->values)));
@@ -187,8 +237,40 @@ Emitter::Argument Emitter::const_argument(const ParamDecl& param, const Declarat
         return {};
     }
     const std::optional<double> value = constant_value(expr, scope);
+    if (!value && expr.kind == Expr::Kind::Property && param.type.name == "bool")
+        return choosing_argument(param, nullptr, expr, scope);
     if (!value) diagnostics_.report(Code::NotConstant, expr.span, fmt::format("'{}'", param.name));
     return {.value = {}, .constant = value};
+}
+
+// A property at a port that is chosen from a list: each of its values must be one of the port's.
+Emitter::Argument Emitter::choosing_argument(const ParamDecl& param, const EnumDecl* enumeration, const Expr& expr,
+                                             Scope& scope) {
+    const Typed value = expression(expr, scope);
+    if (!value.ok()) return {};
+    std::vector<double> choices = {0, 1};
+    if (enumeration ? !value.enumerators : value.type != ir::kBool) {
+        diagnostics_.report(Code::TypeMismatch, expr.span, fmt::format("'{}'", expr.text),
+                            module_.type_name(value.type),
+                            enumeration ? fmt::format("an enum of {}", enumerate(enumeration->values)) : "a bool");
+        return {};
+    }
+    if (enumeration) {
+        choices.clear();
+        for (const std::string_view word : *value.enumerators) {
+            const auto found = std::find(enumeration->values.begin(), enumeration->values.end(), word);
+            if (found == enumeration->values.end()) {
+                diagnostics_.report(Code::UnknownEnumerator, expr.span, word, fmt::format("'{}'", param.name))
+                    .note(Diagnostics::suggestion(word, enumeration->values))
+                    .note(fmt::format("'{}' can be it", expr.text));
+                return {};
+            }
+            choices.push_back(static_cast<double>(found - enumeration->values.begin()));
+        }
+    }
+    if (const std::span<const double> known = scope.builder->constant_of(value.value); !known.empty())
+        return {.value = {}, .constant = choices[static_cast<std::size_t>(known[0])]};
+    return {.value = value, .constant = choices[0], .choices = std::move(choices)};
 }
 
 Typed Emitter::default_value(const Expr& expr, const Declarations& home, Scope& scope, Type wanted) {
