@@ -7,6 +7,7 @@
 // runs.
 #include <algorithm>
 
+#include "compiler/assemble/canonical_hash.h"
 #include "compiler/assemble/check_reads.h"
 #include "compiler/assemble/functions.h"
 #include "compiler/assemble/identifiers.h"
@@ -128,6 +129,7 @@ struct Text {
     std::string what;       // in the header
     std::string file_name;  // without its extension
     std::optional<targets::Pasting> pasting = {};
+    std::string hash = {};
 };
 
 class TextPrinter {
@@ -153,7 +155,8 @@ public:
                 .text = std::move(printed.text),
                 .line_map = line_map(printed, module, sources),
                 .hlsl_shifts = reflection.hlsl_shifts,
-                .has_main = !text_.pasting};
+                .has_main = !text_.pasting,
+                .hash = text_.hash};
     }
 
 private:
@@ -161,12 +164,14 @@ private:
     std::vector<targets::Plan> plans_;  // shared by the languages that print the module as it is
 };
 
-TextPrinter stage_printer(const ir::Module& tidied, Stage stage, const std::string& pass, const std::string& name) {
+TextPrinter stage_printer(const ir::Module& tidied, Stage stage, const std::string& pass, const std::string& name,
+                          bool with_hash) {
     return TextPrinter({.tidied = tidied,
                         .pass = pass,
                         .stage = stage,
                         .what = fmt::format("pass '{}', {} stage", pass, to_string(stage)),
-                        .file_name = fmt::format("{}.{}.{}", name, pass, stage == Stage::Vertex ? "vert" : "frag")});
+                        .file_name = fmt::format("{}.{}.{}", name, pass, stage == Stage::Vertex ? "vert" : "frag"),
+                        .hash = with_hash ? assemble::hash_stage(tidied).text() : ""});
 }
 
 // --- functions instead of passes
@@ -267,10 +272,12 @@ void compile_graph(graph::Session& session, std::uint32_t base, const std::strin
     assemble::check_reads(session, linked.lowered, passes);
     if (session.diagnostics.has_errors()) return;
     result.reflection = assemble::reflect(*material, linked.lowered, passes);
+    for (std::size_t i = 0; options.hashes && i < passes.size(); ++i)
+        result.reflection.passes[i].hash = assemble::hash_pass(passes[i].vertex, passes[i].fragment).text();
     for (const LinkedPass& pass : passes) {
         const std::string pass_name(pass.pass->declaration->name);
-        TextPrinter vertex = stage_printer(pass.vertex, Stage::Vertex, pass_name, name);
-        TextPrinter fragment = stage_printer(pass.fragment, Stage::Fragment, pass_name, name);
+        TextPrinter vertex = stage_printer(pass.vertex, Stage::Vertex, pass_name, name, options.hashes);
+        TextPrinter fragment = stage_printer(pass.fragment, Stage::Fragment, pass_name, name, options.hashes);
         for (const Target& target : options.targets) {
             result.shaders.push_back(vertex.print(target, result.reflection, session.sources));
             result.shaders.push_back(fragment.print(target, result.reflection, session.sources));

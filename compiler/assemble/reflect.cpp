@@ -204,6 +204,8 @@ Pass reflect_pass(const graph::Material& material, const graph::Lowered& lowered
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
         const ir::GlobalId texture = lowered.property_globals[i].texture;
         if (texture && used[texture.index]) pass.textures.push_back(material.properties[i].property->name);
+        const ir::GlobalId keyword = lowered.property_globals[i].keyword;
+        if (keyword && used[keyword.index]) pass.keywords.push_back(material.properties[i].property->name);
     }
     return pass;
 }

@@ -3,8 +3,11 @@
 #include <memory>
 
 #include "compiler/base/text.h"
+#include <fmt/format.h>
+
 #include "compiler/cli/commands.h"
 #include "compiler/cli/files.h"
+#include "compiler/cli/variants.h"
 #include "patina/validate.h"
 
 namespace patina::cli {
@@ -18,6 +21,7 @@ struct Arguments {
     std::string folder;
     PathOptions path;
     std::string functions;
+    VariantOptions variants;
     bool validate = false;
     bool depfile = false;
 
@@ -62,6 +66,30 @@ bool add_shader(const Console& console, const Arguments& arguments, const Shader
     return validated.ok;
 }
 
+Exit write(const Console& console, const Arguments& arguments, const std::string& graph, const std::string& target,
+           std::span<const std::string> dependencies, OutputFiles files) {
+    if (arguments.depfile) files.add(join_path(arguments.folder, stem(graph)) + ".d", make_rule(target, dependencies));
+    if (std::string error = commit(files); !error.empty()) {
+        complain(console, "cannot-write", error);
+        return Exit::Wrong;
+    }
+    for (const OutputFile& file : files.files) say(console, file.path);
+    return Exit::Ok;
+}
+
+Exit compile_variants(const Console& console, const Arguments& arguments, const Compiler& compiler,
+                      const std::string& graph) {
+    OutputFiles files;
+    std::vector<std::string> dependencies;
+    const Exit exit = make_variants(
+        console, compiler, graph, arguments.variants, options_of(arguments), arguments.folder,
+        [&](const Shader& shader, OutputFiles& made) { return add_shader(console, arguments, shader, made); }, files,
+        dependencies);
+    if (exit != Exit::Ok) return exit;
+    const std::string manifest = files.files.back().path;
+    return write(console, arguments, graph, manifest, dependencies, std::move(files));
+}
+
 Exit compile_graph(const Console& console, const Arguments& arguments, const Compiler& compiler,
                    const std::string& graph) {
     const Result result = compiler.compile_file(graph, options_of(arguments));
@@ -80,13 +108,7 @@ Exit compile_graph(const Console& console, const Arguments& arguments, const Com
     const std::string name = join_path(arguments.folder, stem(graph));
     const std::string reflection = name + ".reflect.json";
     files.add(reflection, result.reflection.to_json());
-    if (arguments.depfile) files.add(name + ".d", make_rule(reflection, result.dependencies));
-    if (std::string error = commit(files); !error.empty()) {
-        complain(console, "cannot-write", error);
-        return Exit::Wrong;
-    }
-    for (const OutputFile& file : files.files) say(console, file.path);
-    return Exit::Ok;
+    return write(console, arguments, graph, reflection, result.dependencies, std::move(files));
 }
 
 }  // namespace
@@ -97,6 +119,7 @@ void add_compile(Program& program) {
         {"patina compile rust.graph.json -o out", "patina compile *.graph.json -t glsl --validate -o out",
          "patina compile rust.graph.json -t spirv -o out --depfile",
          "patina compile rust.graph.json --path deferred -D shadows -o out",
+         "patina compile rust.graph.json -D _Mode=Wet -o out", "patina compile rust.graph.json --variants all -o out",
          "patina compile rust.graph.json --functions Rust_ -o out", "patina compile rust.graph.json --dump tidy"});
     auto arguments = std::make_shared<Arguments>();
     command.add_option("GRAPH", arguments->graphs, "Material graphs (JSON)")->required()->type_name(" ");
@@ -116,6 +139,19 @@ void add_compile(Program& program) {
         ->allow_extra_args(false)
         ->check(one_of("a stage", {"graph", "ir", "linked", "tidy", "rates"}));
     add_path_options(command, arguments->path);
+    CLI::Option* variants =
+        command
+            .add_option("--variants", arguments->variants.wanted,
+                        "Compile the graph's variants, each different shader once: all combinations, those that the "
+                        "graph lists, or those that differ; NAME.variants.json tells which is which")
+            ->type_name("all|listed|reachable")
+            ->check(one_of("a choice of variants", {"all", "listed", "reachable"}));
+    command
+        .add_option("--variants-limit", arguments->variants.limit,
+                    fmt::format("Refuse more combinations than this ({})", kVariantLimit))
+        ->type_name("N")
+        ->check(CLI::PositiveNumber)
+        ->needs(variants);
     CLI::Option* functions =
         command
             .add_option("--functions", arguments->functions,
@@ -124,6 +160,8 @@ void add_compile(Program& program) {
             ->check([](const std::string& prefix) { return prefix.empty() ? "it needs a prefix" : ""; });
     functions->excludes(command.get_option("--path"));
     functions->excludes(command.get_option("--define"));
+    functions->excludes(variants);
+    variants->excludes(command.get_option("--dump"));
     add_include_option(command, arguments->include_dirs);
     command.parse_complete_callback([arguments] { refuse_equal_outputs(arguments->graphs, ".*", "compile"); });
 
@@ -140,7 +178,8 @@ void add_compile(Program& program) {
         Exit exit = Exit::Ok;
         for (std::size_t i = 0; i < arguments->graphs.size(); ++i) {
             show_progress(console, i, arguments->graphs.size(), arguments->graphs[i]);
-            exit = worse(exit, compile_graph(console, *arguments, compiler, arguments->graphs[i]));
+            const auto compile = arguments->variants.wanted.empty() ? compile_graph : compile_variants;
+            exit = worse(exit, compile(console, *arguments, compiler, arguments->graphs[i]));
         }
         return exit;
     });

@@ -160,7 +160,7 @@ std::vector<PropertyGlobals> declare_material(const Material& material, ir::Modu
         PropertyGlobals& made = globals.emplace_back();
         if (is_keyword(property.binding)) {
             const bool is_variant = property.binding == Binding::Variant;
-            if (!is_variant || keep_variants) made.keyword = add_keyword(module, entry);
+            if (!is_variant || (keep_variants && !entry.is_chosen)) made.keyword = add_keyword(module, entry);
             if (!is_variant) module.keywords.back().constant_id = constant_id++;
             continue;
         }

@@ -37,7 +37,8 @@ struct EngineGlobals {
 };
 EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations& declarations,
                              nodelang::Emitter& emitter, std::span<const std::string_view> on = {});
-// One entry per Material::properties. `keep_variants`: they are globals too, and not constants.
+// One entry per Material::properties. `keep_variants`: those that nobody has chosen a value for are
+// globals too, and not constants.
 std::vector<PropertyGlobals> declare_material(const Material& material, ir::Module& module, bool keep_variants);
 
 // Appends a member at the next offset that both layouts accept.

@@ -116,6 +116,17 @@ struct RenderState {
     Span span;
 };
 
+// A combination of variants that somebody wants: "variants": [ { "_DETAIL": true } ].
+struct ListedVariant {
+    struct Value {
+        std::string name;
+        Span name_span;
+        std::string word;  // "true", "Wet"
+        Span value_span;
+    };
+    std::vector<Value> values;
+};
+
 struct Graph {
     GraphKind kind = GraphKind::Material;
     std::string path;  // as the file was named; "" for an inline graph
@@ -134,6 +145,7 @@ struct Graph {
     std::vector<PortValue> outputs;  // sub-graph; in a lighting graph: direct, indirect, final
     std::string preview_input;       // workflow: the input that shows a previewed node ("preview": "color")
     RenderState render;
+    std::vector<ListedVariant> variants;  // material
     std::string meta;  // raw JSON text of "meta"; carried to the reflection
 };
 

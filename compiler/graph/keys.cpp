@@ -34,6 +34,7 @@ constexpr std::array kMaterial = {
     KeyInfo{"surface", "the surface inputs of the workflow and of the lighting model"},
     KeyInfo{"render", "how the surface is drawn: opaque or cutout, culling, depth", ObjectKind::Render},
     KeyInfo{"passes", "reserved for passes of a material's own"},
+    KeyInfo{"variants", "the combinations of variants that --variants listed compiles"},
     kMeta,
     kUi,
 };

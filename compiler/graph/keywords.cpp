@@ -10,11 +10,6 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kBools = {"false", "true"};
 
-std::vector<std::string_view> words_of(const Property& property) {
-    if (property.type == PropertyType::Bool) return {kBools.begin(), kBools.end()};
-    return {property.values.begin(), property.values.end()};
-}
-
 void choose(Session& session, MaterialProperty& entry, const std::string& word) {
     const Property& property = *entry.property;
     if (!is_keyword(property.binding)) {
@@ -22,10 +17,11 @@ void choose(Session& session, MaterialProperty& entry, const std::string& word) 
             .note(property.name_span, "with \"as\": \"variant\" or \"specialization\" here, it would be");
         return;
     }
-    const std::vector<std::string_view> words = words_of(property);
+    const std::vector<std::string_view> words = keyword_words(property);
     const auto found = std::find(words.begin(), words.end(), word);
     if (found != words.end()) {
         entry.chosen = static_cast<double>(found - words.begin());
+        entry.is_chosen = true;
         return;
     }
     session.diagnostics.report(Code::UnknownWord, {}, word, fmt::format("a value of '{}'", property.name))
@@ -33,9 +29,40 @@ void choose(Session& session, MaterialProperty& entry, const std::string& word) 
         .note(property.name_span, "the property is here");
 }
 
+// What the graph lists under "variants".
+void check_listed(Session& session, const Material& material) {
+    for (const ListedVariant& listed : material.graph->graph->variants) {
+        for (const ListedVariant::Value& value : listed.values) {
+            const auto found = material.property_index.find(value.name);
+            const Property* property =
+                found == material.property_index.end() ? nullptr : material.properties[found->second].property;
+            if (!property || property->binding != Binding::Variant) {
+                std::vector<std::string_view> known;
+                for (const MaterialProperty& entry : material.properties) {
+                    if (entry.property->binding == Binding::Variant) known.push_back(entry.property->name);
+                }
+                session.diagnostics.report(Code::UnknownWord, value.name_span, value.name, "a variant of this graph")
+                    .note(known.empty() ? "it has none" : Diagnostics::suggestion(value.name, known));
+                continue;
+            }
+            const std::vector<std::string_view> words = keyword_words(*property);
+            if (std::find(words.begin(), words.end(), value.word) != words.end()) continue;
+            session.diagnostics
+                .report(Code::UnknownWord, value.value_span, value.word, fmt::format("a value of '{}'", property->name))
+                .note(Diagnostics::suggestion(value.word, words));
+        }
+    }
+}
+
 }  // namespace
 
+std::vector<std::string_view> keyword_words(const Property& property) {
+    if (property.type == PropertyType::Bool) return {kBools.begin(), kBools.end()};
+    return {property.values.begin(), property.values.end()};
+}
+
 void choose_keywords(Session& session, Material& material) {
+    check_listed(session, material);
     for (const auto& [name, word] : session.options.switches) {
         const auto found = material.property_index.find(name);
         if (found != material.property_index.end()) choose(session, material.properties[found->second], word);
@@ -52,7 +79,7 @@ const MaterialProperty* keyword_named(const Material& material, const nodelang::
 
 std::string told_values(const Property& property) {
     if (property.type == PropertyType::Bool) return "a bool";
-    return fmt::format("one of {}", enumerate(words_of(property)));
+    return fmt::format("one of {}", enumerate(keyword_words(property)));
 }
 
 std::vector<std::string_view> keyword_names(const Material& material) {

@@ -231,7 +231,7 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     EngineGlobals engine = declare_engine(*session.stages, *session.declarations, lowering.emitter, on);
     lowering.per_object = std::move(engine.per_object);
     out.reads = std::move(engine.reads);
-    out.property_globals = declare_material(material, out.module, session.keep_variants);
+    out.property_globals = declare_material(material, out.module, session.options.keep_variants);
     declare_statics(lowering);
     extend_lighting_surface(lowering);
     declare_semantics(lowering);

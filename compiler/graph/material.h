@@ -11,6 +11,7 @@ struct MaterialProperty {
     std::string texture_path;  // a texture's default: a file, found on disk; or white, black, gray, bump
     bool is_file = false;      // `texture_path` is one
     double chosen = 0;         // of a keyword: bool 0 or 1; enum: index
+    bool is_chosen = false;    // by the caller; else `chosen` is its default
 };
 
 struct Material {
@@ -39,6 +40,8 @@ void choose_keywords(Session& session, Material& material);
 const MaterialProperty* keyword_named(const Material& material, const nodelang::Expr& expr);
 // What such a property may be: "a bool", "one of Dry and Wet".
 std::string told_values(const Property& property);
+// Its values in words: "false" and "true", or an enum's.
+std::vector<std::string_view> keyword_words(const Property& property);
 // Names of all keywords.
 std::vector<std::string_view> keyword_names(const Material& material);
 

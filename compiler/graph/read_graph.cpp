@@ -106,6 +106,26 @@ void read_lighting_use(Reading& reading, const Json& json, LightingUse& lighting
     }
 }
 
+void read_variants(Reading& reading, const Json& array, std::vector<ListedVariant>& variants) {
+    if (!expect(reading, array, Json::Kind::Array, "'variants'")) return;
+    for (const Json& element : array.elements) {
+        if (!expect(reading, element, Json::Kind::Object, "a variant")) continue;
+        ListedVariant& listed = variants.emplace_back();
+        for (const JsonMember& member : element.members) {
+            const Json& value = member.value;
+            const bool is_bool = value.kind == Json::Kind::Bool;
+            if (!is_bool && value.kind != Json::Kind::String) {
+                report_type(reading, value, fmt::format("'{}'", shown(member.key)), "true, false or one of its values");
+                continue;
+            }
+            listed.values.push_back({.name = member.key,
+                                     .name_span = member.key_span,
+                                     .word = is_bool ? (value.boolean ? "true" : "false") : value.string,
+                                     .value_span = value.span});
+        }
+    }
+}
+
 void read_material(Reading& reading, const Json& json, Graph& graph) {
     UniqueNames names;
     check_keys(reading, json, ObjectKind::Material);
@@ -118,6 +138,7 @@ void read_material(Reading& reading, const Json& json, Graph& graph) {
     if (const Json* vertex = json.find("vertex")) graph.vertex = read_ports(reading, *vertex, "'vertex'", {});
     if (const Json* surface = json.find("surface")) graph.surface = read_ports(reading, *surface, "'surface'", {});
     if (const Json* render = json.find("render")) read_render(reading, *render, graph.render);
+    if (const Json* variants = json.find("variants")) read_variants(reading, *variants, graph.variants);
     report_not_yet(reading, json, "passes");
 }
 

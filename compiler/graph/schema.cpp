@@ -46,7 +46,6 @@ std::vector<SchemaRow> make_rows(const SchemaInput& input) {
         {Free, "group", text(kText)},
         {Free, "note", text(kText)},
         {Free, "precision", words_schema(kPrecisions)},
-        {Lighting, "properties", list_of("lightingProperty")},
         {Free, "properties", list_of("property")},
         {Free, "nodes", list_of("node")},
         {Free, "inputs", list_of("input")},
@@ -60,6 +59,8 @@ std::vector<SchemaRow> make_rows(const SchemaInput& input) {
         {Free, "surface", text(kValues)},
         {Free, "render", reference("render")},
         {Free, "passes", text(kNothing)},
+        {Free, "variants",
+         R"({"type":"array","items":{"type":"object","additionalProperties":{"type":["boolean","string"]}}})"},
         {Free, "outputs", text(kNamedValues)},
         {Free, "direct", reference("value")},
         {Free, "indirect", reference("value")},
@@ -74,7 +75,7 @@ std::vector<SchemaRow> make_rows(const SchemaInput& input) {
         {Free, "range", text(kRange)},
         {Free, "hard", text(kBoolean)},
         {Input, "as", R"({"type":"string","pattern":"^="})"},
-        {Free, "as", R"({"enum":["uniform"]})"},
+        {Free, "as", words_schema(kBindings)},
         {Free, "gives", text(kIdentifier)},
         {Free, "tiling", text(kBoolean)},
         {Free, "sampler", reference("sampler")},
@@ -151,12 +152,6 @@ Members make_definitions(const SchemaInput& input) {
     node.emplace_back("oneOf", R"([{"required":["node"]},{"required":["expr"],"not":{"required":["in"]}}])");
     if (!input.nodes.empty()) node.emplace_back("allOf", node_ports_schema(input.nodes));
 
-    // Only a lighting graph has variants so far.
-    std::vector<SchemaRow> lighting_rows = rows;
-    for (SchemaRow& row : lighting_rows) {
-        if (row.key == "as" && row.kind == ObjectKind::Free) row.schema = words_schema(kBindings);
-    }
-
     Members definitions = {
         {"identifier", std::string(kIdentifier)},
         {"value", value_schema(input.semantics)},
@@ -165,7 +160,6 @@ Members make_definitions(const SchemaInput& input) {
         {"lighting", object(object_schema(rows, ObjectKind::Lighting))},
         {"workflow", object(object_schema(rows, ObjectKind::Workflow))},
         {"property", object(object_schema(rows, ObjectKind::Property))},
-        {"lightingProperty", object(object_schema(lighting_rows, ObjectKind::Property))},
         {"node", object(node)},
         {"input", object(object_schema(rows, ObjectKind::Input))},
         {"sampler", object(object_schema(rows, ObjectKind::Sampler))},

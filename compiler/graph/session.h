@@ -36,8 +36,7 @@ struct Session {
     // Of the library, unless the wanted path is a file.
     const nodelang::Declarations* declarations;
     const Stages* stages;
-    std::string path;            // the name of the wanted path
-    bool keep_variants = false;  // they stay in the text as keywords, with all their values
+    std::string path;  // the name of the wanted path
     std::unique_ptr<PassFile> pass_file;
     SourceMap sources;
     Diagnostics diagnostics;

@@ -69,6 +69,9 @@ struct Shader {
     std::vector<LineOrigin> line_map;             // ascending by line
     std::vector<Reflection::Shifts> hlsl_shifts;  // what glslang must add to HLSL registers
     bool has_main = true;                         // false: functions, to be pasted into other shaders
+    // CompileOptions::hashes: of what the stage computes, whatever things are called in the graph. Stages of one graph
+    // with the same hash can stand for each other.
+    std::string hash{};
 };
 
 // Text of a file that the compiler asks for (sub-graphs, lighting graphs, node files), or nothing if there is none.
@@ -83,7 +86,8 @@ struct CompileOptions {
     // Not empty: no passes, but the material's functions, for shaders of an engine's own. Whatever is declared beside
     // them begins with this prefix ("Rust_"); the reflection lists them. `path` and `passes` do not count then.
     std::string functions{};
-    // Parts of the passes that can be had or left out, and their values: "shadows", "true".
+    // Parts of the passes that can be had or left out, and the graph's variants and specialization constants, with
+    // their values: "shadows", "true"; "_Mode", "Wet".
     std::vector<std::pair<std::string, std::string>> switches{};
     std::vector<std::string> include_dirs;  // searched for files after the graph's own folder
     Loader loader;                          // default: the file system
@@ -95,6 +99,9 @@ struct CompileOptions {
     // Also take a lighting graph or a sub-graph, inside the smallest material that uses it: to check one on its own.
     bool accept_parts = false;
     bool keep_programs = false;  // keep what patina/interpret.h runs
+    // Variants that `switches` give no value are not decided: both stages keep what each of their values needs.
+    bool keep_variants = false;
+    bool hashes = false;  // Shader::hash and Pass::hash
 };
 
 struct Dump {
@@ -241,6 +248,10 @@ struct NamedValue {
     std::vector<double> values;
 };
 
+struct VariantPlan;  // patina/variants.h
+struct VariantSet;
+enum class VariantsWanted;
+
 class Compiler {
 public:
     Compiler();
@@ -251,6 +262,13 @@ public:
     Result compile_file(const std::string& path, const CompileOptions& options = {}) const;
     // `path` names the text in messages and output files; relative files are looked up beside it.
     Result compile_text(const std::string& path, std::string text, const CompileOptions& options = {}) const;
+
+    // The combinations of a material's variants, counted before anything is compiled; more than `limit` are refused.
+    VariantPlan plan_variants(const std::string& path, VariantsWanted wanted, const CompileOptions& options,
+                              std::size_t limit) const;
+    // `progress`: told which combination comes next.
+    VariantSet compile_variants(const std::string& path, const VariantPlan& plan, CompileOptions options,
+                                const std::function<void(std::size_t)>& progress = {}) const;
 
     // A scene; its graphs are found, not compiled. Of the options only `include_dirs` and `loader` count.
     SceneResult read_scene(const std::string& path, const CompileOptions& options = {}) const;

@@ -129,6 +129,9 @@ struct Pass {
     std::vector<VertexInput> vertex_inputs;
     std::vector<std::string> blocks;    // names of the blocks that either stage reads
     std::vector<std::string> textures;  // names of the textures that either stage reads
+    std::vector<std::string> keywords{};  // properties that either stage reads as specialization constants or keywords
+    // Of what it computes, whatever things are called in the graph (CompileOptions::hashes); else empty.
+    std::string hash{};
 };
 
 // A function for an engine's own shaders. Types are spelled as in HLSL.

@@ -155,7 +155,8 @@ void resource(Writer& w, GlobalId id) {
 
 void keyword(Writer& w, GlobalId id) {
     const Global& global = w.module.globals[id.index];
-    w.line(0, fmt::format("layout(constant_id = {}) const {} = {};", *w.module.keywords[global.keyword].constant_id,
+    const std::optional<std::uint32_t> constant = w.module.keywords[global.keyword].constant_id;
+    w.line(0, fmt::format("{}const {} = {};", constant ? fmt::format("layout(constant_id = {}) ", *constant) : "",
                           w.declaration(global.type, w.globals[id.index]), w.keyword_value(global)));
 }
 

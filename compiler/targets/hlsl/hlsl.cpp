@@ -99,7 +99,9 @@ void resource(Writer& w, GlobalId id) {
 // Vulkan's: Direct3D has no constants that a pipeline sets.
 void keyword(Writer& w, GlobalId id) {
     const Global& global = w.module.globals[id.index];
-    w.line(0, fmt::format("[[vk::constant_id({})]] const {} = {};", *w.module.keywords[global.keyword].constant_id,
+    const std::optional<std::uint32_t> constant = w.module.keywords[global.keyword].constant_id;
+    w.line(0, fmt::format("{}const {} = {};",
+                          constant ? fmt::format("[[vk::constant_id({})]] ", *constant) : std::string("static "),
                           w.declaration(global.type, w.globals[id.index]), w.keyword_value(global)));
 }
 

@@ -1,0 +1,160 @@
+#include "compiler/cli/variants.h"
+
+#include <fmt/format.h>
+#include <rapidjson/prettywriter.h>
+#include <rapidjson/stringbuffer.h>
+
+#include <map>
+
+namespace patina::cli {
+namespace {
+
+constexpr std::size_t kShortHash = 8;
+
+// Hash -> as much of it as tells it from all others.
+class ShortHashes {
+public:
+    std::string name(const std::string& hash) {
+        std::size_t length = kShortHash;
+        while (length < hash.size() && taken_.emplace(hash.substr(0, length), hash).first->second != hash) ++length;
+        return hash.substr(0, length);
+    }
+
+private:
+    std::map<std::string, std::string> taken_;
+};
+
+// "rust.forward.frag.glsl" -> "rust.3f2a9c1e.forward.frag.glsl"
+std::string with_hash(const std::string& file_name, const std::string& name, const std::string& hash) {
+    return name + "." + hash + file_name.substr(name.size());
+}
+
+VariantsWanted wanted_of(const std::string& word) {
+    for (const VariantsWanted each : {VariantsWanted::Listed, VariantsWanted::Reachable}) {
+        if (word == to_string(each)) return each;
+    }
+    return VariantsWanted::All;
+}
+
+std::string counted(std::size_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+// "8 combinations of _DETAIL (2), _Mode (4)"
+std::string announcement(const VariantPlan& plan) {
+    std::string text = counted(plan.combinations.size(), "combination");
+    for (std::size_t i = 0; i < plan.axes.size(); ++i)
+        text += fmt::format("{}{} ({})", i == 0 ? " of " : ", ", plan.axes[i].property, plan.axes[i].values.size());
+    return plan.axes.empty() ? "it has no variants; " + text : text;
+}
+
+// The programs' files, in the order of the set.
+struct Written {
+    std::string hash;  // short
+    std::string reflection;
+    std::vector<std::string> files;
+};
+
+std::string manifest(const std::string& name, const VariantOptions& wanted, const VariantPlan& plan,
+                     const VariantSet& set, const std::vector<Written>& written) {
+    rapidjson::StringBuffer buffer;
+    rapidjson::PrettyWriter<rapidjson::StringBuffer> json(buffer);
+    json.SetIndent(' ', 2);
+    json.SetFormatOptions(rapidjson::kFormatSingleLineArray);
+    const auto text = [&](std::string_view word) { json.String(word.data(), unsigned(word.size())); };
+    const auto member = [&](const char* key, std::string_view word) {
+        json.Key(key);
+        text(word);
+    };
+    json.StartObject();
+    member("graph", name);
+    member("variants", wanted.wanted);
+    json.Key("properties");
+    json.StartArray();
+    for (const VariantAxis& axis : plan.axes) {
+        json.StartObject();
+        member("name", axis.property);
+        json.Key("values");
+        json.StartArray();
+        for (const std::string& value : axis.values) text(value);
+        json.EndArray();
+        member("default", axis.values[axis.otherwise]);
+        json.EndObject();
+    }
+    json.EndArray();
+    json.Key("programs");
+    json.StartArray();
+    for (std::size_t i = 0; i < written.size(); ++i) {
+        json.StartObject();
+        member("program", written[i].hash);
+        member("hash", set.programs[i].hash);
+        member("reflection", written[i].reflection);
+        json.Key("files");
+        json.StartArray();
+        for (const std::string& file : written[i].files) text(file);
+        json.EndArray();
+        json.EndObject();
+    }
+    json.EndArray();
+    json.Key("combinations");
+    json.StartArray();
+    for (std::size_t i = 0; i < plan.combinations.size(); ++i) {
+        json.StartObject();
+        json.Key("values");
+        json.StartObject();
+        for (const auto& [property, value] : plan.combinations[i]) member(property.c_str(), value);
+        json.EndObject();
+        member("program", written[set.program_of[i]].hash);
+        json.EndObject();
+    }
+    json.EndArray();
+    json.EndObject();
+    return std::string(buffer.GetString(), buffer.GetSize()) + "\n";
+}
+
+}  // namespace
+
+Exit make_variants(const Console& console, const Compiler& compiler, const std::string& graph,
+                   const VariantOptions& wanted, const CompileOptions& options, const std::string& folder,
+                   const AddShader& add, OutputFiles& files, std::vector<std::string>& dependencies) {
+    const VariantPlan plan = compiler.plan_variants(graph, wanted_of(wanted.wanted), options, wanted.limit);
+    report(console, plan.diagnostics);
+    if (!plan.ok) return Exit::Wrong;
+    const std::string name = stem(graph);
+    say(console, graph + ": " + announcement(plan));
+    VariantSet set = compiler.compile_variants(
+        graph, plan, options, [&](std::size_t done) { show_progress(console, done, plan.combinations.size(), graph); });
+    end_progress(console);
+    report(console, set.diagnostics);
+    if (!set.ok) return Exit::Wrong;
+
+    ShortHashes programs, stages;
+    std::map<std::string, std::vector<std::string>> files_of;  // by a stage's file name and hash
+    std::vector<Written> written;
+    for (VariantProgram& program : set.programs) {
+        Written& made = written.emplace_back();
+        made.hash = programs.name(program.hash);
+        made.reflection = name + "." + made.hash + ".reflect.json";
+        files.add(join_path(folder, made.reflection), program.result.reflection.to_json());
+        for (Shader& shader : program.result.shaders) {
+            const auto [own, is_new] = files_of.try_emplace(shader.file_name + shader.hash);
+            if (is_new) {
+                shader.file_name = with_hash(shader.file_name, name, stages.name(shader.hash));
+                OutputFiles added;
+                if (!add(shader, added)) return Exit::Wrong;
+                for (OutputFile& file : added.files) {
+                    own->second.push_back(file.path.substr(file.path.rfind('/') + 1));
+                    files.files.push_back(std::move(file));
+                }
+            }
+            made.files.insert(made.files.end(), own->second.begin(), own->second.end());
+        }
+    }
+    say(console, fmt::format("{}: {} in {}", graph, counted(set.programs.size(), "different program"),
+                             counted(files_of.size(), "shader")));
+    files.add(join_path(folder, name + ".variants.json"), manifest(name, wanted, plan, set, written));
+    dependencies = std::move(set.dependencies);
+    return Exit::Ok;
+}
+
+}  // namespace patina::cli
