@@ -1,10 +1,10 @@
 // patina compile: graphs to shader files and their reflection.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 
 #include "compiler/base/text.h"
-#include <fmt/format.h>
-
 #include "compiler/cli/commands.h"
 #include "compiler/cli/files.h"
 #include "compiler/cli/variants.h"

@@ -70,6 +70,12 @@ void say(const Console& console, std::string_view line) {
     print("\n");
 }
 
+void remark(const Console& console, std::string_view line) {
+    if (console.quiet || console.json) return;
+    end_progress(console);
+    std::fprintf(stderr, "%.*s\n", static_cast<int>(line.size()), line.data());
+}
+
 void print(std::string_view text) {
     write(stdout, text);
 }

@@ -41,6 +41,8 @@ void complain(const Console& console, std::string_view code, std::string message
 
 // A line on stdout about what was done: not when quiet, nor among JSON diagnostics.
 void say(const Console& console, std::string_view line);
+// A remark about the work on stderr: not when quiet, nor beside JSON diagnostics.
+void remark(const Console& console, std::string_view line);
 // Text that was asked for: always on stdout.
 void print(std::string_view text);
 // True if some of it could not be written: a full disk, a closed descriptor.

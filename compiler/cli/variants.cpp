@@ -121,7 +121,7 @@ Exit make_variants(const Console& console, const Compiler& compiler, const std::
     report(console, plan.diagnostics);
     if (!plan.ok) return Exit::Wrong;
     const std::string name = stem(graph);
-    say(console, graph + ": " + announcement(plan));
+    remark(console, graph + ": " + announcement(plan));
     VariantSet set = compiler.compile_variants(
         graph, plan, options, [&](std::size_t done) { show_progress(console, done, plan.combinations.size(), graph); });
     end_progress(console);
@@ -150,8 +150,8 @@ Exit make_variants(const Console& console, const Compiler& compiler, const std::
             made.files.insert(made.files.end(), own->second.begin(), own->second.end());
         }
     }
-    say(console, fmt::format("{}: {} in {}", graph, counted(set.programs.size(), "different program"),
-                             counted(files_of.size(), "shader")));
+    remark(console, fmt::format("{}: {} in {}", graph, counted(set.programs.size(), "different program"),
+                                counted(files_of.size(), "shader")));
     files.add(join_path(folder, name + ".variants.json"), manifest(name, wanted, plan, set, written));
     dependencies = std::move(set.dependencies);
     return Exit::Ok;

@@ -154,6 +154,39 @@ Value scalar_geometry(Copy& copy, Value v) {
     return b.emit(Op::Sub, type, {x, b.emit(Op::Mul, type, {twice, y})});
 }
 
+// --- a choice between vectors that is made with the pipeline. glslang makes a constant of it, as SPIR-V lets it, and
+// Mesa 22.3 takes the wrong one, by whatever a condition of three equal components is; it chooses between scalars well.
+
+bool is_of_pipeline(const Module& module, const Function& function, Value v, int depth = 0) {
+    const Inst& inst = function[v];
+    if (inst.op == Op::Constant) return true;
+    if (inst.op == Op::Global) return module.globals[inst.data].is_keyword();
+    const auto args = function.args(v);
+    return depth < 16 && !args.empty() && info(inst.op).traits != Structure && inst.op != Op::Call &&
+           std::all_of(args.begin(), args.end(),
+                       [&](Value arg) { return is_of_pipeline(module, function, arg, depth + 1); });
+}
+bool chooses_vector_of_pipeline(const Module& module, const Function& function, Value v) {
+    return !module.keywords.empty() && function[v].op == Op::Select && function[v].type.is_vector() &&
+           is_of_pipeline(module, function, v);
+}
+Value component(Builder& b, Value vector, std::uint32_t index) {
+    const std::span<const double> numbers = b.constant_of(vector);
+    const Type type = b.type(vector).with_width(1);
+    return numbers.empty() ? b.extract(vector, index) : b.constant(type, {numbers[index]});
+}
+Value choose_components(Copy& copy, Value v) {
+    Builder& b = copy.to;
+    const Type type = copy.from[v].type;
+    const Value condition = operand(copy, v, 0), yes = operand(copy, v, 1), no = operand(copy, v, 2);
+    std::vector<Value> parts;
+    for (std::uint32_t i = 0; i < type.width(); ++i) {
+        const Value chosen = b.type(condition).is_scalar() ? condition : component(b, condition, i);
+        parts.push_back(b.emit(Op::Select, type.with_width(1), {chosen, component(b, yes, i), component(b, no, i)}));
+    }
+    return b.construct(type, parts);
+}
+
 constexpr Rule kShared[] = {
     {is_signed_mod, expand_mod},
     {is_matrix_op, split_rows},
@@ -161,6 +194,7 @@ constexpr Rule kShared[] = {
     {is_half_derivative, differentiate_as_float},
     {samples_in_vertex_stage, sample_at_level},
     {is_scalar_geometry, scalar_geometry},
+    {chooses_vector_of_pipeline, choose_components},
 };
 
 const Rule* rule_for(std::span<const Rule> rules, const Module& module, const Function& function, Value v) {

@@ -1,0 +1,403 @@
+// Variants and specialization constants: as many shaders as there are different ones, the right one for each
+// combination, and a hash that knows equal ones whatever their nodes are called.
+#include "patina/variants.h"
+
+#include <gtest/gtest.h>
+#include <rapidjson/document.h>
+#include <rapidjson/stringbuffer.h>
+#include <rapidjson/writer.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <set>
+#include <sstream>
+
+#include "patina/validate.h"
+#include "random_graph.h"
+#include "runtime/compare.h"
+#include "runtime/cpu_render.h"
+#include "runtime/renderer.h"
+
+namespace patina {
+namespace {
+
+using runtime::Image;
+
+const Compiler& compiler() {
+    static const Compiler kCompiler;
+    return kCompiler;
+}
+
+CompileOptions options_for(const std::map<std::string, std::string>& files) {
+    CompileOptions options;
+    options.loader = [files](const std::string& path) -> std::optional<std::string> {
+        const auto found = files.find(path.substr(path.find_last_of('/') + 1));
+        return found == files.end() ? std::nullopt : std::optional(found->second);
+    };
+    return options;
+}
+
+std::string told(const std::vector<Diagnostic>& diagnostics) {
+    std::string text;
+    for (const Diagnostic& diagnostic : diagnostics) text += to_text(diagnostic);
+    return text;
+}
+
+// --- drawing
+
+runtime::Renderer& renderer() {
+    static const auto kOpened = runtime::Renderer::open({.validation = true});
+    EXPECT_TRUE(kOpened) << kOpened.error;
+    return *kOpened.value;
+}
+
+std::vector<std::uint32_t> spirv_of(const Result& result, Stage stage, Target target) {
+    for (const Shader& shader : result.shaders) {
+        if (shader.stage != stage || shader.target != target) continue;
+        Validated validated = validate(shader);
+        EXPECT_TRUE(validated.ok) << validated.log << shader.text;
+        return validated.spirv;
+    }
+    ADD_FAILURE() << "there is no such stage";
+    return {};
+}
+
+// A quad that fills the picture. Null target: the CPU.
+Image drawn(const Result& result, std::optional<Target> target, const std::map<std::string, std::string>& words = {}) {
+    runtime::Scene scene = runtime::fullscreen_scene(8, 8);
+    const auto values = runtime::material_values(result.reflection, words);
+    EXPECT_TRUE(values) << values.error;
+    const auto blocks = runtime::fill_blocks(result.reflection, values.value, scene);
+    runtime::Draw draw{.reflection = &result.reflection,
+                       .scene = &scene,
+                       .blocks = blocks,
+                       .constants = runtime::constants_of(result.reflection, values.value),
+                       .program = result.program.get()};
+    if (!target) {
+        auto image = runtime::cpu_draw(draw, Precision::Double);
+        EXPECT_TRUE(image) << image.error;
+        return std::move(image.value);
+    }
+    const auto vertex = spirv_of(result, Stage::Vertex, *target), fragment = spirv_of(result, Stage::Fragment, *target);
+    draw.vertex_spirv = vertex;
+    draw.fragment_spirv = fragment;
+    auto image = renderer().draw(draw);
+    EXPECT_TRUE(image) << image.error;
+    return std::move(image.value);
+}
+
+// --- as many shaders as there are different ones
+
+// Sixteen combinations. _B counts where _A is on; _C chooses between two ways to say one thing; nothing reads _D.
+const std::map<std::string, std::string> kSixteen = {{"sixteen.graph.json", R"json({
+  "patina": 1, "workflow": "unlit",
+  "properties": [
+    { "name": "_A", "type": "bool", "default": true, "as": "variant" },
+    { "name": "_C", "type": "bool", "as": "variant" },
+    { "name": "_D", "type": "bool", "as": "variant" }
+  ],
+  "variants": [ { "_A": false }, { "_B": true, "_A": true }, { "_A": false, "_B": false } ],
+  "nodes": [
+    { "id": "inner", "node": "./inner.subgraph.json" },
+    { "id": "twice", "expr": "$_C ? @uv0.y * 2 : 2 * @uv0.y" }
+  ],
+  "surface": { "color": "= float3($_A ? inner : 0.5, twice, 0.25)" } })json"},
+                                                     {"inner.subgraph.json", R"json({
+  "patina": 1, "kind": "subgraph",
+  "properties": [ { "name": "_B", "type": "bool", "as": "variant" } ],
+  "outputs": { "value": "= $_B ? @uv0.x : 1 - @uv0.x" } })json"}};
+
+VariantPlan planned(VariantsWanted wanted, std::size_t limit = kVariantLimit) {
+    return compiler().plan_variants("sixteen.graph.json", wanted, options_for(kSixteen), limit);
+}
+
+TEST(Variants, OfASubgraphReachTheMaterial) {
+    const VariantPlan plan = planned(VariantsWanted::All);
+    ASSERT_TRUE(plan.ok) << told(plan.diagnostics);
+    std::vector<std::string> names;
+    for (const VariantAxis& axis : plan.axes) names.push_back(axis.property);
+    EXPECT_EQ(names, (std::vector<std::string>{"_A", "_C", "_D", "_B"}));
+    EXPECT_EQ(plan.combinations.size(), 16u);
+}
+
+TEST(Variants, ThatAreEqualShareAShader) {
+    const VariantPlan plan = planned(VariantsWanted::All);
+    const VariantSet set = compiler().compile_variants("sixteen.graph.json", plan, options_for(kSixteen));
+    ASSERT_TRUE(set.ok) << told(set.diagnostics);
+    EXPECT_EQ(set.programs.size(), 3u);
+    for (std::size_t i = 0; i < plan.combinations.size(); ++i) {
+        const std::map<std::string, std::string> values(plan.combinations[i].begin(), plan.combinations[i].end());
+        const VariantValues same_shader = {{"_A", values.at("_A")},
+                                           {"_B", values.at("_A") == "true" ? values.at("_B") : "false"},
+                                           {"_C", "false"},
+                                           {"_D", "false"}};
+        for (std::size_t j = 0; j < plan.combinations.size(); ++j) {
+            VariantValues other = plan.combinations[j];
+            std::sort(other.begin(), other.end());
+            if (other == same_shader) {
+                EXPECT_EQ(set.program_of[i], set.program_of[j]);
+            }
+        }
+    }
+}
+
+TEST(Variants, AreDrawnByTheShaderThatTheyShare) {
+    const VariantPlan plan = planned(VariantsWanted::All);
+    const VariantSet set = compiler().compile_variants("sixteen.graph.json", plan, options_for(kSixteen));
+    ASSERT_TRUE(set.ok);
+    for (const Target target : {Target::Glsl, Target::Hlsl}) {
+        std::vector<Image> shared;
+        for (const VariantProgram& program : set.programs) shared.push_back(drawn(program.result, target));
+        for (std::size_t i = 0; i < plan.combinations.size(); ++i) {
+            CompileOptions options = options_for(kSixteen);
+            options.switches = plan.combinations[i];
+            const Image own = drawn(compiler().compile_file("sixteen.graph.json", options), target);
+            EXPECT_EQ(own.pixels, shared[set.program_of[i]].pixels) << i;
+        }
+        for (std::size_t i = 1; i < shared.size(); ++i) EXPECT_NE(shared[i].pixels, shared[i - 1].pixels);
+    }
+    EXPECT_EQ(renderer().messages(), std::vector<std::string>{});
+}
+
+TEST(Variants, CountOnlyWhereTheyCanBeReached) {
+    const VariantPlan plan = planned(VariantsWanted::Reachable);
+    ASSERT_TRUE(plan.ok) << told(plan.diagnostics);
+    EXPECT_EQ(plan.combinations,
+              (std::vector<VariantValues>{
+                  {{"_A", "false"}}, {{"_A", "true"}, {"_B", "false"}}, {{"_A", "true"}, {"_B", "true"}}}));
+    const VariantSet set = compiler().compile_variants("sixteen.graph.json", plan, options_for(kSixteen));
+    EXPECT_EQ(set.programs.size(), 3u);
+}
+
+TEST(Variants, CanBeListed) {
+    const VariantPlan plan = planned(VariantsWanted::Listed);
+    ASSERT_TRUE(plan.ok) << told(plan.diagnostics);
+    // The third entry says what the first means.
+    EXPECT_EQ(plan.combinations,
+              (std::vector<VariantValues>{{{"_A", "false"}, {"_C", "false"}, {"_D", "false"}, {"_B", "false"}},
+                                          {{"_A", "true"}, {"_C", "false"}, {"_D", "false"}, {"_B", "true"}}}));
+}
+
+TEST(Variants, PastTheLimitAreRefusedWithWhatTheyCost) {
+    const VariantPlan plan = planned(VariantsWanted::All, 15);
+    ASSERT_FALSE(plan.ok);
+    ASSERT_EQ(plan.diagnostics.size(), 1u);
+    EXPECT_EQ(plan.diagnostics[0].message, "16 combinations of variants are too many: the limit is 15");
+    ASSERT_EQ(plan.diagnostics[0].notes.size(), 5u);
+    EXPECT_EQ(plan.diagnostics[0].notes[0].message, "'_A' multiplies them by 2: without it there are 8");
+    EXPECT_EQ(plan.diagnostics[0].notes[3].file, "inner.subgraph.json");
+    EXPECT_TRUE(planned(VariantsWanted::All, 16).ok);
+    EXPECT_FALSE(planned(VariantsWanted::Reachable, 2).ok);
+    EXPECT_TRUE(planned(VariantsWanted::Reachable, 3).ok);
+}
+
+TEST(Variants, ThatAreFixedDoNotMultiply) {
+    CompileOptions options = options_for(kSixteen);
+    options.switches = {{"_A", "false"}, {"_D", "true"}};
+    const VariantPlan plan =
+        compiler().plan_variants("sixteen.graph.json", VariantsWanted::All, options, kVariantLimit);
+    EXPECT_EQ(plan.combinations.size(), 4u);
+    EXPECT_EQ(compiler().compile_variants("sixteen.graph.json", plan, options).programs.size(), 1u);
+}
+
+// --- constants of a pipeline
+
+const std::map<std::string, std::string> kSpecialized = {{"special.graph.json", R"json({
+  "patina": 1, "workflow": "unlit",
+  "properties": [
+    { "name": "_Mode", "type": "enum", "values": ["Quarter", "Half", "Whole"], "default": "Half", "as": "specialization" },
+    { "name": "_Fixed", "type": "bool", "as": "variant" },
+    { "name": "_Blue", "type": "bool", "default": true, "as": "specialization" },
+    { "name": "_Blend", "type": "enum", "values": ["Whiteout", "Reoriented"], "as": "specialization" }
+  ],
+  "nodes": [
+    { "id": "tilted", "node": "NormalBlend",
+      "in": { "base": [0.6, 0, 0.8], "detail": [0.6, 0, 0.8], "mode": "$_Blend" } }
+  ],
+  "surface": { "color": "= float3($_Mode == Quarter ? 0.25 : $_Mode == Half ? 0.5 : 1, $_Blue ? 0.75 : 0, tilted.z)" } })json"}};
+
+TEST(Specialization, HasTheIdsOfItsPropertiesInEveryVariant) {
+    for (const char* fixed : {"false", "true"}) {
+        CompileOptions options = options_for(kSpecialized);
+        options.switches = {{"_Fixed", fixed}};
+        const Result result = compiler().compile_file("special.graph.json", options);
+        ASSERT_TRUE(result.ok) << told(result.diagnostics);
+        std::map<std::string, std::optional<std::uint32_t>> ids;
+        for (const Property& property : result.reflection.properties) ids[property.name] = property.constant_id;
+        EXPECT_EQ(ids["_Mode"], 0u);
+        EXPECT_EQ(ids["_Fixed"], std::nullopt);
+        EXPECT_EQ(ids["_Blue"], 1u);
+        EXPECT_EQ(ids["_Blend"], 2u);
+        EXPECT_EQ(result.reflection.passes[0].keywords, (std::vector<std::string>{"_Mode", "_Blue", "_Blend"}));
+    }
+}
+
+// Two slopes of 3/4 along x: whiteout adds them, z = 0.64 / |(1.2, 0, 0.64)| = 0.64 / 1.36; reoriented doubles the
+// angle, whose cosine is 0.8, so that z = 2 * 0.64 - 1.
+TEST(Specialization, ChoosesWhenThePipelineIsMade) {
+    CompileOptions options = options_for(kSpecialized);
+    options.keep_programs = true;
+    const Result result = compiler().compile_file("special.graph.json", options);
+    ASSERT_TRUE(result.ok) << told(result.diagnostics);
+    struct Case {
+        std::map<std::string, std::string> words;
+        float red, green, blue;
+    };
+    const Case cases[] = {{{}, 0.5f, 0.75f, 0.64f / 1.36f},
+                          {{{"_Mode", "Quarter"}, {"_Blend", "Reoriented"}}, 0.25f, 0.75f, 0.28f},
+                          {{{"_Mode", "Whole"}, {"_Blue", "false"}}, 1, 0, 0.64f / 1.36f}};
+    for (const Case& each : cases) {
+        for (const std::optional<Target> target : {std::optional(Target::Glsl), std::optional(Target::Hlsl), {}}) {
+            const Image image = drawn(result, target, each.words);
+            ASSERT_GE(image.pixels.size(), 4u);
+            EXPECT_NEAR(image.pixels[0], each.red, 1e-6);
+            EXPECT_NEAR(image.pixels[1], each.green, 1e-6);
+            EXPECT_NEAR(image.pixels[2], each.blue, 1e-5);
+        }
+    }
+    EXPECT_EQ(renderer().messages(), std::vector<std::string>{});
+}
+
+// --- the hash
+
+using Json = rapidjson::Value;
+
+bool is_word(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+
+// Node ids have other names wherever they are read: not behind a dot, a $ or an @, which mean other things.
+std::string renamed(const std::string& text, const std::map<std::string, std::string>& names) {
+    std::string made;
+    for (std::size_t i = 0; i < text.size();) {
+        if (!is_word(text[i])) {
+            made += text[i++];
+            continue;
+        }
+        std::size_t end = i;
+        while (end < text.size() && is_word(text[end])) ++end;
+        const std::string word = text.substr(i, end - i);
+        const char before = i > 0 ? text[i - 1] : ' ';
+        const auto found = names.find(word);
+        const bool is_id = found != names.end() && before != '.' && before != '$' && before != '@';
+        made += is_id ? found->second : word;
+        i = end;
+    }
+    return made;
+}
+
+void rename_values(Json& json, const std::map<std::string, std::string>& names, rapidjson::Document& document) {
+    if (json.IsString()) {
+        const std::string text = renamed(json.GetString(), names);
+        json.SetString(text.c_str(), static_cast<rapidjson::SizeType>(text.size()), document.GetAllocator());
+    } else if (json.IsObject()) {
+        for (auto& member : json.GetObject()) rename_values(member.value, names, document);
+    } else if (json.IsArray()) {
+        for (Json& element : json.GetArray()) rename_values(element, names, document);
+    }
+}
+
+// The same graph with other node ids, its nodes in another order.
+std::string disguised(const std::string& text, unsigned seed) {
+    rapidjson::Document document;
+    document.Parse<rapidjson::kParseCommentsFlag | rapidjson::kParseTrailingCommasFlag>(text.c_str());
+    EXPECT_FALSE(document.HasParseError()) << text;
+    if (!document.HasMember("nodes")) return text;
+    Json& nodes = document["nodes"];
+    std::map<std::string, std::string> names;
+    for (Json& node : nodes.GetArray()) {
+        const std::string id = node["id"].GetString();
+        names[id] = "other" + std::to_string(names.size() * 7 % 101) + "_" + std::to_string(names.size());
+    }
+    for (Json& node : nodes.GetArray()) {
+        for (const char* key : {"id", "expr", "in"}) {
+            if (node.HasMember(key)) rename_values(node[key], names, document);
+        }
+    }
+    for (const char* key : {"surface", "vertex", "lighting"}) {
+        if (document.HasMember(key)) rename_values(document[key], names, document);
+    }
+    std::mt19937 dice(seed);
+    for (rapidjson::SizeType i = nodes.Size(); i > 1; --i) nodes[i - 1].Swap(nodes[dice() % i]);
+    rapidjson::StringBuffer buffer;
+    rapidjson::Writer<rapidjson::StringBuffer> writer(buffer);
+    document.Accept(writer);
+    return buffer.GetString();
+}
+
+std::string hash_of(const std::string& path, const std::string& text, CompileOptions options) {
+    options.hashes = true;
+    const Result result = compiler().compile_text(path, text, options);
+    EXPECT_TRUE(result.ok) << told(result.diagnostics) << text;
+    return result.ok ? result.reflection.passes[0].hash : "";
+}
+
+TEST(CanonicalHash, DoesNotSeeNamesAndOrderOfRandomGraphs) {
+    std::set<std::string> hashes;
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+        const witness::RandomGraph graph = witness::random_graph(compiler(), seed);
+        const CompileOptions options = options_for(graph.exact.files);
+        const std::string hash = hash_of("graph.graph.json", graph.exact.json, options);
+        EXPECT_EQ(hash, hash_of("other.graph.json", disguised(graph.exact.json, seed), options))
+            << seed << graph.exact.json;
+        hashes.insert(hash);
+    }
+    EXPECT_EQ(hashes.size(), 40u);  // no two are the same
+}
+
+TEST(CanonicalHash, DoesNotSeeNamesAndOrderOfExamples) {
+    std::set<std::string> hashes;
+    std::size_t count = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator("examples")) {
+        const std::string path = entry.path().string();
+        if (!path.ends_with(".graph.json")) continue;
+        std::stringstream text;
+        text << std::ifstream(path).rdbuf();
+        const std::string hash = hash_of(path, text.str(), {});
+        EXPECT_EQ(hash, hash_of(path, disguised(text.str(), 3), {})) << path;
+        hashes.insert(hash);
+        ++count;
+    }
+    EXPECT_GT(count, 30u);
+    EXPECT_GT(hashes.size(), count - 5);  // some of the sources' shaders are one
+}
+
+std::string unlit(const std::string& color, const std::string& nodes = "") {
+    return R"json({ "patina": 1, "workflow": "unlit",
+      "properties": [ { "name": "_P", "type": "float" }, { "name": "_Q", "type": "float" } ],
+      "nodes": [)json" +
+           nodes + R"json(], "surface": { "color": ")json" + color + "\" } }";
+}
+
+TEST(CanonicalHash, SeesWhatIsComputed) {
+    const std::string texts[] = {
+        unlit("= float3($_P, $_Q, 0.5)"),
+        unlit("= float3($_Q, $_P, 0.5)"),
+        unlit("= float3($_P, $_Q, 0.25)"),
+        unlit("= float3($_P - $_Q)"),
+        unlit("= float3($_Q - $_P)"),
+        unlit("= float3(@uv0, 0)"),
+        unlit("= float3(@uv0.yx, 0)"),
+        unlit("= float3(wave)", R"json({ "id": "wave", "expr": "sin(@position_os.x)" })json"),
+        unlit("= float3(wave)", R"json({ "id": "wave", "expr": "sin(@position_os.x)", "stage": "vertex" })json"),
+        unlit("= float3(wave)", R"json({ "id": "wave", "expr": "sin(@position_os.y)", "stage": "vertex" })json")};
+    std::set<std::string> hashes;
+    for (const std::string& text : texts) hashes.insert(hash_of("a.graph.json", text, {}));
+    EXPECT_EQ(hashes.size(), std::size(texts));
+    EXPECT_EQ(hash_of("a.graph.json", unlit("= float3($_P + $_Q)"), {}),
+              hash_of("b.graph.json", unlit("= float3($_Q + $_P)"), {}));
+    EXPECT_EQ(hash_of("a.graph.json",
+                      unlit("= float3(wave)",
+                            R"json({ "id": "wave", "expr": "sin(@position_os.x)", "stage": "vertex" })json"),
+                      {}),
+              hash_of("b.graph.json",
+                      unlit("= float3(swell)",
+                            R"json({ "id": "swell", "expr": "sin(@position_os.x)", "stage": "vertex" })json"),
+                      {}));
+}
+
+}  // namespace
+}  // namespace patina
