@@ -157,7 +157,8 @@ void Planner::place_objects() {
     std::set<std::size_t> used;
     for (std::size_t i = 0; i < world_.objects.size(); i++) {
         const WorldObject& object = world_.objects[i];
-        Sphere bounds = world_bounds(*object.mesh, object.object_to_world);
+        const std::optional<Bounds>& drawn = reflection_of(object.material).bounds;
+        Sphere bounds = world_bounds(*object.mesh, object.object_to_world, drawn);
         LightSplit split = split_lights(scene_.lights, bounds, world_.pixel_light_count);
         objects_.push_back({.index = i, .bounds = bounds, .split = std::move(split)});
         used.insert(object.material);
@@ -175,7 +176,8 @@ void Planner::find_shadow_maps() {
         objects.push_back({.mesh = object.mesh.get(),
                            .object_to_world = object.object_to_world,
                            .casts = std::any_of(reflection.passes.begin(), reflection.passes.end(), is_shadow_pass),
-                           .moves_vertices = reflection.moves_vertices});
+                           .moves_vertices = reflection.moves_vertices,
+                           .bounds = reflection.bounds});
         has_casters |= objects.back().casts;
     }
     if (!has_casters) return;

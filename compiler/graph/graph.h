@@ -10,6 +10,7 @@
 
 #include "compiler/base/source.h"
 #include "compiler/nodelang/ast.h"
+#include "patina/reflection.h"
 
 namespace patina::graph {
 
@@ -104,12 +105,24 @@ struct LightingUse {
 enum class SurfaceKind { Opaque, Cutout, Fade, Transparent, Additive, Multiply };
 enum class Cull { Back, Front, Off };
 enum class Compare { Never, Less, Equal, LessEqual, Greater, NotEqual, GreaterEqual, Always };
+enum class StencilOp { Keep, Zero, Replace, Increment, Decrement, Invert, IncrementWrap, DecrementWrap };
+struct StencilState {
+    int reference = 0, read_mask = 255, write_mask = 255;
+    Compare test = Compare::Always;
+    StencilOp pass = StencilOp::Keep, fail = StencilOp::Keep, depth_fail = StencilOp::Keep;
+    Span span;
+
+    bool changes() const { return pass != StencilOp::Keep || fail != StencilOp::Keep || depth_fail != StencilOp::Keep; }
+};
 struct RenderState {
     SurfaceKind surface = SurfaceKind::Opaque;
     Cull cull = Cull::Back;
     std::optional<bool> depth_write;
     std::optional<Compare> depth_test;
+    std::optional<std::array<double, 2>> depth_offset;  // factor, units
+    std::optional<StencilState> stencil;
     std::optional<int> queue;
+    std::optional<Bounds> bounds;
     Span span;
 };
 

@@ -127,9 +127,21 @@ constexpr std::array kRender = {
     KeyInfo{"cull", "the faces that are not drawn: back, front or off"},
     KeyInfo{"depthWrite", "whether it hides what is behind it"},
     KeyInfo{"depthTest", "how its depth compares to what is there: lessEqual, ..."},
-    KeyInfo{"stencil", "reserved for the stencil state"},
+    KeyInfo{"depthOffset", "[factor, units]: how far its depth is moved away from the camera, as glPolygonOffset does"},
+    KeyInfo{"stencil", "which pixels it is drawn at, and how it marks them", ObjectKind::Stencil},
     KeyInfo{"queue", "the order of drawing, 0 to 5000; opaque surfaces are at 2000"},
-    KeyInfo{"bounds", "reserved for how far the vertex stage moves it"},
+    KeyInfo{"bounds", "where the vertex stage moves the mesh: metres around it, or a box in object space"},
+};
+
+constexpr std::array kStencil = {
+    KeyInfo{"reference", "the number that is compared and written, 0 to 255; 0 otherwise"},
+    KeyInfo{"readMask", "the bits that are compared, 0 to 255; all otherwise"},
+    KeyInfo{"writeMask", "the bits that are written, 0 to 255; all otherwise"},
+    KeyInfo{"test", "how the reference compares to what is there: equal, notEqual, ...; always otherwise"},
+    KeyInfo{"pass",
+            "what becomes of it where the surface is drawn: keep, replace, zero, increment, ...; keep otherwise"},
+    KeyInfo{"fail", "what becomes of it where the stencil test fails; keep otherwise"},
+    KeyInfo{"depthFail", "what becomes of it where only the depth test fails; keep otherwise"},
 };
 
 constexpr std::array kLightingUse = {
@@ -248,6 +260,7 @@ std::span<const KeyInfo> keys_of(ObjectKind kind) {
         case ObjectKind::Input: return kInput;
         case ObjectKind::Sampler: return kSampler;
         case ObjectKind::Render: return kRender;
+        case ObjectKind::Stencil: return kStencil;
         case ObjectKind::LightingUse: return kLightingUse;
         case ObjectKind::Scene: return kScene;
         case ObjectKind::Camera: return kCamera;
@@ -281,6 +294,7 @@ std::string_view describe(ObjectKind kind) {
         case ObjectKind::Input: return "an input";
         case ObjectKind::Sampler: return "a sampler";
         case ObjectKind::Render: return "the render state";
+        case ObjectKind::Stencil: return "the stencil state";
         case ObjectKind::LightingUse: return "a use of a lighting model";
         case ObjectKind::Scene: return "a scene";
         case ObjectKind::Camera: return "a camera";

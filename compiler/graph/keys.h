@@ -23,6 +23,7 @@ enum class ObjectKind {
     Input,
     Sampler,
     Render,
+    Stencil,
     LightingUse,
     Scene,
     Camera,

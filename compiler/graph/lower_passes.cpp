@@ -129,9 +129,26 @@ private:
         return !draws_objects(pass) || blend_of(pass, surface()) || pass.blends.empty();
     }
 
+    // A material's stencil needs the stencil for itself, and one pass that draws the object.
+    Refusal refusal_of_stencil(const PassDecl& pass) const {
+        const std::optional<StencilState>& stencil = lowering_.material.graph->graph->render.stencil;
+        if (!stencil || !draws_objects(pass) || pass.state.targets.empty()) return {};
+        const ir::Origin where{.span = {stencil->span.begin, stencil->span.begin + 1}};
+        if (pass.has_stencil) return {.reason = "it uses the stencil itself", .where = where};
+        const std::vector<const PassDecl*> others = stages_.passes_of(pass.path);
+        const bool is_drawn_again = std::any_of(others.begin(), others.end(), [&](const PassDecl* other) {
+            return draws_objects(*other) && other->state.each == "light" && other->state.lights != "shadowed";
+        });
+        if (is_drawn_again && stencil->changes() && stencil->test != Compare::Always)
+            return {.reason = "it draws an object once for each light, and this stencil changes what it tests",
+                    .where = where};
+        return {};
+    }
+
     Refusal lower_pass(const PassDecl& pass) {
         if (!pass.vertex || !pass.fragment) return {};  // reported when its file was read
         if (!has_blend(pass)) return {.reason = fmt::format("it does not draw '{}' surfaces", surface())};
+        if (const Refusal refusal = refusal_of_stencil(pass)) return refusal;
         for (const std::string_view name : pass.needs) {
             const auto slot = std::find_if(stages_.slots.begin(), stages_.slots.end(),
                                            [&](const FunctionDecl* s) { return s->name == name; });

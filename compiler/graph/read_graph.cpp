@@ -65,27 +65,6 @@ void report_not_yet(Reading& reading, const Json& object, std::string_view key) 
     }
 }
 
-void read_render(Reading& reading, const Json& json, RenderState& render) {
-    render.span = json.span;
-    if (!expect(reading, json, Json::Kind::Object, "'render'")) return;
-    check_keys(reading, json, ObjectKind::Render);
-    report_not_yet(reading, json, "stencil");
-    report_not_yet(reading, json, "bounds");
-    if (const Json* surface = json.find("surface")) {
-        render.surface =
-            read_word(reading, *surface, "surface", "a surface kind", kSurfaceKinds).value_or(SurfaceKind::Opaque);
-    }
-    if (const Json* cull = json.find("cull")) {
-        render.cull = read_word(reading, *cull, "cull", "a cull mode", kCulls).value_or(Cull::Back);
-    }
-    if (const Json* write = json.find("depthWrite")) render.depth_write = read_bool(reading, *write, "'depthWrite'");
-    if (const Json* test = json.find("depthTest")) {
-        render.depth_test = read_word(reading, *test, "depthTest", "a depth test", kCompares);
-    }
-    constexpr int kLastQueue = 5000;
-    if (const Json* queue = json.find("queue")) render.queue = read_int(reading, *queue, "'queue'", 0, kLastQueue);
-}
-
 void read_lighting_use(Reading& reading, const Json& json, LightingUse& lighting) {
     lighting.present = true;
     lighting.span = json.span;
@@ -121,7 +100,7 @@ void read_material(Reading& reading, const Json& json, Graph& graph) {
     read_common(reading, json, graph, names);
     if (const Json* vertex = json.find("vertex")) graph.vertex = read_ports(reading, *vertex, "'vertex'", {});
     if (const Json* surface = json.find("surface")) graph.surface = read_ports(reading, *surface, "'surface'", {});
-    if (const Json* render = json.find("render")) read_render(reading, *render, graph.render);
+    if (const Json* render = json.find("render")) graph.render = read_render(reading, *render);
     report_not_yet(reading, json, "passes");
 }
 

@@ -419,8 +419,6 @@ TEST(ReadGraphErrors, Properties) {
 TEST(ReadGraphErrors, WhatCannotBeCompiledYet) {
     check({
         {R"("^passes":[])", "\"passes\" cannot be compiled yet"},
-        {R"("render":{"^stencil":{}})", "\"stencil\" cannot be compiled yet"},
-        {R"("render":{"^bounds":1})", "\"bounds\" cannot be compiled yet"},
         {R"("properties":[{"name":"a","type":"bool","as":^"variant"}])", "\"as\": \"variant\" cannot be compiled yet"},
         {R"("properties":[{"name":"a","type":"bool","as":^"specialization"}])",
          "\"as\": \"specialization\" cannot be compiled yet"},

@@ -92,10 +92,26 @@ struct RenderTarget {
     Blend blend{};
 };
 
+// What happens is keep | zero | replace | increment | decrement | invert | incrementWrap | decrementWrap; without Wrap
+// they stay at 0 and 255. Both faces are alike.
 struct Stencil {
-    std::string test = "always";  // as a depth test
-    std::string pass = "keep";    // what happens where both tests pass: keep | replace
-    std::string reference;        // lighting: a number that the materials of one lighting pass share; empty: unused
+    std::string test = "always";  // as a depth test: (reference & read_mask) to (what is there & read_mask)
+    std::string pass = "keep";    // what happens where both tests pass
+    std::string reference{};      // lighting: a number that the materials of one lighting pass share; empty: `value`
+    std::string fail = "keep";    // where the stencil test fails
+    std::string depth_fail = "keep";                   // where only the depth test fails
+    int value = 0, read_mask = 255, write_mask = 255;  // 0 to 255
+
+    bool is_of_lighting() const { return !reference.empty(); }
+    bool is_used() const {
+        return test != "always" || pass != "keep" || fail != "keep" || depth_fail != "keep" || is_of_lighting();
+    }
+};
+
+// Where the vertices of a mesh are drawn, in object space: in a box, or at most so far outside of the mesh's own.
+struct Bounds {
+    double margin = 0;                                          // metres, on all sides
+    std::optional<std::array<std::array<double, 3>, 2>> box{};  // lowest and highest corner; then there is no margin
 };
 
 // What a pass draws; how often (light: once for each of its lights, which is then the only one it sees); and which
@@ -151,6 +167,7 @@ struct Reflection {
     std::string surface = "opaque";  // opaque | cutout | fade | transparent | additive | multiply
     std::string path = "forward";    // the rendering path that the passes belong to
     bool moves_vertices = false;     // the graph's vertex stage does: a mesh's bounds are not what is drawn
+    std::optional<Bounds> bounds{};  // what is, where the graph says so
     std::vector<Switch> switches{};
     std::vector<Property> properties;
     std::vector<Block> blocks;
