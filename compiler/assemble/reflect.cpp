@@ -203,10 +203,19 @@ void set_object_state(Pass& pass, const graph::PassDecl& declaration, const grap
     pass.queue = render.queue.value_or(surface.queue);
 }
 
-Pass reflect_pass(const graph::Material& material, const graph::Lowered& lowered, const LinkedPass& linked) {
+Pass reflect_pass(const LinkedPass& linked) {
+    const graph::Material& material = *linked.material;
+    const graph::Lowered& lowered = *linked.lowered;
     const graph::RenderState& render = material.graph->graph->render;
     const graph::PassDecl& declaration = *linked.pass->declaration;
     Pass pass = declaration.state;
+    pass.name = linked.pass->name;
+    if (material.pass) {
+        pass.is_extra = true;
+        pass.fallback.clear();
+        pass.moves_vertices = !material.graph->graph->vertex.empty();
+        pass.bounds = render.bounds;
+    }
     if (pass.draws == "objects") set_object_state(pass, declaration, render);
     if (const graph::BlendRow* blend = graph::blend_of(declaration, text_of(graph::kSurfaceKinds, render.surface))) {
         for (RenderTarget& target : pass.targets) target.blend = blend->blend;
@@ -291,7 +300,7 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
             made.textures.push_back(reflect_texture(lowered.module, entry, lowered.property_globals[i], graph.path));
         }
     }
-    for (const LinkedPass& pass : passes) made.passes.push_back(reflect_pass(material, lowered, pass));
+    for (const LinkedPass& pass : passes) made.passes.push_back(reflect_pass(pass));
     for (std::size_t i = 0; i < lowered.module.globals.size(); ++i) {
         const ir::Global& global = lowered.module.globals[i];
         if (global.set == graph::kMaterialSet || !is_texture(global)) continue;

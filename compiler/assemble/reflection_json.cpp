@@ -164,6 +164,7 @@ void write_bounds(Json& json, const Bounds& bounds) {
 void write_pass(Writer& writer, const Pass& pass) {
     Json json(writer);
     json.text("name", pass.name);
+    if (pass.is_extra) json.flag("extra", true);
     json.text("draws", pass.draws);
     json.text("each", pass.each);
     json.text("lights", pass.lights);
@@ -179,6 +180,7 @@ void write_pass(Writer& writer, const Pass& pass) {
     }
     if (pass.stencil.is_used()) write_stencil(json, pass.stencil);
     json.number("queue", pass.queue);
+    if (pass.bounds) write_bounds(json, *pass.bounds);
     json.list("targets", pass.targets, [&](const RenderTarget& target) {
         Json t(writer);
         t.text("name", target.name);

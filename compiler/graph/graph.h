@@ -126,6 +126,14 @@ struct RenderState {
     Span span;
 };
 
+// "passes": another surface of a material, drawn beside its own. It is a graph of its own that has the material's nodes
+// and properties, and whatever else of the material's the pass does not say itself.
+struct ExtraPass {
+    std::string name;
+    Span name_span;
+    std::shared_ptr<Graph> graph;
+};
+
 struct Graph {
     GraphKind kind = GraphKind::Material;
     std::string path;  // as the file was named; "" for an inline graph
@@ -144,7 +152,8 @@ struct Graph {
     std::vector<PortValue> outputs;  // sub-graph; in a lighting graph: direct, indirect, final
     std::string preview_input;       // workflow: the input that shows a previewed node ("preview": "color")
     RenderState render;
-    std::string meta;  // raw JSON text of "meta"; carried to the reflection
+    std::vector<ExtraPass> passes;  // material
+    std::string meta;               // raw JSON text of "meta"; carried to the reflection
 };
 
 }  // namespace patina::graph

@@ -24,6 +24,7 @@ enum class ObjectKind {
     Sampler,
     Render,
     Stencil,
+    ExtraPass,
     LightingUse,
     Scene,
     Camera,

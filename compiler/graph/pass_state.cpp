@@ -151,6 +151,7 @@ constexpr StateRow kState[] = {
     {"stencil", 3, 3, "[stencil(\"always\", \"replace\", \"lighting\")]",
      [](Arguments& in, std::size_t, PassDecl& p) { read_stencil(in, p); }},
     {"optional", 0, 0, "[optional]", [](Arguments&, std::size_t, PassDecl& p) { p.is_optional = true; }},
+    {"extra", 0, 0, "[extra]", [](Arguments&, std::size_t, PassDecl& p) { p.draws_extra = true; }},
 };
 
 // What a shader can write to a target.

@@ -10,7 +10,6 @@ namespace patina::graph {
 namespace {
 
 constexpr std::string_view kAnything = "{}";
-constexpr std::string_view kNothing = R"({"not":{}})";  // a key that cannot be compiled yet
 constexpr std::string_view kText = R"({"type":"string"})";
 constexpr std::string_view kBoolean = R"({"type":"boolean"})";
 constexpr std::string_view kIdentifier = R"({"type":"string","pattern":"^[A-Za-z_][A-Za-z0-9_]*$"})";
@@ -63,7 +62,8 @@ std::vector<SchemaRow> make_rows(const SchemaInput& input) {
         {Render, "surface", words_schema(kSurfaceKinds)},
         {Free, "surface", text(kValues)},
         {Free, "render", reference("render")},
-        {Free, "passes", text(kNothing)},
+        {Free, "passes", list_of("pass")},
+        {ExtraPass, "name", text(kIdentifier)},
         {Free, "outputs", text(kNamedValues)},
         {Free, "direct", reference("value")},
         {Free, "indirect", reference("value")},
@@ -183,6 +183,7 @@ Members make_definitions(const SchemaInput& input) {
         {"sampler", object(object_schema(rows, ObjectKind::Sampler))},
         {"render", object(object_schema(rows, ObjectKind::Render))},
         {"stencil", object(object_schema(rows, ObjectKind::Stencil))},
+        {"pass", object(object_schema(rows, ObjectKind::ExtraPass))},
         {"lightingUse", object(object_schema(rows, ObjectKind::LightingUse))},
     };
     using enum ObjectKind;

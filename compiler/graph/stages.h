@@ -52,6 +52,7 @@ struct PassDecl {
     std::vector<BlendRow> blends;
     // The pass says so itself; else the material does.
     bool has_cull = false, has_depth = false, has_depth_bias = false, has_stencil = false;
+    bool draws_extra = false;                // it also draws the passes that materials add
     bool is_optional = false;                // left out without a word where it cannot be had
     std::vector<std::string_view> needs;     // slots that must exist
     std::vector<std::string_view> holds;     // members of the lighting surface that it can tell; empty: all
@@ -88,6 +89,8 @@ struct Stages {
     // Those of a path, in the order of its file.
     std::vector<const PassDecl*> passes_of(std::string_view path) const;
     std::vector<std::string_view> paths() const;
+    // What draws the passes that materials add: a pass of the path or, if it has none, of another one. Null: none does.
+    const PassDecl* pass_for_extra(std::string_view path) const;
     const SemanticDecl* semantic(std::string_view name) const;
 };
 

@@ -361,8 +361,7 @@ TEST_P(FrameTest, ClearsTheStencilBeforeAStep) {
     paint.pass().depth_test = "less";  // the depth stays: 0.5 is not less than 0.25 on the left
     const Mesh left = clip_quad(-1, 0, 0.25f, 0.25f);
     Frame frame{.targets = {target("rgba8"), target("depth", glm::vec4(1))},
-                .steps = {hand_step(mark, left, {}, {}, 1),
-                          hand_step(paint, full, {glm::vec4(1)}, {0}, 1)}};
+                .steps = {hand_step(mark, left, {}, {}, 1), hand_step(paint, full, {glm::vec4(1)}, {0}, 1)}};
     frame.steps[0].stencil_reference = 4;
     frame.steps[1].clears_stencil = true;
     const Image image = draw(frame);

@@ -125,6 +125,7 @@ inline constexpr std::array<std::string_view, 8> kPassLights = {"all",         "
 // A pass of the material: two stages and the fixed-function state that goes with them.
 struct Pass {
     std::string name;
+    bool is_extra = false;          // added by the material to those of the path; it is drawn by its own queue
     std::string draws = "objects";  // of kPassDraws
     std::string each = "once";      // of kPassEach
     std::string lights = "all";     // of kPassLights
@@ -137,6 +138,8 @@ struct Pass {
     double depth_bias = 0, depth_slope_bias = 0;  // as Vulkan's: in units of the depth format, and times the slope
     Stencil stencil;
     int queue = 2000;
+    bool moves_vertices = false;        // of one that is added: as in Reflection
+    std::optional<Bounds> bounds{};     // the same
     std::vector<RenderTarget> targets;  // none: only depth
     std::vector<VertexInput> vertex_inputs;
     std::vector<std::string> blocks;    // names of the blocks that either stage reads
