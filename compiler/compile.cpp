@@ -68,11 +68,11 @@ void check_varyings(const ir::Module& vertex, const graph::Graph& graph, std::st
 
 // The two stages of a pass. The fragment stage is finished first: the vertex stage computes what is left of its inputs.
 // Those that turn out to be constants are none, and leave less of both stages.
-LinkedPass link_pass(const assemble::Linked& linked, const graph::LoweredPass& pass, bool optimise, Result& result,
-                     const CompileOptions& options) {
-    const std::string name(pass.declaration->name);
+LinkedPass link_pass(const graph::Material& material, const assemble::Linked& linked, const graph::LoweredPass& pass,
+                     bool optimise, Result& result, const CompileOptions& options) {
+    const std::string& name = pass.name;
     const ir::BuildOptions build{.fold = optimise};
-    LinkedPass made{.pass = &pass, .vertex = {}, .fragment = {}};
+    LinkedPass made{.pass = &pass, .material = &material, .lowered = &linked.lowered};
     made.fragment = assemble::link_fragment(linked, pass, build);
     if (optimise) {
         verified(made.fragment, "linked fragment");
@@ -222,22 +222,45 @@ void add_places(Program& program, const ir::Module& stage, const SourceMap& sour
     }
 }
 
+// The material itself, and the passes that it adds.
+using Materials = std::vector<const graph::Material*>;
+
 // The interpreter's stages: lowered and linked without folding, and never tidied.
-std::shared_ptr<const Program> keep_program(graph::Session& session, const graph::Material& material) {
-    graph::Lowered lowered = graph::lower(session, material, {.fold = false});
-    if (session.diagnostics.has_errors()) return nullptr;
-    const assemble::Linked linked = assemble::link(std::move(lowered));
+std::shared_ptr<const Program> keep_program(graph::Session& session, const Materials& materials) {
     auto program = std::make_shared<Program>();
     Result unused;
-    for (const graph::LoweredPass& pass : linked.lowered.passes) {
-        LinkedPass made = link_pass(linked, pass, false, unused, session.options);
-        const std::string name(pass.declaration->name);
-        add_places(*program, made.vertex, session.sources);
-        add_places(*program, made.fragment, session.sources);
-        program->stages.push_back({.pass = name, .stage = Stage::Vertex, .module = std::move(made.vertex)});
-        program->stages.push_back({.pass = name, .stage = Stage::Fragment, .module = std::move(made.fragment)});
+    for (const graph::Material* material : materials) {
+        graph::Lowered lowered = graph::lower(session, *material, {.fold = false});
+        if (session.diagnostics.has_errors()) return nullptr;
+        const assemble::Linked linked = assemble::link(std::move(lowered));
+        for (const graph::LoweredPass& pass : linked.lowered.passes) {
+            LinkedPass made = link_pass(*material, linked, pass, false, unused, session.options);
+            add_places(*program, made.vertex, session.sources);
+            add_places(*program, made.fragment, session.sources);
+            program->stages.push_back({.pass = pass.name, .stage = Stage::Vertex, .module = std::move(made.vertex)});
+            program->stages.push_back(
+                {.pass = pass.name, .stage = Stage::Fragment, .module = std::move(made.fragment)});
+        }
     }
     return program;
+}
+
+// Those of the passes that a material adds which are wanted and can be seen. The material has been lowered.
+Materials drawn_beside(graph::Session& session, const graph::Lowered& lowered,
+                       const std::vector<std::unique_ptr<graph::Material>>& passes) {
+    Materials drawn;
+    const std::vector<std::string>& wanted = session.options.passes;
+    for (const std::unique_ptr<graph::Material>& each : passes) {
+        const graph::ExtraPass& pass = *each->pass;
+        const bool is_named = std::find(wanted.begin(), wanted.end(), pass.name) != wanted.end();
+        if (!session.options.functions.empty()) {
+            session.diagnostics.report(Code::PassLeftOut, pass.name_span, pass.name,
+                                       "the functions are those of the material itself");
+        } else if (wanted.empty() ? graph::draws_extra(session, lowered) : is_named) {
+            drawn.push_back(each.get());
+        }
+    }
+    return drawn;
 }
 
 void compile_graph(graph::Session& session, std::uint32_t base, const std::string& path, Result& result) {
@@ -253,6 +276,7 @@ void compile_graph(graph::Session& session, std::uint32_t base, const std::strin
     if (!material) return;
     dump_graph(result, session, *material);
     graph::check_surface_members(session, *material);
+    const std::vector<std::unique_ptr<graph::Material>> added = graph::resolve_passes(session, *material);
     // Types are checked by lowering: do it even after errors, to report as many as there are.
     graph::Lowered lowered = graph::lower(session, *material, {.fold = true});
     if (session.diagnostics.has_errors()) return;
@@ -261,21 +285,32 @@ void compile_graph(graph::Session& session, std::uint32_t base, const std::strin
     dump_stage(result, options, "ir", "ir", lowered.module);
 
     const std::string name = graph::file_stem(path);
+    Materials materials = drawn_beside(session, lowered, added);
     if (!options.functions.empty()) return print_functions(session, *material, std::move(lowered), name, result);
-    assemble::name_interface(lowered.module);
-    const assemble::Linked linked = assemble::link(std::move(lowered));
-    std::vector<LinkedPass> passes;
-    for (const graph::LoweredPass& pass : linked.lowered.passes) {
-        passes.push_back(link_pass(linked, pass, true, result, options));
-        check_varyings(passes.back().vertex, *graph, pass.declaration->name, session.diagnostics);
-    }
-    assemble::check_reads(session, linked.lowered, passes);
+    std::vector<assemble::Linked> linked;
+    linked.reserve(materials.size() + 1);
+    const auto link = [&](graph::Lowered made) {
+        assemble::name_interface(made.module);
+        linked.push_back(assemble::link(std::move(made)));
+    };
+    link(std::move(lowered));
+    for (const graph::Material* each : materials) link(graph::lower(session, *each, {.fold = true}));
     if (session.diagnostics.has_errors()) return;
-    result.reflection = assemble::reflect(*material, linked.lowered, passes);
+    materials.insert(materials.begin(), material.get());
+    std::vector<LinkedPass> passes;
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        for (const graph::LoweredPass& pass : linked[i].lowered.passes) {
+            passes.push_back(link_pass(*materials[i], linked[i], pass, true, result, options));
+            check_varyings(passes.back().vertex, *graph, pass.name, session.diagnostics);
+        }
+    }
+    assemble::check_reads(session, linked.front().lowered, passes);
+    if (session.diagnostics.has_errors()) return;
+    result.reflection = assemble::reflect(*material, linked.front().lowered, passes);
     for (std::size_t i = 0; options.hashes && i < passes.size(); ++i)
         result.reflection.passes[i].hash = assemble::hash_pass(passes[i].vertex, passes[i].fragment).text();
     for (const LinkedPass& pass : passes) {
-        const std::string pass_name(pass.pass->declaration->name);
+        const std::string& pass_name = pass.pass->name;
         TextPrinter vertex = stage_printer(pass.vertex, Stage::Vertex, pass_name, name, options.hashes);
         TextPrinter fragment = stage_printer(pass.fragment, Stage::Fragment, pass_name, name, options.hashes);
         for (const Target& target : options.targets) {
@@ -283,7 +318,7 @@ void compile_graph(graph::Session& session, std::uint32_t base, const std::strin
             result.shaders.push_back(fragment.print(target, result.reflection, session.sources));
         }
     }
-    if (options.keep_programs) result.program = keep_program(session, *material);
+    if (options.keep_programs) result.program = keep_program(session, materials);
 }
 
 Result finish(graph::Session& session, Result result) {

@@ -4,6 +4,7 @@
 #include <rapidjson/writer.h>
 
 #include <algorithm>
+#include <set>
 #include <tuple>
 
 #include "compiler/base/text.h"
@@ -149,7 +150,10 @@ void write_json(Writer& writer, const Diagnostic& d) {
 
 std::vector<Diagnostic> to_public(const Diagnostics& diagnostics, const SourceMap& sources) {
     std::vector<Diagnostic> out;
+    // A material's passes share its nodes: what is wrong with one is found as often as it is used, and said once.
+    std::set<std::tuple<Code, std::uint32_t, std::uint32_t, std::string_view>> said;
     for (const DiagnosticRecord& record : diagnostics.records()) {
+        if (!said.emplace(record.code, record.span.begin, record.span.end, record.message).second) continue;
         Diagnostic& d = out.emplace_back();
         d.severity = record.severity == Level::Error ? Severity::Error : Severity::Warning;
         d.code = info(record.code).name;

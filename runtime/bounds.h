@@ -4,8 +4,11 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
+#include <vector>
 
+#include "patina/reflection.h"
 #include "runtime/mesh.h"
 
 namespace patina::runtime {
@@ -15,9 +18,12 @@ struct Sphere {
     float radius = 0;
 };
 
-// Holds every vertex; centred on the middle of their box, so it need not be the smallest. No vertices: a point at the
-// object's origin.
-Sphere world_bounds(const Mesh& mesh, const glm::mat4& object_to_world);
+// Points that span all of what is drawn, in object space: the mesh's vertices or, where a material says how far it
+// moves them, the corners of that box. No vertices: the origin.
+std::vector<glm::vec3> bounding_points(const Mesh& mesh, const std::optional<Bounds>& bounds = {});
+
+// Holds all of these points; centred on the middle of their box, so it need not be the smallest.
+Sphere world_bounds(const Mesh& mesh, const glm::mat4& object_to_world, const std::optional<Bounds>& bounds = {});
 
 // Holds all of them, centred on the middle of their box. None: a point at the origin.
 Sphere bounds_of(std::span<const Sphere> spheres);

@@ -66,11 +66,28 @@ PixelBounds intersection(const FrameArea& area, const PixelBounds& window) {
 
 // --- pixels
 
-bool passes_tests(const CpuStep& step, int x, int y, double depth) {
-    if (!step.depth) return true;
+// How a sample fares in the tests, and what that makes of the stencil.
+struct Tested {
+    bool is_visible = true;
+    const StencilWord* stencil = nullptr;  // null: there is none
+};
+
+Tested test_sample(const CpuStep& step, int x, int y, double depth) {
+    if (!step.depth) return {};
     const PassState& state = step.state;
-    return state.stencil_test->holds(step.step->stencil_reference, step.depth->stencil[step.depth->index(x, y)]) &&
-           state.depth_test->holds(float(depth), step.depth->load(x, y).x);
+    const auto seen = [&](std::uint8_t value) { return float(value & state.stencil_read_mask); };
+    if (!state.stencil_test->holds(seen(step.step->stencil_reference),
+                                   seen(step.depth->stencil[step.depth->index(x, y)])))
+        return {.is_visible = false, .stencil = state.stencil_fail};
+    if (!state.depth_test->holds(float(depth), step.depth->load(x, y).x))
+        return {.is_visible = false, .stencil = state.stencil_depth_fail};
+    return {.stencil = state.stencil_pass};
+}
+
+void change_stencil(const CpuStep& step, const StencilWord& word, int x, int y) {
+    std::uint8_t& there = step.depth->stencil[step.depth->index(x, y)];
+    const int wanted = word.change(there, step.step->stencil_reference), mask = step.state.stencil_write_mask;
+    there = std::uint8_t((wanted & mask) | (there & ~mask));
 }
 
 float blend_factor(const BlendWord& word, const glm::vec4& source, const glm::vec4& target, int channel) {
@@ -111,28 +128,32 @@ void write_pixel(const CpuStep& step, const std::vector<StageValue>& outputs, in
     }
     if (!step.depth) return;
     if (step.step->pass->depth_write) step.depth->store(x, y, glm::vec4(float(depth)));
-    if (step.state.replaces_stencil) step.depth->stencil[step.depth->index(x, y)] = step.step->stencil_reference;
 }
 
 void shade_quad(const CpuStep& step, Interpreter& fragment, const CpuTriangle& triangle, const Quad& quad,
                 QuadInputs& inputs) {
     // The stage never writes depth, so testing before it gives the same picture as testing after it.
-    std::array<bool, 4> visible{};
-    for (int lane = 0; lane < 4; lane++)
-        visible[lane] =
-            quad.covered[lane] && passes_tests(step, quad.x + lane % 2, quad.y + lane / 2, quad.depth[lane]);
-    if (!visible[0] && !visible[1] && !visible[2] && !visible[3]) return;
+    std::array<Tested, 4> tested{};
+    bool is_needed = false;
+    for (int lane = 0; lane < 4; lane++) {
+        if (quad.covered[lane])
+            tested[lane] = test_sample(step, quad.x + lane % 2, quad.y + lane / 2, quad.depth[lane]);
+        const bool marks = tested[lane].stencil && tested[lane].stencil->vulkan != VK_STENCIL_OP_KEEP;
+        is_needed |= quad.covered[lane] && (tested[lane].is_visible || marks);
+    }
+    if (!is_needed) return;
 
     gather_inputs(step.sources, triangle.screen, quad, step.precision, inputs);
     const QuadOutputs outputs = fragment.run(inputs);
     for (int lane = 0; lane < 4; lane++) {
-        if (!visible[lane]) continue;
-        const bool is_discarded = outputs.discarded[lane];
-        if (step.on_fragment)
+        if (!quad.covered[lane]) continue;
+        const int x = quad.x + lane % 2, y = quad.y + lane / 2;
+        const bool is_discarded = outputs.discarded[lane], is_visible = tested[lane].is_visible;
+        if (is_visible && step.on_fragment)
             step.on_fragment({.triangle = &triangle, .quad = quad, .lane = lane, .is_discarded = is_discarded});
         if (is_discarded) continue;
-        write_pixel(step, fragment.outputs(), quad.x + lane % 2, quad.y + lane / 2, quad.depth[lane],
-                    outputs.lanes[lane]);
+        if (tested[lane].stencil) change_stencil(step, *tested[lane].stencil, x, y);
+        if (is_visible) write_pixel(step, fragment.outputs(), x, y, quad.depth[lane], outputs.lanes[lane]);
     }
 }
 
@@ -155,6 +176,7 @@ Outcome<CpuStep> make_cpu_step(const Frame& frame, const FrameStep& step, std::v
                  .bounds = intersection(area, targets[attachments(step).front()].window)};
     for (std::size_t target : step.targets) made.colors.push_back(&targets[target]);
     if (step.depth >= 0) made.depth = &targets[std::size_t(step.depth)];
+    if (step.clears_stencil && made.depth) std::fill(made.depth->stencil.begin(), made.depth->stencil.end(), 0);
     made.textures.assign(step.textures.begin(), step.textures.end());
     for (const FrameRead& read : step.reads)  // after the loaded ones: the last of a name counts
         made.textures.push_back({.name = read.texture, .data = texture_of(targets[read.target])});

@@ -63,6 +63,7 @@ struct FrameStep {
     int depth = -1;                      // index into Frame::targets; -1: no depth or stencil
     FrameArea area{};
     std::uint8_t stencil_reference = 0;
+    bool clears_stencil = false;  // to 0, all of it, before the step draws
 };
 
 struct Frame {

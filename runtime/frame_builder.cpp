@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace patina::runtime {
 namespace {
@@ -122,6 +123,14 @@ std::string FrameBuilder::make_targets(std::span<const std::size_t> used, bool h
     return "";
 }
 
+// Lighting groups and materials share the stencil of a frame: what one has left there is gone for the other.
+bool FrameBuilder::changes_owner(const Stencil& stencil) {
+    if (!stencil.is_used()) return false;
+    const StencilOwner owner = stencil.is_of_lighting() ? StencilOwner::Lighting : StencilOwner::Materials;
+    const StencilOwner before = std::exchange(stencil_owner_, owner);
+    return before != owner && before != StencilOwner::Nobody;
+}
+
 // The object itself has a texture of this name.
 bool FrameBuilder::has_own(const PlannedStep& step, std::string_view texture) const {
     return step.object && *step.object < options_.object_textures.size() &&
@@ -166,7 +175,9 @@ void FrameBuilder::add(PlannedStep planned) {
                    .constants = constants_of(*material.reflection, material.values),
                    .textures = textures_of(planned),
                    .area = planned.area};
-    if (!pass.stencil.reference.empty()) step.stencil_reference = static_cast<std::uint8_t>(planned.group);
+    step.stencil_reference =
+        static_cast<std::uint8_t>(pass.stencil.is_of_lighting() ? planned.group : pass.stencil.value);
+    step.clears_stencil = changes_owner(pass.stencil);
     for (const RenderTarget& target : pass.targets) step.targets.push_back(*find_target(target.name));
     if (!pass.depth_target.empty()) step.depth = static_cast<int>(*find_target(pass.depth_target));
     for (const Texture& texture : material.reflection->textures)

@@ -54,6 +54,7 @@ private:
     std::string format_of(const std::string& target, const std::string& stated) const;
     std::string add_target(const std::string& material, const Pass& pass, const std::string& name,
                            const std::string& stated, int atlas_size);
+    bool changes_owner(const Stencil& stencil);
     std::optional<std::size_t> find_target(const std::string& name) const;
     std::span<const LoadedTexture> textures_of(const PlannedStep& step);
     bool has_own(const PlannedStep& step, std::string_view texture) const;
@@ -62,6 +63,7 @@ private:
     std::span<const DrawnMaterial> materials_;
     const FrameOptions& options_;
     Frame frame_{};
+    enum class StencilOwner { Nobody, Lighting, Materials } stencil_owner_ = StencilOwner::Nobody;
     std::shared_ptr<Kept> kept_ = std::make_shared<Kept>();
 };
 

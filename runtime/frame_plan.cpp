@@ -17,13 +17,24 @@ namespace {
 
 constexpr int kFirstBlendedQueue = 2500;  // as in Unity: AlphaTest is 2450, Transparent 3000
 
-// In the order in which they are drawn.
-enum class Phase { Wanted, OtherPath, Readers, Blended };
+// In the order in which they are drawn. Before, After: passes that a material adds, on either side of the opaque ones.
+enum class Phase { Before, Wanted, OtherPath, After, Readers, Blended };
 
-const Pass* find_pass(const Reflection& reflection, const std::string& name) {
-    auto found = std::find_if(reflection.passes.begin(), reflection.passes.end(),
-                              [&](const Pass& pass) { return pass.name == name; });
-    return found == reflection.passes.end() ? nullptr : &*found;
+using Passes = std::vector<const Pass*>;
+
+const Pass* find_pass(const Passes& passes, const std::string& name) {
+    auto found = std::find_if(passes.begin(), passes.end(), [&](const Pass* pass) { return pass->name == name; });
+    return found == passes.end() ? nullptr : *found;
+}
+
+// What is drawn together: the passes of the path, and each that the material adds.
+std::vector<Passes> groups_of(const Reflection& reflection) {
+    std::vector<Passes> groups(1);
+    for (const Pass& pass : reflection.passes)
+        if (!pass.is_extra) groups.front().push_back(&pass);
+    for (const Pass& pass : reflection.passes)
+        if (pass.is_extra) groups.push_back({&pass});
+    return groups;
 }
 
 // Draws objects as the camera sees them.
@@ -31,21 +42,21 @@ bool shows_objects(const Pass& pass) {
     return pass.draws == "objects" && !is_shadow_pass(pass);
 }
 
-bool is_blended(const Reflection& reflection) {
-    return std::any_of(reflection.passes.begin(), reflection.passes.end(),
-                       [](const Pass& pass) { return shows_objects(pass) && pass.queue >= kFirstBlendedQueue; });
+bool is_blended(const Passes& passes) {
+    return std::any_of(passes.begin(), passes.end(),
+                       [](const Pass* pass) { return shows_objects(*pass) && pass->queue >= kFirstBlendedQueue; });
 }
 
 // A pass wants to see what was drawn before it in its own targets.
-bool reads_own_targets(const Reflection& reflection) {
+bool reads_own_targets(const Passes& passes, const std::vector<Texture>& textures) {
     auto draws_into = [](const Pass& pass, const std::string& target) {
         return pass.depth_target == target || std::any_of(pass.targets.begin(), pass.targets.end(),
                                                           [&](const RenderTarget& t) { return t.name == target; });
     };
-    for (const Pass& pass : reflection.passes)
-        for (const Texture& texture : reflection.textures)
-            if (shows_objects(pass) && !texture.reads.empty() && reads_texture(pass, texture) &&
-                draws_into(pass, texture.reads))
+    for (const Pass* pass : passes)
+        for (const Texture& texture : textures)
+            if (shows_objects(*pass) && !texture.reads.empty() && reads_texture(*pass, texture) &&
+                draws_into(*pass, texture.reads))
                 return true;
     return false;
 }
@@ -84,6 +95,8 @@ std::string check_material(const World& world, std::size_t index, const DrawnMat
 
 struct PlannedObject {
     std::size_t index = 0;  // in the world
+    Passes passes{};        // one of groups_of()
+    bool is_extra = false;  // which a material adds
     Sphere bounds{};
     LightSplit split{};
 };
@@ -105,7 +118,10 @@ public:
         if (error_.empty()) error_ = builder_.make_targets(used_, !shadow_maps_.empty());
         if (error_.empty()) {
             draw_shadow_maps();
-            for (Phase phase : {Phase::Wanted, Phase::OtherPath, Phase::Readers}) draw_opaque(phase);
+            draw_added(Phase::Before);
+            for (Phase phase : {Phase::Wanted, Phase::OtherPath}) draw_opaque(phase);
+            draw_added(Phase::After);
+            draw_opaque(Phase::Readers);
             draw_blended();
         }
         if (!error_.empty()) return Failure{error_};
@@ -123,12 +139,13 @@ private:
     void find_shadow_maps();
     void draw_shadow_maps();
     void draw_opaque(Phase phase);
+    void draw_added(Phase phase);
     void draw_blended();
 
-    Phase phase_of(const Reflection& reflection) const;
+    Phase phase_of(const PlannedObject& object) const;
     Objects objects_in(Phase phase) const;
     std::vector<std::size_t> materials_of(const Objects& objects) const;
-    std::vector<std::string> pass_order(const std::vector<std::size_t>& materials) const;
+    std::vector<std::string> pass_order(Objects objects) const;
     std::vector<std::size_t> lights_for(const Pass& pass, const PlannedObject* object) const;
     EngineScene seen_with(const std::vector<std::size_t>& lights) const;
     void draw_object(const PlannedObject& object, const Pass& pass, Phase phase);
@@ -157,9 +174,18 @@ void Planner::place_objects() {
     std::set<std::size_t> used;
     for (std::size_t i = 0; i < world_.objects.size(); i++) {
         const WorldObject& object = world_.objects[i];
-        Sphere bounds = world_bounds(*object.mesh, object.object_to_world);
-        LightSplit split = split_lights(scene_.lights, bounds, world_.pixel_light_count);
-        objects_.push_back({.index = i, .bounds = bounds, .split = std::move(split)});
+        const Reflection& reflection = reflection_of(object.material);
+        for (Passes& passes : groups_of(reflection)) {
+            const bool is_extra = !passes.empty() && passes.front()->is_extra;
+            const std::optional<Bounds>& drawn = is_extra ? passes.front()->bounds : reflection.bounds;
+            Sphere bounds = world_bounds(*object.mesh, object.object_to_world, drawn);
+            LightSplit split = split_lights(scene_.lights, bounds, world_.pixel_light_count);
+            objects_.push_back({.index = i,
+                                .passes = std::move(passes),
+                                .is_extra = is_extra,
+                                .bounds = bounds,
+                                .split = std::move(split)});
+        }
         used.insert(object.material);
     }
     used_.assign(used.begin(), used.end());
@@ -170,12 +196,14 @@ void Planner::find_shadow_maps() {
     std::vector<ShadowObject> objects;
     bool has_casters = false;
     for (const PlannedObject& planned : objects_) {
+        if (planned.is_extra) continue;
         const Reflection& reflection = reflection_of(planned);
         const WorldObject& object = world_.objects[planned.index];
         objects.push_back({.mesh = object.mesh.get(),
                            .object_to_world = object.object_to_world,
                            .casts = std::any_of(reflection.passes.begin(), reflection.passes.end(), is_shadow_pass),
-                           .moves_vertices = reflection.moves_vertices});
+                           .moves_vertices = reflection.moves_vertices,
+                           .bounds = reflection.bounds});
         has_casters |= objects.back().casts;
     }
     if (!has_casters) return;
@@ -202,11 +230,13 @@ void Planner::find_shadow_maps() {
 }
 
 void Planner::draw_shadow_maps() {
-    for (const std::string& name : pass_order(used_)) {
+    Objects all;
+    for (const PlannedObject& object : objects_) all.push_back(&object);
+    for (const std::string& name : pass_order(all)) {
         for (std::size_t map = 0; map < shadow_maps_.size(); map++) {
             const std::size_t light = shadow_lights_[map];
             for (const PlannedObject& object : objects_) {
-                const Pass* pass = find_pass(reflection_of(object), name);
+                const Pass* pass = find_pass(object.passes, name);
                 if (!pass || !is_shadow_pass(*pass)) continue;
                 if (attenuation_within(scene_.lights[light], object.bounds) <= 0) continue;
                 EngineScene seen = seen_with({light});
@@ -223,33 +253,45 @@ void Planner::draw_shadow_maps() {
     }
 }
 
-Phase Planner::phase_of(const Reflection& reflection) const {
-    if (is_blended(reflection)) return Phase::Blended;
-    if (reads_own_targets(reflection)) return Phase::Readers;
+Phase Planner::phase_of(const PlannedObject& object) const {
+    const Reflection& reflection = reflection_of(object);
+    if (is_blended(object.passes)) return Phase::Blended;
+    if (reads_own_targets(object.passes, reflection.textures)) return Phase::Readers;
+    if (object.is_extra) {
+        const auto own = std::find_if(reflection.passes.begin(), reflection.passes.end(), shows_objects);
+        const bool is_before = own != reflection.passes.end() && object.passes.front()->queue < own->queue;
+        return is_before ? Phase::Before : Phase::After;
+    }
     return options_.path.empty() || reflection.path == options_.path ? Phase::Wanted : Phase::OtherPath;
 }
 
 Planner::Objects Planner::objects_in(Phase phase) const {
     Objects chosen;
     for (const PlannedObject& object : objects_)
-        if (phase_of(reflection_of(object)) == phase) chosen.push_back(&object);
+        if (phase_of(object) == phase) chosen.push_back(&object);
     return chosen;
 }
 
+// Of whose passes some may draw no objects.
 std::vector<std::size_t> Planner::materials_of(const Objects& objects) const {
     std::set<std::size_t> materials;
-    for (const PlannedObject* object : objects) materials.insert(material_of(*object));
+    for (const PlannedObject* object : objects)
+        if (!object->is_extra) materials.insert(material_of(*object));
     return {materials.begin(), materials.end()};
 }
 
 // Names of all passes, each behind those that stand before it in its material.
-std::vector<std::string> Planner::pass_order(const std::vector<std::size_t>& materials) const {
+std::vector<std::string> Planner::pass_order(Objects objects) const {
+    std::stable_sort(objects.begin(), objects.end(),
+                     [&](const auto* a, const auto* b) { return material_of(*a) < material_of(*b); });
     std::vector<std::string> order;
-    for (std::size_t material : materials) {
+    std::set<const Pass*> known;  // the first of each group
+    for (const PlannedObject* object : objects) {
+        if (object->passes.empty() || !known.insert(object->passes.front()).second) continue;
         std::size_t next = 0;
-        for (const Pass& pass : reflection_of(material).passes) {
-            auto found = std::find(order.begin(), order.end(), pass.name);
-            if (found == order.end()) found = order.insert(order.begin() + std::ptrdiff_t(next), pass.name);
+        for (const Pass* pass : object->passes) {
+            auto found = std::find(order.begin(), order.end(), pass->name);
+            if (found == order.end()) found = order.insert(order.begin() + std::ptrdiff_t(next), pass->name);
             next = std::max(next, std::size_t(found - order.begin()) + 1);
         }
     }
@@ -311,7 +353,7 @@ void Planner::draw_object(const PlannedObject& object, const Pass& pass, Phase p
                       .mesh = shape.mesh.get(),
                       .seen = std::move(seen),
                       .object = object.index,
-                      .group = group_of(phase, shape.material)});
+                      .group = pass.stencil.is_of_lighting() ? group_of(phase, shape.material) : 0});
     };
     const std::vector<std::size_t> lights = lights_for(pass, &object);
     if (pass.each == "once") return add(lights);
@@ -331,14 +373,15 @@ void Planner::draw_volume(PlannedStep step, const Light& light) {
 void Planner::draw_lighting(const std::vector<std::size_t>& materials, const std::string& name, Phase phase) {
     static const Mesh kScreen = make_fullscreen();
     for (std::size_t material : materials) {
-        const Pass* pass = find_pass(reflection_of(material), name);
-        if (!pass || pass->draws == "objects") continue;
+        const std::vector<Pass>& passes = reflection_of(material).passes;
+        const auto pass = std::find_if(passes.begin(), passes.end(), [&](const Pass& p) { return p.name == name; });
+        if (pass == passes.end() || pass->draws == "objects") continue;
         const int group = is_masked(*pass) ? group_of(phase, material) : 0;
         const std::string key =
             group ? fmt::format("{}\n{}", name, group) : "\n" + lighting_key(materials_, material, *pass);
         if (!drawn_.insert(key).second) continue;
 
-        PlannedStep step{.material = material, .pass = pass, .mesh = &kScreen, .group = group};
+        PlannedStep step{.material = material, .pass = &*pass, .mesh = &kScreen, .group = group};
         const std::vector<std::size_t> lights = lights_for(*pass, nullptr);
         if (pass->each == "once" && pass->draws == "fullscreen") {
             step.seen = seen_with(lights);
@@ -358,16 +401,24 @@ void Planner::draw_lighting(const std::vector<std::size_t>& materials, const std
 void Planner::draw_opaque(Phase phase) {
     const Objects objects = objects_in(phase);
     const std::vector<std::size_t> materials = materials_of(objects);
-    for (const std::string& name : pass_order(materials)) {
+    for (const std::string& name : pass_order(objects)) {
         std::vector<std::pair<const PlannedObject*, const Pass*>> draws;
         for (const PlannedObject* object : objects)
-            if (const Pass* pass = find_pass(reflection_of(*object), name); pass && shows_objects(*pass))
+            if (const Pass* pass = find_pass(object->passes, name); pass && shows_objects(*pass))
                 draws.emplace_back(object, pass);
         std::stable_sort(draws.begin(), draws.end(),
                          [](const auto& a, const auto& b) { return a.second->queue < b.second->queue; });
         for (const auto& [object, pass] : draws) draw_object(*object, *pass, phase);
         draw_lighting(materials, name, phase);
     }
+}
+
+void Planner::draw_added(Phase phase) {
+    Objects objects = objects_in(phase);
+    const auto queue_of = [](const PlannedObject* object) { return object->passes.front()->queue; };
+    std::stable_sort(objects.begin(), objects.end(),
+                     [&](const auto* a, const auto* b) { return queue_of(a) < queue_of(b); });
+    for (const PlannedObject* object : objects) draw_object(*object, *object->passes.front(), phase);
 }
 
 void Planner::draw_blended() {
@@ -379,21 +430,22 @@ void Planner::draw_blended() {
     std::vector<Draw> draws;
     const Objects objects = objects_in(Phase::Blended);
     for (const PlannedObject* object : objects) {
-        const std::vector<Pass>& passes = reflection_of(*object).passes;
-        const auto shown = std::find_if(passes.begin(), passes.end(), shows_objects);
+        const Passes& passes = object->passes;
+        const auto shown =
+            std::find_if(passes.begin(), passes.end(), [](const Pass* pass) { return shows_objects(*pass); });
         const glm::vec3 way = object->bounds.center - view_.position;
         const float distance = view_.is_parallel ? glm::dot(way, view_.forward) : glm::length(way);
-        draws.push_back({.object = object, .queue = shown->queue, .distance = distance});
+        draws.push_back({.object = object, .queue = (*shown)->queue, .distance = distance});
     }
     std::stable_sort(draws.begin(), draws.end(), [](const Draw& a, const Draw& b) {
         return a.queue != b.queue ? a.queue < b.queue : a.distance > b.distance;
     });
     for (const Draw& draw : draws)
-        for (const Pass& pass : reflection_of(*draw.object).passes)
-            if (shows_objects(pass)) draw_object(*draw.object, pass, Phase::Blended);
+        for (const Pass* pass : draw.object->passes)
+            if (shows_objects(*pass)) draw_object(*draw.object, *pass, Phase::Blended);
 
     const std::vector<std::size_t> materials = materials_of(objects);
-    for (const std::string& name : pass_order(materials)) draw_lighting(materials, name, Phase::Blended);
+    for (const std::string& name : pass_order(objects)) draw_lighting(materials, name, Phase::Blended);
 }
 
 std::string check(const World& world, std::span<const DrawnMaterial> materials, const FrameOptions& options) {

@@ -5,11 +5,14 @@
 //
 // The order:
 //   1. shadow maps: passes that draw from lights, over all objects that have such a pass
-//   2. opaque objects of the wanted path: pass by pass in the order of the reflection; in each, objects by queue, then
+//   2. passes that materials add with a lower queue than their own, by queue
+//   3. opaque objects of the wanted path: pass by pass in the order of the reflection; in each, objects by queue, then
 //      as the scene has them; full-screen passes and light volumes once for each lighting group (lighting_groups.h)
-//   3. opaque objects of other paths: materials that the wanted path could not take
-//   4. opaque objects that read what they draw into (scene colour or depth)
-//   5. blended objects (queue 2500 or more), by queue, then the farthest first; all passes of one, then the next
+//   4. opaque objects of other paths: materials that the wanted path could not take
+//   5. the other passes that materials add, by queue
+//   6. opaque objects that read what they draw into (scene colour or depth)
+//   7. blended objects and passes (queue 2500 or more), by queue, then the farthest first; all passes of one, then the
+//      next
 // A full-screen pass whose pixels no stencil chooses is drawn once in a frame for each shader that it has.
 //
 //   Outcome<Frame> frame = plan_frame(world, materials, {.path = "deferred"});

@@ -95,7 +95,7 @@ public:
 
     void record(std::size_t index) {
         const FrameStep& step = frame_.steps[index];
-        if (open_ && (attachments(*open_) != attachments(step) || !can_read(step))) end();
+        if (open_ && (attachments(*open_) != attachments(step) || !can_read(step) || step.clears_stencil)) end();
         if (!open_) begin(step);
         draw(step, ready_.steps[index]);
         for (std::size_t target : step.targets) targets_[target].version++;
@@ -153,7 +153,12 @@ void Recorder::begin(const FrameStep& step) {
     rendering.layerCount = 1;
     rendering.colorAttachmentCount = std::uint32_t(colors.size());
     rendering.pColorAttachments = colors.data();
-    if (step.depth >= 0) rendering.pDepthAttachment = rendering.pStencilAttachment = &depth;
+    VkRenderingAttachmentInfo stencil = depth;
+    if (step.clears_stencil) stencil.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+    if (step.depth >= 0) {
+        rendering.pDepthAttachment = &depth;
+        rendering.pStencilAttachment = &stencil;
+    }
     vkCmdBeginRendering(commands_, &rendering);
     open_ = &step;
 }

@@ -30,7 +30,7 @@ std::string fragment_key(const DrawnPass& drawn) {
 }  // namespace
 
 bool is_masked(const Pass& pass) {
-    return !pass.stencil.reference.empty() && pass.stencil.test != "always";
+    return pass.stencil.is_of_lighting() && pass.stencil.test != "always";
 }
 
 std::string lighting_key(std::span<const DrawnMaterial> materials, std::size_t material, const Pass& pass) {
@@ -45,7 +45,7 @@ std::optional<int> LightingGroups::number(int phase, std::size_t material) {
         bool uses_reference = false;
         std::string key = fmt::format("{}\n", phase);
         for (const Pass& pass : materials_[material].reflection->passes) {
-            uses_reference |= !pass.stencil.reference.empty();
+            uses_reference |= pass.stencil.is_of_lighting();
             if (pass.draws == "objects" || !is_masked(pass)) continue;
             const std::string one = lighting_key(materials_, material, pass);
             key += fmt::format("{}\n", one.size()) + one;

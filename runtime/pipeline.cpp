@@ -101,12 +101,14 @@ void FixedState::set_depth(const Pass& pass, const PassState& state) {
     depth.depthTestEnable = VK_TRUE;
     depth.depthWriteEnable = pass.depth_write;
     depth.depthCompareOp = state.depth_test->vulkan;
-    depth.stencilTestEnable = state.uses_stencil();
+    depth.stencilTestEnable = pass.stencil.is_used();
     VkStencilOpState& stencil = depth.front;
-    stencil.failOp = stencil.depthFailOp = VK_STENCIL_OP_KEEP;
-    stencil.passOp = state.replaces_stencil ? VK_STENCIL_OP_REPLACE : VK_STENCIL_OP_KEEP;
+    stencil.failOp = state.stencil_fail->vulkan;
+    stencil.depthFailOp = state.stencil_depth_fail->vulkan;
+    stencil.passOp = state.stencil_pass->vulkan;
     stencil.compareOp = state.stencil_test->vulkan;
-    stencil.compareMask = stencil.writeMask = 0xff;
+    stencil.compareMask = state.stencil_read_mask;
+    stencil.writeMask = state.stencil_write_mask;
     depth.back = stencil;
 }
 

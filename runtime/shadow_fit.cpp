@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "runtime/bounds.h"
+
 namespace patina::runtime {
 namespace {
 
@@ -57,20 +59,16 @@ Placed placed(const ShadowObject& object, const glm::mat4& world_to_light) {
     const glm::mat4 to_light = world_to_light * object.object_to_world;
     Placed made{.casts = object.casts};
     Extent own = kNothing;
-    for (const Vertex& vertex : object.mesh->vertices) {
-        include(own, vertex.position);
-        include(made.extent, moved(to_light, vertex.position));
-    }
-    if (object.mesh->vertices.empty()) {
-        include(own, glm::vec3(0));
-        include(made.extent, moved(to_light, glm::vec3(0)));
+    for (glm::vec3 point : bounding_points(*object.mesh, object.bounds)) {
+        include(own, point);
+        include(made.extent, moved(to_light, point));
     }
     made.corners = corners_of(own);
     const glm::vec3 size = own.highest - own.lowest;
     const int thin = size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2;
     for (glm::vec3& corner : made.corners) corner = moved(to_light, corner);
     made.size = glm::distance(made.corners.front(), made.corners.back());
-    if (object.moves_vertices || size[thin] > kFlat * glm::length(size)) return made;
+    if ((object.moves_vertices && !object.bounds) || size[thin] > kFlat * glm::length(size)) return made;
 
     const glm::vec3 normal = glm::cross(glm::vec3(to_light[(thin + 1) % 3]), glm::vec3(to_light[(thin + 2) % 3]));
     if (!(glm::length(normal) > 0)) return made;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "patina/reflection.h"
 #include "runtime/mesh.h"
 #include "runtime/view.h"
 
@@ -16,8 +17,9 @@ namespace patina::runtime {
 struct ShadowObject {
     const Mesh* mesh = nullptr;
     glm::mat4 object_to_world{1};
-    bool casts = true;            // others only receive
-    bool moves_vertices = false;  // its material does: a flat mesh need not be flat
+    bool casts = true;               // others only receive
+    bool moves_vertices = false;     // its material does: a flat mesh need not be flat
+    std::optional<Bounds> bounds{};  // within which it does
 };
 
 struct Extent {

@@ -18,6 +18,18 @@ constexpr CompareWord kComparisons[] = {
     {"always", VK_COMPARE_OP_ALWAYS, [](float, float) { return true; }},
 };
 
+constexpr int kMostStencil = 255;
+constexpr StencilWord kStencilOps[] = {
+    {"keep", VK_STENCIL_OP_KEEP, [](int there, int) { return there; }},
+    {"zero", VK_STENCIL_OP_ZERO, [](int, int) { return 0; }},
+    {"replace", VK_STENCIL_OP_REPLACE, [](int, int reference) { return reference; }},
+    {"increment", VK_STENCIL_OP_INCREMENT_AND_CLAMP, [](int there, int) { return std::min(there + 1, kMostStencil); }},
+    {"decrement", VK_STENCIL_OP_DECREMENT_AND_CLAMP, [](int there, int) { return std::max(there - 1, 0); }},
+    {"invert", VK_STENCIL_OP_INVERT, [](int there, int) { return ~there & kMostStencil; }},
+    {"incrementWrap", VK_STENCIL_OP_INCREMENT_AND_WRAP, [](int there, int) { return (there + 1) & kMostStencil; }},
+    {"decrementWrap", VK_STENCIL_OP_DECREMENT_AND_WRAP, [](int there, int) { return (there - 1) & kMostStencil; }},
+};
+
 constexpr BlendWord kBlendFactors[] = {
     {"zero", VK_BLEND_FACTOR_ZERO, 0, 0, Operand::SourceAlpha},
     {"one", VK_BLEND_FACTOR_ONE, 1, 0, Operand::SourceAlpha},
@@ -56,11 +68,17 @@ Outcome<PassState> pass_state(const Pass& pass) {
     PassState state{.cull = cull->vulkan,
                     .depth_test = find_word(kComparisons, pass.depth_test),
                     .stencil_test = find_word(kComparisons, pass.stencil.test),
-                    .replaces_stencil = pass.stencil.pass == "replace"};
+                    .stencil_pass = find_word(kStencilOps, pass.stencil.pass),
+                    .stencil_fail = find_word(kStencilOps, pass.stencil.fail),
+                    .stencil_depth_fail = find_word(kStencilOps, pass.stencil.depth_fail),
+                    .stencil_read_mask = std::uint8_t(pass.stencil.read_mask),
+                    .stencil_write_mask = std::uint8_t(pass.stencil.write_mask)};
     if (!state.depth_test) return unknown(pass.depth_test, "a depth test");
     if (!state.stencil_test) return unknown(pass.stencil.test, "a stencil test");
-    if (!state.replaces_stencil && pass.stencil.pass != "keep")
-        return unknown(pass.stencil.pass, "what becomes of a stencil: keep or replace");
+    for (const auto& [found, word] :
+         {std::pair(state.stencil_pass, &pass.stencil.pass), std::pair(state.stencil_fail, &pass.stencil.fail),
+          std::pair(state.stencil_depth_fail, &pass.stencil.depth_fail)})
+        if (!found) return unknown(*word, "what becomes of a stencil");
     for (const RenderTarget& target : pass.targets) {
         TargetBlend blend{};
         const std::pair<const BlendWord**, const std::string*> factors[] = {

@@ -1,5 +1,5 @@
 // The words of a pass for fixed-function state, and what they mean: Vulkan's value for the GPU, a formula for the CPU.
-// One table each for comparisons and blend factors, so that both draw by the same words.
+// One table each for comparisons, stencils and blend factors, so that both draw by the same words.
 //
 //   Outcome<PassState> state = pass_state(pass);   // or which word is not known
 //   state.value.depth_test->holds(0.25f, 1.0f)
@@ -7,6 +7,7 @@
 
 #include <vulkan/vulkan.h>
 
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +21,13 @@ struct CompareWord {
     std::string_view word;
     VkCompareOp vulkan;
     bool (*holds)(float, float);  // new depth, or reference, to what is there
+};
+
+// keep | zero | replace | increment | decrement | invert | incrementWrap | decrementWrap
+struct StencilWord {
+    std::string_view word;
+    VkStencilOp vulkan;
+    int (*change)(int there, int reference);  // 0 to 255
 };
 
 // zero | one | src_color | one_minus_src_color | dst_color | ... | one_minus_dst_alpha: base + slope * operand
@@ -49,10 +57,9 @@ struct PassState {
     VkCullModeFlags cull = VK_CULL_MODE_NONE;
     const CompareWord* depth_test = nullptr;
     const CompareWord* stencil_test = nullptr;
-    bool replaces_stencil = false;
+    const StencilWord *stencil_pass = nullptr, *stencil_fail = nullptr, *stencil_depth_fail = nullptr;
+    std::uint8_t stencil_read_mask = 0xff, stencil_write_mask = 0xff;
     std::vector<TargetBlend> blends{};  // by target
-
-    bool uses_stencil() const { return replaces_stencil || stencil_test->vulkan != VK_COMPARE_OP_ALWAYS; }
 };
 Outcome<PassState> pass_state(const Pass& pass);
 

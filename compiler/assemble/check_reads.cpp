@@ -64,7 +64,7 @@ void check_reads(graph::Session& session, const graph::Lowered& lowered, std::sp
     };
     for (const LinkedPass& each : passes) {
         const graph::PassDecl& pass = *each.pass->declaration;
-        if (pass.path != session.path) continue;
+        if (pass.path != session.path || each.material->pass) continue;
         check(pass, each.vertex, *pass.vertex);
         check(pass, each.fragment, *pass.fragment);
     }

@@ -164,19 +164,66 @@ const SurfaceRow& row_of(graph::SurfaceKind kind) {
                          [&](const SurfaceRow& row) { return row.kind == kind; });
 }
 
-Pass reflect_pass(const graph::Material& material, const graph::Lowered& lowered, const LinkedPass& linked) {
+// A pass that draws for each light what another has drawn before it: where that one left its depth or, of a material
+// that leaves none, by the same test.
+std::string_view depth_test_of_repetition(const graph::RenderState& render, bool writes, std::string_view stated) {
+    const graph::Compare test = render.depth_test.value_or(graph::Compare::LessEqual);
+    using enum graph::Compare;
+    if (!writes || test == Never) return text_of(graph::kCompares, test);
+    return test == Less || test == LessEqual ? stated : text_of(graph::kCompares, Equal);
+}
+
+bool is_repetition(const Pass& pass) {
+    return pass.each == "light" && pass.lights != "shadowed";
+}
+
+// What passes that draw objects in colour do not say themselves. One that is drawn for each light changes no stencil:
+// the pass before it has.
+Stencil reflect_stencil(const graph::StencilState& stencil, bool is_repetition) {
+    Stencil made{.test = std::string(text_of(graph::kCompares, stencil.test)),
+                 .value = stencil.reference,
+                 .read_mask = stencil.read_mask,
+                 .write_mask = stencil.write_mask};
+    if (is_repetition) return made;
+    made.pass = text_of(graph::kStencilOps, stencil.pass);
+    made.fail = text_of(graph::kStencilOps, stencil.fail);
+    made.depth_fail = text_of(graph::kStencilOps, stencil.depth_fail);
+    return made;
+}
+
+void set_object_state(Pass& pass, const graph::PassDecl& declaration, const graph::RenderState& render) {
+    const SurfaceRow& surface = row_of(render.surface);
+    const bool writes = render.depth_write.value_or(surface.depth_write);
+    if (!declaration.has_cull) pass.cull = text_of(graph::kCulls, render.cull);
+    if (!declaration.has_depth) {
+        pass.depth_write = writes;
+        pass.depth_test = text_of(graph::kCompares, render.depth_test.value_or(graph::Compare::LessEqual));
+    } else if (is_repetition(pass)) {
+        pass.depth_test = depth_test_of_repetition(render, writes, pass.depth_test);
+    }
+    if (!declaration.has_depth_bias && render.depth_offset) {
+        pass.depth_slope_bias = (*render.depth_offset)[0];
+        pass.depth_bias = (*render.depth_offset)[1];
+    }
+    if (!declaration.has_stencil && render.stencil && !pass.targets.empty())
+        pass.stencil = reflect_stencil(*render.stencil, is_repetition(pass));
+    pass.queue = render.queue.value_or(surface.queue);
+}
+
+Pass reflect_pass(const LinkedPass& linked) {
+    const graph::Material& material = *linked.material;
+    const graph::Lowered& lowered = *linked.lowered;
     const graph::RenderState& render = material.graph->graph->render;
     const graph::PassDecl& declaration = *linked.pass->declaration;
-    const SurfaceRow& surface = row_of(render.surface);
     Pass pass = declaration.state;
-    if (pass.draws == "objects") {
-        if (!declaration.has_cull) pass.cull = text_of(graph::kCulls, render.cull);
-        if (!declaration.has_depth) {
-            pass.depth_write = render.depth_write.value_or(surface.depth_write);
-            pass.depth_test = text_of(graph::kCompares, render.depth_test.value_or(graph::Compare::LessEqual));
-        }
-        pass.queue = render.queue.value_or(surface.queue);
+    pass.name = linked.pass->name;
+    if (material.pass) {
+        pass.is_extra = true;
+        pass.fallback.clear();
+        pass.moves_vertices = !material.graph->graph->vertex.empty();
+        pass.bounds = render.bounds;
     }
+    if (pass.draws == "objects") set_object_state(pass, declaration, render);
     if (const graph::BlendRow* blend = graph::blend_of(declaration, text_of(graph::kSurfaceKinds, render.surface))) {
         for (RenderTarget& target : pass.targets) target.blend = blend->blend;
     }
@@ -246,6 +293,7 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
     made.lighting = material.lighting_name;
     made.surface = text_of(graph::kSurfaceKinds, graph.render.surface);
     made.moves_vertices = !graph.vertex.empty();
+    made.bounds = graph.render.bounds;
     made.path = lowered.path;
     for (const auto& [name, value] : lowered.switches) made.switches.push_back({.name = name, .value = value});
     made.meta = graph.meta;
@@ -261,7 +309,7 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
             made.textures.push_back(reflect_texture(lowered.module, entry, lowered.property_globals[i], graph.path));
         }
     }
-    for (const LinkedPass& pass : passes) made.passes.push_back(reflect_pass(material, lowered, pass));
+    for (const LinkedPass& pass : passes) made.passes.push_back(reflect_pass(pass));
     for (std::size_t i = 0; i < lowered.module.globals.size(); ++i) {
         const ir::Global& global = lowered.module.globals[i];
         if (global.set == graph::kMaterialSet || !is_texture(global)) continue;

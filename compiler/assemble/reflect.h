@@ -10,9 +10,12 @@ namespace patina::assemble {
 
 struct LinkedPass {
     const graph::LoweredPass* pass = nullptr;
-    ir::Module vertex, fragment;
+    const graph::Material* material = nullptr;  // another one for each pass that a material adds
+    const graph::Lowered* lowered = nullptr;
+    ir::Module vertex{}, fragment{};
 };
 
+// `material`, `lowered`: of the material itself. `passes`: its own, and those that it adds.
 Reflection reflect(const graph::Material& material, const graph::Lowered& lowered, std::span<const LinkedPass> passes);
 
 // Vulkan bindings of a set are buffers, then textures, then samplers; HLSL counts each from 0.

@@ -1,4 +1,5 @@
 // Reflection::to_json: NAME.reflect.json, pretty-printed, keys in a fixed order.
+#include <fmt/format.h>
 #include <rapidjson/prettywriter.h>
 #include <rapidjson/stringbuffer.h>
 
@@ -141,9 +142,31 @@ void write_texture(Writer& writer, const Texture& texture) {
     json.number("anisotropy", texture.sampler.anisotropy);
 }
 
+void write_stencil(Json& json, const Stencil& stencil) {
+    json.text("stencilTest", stencil.test);
+    json.text("stencilPass", stencil.pass);
+    if (stencil.is_of_lighting()) return json.text("stencilReference", stencil.reference);
+    json.text("stencilFail", stencil.fail);
+    json.text("stencilDepthFail", stencil.depth_fail);
+    json.number("stencilReference", stencil.value);
+    json.number("stencilReadMask", stencil.read_mask);
+    json.number("stencilWriteMask", stencil.write_mask);
+}
+
+void write_bounds(Json& json, const Bounds& bounds) {
+    if (!bounds.box) return json.number("bounds", bounds.margin);
+    std::string text = "[";
+    for (const std::array<double, 3>& corner : *bounds.box) {
+        text += fmt::format("{}[{}, {}, {}]", text.size() > 1 ? ", " : "", shortest(corner[0]), shortest(corner[1]),
+                            shortest(corner[2]));
+    }
+    json.raw("bounds", text + "]");
+}
+
 void write_pass(Writer& writer, const Pass& pass) {
     Json json(writer);
     json.text("name", pass.name);
+    if (pass.is_extra) json.flag("extra", true);
     json.text("draws", pass.draws);
     json.text("each", pass.each);
     json.text("lights", pass.lights);
@@ -157,12 +180,9 @@ void write_pass(Writer& writer, const Pass& pass) {
         json.raw("depthBias", shortest(pass.depth_bias));
         json.raw("depthSlopeBias", shortest(pass.depth_slope_bias));
     }
-    if (!pass.stencil.reference.empty()) {
-        json.text("stencilTest", pass.stencil.test);
-        json.text("stencilPass", pass.stencil.pass);
-        json.text("stencilReference", pass.stencil.reference);
-    }
+    if (pass.stencil.is_used()) write_stencil(json, pass.stencil);
     json.number("queue", pass.queue);
+    if (pass.bounds) write_bounds(json, *pass.bounds);
     json.list("targets", pass.targets, [&](const RenderTarget& target) {
         Json t(writer);
         t.text("name", target.name);
@@ -212,6 +232,7 @@ std::string Reflection::to_json() const {
         json.text("lighting", lighting);
         json.text("surface", surface);
         json.text("path", path);
+        if (bounds) write_bounds(json, *bounds);
         json.list("switches", switches, [&](const Switch& each) {
             Json one(writer);
             one.text("name", each.name);

@@ -10,6 +10,7 @@
 
 #include "compiler/base/source.h"
 #include "compiler/nodelang/ast.h"
+#include "patina/reflection.h"
 
 namespace patina::graph {
 
@@ -107,12 +108,24 @@ struct LightingUse {
 enum class SurfaceKind { Opaque, Cutout, Fade, Transparent, Additive, Multiply };
 enum class Cull { Back, Front, Off };
 enum class Compare { Never, Less, Equal, LessEqual, Greater, NotEqual, GreaterEqual, Always };
+enum class StencilOp { Keep, Zero, Replace, Increment, Decrement, Invert, IncrementWrap, DecrementWrap };
+struct StencilState {
+    int reference = 0, read_mask = 255, write_mask = 255;
+    Compare test = Compare::Always;
+    StencilOp pass = StencilOp::Keep, fail = StencilOp::Keep, depth_fail = StencilOp::Keep;
+    Span span;
+
+    bool changes() const { return pass != StencilOp::Keep || fail != StencilOp::Keep || depth_fail != StencilOp::Keep; }
+};
 struct RenderState {
     SurfaceKind surface = SurfaceKind::Opaque;
     Cull cull = Cull::Back;
     std::optional<bool> depth_write;
     std::optional<Compare> depth_test;
+    std::optional<std::array<double, 2>> depth_offset;  // factor, units
+    std::optional<StencilState> stencil;
     std::optional<int> queue;
+    std::optional<Bounds> bounds;
     Span span;
 };
 
@@ -125,6 +138,14 @@ struct ListedVariant {
         Span value_span;
     };
     std::vector<Value> values;
+};
+
+// "passes": another surface of a material, drawn beside its own. It is a graph of its own that has the material's nodes
+// and properties, and whatever else of the material's the pass does not say itself.
+struct ExtraPass {
+    std::string name;
+    Span name_span;
+    std::shared_ptr<Graph> graph;
 };
 
 struct Graph {
@@ -145,8 +166,9 @@ struct Graph {
     std::vector<PortValue> outputs;  // sub-graph; in a lighting graph: direct, indirect, final
     std::string preview_input;       // workflow: the input that shows a previewed node ("preview": "color")
     RenderState render;
+    std::vector<ExtraPass> passes;        // material
     std::vector<ListedVariant> variants;  // material
-    std::string meta;  // raw JSON text of "meta"; carried to the reflection
+    std::string meta;                     // raw JSON text of "meta"; carried to the reflection
 };
 
 }  // namespace patina::graph

@@ -33,7 +33,7 @@ constexpr std::array kMaterial = {
     KeyInfo{"vertex", "what the vertex stage moves: position_os, normal_os, tangent_os"},
     KeyInfo{"surface", "the surface inputs of the workflow and of the lighting model"},
     KeyInfo{"render", "how the surface is drawn: opaque or cutout, culling, depth", ObjectKind::Render},
-    KeyInfo{"passes", "reserved for passes of a material's own"},
+    KeyInfo{"passes", "further surfaces, each drawn in a pass of its own: an outline, a glow", ObjectKind::ExtraPass},
     KeyInfo{"variants", "the combinations of variants that --variants listed compiles"},
     kMeta,
     kUi,
@@ -128,9 +128,31 @@ constexpr std::array kRender = {
     KeyInfo{"cull", "the faces that are not drawn: back, front or off"},
     KeyInfo{"depthWrite", "whether it hides what is behind it"},
     KeyInfo{"depthTest", "how its depth compares to what is there: lessEqual, ..."},
-    KeyInfo{"stencil", "reserved for the stencil state"},
+    KeyInfo{"depthOffset", "[factor, units]: how far its depth is moved away from the camera, as glPolygonOffset does"},
+    KeyInfo{"stencil", "which pixels it is drawn at, and how it marks them", ObjectKind::Stencil},
     KeyInfo{"queue", "the order of drawing, 0 to 5000; opaque surfaces are at 2000"},
-    KeyInfo{"bounds", "reserved for how far the vertex stage moves it"},
+    KeyInfo{"bounds", "where the vertex stage moves the mesh: metres around it, or a box in object space"},
+};
+
+constexpr std::array kStencil = {
+    KeyInfo{"reference", "the number that is compared and written, 0 to 255; 0 otherwise"},
+    KeyInfo{"readMask", "the bits that are compared, 0 to 255; all otherwise"},
+    KeyInfo{"writeMask", "the bits that are written, 0 to 255; all otherwise"},
+    KeyInfo{"test", "how the reference compares to what is there: equal, notEqual, ...; always otherwise"},
+    KeyInfo{"pass",
+            "what becomes of it where the surface is drawn: keep, replace, zero, increment, ...; keep otherwise"},
+    KeyInfo{"fail", "what becomes of it where the stencil test fails; keep otherwise"},
+    KeyInfo{"depthFail", "what becomes of it where only the depth test fails; keep otherwise"},
+};
+
+constexpr std::array kExtraPass = {
+    KeyInfo{"name", "the pass's name; an identifier", ObjectKind::Free, true},
+    KeyInfo{"workflow", "which surface inputs it has; the material's otherwise"},
+    KeyInfo{"lighting", "its lighting model; the material's otherwise, or that of its own workflow",
+            ObjectKind::LightingUse},
+    KeyInfo{"vertex", "what the vertex stage moves; as the material's otherwise"},
+    KeyInfo{"surface", "its surface inputs; as the material's otherwise, or the defaults of its own workflow"},
+    KeyInfo{"render", "how it is drawn; as the material otherwise", ObjectKind::Render},
 };
 
 constexpr std::array kLightingUse = {
@@ -249,6 +271,8 @@ std::span<const KeyInfo> keys_of(ObjectKind kind) {
         case ObjectKind::Input: return kInput;
         case ObjectKind::Sampler: return kSampler;
         case ObjectKind::Render: return kRender;
+        case ObjectKind::Stencil: return kStencil;
+        case ObjectKind::ExtraPass: return kExtraPass;
         case ObjectKind::LightingUse: return kLightingUse;
         case ObjectKind::Scene: return kScene;
         case ObjectKind::Camera: return kCamera;
@@ -282,6 +306,8 @@ std::string_view describe(ObjectKind kind) {
         case ObjectKind::Input: return "an input";
         case ObjectKind::Sampler: return "a sampler";
         case ObjectKind::Render: return "the render state";
+        case ObjectKind::Stencil: return "the stencil state";
+        case ObjectKind::ExtraPass: return "a pass";
         case ObjectKind::LightingUse: return "a use of a lighting model";
         case ObjectKind::Scene: return "a scene";
         case ObjectKind::Camera: return "a camera";

@@ -23,6 +23,8 @@ enum class ObjectKind {
     Input,
     Sampler,
     Render,
+    Stencil,
+    ExtraPass,
     LightingUse,
     Scene,
     Camera,

@@ -61,11 +61,12 @@ std::vector<std::string_view> keyword_words(const Property& property) {
     return {property.values.begin(), property.values.end()};
 }
 
-void choose_keywords(Session& session, Material& material) {
+void choose_keywords(Session& session, Material& material, std::size_t first) {
     check_listed(session, material);
     for (const auto& [name, word] : session.options.switches) {
         const auto found = material.property_index.find(name);
-        if (found != material.property_index.end()) choose(session, material.properties[found->second], word);
+        if (found != material.property_index.end() && found->second >= first)
+            choose(session, material.properties[found->second], word);
     }
 }
 

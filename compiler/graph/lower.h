@@ -17,6 +17,7 @@ struct SemanticRecipe {
 
 struct LoweredPass {
     const PassDecl* declaration = nullptr;
+    std::string name{};  // the declaration's or, of a pass that the material adds, its own
     ir::FunctionId vertex{}, fragment{};
     std::vector<std::pair<ir::SemanticId, ir::FunctionId>> recipes{};   // its own, in the fragment stage
     std::vector<std::pair<ir::FunctionId, ir::FunctionId>> replaced{};  // functions of the seam, and what it puts there
@@ -44,7 +45,10 @@ struct Lowered {
     std::vector<PropertyGlobals> property_globals;  // one per Material::properties
 };
 
-// Reports what is wrong; the result may be used only if the session has no errors.
+// Reports what is wrong; the result may be used only if the session has no errors. `material`: itself with all passes
+// of the path, or a pass that it adds (Material::pass) with that one.
 Lowered lower(Session& session, const Material& material, ir::BuildOptions options);
+// Whether the passes that the material adds are drawn beside these.
+bool draws_extra(const Session& session, const Lowered& lowered);
 
 }  // namespace patina::graph

@@ -25,18 +25,35 @@ public:
         emitter.set_slot_maker([this](const FunctionDecl& slot, Span at) { return slot_of(slot, at); });
         emitter.set_static_maker([this](const VariableDecl& variable) { return static_value(variable); });
         const std::vector<std::string>& wanted = lowering_.session.options.passes;
+        if (lowering_.material.pass) return lower_extra();
         if (wanted.empty() && lowering_.session.options.path == kAllPaths) {
             lower_all();
         } else if (wanted.empty()) {
             lower_path(lowering_.session.path);
         } else {
             lowering_.out.path = lowering_.session.path;
-            for (const std::string& name : wanted) named_pass(name);
+            for (const std::string& name : wanted)
+                if (!is_extra(name)) named_pass(name);
         }
     }
 
 private:
     // --- which passes
+
+    bool is_extra(std::string_view name) const {
+        const std::vector<ExtraPass>& passes = lowering_.material.graph->graph->passes;
+        return std::any_of(passes.begin(), passes.end(), [&](const ExtraPass& pass) { return pass.name == name; });
+    }
+
+    void lower_extra() {
+        Lowered& out = lowering_.out;
+        out.path = lowering_.session.path;
+        const PassDecl* pass = stages_.pass_for_extra(out.path);
+        const std::string& name = lowering_.material.pass->name;
+        if (const Refusal refusal = pass ? lower_pass(*pass) : Refusal{"no pass says [extra]"})
+            report(Code::PassRefused, refusal, name, refusal.reason);
+        for (LoweredPass& made : out.passes) made.name = name;
+    }
 
     void named_pass(const std::string& name) {
         const PassDecl* pass = stages_.pass(name);
@@ -129,9 +146,26 @@ private:
         return !draws_objects(pass) || blend_of(pass, surface()) || pass.blends.empty();
     }
 
+    // A material's stencil needs the stencil for itself, and one pass that draws the object.
+    Refusal refusal_of_stencil(const PassDecl& pass) const {
+        const std::optional<StencilState>& stencil = lowering_.material.graph->graph->render.stencil;
+        if (!stencil || !draws_objects(pass) || pass.state.targets.empty()) return {};
+        const ir::Origin where{.span = {stencil->span.begin, stencil->span.begin + 1}};
+        if (pass.has_stencil) return {.reason = "it uses the stencil itself", .where = where};
+        const std::vector<const PassDecl*> others = stages_.passes_of(pass.path);
+        const bool is_drawn_again = std::any_of(others.begin(), others.end(), [&](const PassDecl* other) {
+            return draws_objects(*other) && other->state.each == "light" && other->state.lights != "shadowed";
+        });
+        if (is_drawn_again && stencil->changes() && stencil->test != Compare::Always)
+            return {.reason = "it draws an object once for each light, and this stencil changes what it tests",
+                    .where = where};
+        return {};
+    }
+
     Refusal lower_pass(const PassDecl& pass) {
         if (!pass.vertex || !pass.fragment) return {};  // reported when its file was read
         if (!has_blend(pass)) return {.reason = fmt::format("it does not draw '{}' surfaces", surface())};
+        if (const Refusal refusal = refusal_of_stencil(pass)) return refusal;
         for (const std::string_view name : pass.needs) {
             const auto slot = std::find_if(stages_.slots.begin(), stages_.slots.end(),
                                            [&](const FunctionDecl* s) { return s->name == name; });
@@ -144,7 +178,7 @@ private:
         }
         const nodelang::Declarations& declarations = *lowering_.session.declarations;
         nodelang::Emitter& emitter = lowering_.emitter;
-        LoweredPass made{.declaration = &pass};
+        LoweredPass made{.declaration = &pass, .name = std::string(pass.name)};
         pass_ = pass.name;
         emitter.forget_answers();
         made.vertex = emitter.semantic_function(*pass.vertex, declarations, environment_, true);
@@ -297,6 +331,19 @@ private:
 };
 
 }  // namespace
+
+// Where nothing is drawn into what they draw into, there is nothing to see of them.
+bool draws_extra(const Session& session, const Lowered& lowered) {
+    const PassDecl* extra = session.stages->pass_for_extra(session.path);
+    const auto is_shared = [&](const RenderTarget& target) {
+        return std::any_of(extra->state.targets.begin(), extra->state.targets.end(),
+                           [&](const RenderTarget& other) { return other.name == target.name; });
+    };
+    return extra && std::any_of(lowered.passes.begin(), lowered.passes.end(), [&](const LoweredPass& pass) {
+               const std::vector<RenderTarget>& targets = pass.declaration->state.targets;
+               return std::any_of(targets.begin(), targets.end(), is_shared);
+           });
+}
 
 void lower_passes(Lowering& lowering) {
     Passes(lowering).run();

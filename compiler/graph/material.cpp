@@ -185,6 +185,17 @@ void bind_variant(Session& session, Material& material, const Property& property
     material.variants[&property] = bound.value[0];
 }
 
+// A pass sets a property of its lighting graph that the material has already: there is one value for both.
+void check_shared_default(Session& session, const Material& material, const Property& bound, const PortValue& input) {
+    const auto known = material.property_index.find(bound.name);
+    if (known == material.property_index.end()) return;
+    const Property& first = *material.properties[known->second].property;
+    if (first.value == bound.value && first.texture == bound.texture) return;
+    session.diagnostics.report(Code::DuplicateId, input.name_span, "property", bound.name)
+        .note(first.default_span ? first.default_span : first.name_span,
+              "the first is here, with another default: a pass shares the material's properties");
+}
+
 // What "lighting": { "in": ... } says: a constant is another default of the lighting graph's property, which can still
 // be set; anything else takes the property's place, and the material then has no such property.
 void bind_lighting_properties(Session& session, Material& material, std::span<const PortValue> inputs) {
@@ -209,6 +220,7 @@ void bind_lighting_properties(Session& session, Material& material, std::span<co
             bound.default_span = input->value->span;
         }
         if (is_file || set_default(session, bound, *input->value)) {
+            if (material.pass) check_shared_default(session, material, bound, *input);
             // A file is named from the graph that names it.
             const std::string& from = is_file ? material.graph->graph->path : material.lighting->graph->path;
             session.file_properties.push_back(std::move(bound));
@@ -293,13 +305,37 @@ void check_vertex(Session& session, const Graph& graph) {
     }
 }
 
+// Everything behind the graph itself. False after errors that leave nothing to go on with.
+bool resolve_rest(Session& session, Material& material) {
+    const Graph& graph = *material.graph->graph;
+    material.workflow = find_workflow(session, graph);
+    if (!material.workflow) return false;
+    material.lighting = find_lighting(session, graph, *material.workflow->graph, material.lighting_name);
+    if (!material.lighting) return false;
+    std::set<const CheckedGraph*> seen;
+    const std::size_t known = material.properties.size();
+    add_graph(session, material, *material.graph, seen);
+    choose_keywords(session, material, known);
+    bind_lighting_properties(session, material, graph.lighting.inputs);
+    add_graph(session, material, *material.lighting, seen);
+    check_surface(session, material);
+    check_vertex(session, graph);
+    return true;
+}
+
 }  // namespace
 
 void warn_unused(Session& session, const Material& material) {
     if (material.is_preview) return;
     const Graph& graph = *material.graph->graph;
-    std::vector<PortValue> roots = graph.surface;
-    roots.insert(roots.end(), graph.vertex.begin(), graph.vertex.end());
+    std::vector<PortValue> roots;
+    const auto add_roots = [&](const Graph& of) {
+        roots.insert(roots.end(), of.surface.begin(), of.surface.end());
+        roots.insert(roots.end(), of.vertex.begin(), of.vertex.end());
+        roots.insert(roots.end(), of.lighting.inputs.begin(), of.lighting.inputs.end());
+    };
+    add_roots(graph);
+    for (const ExtraPass& pass : graph.passes) add_roots(*pass.graph);
     const std::vector<bool> used = material.graph->reachable(roots);
     for (std::size_t i = 0; i < used.size(); ++i) {
         const Node& node = graph.nodes[i];
@@ -334,18 +370,36 @@ std::unique_ptr<Material> resolve_material(Session& session, std::shared_ptr<Gra
         if (!make_preview(session, *graph, shown)) return nullptr;
     }
     material->graph = check_graph(session, graph, shown);
-    material->workflow = find_workflow(session, *graph);
-    if (!material->workflow) return nullptr;
-    material->lighting = find_lighting(session, *graph, *material->workflow->graph, material->lighting_name);
-    if (!material->lighting) return nullptr;
-    std::set<const CheckedGraph*> seen;
-    add_graph(session, *material, *material->graph, seen);
-    choose_keywords(session, *material);
-    bind_lighting_properties(session, *material, graph->lighting.inputs);
-    add_graph(session, *material, *material->lighting, seen);
-    check_surface(session, *material);
-    check_vertex(session, *graph);
+    if (!resolve_rest(session, *material)) return nullptr;
     return material;
+}
+
+std::vector<std::unique_ptr<Material>> resolve_passes(Session& session, Material& material) {
+    std::vector<std::unique_ptr<Material>> passes;
+    if (material.is_preview) return passes;
+    for (const ExtraPass& pass : material.graph->graph->passes) {
+        if (const PassDecl* known = session.stages->pass(pass.name)) {
+            session.diagnostics.report(Code::DuplicateId, pass.name_span, "pass", pass.name)
+                .note(fmt::format("the first is one of the path '{}'", known->path));
+        }
+        auto made = std::make_unique<Material>();
+        made->pass = &pass;
+        made->properties = material.properties;
+        made->property_index = material.property_index;
+        // Its nodes are the material's, which have been checked.
+        CheckedGraph& checked = session.checked.emplace_back(*material.graph);
+        checked.graph = pass.graph;
+        made->graph = &checked;
+        if (!resolve_rest(session, *made)) continue;
+        material.properties = made->properties;
+        material.property_index = made->property_index;
+        passes.push_back(std::move(made));
+    }
+    for (const std::unique_ptr<Material>& pass : passes) {
+        pass->properties = material.properties;
+        pass->property_index = material.property_index;
+    }
+    return passes;
 }
 
 }  // namespace patina::graph

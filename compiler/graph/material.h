@@ -24,6 +24,7 @@ struct Material {
     std::vector<MaterialProperty> properties;    // in binding order
     std::map<std::string, std::size_t, std::less<>> property_index;
     bool is_preview = false;
+    const ExtraPass* pass = nullptr;  // that it is; null: it is the material itself
 
     // What the surface may set: the workflow's inputs and those that the lighting model declares.
     std::vector<const Input*> surface_inputs() const;
@@ -33,9 +34,14 @@ struct Material {
 // go on with.
 std::unique_ptr<Material> resolve_material(Session& session, std::shared_ptr<Graph> graph, std::string_view preview);
 
+// The passes that the material adds, in its order, as materials of their own. Afterwards all have the same properties:
+// the material's, then what the passes bring. Reports what is wrong.
+std::vector<std::unique_ptr<Material>> resolve_passes(Session& session, Material& material);
+
 // --- keywords: properties that are known before a shader runs (keywords.cpp)
-// Gives them the values that the caller wants ("_DETAIL", "true"), and reports those that they cannot have.
-void choose_keywords(Session& session, Material& material);
+// Gives those from the property `first` on the values that the caller wants ("_DETAIL", "true"), and reports those that
+// they cannot have.
+void choose_keywords(Session& session, Material& material, std::size_t first);
 // The keyword of the material that an expression reads and nothing else, or null.
 const MaterialProperty* keyword_named(const Material& material, const nodelang::Expr& expr);
 // What such a property may be: "a bool", "one of Dry and Wet".
@@ -49,7 +55,7 @@ std::vector<std::string_view> keyword_names(const Material& material);
 // (check_passes.cpp).
 void check_surface_members(Session& session, const Material& material);
 
-// Warns of nodes that nothing reads; once there are no errors, which may be the reason.
+// Warns of nodes that neither the material nor a pass of it reads; once there are no errors, which may be the reason.
 void warn_unused(Session& session, const Material& material);
 
 // The name of the texture property that stands for a file at a port.

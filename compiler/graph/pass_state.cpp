@@ -23,7 +23,7 @@ constexpr std::size_t kMostTargets = 8;  // of Vulkan's and Direct3D 12's
 constexpr std::array<std::string_view, 2> kCameras = {"any", "perspective"};
 constexpr std::array<std::string_view, 3> kCullWords = {"back", "front", "off"};
 constexpr std::array<std::string_view, 2> kDepthWrites = {"write", "keep"};
-constexpr std::array<std::string_view, 2> kStencilOps = {"keep", "replace"};
+constexpr std::array<std::string_view, 2> kPassStencilOps = {"keep", "replace"};
 constexpr std::array<std::string_view, 1> kStencilReferences = {"lighting"};
 constexpr std::array<std::string_view, 4> kTargetTypes = {"float", "float2", "float3", "float4"};
 constexpr std::array<std::string_view, 5> kFormats = {"rgba8", "rgb10a2", "rgba16f", "rgba32f", "r32f"};
@@ -108,8 +108,9 @@ void read_depth(Arguments& in, PassDecl& pass) {
 }
 
 void read_stencil(Arguments& in, PassDecl& pass) {
+    pass.has_stencil = true;
     pass.state.stencil.test = in.word(texts(kCompares), "a stencil test");
-    pass.state.stencil.pass = in.word(kStencilOps, "a stencil operation");
+    pass.state.stencil.pass = in.word(kPassStencilOps, "a stencil operation");
     pass.state.stencil.reference = in.word(kStencilReferences, "a stencil reference");
 }
 
@@ -143,12 +144,14 @@ constexpr StateRow kState[] = {
      [](Arguments& in, std::size_t, PassDecl& p) { p.state.depth_target = in.text(); }},
     {"depth_bias", 2, 2, "[depth_bias(1, 1.5)]",
      [](Arguments& in, std::size_t, PassDecl& p) {
+         p.has_depth_bias = true;
          p.state.depth_bias = in.number();
          p.state.depth_slope_bias = in.number();
      }},
     {"stencil", 3, 3, "[stencil(\"always\", \"replace\", \"lighting\")]",
      [](Arguments& in, std::size_t, PassDecl& p) { read_stencil(in, p); }},
     {"optional", 0, 0, "[optional]", [](Arguments&, std::size_t, PassDecl& p) { p.is_optional = true; }},
+    {"extra", 0, 0, "[extra]", [](Arguments&, std::size_t, PassDecl& p) { p.draws_extra = true; }},
 };
 
 // What a shader can write to a target.

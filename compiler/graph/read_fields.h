@@ -99,6 +99,7 @@ std::optional<E> read_word(Reading& reading, const Json& json, std::string_view 
 std::optional<ObjectKind> read_header(Reading& reading, const Json& json, std::span<const ObjectKind> allowed);
 std::vector<PortValue> read_ports(Reading& reading, const Json& object, std::string_view what, std::string_view node);
 std::vector<Node> read_nodes(Reading& reading, const Json& array);
+RenderState read_render(Reading& reading, const Json& json);
 // `names` holds what may be read as $name in this graph.
 std::vector<Property> read_properties(Reading& reading, const Json& array, UniqueNames& names);
 std::vector<Input> read_inputs(Reading& reading, const Json& array, UniqueNames& names, bool of_workflow);

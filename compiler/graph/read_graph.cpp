@@ -55,33 +55,6 @@ void read_declared_outputs(Reading& reading, const Json& json, std::vector<PortV
 
 // --- materials
 
-void report_not_yet(Reading& reading, const Json& object, std::string_view key) {
-    if (const JsonMember* member = find_member(object, key)) {
-        reading.diagnostics.report(Code::NotYet, member->key_span, fmt::format("\"{}\"", key));
-    }
-}
-
-void read_render(Reading& reading, const Json& json, RenderState& render) {
-    render.span = json.span;
-    if (!expect(reading, json, Json::Kind::Object, "'render'")) return;
-    check_keys(reading, json, ObjectKind::Render);
-    report_not_yet(reading, json, "stencil");
-    report_not_yet(reading, json, "bounds");
-    if (const Json* surface = json.find("surface")) {
-        render.surface =
-            read_word(reading, *surface, "surface", "a surface kind", kSurfaceKinds).value_or(SurfaceKind::Opaque);
-    }
-    if (const Json* cull = json.find("cull")) {
-        render.cull = read_word(reading, *cull, "cull", "a cull mode", kCulls).value_or(Cull::Back);
-    }
-    if (const Json* write = json.find("depthWrite")) render.depth_write = read_bool(reading, *write, "'depthWrite'");
-    if (const Json* test = json.find("depthTest")) {
-        render.depth_test = read_word(reading, *test, "depthTest", "a depth test", kCompares);
-    }
-    constexpr int kLastQueue = 5000;
-    if (const Json* queue = json.find("queue")) render.queue = read_int(reading, *queue, "'queue'", 0, kLastQueue);
-}
-
 void read_lighting_use(Reading& reading, const Json& json, LightingUse& lighting) {
     lighting.present = true;
     lighting.span = json.span;
@@ -126,20 +99,61 @@ void read_variants(Reading& reading, const Json& array, std::vector<ListedVarian
     }
 }
 
-void read_material(Reading& reading, const Json& json, Graph& graph) {
-    UniqueNames names;
-    check_keys(reading, json, ObjectKind::Material);
+// What a material and a pass of it can say.
+void read_models(Reading& reading, const Json& json, Graph& graph) {
     if (const Json* workflow = json.find("workflow")) {
+        graph.workflow.clear();
         if (const std::string* text = read_string(reading, *workflow, "'workflow'")) graph.workflow = *text;
         graph.workflow_span = workflow->span;
     }
-    if (const Json* lighting = json.find("lighting")) read_lighting_use(reading, *lighting, graph.lighting);
-    read_common(reading, json, graph, names);
+    if (const Json* lighting = json.find("lighting")) {
+        graph.lighting = {};
+        read_lighting_use(reading, *lighting, graph.lighting);
+    }
+}
+
+void read_look(Reading& reading, const Json& json, Graph& graph) {
     if (const Json* vertex = json.find("vertex")) graph.vertex = read_ports(reading, *vertex, "'vertex'", {});
     if (const Json* surface = json.find("surface")) graph.surface = read_ports(reading, *surface, "'surface'", {});
-    if (const Json* render = json.find("render")) read_render(reading, *render, graph.render);
+    if (const Json* render = json.find("render")) graph.render = read_render(reading, *render);
+}
+
+constexpr std::size_t kMostPasses = 16;
+
+// Each is the material but for what it says itself. The inputs of one workflow are not those of another.
+void read_passes(Reading& reading, const Json& json, Graph& material) {
+    if (!expect(reading, json, Json::Kind::Array, "'passes'")) return;
+    if (json.elements.size() > kMostPasses) {
+        reading.diagnostics.report(Code::TooMany, opening(json), json.elements.size(), "passes", kMostPasses);
+        return;
+    }
+    UniqueNames names;
+    std::vector<ExtraPass> passes;
+    for (const Json& element : json.elements) {
+        if (!expect(reading, element, Json::Kind::Object, "a pass")) continue;
+        check_keys(reading, element, ObjectKind::ExtraPass);
+        ExtraPass& pass = passes.emplace_back();
+        read_name(reading, element, "pass", pass.name, pass.name_span, names);
+        pass.graph = std::make_shared<Graph>(material);
+        pass.graph->span = element.span;
+        if (element.find("workflow")) {
+            pass.graph->lighting = {};
+            pass.graph->surface.clear();
+        }
+        read_models(reading, element, *pass.graph);
+        read_look(reading, element, *pass.graph);
+    }
+    material.passes = std::move(passes);
+}
+
+void read_material(Reading& reading, const Json& json, Graph& graph) {
+    UniqueNames names;
+    check_keys(reading, json, ObjectKind::Material);
+    read_models(reading, json, graph);
+    read_common(reading, json, graph, names);
+    read_look(reading, json, graph);
+    if (const Json* passes = json.find("passes")) read_passes(reading, *passes, graph);
     if (const Json* variants = json.find("variants")) read_variants(reading, *variants, graph.variants);
-    report_not_yet(reading, json, "passes");
 }
 
 // --- the other kinds

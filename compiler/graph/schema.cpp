@@ -10,7 +10,6 @@ namespace patina::graph {
 namespace {
 
 constexpr std::string_view kAnything = "{}";
-constexpr std::string_view kNothing = R"({"not":{}})";  // a key that cannot be compiled yet
 constexpr std::string_view kText = R"({"type":"string"})";
 constexpr std::string_view kBoolean = R"({"type":"boolean"})";
 constexpr std::string_view kIdentifier = R"({"type":"string","pattern":"^[A-Za-z_][A-Za-z0-9_]*$"})";
@@ -20,6 +19,10 @@ constexpr std::string_view kValues = R"({"type":"object","additionalProperties":
 constexpr std::string_view kNamedValues = R"({"type":"object","propertyNames":{"$ref":"#/$defs/identifier"},)"
                                           R"("additionalProperties":{"$ref":"#/$defs/value"}})";
 constexpr std::string_view kRange = R"({"type":"array","items":{"type":"number"},"minItems":2,"maxItems":2})";
+constexpr std::string_view kByte = R"({"type":"integer","minimum":0,"maximum":255})";
+constexpr std::string_view kBox =
+    R"({"type":"array","items":{"type":"array","items":{"type":"number"},"minItems":3,"maxItems":3},)"
+    R"("minItems":2,"maxItems":2})";
 
 template <std::size_t N>
 std::string texts_schema(const std::array<std::string_view, N>& words) {
@@ -58,7 +61,8 @@ std::vector<SchemaRow> make_rows(const SchemaInput& input) {
         {Render, "surface", words_schema(kSurfaceKinds)},
         {Free, "surface", text(kValues)},
         {Free, "render", reference("render")},
-        {Free, "passes", text(kNothing)},
+        {Free, "passes", list_of("pass")},
+        {ExtraPass, "name", text(kIdentifier)},
         {Free, "variants",
          R"({"type":"array","items":{"type":"object","additionalProperties":{"type":["boolean","string"]}}})"},
         {Free, "outputs", text(kNamedValues)},
@@ -90,9 +94,17 @@ std::vector<SchemaRow> make_rows(const SchemaInput& input) {
         {Free, "cull", words_schema(kCulls)},
         {Free, "depthWrite", text(kBoolean)},
         {Free, "depthTest", words_schema(kCompares)},
-        {Free, "stencil", text(kNothing)},
+        {Free, "depthOffset", text(kRange)},
+        {Free, "stencil", reference("stencil")},
+        {Free, "reference", text(kByte)},
+        {Free, "readMask", text(kByte)},
+        {Free, "writeMask", text(kByte)},
+        {Free, "test", words_schema(kCompares)},
+        {Free, "pass", words_schema(kStencilOps)},
+        {Free, "fail", words_schema(kStencilOps)},
+        {Free, "depthFail", words_schema(kStencilOps)},
         {Free, "queue", R"({"type":"integer","minimum":0,"maximum":5000})"},
-        {Free, "bounds", text(kNothing)},
+        {Free, "bounds", any_of({R"({"type":"number","minimum":0})", text(kBox)})},
         {Free, "use", model},
     };
     rows.insert(rows.end(), graph_rows.begin(), graph_rows.end());
@@ -164,6 +176,8 @@ Members make_definitions(const SchemaInput& input) {
         {"input", object(object_schema(rows, ObjectKind::Input))},
         {"sampler", object(object_schema(rows, ObjectKind::Sampler))},
         {"render", object(object_schema(rows, ObjectKind::Render))},
+        {"stencil", object(object_schema(rows, ObjectKind::Stencil))},
+        {"pass", object(object_schema(rows, ObjectKind::ExtraPass))},
         {"lightingUse", object(object_schema(rows, ObjectKind::LightingUse))},
     };
     using enum ObjectKind;

@@ -207,6 +207,14 @@ std::vector<std::string_view> Stages::paths() const {
     return names;
 }
 
+const PassDecl* Stages::pass_for_extra(std::string_view path) const {
+    const PassDecl* found = nullptr;
+    for (const PassDecl& each : passes) {
+        if (each.draws_extra && each.fragment && (!found || each.path == path)) found = &each;
+    }
+    return found;
+}
+
 const SemanticDecl* Stages::semantic(std::string_view name) const {
     const auto found = semantic_index.find(name);
     return found == semantic_index.end() ? nullptr : &semantics[found->second];

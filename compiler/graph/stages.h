@@ -50,11 +50,13 @@ struct PassDecl {
     const nodelang::FunctionDecl* fragment = nullptr;
     Pass state;  // what of it no material changes
     std::vector<BlendRow> blends;
-    bool has_cull = false, has_depth = false;  // the pass says so itself; else the material does
-    bool is_optional = false;                  // left out without a word where it cannot be had
-    std::vector<std::string_view> needs;       // slots that must exist
-    std::vector<std::string_view> holds;       // members of the lighting surface that it can tell; empty: all
-    std::vector<std::string_view> excludes;    // switches that must be off
+    // The pass says so itself; else the material does.
+    bool has_cull = false, has_depth = false, has_depth_bias = false, has_stencil = false;
+    bool draws_extra = false;                // it also draws the passes that materials add
+    bool is_optional = false;                // left out without a word where it cannot be had
+    std::vector<std::string_view> needs;     // slots that must exist
+    std::vector<std::string_view> holds;     // members of the lighting surface that it can tell; empty: all
+    std::vector<std::string_view> excludes;  // switches that must be off
     // From another file than the one that is being read, which may put its own in their places.
     bool is_older_vertex = false, is_older_fragment = false;
 };
@@ -87,6 +89,8 @@ struct Stages {
     // Those of a path, in the order of its file.
     std::vector<const PassDecl*> passes_of(std::string_view path) const;
     std::vector<std::string_view> paths() const;
+    // What draws the passes that materials add: a pass of the path or, if it has none, of another one. Null: none does.
+    const PassDecl* pass_for_extra(std::string_view path) const;
     const SemanticDecl* semantic(std::string_view name) const;
 };
 

@@ -101,6 +101,17 @@ inline constexpr std::array kCompares = {
     Word<Compare>{"always", Compare::Always},
 };
 
+inline constexpr std::array kStencilOps = {
+    Word<StencilOp>{"keep", StencilOp::Keep},
+    Word<StencilOp>{"zero", StencilOp::Zero},
+    Word<StencilOp>{"replace", StencilOp::Replace},
+    Word<StencilOp>{"increment", StencilOp::Increment},
+    Word<StencilOp>{"decrement", StencilOp::Decrement},
+    Word<StencilOp>{"invert", StencilOp::Invert},
+    Word<StencilOp>{"incrementWrap", StencilOp::IncrementWrap},
+    Word<StencilOp>{"decrementWrap", StencilOp::DecrementWrap},
+};
+
 inline constexpr std::array kLightTypes = {
     Word<SceneLightType>{"directional", SceneLightType::Directional},
     Word<SceneLightType>{"point", SceneLightType::Point},

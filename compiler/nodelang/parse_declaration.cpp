@@ -47,6 +47,7 @@ constexpr AttributeInfo kAttributes[] = {
     {kFunction, "stencil"},
     {kFunction, "target"},
     {kFunction, "optional"},
+    {kFunction, "extra"},
     {kFunction, "needs"},
     {kFunction, "holds"},
     {kFunction, "excludes"},

@@ -32,7 +32,7 @@ float shadow_with_mask(int index, float3 position, float4 mask = shadows_of_ligh
     return shadow(index, position);
 }
 
-[pass("forward")] [fragment] [lights("all")]
+[pass("forward")] [fragment] [lights("all")] [extra]
 [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
 [blend("fade", "src_alpha", "one_minus_src_alpha", "one", "one_minus_src_alpha")]
 [blend("transparent", "one", "one_minus_src_alpha")] [blend("additive", "one", "one", "zero", "one")]

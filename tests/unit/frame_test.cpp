@@ -289,6 +289,86 @@ TEST_P(FrameTest, ReplacesStencilWhereBothTestsPass) {
     for (int x = 0; x < kSize; x++) EXPECT_EQ(image.at(x, 2)[0], x < kSize / 2 ? 1 : 0) << x;
 }
 
+// Vulkan 1.3, "Stencil Operation": (old value & ~writeMask) | (new value & writeMask), of 8 bits.
+TEST_P(FrameTest, ChangesStencilAsItsWordsSay) {
+    struct Case {
+        const char* word;
+        int there, reference, write_mask, expected;
+    };
+    constexpr Case kCases[] = {
+        {"keep", 7, 3, 255, 7},
+        {"zero", 7, 3, 255, 0},
+        {"replace", 7, 3, 255, 3},
+        {"increment", 7, 3, 255, 8},
+        {"increment", 255, 3, 255, 255},
+        {"decrement", 7, 3, 255, 6},
+        {"decrement", 0, 3, 255, 0},
+        {"invert", 0x5a, 3, 255, 0xa5},
+        {"incrementWrap", 7, 3, 255, 8},
+        {"incrementWrap", 255, 3, 255, 0},
+        {"decrementWrap", 7, 3, 255, 6},
+        {"decrementWrap", 0, 3, 255, 255},
+        {"replace", 0xf0, 0x35, 0x0f, 0xf5},
+        {"invert", 0x5a, 3, 0xf0, 0xaa},
+        {"zero", 0xff, 3, 0x81, 0x7e},
+    };
+    HandMaterial mark = hand_material(0), change = hand_material(0), paint = hand_material(1);
+    mark.pass().stencil = {"always", "replace", ""};
+    paint.pass().stencil = {"equal", "keep", ""};
+    // Where it happens: both tests pass, the stencil's fails, or the depth's alone.
+    for (const std::string when : {"pass", "fail", "depthFail"}) {
+        Stencil stencil{.test = when == "fail" ? "never" : "always"};
+        change.pass().depth_test = when == "pass" ? "always" : "never";
+        for (const Case& each : kCases) {
+            SCOPED_TRACE(when + ": " + each.word + " of " + std::to_string(each.there));
+            (when == "pass" ? stencil.pass : when == "fail" ? stencil.fail : stencil.depth_fail) = each.word;
+            stencil.write_mask = each.write_mask;
+            change.pass().stencil = stencil;
+            Frame frame{.targets = {target("rgba8"), target("depth", glm::vec4(1))},
+                        .steps = {hand_step(mark, full, {}, {}, 1), hand_step(change, full, {}, {}, 1),
+                                  hand_step(paint, full, {glm::vec4(1)}, {0}, 1)}};
+            const int references[] = {each.there, each.reference, each.expected};
+            for (std::size_t i = 0; i < 3; i++) frame.steps[i].stencil_reference = std::uint8_t(references[i]);
+            EXPECT_EQ(pixel(draw(frame)), glm::vec4(1));
+        }
+    }
+}
+
+TEST_P(FrameTest, ComparesTheBitsOfTheStencilThatAreRead) {
+    HandMaterial mark = hand_material(0), paint = hand_material(1);
+    mark.pass().stencil = {"always", "replace", ""};
+    const auto shows = [&](const std::string& test, int reference, int mask) {
+        paint.pass().stencil = {.test = test, .read_mask = mask};
+        Frame frame{.targets = {target("rgba8"), target("depth", glm::vec4(1))},
+                    .steps = {hand_step(mark, full, {}, {}, 1), hand_step(paint, full, {glm::vec4(1)}, {0}, 1)}};
+        frame.steps[0].stencil_reference = 0xa5;
+        frame.steps[1].stencil_reference = std::uint8_t(reference);
+        return pixel(draw(frame)) == glm::vec4(1);
+    };
+    EXPECT_TRUE(shows("equal", 0x05, 0x0f));
+    EXPECT_FALSE(shows("equal", 0x05, 0xff));
+    EXPECT_TRUE(shows("less", 0x94, 0x0f));  // 4 < 5, though 0x94 < 0xa5 too
+    EXPECT_FALSE(shows("less", 0x0f, 0x0f));
+    EXPECT_TRUE(shows("equal", 0x12, 0));
+}
+
+TEST_P(FrameTest, ClearsTheStencilBeforeAStep) {
+    HandMaterial mark = hand_material(0), paint = hand_material(1);
+    mark.pass().stencil = {"always", "replace", ""};
+    mark.pass().depth_write = true;
+    mark.pass().depth_test = "always";
+    paint.pass().stencil = {"equal", "keep", ""};
+    paint.pass().depth_test = "less";  // the depth stays: 0.5 is not less than 0.25 on the left
+    const Mesh left = clip_quad(-1, 0, 0.25f, 0.25f);
+    Frame frame{.targets = {target("rgba8"), target("depth", glm::vec4(1))},
+                .steps = {hand_step(mark, left, {}, {}, 1), hand_step(paint, full, {glm::vec4(1)}, {0}, 1)}};
+    frame.steps[0].stencil_reference = 4;
+    frame.steps[1].clears_stencil = true;
+    const Image image = draw(frame);
+    EXPECT_EQ(pixel(image, 0, 0), glm::vec4(0));
+    EXPECT_EQ(pixel(image, 7, 0), glm::vec4(1));
+}
+
 // --- areas and samples
 
 TEST_P(FrameTest, KeepsToItsArea) {
@@ -352,7 +432,7 @@ TEST_P(FrameTest, ThatDoesNotFitTogetherIsAnError) {
              Case{"'add' is not a blend factor",
                   [](Frame&, HandMaterial& m) { m.pass().targets[0].blend.source = "add"; }},
              Case{"'deeper' is not a stencil test", [](Frame&, HandMaterial& m) { m.pass().stencil.test = "deeper"; }},
-             Case{"'invert' is not what becomes", [](Frame&, HandMaterial& m) { m.pass().stencil.pass = "invert"; }},
+             Case{"'turn' is not what becomes", [](Frame&, HandMaterial& m) { m.pass().stencil.pass = "turn"; }},
              Case{"draws into nothing",
                   [](Frame& f, HandMaterial& m) {
                       m.pass().targets.clear();

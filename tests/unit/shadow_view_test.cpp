@@ -180,6 +180,28 @@ TEST_F(Fit, AFloorThatIsMovedIsNotFlat) {
     EXPECT_GT(std::min(size(far_away()).x, size(far_away()).y), 30);
 }
 
+// A box says where it can be: as the vertices of a mesh that has these corners would.
+TEST(DirectionalShadow, GoesByTheBoundsOfTheMaterial) {
+    const Mesh ball = *make_mesh("sphere", 24);
+    const glm::mat4 turned = glm::rotate(glm::mat4(1), 0.5f, glm::vec3(0, 0, 1));
+    const Bounds box{.box = std::array<std::array<double, 3>, 2>{{{-2, -1, 0}, {3, 1, 0.5}}}};
+    Mesh corners;
+    for (int i = 0; i < 8; i++)
+        corners.vertices.emplace_back().position = {i & 1 ? 3 : -2, i & 2 ? 1 : -1, i & 4 ? 0.5f : 0};
+    const glm::mat4 light = glm::lookAt(glm::vec3(3, 10, 4), glm::vec3(0), glm::vec3(0, 1, 0));
+    const auto extent_of = [&](const Mesh& mesh, std::optional<Bounds> bounds) {
+        const ShadowObject object{.mesh = &mesh, .object_to_world = turned, .moves_vertices = true, .bounds = bounds};
+        return shadowed_extent(light, std::span(&object, 1), far_away(), {});
+    };
+    const Extent said = extent_of(ball, box), expected = extent_of(corners, {});
+    EXPECT_EQ(said.lowest, expected.lowest);
+    EXPECT_EQ(said.highest, expected.highest);
+    // 0.25 m around the ball of radius 1: a cube of 2.5 m, whose corners are 1.25 sqrt(3) from its middle.
+    const Sphere sphere = world_bounds(ball, glm::translate(glm::mat4(1), {1, 2, 3}), Bounds{.margin = 0.25});
+    EXPECT_NEAR(sphere.radius, 1.25f * std::sqrt(3.0f), 1e-3f);
+    EXPECT_NEAR(glm::distance(sphere.center, glm::vec3(1, 2, 3)), 0, 1e-5f);
+}
+
 TEST_F(Fit, AFloorAloneIsHeldWhole) {
     objects = {floor};
     EXPECT_NEAR(size(far_away()).x, 600, 1e-2);

@@ -96,10 +96,26 @@ struct RenderTarget {
     Blend blend{};
 };
 
+// What happens is keep | zero | replace | increment | decrement | invert | incrementWrap | decrementWrap; without Wrap
+// they stay at 0 and 255. Both faces are alike.
 struct Stencil {
-    std::string test = "always";  // as a depth test
-    std::string pass = "keep";    // what happens where both tests pass: keep | replace
-    std::string reference;        // lighting: a number that the materials of one lighting pass share; empty: unused
+    std::string test = "always";  // as a depth test: (reference & read_mask) to (what is there & read_mask)
+    std::string pass = "keep";    // what happens where both tests pass
+    std::string reference{};      // lighting: a number that the materials of one lighting pass share; empty: `value`
+    std::string fail = "keep";    // where the stencil test fails
+    std::string depth_fail = "keep";                   // where only the depth test fails
+    int value = 0, read_mask = 255, write_mask = 255;  // 0 to 255
+
+    bool is_of_lighting() const { return !reference.empty(); }
+    bool is_used() const {
+        return test != "always" || pass != "keep" || fail != "keep" || depth_fail != "keep" || is_of_lighting();
+    }
+};
+
+// Where the vertices of a mesh are drawn, in object space: in a box, or at most so far outside of the mesh's own.
+struct Bounds {
+    double margin = 0;                                          // metres, on all sides
+    std::optional<std::array<std::array<double, 3>, 2>> box{};  // lowest and highest corner; then there is no margin
 };
 
 // What a pass draws; how often (light: once for each of its lights, which is then the only one it sees); and which
@@ -113,6 +129,7 @@ inline constexpr std::array<std::string_view, 8> kPassLights = {"all",         "
 // A pass of the material: two stages and the fixed-function state that goes with them.
 struct Pass {
     std::string name;
+    bool is_extra = false;          // added by the material to those of the path; it is drawn by its own queue
     std::string draws = "objects";  // of kPassDraws
     std::string each = "once";      // of kPassEach
     std::string lights = "all";     // of kPassLights
@@ -125,6 +142,8 @@ struct Pass {
     double depth_bias = 0, depth_slope_bias = 0;  // as Vulkan's: in units of the depth format, and times the slope
     Stencil stencil;
     int queue = 2000;
+    bool moves_vertices = false;        // of one that is added: as in Reflection
+    std::optional<Bounds> bounds{};     // the same
     std::vector<RenderTarget> targets;  // none: only depth
     std::vector<VertexInput> vertex_inputs;
     std::vector<std::string> blocks;    // names of the blocks that either stage reads
@@ -158,6 +177,7 @@ struct Reflection {
     std::string surface = "opaque";  // opaque | cutout | fade | transparent | additive | multiply
     std::string path = "forward";    // the rendering path that the passes belong to
     bool moves_vertices = false;     // the graph's vertex stage does: a mesh's bounds are not what is drawn
+    std::optional<Bounds> bounds{};  // what is, where the graph says so
     std::vector<Switch> switches{};
     std::vector<Property> properties;
     std::vector<Block> blocks;

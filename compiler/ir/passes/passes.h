@@ -33,6 +33,13 @@ Module schedule(Module module);
 // gone help their neighbours no more. Not part of tidy(); for targets whose discard ends the pixel at once.
 Module legalize_discard(Module module);
 
+// Where keywords alone choose between two values, what only one of them needs goes to its side of a branch: a text can
+// then leave the other side out, whatever is in it, samples and derivatives too. Not part of tidy(); for targets that
+// have keywords.
+Module branch_on_keywords(Module module);
+// By value: 1 if it is made of keywords and constants by nothing but comparisons and logic.
+std::vector<std::uint8_t> keyword_values(const Module& module, const Function& function);
+
 // The passes of passes.def in order, verified after each in debug builds.
 Module tidy(Module module);
 
