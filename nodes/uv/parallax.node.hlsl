@@ -60,18 +60,14 @@ float2 ParallaxOcclusion(
     int steps = min(int(ceil(max(lerp(most_steps, fewest_steps, saturate(view.z)), 1))), 128);
     float stride = 1 / float(steps);
     float above = 1 - texture.SampleGrad(start, right, down).r;
-    float seen = above > 0 ? 1 : 0;
-    bool is_found = above <= 0;
+    float seen = above > 0 ? -1 : 0;  // t; below 0: not yet
     for (int i = 1; i < min(steps + 1, 129); i++) {
-        if (!is_found) {
+        if (seen < 0) {
             float t = float(i) * stride;
             float gap = 1 - t - texture.SampleGrad(start + path * t, right, down).r;
-            if (gap <= 0) {
-                seen = t - stride * gap / (gap - above);
-                is_found = true;
-            }
+            seen = gap > 0 ? -1 : t - stride * gap / (gap - above);
             above = gap;
         }
     }
-    return deepest * seen;
+    return deepest * (seen < 0 ? 1 : seen);
 }
