@@ -28,12 +28,12 @@ Set pillows() {
         const float pull = 0.5f * (creases - 0.5f) * (1 - smoothstep(0.0f, 0.3f, from_seam(u, v)));
         return Color{std::clamp(0.05f + 0.9f * std::pow(pillow, 0.45f) + pull, 0.0f, 1.0f), 0, 0, 1};
     });
-    // The seams are taped: no weave there.
+    // The seams are taped: no weave there. In alpha, where Unity's Standard shader reads it.
     mask.fill([](float u, float v) {
         const float woven = smoothstep(0.045f, 0.065f, from_seam(u, v));
-        return Color{woven, woven, woven, 1};
+        return Color{woven, woven, woven, woven};
     });
-    return {{"quilt_normal", 3, normals_of(layers, 0, 14.0f)}, {"quilt_mask", 1, std::move(mask)}};
+    return {{"quilt_normal", 3, normals_of(layers, 0, 14.0f)}, {"quilt_mask", 4, std::move(mask)}};
 }
 
 // Threads over and under each other, 16 by 16 in a picture.

@@ -28,7 +28,7 @@ Set mossy_rock();
 Set ivy_leaves();
 // bricks_color, bricks_height (1: the foremost face), bricks_normal: worn bricks in running bond
 Set bricks();
-// quilt_normal, quilt_mask (0 on the seams), weave_color (a factor around 0.5), weave_normal: quilted cloth
+// quilt_normal, quilt_mask (alpha: 0 on the seams), weave_color (a factor around 0.5), weave_normal: quilted cloth
 Set quilt();
 // light_ramps: tones of light for a lighting graph, cold in the first row and warm in the last
 Set light_ramps();
