@@ -85,7 +85,8 @@ Outcome<Numbers> parse_value(const Property& property, const std::string& text, 
 std::string outside_range(const Property& property, const Numbers& value) {
     if (!property.range) return "";
     const auto [lowest, highest] = *property.range;
-    for (int i = 0; i < components(property.type); i++) {
+    // Alpha, which is coverage, has no range.
+    for (int i = 0; i < (property.type == "color" ? 3 : components(property.type)); i++) {
         // The words were read as floats, and the ends of the range are compared as such.
         if (float(value[i]) >= float(lowest) && float(value[i]) <= float(highest)) continue;
         return fmt::format("{} is outside the {}range {} to {} of '{}'", float(value[i]), property.hard ? "" : "usual ",

@@ -86,7 +86,7 @@ constexpr std::array kProperty = {
     KeyInfo{"usage", "of a texture: color (sRGB), data (linear) or normal (a tangent-space normal map)"},
     KeyInfo{"values", "of an enum: its words"},
     KeyInfo{"default", "the value until somebody sets another"},
-    KeyInfo{"range", "[low, high]: beyond it is a warning"},
+    KeyInfo{"range", "[low, high]: beyond it is a warning; of a colour that ends above 1: it is HDR"},
     KeyInfo{"hard", "true: beyond the range is an error"},
     KeyInfo{"as", "when it is bound: uniform, specialization or variant"},
     KeyInfo{"tiling", "of a texture: true gives it a scale and an offset"},

@@ -8,21 +8,6 @@
 namespace patina::graph {
 namespace {
 
-bool has_range(PropertyType type) {
-    switch (type) {
-        case PropertyType::Float:
-        case PropertyType::Float2:
-        case PropertyType::Float3:
-        case PropertyType::Float4:
-        case PropertyType::Int: return true;
-        case PropertyType::Color:
-        case PropertyType::Bool:
-        case PropertyType::Enum:
-        case PropertyType::Texture2D: return false;
-    }
-    return false;
-}
-
 std::size_t component_count(PropertyType type) {
     switch (type) {
         case PropertyType::Float2: return 2;
@@ -38,6 +23,22 @@ std::size_t component_count(PropertyType type) {
     return 1;
 }
 
+// How many components a range is for: alpha, which is coverage, has none.
+std::size_t ranged_count(PropertyType type) {
+    switch (type) {
+        case PropertyType::Float:
+        case PropertyType::Float2:
+        case PropertyType::Float3:
+        case PropertyType::Float4:
+        case PropertyType::Int: return component_count(type);
+        case PropertyType::Color: return 3;
+        case PropertyType::Bool:
+        case PropertyType::Enum:
+        case PropertyType::Texture2D: return 0;
+    }
+    return 0;
+}
+
 // Keys of the format that this type of property has no use for.
 void check_keys_of_type(Reading& reading, const Json& json, const Property& property) {
     const bool is_texture = property.type == PropertyType::Texture2D;
@@ -47,9 +48,9 @@ void check_keys_of_type(Reading& reading, const Json& json, const Property& prop
             refuse_key(reading, json, key, what, "a texture2d");
     }
     if (property.type != PropertyType::Enum) refuse_key(reading, json, "values", what, "an enum");
-    if (!has_range(property.type)) {
+    if (ranged_count(property.type) == 0) {
         for (const std::string_view key : {"range", "hard"}) {
-            refuse_key(reading, json, key, what, "float, float2, float3, float4 and int");
+            refuse_key(reading, json, key, what, "float, float2, float3, float4, color and int");
         }
     }
 }
@@ -140,22 +141,22 @@ void read_default(Reading& reading, const Json& json, Property& property) {
     }
 }
 
-// What stands there until a default is read: nought (or the nearest to it within the range), a white colour, a texture
-// that changes nothing.
+// What stands there until a default is read: nought, a white colour (or the nearest to them within the range), a
+// texture that changes nothing.
 void set_implied_default(Property& property) {
     if (property.type == PropertyType::Color) property.value = {1, 1, 1, 1};
     if (property.type == PropertyType::Texture2D) {
         property.texture = property.usage == TextureUsage::Normal ? "bump" : "white";
     }
-    if (property.range && has_range(property.type)) {
-        std::fill_n(property.value.begin(), component_count(property.type),
-                    std::clamp(0.0, (*property.range)[0], (*property.range)[1]));
+    if (property.range) {
+        std::fill_n(property.value.begin(), ranged_count(property.type),
+                    std::clamp(property.value[0], (*property.range)[0], (*property.range)[1]));
     }
 }
 
 void check_default_range(Reading& reading, const Property& property) {
     if (!property.range || !property.default_span) return;
-    for (std::size_t i = 0; i < component_count(property.type); ++i) {
+    for (std::size_t i = 0; i < ranged_count(property.type); ++i) {
         const double value = property.value[i];
         check_range(reading, property.default_span, value, *property.range, property.hard, property.name);
     }
@@ -229,7 +230,7 @@ Property read_property(Reading& reading, const Json& json, UniqueNames& names) {
     }
     if (property.type == PropertyType::Enum) read_enum_values(reading, json, property);
     if (property.type == PropertyType::Texture2D) read_texture_keys(reading, json, property);
-    if (has_range(property.type)) read_limits(reading, json, property.range, property.hard);
+    if (ranged_count(property.type) > 0) read_limits(reading, json, property.range, property.hard);
     set_implied_default(property);
     const std::size_t errors_before = reading.diagnostics.error_count();
     if (const Json* value = json.find("default")) read_default(reading, *value, property);

@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
     std::filesystem::create_directories(folder, failure);
 
     using namespace textures;
-    for (Set (*paint)() : {rusted_steel, painted_tiles, mossy_rock, ivy_leaves, light_ramps, lit_ball}) {
+    for (Set (*paint)() : {rusted_steel, painted_tiles, mossy_rock, ivy_leaves, bricks, quilt, light_ramps, lit_ball}) {
         for (const Texture& texture : paint()) {
             const std::string path = (folder / (texture.name + ".png")).string();
             if (std::string error = save(texture.picture, texture.channels, path); !error.empty()) {

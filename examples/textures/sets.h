@@ -26,6 +26,10 @@ Set painted_tiles();
 Set mossy_rock();
 // leaves (alpha: cut-out), leaves_normal
 Set ivy_leaves();
+// bricks_color, bricks_height (1: the foremost face), bricks_normal: worn bricks in running bond
+Set bricks();
+// quilt_normal, quilt_mask (alpha: 0 on the seams), weave_color (a factor around 0.5), weave_normal: quilted cloth
+Set quilt();
 // light_ramps: tones of light for a lighting graph, cold in the first row and warm in the last
 Set light_ramps();
 // lit_ball: a mirroring ball in a studio, for matcaps

@@ -80,3 +80,24 @@ float3 BlendColors(
     if (mode == Add) { combined = base + blend; }
     return lerp(base, combined, opacity);
 }
+
+/// A colour with a detail map on it: middle grey leaves it as it is, darker texels darken it, brighter ones brighten it.
+///
+/// Unity takes 0.5^2.2 for the middle grey of a texture; sRGB decodes it to 0.2140, which darkens by 2 in a hundred.
+///
+/// formula: base lerp(1, k detail, mask), k = 2^2.2 in linear colour, 2 in gamma-encoded colour
+/// source: Unity built-in shaders, Albedo: unity_ColorSpaceDouble and LerpWhiteTo
+/// test: DetailAlbedo(float3(0.2, 0.4, 0.8), float3(0.5, 0.25, 1), 1, Gamma) == float3(0.2, 0.2, 1.6)
+/// test: DetailAlbedo(float3(0.2, 0.4, 0.8), float3(0.5, 0.25, 1), 0.5, Gamma) == float3(0.2, 0.3, 1.2)
+/// test: DetailAlbedo(float3(0.5, 0.5, 0.5), 0.21763764082403103, 1) == float3(0.5, 0.5, 0.5)
+/// test: DetailAlbedo(float3(0.2, 0.4, 0.8), 1, 1) == float3(0.918958684, 1.837917368, 3.675834736)
+/// test: DetailAlbedo(float3(0.2, 0.4, 0.8), 0, 0) == float3(0.2, 0.4, 0.8)
+[node("Color/Detail Albedo")]
+float3 DetailAlbedo(
+    [color] float3 base = 0.5,            ///< the colour below
+    [color] float3 detail = 0.217637641,  ///< of the detail map
+    [range(0, 1)] float mask = 1,         ///< 0: the base alone
+    const WorkingSpace space = Linear     ///< in which the colours are
+) {
+    return base * lerp(1, (space == Linear ? 4.59479342 : 2) * detail, mask);
+}

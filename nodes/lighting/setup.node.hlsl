@@ -90,10 +90,10 @@ float AlphaFromRoughness(
     return max(roughness * roughness, minimum);
 }
 
-/// The straight reflectance of insulators as an engine's colour space has it.
+/// The colour space that an engine computes lighting in.
 enum WorkingSpace {
-    Linear,  ///< 0.04
-    Gamma    ///< 0.2209, the same encoded
+    Linear,  ///< light as it is: insulators reflect 0.04
+    Gamma    ///< encoded as for a screen: that is 0.2209
 };
 
 /// The straight reflectance that the metallic workflow gives insulators.

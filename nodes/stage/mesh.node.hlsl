@@ -88,6 +88,12 @@ float3 normal_object_to_world(float3 normal) {
     return normalize(mul(float4(normal, 0), world_to_object).xyz);
 }
 
+/// The same of a material's own normal in a pixel; on the back of a two-sided material it is turned, as the mesh's is.
+float3 shown_normal_object_to_world(float3 normal, bool front = front_facing) {
+    float3 world = normal_object_to_world(normal);
+    return two_sided && !front ? -world : world;
+}
+
 /// The object's origin in world space.
 [semantic("uniform")]
 float3 object_position_ws() {

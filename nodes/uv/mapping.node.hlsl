@@ -74,25 +74,3 @@ float2 Flipbook(
     float column = index - row * columns;
     return (uv + float2(column, row)) / float2(columns, rows);
 }
-
-/// How far to move the texture coordinates so that a height map seems to stand out: the more, the more slanted the view.
-///
-/// One step, so it is right for shallow relief only. The 0.42 keeps the offset below 1.2 heights at the outline.
-///
-/// formula: height (texel - 0.5) v.xy / (v.z + 0.42), v = normalize(view_ts)
-/// source: Kaneko et al., "Detailed Shape Representation with Parallax Mapping", ICAT 2001; Welsh, "Parallax Mapping",
-/// source: ShaderX 3, 2004; the 0.42: Unity built-in shaders, ParallaxOffset1Step
-/// test: ParallaxOffset(1, 0.08, float3(0.6, 0, 0.8)) == float2(0.019672131147540985, 0)
-/// test: ParallaxOffset(0, 0.08, float3(3, 0, 4)) == float2(-0.019672131147540985, 0)
-/// test: ParallaxOffset(1, 0.08, float3(0, 0, 1)) == float2(0, 0)
-/// test: ParallaxOffset(0.5, 0.02, float3(0.6, 0.3, 0.1)) == float2(0, 0)
-/// test: ParallaxOffset(1, 0.084, float3(0, 1, 0)) == float2(0, 0.1)
-[node("UV/Parallax Offset")]
-float2 ParallaxOffset(
-    [range(0, 1)] float texel = 0.5,          ///< of the height map: 0 is deep, 1 high
-    [range(0.005, 0.08)] float height = 0.02, ///< between the deepest and the highest point, in textures
-    float3 view_ts                            ///< direction to the viewer in tangent space: WorldToTangent gives it
-) {
-    float3 view = view_ts * rsqrt(max(dot(view_ts, view_ts), 1e-6));
-    return (texel * height - 0.5 * height) * view.xy / (max(view.z, 0) + 0.42);
-}

@@ -4,8 +4,11 @@
 
 /// How NormalBlend lays one normal on another.
 enum NormalBlendMode {
-    Whiteout,   ///< adds the slopes: cheap, and the same with the layers exchanged
-    Reoriented  ///< turns the detail onto the base: keeps all of both
+    Whiteout,           ///< adds x and y, multiplies z: cheap, and the same with the layers exchanged
+    Reoriented,         ///< turns the detail onto the base: keeps all of both
+    Linear,             ///< the direction half way between: each layer loses strength, even to a flat one
+    Unreal,             ///< adds x and y, keeps the z of the base: the detail fades where the base is steep
+    PartialDerivative   ///< adds the slopes, as the heights would be added
 };
 
 /// The z of a unit normal, from its x and y.
@@ -72,27 +75,59 @@ float3 NormalStrength(
 /// Lays a detail normal on a base normal, both in tangent space.
 ///
 /// formula: reoriented: t (t . u) / t.z - u, t = base + (0, 0, 1), u = detail (-1, -1, 1)
-/// formula: whiteout: normalize(base.xy + detail.xy, base.z detail.z)
-/// source: Barré-Brisebois and Hill, "Blending in Detail", 2012
+/// formula: whiteout: normalize(b.xy + d.xy, b.z d.z); linear: normalize(b + d); Unreal: normalize(b.xy + d.xy, b.z)
+/// formula: partial derivative: normalize(b.xy d.z + d.xy b.z, b.z d.z)
+/// source: Barré-Brisebois and Hill, "Blending in Detail", 2012, where all five stand side by side; whiteout: Oat,
+/// source: "Animated Wrinkle Maps", SIGGRAPH 2007 course, and Unity built-in shaders, BlendNormals
 /// test: NormalBlend(float3(0.6, 0, 0.8), float3(0.6, 0, 0.8), Reoriented) == float3(0.96, 0, 0.28)
 /// test: NormalBlend(float3(0, 0, 1), float3(0.48, 0.6, 0.64), Reoriented) == float3(0.48, 0.6, 0.64)
 /// test: NormalBlend(float3(0.48, 0.6, 0.64), float3(0, 0, 1), Reoriented) == float3(0.48, 0.6, 0.64)
 /// test: NormalBlend(float3(0.6, 0, 0.8), float3(0, 0, 1), Whiteout) == float3(0.6, 0, 0.8)
 /// test: NormalBlend(float3(2, 3, 6) / 7, float3(-2, 3, 6) / 7, Whiteout) == float3(0, 7, 6) / 9.219544457292887
+/// test: NormalBlend(float3(0.6, 0, 0.8), float3(0, 0.6, 0.8), Linear) == float3(3, 3, 8) / 9.055385138137417
+/// test: NormalBlend(float3(0, 0, 1), float3(0.48, 0.6, 0.64), Unreal) == float3(12, 15, 25) / 31.52776554086889
+/// test: NormalBlend(float3(2, 3, 6) / 7, float3(-2, 3, 6) / 7, Unreal) == float3(0, 1, 1) * 0.7071067811865476
+/// test: NormalBlend(float3(0.6, 0, 0.8), float3(0.6, 0, 0.8), PartialDerivative) == float3(3, 0, 2) / 3.605551275463989
+/// test: NormalBlend(float3(0.6, 0, 0.8), float3(0, -0.8, 0.6), PartialDerivative) == float3(9, -16, 12) / 21.93171219946131
 [node("Vector/Normal/Blend")]
 float3 NormalBlend(
     float3 base = float3(0, 0, 1),           ///< unit normal of the layer below
     float3 detail = float3(0, 0, 1),         ///< unit normal of the layer above
     const NormalBlendMode mode = Reoriented  ///< how they are combined
 ) {
-    if (mode == Whiteout) {
-        float3 sum = float3(base.xy + detail.xy, base.z * detail.z);
-        return sum * rsqrt(max(dot(sum, sum), 1e-7));
+    if (mode == Reoriented) {
+        float3 tilted = base + float3(0, 0, 1);
+        float3 mirrored = detail * float3(-1, -1, 1);
+        // A base that points straight into the surface has no tilt to speak of.
+        return tilted * (dot(tilted, mirrored) / max(tilted.z, 1e-4)) - mirrored;
     }
-    float3 tilted = base + float3(0, 0, 1);
-    float3 mirrored = detail * float3(-1, -1, 1);
-    // A base that points straight into the surface has no tilt to speak of.
-    return tilted * (dot(tilted, mirrored) / max(tilted.z, 1e-4)) - mirrored;
+    float3 sum = base + detail;
+    if (mode == Whiteout) { sum.z = base.z * detail.z; }
+    if (mode == Unreal) { sum.z = base.z; }
+    if (mode == PartialDerivative) { sum = float3(base.xy * detail.z + detail.xy * base.z, base.z * detail.z); }
+    return sum * rsqrt(max(dot(sum, sum), 1e-7));
+}
+
+/// Lays a detail normal on a base normal where a mask lets it show, both in tangent space.
+///
+/// Between 0 and 1 of the mask the result is a little shorter than 1; what turns it to the world makes it unit again.
+///
+/// formula: lerp(base, NormalBlend(base, detail), mask)
+/// source: Unity built-in shaders, NormalInTangentSpace (Whiteout)
+/// test: DetailNormal(float3(0.6, 0, 0.8), float3(0.6, 0, 0.8), 1, Reoriented) == float3(0.96, 0, 0.28)
+/// test: DetailNormal(float3(0.6, 0, 0.8), float3(0.6, 0, 0.8), 0.5, Reoriented) == float3(0.78, 0, 0.54)
+/// test: DetailNormal(float3(0.6, 0, 0.8), float3(0, 0.6, 0.8), 0, Whiteout) == float3(0.6, 0, 0.8)
+/// test: DetailNormal(float3(0.6, 0, 0.8), float3(0, 0.6, 0.8), 1, Linear) == float3(3, 3, 8) / 9.055385138137417
+/// test: DetailNormal(float3(0, 0, 1), float3(0.48, 0.6, 0.64), 1, Unreal) == float3(12, 15, 25) / 31.52776554086889
+/// test: DetailNormal(float3(0.6, 0, 0.8), float3(0.6, 0, 0.8), 1, PartialDerivative) == float3(3, 0, 2) / 3.605551275463989
+[node("Vector/Normal/Detail")]
+float3 DetailNormal(
+    float3 base = float3(0, 0, 1),         ///< unit normal of the layer below
+    float3 detail = float3(0, 0, 1),       ///< unit normal of the layer above
+    [range(0, 1)] float mask = 1,          ///< 0: the base alone
+    const NormalBlendMode mode = Whiteout  ///< how they are combined
+) {
+    return lerp(base, NormalBlend(base, detail, mode), mask);
 }
 
 /// A normal from tangent space, in the world.

@@ -252,7 +252,7 @@ TEST(ReadGraph, PropertiesWithoutADefault) {
       {"name":"a","type":"float"}, {"name":"b","type":"float2","range":[0.5,2]},
       {"name":"c","type":"int","range":[-9,-3]},
       {"name":"d","type":"color"}, {"name":"e","type":"texture2d"},
-      {"name":"f","type":"texture2d","usage":"normal"}]})");
+      {"name":"f","type":"texture2d","usage":"normal"}, {"name":"g","type":"color","range":[2,8]}]})");
     ASSERT_TRUE(r.diagnostics.records().empty()) << r.complaints()[0];
     const std::vector<Property>& p = r.graph->properties;
     EXPECT_EQ(p[0].value[0], 0);
@@ -261,6 +261,7 @@ TEST(ReadGraph, PropertiesWithoutADefault) {
     EXPECT_EQ(p[3].value, (std::array<double, 4>{1, 1, 1, 1}));
     EXPECT_EQ(p[4].texture, "white");
     EXPECT_EQ(p[5].texture, "bump");
+    EXPECT_EQ(p[6].value, (std::array<double, 4>{2, 2, 2, 1}));
 }
 
 // --- the other kinds
@@ -387,8 +388,10 @@ TEST(ReadGraphErrors, Properties) {
         {property(R"("^flot")"), "'flot' is not a property type | did you mean 'float'?"},
         {property(R"("float","^usage":"data")"),
          "unknown key 'usage' in a property of type float | 'usage' belongs to a texture2d"},
-        {property(R"("color","^range":[0,1])"),
-         "unknown key 'range' in a property of type color | 'range' belongs to float, float2, float3, float4 and int"},
+        {property(R"("bool","^range":[0,1])"),
+         "unknown key 'range' in a property of type bool | 'range' belongs to float, float2, float3, float4, color and "
+         "int"},
+        {property(R"("color","default":^[9,0,0,2],"range":[0,8])"), "9 is outside the usual range 0 to 8 of 'a'"},
         {property(R"("float","default":^"x")"), "the default of a float must be a number, not a string"},
         {property(R"("float3","default":^[1,2])"),
          "the default of a float3 must be an array of 3 numbers, not an array of 2"},

@@ -23,6 +23,7 @@ constexpr Exempt kExempt[] = {
     {"CookieAttenuation", "reads a texture; pass_functions_test draws with it"},
     {"MeasuredBRDF", "reads a table; merl_test compares it with the BRDF that its table was sampled from"},
     {"LoadTexture2D", "reads a texture; every other test here reads its arguments by it"},
+    {"ParallaxOcclusion", "reads a texture; parallax_test compares it with the geometry of its reliefs"},
     {"SampleNormalMap", "reads a texture; UnpackNormal, which it calls, is tested"},
     {"SampleTexture2D", "reads a texture; quads_test draws with it"},
     {"SampleTexture2DLevel", "reads a texture; quads_test draws with it"},

@@ -151,6 +151,8 @@ constexpr Guard kGuards[] = {
     {"NormalTangentToWorld.normal", "(abs(#) + 0.5)"},
     {"NormalBlend.base", "(abs(#) + 0.5)"},
     {"NormalBlend.detail", "(abs(#) + 0.5)"},
+    {"DetailNormal.base", "(abs(#) + 0.5)"},
+    {"DetailNormal.detail", "(abs(#) + 0.5)"},
     // The angle of no direction at all is whatever a machine likes.
     {"ArcTangent2.run", "(abs(#) + 0.5)"},
     {"PolarCoordinates.uv", "(abs(#) + 5)"},
@@ -165,6 +167,8 @@ constexpr Guard kGuards[] = {
     {"DistributionBeckmann.ndoth", "clamp(#, 0.5, 1)"},
     {"DistributionBeckmann.alpha", "clamp(#, 0.5, 1)"},
     {"DistributionBlinnPhongRoughness.ndoth", "clamp(#, 0.5, 1)"},
+    {"DistributionGGXAnisotropic.alpha_t", "clamp(#, 0.125, 1)"},
+    {"DistributionGGXAnisotropic.alpha_b", "clamp(#, 0.125, 1)"},
     {"DistributionBlinnPhong.exponent", "(abs(#) + 1)"},
     {"PhongHighlight.exponent", "(abs(#) + 1)"},
     {"BlinnPhongHighlight.exponent", "(abs(#) + 1)"},
@@ -188,6 +192,10 @@ constexpr Guard kGuards[] = {
     {"SpecularOcclusion.ndotv", "clamp(#, 0.125, 1)"},
     {"FresnelConductor.n", "(abs(#) + 0.25)"},
     {"BoxProjectedDirection.direction", "(abs(#) + 0.5)"},
+    // A product of four, which a half must hold.
+    {"RdotV.normal", "clamp(#, -2, 2)"},
+    {"RdotV.light_dir", "clamp(#, -2, 2)"},
+    {"RdotV.view", "clamp(#, -2, 2)"},
     // Which texel of a cube lies in the direction of nothing, no one says.
     {"EnvironmentRadiance.direction", "((abs(#) + 0.5) * float3(-1, 1, -1))"},
     {"MatcapUV.normal_vs", "(abs(#) + 0.5)"},

@@ -1,0 +1,83 @@
+// The normal of a material, given in each of the three spaces, on both sides of a sheet that is turned and stretched:
+// what lighting reads must be what its space says. The picture is that normal.
+#include <fmt/format.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "paths/drawing.h"
+
+namespace patina::paths {
+namespace {
+
+// Of a unit normal in its space: as the plane's mesh has it, which lies in x and y, with u along +x and v against +y.
+const glm::dvec3 kGiven(0.48, 0.6, 0.64);
+
+std::string graph(const std::string& input, const std::string& cull) {
+    return written(fmt::format("{}_{}.graph.json", input, cull),
+                   fmt::format(R"({{ "patina": 1, "workflow": "metallic-roughness",
+  "lighting": {{ "direct": [0, 0, 0], "final": "@surface.normal_ws" }},
+  "surface": {{ "{}": [0.48, 0.6, 0.64] }}, "render": {{ "cull": "{}" }} }})",
+                               input, cull));
+}
+
+struct Case {
+    const char* what;
+    glm::dmat4 object_to_world;
+};
+const glm::dmat4 kTurned = glm::rotate(glm::dmat4(1), 0.5, glm::normalize(glm::dvec3(1, 2, 0.5)));
+const Case kCases[] = {
+    {"as it is", glm::dmat4(1)}, {"turned", kTurned}, {"stretched", glm::scale(kTurned, glm::dvec3(2, 0.5, 3))}};
+
+// The normal in the world, of the side that the mesh's own normal points out of.
+glm::dvec3 in_world(const std::string& input, const glm::dmat4& object_to_world) {
+    const glm::dmat3 linear(object_to_world);
+    const auto of_normal = [&](const glm::dvec3& n) {
+        return glm::normalize(glm::transpose(glm::inverse(linear)) * n);
+    };
+    if (input == "normal_ws") return kGiven;
+    if (input == "normal_os") return of_normal(kGiven);
+    const glm::dvec3 along_u = glm::normalize(linear * glm::dvec3(1, 0, 0)), normal = of_normal({0, 0, 1});
+    // In the plane, square to u, on the side that is up in the picture.
+    glm::dvec3 up = glm::cross(normal, along_u);
+    if (glm::dot(up, linear * glm::dvec3(0, 1, 0)) < 0) up = -up;
+    return glm::normalize(kGiven.x * along_u + kGiven.y * up + kGiven.z * normal);
+}
+
+TEST(NormalInputs, AreReadInTheirSpaceOnBothSides) {
+    for (const Case& each : kCases) {
+        const glm::dvec3 out = in_world("normal_ts", each.object_to_world);
+        for (const char* input : {"normal_ts", "normal_os", "normal_ws"}) {
+            for (const double side : {1.0, -1.0}) {
+                for (const char* via : {"glsl", "hlsl", "cpu"}) {
+                    SCOPED_TRACE(
+                        fmt::format("{}, {} from {}, {}", input, each.what, side > 0 ? "the front" : "behind", via));
+                    World world;
+                    world.view.width = world.view.height = 4;
+                    world.view.camera = {.position = glm::vec3(4 * side * out), .target = {0, 0, 0}, .fov = 2};
+                    add_object(world, graph(input, "off"), "plane", 1, glm::mat4(each.object_to_world));
+                    const Image image = draw(world, {.via = via, .exact_targets = true});
+                    // A normal of the world is taken as it is; the others are the sheet's, which shows its other side.
+                    const bool is_turned = side < 0 && input != std::string("normal_ws");
+                    const glm::dvec3 expected = in_world(input, each.object_to_world) * (is_turned ? -1.0 : 1.0);
+                    for (int c = 0; c < 3; ++c)
+                        EXPECT_NEAR(double(image.at(2, 2)[std::size_t(c)]), expected[c], 1e-5) << "channel " << c;
+                }
+            }
+        }
+    }
+}
+
+// Seen from one side alone, nothing is turned.
+TEST(NormalInputs, AreNotTurnedWhereOneSideIsSeen) {
+    for (const char* input : {"normal_ts", "normal_os"}) {
+        World world;
+        world.view.width = world.view.height = 4;
+        world.view.camera = {.position = {0, 0, 4}, .target = {0, 0, 0}, .fov = 2};
+        add_object(world, graph(input, "back"), "plane", 1, glm::mat4(1));
+        const Image image = draw(world, {.exact_targets = true});
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(double(image.at(2, 2)[std::size_t(c)]), kGiven[c], 1e-5) << input;
+    }
+}
+
+}  // namespace
+}  // namespace patina::paths

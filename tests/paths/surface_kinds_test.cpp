@@ -1,0 +1,151 @@
+// The example of every kind of surface, before a checkerboard: what each leaves of it, by the kind's blend equation and
+// by the light of a plane that is lit and seen along its normal. Through GLSL, HLSL and the CPU.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "paths/drawing.h"
+#include "runtime/environment.h"
+
+namespace patina::paths {
+namespace {
+
+constexpr int kPixels = 32, kSquares = 16;
+const glm::dvec3 kDark(0.02, 0.1, 0.3), kLight(0.9, 0.8, 0.5);
+const glm::dvec3 kSun(0.75, 0.5, 0.25);  // irradiance over pi, as lights are given
+
+std::string texture(const std::string& name, int width, int height,
+                    const std::function<glm::dvec4(int x, int y)>& color) {
+    Image image = runtime::make_image(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            for (int c = 0; c < 4; ++c) image.at(x, y)[std::size_t(c)] = float(color(x, y)[c]);
+    const std::string path = written(name, "");
+    EXPECT_EQ(runtime::save_exr(path, image), "");
+    return path;
+}
+
+// Seen in parallel: a surface from -1 to 1 fills the picture, and the board, twice as large, lies a metre behind it.
+World before_a_checkerboard(const std::string& graph, std::map<std::string, std::string> overrides) {
+    World world;
+    world.view.width = world.view.height = kPixels;
+    world.view.background = glm::vec4(0);
+    world.view.camera = {.position = {0, 0, 4}, .target = {0, 0, 0}, .orthographic_height = 2};
+    static const auto kNothingAround =
+        std::make_shared<const runtime::Environment>(runtime::constant_ambient(glm::vec3(0)));
+    world.view.ambient = runtime::constant_ambient(glm::vec3(0));
+    world.view.environment = kNothingAround;
+    world.view.lights = {{.direction = {0, 0, 1}, .color = glm::vec3(kSun)}};
+    const std::string board = written("board.graph.json", R"({ "patina": 1, "workflow": "unlit", "properties": [
+  { "name": "_MainTex", "type": "texture2d", "usage": "data", "sampler": { "filter": "nearest" } }
+], "nodes": [ { "id": "main", "node": "SampleTexture2D", "in": { "texture": "$_MainTex" } } ],
+"surface": { "color": "main.rgb" } })");
+    const std::string squares = texture("squares.exr", kSquares, kSquares,
+                                        [](int x, int y) { return glm::dvec4((x + y) % 2 == 0 ? kDark : kLight, 1); });
+    add_object(world, board, "plane", 1, glm::scale(glm::translate(glm::mat4(1), {0, 0, -1}), glm::vec3(2)),
+               {{"_MainTex", squares}});
+    add_object(world, graph, "plane", 1, glm::mat4(1), std::move(overrides));
+    return world;
+}
+
+glm::dvec2 uv_of(int x, int y) {
+    return {(x + 0.5) / kPixels, (y + 0.5) / kPixels};
+}
+// The picture shows the middle half of the board.
+glm::dvec3 behind(int x, int y) {
+    const glm::dvec2 square = glm::floor((0.25 + 0.5 * uv_of(x, y)) * double(kSquares));
+    return (int(square.x) + int(square.y)) % 2 == 0 ? kDark : kLight;
+}
+
+// Where n, l, v and h are one direction: Disney's diffuse term is 1, Smith's visibility term 1/4, GGX 1 / (pi a^2), and
+// Fresnel's is f0, which is 0.04.
+constexpr double kF0 = 0.04;
+double highlight(double smoothness) {
+    const double alpha = (1 - smoothness) * (1 - smoothness);
+    return kF0 / (4 * alpha * alpha);
+}
+glm::dvec3 scattered(const glm::dvec3& color) {
+    return color * (1 - kF0) * kSun;
+}
+
+void expect_picture(const std::string& graph, const std::map<std::string, std::string>& overrides,
+                    const std::function<glm::dvec3(int x, int y)>& expected, double tolerance = 1e-3) {
+    for (const char* via : {"glsl", "hlsl", "cpu"}) {
+        SCOPED_TRACE(fmt::format("{} via {}", graph, via));
+        const Image image =
+            draw(before_a_checkerboard(graph, overrides), {.via = via, .exact_textures = true, .exact_targets = true});
+        for (int y = 0; y < kPixels; ++y)
+            for (int x = 0; x < kPixels; ++x)
+                for (int c = 0; c < 3; ++c) {
+                    const double wanted = expected(x, y)[c];
+                    ASSERT_NEAR(double(image.at(x, y)[std::size_t(c)]), wanted, tolerance * std::max(1.0, wanted))
+                        << "pixel (" << x << ", " << y << "), channel " << c;
+                }
+    }
+}
+
+TEST(SurfaceKinds, OpaqueCoversWithLightBrighterThanWhite) {
+    const auto emission = [](int x, int y) {
+        const double v = uv_of(x, y).y * 7, from_tube = std::abs(v - std::floor(v) - 0.5);
+        const double t = std::clamp((from_tube - 0.06) / 0.04, 0.0, 1.0), tube = 1 - t * t * (3 - 2 * t);
+        const double spill = 0.12 * (1 - 2 * from_tube) * (1 - 2 * from_tube);
+        return glm::dvec3(4, 0.12, 0.5) * (tube + spill) + highlight(0.6) * kSun;
+    };
+    EXPECT_GT(emission(0, 2).r, 4) << "some row of pixels lies in a tube";
+    expect_picture("examples/surfaces/neon.graph.json", {{"_Color", "0,0,0"}}, emission);
+}
+
+// Four by two tiles, the left half of each a white leaf and the right half below the cut-off.
+TEST(SurfaceKinds, CutoutCoversWhereItIsNotCut) {
+    const std::string leaf =
+        texture("leaf.exr", 64, 2, [](int x, int) { return glm::dvec4(1, 1, 1, x < 32 ? 0.75 : 0.25); });
+    const std::string flat = texture("flat.exr", 1, 1, [](int, int) { return glm::dvec4(0.5, 0.5, 1, 1); });
+    expect_picture("examples/graphs/ivy.graph.json", {{"_MainTex", leaf}, {"_BumpMap", flat}}, [](int x, int y) {
+        return x % 8 < 4 ? scattered(glm::dvec3(1)) + highlight(0.55) * kSun : behind(x, y);
+    });
+}
+
+TEST(SurfaceKinds, FadeTakesAllOfItByItsAlpha) {
+    for (const double alpha : {0.0, 0.35, 1.0})
+        expect_picture("examples/surfaces/ghost.graph.json",
+                       {{"_Color", fmt::format("0.8,0.4,0.2,{}", alpha)}, {"_Glossiness", "0.5"}}, [&](int x, int y) {
+                           const glm::dvec3 own = scattered({0.8, 0.4, 0.2}) + highlight(0.5) * kSun;
+                           return alpha * own + (1 - alpha) * behind(x, y);
+                       });
+}
+
+// Even where it scatters nothing it mirrors, and hides as much of the board as it mirrors of what is before it.
+TEST(SurfaceKinds, TransparentKeepsItsHighlight) {
+    for (const double alpha : {0.0, 0.15, 1.0})
+        expect_picture("examples/surfaces/glass_pane.graph.json",
+                       {{"_Color", fmt::format("0.8,0.4,0.2,{}", alpha)}, {"_Glossiness", "0.5"}}, [&](int x, int y) {
+                           const glm::dvec3 own = alpha * scattered({0.8, 0.4, 0.2}) + highlight(0.5) * kSun;
+                           return own + (1 - alpha) * (1 - kF0) * behind(x, y);
+                       });
+}
+
+TEST(SurfaceKinds, AdditiveAddsItsLight) {
+    expect_picture("examples/surfaces/halo.graph.json", {{"_EmissionColor", "2,1,0.5"}}, [](int x, int y) {
+        const double inside = std::max(0.0, 1 - 2 * glm::length(uv_of(x, y) - glm::dvec2(0.5)));
+        return behind(x, y) + inside * inside * glm::dvec3(2, 1, 0.5);
+    });
+}
+
+TEST(SurfaceKinds, MultiplyTakesItsShare) {
+    const std::map<std::string, std::string> even = {{"_Uneven", "0"}, {"_Color", "0.5,0.25,0.125"}};
+    expect_picture("examples/surfaces/stain.graph.json", even, [](int x, int y) {
+        const auto step = [](double from, double to, double value) {
+            const double t = std::clamp((value - from) / (to - from), 0.0, 1.0);
+            return t * t * (3 - 2 * t);
+        };
+        const double radius = glm::length(uv_of(x, y) - glm::dvec2(0.5));
+        const double ring = 1 - step(0.015, 0.05, std::abs(radius - 0.38)), inside = 1 - step(0.36, 0.40, radius);
+        return behind(x, y) *
+               glm::mix(glm::dvec3(1), glm::dvec3(0.5, 0.25, 0.125), std::min(0.35 * inside + ring, 1.0));
+    });
+}
+
+}  // namespace
+}  // namespace patina::paths
