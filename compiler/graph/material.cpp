@@ -175,6 +175,7 @@ void bind_variant(Session& session, Material& material, const Property& property
             .report(Code::TypeMismatch, input->value_span, fmt::format("'{}'", keyword->property->name),
                     told_values(*keyword->property), told_values(property))
             .note(keyword->property->name_span, "it is declared here");
+        material.variants[&property] = property.value[0];
         return;
     }
     Property bound = property;

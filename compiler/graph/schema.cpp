@@ -64,7 +64,7 @@ std::vector<SchemaRow> make_rows(const SchemaInput& input) {
         {Free, "passes", list_of("pass")},
         {ExtraPass, "name", text(kIdentifier)},
         {Free, "variants",
-         R"({"type":"array","items":{"type":"object","additionalProperties":{"type":["boolean","string"]}}})"},
+         R"({"type":"array","items":{"type":"object","additionalProperties":{"anyOf":[{"type":"boolean"},{"type":"string"}]}}})"},
         {Free, "outputs", text(kNamedValues)},
         {Free, "direct", reference("value")},
         {Free, "indirect", reference("value")},

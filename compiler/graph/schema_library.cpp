@@ -4,6 +4,7 @@
 namespace patina::graph {
 namespace {
 
+constexpr std::string_view kProperty = "^\\$[A-Za-z_][A-Za-z0-9_]*$";
 constexpr std::string_view kFilePattern = "^(\\.\\.?)?/";
 
 // If `key` is `word`, the object must also be `schema`.
@@ -33,7 +34,8 @@ std::string port_schema(const PortInfo& port) {
     }
     std::vector<std::string> words;
     for (const EnumeratorInfo& enumerator : port.enumerators) words.push_back(quoted(enumerator.name));
-    return object({{"enum", list(words)}, {"description", quoted(describe_port(port))}});
+    return object({{"anyOf", list({object({{"enum", list(words)}}), pattern(kProperty, "an enum of such words")})},
+                   {"description", quoted(describe_port(port))}});
 }
 
 // The first paragraph says what a node is for; an editor's box has no room for more.

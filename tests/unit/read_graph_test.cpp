@@ -419,14 +419,6 @@ TEST(ReadGraphErrors, Properties) {
     });
 }
 
-TEST(ReadGraphErrors, WhatCannotBeCompiledYet) {
-    check({
-        {R"("properties":[{"name":"a","type":"bool","as":^"variant"}])", "\"as\": \"variant\" cannot be compiled yet"},
-        {R"("properties":[{"name":"a","type":"bool","as":^"specialization"}])",
-         "\"as\": \"specialization\" cannot be compiled yet"},
-    });
-}
-
 TEST(ReadGraphErrors, Files) {
     EXPECT_EQ(complaint("^[]"), "a graph must be an object, not an array of 0");
     EXPECT_EQ(complaint(R"(^{"workflow":"unlit"})"),

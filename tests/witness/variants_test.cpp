@@ -317,7 +317,7 @@ std::string disguised(const std::string& text, unsigned seed) {
             if (node.HasMember(key)) rename_values(node[key], names, document);
         }
     }
-    for (const char* key : {"surface", "vertex", "lighting"}) {
+    for (const char* key : {"surface", "vertex", "lighting", "passes"}) {
         if (document.HasMember(key)) rename_values(document[key], names, document);
     }
     std::mt19937 dice(seed);
