@@ -40,7 +40,8 @@ std::vector<std::string> property_names(const Reflection& reflection);
 
 // The variants that the compiler must be told of, because the material was compiled for other values: as
 // CompileOptions::switches.
-std::vector<std::pair<std::string, std::string>> variants_of(const Reflection& reflection, const MaterialValues& values);
+std::vector<std::pair<std::string, std::string>> variants_of(const Reflection& reflection,
+                                                             const MaterialValues& values);
 
 // Of the specialization constant `id`: a bool as 0 or 1, an enum as its index.
 struct ConstantValue {
