@@ -137,7 +137,8 @@ EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations&
     return made;
 }
 
-std::vector<PropertyGlobals> declare_material(const Material& material, ir::Module& module) {
+std::vector<PropertyGlobals> declare_material(const Material& material, ir::Module& module,
+                                              std::optional<std::uint32_t> instances) {
     std::vector<PropertyGlobals> globals;
     module.blocks.push_back({.name = "Material", .set = kMaterialSet, .slot = 0, .size = 0, .members = {}});
     const auto block = static_cast<std::uint32_t>(module.blocks.size() - 1);
@@ -146,7 +147,11 @@ std::vector<PropertyGlobals> declare_material(const Material& material, ir::Modu
         const Property& property = *entry.property;
         PropertyGlobals& made = globals.emplace_back();
         if (property.type != PropertyType::Texture2D) {
-            made.value = add_block_global(module, block, property.name, property_type(property.type), property.span);
+            const bool is_of_instance = instances && property.binding == Binding::Instance;
+            made.value = add_block_global(module, is_of_instance ? *instances : block, property.name,
+                                          property_type(property.type), property.span);
+            // Whatever block it is in, the name is the artist's.
+            module.globals[made.value.index].set = kMaterialSet;
             continue;
         }
         made.texture = add_resource(module, property.name, ir::Kind::Texture2D, kMaterialSet, slot, property.span);

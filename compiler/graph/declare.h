@@ -35,8 +35,9 @@ struct EngineGlobals {
 };
 EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations& declarations,
                              nodelang::Emitter& emitter, std::span<const std::string_view> on = {});
-// One entry per Material::properties.
-std::vector<PropertyGlobals> declare_material(const Material& material, ir::Module& module);
+// One entry per Material::properties. `instances`: the block of those that each instance has; nothing: the material's.
+std::vector<PropertyGlobals> declare_material(const Material& material, ir::Module& module,
+                                              std::optional<std::uint32_t> instances = {});
 
 // Appends a member at the next offset that both layouts accept.
 void add_member(ir::UniformBlock& block, const ir::Module& module, std::string name, ir::Type type);

@@ -53,7 +53,7 @@ struct SamplerState {
 };
 
 // When a property gets its value.
-enum class Binding { Uniform, Specialization, Variant };
+enum class Binding { Uniform, Specialization, Variant, Instance };
 
 struct Property {
     std::string name;

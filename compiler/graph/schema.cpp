@@ -78,7 +78,7 @@ std::vector<SchemaRow> make_rows(const SchemaInput& input) {
         {Free, "range", text(kRange)},
         {Free, "hard", text(kBoolean)},
         {Input, "as", R"({"type":"string","pattern":"^="})"},
-        {Free, "as", R"({"enum":["uniform"]})"},
+        {Free, "as", R"({"enum":["uniform","instance"]})"},
         {Free, "gives", text(kIdentifier)},
         {Free, "tiling", text(kBoolean)},
         {Free, "sampler", reference("sampler")},
@@ -190,7 +190,8 @@ Members make_definitions(const SchemaInput& input) {
     for (const auto& [name, kind] :
          {std::pair("scene", Scene), std::pair("camera", Camera), std::pair("ambient", Ambient), std::pair("fog", Fog),
           std::pair("mixedLighting", MixedLighting), std::pair("light", Light), std::pair("shadow", Shadow),
-          std::pair("sceneMaterial", SceneMaterial), std::pair("sceneObject", SceneObject)}) {
+          std::pair("sceneMaterial", SceneMaterial), std::pair("sceneObject", SceneObject),
+          std::pair("sceneInstance", SceneInstance)}) {
         definitions.emplace_back(name, object(object_schema(rows, kind)));
     }
     add_port_definitions(definitions, input.nodes);

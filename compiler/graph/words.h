@@ -59,6 +59,7 @@ inline constexpr std::array kBindings = {
     Word<Binding>{"uniform", Binding::Uniform},
     Word<Binding>{"specialization", Binding::Specialization, true},
     Word<Binding>{"variant", Binding::Variant},
+    Word<Binding>{"instance", Binding::Instance},
 };
 
 inline constexpr std::array kWraps = {
