@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 
 #include "runtime/vertex_inputs.h"
@@ -16,13 +17,18 @@ void append_attribute(const Vertex& vertex, const VertexSource& source, unsigned
     out.insert(out.end(), numbers, numbers + std::min(components, 4u));
 }
 
+bool is_instance(const StageValue& input) {
+    return input.is_builtin && input.name == "instance_index";
+}
+
 }  // namespace
 
-Outcome<std::vector<ClipVertex>> run_vertices(Interpreter& stage, const Mesh& mesh) {
-    std::vector<const VertexSource*> sources;
+Outcome<std::vector<ClipVertex>> run_vertices(Interpreter& stage, const Mesh& mesh, std::uint32_t instance) {
+    std::vector<const VertexSource*> sources;  // null: the instance
     for (const StageValue& input : stage.inputs()) {
-        sources.push_back(vertex_source(input.name));
-        if (!sources.back()) return Failure{"the preview meshes have no vertex input '" + input.name + "'"};
+        sources.push_back(is_instance(input) ? nullptr : vertex_source(input.name));
+        if (!sources.back() && !is_instance(input))
+            return Failure{"the preview meshes have no vertex input '" + input.name + "'"};
     }
     std::vector<ClipVertex> result;
     for (std::size_t first = 0; first < mesh.vertices.size(); first += 4) {
@@ -30,8 +36,12 @@ Outcome<std::vector<ClipVertex>> run_vertices(Interpreter& stage, const Mesh& me
         QuadInputs quad;
         for (std::size_t lane = 0; lane < 4; lane++) {
             const Vertex& vertex = mesh.vertices[first + std::min(lane, count - 1)];
-            for (std::size_t i = 0; i < sources.size(); i++)
-                append_attribute(vertex, *sources[i], stage.inputs()[i].components, quad.lanes[lane]);
+            for (std::size_t i = 0; i < sources.size(); i++) {
+                if (sources[i])
+                    append_attribute(vertex, *sources[i], stage.inputs()[i].components, quad.lanes[lane]);
+                else
+                    quad.lanes[lane].push_back(instance);
+            }
         }
         QuadOutputs outputs = stage.run(quad);
         for (std::size_t lane = 0; lane < count; lane++) {
@@ -54,8 +64,12 @@ Outcome<std::vector<ClipVertex>> run_vertices(Interpreter& stage, const Mesh& me
 std::vector<TracedValue> trace_vertex(Interpreter& stage, const Vertex& vertex) {
     QuadInputs quad;
     for (std::vector<double>& lane : quad.lanes) {
-        for (const StageValue& input : stage.inputs())
-            append_attribute(vertex, *vertex_source(input.name), input.components, lane);
+        for (const StageValue& input : stage.inputs()) {
+            if (is_instance(input))
+                lane.push_back(0);
+            else
+                append_attribute(vertex, *vertex_source(input.name), input.components, lane);
+        }
     }
     return stage.trace(quad, 0);
 }
@@ -63,7 +77,8 @@ std::vector<TracedValue> trace_vertex(Interpreter& stage, const Vertex& vertex) 
 Outcome<std::vector<InputSource>> fragment_sources(const Interpreter& vertex, const Interpreter& fragment) {
     std::vector<InputSource> result;
     for (const StageValue& input : fragment.inputs()) {
-        InputSource source{.components = input.components};
+        InputSource source{.kind = input.is_flat ? InputSource::Kind::Flat : InputSource::Kind::Varying,
+                           .components = input.components};
         if (input.is_builtin) {
             if (input.name == "front_facing")
                 source.kind = InputSource::Kind::FrontFacing;
@@ -101,6 +116,10 @@ void gather_inputs(const std::vector<InputSource>& sources, const ScreenTriangle
                     out.insert(out.end(), coord, coord + std::min(source.components, 4u));
                     break;
                 }
+                case InputSource::Kind::Flat:  // the same at all corners, where clipping made some of them too
+                    for (unsigned c = 0; c < source.components; c++)
+                        out.push_back(std::round(triangle.corners[0].varyings[source.offset + c]));
+                    break;
                 case InputSource::Kind::Varying:
                     for (unsigned c = 0; c < source.components; c++) {
                         double value = 0;

@@ -15,14 +15,14 @@
 
 namespace patina::runtime {
 
-// In the mesh's order; varyings are the stage's outputs but the position, end to end.
-Outcome<std::vector<ClipVertex>> run_vertices(Interpreter& stage, const Mesh& mesh);
+// In the mesh's order; varyings are the stage's outputs but the position, end to end. `instance`: which one is drawn.
+Outcome<std::vector<ClipVertex>> run_vertices(Interpreter& stage, const Mesh& mesh, std::uint32_t instance = 0);
 // One vertex of a mesh that run_vertices() took.
 std::vector<TracedValue> trace_vertex(Interpreter& stage, const Vertex& vertex);
 
 // Where a fragment input comes from.
 struct InputSource {
-    enum class Kind { Varying, FrontFacing, FragCoord } kind = Kind::Varying;
+    enum class Kind { Varying, Flat, FrontFacing, FragCoord } kind = Kind::Varying;
     std::size_t offset = 0;  // in ClipVertex::varyings
     unsigned components = 1;
 };

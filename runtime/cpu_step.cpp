@@ -192,9 +192,12 @@ Outcome<CpuStep> make_cpu_step(const Frame& frame, const FrameStep& step, std::v
     Outcome<std::vector<InputSource>> sources = fragment_sources(vertex, fragment);
     if (!sources) return Failure{sources.error};
     made.sources = std::move(sources.value);
-    Outcome<std::vector<ClipVertex>> vertices = run_vertices(vertex, *step.mesh);
-    if (!vertices) return Failure{vertices.error};
-    made.triangles = visible_triangles(step, area, made.state.cull, vertices.value);
+    for (std::uint32_t instance = 0; instance < step.instances; instance++) {
+        Outcome<std::vector<ClipVertex>> vertices = run_vertices(vertex, *step.mesh, instance);
+        if (!vertices) return Failure{vertices.error};
+        for (CpuTriangle& triangle : visible_triangles(step, area, made.state.cull, vertices.value))
+            made.triangles.push_back(std::move(triangle));
+    }
     return made;
 }
 

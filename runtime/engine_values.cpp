@@ -151,14 +151,17 @@ const Light* cookie_light(std::span<const SeenLight> lights) {
     return found == lights.end() ? nullptr : found->light;
 }
 
+std::map<std::string, EngineValue> object_values(const glm::mat4& object_to_world) {
+    return {{"object_to_world", matrix(object_to_world)}, {"world_to_object", matrix(glm::inverse(object_to_world))}};
+}
+
 std::map<std::string, EngineValue> engine_values(const EngineScene& seen) {
     Values values;
     add_camera(values, seen.view);
     add_frame(values, *seen.scene);
     add_lights(values, seen);
     add_shadow_maps(values, seen.shadow_maps, seen.shadow_atlas_size);
-    values["object_to_world"] = matrix(seen.object_to_world);
-    values["world_to_object"] = matrix(glm::inverse(seen.object_to_world));
+    values.merge(object_values(seen.object_to_world));
     values["lightmap_decode"] = vector(seen.lightmap_decode);
 
     EngineValue ambient{4, {}};

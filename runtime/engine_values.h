@@ -28,11 +28,20 @@ struct SeenLight {
     int shadow_map = -1;    // index into EngineScene::shadow_maps; -1: it throws no shadow here
 };
 
+struct MaterialValues;  // material_values.h
+
+// An object of those that one draw draws.
+struct SeenInstance {
+    glm::mat4 object_to_world{1};
+    const MaterialValues* values = nullptr;  // null: the material's
+};
+
 // What one draw is told of its surroundings.
 struct EngineScene {
     const Scene* scene = nullptr;  // time, size and fog are its
     View view{};
     glm::mat4 object_to_world{1};
+    std::vector<SeenInstance> instances{};   // of a material that has some; empty: one at `object_to_world`
     std::vector<SeenLight> lights{};         // at most kMostLights count
     std::vector<SeenLight> vertex_lights{};  // at most kMostVertexLights count
     SphericalHarmonics ambient{};
@@ -51,6 +60,9 @@ struct EngineScene {
 // cast shadows have one each, in the scene's order), main_light (slot of the light that subtractive lightmaps hold,
 // or -1), shadow_color, shadow_fade (scale and offset of ShadowFade). Ambient: ambient_sh.
 std::map<std::string, EngineValue> engine_values(const EngineScene& seen);
+
+// What an object's place says: object_to_world, world_to_object.
+std::map<std::string, EngineValue> object_values(const glm::mat4& object_to_world);
 
 // Of a single draw: all lights, those that are directional first, the main one at their head; no shadow map.
 std::map<std::string, EngineValue> engine_values(const Scene& scene);

@@ -55,6 +55,7 @@ struct FrameStep {
     const Pass* pass = nullptr;  // of `reflection`
     StagePair stages{};
     const Mesh* mesh = nullptr;
+    std::uint32_t instances = 1;  // of the mesh, in one draw
     std::vector<BlockBytes> blocks{};
     std::vector<ConstantValue> constants{};
     std::span<const LoadedTexture> textures{};

@@ -171,6 +171,7 @@ void FrameBuilder::add(PlannedStep planned) {
                    .pass = &pass,
                    .stages = material.passes.at(pass.name).stages,
                    .mesh = planned.mesh,
+                   .instances = std::uint32_t(std::max<std::size_t>(planned.seen.instances.size(), 1)),
                    .blocks = fill_blocks(*material.reflection, material.values, planned.seen),
                    .constants = constants_of(*material.reflection, material.values),
                    .textures = textures_of(planned),

@@ -97,6 +97,8 @@ struct PlannedObject {
     std::size_t index = 0;  // in the world
     Passes passes{};        // one of groups_of()
     bool is_extra = false;  // which a material adds
+    glm::mat4 object_to_world{1};
+    std::vector<SeenInstance> instances{};  // that are drawn at once
     Sphere bounds{};
     LightSplit split{};
 };
@@ -135,6 +137,7 @@ private:
     std::size_t material_of(const PlannedObject& object) const { return world_.objects[object.index].material; }
     const Reflection& reflection_of(const PlannedObject& object) const { return reflection_of(material_of(object)); }
 
+    std::vector<std::vector<SeenInstance>> draws_of(std::size_t object) const;
     void place_objects();
     void find_shadow_maps();
     void draw_shadow_maps();
@@ -170,21 +173,44 @@ private:
     std::string error_{};
 };
 
+// The instances of an object, by draw: as many at once as its material takes.
+std::vector<std::vector<SeenInstance>> Planner::draws_of(std::size_t object) const {
+    const WorldObject& shape = world_.objects[object];
+    const std::size_t most = std::max<std::size_t>(reflection_of(shape.material).most_instances, 1);
+    std::vector<std::vector<SeenInstance>> draws;
+    if (shape.instances.empty()) draws.push_back({SeenInstance{.object_to_world = shape.object_to_world}});
+    for (std::size_t i = 0; i < shape.instances.size(); i++) {
+        SeenInstance instance{.object_to_world = shape.instances[i].object_to_world};
+        if (object < options_.instance_values.size() && i < options_.instance_values[object].size())
+            instance.values = &options_.instance_values[object][i];
+        if (i % most == 0) draws.emplace_back();
+        draws.back().push_back(instance);
+    }
+    return draws;
+}
+
 void Planner::place_objects() {
     std::set<std::size_t> used;
     for (std::size_t i = 0; i < world_.objects.size(); i++) {
         const WorldObject& object = world_.objects[i];
         const Reflection& reflection = reflection_of(object.material);
-        for (Passes& passes : groups_of(reflection)) {
-            const bool is_extra = !passes.empty() && passes.front()->is_extra;
-            const std::optional<Bounds>& drawn = is_extra ? passes.front()->bounds : reflection.bounds;
-            Sphere bounds = world_bounds(*object.mesh, object.object_to_world, drawn);
-            LightSplit split = split_lights(scene_.lights, bounds, world_.pixel_light_count);
-            objects_.push_back({.index = i,
-                                .passes = std::move(passes),
-                                .is_extra = is_extra,
-                                .bounds = bounds,
-                                .split = std::move(split)});
+        for (const std::vector<SeenInstance>& together : draws_of(i)) {
+            for (Passes& passes : groups_of(reflection)) {
+                const bool is_extra = !passes.empty() && passes.front()->is_extra;
+                const std::optional<Bounds>& drawn = is_extra ? passes.front()->bounds : reflection.bounds;
+                std::vector<Sphere> spheres;
+                for (const SeenInstance& instance : together)
+                    spheres.push_back(world_bounds(*object.mesh, instance.object_to_world, drawn));
+                Sphere bounds = spheres.size() == 1 ? spheres.front() : bounds_of(spheres);
+                LightSplit split = split_lights(scene_.lights, bounds, world_.pixel_light_count);
+                objects_.push_back({.index = i,
+                                    .passes = std::move(passes),
+                                    .is_extra = is_extra,
+                                    .object_to_world = together.front().object_to_world,
+                                    .instances = together,
+                                    .bounds = bounds,
+                                    .split = std::move(split)});
+            }
         }
         used.insert(object.material);
     }
@@ -199,12 +225,14 @@ void Planner::find_shadow_maps() {
         if (planned.is_extra) continue;
         const Reflection& reflection = reflection_of(planned);
         const WorldObject& object = world_.objects[planned.index];
-        objects.push_back({.mesh = object.mesh.get(),
-                           .object_to_world = object.object_to_world,
-                           .casts = std::any_of(reflection.passes.begin(), reflection.passes.end(), is_shadow_pass),
-                           .moves_vertices = reflection.moves_vertices,
-                           .bounds = reflection.bounds});
-        has_casters |= objects.back().casts;
+        for (const SeenInstance& instance : planned.instances) {
+            objects.push_back({.mesh = object.mesh.get(),
+                               .object_to_world = instance.object_to_world,
+                               .casts = std::any_of(reflection.passes.begin(), reflection.passes.end(), is_shadow_pass),
+                               .moves_vertices = reflection.moves_vertices,
+                               .bounds = reflection.bounds});
+            has_casters |= objects.back().casts;
+        }
     }
     if (!has_casters) return;
     for (std::size_t i = 0; i < scene_.lights.size(); i++) {
@@ -241,7 +269,8 @@ void Planner::draw_shadow_maps() {
                 if (attenuation_within(scene_.lights[light], object.bounds) <= 0) continue;
                 EngineScene seen = seen_with({light});
                 seen.view = shadow_maps_[map].view;
-                seen.object_to_world = world_.objects[object.index].object_to_world;
+                seen.object_to_world = object.object_to_world;
+                seen.instances = object.instances;
                 builder_.add({.material = material_of(object),
                               .pass = pass,
                               .mesh = world_.objects[object.index].mesh.get(),
@@ -342,7 +371,8 @@ void Planner::draw_object(const PlannedObject& object, const Pass& pass, Phase p
     const WorldObject& shape = world_.objects[object.index];
     auto add = [&](const std::vector<std::size_t>& lights) {
         EngineScene seen = seen_with(lights);
-        seen.object_to_world = shape.object_to_world;
+        seen.object_to_world = object.object_to_world;
+        seen.instances = object.instances;
         if (pass.lights == "main") {
             for (std::size_t i : object.split.vertex)
                 seen.vertex_lights.push_back({.light = &scene_.lights[i], .index = i});

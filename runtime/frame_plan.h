@@ -51,6 +51,9 @@ struct FrameOptions {
     // For each object of the world its textures of the engine ("lightmap_texture", "shadow_mask_texture"); may be
     // shorter. Missing ones are white, and an object without a lightmap has no baked light.
     std::span<const std::vector<LoadedTexture>> object_textures{};
+    // For each object of the world the values of its instances; may be shorter. Those that are not there have the
+    // material's.
+    std::span<const std::vector<MaterialValues>> instance_values{};
 };
 
 // `materials`: one for each of the world, in its order. An error names the material and its pass.

@@ -179,7 +179,7 @@ void Recorder::draw(const FrameStep& step, const ReadyStep& ready) {
     const FrameData::MeshPlace& mesh = ready_.data.meshes.at(step.mesh);
     vkCmdBindVertexBuffers(commands_, 0, 1, &buffer, &mesh.vertices);
     vkCmdBindIndexBuffer(commands_, buffer, mesh.indices, VK_INDEX_TYPE_UINT32);
-    vkCmdDrawIndexed(commands_, std::uint32_t(step.mesh->indices.size()), 1, 0, 0, 0);
+    vkCmdDrawIndexed(commands_, std::uint32_t(step.mesh->indices.size()), step.instances, 0, 0, 0);
 }
 
 }  // namespace

@@ -168,13 +168,40 @@ std::optional<Numbers> material_number(const BlockMember& member, const std::str
     return std::nullopt;
 }
 
+// What the instances have at a member of a block, one after the other.
+EngineValue instance_numbers(const BlockMember& member, const std::string& block, const Reflection& reflection,
+                             const MaterialValues& values, std::span<const SeenInstance> instances,
+                             const std::map<std::string, EngineValue>& engine) {
+    EngineValue all{.per_vector = 4, .numbers = {}};
+    for (const SeenInstance& instance : instances) {
+        if (const std::optional<Numbers> own =
+                material_number(member, block, reflection, instance.values ? *instance.values : values)) {
+            all.numbers.insert(all.numbers.end(), own->begin(), own->end());
+            continue;
+        }
+        const std::map<std::string, EngineValue> placed = object_values(instance.object_to_world);
+        for (const std::map<std::string, EngineValue>* from : {&placed, &engine}) {
+            const auto found = from->find(member.name);
+            if (found == from->end()) continue;
+            all.per_vector = found->second.per_vector;
+            all.numbers.insert(all.numbers.end(), found->second.numbers.begin(), found->second.numbers.end());
+            break;
+        }
+    }
+    return all;
+}
+
 std::vector<BlockBytes> fill_with(const Reflection& reflection, const MaterialValues& values,
+                                  std::span<const SeenInstance> instances,
                                   const std::map<std::string, EngineValue>& engine) {
     std::vector<BlockBytes> result;
     for (const Block& block : reflection.blocks) {
         BlockBytes filled{.name = block.name, .bytes = std::vector<std::byte>(block.size)};
         for (const BlockMember& member : block.members) {
-            if (block.is_material) {
+            if (member.is_of_instance) {
+                const EngineValue all = instance_numbers(member, block.name, reflection, values, instances, engine);
+                write(filled.bytes, member, all.numbers, all.per_vector);
+            } else if (block.is_material) {
                 std::optional<Numbers> numbers = material_number(member, block.name, reflection, values);
                 if (numbers) write(filled.bytes, member, *numbers, 4);
             } else if (auto found = engine.find(member.name); found != engine.end()) {
@@ -257,12 +284,15 @@ std::vector<ConstantValue> constants_of(const Reflection& reflection, const Mate
 }
 
 std::vector<BlockBytes> fill_blocks(const Reflection& reflection, const MaterialValues& values, const Scene& scene) {
-    return fill_with(reflection, values, engine_values(scene));
+    const SeenInstance alone{.object_to_world = scene.object_to_world};
+    return fill_with(reflection, values, std::span(&alone, 1), engine_values(scene));
 }
 
 std::vector<BlockBytes> fill_blocks(const Reflection& reflection, const MaterialValues& values,
                                     const EngineScene& seen) {
-    return fill_with(reflection, values, engine_values(seen));
+    const SeenInstance alone{.object_to_world = seen.object_to_world};
+    return fill_with(reflection, values, seen.instances.empty() ? std::span(&alone, 1) : std::span(seen.instances),
+                     engine_values(seen));
 }
 
 }  // namespace patina::runtime

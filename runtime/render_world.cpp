@@ -83,6 +83,8 @@ private:
         for (std::size_t i = 0; i < variants_.size(); ++i) compile(i);
         load_object_textures();
         if (!ok_) return;
+        give_instance_values();
+        if (!ok_) return;
         for (const auto& material : compiled_) drawn_.push_back(drawn_material(*material));
     }
 
@@ -114,7 +116,8 @@ private:
                            .shadow_atlas_size = options_.shadow_atlas_size,
                            .exact = options_.exact_targets,
                            .shown_format = options_.stated_formats ? "" : "rgba32f",
-                           .object_textures = object_textures_});
+                           .object_textures = object_textures_,
+                           .instance_values = instance_values_});
     }
 
     bool on_cpu() const { return options_.via == "cpu"; }
@@ -298,6 +301,31 @@ private:
         return made.loaded.errors.empty();
     }
 
+    // The material's values, but for those that an instance has itself.
+    void give_instance_values() {
+        instance_values_.resize(spread_.objects.size());
+        for (std::size_t i = 0; i < spread_.objects.size(); ++i) {
+            const WorldObject& object = spread_.objects[i];
+            const Compiled& made = *compiled_[object.material];
+            const Reflection& reflection = made.result.reflection;
+            for (const WorldInstance& instance : object.instances) {
+                const SceneFaults faults = check_values(reflection, spread_.materials[object.material], instance);
+                report(faults.diagnostics);
+                ok_ &= faults.ok;
+                if (!faults.ok) continue;
+                const Outcome<MaterialValues> own = material_values(reflection, instance.overrides);
+                if (!own) {
+                    ok_ = false;
+                    outcome_.error = object.name + ": " + own.error;
+                    return;
+                }
+                MaterialValues& values = instance_values_[i].emplace_back(made.values);
+                for (const auto& [name, number] : own.value.numbers)
+                    if (instance.overrides.contains(name)) values.numbers[name] = number;
+            }
+        }
+    }
+
     // --- textures of objects
 
     void load_object_textures() {
@@ -392,6 +420,7 @@ private:
         }
         if (!image) return failed(image.error);
         outcome_.image = std::move(image.value);
+        outcome_.draws = frame.steps.size();
         outcome_.ok = true;
         return std::move(outcome_);
     }
@@ -408,7 +437,8 @@ private:
     std::vector<std::unique_ptr<Compiled>> compiled_{};  // one for each variant
     std::vector<DrawnMaterial> drawn_{};                 // in their order
     std::vector<std::vector<LoadedTexture>> object_textures_{};
-    std::map<std::string, Spirv> spirv_{};  // by text
+    std::vector<std::vector<MaterialValues>> instance_values_{};  // by object
+    std::map<std::string, Spirv> spirv_{};                        // by text
     std::set<std::string> said_{};
 };
 

@@ -44,6 +44,21 @@ SceneFaults check_values(const Reflection& reflection, const WorldMaterial& mate
     return faults;
 }
 
+SceneFaults check_values(const Reflection& reflection, const WorldMaterial& material, const WorldInstance& instance) {
+    SceneFaults faults = check_values(reflection, WorldMaterial{.graph = material.graph, .set = instance.set});
+    for (const SceneValue& value : instance.set) {
+        const auto property = std::find_if(reflection.properties.begin(), reflection.properties.end(),
+                                           [&](const Property& p) { return p.name == value.property; });
+        if (property == reflection.properties.end() || property->instance_stride > 0) continue;
+        faults.diagnostics.push_back(
+            diagnostic_at(value.property_place, "impossible-value",
+                          "'" + value.property + "' of '" + material.graph +
+                              "' has one value for all instances; \"as\": \"instance\" gives it one for each"));
+        faults.ok = false;
+    }
+    return faults;
+}
+
 const ScenePlace* place_of_value(const WorldMaterial& material, const std::string& property) {
     const auto found = std::find_if(material.set.begin(), material.set.end(),
                                     [&](const SceneValue& value) { return value.property == property; });

@@ -16,6 +16,8 @@ struct SceneFaults {
 
 // Of a material that no scene file holds: nothing.
 SceneFaults check_values(const Reflection& reflection, const WorldMaterial& material);
+// The same of an instance of an object, whose values only properties of instances can have.
+SceneFaults check_values(const Reflection& reflection, const WorldMaterial& material, const WorldInstance& instance);
 // Where the file gives the property its value; null if it does not.
 const ScenePlace* place_of_value(const WorldMaterial& material, const std::string& property);
 

@@ -30,12 +30,20 @@ enum class LightmapEncoding {
     DoubleLdr  // half of it; up to 2 in gamma space
 };
 
+// One of an object's places. A material with properties of instances draws all of an object's in one draw.
+struct WorldInstance {
+    glm::mat4 object_to_world{1};
+    std::map<std::string, std::string> overrides{};  // of properties that each instance has, as WorldMaterial's
+    std::vector<SceneValue> set{};                   // the same with their places
+};
+
 struct WorldObject {
     std::string name{};
     std::shared_ptr<const Mesh> mesh{};
     glm::mat4 object_to_world{1};
-    std::size_t material = 0;  // index into World::materials
-    std::string lightmap{};    // a file: baked light, looked up by the mesh's second texture coordinates; empty: none
+    std::vector<WorldInstance> instances{};  // none: one at `object_to_world`, which else is not used
+    std::size_t material = 0;                // index into World::materials
+    std::string lightmap{};  // a file: baked light, looked up by the mesh's second texture coordinates; empty: none
     LightmapEncoding lightmap_encoding = LightmapEncoding::Hdr;
     std::string shadow_mask{};  // a file: baked shadow of each of four lights; empty: none
     ScenePlace lightmap_place{}, shadow_mask_place{};

@@ -157,7 +157,8 @@ void set_surroundings(Scene& view, const SceneFile& scene) {
 
 // --- objects
 
-glm::mat4 make_transform(const SceneObject& object) {
+template <class Placed>
+glm::dmat4 make_transform(const Placed& object) {
     const auto turned = [](glm::dmat4 matrix, double degrees, glm::dvec3 axis) {
         return glm::rotate(matrix, glm::radians(degrees), axis);
     };
@@ -167,7 +168,19 @@ glm::mat4 make_transform(const SceneObject& object) {
     matrix = turned(matrix, object.rotation[1], {0, 1, 0});
     matrix = turned(matrix, object.rotation[0], {1, 0, 0});
     matrix = turned(matrix, object.rotation[2], {0, 0, 1});
-    return glm::mat4(glm::scale(matrix, exact(object.scale)));
+    return glm::scale(matrix, exact(object.scale));
+}
+
+std::vector<WorldInstance> make_instances(const SceneObject& object) {
+    std::vector<WorldInstance> instances;
+    const glm::dmat4 place = make_transform(object);
+    for (const SceneInstance& instance : object.instances) {
+        WorldInstance& made = instances.emplace_back();
+        made.object_to_world = glm::mat4(place * make_transform(instance));
+        made.set = instance.set;
+        for (const SceneValue& value : instance.set) made.overrides[value.property] = value.words;
+    }
+    return instances;
 }
 
 // One mesh for all objects that are alike.
@@ -219,7 +232,8 @@ WorldFile make_world(const SceneFile& scene) {
         if (!mesh) file.diagnostics.push_back(unknown_mesh(object));
         world.objects.push_back({.name = object.id,
                                  .mesh = std::move(mesh),
-                                 .object_to_world = make_transform(object),
+                                 .object_to_world = glm::mat4(make_transform(object)),
+                                 .instances = make_instances(object),
                                  .material = object.material,
                                  .lightmap = object.lightmap.path,
                                  .lightmap_encoding = encoding_of(object.lightmap_encoding),

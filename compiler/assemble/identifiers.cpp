@@ -7,9 +7,12 @@ namespace patina::assemble {
 namespace {
 
 void name_set(ir::Module& module, std::uint32_t set, targets::Names& names) {
-    for (ir::UniformBlock& block : module.blocks) {
-        if (block.set != set) continue;
-        for (ir::BlockMember& member : block.members) member.name = names.declare(member.name);
+    for (const ir::UniformBlock& block : module.blocks) {
+        for (const ir::Global& global : module.globals) {
+            if (global.set != set || !global.in_block() || &module.blocks[global.block] != &block) continue;
+            std::string& name = module.blocks[global.block].members[global.member].name;
+            name = names.declare(name);
+        }
     }
     for (ir::Global& global : module.globals) {
         if (!global.in_block() && global.set == set) global.name = names.declare(global.name);

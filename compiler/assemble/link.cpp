@@ -193,7 +193,9 @@ private:
         switch (recipe.source) {
             case Source::Attribute:
                 if (!in_vertex_stage()) return varying(semantic);
-                if (recipe.override && !original) return call(recipe.override, true);
+                // What no object is drawn by, the screen and the volumes of lights, no material moves.
+                if (recipe.override && !original && pass_.declaration->state.draws == "objects")
+                    return call(recipe.override, true);
                 return attribute(semantic);
             case Source::Builtin: return builtin(semantic);
             case Source::Vertex: return in_vertex_stage() ? call(recipe.recipe, original) : varying(semantic);
@@ -240,6 +242,8 @@ private:
             {"instance_index", ir::Builtin::InstanceIndex}};
         const auto& declared = *linked_.lowered.semantics[semantic.index].declaration->variable->attribute("builtin");
         const ir::Semantic& info = module_.semantics[semantic.index];
+        // Known to the vertex stage alone, which hands it on as it is.
+        if (!in_vertex_stage() && nodelang::attribute_text(declared) == "instance_index") return varying(semantic);
         // Triangles have no back yet: vertices see the front.
         if (in_vertex_stage() && nodelang::attribute_text(declared) == "front_facing") {
             return builder_.constant(info.type, {1});

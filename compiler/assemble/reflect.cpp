@@ -33,7 +33,17 @@ std::uint32_t textures_of(const ir::Module& module, std::uint32_t set) {
                       [&](const ir::Global& g) { return g.set == set && is_texture(g); }));
 }
 
-Block reflect_block(const ir::Module& module, const ir::UniformBlock& block) {
+// Of the member, in its block.
+bool is_of_instance(const graph::Lowered& lowered, const ir::UniformBlock& block, std::size_t member) {
+    const ir::Module& module = lowered.module;
+    return std::any_of(lowered.instance_globals.begin(), lowered.instance_globals.end(), [&](std::uint32_t each) {
+        const ir::Global& global = module.globals[each];
+        return &module.blocks[global.block] == &block && global.member == member;
+    });
+}
+
+Block reflect_block(const graph::Lowered& lowered, const ir::UniformBlock& block) {
+    const ir::Module& module = lowered.module;
     Block made{.name = block.name,
                .is_material = block.set == graph::kMaterialSet,
                .set = block.set,
@@ -50,7 +60,8 @@ Block reflect_block(const ir::Module& module, const ir::UniformBlock& block) {
                                 .offset = member.offset,
                                 .size = extent.size,
                                 .array_count = is_array ? module.arrays[member.type.ref].count : 0,
-                                .array_stride = extent.stride});
+                                .array_stride = extent.stride,
+                                .is_of_instance = is_of_instance(lowered, block, made.members.size())});
     }
     return made;
 }
@@ -133,7 +144,10 @@ patina::Property reflect_property(const ir::Module& module, const graph::Materia
         made.identifier = global.name;
         made.block = module.blocks[global.block].name;
         made.offset = member.offset;
-        made.size = graph::extent(module, member.type).size;
+        const bool is_array = member.type.kind == ir::Kind::Array;
+        const graph::Extent extent = graph::extent(module, member.type);
+        made.size = is_array ? graph::extent(module, module.arrays[member.type.ref].element).size : extent.size;
+        made.instance_stride = extent.stride;
     }
     return made;
 }
@@ -295,12 +309,13 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
     made.moves_vertices = !graph.vertex.empty();
     made.bounds = graph.render.bounds;
     made.path = lowered.path;
+    made.most_instances = lowered.instances;
     for (const auto& [name, value] : lowered.switches) made.switches.push_back({.name = name, .value = value});
     made.meta = graph.meta;
     // Functions alone read nothing of the engine's but their parameters.
     const bool has_engine = lowered.functions.empty();
     for (const ir::UniformBlock& block : lowered.module.blocks) {
-        if (has_engine || block.set == graph::kMaterialSet) made.blocks.push_back(reflect_block(lowered.module, block));
+        if (has_engine || block.set == graph::kMaterialSet) made.blocks.push_back(reflect_block(lowered, block));
     }
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
         const graph::MaterialProperty& entry = material.properties[i];

@@ -98,6 +98,7 @@ void write_property(Writer& writer, const Property& property, const Reflection& 
     json.text("block", property.block);
     json.number("offset", property.offset);
     json.number("size", property.size);
+    if (property.instance_stride > 0) json.number("instanceStride", property.instance_stride);
 }
 
 void write_block(Writer& writer, const Block& block) {
@@ -118,6 +119,7 @@ void write_block(Writer& writer, const Block& block) {
             m.number("count", member.array_count);
             m.number("stride", member.array_stride);
         }
+        if (member.is_of_instance) m.flag("instance", true);
     });
 }
 
@@ -233,6 +235,7 @@ std::string Reflection::to_json() const {
         json.text("surface", surface);
         json.text("path", path);
         if (bounds) write_bounds(json, *bounds);
+        if (most_instances > 0) json.number("mostInstances", most_instances);
         json.list("switches", switches, [&](const Switch& each) {
             Json one(writer);
             one.text("name", each.name);

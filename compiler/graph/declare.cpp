@@ -149,7 +149,8 @@ EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations&
     return made;
 }
 
-std::vector<PropertyGlobals> declare_material(const Material& material, ir::Module& module, bool keep_variants) {
+std::vector<PropertyGlobals> declare_material(const Material& material, ir::Module& module, bool keep_variants,
+                                              std::optional<std::uint32_t> instances) {
     std::vector<PropertyGlobals> globals;
     std::uint32_t constant_id = 0;
     module.blocks.push_back({.name = "Material", .set = kMaterialSet, .slot = 0, .size = 0, .members = {}});
@@ -165,7 +166,11 @@ std::vector<PropertyGlobals> declare_material(const Material& material, ir::Modu
             continue;
         }
         if (property.type != PropertyType::Texture2D) {
-            made.value = add_block_global(module, block, property.name, property_type(property.type), property.span);
+            const bool is_of_instance = instances && property.binding == Binding::Instance;
+            made.value = add_block_global(module, is_of_instance ? *instances : block, property.name,
+                                          property_type(property.type), property.span);
+            // Whatever block it is in, the name is the artist's.
+            module.globals[made.value.index].set = kMaterialSet;
             continue;
         }
         made.texture = add_resource(module, property.name, ir::Kind::Texture2D, kMaterialSet, slot, property.span);

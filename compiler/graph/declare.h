@@ -37,9 +37,10 @@ struct EngineGlobals {
 };
 EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations& declarations,
                              nodelang::Emitter& emitter, std::span<const std::string_view> on = {});
-// One entry per Material::properties. `keep_variants`: those that nobody has chosen a value for are
-// globals too, and not constants.
-std::vector<PropertyGlobals> declare_material(const Material& material, ir::Module& module, bool keep_variants);
+// One entry per Material::properties. `keep_variants`: those that nobody has chosen a value for are globals too, and not
+// constants. `instances`: the block of the properties that each instance has; nothing: the material's.
+std::vector<PropertyGlobals> declare_material(const Material& material, ir::Module& module, bool keep_variants,
+                                              std::optional<std::uint32_t> instances = {});
 
 // Appends a member at the next offset that both layouts accept.
 void add_member(ir::UniformBlock& block, const ir::Module& module, std::string name, ir::Type type);

@@ -88,7 +88,7 @@ constexpr std::array kProperty = {
     KeyInfo{"default", "the value until somebody sets another"},
     KeyInfo{"range", "[low, high]: beyond it is a warning; of a colour that ends above 1: it is HDR"},
     KeyInfo{"hard", "true: beyond the range is an error"},
-    KeyInfo{"as", "when it is bound: uniform, specialization or variant"},
+    KeyInfo{"as", "when it is bound: uniform, instance (a value for each instance), specialization or variant"},
     KeyInfo{"tiling", "of a texture: true gives it a scale and an offset"},
     KeyInfo{"sampler", "of a texture: how it is read", ObjectKind::Sampler},
     KeyInfo{"label", "what an inspector shows"},
@@ -255,6 +255,14 @@ constexpr std::array kSceneObject = {
     KeyInfo{"lightmap", "a picture of baked light, by the mesh's second texture coordinates"},
     KeyInfo{"lightmapEncoding", "how the lightmap holds light: hdr (as it is), rgbm or dldr; hdr otherwise"},
     KeyInfo{"shadowMask", "a picture of the baked shadows of four lights"},
+    KeyInfo{"instances", "it is drawn once at each of these places", ObjectKind::SceneInstance},
+};
+
+constexpr std::array kSceneInstance = {
+    KeyInfo{"position", "where it is within the object, in metres"},
+    KeyInfo{"rotation", "degrees about the axes, as an object's"},
+    KeyInfo{"scale", "a number, or one for each axis; greater than 0"},
+    KeyInfo{"set", "values of properties that each instance has"},
 };
 
 }  // namespace
@@ -283,6 +291,7 @@ std::span<const KeyInfo> keys_of(ObjectKind kind) {
         case ObjectKind::Shadow: return kShadow;
         case ObjectKind::SceneMaterial: return kSceneMaterial;
         case ObjectKind::SceneObject: return kSceneObject;
+        case ObjectKind::SceneInstance: return kSceneInstance;
     }
     return {};
 }
@@ -318,6 +327,7 @@ std::string_view describe(ObjectKind kind) {
         case ObjectKind::Shadow: return "a shadow";
         case ObjectKind::SceneMaterial: return "a material of a scene";
         case ObjectKind::SceneObject: return "an object of a scene";
+        case ObjectKind::SceneInstance: return "an instance of an object";
     }
     return {};
 }

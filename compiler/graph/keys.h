@@ -34,7 +34,8 @@ enum class ObjectKind {
     Light,
     Shadow,
     SceneMaterial,
-    SceneObject
+    SceneObject,
+    SceneInstance
 };
 
 struct KeyInfo {

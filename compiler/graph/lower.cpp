@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "compiler/graph/instances.h"
 #include "compiler/graph/lowering.h"
 #include "compiler/graph/words.h"
 
@@ -148,6 +149,12 @@ void declare_switches(Lowering& lowering) {
     }
 }
 
+void report_large_instance(Session& session, const Material& material) {
+    const Span whole = material.graph->graph->span;
+    session.diagnostics.report(Code::TooMany, Span{whole.begin, whole.begin + 1}, material.properties.size(),
+                               "properties of one instance in a block of 64 KiB", 0);
+}
+
 // The switches that are on, and the path.
 std::vector<std::string_view> what_is_on(const Lowering& lowering) {
     const Session& session = lowering.session;
@@ -231,7 +238,14 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     EngineGlobals engine = declare_engine(*session.stages, *session.declarations, lowering.emitter, on);
     lowering.per_object = std::move(engine.per_object);
     out.reads = std::move(engine.reads);
-    out.property_globals = declare_material(material, out.module, session.options.keep_variants);
+    const bool instanced = is_instanced(material) && session.options.functions.empty();
+    out.property_globals = declare_material(
+        material, out.module, session.options.keep_variants,
+        instanced ? std::optional(out.module.globals[*lowering.per_object.begin()].block) : std::nullopt);
+    for (std::size_t i = 0; instanced && i < material.properties.size(); ++i) {
+        if (material.properties[i].property->binding == Binding::Instance)
+            lowering.per_object.insert(out.property_globals[i].value.index);
+    }
     declare_statics(lowering);
     extend_lighting_surface(lowering);
     declare_semantics(lowering);
@@ -242,6 +256,11 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
         lower_passes(lowering);
     } else {
         lower_functions(lowering);
+    }
+    if (instanced && !session.diagnostics.has_errors()) {
+        out.instance_globals = lowering.per_object;
+        out.instances = make_instanced(out, out.instance_globals);
+        if (out.instances == 0) report_large_instance(session, material);
     }
     return out;
 }

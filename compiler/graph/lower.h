@@ -43,6 +43,8 @@ struct Lowered {
     std::vector<std::pair<std::string, bool>> switches;
     std::map<std::uint32_t, std::string> reads;     // by global: the target of another pass that it shows
     std::vector<PropertyGlobals> property_globals;  // one per Material::properties
+    std::uint32_t instances = 0;                    // that one draw can hold; 0: it draws one object (instances.h)
+    std::set<std::uint32_t> instance_globals;       // which are arrays of as many
 };
 
 // Reports what is wrong; the result may be used only if the session has no errors. `material`: itself with all passes

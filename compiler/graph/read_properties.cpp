@@ -228,6 +228,10 @@ Property read_property(Reading& reading, const Json& json, UniqueNames& names) {
         reading.diagnostics.report(Code::TypeMismatch, property.binding_span, fmt::format("'{}'", shown(property.name)),
                                    to_string(property.type), "a bool or an enum");
     }
+    if (property.binding == Binding::Instance && property.type == PropertyType::Texture2D) {
+        reading.diagnostics.report(Code::TypeMismatch, property.binding_span, fmt::format("'{}'", shown(property.name)),
+                                   to_string(property.type), "a number, a vector, a color, a bool or an enum");
+    }
     if (property.type == PropertyType::Enum) read_enum_values(reading, json, property);
     if (property.type == PropertyType::Texture2D) read_texture_keys(reading, json, property);
     if (ranged_count(property.type) > 0) read_limits(reading, json, property.range, property.hard);

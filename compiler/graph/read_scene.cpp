@@ -166,6 +166,22 @@ std::optional<std::string> read_set_value(SceneReading& reading, const Json& jso
     return std::nullopt;
 }
 
+std::vector<SceneValue> read_set(SceneReading& reading, const Json& json) {
+    std::vector<SceneValue> values;
+    const Json* set = json.find("set");
+    if (!set || !expect(reading, *set, Json::Kind::Object, "'set'")) return values;
+    for (const JsonMember& member : set->members) {
+        std::optional<std::string> words =
+            read_set_value(reading, member.value, fmt::format("'{}'", shown(member.key)));
+        if (!words) continue;
+        values.push_back({.property = member.key,
+                          .words = std::move(*words),
+                          .property_place = place_of(reading, member.key_span),
+                          .value_place = place_of(reading, member.value.span)});
+    }
+    return values;
+}
+
 SceneMaterial read_material(SceneReading& reading, const Json& json, UniqueNames& names) {
     SceneMaterial material;
     check_keys(reading, json, ObjectKind::SceneMaterial);
@@ -173,17 +189,7 @@ SceneMaterial read_material(SceneReading& reading, const Json& json, UniqueNames
     read_name(reading, json, "material", material.name, name, names);
     material.place = place_of(reading, name ? name : opening(json));
     if (const Json* graph = json.find("graph")) material.graph = read_file_name(reading, *graph, "'graph'");
-    const Json* set = json.find("set");
-    if (!set || !expect(reading, *set, Json::Kind::Object, "'set'")) return material;
-    for (const JsonMember& member : set->members) {
-        std::optional<std::string> words =
-            read_set_value(reading, member.value, fmt::format("'{}'", shown(member.key)));
-        if (!words) continue;
-        material.set.push_back({.property = member.key,
-                                .words = std::move(*words),
-                                .property_place = place_of(reading, member.key_span),
-                                .value_place = place_of(reading, member.value.span)});
-    }
+    material.set = read_set(reading, json);
     return material;
 }
 
@@ -229,6 +235,26 @@ std::size_t find_material(Reading& reading, const Json& json, const Materials& m
     return 0;
 }
 
+std::vector<SceneInstance> read_instances(SceneReading& reading, const Json& array) {
+    std::vector<SceneInstance> instances;
+    if (!expect(reading, array, Json::Kind::Array, "'instances'")) return instances;
+    if (array.elements.size() > kMostSceneInstances) {
+        reading.diagnostics.report(Code::TooMany, opening(array), array.elements.size(), "instances",
+                                   kMostSceneInstances);
+        return instances;
+    }
+    for (const Json& element : array.elements) {
+        if (!expect(reading, element, Json::Kind::Object, "an instance")) continue;
+        check_keys(reading, element, ObjectKind::SceneInstance);
+        SceneInstance& instance = instances.emplace_back();
+        read_vector(reading, element, "position", -kFarthest, kFarthest, instance.position);
+        read_vector(reading, element, "rotation", -kFarthest, kFarthest, instance.rotation);
+        read_scale(reading, element, instance.scale);
+        instance.set = read_set(reading, element);
+    }
+    return instances;
+}
+
 SceneObject read_object(SceneReading& reading, const Json& json, const Materials& materials, UniqueNames& names) {
     SceneObject object;
     check_keys(reading, json, ObjectKind::SceneObject);
@@ -258,6 +284,7 @@ SceneObject read_object(SceneReading& reading, const Json& json, const Materials
         }
     }
     if (const Json* mask = json.find("shadowMask")) object.shadow_mask = read_file_name(reading, *mask, "'shadowMask'");
+    if (const Json* instances = json.find("instances")) object.instances = read_instances(reading, *instances);
     return object;
 }
 

@@ -83,6 +83,7 @@ std::vector<SchemaRow> scene_rows() {
         {Free, "lightmap", text(kText)},
         {Free, "lightmapEncoding", words_schema(kLightmapEncodings)},
         {Free, "shadowMask", text(kText)},
+        {Free, "instances", list_of("sceneInstance")},
     };
 }
 

@@ -58,6 +58,7 @@ inline constexpr std::array kBindings = {
     Word<Binding>{"uniform", Binding::Uniform},
     Word<Binding>{"specialization", Binding::Specialization},
     Word<Binding>{"variant", Binding::Variant},
+    Word<Binding>{"instance", Binding::Instance},
 };
 
 inline constexpr std::array kWraps = {

@@ -32,7 +32,8 @@ std::vector<StageValue> stage_values(const std::vector<ir::StageVariable>& varia
         const bool is_builtin = variable.builtin != ir::Builtin::None;
         values.push_back({.name = is_builtin ? std::string(builtin_name(variable.builtin)) : variable.name,
                           .components = variable.type.components(),
-                          .is_builtin = is_builtin});
+                          .is_builtin = is_builtin,
+                          .is_flat = variable.flat || variable.type.is_integer()});
     }
     return values;
 }

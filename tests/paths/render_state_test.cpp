@@ -247,5 +247,17 @@ TEST(RenderState, BoundsSayWhereTheMeshIsDrawn) {
     EXPECT_EQ((*result.reflection.bounds->box)[1][1], 2);
 }
 
+// The material moves its mesh, and not the square that deferred lights the screen by: it would end in the middle.
+TEST(RenderState, AMovedMeshDoesNotMoveTheScreen) {
+    World world = empty_world();
+    world.view.lights = {{.direction = {0, 0, 1}}};
+    const std::string moved = written("moved.graph.json", R"json({ "patina": 1, "workflow": "metallic-roughness",
+  "lighting": "lambert", "vertex": { "position_os": "= @position_os + float3(1, 0, 0)" },
+  "surface": { "baseColor": 0.5 } })json");
+    add_object(world, moved, "plane", 2, glm::scale(glm::translate(glm::mat4(1), {-10, 0, 0}), glm::vec3(10)));
+    const auto lit = float(0.5 * (1 - kDielectric));
+    expect_halves(world, glm::vec3(lit), glm::vec3(lit), 1e-4);
+}
+
 }  // namespace
 }  // namespace patina::paths

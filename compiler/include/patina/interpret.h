@@ -43,7 +43,8 @@ struct QuadOutputs {
 struct StageValue {
     std::string name;  // input: position_os, uv0, a varying's name; or front_facing, frag_coord
     unsigned components = 1;
-    bool is_builtin = false;  // "position" output; "front_facing" (0 or 1) and "frag_coord" inputs
+    bool is_builtin = false;  // "position" output; "front_facing" (0 or 1), "frag_coord", "instance_index" inputs
+    bool is_flat = false;     // whole numbers: a triangle has one
 };
 
 // What one port of a graph was worth while a quad ran.

@@ -19,6 +19,7 @@ struct BlockMember {
     std::uint32_t size = 0;         // bytes, of the whole array if it is one
     std::uint32_t array_count = 0;  // 0: not an array
     std::uint32_t array_stride = 0;
+    bool is_of_instance = false;  // an array with an element for each instance of a draw
 };
 
 struct Block {
@@ -71,6 +72,7 @@ struct Property {
     std::string block;         // block that holds it; empty for textures, specialization constants and variants
     std::uint32_t offset = 0;  // in that block
     std::uint32_t size = 0;
+    std::uint32_t instance_stride = 0;  // bytes to the next instance's value; 0: there is one for all
 };
 
 struct VertexInput {
@@ -174,10 +176,11 @@ struct Switch {
 struct Reflection {
     std::string name;
     std::string workflow, lighting;
-    std::string surface = "opaque";  // opaque | cutout | fade | transparent | additive | multiply
-    std::string path = "forward";    // the rendering path that the passes belong to
-    bool moves_vertices = false;     // the graph's vertex stage does: a mesh's bounds are not what is drawn
-    std::optional<Bounds> bounds{};  // what is, where the graph says so
+    std::string surface = "opaque";    // opaque | cutout | fade | transparent | additive | multiply
+    std::string path = "forward";      // the rendering path that the passes belong to
+    bool moves_vertices = false;       // the graph's vertex stage does: a mesh's bounds are not what is drawn
+    std::optional<Bounds> bounds{};    // what is, where the graph says so
+    std::uint32_t most_instances = 0;  // of an object in one draw; 0: a draw draws one object
     std::vector<Switch> switches{};
     std::vector<Property> properties;
     std::vector<Block> blocks;

@@ -109,6 +109,13 @@ struct SceneMaterial {
     ScenePlace place;  // of its name
 };
 
+// One of the places of an object, within it.
+struct SceneInstance {
+    SceneVector position{}, rotation{}, scale{1, 1, 1};  // as an object's
+    std::vector<SceneValue> set{};                       // of properties that each instance has
+};
+inline constexpr std::size_t kMostSceneInstances = 100'000;
+
 struct SceneObject {
     std::string id;
     std::string mesh;  // "sphere"; not looked up
@@ -120,6 +127,7 @@ struct SceneObject {
     SceneVector scale{1, 1, 1};  // greater than 0; before the turn
     SceneFileName lightmap{}, shadow_mask{};
     SceneLightmapEncoding lightmap_encoding = SceneLightmapEncoding::Hdr;
+    std::vector<SceneInstance> instances{};  // at most kMostSceneInstances; none: it is drawn once
 };
 
 struct SceneFile {
