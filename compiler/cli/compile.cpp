@@ -32,6 +32,7 @@ CompileOptions options_of(const Arguments& arguments) {
     // SPIR-V is made from the GLSL.
     if (arguments.wants("glsl") || arguments.wants("spirv")) options.targets.push_back(Target::Glsl);
     if (arguments.wants("hlsl")) options.targets.push_back(Target::Hlsl);
+    if (arguments.wants("unity")) options.targets.push_back(Target::Unity);
     options.include_dirs = arguments.include_dirs;
     options.dump = arguments.dump;
     options.path = arguments.path.path;
@@ -100,11 +101,11 @@ void add_compile(Program& program) {
          "patina compile rust.graph.json --functions Rust_ -o out", "patina compile rust.graph.json --dump tidy"});
     auto arguments = std::make_shared<Arguments>();
     command.add_option("GRAPH", arguments->graphs, "Material graphs (JSON)")->required()->type_name(" ");
-    command.add_option("-t,--target", arguments->targets, "glsl, hlsl, spirv, with commas between (glsl,hlsl)")
+    command.add_option("-t,--target", arguments->targets, "glsl, hlsl, spirv, unity, with commas between (glsl,hlsl)")
         ->type_name("TARGETS")
         ->delimiter(',')
         ->allow_extra_args(false)
-        ->check(one_of("a target", {"glsl", "hlsl", "spirv"}));
+        ->check(one_of("a target", {"glsl", "hlsl", "spirv", "unity"}));
     command.add_option("-o,--output", arguments->folder, "Folder to write to, made if missing (.)")->type_name("DIR");
     command.add_flag("--validate", arguments->validate, "Prove the shaders with glslang and spirv-val");
     command.add_flag("--depfile", arguments->depfile, "Write NAME.d: what NAME.reflect.json was made from, for ninja");

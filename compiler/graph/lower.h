@@ -20,9 +20,14 @@ struct LoweredPass {
     ir::FunctionId vertex{}, fragment{};
     std::vector<std::pair<ir::SemanticId, ir::FunctionId>> recipes{};   // its own, in the fragment stage
     std::vector<std::pair<ir::FunctionId, ir::FunctionId>> replaced{};  // functions of the seam, and what it puts there
+    std::vector<std::pair<ir::SemanticId, ir::GlobalId>> attributes{};  // that an included file declares
+    std::vector<ir::FunctionId> in_both_stages{};                       // of the recipes and replacements
+    std::vector<std::pair<ir::SemanticId, ir::FunctionId>> at_vertices{};  // recipes of what is interpolated
 
-    std::optional<ir::FunctionId> recipe_of(ir::SemanticId semantic) const;
-    std::optional<ir::FunctionId> replacement_of(ir::FunctionId function) const;
+    // Those of the stage.
+    std::optional<ir::FunctionId> recipe_of(ir::SemanticId semantic, ir::StageKind stage) const;
+    std::optional<ir::FunctionId> replacement_of(ir::FunctionId function, ir::StageKind stage) const;
+    std::optional<ir::GlobalId> attribute_of(ir::SemanticId semantic) const;
 };
 // How a pass blends surfaces of a kind; null: it does not draw them.
 const BlendRow* blend_of(const PassDecl& pass, std::string_view surface);
@@ -42,6 +47,7 @@ struct Lowered {
     std::vector<std::pair<std::string, bool>> switches;
     std::map<std::uint32_t, std::string> reads;     // by global: the target of another pass that it shows
     std::vector<PropertyGlobals> property_globals;  // one per Material::properties
+    bool keeps_functions = false;  // passes that show the surface leave functions as they are, to share their text
 };
 
 // Reports what is wrong; the result may be used only if the session has no errors.

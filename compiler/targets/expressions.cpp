@@ -150,7 +150,11 @@ Text Body::shared(Value v) const {
     if (inst.op == Op::Extract) return extract(v);
     if (inst.op == Op::Swizzle) return swizzle(v);
     if (inst.op == Op::Select) return ternary(v);
-    if (inst.op == Op::Call) return function_call(writer_.functions[inst.data]);
+    if (inst.op == Op::Call) {
+        const std::string& spelling = module().functions[inst.data].spelling;
+        if (!spelling.empty()) return {spelled(v, spelling, {}), Precedence::Postfix};
+        return function_call(writer_.functions[inst.data]);
+    }
     const Value from = arg(v, 0);
     const Type old = function_[from].type;
     if (inst.op == Op::Convert) return old == inst.type ? expression(from) : function_call(writer_.type(inst.type));
@@ -164,11 +168,29 @@ Text Body::shared(Value v) const {
     return {fmt::format("{}[{}]", at_least(Precedence::Postfix, expression(from)), index), Precedence::Postfix};
 }
 
+// The call of a foreign function, with its arguments, and where it has one the name of its result, in their places.
+std::string Body::spelled(Value v, std::string_view spelling, std::string_view result) const {
+    std::string text;
+    while (!spelling.empty()) {
+        const std::size_t open = std::min(spelling.find('{'), spelling.size());
+        text += spelling.substr(0, open);
+        if (open == spelling.size()) break;
+        const std::size_t close = std::min(spelling.find('}', open), spelling.size());
+        const std::string_view what = spelling.substr(open + 1, close - open - 1);
+        const auto index = static_cast<std::uint32_t>(what.empty() ? 0 : what[0] - '0');
+        text += what == "result" ? std::string(result) : index < args(v) ? argument(v, index) : std::string();
+        spelling.remove_prefix(std::min(close + 1, spelling.size()));
+    }
+    return text;
+}
+
 Text Body::leaf(Value v) const {
     const Inst& inst = function_[v];
     if (inst.op == Op::Constant) return constant(v);
     if (inst.op == Op::Param) return entry_ ? entry_->inputs[inst.data] : Text{params_[inst.data]};
     const std::string& name = writer_.globals[inst.data];
+    if (writer_.language.read && module().globals[inst.data].in_block())
+        return {writer_.language.read(writer_, {inst.data}, name), Precedence::Postfix};
     const bool is_stored_as_such = !module().globals[inst.data].in_block() || Writer::stored(inst.type) == inst.type;
     if (is_stored_as_such) return {name};
     return call_text(writer_.type(inst.type), name);

@@ -1,0 +1,34 @@
+// What Unity's includes declare under names that nodes or artists use, too: a second function with the same parameters
+// would not compile, and a macro would take the name's place.
+#include <array>
+
+#include "compiler/targets/shaderlab/shaderlab.h"
+
+namespace patina::targets::shaderlab {
+namespace {
+
+constexpr std::array kTaken = std::to_array<std::string_view>({
+    // UnityCG.cginc
+    "DecodeFloatRG", "DecodeFloatRGBA", "DecodeHDR", "DecodeLightmap", "EncodeFloatRG", "EncodeFloatRGBA",
+    "GammaToLinearSpace", "Linear01Depth", "LinearEyeDepth", "LinearToGammaSpace", "Luminance", "ParallaxOffset",
+    "ShadeSH9", "UnpackNormal", "WorldSpaceViewDir", "appdata_base", "appdata_full", "appdata_tan",
+    // UnityStandardBRDF.cginc, UnityStandardUtils.cginc, UnityImageBasedLighting.cginc
+    "BlendNormals", "DisneyDiffuse", "DotClamped", "FresnelLerp", "FresnelLerpFast", "FresnelTerm", "GGXTerm",
+    "LerpOneTo", "LerpWhiteTo", "OneMinusReflectivityFromMetallic", "PerceptualRoughnessToRoughness", "Pow4", "Pow5",
+    "PreMultiplyAlpha", "RoughnessToPerceptualRoughness", "SmoothnessToPerceptualRoughness", "SmoothnessToRoughness",
+    "SpecularStrength", "UnpackScaleNormal",
+    // Macros, keywords among them.
+    "DIRECTIONAL", "DIRECTIONAL_COOKIE", "FOG_EXP", "FOG_EXP2", "FOG_LINEAR", "INSTANCING_ON", "LIGHTMAP_ON", "POINT",
+    "POINT_COOKIE", "SHADOWS_CUBE", "SHADOWS_DEPTH", "SHADOWS_SCREEN", "SHADOWS_SOFT", "SPOT", "TRANSFORM_TEX",
+    "VERTEXLIGHT_ON", "fixed2", "fixed3", "fixed4",
+    // What UNITY_LIGHT_ATTENUATION and UNITY_APPLY_FOG declare.
+    "lightCoord", "shadow", "unityFogFactor",
+});
+
+}  // namespace
+
+std::span<const std::string_view> taken_names() {
+    return kTaken;
+}
+
+}  // namespace patina::targets::shaderlab
