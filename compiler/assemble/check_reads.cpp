@@ -40,39 +40,8 @@ std::set<std::string_view> drawn_targets(const graph::Stages& stages, const std:
 
 }  // namespace
 
-namespace {
-
-// Where a tool draws, there is only what its includes declare and what the material has.
-void check_tool_reads(graph::Session& session, const graph::Lowered& lowered, const graph::PassDecl& pass,
-                      const ir::Module& stage) {
-    for (const ir::Function& function : stage.functions) {
-        for (const ir::Inst& inst : function.insts) {
-            if (inst.op != ir::Op::Global) continue;
-            const ir::Global& global = lowered.module.globals[inst.data];
-            if (global.is_foreign() || global.set == graph::kMaterialSet || global.type.kind == ir::Kind::Sampler)
-                continue;
-            const ir::Origin origin = inst.origin ? stage.origins[inst.origin.index] : ir::Origin{};
-            session.diagnostics
-                .report(Code::PassRefused, origin.span, pass.name,
-                        fmt::format("it reads '{}', and {} has nothing like it", global.name,
-                                    to_string(session.options.targets[0])))
-                .at(origin.id);
-            return;
-        }
-    }
-}
-
-}  // namespace
-
 void check_reads(graph::Session& session, const graph::Lowered& lowered, std::span<const LinkedPass> passes) {
-    if (graph::tool_of(session)) {
-        for (const LinkedPass& each : passes) {
-            check_tool_reads(session, lowered, *each.pass->declaration, each.vertex);
-            check_tool_reads(session, lowered, *each.pass->declaration, each.fragment);
-        }
-        return;
-    }
-    if (!session.pass_file || lowered.path != session.path) return;
+    if (!session.pass_file || graph::tool_of(session) || lowered.path != session.path) return;
     const graph::Stages& stages = *session.stages;
     const std::set<std::string_view> drawn = drawn_targets(stages, lowered.path);
     const auto check = [&](const graph::PassDecl& pass, const ir::Module& stage, const FunctionDecl& function) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <map>
 
 #include "compiler/base/text.h"
@@ -40,7 +41,7 @@ constexpr QueueRow kQueues[] = {
 std::string queue_word(int queue) {
     const QueueRow* nearest = &kQueues[0];
     for (const QueueRow& row : kQueues) {
-        if (row.queue <= queue) nearest = &row;
+        if (std::abs(row.queue - queue) < std::abs(nearest->queue - queue)) nearest = &row;
     }
     return queue == nearest->queue ? std::string(nearest->name)
                                    : fmt::format("{}{:+}", nearest->name, queue - nearest->queue);
@@ -212,6 +213,12 @@ std::vector<std::string_view> texts_at(const PassText& pass, std::string_view pl
     return lines;
 }
 
+int number(std::string_view digits) {
+    int value = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    return value;
+}
+
 // What only newer hardware has.
 std::string_view shader_model(const PassText& pass) {
     std::string text;
@@ -320,7 +327,10 @@ private:
     // --- the shader and its passes
 
     void tags() {
-        const int queue = in_.reflection.passes.empty() ? 2000 : in_.reflection.passes.front().queue;
+        int queue = in_.reflection.passes.empty() ? 2000 : in_.reflection.passes.front().queue;
+        for (const PassText& pass : passes_) {
+            for (const std::string_view least : texts_at(pass, "queue")) queue = std::max(queue, number(least));
+        }
         std::string tags = fmt::format("\"RenderType\" = \"{}\" \"Queue\" = \"{}\" \"PerformanceChecks\" = \"False\"",
                                        surface().render_type, queue_word(queue));
         if (surface().render_type == "Transparent") tags += " \"IgnoreProjector\" = \"True\"";
@@ -328,6 +338,13 @@ private:
         if (in_.reflection.moves_vertices) tags += " \"DisableBatching\" = \"True\"";
         out_.line(2, fmt::format("Tags {{ {} }}", tags));
         out_.line(2, "LOD 300");
+        std::vector<std::string_view> lines;
+        for (const PassText& pass : passes_) {
+            for (const std::string_view line : texts_at(pass, "grab")) {
+                if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
+            }
+        }
+        for (const std::string_view line : lines) out_.line(2, fmt::format("GrabPass {{ \"{}\" }}", line));
     }
 
     void pass(std::size_t index) {

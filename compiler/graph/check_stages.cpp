@@ -304,10 +304,17 @@ private:
                                 is_varying ? "a number or vector, which vertices can hand to pixels," : "a value");
     }
 
+    // In a file whose passes a tool draws, any function of the library may mean something else.
+    bool is_for_tool(const Attribute& attribute) const {
+        return attribute.args.size() == 1 ||
+               std::any_of(stages_.foreign.begin(), stages_.foreign.end(), [&](const VariableDecl* each) {
+                   return sources_.resolve(each->span.begin).file == sources_.resolve(attribute.span.begin).file;
+               });
+    }
+
     void gives(const FunctionDecl& decl, const Attribute& attribute) {
         if (attribute.args.empty()) return;  // reported when it was read
         const Expr& what = *attribute.args[0];
-        const bool is_of_file = attribute.args.size() == 1;
         for (std::size_t i = 1; i < attribute.args.size(); ++i) {
             const Expr& to = *attribute.args[i];
             if (!pass(to)) continue;
@@ -330,7 +337,7 @@ private:
                 diagnostics_.report(Code::TypeMismatch, decl.result.span, fmt::format("the recipe of '{}'", what.text),
                                     decl.result.name, type.name);
             }
-        } else if (!replaced || !(is_of_file || replaced->attribute("extern"))) {
+        } else if (!replaced || !(is_for_tool(attribute) || replaced->attribute("extern"))) {
             std::vector<std::string_view> known;
             for (const SemanticDecl& each : stages_.semantics) known.push_back(each.name);
             for (const Declarations* scope = &declarations_; scope; scope = scope->parent) {

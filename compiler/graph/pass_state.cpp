@@ -114,9 +114,9 @@ void read_stencil(Arguments& in, PassDecl& pass) {
 }
 
 // Places of a tool's file where a pass may want lines of its own.
-constexpr std::array<std::string_view, 8> kPlaces = {
-    "pragma",       "include",    "first interpolator", "interpolators",
-    "vertex begin", "vertex end", "fragment begin",     "fragment end"};
+constexpr std::array<std::string_view, 10> kPlaces = {
+    "grab",         "queue",      "pragma",         "include",     "first interpolator", "interpolators",
+    "vertex begin", "vertex end", "fragment begin", "fragment end"};
 
 void read_tag(Arguments& in, PassDecl& pass) {
     const std::string_view name = in.text();

@@ -141,3 +141,28 @@ half4 BakedShadows(half4 ambient, float3 position)
 {
     return UnityGetRawBakedOcclusions(ambient.xy, position);
 }
+
+// What has been drawn before, at a place of the screen that is counted from the lower left.
+UNITY_DECLARE_TEX2D(_BackgroundTexture);
+half3 BackgroundColor(float2 uv)
+{
+#if UNITY_UV_STARTS_AT_TOP
+    if (_ProjectionParams.x > 0) uv.y = 1 - uv.y;
+#else
+    if (_ProjectionParams.x < 0) uv.y = 1 - uv.y;
+#endif
+    return LinearColor(_BackgroundTexture.SampleLevel(sampler_BackgroundTexture, uv, 0).rgb);
+}
+
+// Its distance along the camera's axis.
+UNITY_DECLARE_DEPTH_TEXTURE(_CameraDepthTexture);
+float BackgroundDepth(float2 uv)
+{
+    float depth = SAMPLE_DEPTH_TEXTURE_LOD(_CameraDepthTexture, float4(uv, 0, 0));
+    float parallel = depth;
+#ifdef UNITY_REVERSED_Z
+    parallel = 1 - depth;
+#endif
+    parallel = lerp(_ProjectionParams.y, _ProjectionParams.z, parallel);
+    return lerp(LinearEyeDepth(depth), parallel, unity_OrthoParams.w);
+}

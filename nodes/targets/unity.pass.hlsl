@@ -152,6 +152,41 @@ float3 unity_reflection_of_buffer(float3 direction, float roughness, float3 posi
     return ReflectedLightOfBuffer(direction, roughness, position);
 }
 
+/// Unity has no table of the split sum. This is a fit of it, by quotients of polynomials: least squares on a grid of 22
+/// by 21 values of sqrt(n.v) and roughness, of the integral for GGX with Smith's exact joint visibility. It is within 0.04
+/// of the scale and within 0.07 of the offset everywhere, and in the root of the mean square within 0.015 of both.
+[gives("split_sum_share")]
+float2 fitted_split_sum(float roughness, float ndotv) {
+    float r = roughness;
+    float u = sqrt(ndotv);
+    float r2 = r * r;
+    float u2 = u * u;
+    float scale = -0.0282 + 1.4469 * r + 3.2901 * r2 - 1.0967 * r2 * r + u * (0.1822 - 7.6881 * r + 0.3201 * r2) +
+                  u2 * (2.898 + 1.5248 * r - 0.4523 * u);
+    scale /= 1 - 0.0725 * r + 3.0333 * r2 + u * (-1.8141 - 4.3312 * r + 3.3887 * u);
+    float offset = 0.9667 - 0.5217 * r + 0.2952 * r2 + u * (-1.9407 + 0.2848 * r + 1.0033 * u);
+    offset /= 1 + 1.1816 * r + 8.5712 * r2 + u * (-2.2918 - 9.0057 * r + 4.9811 * u);
+    return saturate(float2(scale, offset));
+}
+
+// --- what has been drawn before
+
+/// From a copy of the picture, which Unity makes before the first object that reads it.
+[foreign] [text("grab", "_BackgroundTexture")] [text("queue", "2900")]
+float3 BackgroundColor(float2 uv);
+/// From the camera's depth texture, of which a script or another effect must ask Unity.
+[foreign] [text("include", "UnityCG.cginc")] [text("queue", "2900")]
+float BackgroundDepth(float2 uv);
+
+[gives("SceneColor", "unity-forward-base", "unity-forward-add")]
+float3 unity_scene_color(float2 uv) {
+    return BackgroundColor(uv);
+}
+[gives("SceneDepth", "unity-forward-base", "unity-forward-add")]
+float unity_scene_depth(float2 uv) {
+    return BackgroundDepth(uv);
+}
+
 // --- fog, which Unity mixes with colours as they are shown
 
 [foreign("float4 {result} = {0}; UNITY_APPLY_FOG_COLOR(i.fogCoord, {result}, {1});")]

@@ -67,6 +67,11 @@ std::string preamble(const Reflection& reflection, const std::vector<std::string
     std::string text;
     for (const std::string& keyword : keywords) text += "#define " + keyword + " 1\n";
     for (const Block& block : reflection.blocks) text += declared(block);
+    int target = 8;
+    for (const char* name : {"_BackgroundTexture", "_CameraDepthTexture"}) {
+        text += fmt::format("#define REGISTER_{0} register(t{1}, space2)\n#define REGISTER_sampler{0} register(s{1}, space2)\n",
+                            name, target++);
+    }
     for (const Texture& texture : reflection.textures) {
         if (texture.is_material) {
             text += fmt::format("#define REGISTER_{} register({})\n#define REGISTER_{} register({})\n",

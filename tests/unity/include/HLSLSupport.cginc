@@ -14,6 +14,9 @@
 #define UNITY_INITIALIZE_OUTPUT(type, name) name = (type)0;
 #define UNITY_POSITION(pos) float4 pos : SV_POSITION
 #define UNITY_ALLOWED_MRT_COUNT 8
+#define UNITY_UV_STARTS_AT_TOP 1
+#define UNITY_DECLARE_DEPTH_TEXTURE(tex) UNITY_DECLARE_TEX2D(tex)
+#define SAMPLE_DEPTH_TEXTURE_LOD(tex, place) tex.SampleLevel(sampler##tex, (place).xy, (place).w).r
 
 // IEC 61966-2-1, both ways.
 float encoded_component(float c)

@@ -52,6 +52,10 @@ float4 ComputeScreenPos(float4 position)
 {
     return float4(0.5 * position.xy + 0.5 * position.w, position.zw);
 }
+float LinearEyeDepth(float depth)
+{
+    return clip_planes.x * clip_planes.y / lerp(clip_planes.y, clip_planes.x, depth);
+}
 half3 UnpackNormal(half4 packed)
 {
     return packed.xyz * 2 - 1;
