@@ -93,7 +93,7 @@ private:
         for (const PassDecl* pass : optional_first(passes)) {
             const Refusal refusal = lower_pass(*pass);
             if (refusal.is_news) report(Code::PassLeftOut, refusal, pass->name, refusal.reason);
-            if (!refusal || refusal.is_news || pass->is_optional) continue;
+            if (!refusal || refusal.is_news || refusal.is_vain || pass->is_optional) continue;
             const bool is_own = std::find(passes.begin() + std::ptrdiff_t(own), passes.end(), pass) != passes.end();
             if (is_own && !pass->state.fallback.empty()) {
                 // That a path leaves a kind of surface to another one is its design, and no news.
@@ -154,6 +154,8 @@ private:
             if (slot == stages_.slots.end()) return {.reason = fmt::format("it needs '{}', which nothing makes", name)};
             const Part* part = is_part(**slot) ? &part_of(lowering_, **slot) : nullptr;
             if (part && !part->slot.function) return {.reason = part->why_not, .where = part->where};
+            if (tool_of(lowering_.session) && (part ? part->is_zero : is_always_zero(name)))
+                return {.reason = fmt::format("'{}' is always 0", name), .is_vain = true};
         }
         for (const std::string_view name : pass.excludes) {
             if (lowering_.is_on(name)) return {.reason = fmt::format("it has no place for '{}'", name)};
@@ -175,6 +177,17 @@ private:
         }
         lowering_.out.passes.push_back(std::move(made));
         return {};
+    }
+
+    bool is_always_zero(std::string_view slot) const {
+        const nodelang::Slot* found = lowering_.emitter.find_slot(slot);
+        if (!found || !found->function) return false;
+        const ir::Module& module = lowering_.out.module;
+        const ir::Function& function = module[found->function];
+        const ir::Value result = function.args(function.blocks[0].insts.back())[0];
+        if (function[result].op != Op::Constant) return false;
+        const auto numbers = module.numbers_of(module.constants[function[result].data]);
+        return std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == 0; });
     }
 
     // A pass of the library that draws objects has everything to give in the pixel; at the vertices, and where nothing

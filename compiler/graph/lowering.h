@@ -36,6 +36,7 @@ struct Refusal {
     ir::Origin where{};
     std::string advice{};  // may be empty
     bool is_news = false;  // a warning, also where the pass is optional
+    bool is_vain = false;  // the pass would change nothing: left out without a word
     explicit operator bool() const { return !reason.empty(); }
 };
 Refusal refusal_of(Lowering& lowering, const LoweredPass& pass);

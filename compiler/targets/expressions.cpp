@@ -27,6 +27,14 @@ Text call_text(std::string_view function, std::string_view arguments) {
     return {std::move(text), Precedence::Postfix};
 }
 
+// A foreign value may be spelled with a swizzle, of which another one takes the first components: "v.vertex.xyz".
+std::string without_swizzle(std::string text) {
+    const std::size_t dot = text.rfind('.');
+    if (dot != text.npos && kComponents.starts_with(std::string_view(text).substr(dot + 1)) && text.size() > dot + 1)
+        text.resize(dot);
+    return text;
+}
+
 bool is_identity(std::string_view letters, Type of) {
     return letters.size() == of.width() && letters == kComponents.substr(0, of.width());
 }
@@ -292,11 +300,13 @@ Text Body::extract(Value v) const {
 Text Body::swizzle(Value v) const {
     const Inst& inst = function_[v];
     const Value from = arg(v, 0);
-    const Text source = expression(from);
+    Text source = expression(from);
+    const bool is_foreign = function_[from].op == Op::Global && module().globals[function_[from].data].is_foreign();
+    if (is_foreign) source.text = without_swizzle(std::move(source.text));
     if (function_[from].type.is_scalar()) return writer_.language.splat(inst.type, source);
     std::string letters;
     for (unsigned i = 0; i < inst.type.width(); ++i) letters += kComponents[inst.data >> (2 * i) & 3];
-    if (is_identity(letters, function_[from].type)) return source;
+    if (is_identity(letters, function_[from].type) && !is_foreign) return source;
     return {at_least(Precedence::Postfix, source) + "." + letters, Precedence::Postfix};
 }
 

@@ -238,7 +238,7 @@ float4 unity_forward_base(float3 position = position_ws) {
     return unity_pixel(final(lit, sum), lit.alpha);
 }
 
-[pass("unity-forward-add")] [fragment] [each("light")] [lights("further")] [needs("added")]
+[pass("unity-forward-add")] [fragment] [each("light")] [lights("further")] [needs("added", "direct")]
 [tag("Name", "FORWARD_DELTA")] [tag("LightMode", "ForwardAdd")]
 [text("pragma", "multi_compile_fwdadd_fullshadows", "multi_compile_instancing")]
 [depth("lessEqual", "keep")]
