@@ -226,8 +226,8 @@ std::string_view shader_model(const PassText& pass) {
     for (const int count : {16, 15, 14, 13, 12, 11}) {
         if (mentions(text, fmt::format("TEXCOORD{}", count))) return "4.0";
     }
-    constexpr std::string_view kModern[] = {".SampleLevel(", ".SampleGrad(", ".SampleBias(",  ".Load(", ".GetDimensions(",
-                                            "uint",          "asuint",       "SV_IsFrontFace"};
+    constexpr std::string_view kModern[] = {".SampleLevel(",   ".SampleGrad(", ".SampleBias(", ".Load(",
+                                            ".GetDimensions(", "uint",         "asuint",       "SV_IsFrontFace"};
     const bool is_modern = std::any_of(std::begin(kModern), std::end(kModern),
                                        [&](std::string_view word) { return text.find(word) != text.npos; });
     return is_modern || mentions(text, "TEXCOORD10") ? "3.5" : "3.0";

@@ -1,5 +1,5 @@
-// A whole ShaderLab file for Unity's built-in render pipeline: the properties, the passes with their state, and what the
-// passes have in common once at the top. The stages are linked as for any other language.
+// A whole ShaderLab file for Unity's built-in render pipeline: the properties, the passes with their state, and what
+// the passes have in common once at the top. The stages are linked as for any other language.
 //
 //   targets::Printed file = shader_file({material, linked.lowered, passes, reflection, include, header});
 #pragma once

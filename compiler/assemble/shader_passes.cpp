@@ -1,5 +1,5 @@
-// Both stages of a pass as declarations of one program. A name means one thing in it: where the stages differ on what it
-// is, the vertex stage's gets another name.
+// Both stages of a pass as declarations of one program. A name means one thing in it: where the stages differ on what
+// it is, the vertex stage's gets another name.
 #include <algorithm>
 #include <array>
 #include <cctype>

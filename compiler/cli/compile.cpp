@@ -41,6 +41,17 @@ CompileOptions options_of(const Arguments& arguments) {
     return options;
 }
 
+// What was asked for and Unity's files do not have; empty: nothing.
+std::string not_for_unity(const Arguments& arguments) {
+    if (!arguments.wants("unity")) return {};
+    if (!arguments.functions.empty()) return "functions are written as glsl and hlsl: Unity's files hold whole passes";
+    if (arguments.targets.size() > 1) return {};
+    if (arguments.validate)
+        return "nothing here proves ShaderLab, only Unity does; --validate is for glsl, hlsl and spirv";
+    const bool is_plain = arguments.path.path == PathOptions{}.path && arguments.path.defines.empty();
+    return is_plain ? "" : "Unity's files have passes of their own: --path and -D are for glsl, hlsl and spirv";
+}
+
 std::string as_bytes(const std::vector<std::uint32_t>& words) {
     return std::string(reinterpret_cast<const char*>(words.data()), words.size() * sizeof(std::uint32_t));
 }
@@ -56,7 +67,7 @@ bool add_shader(const Console& console, const Arguments& arguments, const Shader
         files.add(join_path(arguments.folder, shader.file_name), shader.text);
     }
     const bool wants_spirv = arguments.wants("spirv") && shader.target == Target::Glsl;
-    if (!arguments.validate && !wants_spirv) return true;
+    if ((!arguments.validate && !wants_spirv) || shader.target == Target::Unity) return true;
     const Validated validated = validate(shader);
     report(console, validated.diagnostics);
     if (wants_spirv) files.add(join_path(arguments.folder, spirv_name(shader)), as_bytes(validated.spirv));
@@ -97,6 +108,7 @@ void add_compile(Program& program) {
         program, "compile", "Compile graphs to shaders",
         {"patina compile rust.graph.json -o out", "patina compile *.graph.json -t glsl --validate -o out",
          "patina compile rust.graph.json -t spirv -o out --depfile",
+         "patina compile rust.graph.json -t unity -o Assets/Shaders",
          "patina compile rust.graph.json --path deferred -D shadows -o out",
          "patina compile rust.graph.json --functions Rust_ -o out", "patina compile rust.graph.json --dump tidy"});
     auto arguments = std::make_shared<Arguments>();
@@ -135,6 +147,10 @@ void add_compile(Program& program) {
         }
         if (!arguments->functions.empty() && arguments->wants("spirv")) {
             complain(console, "usage", "functions have no main, and without one there is no SPIR-V");
+            return Exit::Usage;
+        }
+        if (const std::string why = not_for_unity(*arguments); !why.empty()) {
+            complain(console, "usage", why);
             return Exit::Usage;
         }
         const Compiler compiler;

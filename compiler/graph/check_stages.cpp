@@ -117,11 +117,18 @@ private:
                 .note(older->span, "the library's is here; give this one another name");
     }
 
-    // [foreign] is text for an included file to make sense of; only a pass file can know which.
+    // Whether it stands in the passes of a target, whose files another tool reads (library.h).
+    bool is_for_tool(Span span) const {
+        return std::string_view(sources_.resolve(span.begin).file).starts_with("nodes/targets/");
+    }
+
+    // [foreign] is text for an included file to make sense of, and the other tool for the rest.
     void foreign(const Attribute& attribute, Span span) {
-        if (!is_of_pass(sources_, span)) bad(attribute.span, "foreign", "stands in pass files");
-        if (attribute.args.size() > 1)
-            bad(attribute.span, "foreign", "reads like this: [foreign] or, with its spelling, [foreign(\"v.vertex.xyz\")]");
+        if (!is_for_tool(span))
+            bad(attribute.span, attribute.name, "stands in the passes of a target, nodes/targets/");
+        else if (attribute.args.size() > 1)
+            bad(attribute.span, "foreign",
+                "reads like this: [foreign] or, with its spelling, [foreign(\"v.vertex.xyz\")]");
     }
 
     // What an included file declares, in the place of an attribute or a value of the engine.
@@ -129,7 +136,8 @@ private:
         const std::string_view what = nodelang::attribute_text(attribute);
         const VariableDecl* given = declarations_.variable(what);
         if (!decl.attribute("foreign") || attribute.args.size() != 1)
-            return bad(attribute.span, "gives", "reads like this: [foreign(\"_Time.y\")] [gives(\"time\")] float seconds");
+            return bad(attribute.span, "gives",
+                       "reads like this: [foreign(\"_Time.y\")] [gives(\"time\")] float seconds");
         if (!given || !(given->attribute("attribute") || given->attribute("extern")))
             return bad(attribute.span, "gives",
                        fmt::format("names '{}', which is neither an attribute nor a value of the engine", what));
@@ -260,6 +268,10 @@ private:
         }
         if (const Attribute* attribute = decl.attribute("foreign")) foreign_function(decl, *attribute);
         texts_of(decl, diagnostics_);
+        for (const Attribute& attribute : decl.attributes) {
+            const bool is_tools = attribute.name == "text" || attribute.name == "tag" || attribute.name == "decodes";
+            if (is_tools && !is_for_tool(attribute.span)) foreign(attribute, attribute.span);
+        }
         if (const Attribute* attribute = decl.attribute("semantic")) recipe(decl, *attribute);
         if (decl.attribute("pass") && decl.attribute("vertex") && decl.result.name != "float4" &&
             !(decl.attribute("text") && decl.result.name == "void"))
@@ -304,17 +316,12 @@ private:
                                 is_varying ? "a number or vector, which vertices can hand to pixels," : "a value");
     }
 
-    // In a file whose passes a tool draws, any function of the library may mean something else.
-    bool is_for_tool(const Attribute& attribute) const {
-        return attribute.args.size() == 1 ||
-               std::any_of(stages_.foreign.begin(), stages_.foreign.end(), [&](const VariableDecl* each) {
-                   return sources_.resolve(each->span.begin).file == sources_.resolve(attribute.span.begin).file;
-               });
-    }
-
     void gives(const FunctionDecl& decl, const Attribute& attribute) {
         if (attribute.args.empty()) return;  // reported when it was read
         const Expr& what = *attribute.args[0];
+        if (attribute.args.size() == 1 && !is_for_tool(attribute.span))
+            return bad(attribute.span, "gives",
+                       "takes what is given and the passes: [gives(\"position_ws\", \"mine\")]");
         for (std::size_t i = 1; i < attribute.args.size(); ++i) {
             const Expr& to = *attribute.args[i];
             if (!pass(to)) continue;
@@ -337,7 +344,7 @@ private:
                 diagnostics_.report(Code::TypeMismatch, decl.result.span, fmt::format("the recipe of '{}'", what.text),
                                     decl.result.name, type.name);
             }
-        } else if (!replaced || !(is_for_tool(attribute) || replaced->attribute("extern"))) {
+        } else if (!replaced || !(is_for_tool(attribute.span) || replaced->attribute("extern"))) {
             std::vector<std::string_view> known;
             for (const SemanticDecl& each : stages_.semantics) known.push_back(each.name);
             for (const Declarations* scope = &declarations_; scope; scope = scope->parent) {

@@ -14,7 +14,7 @@ namespace patina::graph {
 
 inline constexpr std::uint32_t kEngineSet = 0;
 inline constexpr std::uint32_t kMaterialSet = 1;
-inline constexpr std::uint32_t kTargetSet = 2;  // targets of other passes
+inline constexpr std::uint32_t kTargetSet = 2;   // targets of other passes
 inline constexpr std::uint32_t kForeignSet = 3;  // in no set: what included files declare
 
 struct PropertyGlobals {

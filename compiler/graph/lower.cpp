@@ -171,8 +171,8 @@ std::optional<Found> found(const std::vector<std::pair<Key, Found>>& pairs, Key 
 std::optional<ir::FunctionId> in_stage(const LoweredPass& pass, std::optional<ir::FunctionId> function,
                                        ir::StageKind stage) {
     if (!function || stage == ir::StageKind::Fragment) return function;
-    const bool is_there = std::find(pass.in_both_stages.begin(), pass.in_both_stages.end(), *function) !=
-                          pass.in_both_stages.end();
+    const bool is_there =
+        std::find(pass.in_both_stages.begin(), pass.in_both_stages.end(), *function) != pass.in_both_stages.end();
     return is_there ? function : std::nullopt;
 }
 

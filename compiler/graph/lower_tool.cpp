@@ -39,8 +39,7 @@ constexpr std::string_view kEmission = "emission";
 bool is_hdr(const CheckedGraph& graph, const Property& property) {
     if (std::any_of(property.value.begin(), property.value.begin() + 3, [](double v) { return v > 1; })) return true;
     std::vector<PortValue> emission, others = graph.graph->vertex;
-    for (const PortValue& port : graph.graph->surface)
-        (port.name == kEmission ? emission : others).push_back(port);
+    for (const PortValue& port : graph.graph->surface) (port.name == kEmission ? emission : others).push_back(port);
     return reaches(graph, emission, property.name) && !reaches(graph, others, property.name);
 }
 

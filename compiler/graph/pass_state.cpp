@@ -115,8 +115,8 @@ void read_stencil(Arguments& in, PassDecl& pass) {
 
 // Places of a tool's file where a pass may want lines of its own.
 constexpr std::array<std::string_view, 10> kPlaces = {
-    "grab",         "queue",      "pragma",         "include",     "first interpolator", "interpolators",
-    "vertex begin", "vertex end", "fragment begin", "fragment end"};
+    "grab",          "queue",        "pragma",     "include",        "first interpolator",
+    "interpolators", "vertex begin", "vertex end", "fragment begin", "fragment end"};
 
 void read_tag(Arguments& in, PassDecl& pass) {
     const std::string_view name = in.text();
@@ -158,8 +158,7 @@ constexpr StateRow kState[] = {
      }},
     {"stencil", 3, 3, "[stencil(\"always\", \"replace\", \"lighting\")]",
      [](Arguments& in, std::size_t, PassDecl& p) { read_stencil(in, p); }},
-    {"tag", 2, 2, "[tag(\"LightMode\", \"Always\")]",
-     [](Arguments& in, std::size_t, PassDecl& p) { read_tag(in, p); }},
+    {"tag", 2, 2, "[tag(\"LightMode\", \"Always\")]", [](Arguments& in, std::size_t, PassDecl& p) { read_tag(in, p); }},
     {"optional", 0, 0, "[optional]", [](Arguments&, std::size_t, PassDecl& p) { p.is_optional = true; }},
 };
 

@@ -64,8 +64,8 @@ struct PassDecl {
 };
 
 // [gives("position_ws", "deferred-light")]: these passes' own recipe of a semantic, or their own body of an [extern]
-// function. Without passes: of all passes of the same file, in both stages; then it may also be a value that an included file
-// declares, in the place of an attribute or an [extern] value, and replace any function of the library.
+// function. Without passes: of all passes of the same file, in both stages; then it may also be a value that an
+// included file declares, in the place of an attribute or an [extern] value, and replace any function of the library.
 struct GivenDecl {
     std::string_view what;
     const nodelang::FunctionDecl* function = nullptr;
@@ -89,7 +89,7 @@ struct Stages {
     std::vector<GivenDecl> given;
     std::vector<SwitchDecl> switches;
     std::vector<const nodelang::VariableDecl*> externs, statics;
-    std::vector<const nodelang::VariableDecl*> foreign;  // values that included files declare
+    std::vector<const nodelang::VariableDecl*> foreign;                  // values that included files declare
     std::map<std::string_view, const nodelang::FunctionDecl*> decoders;  // by usage of a texture or property
     // The library's, which a file repeats: its functions mean what is declared again.
     std::vector<const nodelang::VariableDecl*> repeated;

@@ -106,8 +106,8 @@ struct Function {
     std::string comment{};       // lines, printed above the function
     bool always_inline = false;  // recipes and pass bodies: they are spelled out where they are called
     Linkage linkage = Linkage::Internal;
-    // Foreign: how a call is written, "MACRO({0}, {1})". With {result} in it, it is a statement, or several, that declares
-    // its result. Empty: the name and the arguments.
+    // Foreign: how a call is written, "MACRO({0}, {1})". With {result} in it, it is a statement, or several, that
+    // declares its result. Empty: the name and the arguments.
     std::string spelling{};
     std::vector<StageText> texts{};  // Foreign: lines that a stage needs that calls it
     std::vector<Probe> probes{};

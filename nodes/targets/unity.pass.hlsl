@@ -61,15 +61,17 @@ float2 unity_screen_uv(float4 position = screen_pos) {
 
 // --- colour
 
+/// What is read of textures and colours goes through these.
 [decodes("color")] [foreign] float3 LinearColor(float3 color);
 [decodes("normal")] [foreign] float4 NormalTexel(float4 packed);
+/// A linear colour as the project keeps it.
 [foreign] float3 ProjectColor(float3 color);
 
 // --- light
 
 [foreign] float4 _WorldSpaceLightPos0;
-[foreign] float4 _LightColor0;
-
+[foreign("LinearColor(_LightColor0.rgb)")] [text("include", "UnityLightingCommon.cginc")]
+float3 LightColor();
 [foreign] float3 UnityWorldSpaceLightDir(float3 position);
 [foreign] int LightType();
 
@@ -111,7 +113,7 @@ float4 ambient_or_lightmap_uv(float3 position = position_ws, float3 normal = ver
 Light unity_main_light(int index, float3 position, float left = attenuation, float4 ambient = ambient_or_lightmap_uv) {
     Light light;
     light.direction = _WorldSpaceLightPos0.xyz;
-    light.color = LinearColor(_LightColor0.rgb);
+    light.color = LightColor();
     light.attenuation = 1;
     light.shadow = MixedShadow(position, left, ambient);
     light.index = 0;
@@ -124,7 +126,7 @@ Light unity_main_light(int index, float3 position, float left = attenuation, flo
 Light unity_further_light(int index, float3 position, float left = attenuation) {
     Light light;
     light.direction = normalize(UnityWorldSpaceLightDir(position));
-    light.color = LinearColor(_LightColor0.rgb);
+    light.color = LightColor();
     light.attenuation = left;
     light.shadow = 1;
     light.index = 1;
@@ -240,7 +242,7 @@ float4 unity_forward_base(float3 position = position_ws) {
 
 [pass("unity-forward-add")] [fragment] [each("light")] [lights("further")] [needs("added", "direct")]
 [tag("Name", "FORWARD_DELTA")] [tag("LightMode", "ForwardAdd")]
-[text("pragma", "multi_compile_fwdadd_fullshadows", "multi_compile_instancing")]
+[text("pragma", "multi_compile_fwdadd_fullshadows")]
 [depth("lessEqual", "keep")]
 [blend("opaque", "one", "one", "zero", "one")] [blend("cutout", "one", "one", "zero", "one")]
 [blend("fade", "src_alpha", "one", "zero", "one")] [blend("transparent", "one", "one", "zero", "one")]

@@ -54,8 +54,8 @@ TEST_P(UnityFile, ReadsAsExpected) {
 INSTANTIATE_TEST_SUITE_P(All, UnityFile, ::testing::Values("standard", "wave", "fade"),
                          [](const auto& info) { return info.param; });
 
-// What an artist sees. Colours are those of a picker, but for those that may be brighter than white: 0.5 of linear light
-// is 0.7354 there (IEC 61966-2-1).
+// What an artist sees. Colours are those of a picker, but for those that may be brighter than white: 0.5 of linear
+// light is 0.7354 there (IEC 61966-2-1).
 TEST(UnityProperties, AreDeclaredAsArtistsSetThem) {
     const std::string text = shader(material(R"("properties": [
         { "name": "_Color", "type": "color", "default": [0.5, 0, 1], "label": "Paint" },
@@ -71,15 +71,15 @@ TEST(UnityProperties, AreDeclaredAsArtistsSetThem) {
         { "name": "_BumpMap", "type": "texture2d", "usage": "normal" },
         { "name": "_Mask", "type": "texture2d", "usage": "data", "default": "gray" } ],
       "surface": { "baseColor": "= $_Color.rgb * $_Bright.rgb", "emission": "$_EmissionColor.rgb" })"));
-    for (const char* line : {R"(_Color ("Paint", Color) = (0.7354, 0, 1, 1))",
-                             R"([HDR] _Bright ("Bright", Color) = (2, 1, 0.5, 1))",
-                             R"([HDR] _EmissionColor ("Emission Color", Color) = (0.5, 0.5, 0.5, 1))",
-                             R"([Header(Wear   tear)])", R"(_Wear ("Wear", Range(0, 1)) = 0.25)",
-                             R"([IntRange] _Count ("Count", Range(1, 8)) = 3)", R"(_Steps ("Steps", Int) = 2)",
-                             R"([Toggle] _On ("On", Float) = 1)", R"([Enum(Dry, 0, Wet, 1)] _Kind ("Kind", Float) = 1)",
-                             R"(_Shift ("Shift", Vector) = (1, 2, 3, 0))", R"( _MainTex ("Main Tex", 2D) = "white" {})",
-                             R"([NoScaleOffset] [Normal] _BumpMap ("Bump Map", 2D) = "bump" {})",
-                             R"([NoScaleOffset] _Mask ("Mask", 2D) = "gray" {})"})
+    for (const char* line :
+         {R"(_Color ("Paint", Color) = (0.7354, 0, 1, 1))", R"([HDR] _Bright ("Bright", Color) = (2, 1, 0.5, 1))",
+          R"([HDR] _EmissionColor ("Emission Color", Color) = (0.5, 0.5, 0.5, 1))", R"([Header(Wear   tear)])",
+          R"(_Wear ("Wear", Range(0, 1)) = 0.25)", R"([IntRange] _Count ("Count", Range(1, 8)) = 3)",
+          R"(_Steps ("Steps", Int) = 2)", R"([Toggle] _On ("On", Float) = 1)",
+          R"([Enum(Dry, 0, Wet, 1)] _Kind ("Kind", Float) = 1)", R"(_Shift ("Shift", Vector) = (1, 2, 3, 0))",
+          R"( _MainTex ("Main Tex", 2D) = "white" {})",
+          R"([NoScaleOffset] [Normal] _BumpMap ("Bump Map", 2D) = "bump" {})",
+          R"([NoScaleOffset] _Mask ("Mask", 2D) = "gray" {})"})
         EXPECT_TRUE(has(text, line)) << line << "\n" << text.substr(0, 1800);
     EXPECT_FALSE(has(text, "[NoScaleOffset] _MainTex"));
 }
@@ -114,10 +114,23 @@ TEST_P(UnityKind, SaysHowItIsDrawn) {
 INSTANTIATE_TEST_SUITE_P(
     All, UnityKind,
     ::testing::Values(
-        Kind{"opaque", "Opaque", "Geometry", "", "\"VertexLit\"", {"ForwardBase", "ForwardAdd", "ShadowCaster", "Deferred"}},
-        Kind{"cutout", "TransparentCutout", "AlphaTest", "", "\"Transparent/Cutout/VertexLit\"",
+        Kind{"opaque",
+             "Opaque",
+             "Geometry",
+             "",
+             "\"VertexLit\"",
              {"ForwardBase", "ForwardAdd", "ShadowCaster", "Deferred"}},
-        Kind{"fade", "Transparent", "Transparent", "SrcAlpha OneMinusSrcAlpha, One OneMinusSrcAlpha", "Off",
+        Kind{"cutout",
+             "TransparentCutout",
+             "AlphaTest",
+             "",
+             "\"Transparent/Cutout/VertexLit\"",
+             {"ForwardBase", "ForwardAdd", "ShadowCaster", "Deferred"}},
+        Kind{"fade",
+             "Transparent",
+             "Transparent",
+             "SrcAlpha OneMinusSrcAlpha, One OneMinusSrcAlpha",
+             "Off",
              {"ForwardBase", "ForwardAdd"}},
         Kind{"transparent", "Transparent", "Transparent", "One OneMinusSrcAlpha", "Off", {"ForwardBase", "ForwardAdd"}},
         Kind{"additive", "Transparent", "Transparent", "One One, Zero One", "Off", {"ForwardBase"}},
@@ -125,8 +138,8 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return info.param.surface; });
 
 TEST(UnityState, IsThatOfTheGraph) {
-    const std::string text =
-        shader(material(R"("render": { "cull": "front", "depthWrite": false, "depthTest": "greaterEqual", "queue": 2460 })"));
+    const std::string text = shader(
+        material(R"("render": { "cull": "front", "depthWrite": false, "depthTest": "greaterEqual", "queue": 2460 })"));
     EXPECT_TRUE(has(text, "Cull Front"));
     EXPECT_TRUE(has(text, "ZWrite Off"));
     EXPECT_TRUE(has(text, "ZTest GEqual"));
@@ -136,8 +149,8 @@ TEST(UnityState, IsThatOfTheGraph) {
 // Only Unity's own lighting can be left to its deferred path.
 TEST(UnityDeferred, IsForUnitysModelsAlone) {
     for (const char* model : {"unity-brdf1", "unity-brdf2", "unity-brdf3"}) {
-        const Result result = of_text(R"({ "patina": 1, "workflow": "metallic-smoothness", "lighting": ")" +
-                                      std::string(model) + "\" }");
+        const Result result =
+            of_text(R"({ "patina": 1, "workflow": "metallic-smoothness", "lighting": ")" + std::string(model) + "\" }");
         ASSERT_TRUE(result.ok);
         EXPECT_TRUE(result.diagnostics.empty()) << to_text(result.diagnostics.front());
         EXPECT_TRUE(taken_apart(result.shaders.front().text).pass("Deferred")) << model;
@@ -184,6 +197,38 @@ TEST(UnityNames, KeepOutOfTheWayOfTheIncludes) {
     EXPECT_FALSE(has(text, "float SPOT ")) << text;
     EXPECT_FALSE(has(text, "float shadow ")) << text;
     EXPECT_FALSE(has(text, "float _Time;")) << text;
+}
+
+// What belongs to another tool's files means nothing elsewhere.
+TEST(UnityAttributes, AreRefusedInPassFilesOfOnesOwn) {
+    for (const std::string declaration :
+         {"[foreign] float4 _Sun;", "[foreign] float3 Sun(float3 position);",
+          "[gives(\"view_dir_ws\")] float3 f() { return 0; }", "[text(\"pragma\", \"x\")] float3 f() { return 0; }",
+          "[decodes(\"color\")] float3 f(float3 c) { return c; }"}) {
+        CompileOptions options;
+        options.path = "./mine.pass.hlsl";
+        options.loader = [&](const std::string& path) -> std::optional<std::string> {
+            if (path.ends_with(".graph.json")) return material("\"surface\": {}");
+            return declaration + R"(
+[pass("mine")] [vertex] float4 mine_vertex(float3 position = position_ws) { return mul(world_to_clip, float4(position, 1)); }
+[pass("mine")] [fragment] [lights("none")] [blend("opaque", "one", "zero")] float4 mine() { return float4(1); }
+)";
+        };
+        const Result result = compiler().compile_file("t.graph.json", options);
+        EXPECT_FALSE(result.ok) << declaration;
+        ASSERT_FALSE(result.diagnostics.empty()) << declaration;
+        EXPECT_EQ(result.diagnostics.front().code, "bad-attribute") << declaration;
+        EXPECT_EQ(result.diagnostics.front().line, 1) << declaration;
+    }
+}
+
+TEST(UnityFunctions, AreRefused) {
+    CompileOptions options;
+    options.targets = {Target::Unity};
+    options.functions = "Rust_";
+    const Result result = compiler().compile_text("t.graph.json", material("\"surface\": {}"), options);
+    EXPECT_FALSE(result.ok);
+    EXPECT_EQ(result.diagnostics.front().code, "not-yet");
 }
 
 // One line of the file, one place in the graph.

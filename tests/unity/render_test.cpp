@@ -1,5 +1,6 @@
 // ForwardBase and ForwardAdd of the ShaderLab files, drawn by the runtime through stand-ins for Unity's includes, show
-// what the runtime's own path shows: in a project of linear space and in one of gamma space, whose pictures are decoded.
+// what the runtime's own path shows: in a project of linear space and in one of gamma space, whose pictures are
+// decoded.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -54,6 +55,8 @@ const runtime::Light kSpot{.kind = runtime::LightKind::Spot,
                            .inner_angle = 12,
                            .outer_angle = 24};
 
+const runtime::Fog kFog{.mode = runtime::FogMode::Linear, .color = glm::vec3(0.3f, 0.4f, 0.6f), .start = 2, .end = 6};
+
 // A material for the runtime's path `forward`, and as Unity's file.
 struct Material {
     Result result;
@@ -62,8 +65,9 @@ struct Material {
     runtime::MaterialValues values;
 
     Material(const std::string& graph, const runtime::Scene& scene, const std::map<std::string, std::string>& words,
-             std::vector<std::pair<std::string, std::string>> switches) {
+             std::vector<std::pair<std::string, std::string>> switches, const std::string& path = "forward") {
         CompileOptions options;
+        options.path = path;
         options.targets = {Target::Hlsl, Target::Unity};
         options.switches = std::move(switches);
         result = compiler().compile_file(graph, options);
@@ -103,9 +107,9 @@ struct Drawn {
 
 Image drawn(const Material& material, const runtime::Scene& scene, std::vector<Drawn>& passes) {
     runtime::Frame frame{
-        .targets = {{.name = "color", .width = scene.width, .height = scene.height, .clear = scene.background},
-                    {.name = "depth", .format = "depth", .width = scene.width, .height = scene.height,
-                     .clear = glm::vec4(1)}}};
+        .targets = {
+            {.name = "color", .width = scene.width, .height = scene.height, .clear = scene.background},
+            {.name = "depth", .format = "depth", .width = scene.width, .height = scene.height, .clear = glm::vec4(1)}}};
     for (Drawn& each : passes) {
         const runtime::EngineScene seen{.scene = &scene,
                                         .view = runtime::camera_view(scene),
@@ -210,7 +214,8 @@ TEST_P(UnityPicture, AddsUpToThatOfForward) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, UnityPicture,
-    testing::Values(Case{"tests/unity/graphs/standard.graph.json", "torus",
+    testing::Values(Case{"tests/unity/graphs/standard.graph.json",
+                         "torus",
                          {{"_Color", "#d08050"}, {"_GlossMapScale", "0.6"}, {"_Metallic", "0.4"}}},
                     Case{"examples/graphs/rusted_steel.graph.json"}, Case{"examples/graphs/ivy.graph.json", "plane"},
                     Case{"examples/graphs/toon.graph.json", "torus"}, Case{"examples/graphs/coral.graph.json"},
@@ -233,16 +238,84 @@ TEST_P(UnityBlending, IsThatOfForward) {
     if (GetParam() == "additive" || GetParam() == "multiply") scene.lights.resize(1);
     const Material material("tests/unity/graphs/" + GetParam() + ".graph.json", scene, {}, {});
     expect_same(forward(material, scene), in_unity(material, scene, {}), "linear");
+    scene.fog = kFog;
+    const Material in_fog("tests/unity/graphs/" + GetParam() + ".graph.json", scene, {}, {{"fog", "true"}});
+    expect_same(forward(in_fog, scene), in_unity(in_fog, scene, {"FOG_LINEAR", "STAND_IN_FOG"}), "fog");
 }
 
 INSTANTIATE_TEST_SUITE_P(All, UnityBlending, testing::Values("fade", "transparent", "additive", "multiply"),
                          [](const auto& info) { return info.param; });
 
+// The G-buffer: what `gbuffer` of the path `deferred` leaves, target by target. With high dynamic range the light is in
+// it as it is, without it as 2^-light.
+TEST(UnityPictures, FillTheSameGBuffer) {
+    const runtime::Scene scene = scene_of("torus", {});
+    const Material material("tests/unity/graphs/standard.graph.json", scene,
+                            {{"_Color", "#d08050"}, {"_Metallic", "0.4"}, {"_EmissionColor", "0.1,0.2,0.3"}}, {},
+                            "deferred");
+    const Reflection& reflection = material.result.reflection;
+    const auto gbuffer = std::find_if(reflection.passes.begin(), reflection.passes.end(),
+                                      [](const Pass& pass) { return pass.name == "gbuffer"; });
+    ASSERT_NE(gbuffer, reflection.passes.end());
+    ASSERT_EQ(gbuffer->targets.size(), 4u);
+    const LabPass* pass = material.file.pass("Deferred");
+    ASSERT_TRUE(pass);
+    const auto draw = [&](Drawn& made, std::size_t shown) {
+        runtime::Frame frame{.shown = shown};
+        for (const RenderTarget& target : gbuffer->targets)
+            frame.targets.push_back({.name = target.name, .width = scene.width, .height = scene.height});
+        frame.targets.push_back(
+            {.name = "depth", .format = "depth", .width = scene.width, .height = scene.height, .clear = glm::vec4(1)});
+        const runtime::EngineScene seen{.scene = &scene,
+                                        .view = runtime::camera_view(scene),
+                                        .object_to_world = scene.object_to_world,
+                                        .ambient = scene.ambient};
+        frame.steps.push_back({.reflection = &reflection,
+                               .pass = &made.pass,
+                               .stages = {.vertex_spirv = made.vertex, .fragment_spirv = made.fragment},
+                               .mesh = &scene.mesh,
+                               .blocks = runtime::fill_blocks(reflection, material.values, seen),
+                               .textures = material.textures,
+                               .targets = {0, 1, 2, 3},
+                               .depth = 4});
+        const auto image = renderer().draw(frame);
+        EXPECT_TRUE(image) << image.error;
+        return image ? image.value : runtime::make_image(scene.width, scene.height);
+    };
+    Drawn own{.pass = *gbuffer, .vertex = {}, .fragment = {}, .lights = {}};
+    for (const Shader& shader : material.result.shaders) {
+        if (shader.pass != "gbuffer" || shader.target != Target::Hlsl) continue;
+        (shader.stage == Stage::Vertex ? own.vertex : own.fragment) = spirv(shader);
+    }
+    for (const bool is_hdr : {true, false}) {
+        const Keywords keywords = is_hdr ? Keywords{"UNITY_HDR_ON"} : Keywords{};
+        Drawn unitys{.pass = *gbuffer, .vertex = {}, .fragment = {}, .lights = {}};
+        unitys.pass.vertex_inputs = appdata_full();
+        unitys.pass.blocks.clear();
+        for (const Block& block : reflection.blocks) unitys.pass.blocks.push_back(block.name);
+        unitys.vertex = spirv(stage(*pass, reflection, Stage::Vertex, keywords));
+        unitys.fragment = spirv(stage(*pass, reflection, Stage::Fragment, keywords));
+        for (std::size_t target = 0; target < 4; ++target) {
+            Image expected = draw(own, target);
+            if (target == 3 && !is_hdr) {
+                for (int y = 0; y < expected.height; ++y) {
+                    for (int x = 0; x < expected.width; ++x) {
+                        float* pixel = &expected.pixels[4 * static_cast<std::size_t>(y * expected.width + x)];
+                        for (int c = 0; c < 3 && pixel[3] > 0; ++c) pixel[c] = std::exp2(-pixel[c]);
+                    }
+                }
+            }
+            expect_same(expected, draw(unitys, target), gbuffer->targets[target].name);
+        }
+    }
+}
+
 // The fog that the stand-ins compute from the runtime's settings is the runtime's own.
 TEST(UnityPictures, FadeIntoTheSameFog) {
     runtime::Scene scene = scene_of("torus", {kSun, kLamp});
-    scene.fog = {.mode = runtime::FogMode::Linear, .color = glm::vec3(0.3f, 0.4f, 0.6f), .start = 2, .end = 6};
-    const Material material("tests/unity/graphs/standard.graph.json", scene, {{"_Color", "#d08050"}}, {{"fog", "true"}});
+    scene.fog = kFog;
+    const Material material("tests/unity/graphs/standard.graph.json", scene, {{"_Color", "#d08050"}},
+                            {{"fog", "true"}});
     expect_same(forward(material, scene), in_unity(material, scene, {"FOG_LINEAR", "STAND_IN_FOG"}), "fog");
 }
 

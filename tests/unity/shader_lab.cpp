@@ -14,7 +14,8 @@ namespace {
 std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> lines;
     std::istringstream in(text);
-    for (std::string line; std::getline(in, line);) lines.push_back(line.substr(std::min(line.find_first_not_of(' '), line.size())));
+    for (std::string line; std::getline(in, line);)
+        lines.push_back(line.substr(std::min(line.find_first_not_of(' '), line.size())));
     return lines;
 }
 
@@ -69,14 +70,15 @@ std::string preamble(const Reflection& reflection, const std::vector<std::string
     for (const Block& block : reflection.blocks) text += declared(block);
     int target = 8;
     for (const char* name : {"_BackgroundTexture", "_CameraDepthTexture"}) {
-        text += fmt::format("#define REGISTER_{0} register(t{1}, space2)\n#define REGISTER_sampler{0} register(s{1}, space2)\n",
-                            name, target++);
+        text += fmt::format(
+            "#define REGISTER_{0} register(t{1}, space2)\n#define REGISTER_sampler{0} register(s{1}, space2)\n", name,
+            target++);
     }
     for (const Texture& texture : reflection.textures) {
         if (texture.is_material) {
-            text += fmt::format("#define REGISTER_{} register({})\n#define REGISTER_{} register({})\n",
-                                texture.identifier, texture.hlsl_register, texture.sampler_name,
-                                texture.sampler_register);
+            text +=
+                fmt::format("#define REGISTER_{} register({})\n#define REGISTER_{} register({})\n", texture.identifier,
+                            texture.hlsl_register, texture.sampler_name, texture.sampler_register);
             text += fmt::format("#define TEXEL_{} {}\n", texture.identifier,
                                 texture.usage == "color" ? "handed_over" : "as_it_is");
         } else if (texture.dimension == "cube") {

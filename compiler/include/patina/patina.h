@@ -46,8 +46,8 @@ Diagnostic diagnostic_at(const ScenePlace& place, std::string code, std::string 
 // "did you mean 'Lerp'?", or what there is when that is little, or nothing. For words that a tool itself reads.
 std::string suggestion(std::string_view word, const std::vector<std::string>& known);
 
-// GLSL 450 for Vulkan; HLSL in Shader Model 5.1 style; one ShaderLab file a material, with all of its passes, for Unity's
-// built-in render pipeline.
+// GLSL 450 for Vulkan; HLSL in Shader Model 5.1 style; one ShaderLab file a material, with all of its passes, for
+// Unity's built-in render pipeline.
 enum class Target { Glsl, Hlsl, Unity };
 enum class Stage { Vertex, Fragment };
 std::string_view to_string(Target target);  // "glsl", "hlsl", "unity"

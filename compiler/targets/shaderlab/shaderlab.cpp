@@ -36,9 +36,8 @@ Text expression(const Body& body, Value v) {
     if (body[v].op == Op::Sample) {
         const std::string sampler = body.argument(v, 1);
         const std::string_view own = texture_of(sampler);
-        text = own == name
-                   ? fmt::format("UNITY_SAMPLE_TEX2D({}, {})", name, body.argument(v, 2))
-                   : fmt::format("UNITY_SAMPLE_TEX2D_SAMPLER({}, {}, {})", name, own, body.argument(v, 2));
+        text = own == name ? fmt::format("UNITY_SAMPLE_TEX2D({}, {})", name, body.argument(v, 2))
+                           : fmt::format("UNITY_SAMPLE_TEX2D_SAMPLER({}, {}, {})", name, own, body.argument(v, 2));
     } else {
         text = hlsl::language().expression(body, v).text;
     }
@@ -88,8 +87,8 @@ std::vector<std::string> lines_at(const StageInterface& stage, std::string_view 
 class MemberNames {
 public:
     MemberNames() {
-        for (const char* name : {"pos", "vec", "hpos", "fogCoord", "instanceID", "stereoTargetEyeIndex", "_ShadowCoord",
-                                 "_LightCoord"})
+        for (const char* name :
+             {"pos", "vec", "hpos", "fogCoord", "instanceID", "stereoTargetEyeIndex", "_ShadowCoord", "_LightCoord"})
             names_.declare(name);
     }
     std::string declare(std::string_view name) { return names_.declare(name); }
@@ -175,8 +174,7 @@ std::string declare_targets(Writer& w, EntryPoint& entry) {
         entry.guards.push_back(v.guard);
     }
     w.line(0, "};");
-    w.pieces.push_back(
-        {.kind = Piece::Kind::Struct, .name = name, .begin = begin, .end = w.text.size(), .line = line});
+    w.pieces.push_back({.kind = Piece::Kind::Struct, .name = name, .begin = begin, .end = w.text.size(), .line = line});
     entry.before_return = name + " output;";
     entry.at_return = "return output;";
     return name;

@@ -10,6 +10,7 @@ Shader "Patina/fade"
     #include "UnityCG.cginc"
     #include "AutoLight.cginc"
     #include "UnityPBSLighting.cginc"
+    #include "UnityLightingCommon.cginc"
 
     half4 _Color;
 
@@ -244,7 +245,7 @@ Shader "Patina/fade"
                 // MetallicSetup "setup"
                 MetallicSetupResult setup = MetallicSetup(LinearColor(_Color).xyz, 0.0);
 
-                float3 color = LinearColor(_LightColor0.xyz);
+                float3 color = LinearColor(_LightColor0.rgb);
                 float shadow_2 = MixedShadow(i.position_ws, attenuation, i.ambient_or_lightmap_uv);
 
                 // NdotL "ndotl"
@@ -316,7 +317,6 @@ Shader "Patina/fade"
             #pragma target 3.0
             #pragma multi_compile_fog
             #pragma multi_compile_fwdadd_fullshadows
-            #pragma multi_compile_instancing
             #pragma vertex vert
             #pragma fragment frag
 
@@ -361,7 +361,7 @@ Shader "Patina/fade"
                 MetallicSetupResult setup = MetallicSetup(LinearColor(_Color).xyz, 0.0);
 
                 float3 direction = normalize(UnityWorldSpaceLightDir(i.position_ws));
-                float3 color = LinearColor(_LightColor0.xyz);
+                float3 color = LinearColor(_LightColor0.rgb);
 
                 // NdotL "ndotl"
                 float cosine = dot(geometry_normal_ws, direction);

@@ -23,6 +23,7 @@ Shader "Patina/Standard"
     #include "UnityCG.cginc"
     #include "AutoLight.cginc"
     #include "UnityPBSLighting.cginc"
+    #include "UnityLightingCommon.cginc"
 
     half4 _Color;
     float4 _MainTex_ST;
@@ -381,7 +382,7 @@ Shader "Patina/Standard"
 
                 float roughness = 1.0 - material.smoothness;
                 float3 normal_ws = normalize(material.normal_ws);
-                float3 color = LinearColor(_LightColor0.xyz);
+                float3 color = LinearColor(_LightColor0.rgb);
                 float shadow_2 = MixedShadow(i.position_ws, attenuation, i.ambient_or_lightmap_uv);
 
                 // NdotL "ndotl"
@@ -460,7 +461,6 @@ Shader "Patina/Standard"
             #pragma target 3.0
             #pragma multi_compile_fog
             #pragma multi_compile_fwdadd_fullshadows
-            #pragma multi_compile_instancing
             #pragma vertex vert
             #pragma fragment frag
 
@@ -514,7 +514,7 @@ Shader "Patina/Standard"
                 float roughness = 1.0 - material.smoothness;
                 float3 normal_ws = normalize(material.normal_ws);
                 float3 direction = normalize(UnityWorldSpaceLightDir(i.position_ws));
-                float3 color = LinearColor(_LightColor0.xyz);
+                float3 color = LinearColor(_LightColor0.rgb);
 
                 // NdotL "ndotl"
                 float cosine = dot(normal_ws, direction);

@@ -14,6 +14,7 @@ Shader "Patina/Wave"
     #include "UnityCG.cginc"
     #include "AutoLight.cginc"
     #include "UnityPBSLighting.cginc"
+    #include "UnityLightingCommon.cginc"
 
     half _Height;
     float _Waves;
@@ -316,7 +317,7 @@ Shader "Patina/Wave"
 
                 float roughness = 1.0 - material.smoothness;
                 float3 normal_ws = normalize(material.normal_ws);
-                float3 color = LinearColor(_LightColor0.xyz);
+                float3 color = LinearColor(_LightColor0.rgb);
                 float shadow_2 = MixedShadow(i.position_ws, attenuation, i.ambient_or_lightmap_uv);
 
                 // NdotL "ndotl"
@@ -390,7 +391,6 @@ Shader "Patina/Wave"
             #pragma target 3.5
             #pragma multi_compile_fog
             #pragma multi_compile_fwdadd_fullshadows
-            #pragma multi_compile_instancing
             #pragma vertex vert
             #pragma fragment frag
 
@@ -445,7 +445,7 @@ Shader "Patina/Wave"
                 float roughness = 1.0 - material.smoothness;
                 float3 normal_ws = normalize(material.normal_ws);
                 float3 direction = normalize(UnityWorldSpaceLightDir(i.position_ws));
-                float3 color = LinearColor(_LightColor0.xyz);
+                float3 color = LinearColor(_LightColor0.rgb);
 
                 // NdotL "ndotl"
                 float cosine = dot(normal_ws, direction);

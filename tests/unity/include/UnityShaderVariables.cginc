@@ -12,7 +12,6 @@
 
 #define _WorldSpaceLightPos0 float4(light_position[0].w < 0.5 ? normalize(light_position[0].xyz) : light_position[0].xyz, \
                                     light_position[0].w < 0.5 ? 0 : 1)
-#define _LightColor0 float4(handed_over(light_color[0].rgb), 1)
 #ifndef STAND_IN_FOG
 #define fog_color float4(0, 0, 0, 0)
 #define fog_settings float4(0, 0, 0, 0)
