@@ -24,7 +24,7 @@ struct SurfaceRow {
 // A fallback brings the passes that the shader has not got itself: shadows of what is solid, and none of the others.
 constexpr SurfaceRow kSurfaces[] = {
     {graph::SurfaceKind::Opaque, "Opaque", "\"VertexLit\""},
-    {graph::SurfaceKind::Cutout, "TransparentCutout", "\"Transparent/Cutout/VertexLit\""},
+    {graph::SurfaceKind::Cutout, "TransparentCutout", "\"Legacy Shaders/Transparent/Cutout/VertexLit\""},
     {graph::SurfaceKind::Fade, "Transparent", "Off"},
     {graph::SurfaceKind::Transparent, "Transparent", "Off"},
     {graph::SurfaceKind::Additive, "Transparent", "Off"},

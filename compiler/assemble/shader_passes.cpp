@@ -14,6 +14,8 @@ namespace {
 using Declaration = PassText::Declaration;
 using Kind = targets::Piece::Kind;
 
+constexpr std::size_t kIndent = 12;  // of a pass's text in the file
+
 bool is_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
@@ -59,7 +61,8 @@ std::vector<Declaration> printed(ir::Module stage, const std::vector<ir::StageTe
                                  const std::vector<std::string>& taken) {
     stage.stage.texts = texts;
     if (std::optional<ir::Module> rewritten = targets::shaderlab::legalize(stage)) stage = std::move(*rewritten);
-    return declarations(targets::shaderlab::print(stage, {.header = {}, .shifts = {}, .taken = taken}));
+    return declarations(
+        targets::shaderlab::print(stage, {.header = {}, .shifts = {}, .taken = taken, .width = 120 - kIndent}));
 }
 
 const Declaration* find(const std::vector<Declaration>& list, const std::string& name) {

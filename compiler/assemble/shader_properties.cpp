@@ -85,8 +85,10 @@ Declared declared(const graph::MaterialProperty& entry, bool is_decoded) {
         case PropertyType::Float3: return {"", "Vector", vector(value, 3)};
         case PropertyType::Float4: return {"", "Vector", vector(value, 4)};
         case PropertyType::Color: {
-            if (!is_decoded) return {"[HDR] ", "Color", vector(value, 4)};
-            return {"", "Color", vector({encoded(value[0]), encoded(value[1]), encoded(value[2]), value[3]}, 4)};
+            std::string type(to_string(property.type));  // in ShaderLab with a capital
+            type[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(type[0])));
+            if (!is_decoded) return {"[HDR] ", type, vector(value, 4)};
+            return {"", type, vector({encoded(value[0]), encoded(value[1]), encoded(value[2]), value[3]}, 4)};
         }
         case PropertyType::Int:
             if (property.range) return {"[IntRange] ", range(property), number(value[0])};

@@ -54,6 +54,7 @@ struct PrintOptions {
     const std::vector<Plan>* plans = nullptr;  // of this module; null: made for this printing
     std::optional<Pasting> pasting = {};       // none: a whole shader
     std::vector<std::string> taken = {};       // names that the text around it has
+    std::size_t width = 120;                   // columns that lines are broken at
 };
 
 struct TargetInfo {

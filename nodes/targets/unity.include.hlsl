@@ -47,9 +47,9 @@ int LightType()
 }
 
 // The coordinates of the lightmaps, or the light of four lights and the second order of the probes at a vertex.
-half4 AmbientOrLightmapUV(float2 uv1, float2 uv2, float3 position, half3 normal)
+float4 AmbientOrLightmapUV(float2 uv1, float2 uv2, float3 position, half3 normal)
 {
-    half4 ambient = 0;
+    float4 ambient = 0;
 #ifdef LIGHTMAP_ON
     ambient.xy = uv1 * unity_LightmapST.xy + unity_LightmapST.zw;
 #elif UNITY_SHOULD_SAMPLE_SH
@@ -66,7 +66,7 @@ half4 AmbientOrLightmapUV(float2 uv1, float2 uv2, float3 position, half3 normal)
 }
 
 // What Unity's global illumination asks of a pixel. The light is white: what is left of it is a shadow.
-UnityGIInput GIInput(float3 position, half attenuation, half4 ambient)
+UnityGIInput GIInput(float3 position, half attenuation, float4 ambient)
 {
     UnityGIInput data;
     UNITY_INITIALIZE_OUTPUT(UnityGIInput, data);
@@ -96,13 +96,13 @@ UnityGIInput GIInput(float3 position, half attenuation, half4 ambient)
 }
 
 // Light from all around over pi: probes, lights at vertices, lightmaps, real-time global illumination.
-half3 AmbientLight(half3 normal, float3 position, half attenuation, half4 ambient)
+half3 AmbientLight(half3 normal, float3 position, half attenuation, float4 ambient)
 {
     return LinearColor(UnityGI_Base(GIInput(position, attenuation, ambient), 1, normal).indirect.diffuse);
 }
 
 // What real-time and baked shadows leave of the main light.
-half MixedShadow(float3 position, half attenuation, half4 ambient)
+half MixedShadow(float3 position, half attenuation, float4 ambient)
 {
     return UnityGI_Base(GIInput(position, attenuation, ambient), 1, half3(0, 1, 0)).light.color.r;
 }
@@ -137,7 +137,7 @@ half3 StoredLight(half3 color)
 }
 
 // The shadow mask of the object.
-half4 BakedShadows(half4 ambient, float3 position)
+half4 BakedShadows(float4 ambient, float3 position)
 {
     return UnityGetRawBakedOcclusions(ambient.xy, position);
 }

@@ -42,6 +42,13 @@ bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
+Diagnostic first_error(const Result& result) {
+    for (const Diagnostic& d : result.diagnostics) {
+        if (d.severity == Severity::Error) return d;
+    }
+    return {};
+}
+
 class UnityFile : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(UnityFile, ReadsAsExpected) {
@@ -124,7 +131,7 @@ INSTANTIATE_TEST_SUITE_P(
              "TransparentCutout",
              "AlphaTest",
              "",
-             "\"Transparent/Cutout/VertexLit\"",
+             "\"Legacy Shaders/Transparent/Cutout/VertexLit\"",
              {"ForwardBase", "ForwardAdd", "ShadowCaster", "Deferred"}},
         Kind{"fade",
              "Transparent",
@@ -220,6 +227,23 @@ TEST(UnityAttributes, AreRefusedInPassFilesOfOnesOwn) {
         EXPECT_EQ(result.diagnostics.front().code, "bad-attribute") << declaration;
         EXPECT_EQ(result.diagnostics.front().line, 1) << declaration;
     }
+}
+
+// What is asked of Unity that it does not have is refused, at the node that asks.
+TEST(UnitySeam, IsRefusedWhereUnityHasNothingLikeIt) {
+    const Result added = of_text(R"({ "patina": 1, "workflow": "metallic-smoothness", "lighting": {
+        "nodes": [ { "id": "sky", "node": "AmbientIrradiance" } ], "direct": "= sky * @light.color" } })");
+    EXPECT_FALSE(added.ok);
+    const Diagnostic in_add = first_error(added);
+    EXPECT_EQ(in_add.code, "pass-refused");
+    EXPECT_EQ(in_add.node, "sky") << to_text(in_add);
+    EXPECT_TRUE(has(in_add.message, "'unity-forward-add'") && has(in_add.message, "ambient_sh")) << in_add.message;
+    const Result at_vertices = of_text(R"({ "patina": 1, "workflow": "metallic-smoothness",
+        "nodes": [ { "id": "lit", "expr": "@light.color", "stage": "vertex" } ], "surface": { "baseColor": "lit" } })");
+    EXPECT_FALSE(at_vertices.ok);
+    EXPECT_EQ(first_error(at_vertices).code, "pass-refused");
+    EXPECT_EQ(first_error(at_vertices).node, "lit") << to_text(first_error(at_vertices));
+    EXPECT_TRUE(at_vertices.shaders.empty());
 }
 
 TEST(UnityFunctions, AreRefused) {

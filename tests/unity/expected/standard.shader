@@ -73,9 +73,9 @@ Shader "Patina/Standard"
     }
 
     // The coordinates of the lightmaps, or the light of four lights and the second order of the probes at a vertex.
-    half4 AmbientOrLightmapUV(float2 uv1, float2 uv2, float3 position, half3 normal)
+    float4 AmbientOrLightmapUV(float2 uv1, float2 uv2, float3 position, half3 normal)
     {
-        half4 ambient = 0;
+        float4 ambient = 0;
     #ifdef LIGHTMAP_ON
         ambient.xy = uv1 * unity_LightmapST.xy + unity_LightmapST.zw;
     #elif UNITY_SHOULD_SAMPLE_SH
@@ -92,7 +92,7 @@ Shader "Patina/Standard"
     }
 
     // What Unity's global illumination asks of a pixel. The light is white: what is left of it is a shadow.
-    UnityGIInput GIInput(float3 position, half attenuation, half4 ambient)
+    UnityGIInput GIInput(float3 position, half attenuation, float4 ambient)
     {
         UnityGIInput data;
         UNITY_INITIALIZE_OUTPUT(UnityGIInput, data);
@@ -122,13 +122,13 @@ Shader "Patina/Standard"
     }
 
     // Light from all around over pi: probes, lights at vertices, lightmaps, real-time global illumination.
-    half3 AmbientLight(half3 normal, float3 position, half attenuation, half4 ambient)
+    half3 AmbientLight(half3 normal, float3 position, half attenuation, float4 ambient)
     {
         return LinearColor(UnityGI_Base(GIInput(position, attenuation, ambient), 1, normal).indirect.diffuse);
     }
 
     // What real-time and baked shadows leave of the main light.
-    half MixedShadow(float3 position, half attenuation, half4 ambient)
+    half MixedShadow(float3 position, half attenuation, float4 ambient)
     {
         return UnityGI_Base(GIInput(position, attenuation, ambient), 1, half3(0, 1, 0)).light.color.r;
     }
@@ -163,7 +163,7 @@ Shader "Patina/Standard"
     }
 
     // The shadow mask of the object.
-    half4 BakedShadows(half4 ambient, float3 position)
+    half4 BakedShadows(float4 ambient, float3 position)
     {
         return UnityGetRawBakedOcclusions(ambient.xy, position);
     }
@@ -356,8 +356,10 @@ Shader "Patina/Standard"
                 o.uv0 = v.texcoord.xy;
                 o.position_ws = product.xyz;
                 o.vertex_normal_ws = vertex_normal_ws;
-                o.vertex_tangent_ws = float4(UnityObjectToWorldDir(v.tangent.xyz), v.tangent.w * unity_WorldTransformParams.w);
-                o.ambient_or_lightmap_uv = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, product.xyz, vertex_normal_ws);
+                o.vertex_tangent_ws = float4(UnityObjectToWorldDir(v.tangent.xyz),
+                    v.tangent.w * unity_WorldTransformParams.w);
+                o.ambient_or_lightmap_uv = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, product.xyz,
+                    vertex_normal_ws);
                 o.pos = UnityObjectToClipPos(v.vertex.xyz);
                 UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);
                 UNITY_TRANSFER_FOG(o, o.pos);
@@ -488,7 +490,8 @@ Shader "Patina/Standard"
                 o.uv0 = v.texcoord.xy;
                 o.position_ws = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0)).xyz;
                 o.vertex_normal_ws = UnityObjectToWorldNormal(v.normal);
-                o.vertex_tangent_ws = float4(UnityObjectToWorldDir(v.tangent.xyz), v.tangent.w * unity_WorldTransformParams.w);
+                o.vertex_tangent_ws = float4(UnityObjectToWorldDir(v.tangent.xyz),
+                    v.tangent.w * unity_WorldTransformParams.w);
                 o.pos = UnityObjectToClipPos(v.vertex.xyz);
                 UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);
                 UNITY_TRANSFER_FOG(o, o.pos);
@@ -651,8 +654,10 @@ Shader "Patina/Standard"
                 o.uv0 = v.texcoord.xy;
                 o.position_ws = product.xyz;
                 o.vertex_normal_ws = vertex_normal_ws;
-                o.vertex_tangent_ws = float4(UnityObjectToWorldDir(v.tangent.xyz), v.tangent.w * unity_WorldTransformParams.w);
-                o.ambient_or_lightmap_uv = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, product.xyz, vertex_normal_ws);
+                o.vertex_tangent_ws = float4(UnityObjectToWorldDir(v.tangent.xyz),
+                    v.tangent.w * unity_WorldTransformParams.w);
+                o.ambient_or_lightmap_uv = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, product.xyz,
+                    vertex_normal_ws);
                 o.pos = UnityObjectToClipPos(v.vertex.xyz);
                 return o;
             }
