@@ -41,9 +41,11 @@ std::string plain(std::string_view text) {
     return made;
 }
 
-// IEC 61966-2-1; as many digits as a colour picker could have meant.
+// IEC 61966-2-1, and as many digits as a colour picker could have meant.
 double encoded(double linear) {
-    const double value = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+double rounded(double value) {
     return std::round(value * 10000) / 10000;
 }
 
@@ -88,7 +90,10 @@ Declared declared(const graph::MaterialProperty& entry, bool is_decoded) {
             std::string type(to_string(property.type));  // in ShaderLab with a capital
             type[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(type[0])));
             if (!is_decoded) return {"[HDR] ", type, vector(value, 4)};
-            return {"", type, vector({encoded(value[0]), encoded(value[1]), encoded(value[2]), value[3]}, 4)};
+            return {"", type,
+                    vector({rounded(encoded(value[0])), rounded(encoded(value[1])), rounded(encoded(value[2])),
+                            rounded(value[3])},
+                           4)};
         }
         case PropertyType::Int:
             if (property.range) return {"[IntRange] ", range(property), number(value[0])};

@@ -3,7 +3,7 @@ Shader "Patina/fade"
 {
     Properties
     {
-        _Color ("Color", Color) = (0.502, 0.6902, 0.8784, 0.5019608)
+        _Color ("Color", Color) = (0.502, 0.6902, 0.8784, 0.502)
     }
 
     CGINCLUDE
