@@ -108,6 +108,7 @@ std::string_view to_string(Target target) {
     switch (target) {
         case Target::Glsl: return "glsl";
         case Target::Hlsl: return "hlsl";
+        case Target::Unity: return "unity";
     }
     return {};
 }

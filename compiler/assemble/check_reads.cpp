@@ -41,7 +41,7 @@ std::set<std::string_view> drawn_targets(const graph::Stages& stages, const std:
 }  // namespace
 
 void check_reads(graph::Session& session, const graph::Lowered& lowered, std::span<const LinkedPass> passes) {
-    if (!session.pass_file || lowered.path != session.path) return;
+    if (!session.pass_file || graph::tool_of(session) || lowered.path != session.path) return;
     const graph::Stages& stages = *session.stages;
     const std::set<std::string_view> drawn = drawn_targets(stages, lowered.path);
     const auto check = [&](const graph::PassDecl& pass, const ir::Module& stage, const FunctionDecl& function) {

@@ -23,6 +23,9 @@ void name_set(ir::Module& module, std::uint32_t set, targets::Names& names) {
 
 void name_interface(ir::Module& module) {
     targets::Names names;
+    for (const ir::Global& global : module.globals) {
+        if (global.is_foreign()) names.declare(global.spelling.substr(0, global.spelling.find('.')));
+    }
     for (ir::UniformBlock& block : module.blocks) block.name = names.declare(block.name);
     name_set(module, graph::kEngineSet, names);  // first: hosts know these by name
     name_set(module, graph::kMaterialSet, names);

@@ -134,7 +134,7 @@ public:
         if (!known[semantic.index]) {
             const Value made = make(semantic, original);
             known[semantic.index] = made;
-            if (builder_[made].op != Op::Param) {
+            if (builder_[made].op != Op::Param && builder_[made].op != Op::Global) {
                 builder_.name(made, module_.intern(module_.semantics[semantic.index].name));
             }
         }
@@ -158,9 +158,8 @@ private:
     // The stage's copy of a function, with those that it calls before it. What a pass puts in the place of a function
     // of the seam may call that function.
     ir::FunctionId imported(ir::FunctionId function) {
-        const bool is_usual =
-            in_vertex_stage() || std::find(replacing_.begin(), replacing_.end(), function) != replacing_.end();
-        if (const auto other = is_usual ? std::nullopt : pass_.replacement_of(function)) {
+        const bool is_usual = std::find(replacing_.begin(), replacing_.end(), function) != replacing_.end();
+        if (const auto other = is_usual ? std::nullopt : pass_.replacement_of(function, module_.stage.kind)) {
             replacing_.push_back(function);
             const ir::FunctionId made = imported(*other);
             replacing_.pop_back();
@@ -168,6 +167,8 @@ private:
         }
         if (imported_[function.index]) return imported_[function.index];
         ir::Function copy = linked_.functions[function.index];
+        const bool shows = !in_vertex_stage() && !pass_.declaration->state.targets.empty();
+        if (linked_.lowered.keeps_functions && shows && !ir::is_elsewhere(copy)) copy.linkage = ir::Linkage::Exported;
         for (ir::Inst& inst : copy.insts) {
             if (inst.op == Op::Call) inst.data = imported({inst.data}).index;
         }
@@ -177,7 +178,7 @@ private:
 
     // A pass's own recipe may read what it is a recipe for: then it means the usual one.
     std::optional<Value> given(SemanticId semantic) {
-        const auto recipe = in_vertex_stage() ? std::nullopt : pass_.recipe_of(semantic);
+        const auto recipe = pass_.recipe_of(semantic, module_.stage.kind);
         if (!recipe || std::find(giving_.begin(), giving_.end(), semantic) != giving_.end()) return {};
         giving_.push_back(semantic);
         const Value made = call(*recipe);
@@ -217,6 +218,9 @@ private:
         // The mesh's own value is one input, however it is asked for.
         originals_.resize(module_.semantics.size());
         if (originals_[semantic.index]) return originals_[semantic.index];
+        if (const std::optional<ir::GlobalId> global = pass_.attribute_of(semantic))
+            return originals_[semantic.index] =
+                       builder_.emit(Op::Global, module_.semantics[semantic.index].type, {}, global->index);
         const nodelang::Attribute& declared =
             *linked_.lowered.semantics[semantic.index].declaration->variable->attribute("attribute");
         const ir::Semantic& info = module_.semantics[semantic.index];
@@ -278,6 +282,17 @@ Linked link(graph::Lowered lowered) {
     return {.lowered = std::move(lowered), .functions = std::move(functions), .needs = needs};
 }
 
+namespace {
+
+std::vector<ir::StageText> texts_of(const graph::PassDecl& pass) {
+    Diagnostics said;  // when its file was read
+    std::vector<ir::StageText> texts = graph::texts_of(*pass.vertex, said);
+    for (ir::StageText& text : graph::texts_of(*pass.fragment, said)) texts.push_back(std::move(text));
+    return texts;
+}
+
+}  // namespace
+
 ir::Module link_fragment(const Linked& linked, const graph::LoweredPass& pass, ir::BuildOptions options) {
     EntryBuilder entry(linked, pass, ir::StageKind::Fragment, options);
     const Value result = entry.call(pass.fragment);
@@ -286,10 +301,12 @@ ir::Module link_fragment(const Linked& linked, const graph::LoweredPass& pass, i
     std::vector<Value> values;
     const auto add = [&](std::string name, Type of, Value value) {
         const auto location = static_cast<std::uint32_t>(outputs.size());
+        const auto& guards = pass.declaration->guards;
         outputs.push_back({.name = std::move(name),
                            .type = of,
                            .location = location,
-                           .semantic = "SV_Target" + std::to_string(location)});
+                           .semantic = "SV_Target" + std::to_string(location),
+                           .guard = location < guards.size() ? std::string(guards[location]) : std::string()});
         values.push_back(value);
     };
     if (type.kind == ir::Kind::Struct) {
@@ -299,7 +316,9 @@ ir::Module link_fragment(const Linked& linked, const graph::LoweredPass& pass, i
     } else {
         add("color", type, result);
     }
-    return entry.finish("Targets", std::move(outputs), values);
+    ir::Module made = entry.finish("Targets", std::move(outputs), values);
+    made.stage.texts = texts_of(*pass.declaration);
+    return made;
 }
 
 ir::Module link_vertex(const Linked& linked, const graph::LoweredPass& pass, ir::Module& fragment,
@@ -319,12 +338,26 @@ ir::Module link_vertex(const Linked& linked, const graph::LoweredPass& pass, ir:
         outputs.push_back(input);
         values.push_back(entry.value({static_cast<std::uint32_t>(found - semantics.begin())}));
     }
-    outputs.push_back({.name = "position",
-                       .type = entry.builder().type(position),
-                       .builtin = ir::Builtin::Position,
-                       .semantic = "SV_Position"});
-    values.push_back(position);
-    return entry.finish("Varyings", std::move(outputs), values);
+    // A pass may leave the position to the lines at its end.
+    if (entry.builder().type(position).kind != ir::Kind::Struct) {
+        outputs.push_back({.name = "position",
+                           .type = entry.builder().type(position),
+                           .builtin = ir::Builtin::Position,
+                           .semantic = "SV_Position"});
+        values.push_back(position);
+    }
+    // Where included files hold the mesh, they get it back as the material moves it.
+    for (const auto& [semantic, global] : pass.attributes) {
+        if (!linked.lowered.semantics[semantic.index].override) continue;
+        const Value moved = entry.value(semantic);
+        outputs.push_back({.name = "moved_" + linked.lowered.module.semantics[semantic.index].name,
+                           .type = entry.builder().type(moved),
+                           .spelling = linked.lowered.module.globals[global.index].spelling});
+        values.push_back(moved);
+    }
+    ir::Module made = entry.finish("Varyings", std::move(outputs), values);
+    made.stage.texts = texts_of(*pass.declaration);
+    return made;
 }
 
 bool take_constants(ir::Module& fragment, const ir::Module& vertex) {

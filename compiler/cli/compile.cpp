@@ -36,12 +36,24 @@ CompileOptions options_of(const Arguments& arguments) {
     // SPIR-V is made from the GLSL.
     if (arguments.wants("glsl") || arguments.wants("spirv")) options.targets.push_back(Target::Glsl);
     if (arguments.wants("hlsl")) options.targets.push_back(Target::Hlsl);
+    if (arguments.wants("unity")) options.targets.push_back(Target::Unity);
     options.include_dirs = arguments.include_dirs;
     options.dump = arguments.dump;
     options.path = arguments.path.path;
     options.switches = arguments.path.switches();
     options.functions = arguments.functions;
     return options;
+}
+
+// What was asked for and Unity's files do not have; empty: nothing.
+std::string not_for_unity(const Arguments& arguments) {
+    if (!arguments.wants("unity")) return {};
+    if (!arguments.functions.empty()) return "functions are written as glsl and hlsl: Unity's files hold whole passes";
+    if (arguments.targets.size() > 1) return {};
+    if (arguments.validate)
+        return "nothing here proves ShaderLab, only Unity does; --validate is for glsl, hlsl and spirv";
+    const bool is_plain = arguments.path.path == PathOptions{}.path && arguments.path.defines.empty();
+    return is_plain ? "" : "Unity's files have passes of their own: --path and -D are for glsl, hlsl and spirv";
 }
 
 std::string as_bytes(const std::vector<std::uint32_t>& words) {
@@ -59,7 +71,7 @@ bool add_shader(const Console& console, const Arguments& arguments, const Shader
         files.add(join_path(arguments.folder, shader.file_name), shader.text);
     }
     const bool wants_spirv = arguments.wants("spirv") && shader.target == Target::Glsl;
-    if (!arguments.validate && !wants_spirv) return true;
+    if ((!arguments.validate && !wants_spirv) || shader.target == Target::Unity) return true;
     const Validated validated = validate(shader);
     report(console, validated.diagnostics);
     if (wants_spirv) files.add(join_path(arguments.folder, spirv_name(shader)), as_bytes(validated.spirv));
@@ -118,16 +130,17 @@ void add_compile(Program& program) {
         program, "compile", "Compile graphs to shaders",
         {"patina compile rust.graph.json -o out", "patina compile *.graph.json -t glsl --validate -o out",
          "patina compile rust.graph.json -t spirv -o out --depfile",
+         "patina compile rust.graph.json -t unity -o Assets/Shaders",
          "patina compile rust.graph.json --path deferred -D shadows -o out",
          "patina compile rust.graph.json -D _Mode=Wet -o out", "patina compile rust.graph.json --variants all -o out",
          "patina compile rust.graph.json --functions Rust_ -o out", "patina compile rust.graph.json --dump tidy"});
     auto arguments = std::make_shared<Arguments>();
     command.add_option("GRAPH", arguments->graphs, "Material graphs (JSON)")->required()->type_name(" ");
-    command.add_option("-t,--target", arguments->targets, "glsl, hlsl, spirv, with commas between (glsl,hlsl)")
+    command.add_option("-t,--target", arguments->targets, "glsl, hlsl, spirv, unity, with commas between (glsl,hlsl)")
         ->type_name("TARGETS")
         ->delimiter(',')
         ->allow_extra_args(false)
-        ->check(one_of("a target", {"glsl", "hlsl", "spirv"}));
+        ->check(one_of("a target", {"glsl", "hlsl", "spirv", "unity"}));
     command.add_option("-o,--output", arguments->folder, "Folder to write to, made if missing (.)")->type_name("DIR");
     command.add_flag("--validate", arguments->validate, "Prove the shaders with glslang and spirv-val");
     command.add_flag("--depfile", arguments->depfile, "Write NAME.d: what NAME.reflect.json was made from, for ninja");
@@ -172,6 +185,10 @@ void add_compile(Program& program) {
         }
         if (!arguments->functions.empty() && arguments->wants("spirv")) {
             complain(console, "usage", "functions have no main, and without one there is no SPIR-V");
+            return Exit::Usage;
+        }
+        if (const std::string why = not_for_unity(*arguments); !why.empty()) {
+            complain(console, "usage", why);
             return Exit::Usage;
         }
         const Compiler compiler;

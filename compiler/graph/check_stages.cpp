@@ -117,7 +117,42 @@ private:
                 .note(older->span, "the library's is here; give this one another name");
     }
 
+    // Whether it stands in the passes of a target, whose files another tool reads (library.h).
+    bool is_for_tool(Span span) const {
+        return std::string_view(sources_.resolve(span.begin).file).starts_with("nodes/targets/");
+    }
+
+    // [foreign] is text for an included file to make sense of, and the other tool for the rest.
+    void foreign(const Attribute& attribute, Span span) {
+        if (!is_for_tool(span))
+            bad(attribute.span, attribute.name, "stands in the passes of a target, nodes/targets/");
+        else if (attribute.args.size() > 1)
+            bad(attribute.span, "foreign",
+                "reads like this: [foreign] or, with its spelling, [foreign(\"v.vertex.xyz\")]");
+    }
+
+    // What an included file declares, in the place of an attribute or a value of the engine.
+    void gives(const VariableDecl& decl, const Attribute& attribute) {
+        const std::string_view what = nodelang::attribute_text(attribute);
+        const VariableDecl* given = declarations_.variable(what);
+        if (!decl.attribute("foreign") || attribute.args.size() != 1)
+            return bad(attribute.span, "gives",
+                       "reads like this: [foreign(\"_Time.y\")] [gives(\"time\")] float seconds");
+        if (!given || !(given->attribute("attribute") || given->attribute("extern")))
+            return bad(attribute.span, "gives",
+                       fmt::format("names '{}', which is neither an attribute nor a value of the engine", what));
+        if (!is_same(given->type, decl.type))
+            diagnostics_.report(Code::TypeMismatch, decl.type.span, fmt::format("'{}'", decl.name), decl.type.name,
+                                given->type.name);
+    }
+
     void variable(const VariableDecl& decl) {
+        if (const Attribute* attribute = decl.attribute("foreign")) {
+            foreign(*attribute, decl.span);
+            if (!is_in(kUniforms, decl.type.name) || decl.type.array_size)
+                bad(decl.type.span, "foreign", "stands before floats, ints, float3x3 or float4x4");
+        }
+        if (const Attribute* attribute = decl.attribute("gives")) gives(decl, *attribute);
         if (declarations_.parent && !decl.is_const) again(decl);
         if (is_of_pass(sources_, decl.span)) {
             for (const std::string_view name : {"attribute", "given", "vertex_output"}) {
@@ -231,11 +266,27 @@ private:
                 for (const Expr* given : attribute.args) slot(*given);
             }
         }
+        if (const Attribute* attribute = decl.attribute("foreign")) foreign_function(decl, *attribute);
+        texts_of(decl, diagnostics_);
+        for (const Attribute& attribute : decl.attributes) {
+            const bool is_tools = attribute.name == "text" || attribute.name == "tag" || attribute.name == "decodes";
+            if (is_tools && !is_for_tool(attribute.span)) foreign(attribute, attribute.span);
+        }
         if (const Attribute* attribute = decl.attribute("semantic")) recipe(decl, *attribute);
-        if (decl.attribute("pass") && decl.attribute("vertex") && decl.result.name != "float4")
+        if (decl.attribute("pass") && decl.attribute("vertex") && decl.result.name != "float4" &&
+            !(decl.attribute("text") && decl.result.name == "void"))
             diagnostics_.report(Code::TypeMismatch, decl.result.span, "what a [vertex] function returns",
                                 decl.result.name, "float4");
         if (const Attribute* attribute = decl.attribute("slot")) part(decl, *attribute);
+    }
+
+    void foreign_function(const FunctionDecl& decl, const Attribute& attribute) {
+        foreign(attribute, decl.name_span);
+        if (decl.has_body) bad(attribute.span, "foreign", "stands before a function without a body");
+        for (const ParamDecl& param : decl.params) {
+            if (param.is_out || param.is_const || param.type.name == "floatN")
+                bad(param.span, "foreign", "stands before a function that takes plain values");
+        }
     }
 
     // It becomes a part of file names.
@@ -266,8 +317,11 @@ private:
     }
 
     void gives(const FunctionDecl& decl, const Attribute& attribute) {
-        if (attribute.args.size() < 2) return;  // reported when it was read
+        if (attribute.args.empty()) return;  // reported when it was read
         const Expr& what = *attribute.args[0];
+        if (attribute.args.size() == 1 && !is_for_tool(attribute.span))
+            return bad(attribute.span, "gives",
+                       "takes what is given and the passes: [gives(\"position_ws\", \"mine\")]");
         for (std::size_t i = 1; i < attribute.args.size(); ++i) {
             const Expr& to = *attribute.args[i];
             if (!pass(to)) continue;
@@ -290,7 +344,7 @@ private:
                 diagnostics_.report(Code::TypeMismatch, decl.result.span, fmt::format("the recipe of '{}'", what.text),
                                     decl.result.name, type.name);
             }
-        } else if (!replaced || !replaced->attribute("extern")) {
+        } else if (!replaced || !(is_for_tool(attribute.span) || replaced->attribute("extern"))) {
             std::vector<std::string_view> known;
             for (const SemanticDecl& each : stages_.semantics) known.push_back(each.name);
             for (const Declarations* scope = &declarations_; scope; scope = scope->parent) {

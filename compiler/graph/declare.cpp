@@ -100,6 +100,28 @@ void add_member(ir::UniformBlock& block, const ir::Module& module, std::string n
     block.size = round_up(offset + e.size, 16);
 }
 
+namespace {
+
+// What included files declare, and in whose place it stands.
+void declare_foreign(const Stages& stages, const nodelang::Declarations& declarations, nodelang::Emitter& emitter) {
+    const nodelang::Scope scope{.declarations = &declarations};
+    for (const nodelang::VariableDecl* variable : stages.foreign) {
+        const std::string_view spelling = nodelang::attribute_text(*variable->attribute("foreign"));
+        emitter.module().globals.push_back({.name = std::string(variable->name),
+                                            .type = emitter.type(variable->type, scope),
+                                            .set = kForeignSet,
+                                            .span = variable->span,
+                                            .spelling = std::string(spelling.empty() ? variable->name : spelling)});
+        emitter.set_extern(variable, {static_cast<std::uint32_t>(emitter.module().globals.size() - 1)});
+    }
+    for (const GivenDecl& given : stages.given) {
+        const nodelang::VariableDecl* replaced = given.variable ? declarations.variable(given.what) : nullptr;
+        if (replaced && replaced->attribute("extern")) emitter.share_extern(replaced, given.variable);
+    }
+}
+
+}  // namespace
+
 EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations& declarations,
                              nodelang::Emitter& emitter, std::span<const std::string_view> on) {
     EngineGlobals made;
@@ -142,6 +164,7 @@ EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations&
         emitter.set_extern(&variable, global);
         if (variable.attribute("per_object")) made.per_object.insert(global.index);
     }
+    declare_foreign(stages, declarations, emitter);
     for (const nodelang::VariableDecl* older : stages.repeated) {
         const nodelang::VariableDecl* newer = declarations.variable(older->name);
         if (newer) emitter.share_extern(older, newer);

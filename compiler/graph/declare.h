@@ -14,7 +14,8 @@ namespace patina::graph {
 
 inline constexpr std::uint32_t kEngineSet = 0;
 inline constexpr std::uint32_t kMaterialSet = 1;
-inline constexpr std::uint32_t kTargetSet = 2;  // targets of other passes
+inline constexpr std::uint32_t kTargetSet = 2;   // targets of other passes
+inline constexpr std::uint32_t kForeignSet = 3;  // in no set: what included files declare
 
 struct PropertyGlobals {
     ir::GlobalId value;    // numeric properties
@@ -37,8 +38,8 @@ struct EngineGlobals {
 };
 EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations& declarations,
                              nodelang::Emitter& emitter, std::span<const std::string_view> on = {});
-// One entry per Material::properties. `keep_variants`: those that nobody has chosen a value for are globals too, and not
-// constants. `instances`: the block of the properties that each instance has; nothing: the material's.
+// One entry per Material::properties. `keep_variants`: those that nobody has chosen a value for are globals too, and
+// not constants. `instances`: the block of the properties that each instance has; nothing: the material's.
 std::vector<PropertyGlobals> declare_material(const Material& material, ir::Module& module, bool keep_variants,
                                               std::optional<std::uint32_t> instances = {});
 

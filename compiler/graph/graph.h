@@ -52,8 +52,8 @@ struct SamplerState {
     int anisotropy = 1;  // 1 to 16
 };
 
-// When a property gets its value: when something is drawn; when a pipeline is made; when the graph is compiled; for each
-// instance that is drawn.
+// When a property gets its value: when something is drawn; when a pipeline is made; when the graph is compiled; for
+// each instance that is drawn.
 enum class Binding { Uniform, Specialization, Variant, Instance };
 // Such a property has a value for each shader, and none in the material's block.
 constexpr bool is_keyword(Binding binding) {

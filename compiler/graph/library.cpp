@@ -17,6 +17,18 @@ void add_graph(Library& library, std::uint32_t base, std::string_view path) {
                        std::string(path));
 }
 
+constexpr std::string_view kTools = "nodes/targets/";
+
+void add_tool_file(Library& library, std::uint32_t base, std::string_view path) {
+    const std::string_view name = path.substr(kTools.size());
+    ToolFiles& tool = library.tools[std::string(name.substr(0, name.find('.')))];
+    if (name.ends_with(".pass.hlsl")) {
+        tool.passes = base;
+    } else {
+        tool.include = library.sources.file_text(base);
+    }
+}
+
 }  // namespace
 
 const std::shared_ptr<Graph>& LibraryGraph::get() const {
@@ -32,7 +44,9 @@ std::unique_ptr<Library> load_library(std::span<const nodelang::EmbeddedFile> fi
     std::vector<std::pair<std::uint32_t, std::string_view>> graphs;
     for (const nodelang::EmbeddedFile& file : files) {
         const std::uint32_t base = library->sources.add(std::string(file.path), std::string(file.text));
-        if (file.path.ends_with(".json")) {
+        if (file.path.starts_with(kTools)) {
+            add_tool_file(*library, base, file.path);
+        } else if (file.path.ends_with(".json")) {
             graphs.emplace_back(base, file.path);
         } else {
             nodelang::parse_file({.text = library->sources.file_text(base), .base = base}, library->ast,

@@ -38,12 +38,20 @@ private:
     mutable std::shared_ptr<Graph> graph_;
 };
 
+// What a target whose files are another tool's has of its own, nodes/targets/NAME.*: its passes, read when they are
+// asked for, and the text that its includes do not have.
+struct ToolFiles {
+    std::uint32_t passes = 0;  // in the sources
+    std::string_view include;
+};
+
 struct Library {
     SourceMap sources;
     nodelang::Ast ast;
     Diagnostics diagnostics;
     nodelang::Declarations declarations;
     Stages stages;
+    std::map<std::string, ToolFiles, std::less<>> tools;  // by target
     std::map<std::string, LibraryGraph, std::less<>> workflows;
     std::map<std::string, LibraryGraph, std::less<>> lighting_models;
 };

@@ -167,18 +167,39 @@ std::vector<std::string_view> what_is_on(const Lowering& lowering) {
 
 }  // namespace
 
-std::optional<ir::FunctionId> LoweredPass::recipe_of(ir::SemanticId semantic) const {
-    for (const auto& [of, recipe] : recipes) {
-        if (of == semantic) return recipe;
+namespace {
+
+template <class Key, class Found>
+std::optional<Found> found(const std::vector<std::pair<Key, Found>>& pairs, Key wanted) {
+    for (const auto& [key, what] : pairs) {
+        if (key == wanted) return what;
     }
     return {};
 }
 
-std::optional<ir::FunctionId> LoweredPass::replacement_of(ir::FunctionId function) const {
-    for (const auto& [old, made] : replaced) {
-        if (old == function) return made;
+std::optional<ir::FunctionId> in_stage(const LoweredPass& pass, std::optional<ir::FunctionId> function,
+                                       ir::StageKind stage) {
+    if (!function || stage == ir::StageKind::Fragment) return function;
+    const bool is_there =
+        std::find(pass.in_both_stages.begin(), pass.in_both_stages.end(), *function) != pass.in_both_stages.end();
+    return is_there ? function : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<ir::FunctionId> LoweredPass::recipe_of(ir::SemanticId semantic, ir::StageKind stage) const {
+    if (stage == ir::StageKind::Vertex) {
+        if (const auto recipe = found(at_vertices, semantic)) return recipe;
     }
-    return {};
+    return in_stage(*this, found(recipes, semantic), stage);
+}
+
+std::optional<ir::FunctionId> LoweredPass::replacement_of(ir::FunctionId function, ir::StageKind stage) const {
+    return in_stage(*this, found(replaced, function), stage);
+}
+
+std::optional<ir::GlobalId> LoweredPass::attribute_of(ir::SemanticId semantic) const {
+    return found(attributes, semantic);
 }
 
 const BlendRow* blend_of(const PassDecl& pass, std::string_view surface) {
@@ -246,6 +267,7 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
         if (material.properties[i].property->binding == Binding::Instance)
             lowering.per_object.insert(out.property_globals[i].value.index);
     }
+    if (tool_of(session)) mark_for_tool(lowering);
     declare_statics(lowering);
     extend_lighting_surface(lowering);
     declare_semantics(lowering);
@@ -254,6 +276,10 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     if (session.diagnostics.has_errors()) return out;
     if (session.options.functions.empty()) {
         lower_passes(lowering);
+        if (tool_of(session)) {
+            tell_texts(lowering);
+            out.keeps_functions = true;
+        }
     } else {
         lower_functions(lowering);
     }

@@ -21,9 +21,14 @@ struct LoweredPass {
     ir::FunctionId vertex{}, fragment{};
     std::vector<std::pair<ir::SemanticId, ir::FunctionId>> recipes{};   // its own, in the fragment stage
     std::vector<std::pair<ir::FunctionId, ir::FunctionId>> replaced{};  // functions of the seam, and what it puts there
+    std::vector<std::pair<ir::SemanticId, ir::GlobalId>> attributes{};  // that an included file declares
+    std::vector<ir::FunctionId> in_both_stages{};                       // of the recipes and replacements
+    std::vector<std::pair<ir::SemanticId, ir::FunctionId>> at_vertices{};  // recipes of what is interpolated
 
-    std::optional<ir::FunctionId> recipe_of(ir::SemanticId semantic) const;
-    std::optional<ir::FunctionId> replacement_of(ir::FunctionId function) const;
+    // Those of the stage.
+    std::optional<ir::FunctionId> recipe_of(ir::SemanticId semantic, ir::StageKind stage) const;
+    std::optional<ir::FunctionId> replacement_of(ir::FunctionId function, ir::StageKind stage) const;
+    std::optional<ir::GlobalId> attribute_of(ir::SemanticId semantic) const;
 };
 // How a pass blends surfaces of a kind; null: it does not draw them.
 const BlendRow* blend_of(const PassDecl& pass, std::string_view surface);
@@ -45,6 +50,7 @@ struct Lowered {
     std::vector<PropertyGlobals> property_globals;  // one per Material::properties
     std::uint32_t instances = 0;                    // that one draw can hold; 0: it draws one object (instances.h)
     std::set<std::uint32_t> instance_globals;       // which are arrays of as many
+    bool keeps_functions = false;  // passes that show the surface leave functions as they are, to share their text
 };
 
 // Reports what is wrong; the result may be used only if the session has no errors. `material`: itself with all passes

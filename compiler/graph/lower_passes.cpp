@@ -109,7 +109,8 @@ private:
         for (const PassDecl* pass : stages_.passes_of(path)) passes.push_back(pass);
         for (const PassDecl* pass : optional_first(passes)) {
             const Refusal refusal = lower_pass(*pass);
-            if (!refusal || pass->is_optional) continue;
+            if (refusal.is_news) report(Code::PassLeftOut, refusal, pass->name, refusal.reason);
+            if (!refusal || refusal.is_news || refusal.is_vain || pass->is_optional) continue;
             const bool is_own = std::find(passes.begin() + std::ptrdiff_t(own), passes.end(), pass) != passes.end();
             if (is_own && !pass->state.fallback.empty()) {
                 // That a path leaves a kind of surface to another one is its design, and no news.
@@ -134,6 +135,16 @@ private:
             code, is_graph ? refusal.where.span : Span{whole.begin, whole.begin + 1}, words...);
         record.at(refusal.where.id);
         if (!refusal.advice.empty()) record.note(refusal.advice);
+    }
+
+    static std::string quoted(std::string_view name) {
+        return name.empty() ? "a lighting graph of its own" : fmt::format("'{}'", name);
+    }
+    static std::string list_of(const std::vector<std::string_view>& names) {
+        std::string list;
+        for (std::size_t i = 0; i < names.size(); ++i)
+            list += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + quoted(names[i]);
+        return list;
     }
 
     // --- one pass
@@ -166,12 +177,19 @@ private:
         if (!pass.vertex || !pass.fragment) return {};  // reported when its file was read
         if (!has_blend(pass)) return {.reason = fmt::format("it does not draw '{}' surfaces", surface())};
         if (const Refusal refusal = refusal_of_stencil(pass)) return refusal;
+        const std::string_view model = lowering_.material.lighting_name;
+        const auto& models = pass.lighting;
+        if (!models.empty() && std::find(models.begin(), models.end(), model) == models.end())
+            return {.reason = fmt::format("it is lit by {}, and the material by {}", list_of(models), quoted(model)),
+                    .is_news = true};
         for (const std::string_view name : pass.needs) {
             const auto slot = std::find_if(stages_.slots.begin(), stages_.slots.end(),
                                            [&](const FunctionDecl* s) { return s->name == name; });
             if (slot == stages_.slots.end()) return {.reason = fmt::format("it needs '{}', which nothing makes", name)};
             const Part* part = is_part(**slot) ? &part_of(lowering_, **slot) : nullptr;
             if (part && !part->slot.function) return {.reason = part->why_not, .where = part->where};
+            if (tool_of(lowering_.session) && (part ? part->is_zero : is_always_zero(name)))
+                return {.reason = fmt::format("'{}' is always 0", name), .is_vain = true};
         }
         for (const std::string_view name : pass.excludes) {
             if (lowering_.is_on(name)) return {.reason = fmt::format("it has no place for '{}'", name)};
@@ -195,6 +213,17 @@ private:
         return {};
     }
 
+    bool is_always_zero(std::string_view slot) const {
+        const nodelang::Slot* found = lowering_.emitter.find_slot(slot);
+        if (!found || !found->function) return false;
+        const ir::Module& module = lowering_.out.module;
+        const ir::Function& function = module[found->function];
+        const ir::Value result = function.args(function.blocks[0].insts.back())[0];
+        if (function[result].op != Op::Constant) return false;
+        const auto numbers = module.numbers_of(module.constants[function[result].data]);
+        return std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == 0; });
+    }
+
     // A pass of the library that draws objects has everything to give in the pixel; at the vertices, and where nothing
     // of the object is left, that has to be found out.
     bool may_be_refused(const PassDecl& pass) const {
@@ -205,12 +234,18 @@ private:
         nodelang::Emitter& emitter = lowering_.emitter;
         const nodelang::Declarations& declarations = *lowering_.session.declarations;
         for (const GivenDecl& given : stages_.given) {
-            if (std::find(given.passes.begin(), given.passes.end(), pass.declaration->name) == given.passes.end())
+            if (!given.is_for(*pass.declaration)) continue;
+            if (given.variable) {
+                give_attribute(pass, given);
                 continue;
+            }
             if (const auto found = stages_.semantic_index.find(given.what); found != stages_.semantic_index.end()) {
                 const ir::FunctionId made =
                     emitter.semantic_function(*given.function, declarations, environment_, false);
-                if (made) pass.recipes.push_back({{found->second}, made});
+                const bool is_varying = stages_.semantics[found->second].source == Source::Vertex;
+                auto& recipes = given.is_of_file && is_varying ? pass.at_vertices : pass.recipes;
+                if (made) recipes.push_back({{found->second}, made});
+                if (made && given.is_of_file) pass.in_both_stages.push_back(made);
                 continue;
             }
             const FunctionDecl* replaced = declarations.function(given.what);
@@ -219,8 +254,18 @@ private:
                 const ir::FunctionId made =
                     emitter.given_function(*given.function, declarations, environment_, instance.half);
                 if (made) replace(pass, given, instance.id, made);
+                if (made && given.is_of_file) pass.in_both_stages.push_back(made);
             }
         }
+    }
+
+    // A value of the engine was declared as this one (declare.cpp).
+    void give_attribute(LoweredPass& pass, const GivenDecl& given) {
+        const auto semantic = stages_.semantic_index.find(given.what);
+        const auto global = lowering_.emitter.extern_global(*given.variable);
+        if (semantic == stages_.semantic_index.end() || !global) return;
+        if (stages_.semantics[semantic->second].source == Source::Attribute)
+            pass.attributes.push_back({{semantic->second}, *global});
     }
 
     void replace(LoweredPass& pass, const GivenDecl& given, ir::FunctionId old, ir::FunctionId made) {

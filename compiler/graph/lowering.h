@@ -27,11 +27,16 @@ std::vector<std::string_view> packed_members(Lowering& lowering, std::string_vie
 void lower_passes(Lowering& lowering);
 // The functions for an engine's own shaders, instead of passes (lower_functions.cpp).
 void lower_functions(Lowering& lowering);
+// For a target whose files are another tool's: before and after the passes (lower_tool.cpp).
+void mark_for_tool(Lowering& lowering);
+void tell_texts(Lowering& lowering);
 // Why a pass cannot draw this material, found in its functions (take_part.cpp); empty: it can.
 struct Refusal {
     std::string reason{};
     ir::Origin where{};
     std::string advice{};  // may be empty
+    bool is_news = false;  // a warning, also where the pass is optional
+    bool is_vain = false;  // the pass would change nothing: left out without a word
     explicit operator bool() const { return !reason.empty(); }
 };
 Refusal refusal_of(Lowering& lowering, const LoweredPass& pass);

@@ -114,6 +114,16 @@ void read_stencil(Arguments& in, PassDecl& pass) {
     pass.state.stencil.reference = in.word(kStencilReferences, "a stencil reference");
 }
 
+// Places of a tool's file where a pass may want lines of its own.
+constexpr std::array<std::string_view, 10> kPlaces = {
+    "grab",          "queue",        "pragma",     "include",        "first interpolator",
+    "interpolators", "vertex begin", "vertex end", "fragment begin", "fragment end"};
+
+void read_tag(Arguments& in, PassDecl& pass) {
+    const std::string_view name = in.text();
+    pass.tags.emplace_back(name, in.text());
+}
+
 struct StateRow {
     std::string_view name;
     std::size_t least, most;
@@ -150,6 +160,7 @@ constexpr StateRow kState[] = {
      }},
     {"stencil", 3, 3, "[stencil(\"always\", \"replace\", \"lighting\")]",
      [](Arguments& in, std::size_t, PassDecl& p) { read_stencil(in, p); }},
+    {"tag", 2, 2, "[tag(\"LightMode\", \"Always\")]", [](Arguments& in, std::size_t, PassDecl& p) { read_tag(in, p); }},
     {"optional", 0, 0, "[optional]", [](Arguments&, std::size_t, PassDecl& p) { p.is_optional = true; }},
     {"extra", 0, 0, "[extra]", [](Arguments&, std::size_t, PassDecl& p) { p.draws_extra = true; }},
 };
@@ -188,6 +199,8 @@ void read_members(const nodelang::FunctionDecl& fragment, const nodelang::Struct
     for (const nodelang::MemberDecl& member : structure.members) {
         RenderTarget& target = pass.state.targets.emplace_back();
         target.location = static_cast<std::uint32_t>(pass.state.targets.size() - 1);
+        const Attribute* guard = member.attribute("only_if");
+        pass.guards.push_back(guard ? nodelang::attribute_text(*guard) : std::string_view());
         if (const Attribute* attribute = member.attribute("target")) {
             read_target(*attribute, pass, diagnostics);
             check_type(member.type, fmt::format("the target '{}'", member.name), diagnostics);
@@ -219,7 +232,7 @@ void read_targets(const nodelang::FunctionDecl& fragment, const nodelang::Declar
 void check_twice(const nodelang::FunctionDecl& fragment, Diagnostics& diagnostics) {
     for (std::size_t i = 0; i < fragment.attributes.size(); ++i) {
         const Attribute& now = fragment.attributes[i];
-        if (now.name == "pass" || now.name == "gives") continue;
+        if (now.name == "pass" || now.name == "gives" || now.name == "tag" || now.name == "text") continue;
         const auto is_same = [&](const Attribute& before) {
             if (before.name != now.name) return false;
             return now.name != "blend" || before.args.size() == 2 || now.args.size() == 2 ||
@@ -235,12 +248,26 @@ void check_twice(const nodelang::FunctionDecl& fragment, Diagnostics& diagnostic
 
 }  // namespace
 
+std::vector<ir::StageText> texts_of(const nodelang::FunctionDecl& function, Diagnostics& diagnostics) {
+    std::vector<ir::StageText> texts;
+    for (const Attribute& attribute : function.attributes) {
+        if (attribute.name != "text") continue;
+        Arguments in(attribute, diagnostics);
+        if (!in.count(2, 32, "[text(\"pragma\", \"target 3.5\")]")) continue;
+        const std::string place(in.word(kPlaces, "a place of a pass's text"));
+        for (std::size_t i = 1; i < attribute.args.size(); ++i)
+            texts.push_back({.place = place, .line = std::string(in.text())});
+    }
+    return texts;
+}
+
 void read_pass_state(const nodelang::FunctionDecl& fragment, const nodelang::Declarations& declarations, PassDecl& pass,
                      Diagnostics& diagnostics) {
     for (const Attribute& attribute : fragment.attributes) {
         if (attribute.name == "needs") pass.needs = attribute_words(attribute);
         if (attribute.name == "holds") pass.holds = attribute_words(attribute);
         if (attribute.name == "excludes") pass.excludes = attribute_words(attribute);
+        if (attribute.name == "lighting") pass.lighting = attribute_words(attribute);
         const auto row = std::find_if(std::begin(kState), std::end(kState),
                                       [&](const StateRow& r) { return r.name == attribute.name; });
         if (row == std::end(kState)) continue;

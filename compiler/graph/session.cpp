@@ -92,7 +92,42 @@ std::optional<std::uint32_t> load_source(Session& session, const std::string& pa
     return session.sources.add(path, std::move(*text));
 }
 
+namespace {
+
+// Passes on top of the library's, in a file that is loaded already.
+void read_passes(Session& session, std::uint32_t base, std::string path) {
+    auto file = std::make_unique<PassFile>();
+    nodelang::parse_file({.text = session.sources.file_text(base), .base = base}, file->ast, session.diagnostics);
+    file->declarations.parent = &session.library.declarations;
+    nodelang::index_declarations(file->ast, file->declarations, session.diagnostics);
+    file->stages = session.library.stages;
+    collect_stages(file->ast, file->declarations, session.sources, file->stages, session.diagnostics);
+    session.path = std::move(path);
+    // The file is the whole path, also where the library has one of its name.
+    for (PassDecl& pass : file->stages.passes) {
+        if (pass.path == session.path && pass.is_older_fragment) pass.path.clear();
+    }
+    if (file->stages.passes_of(session.path).empty() && !session.diagnostics.has_errors())
+        session.diagnostics.report(Code::NoNodeInFile, {base, base}, "[pass]");
+    // What is wrong with the graph shows with the library's passes, too.
+    if (session.diagnostics.has_errors()) return;
+    session.declarations = &file->declarations;
+    session.stages = &file->stages;
+    session.pass_file = std::move(file);
+}
+
+}  // namespace
+
+const ToolFiles* tool_of(const Session& session) {
+    const std::vector<Target>& targets = session.options.targets;
+    if (targets.size() != 1) return nullptr;
+    const auto found = session.library.tools.find(to_string(targets[0]));
+    return found == session.library.tools.end() ? nullptr : &found->second;
+}
+
 void find_path(Session& session) {
+    if (const ToolFiles* tool = tool_of(session))
+        return read_passes(session, tool->passes, std::string(to_string(session.options.targets[0])));
     const std::string& wanted = session.options.path;
     if (!wanted.ends_with(".pass.hlsl")) {
         std::vector<std::string_view> known = session.stages->paths();
@@ -108,24 +143,7 @@ void find_path(Session& session) {
     }
     const std::optional<std::uint32_t> base = load_source(session, wanted, {});
     if (!base) return;
-    auto file = std::make_unique<PassFile>();
-    nodelang::parse_file({.text = session.sources.file_text(*base), .base = *base}, file->ast, session.diagnostics);
-    file->declarations.parent = &session.library.declarations;
-    nodelang::index_declarations(file->ast, file->declarations, session.diagnostics);
-    file->stages = session.library.stages;
-    collect_stages(file->ast, file->declarations, session.sources, file->stages, session.diagnostics);
-    session.path = file_stem(wanted);
-    // The file is the whole path, also where the library has one of its name.
-    for (PassDecl& pass : file->stages.passes) {
-        if (pass.path == session.path && pass.is_older_fragment) pass.path.clear();
-    }
-    if (file->stages.passes_of(session.path).empty() && !session.diagnostics.has_errors())
-        session.diagnostics.report(Code::NoNodeInFile, {*base, *base}, "[pass]");
-    // What is wrong with the graph shows with the library's passes, too.
-    if (session.diagnostics.has_errors()) return;
-    session.declarations = &file->declarations;
-    session.stages = &file->stages;
-    session.pass_file = std::move(file);
+    read_passes(session, *base, file_stem(wanted));
 }
 
 std::string file_stem(std::string_view path) {

@@ -38,6 +38,7 @@ public:
     void variable(const VariableDecl& variable) {
         if (variable.attribute("extern") || variable.attribute("reads")) stages_.externs.push_back(&variable);
         if (variable.attribute("static")) stages_.statics.push_back(&variable);
+        if (variable.attribute("foreign")) foreign(variable);
         if (const Attribute* attribute = variable.attribute("switch"))
             stages_.switches.push_back({.variable = &variable, .brings = nodelang::attribute_text(*attribute)});
         if (const std::optional<Source> source = source_of(variable)) {
@@ -52,6 +53,8 @@ public:
     void function(const FunctionDecl& function) {
         if (function.attribute("slot")) stages_.slots.push_back(&function);
         if (function.attribute("export")) stages_.exports.push_back(&function);
+        if (const Attribute* attribute = function.attribute("decodes"))
+            stages_.decoders[nodelang::attribute_text(*attribute)] = &function;
         if (const Attribute* attribute = function.attribute("semantic")) {
             if (const std::optional<Source> source = source_of(nodelang::attribute_text(*attribute))) {
                 add({.name = function.name,
@@ -65,17 +68,28 @@ public:
         for (const Attribute& attribute : function.attributes) {
             if (attribute.name == "pass") stage_of(function, attribute);
             if (attribute.name != "gives") continue;
-            GivenDecl& given = stages_.given.emplace_back();
-            given = {.what = nodelang::attribute_text(attribute),
-                     .function = &function,
-                     .passes = attribute_words(attribute, 1)};
-            if (given.passes.empty())
+            stages_.given.push_back({.what = nodelang::attribute_text(attribute),
+                                     .function = &function,
+                                     .passes = attribute_words(attribute, 1),
+                                     .is_of_file = attribute.args.size() == 1,
+                                     .path = stem(sources_.resolve(function.span.begin).file)});
+            if (attribute.args.empty())
                 diagnostics_.report(Code::BadAttribute, attribute.span, "gives",
-                                    "takes what is given and the passes: [gives(\"position_ws\", \"mine\")]");
+                                    "takes what is given, and passes: [gives(\"position_ws\", \"mine\")]");
         }
     }
 
 private:
+    void foreign(const VariableDecl& variable) {
+        stages_.foreign.push_back(&variable);
+        if (const Attribute* attribute = variable.attribute("gives"))
+            stages_.given.push_back({.what = nodelang::attribute_text(*attribute),
+                                     .variable = &variable,
+                                     .passes = {},
+                                     .is_of_file = true,
+                                     .path = stem(sources_.resolve(variable.span.begin).file)});
+    }
+
     void add(SemanticDecl semantic) {
         const auto [found, is_new] =
             stages_.semantic_index.emplace(semantic.name, static_cast<std::uint32_t>(stages_.semantics.size()));
@@ -183,6 +197,10 @@ void check_conditions(const nodelang::Ast& ast, const Stages& stages, Diagnostic
 }
 
 }  // namespace
+
+bool GivenDecl::is_for(const PassDecl& pass) const {
+    return is_of_file ? pass.path == path : is_in(passes, pass.name);
+}
 
 const PassDecl* Stages::pass(std::string_view name) const {
     const auto found = std::find_if(passes.begin(), passes.end(), [&](const PassDecl& p) { return p.name == name; });

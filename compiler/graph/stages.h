@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "compiler/base/diagnostics.h"
+#include "compiler/ir/ir.h"
 #include "compiler/nodelang/library.h"
 #include "patina/reflection.h"
 
@@ -57,16 +58,25 @@ struct PassDecl {
     std::vector<std::string_view> needs;     // slots that must exist
     std::vector<std::string_view> holds;     // members of the lighting surface that it can tell; empty: all
     std::vector<std::string_view> excludes;  // switches that must be off
+    std::vector<std::string_view> lighting;  // lighting models that it is for; empty: all
+    std::vector<std::pair<std::string_view, std::string_view>> tags;  // for the tool whose files it is written into
+    std::vector<std::string_view> guards;                             // by target: a condition, or empty
     // From another file than the one that is being read, which may put its own in their places.
     bool is_older_vertex = false, is_older_fragment = false;
 };
 
 // [gives("position_ws", "deferred-light")]: these passes' own recipe of a semantic, or their own body of an [extern]
-// function.
+// function. Without passes: of all passes of the same file, in both stages; then it may also be a value that an
+// included file declares, in the place of an attribute or an [extern] value, and replace any function of the library.
 struct GivenDecl {
     std::string_view what;
     const nodelang::FunctionDecl* function = nullptr;
-    std::vector<std::string_view> passes;
+    const nodelang::VariableDecl* variable = nullptr;
+    std::vector<std::string_view> passes{};
+    bool is_of_file = false;
+    std::string path{};  // the stem of its file
+
+    bool is_for(const PassDecl& pass) const;
 };
 
 struct SwitchDecl {
@@ -81,6 +91,8 @@ struct Stages {
     std::vector<GivenDecl> given;
     std::vector<SwitchDecl> switches;
     std::vector<const nodelang::VariableDecl*> externs, statics;
+    std::vector<const nodelang::VariableDecl*> foreign;                  // values that included files declare
+    std::map<std::string_view, const nodelang::FunctionDecl*> decoders;  // by usage of a texture or property
     // The library's, which a file repeats: its functions mean what is declared again.
     std::vector<const nodelang::VariableDecl*> repeated;
     std::vector<const nodelang::FunctionDecl*> slots, exports;
@@ -111,6 +123,8 @@ bool is_of_pass(const SourceMap& sources, Span span);
 // Reads the attributes of a pass's fragment function, and the targets that it returns.
 void read_pass_state(const nodelang::FunctionDecl& fragment, const nodelang::Declarations& declarations, PassDecl& pass,
                      Diagnostics& diagnostics);
+// What a function of a pass says at places of the text that it becomes.
+std::vector<ir::StageText> texts_of(const nodelang::FunctionDecl& function, Diagnostics& diagnostics);
 std::vector<std::string_view> attribute_words(const nodelang::Attribute& attribute, std::size_t first = 0);
 
 }  // namespace patina::graph

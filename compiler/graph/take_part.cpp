@@ -44,8 +44,12 @@ private:
                         .where = place.origin ? module_.origins[place.origin.index] : ir::Origin{}};
     }
 
+    static ir::StageKind stage_of(const Place& place) {
+        return place.at_vertex ? ir::StageKind::Vertex : ir::StageKind::Fragment;
+    }
+
     void visit(FunctionId function, Place place) {
-        if (const auto other = pass_.replacement_of(function)) function = *other;
+        if (const auto other = pass_.replacement_of(function, stage_of(place))) function = *other;
         if (const std::string_view slot = lowering_.slot_name(function); !slot.empty()) {
             place.slot = slot;
             if (!lowering_.is_packing(slot)) check_members(function, place);
@@ -85,8 +89,8 @@ private:
     bool is_graph(const Place& place) const { return !place.slot.empty(); }
 
     void semantic(SemanticId id, const Place& place) {
-        if (const auto recipe = pass_.recipe_of(id); recipe && !place.at_vertex)
-            return visit(*recipe, {.span = place.span});
+        if (const auto recipe = pass_.recipe_of(id, stage_of(place)))
+            return visit(*recipe, {.at_vertex = place.at_vertex, .span = place.span});
         const SemanticRecipe& recipe = lowering_.out.semantics[id.index];
         Place inside = place;
         if (place.semantic.empty() && is_graph(place)) inside.semantic = module_.semantics[id.index].name;
@@ -113,7 +117,16 @@ private:
                                                  place.at_vertex ? "vertex" : "fragment");
     }
 
+    // Where a tool draws, there is only what its includes declare and what the material has.
+    void global_of_tool(const ir::Global& global, const Place& place) {
+        if (global.is_foreign() || global.set == kMaterialSet || global.type.kind == ir::Kind::Sampler) return;
+        const std::string_view tool = to_string(lowering_.session.options.targets[0]);
+        refuse(place, fmt::format("it reads '{}', and there is nothing like it for '{}'", global.name, tool));
+        refusal_.is_news = declaration_.is_optional;
+    }
+
     void global(ir::GlobalId id, const Place& place) {
+        if (tool_of(lowering_.session)) return global_of_tool(module_.globals[id.index], place);
         if (draws_objects() || !is_graph(place) || !lowering_.per_object.contains(id.index)) return;
         refuse(place, fmt::format("{} reads '{}' of the object, which it cannot give", said(place),
                                   module_.globals[id.index].name));

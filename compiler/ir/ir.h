@@ -72,6 +72,7 @@ enum class Linkage : std::uint8_t {
     Internal,  // nobody: its signature may change
     Exported,  // whoever calls the text that is printed: it loses semantics that it does not read, and nothing else
     External,  // it is defined elsewhere: its body stands for nothing, and it is called as it is
+    Foreign,   // the same, and what defines it is included: the text declares it nowhere
 };
 
 // A value that has a name in a graph, for whoever watches the function run (interpret/). Rebuilding a function drops
@@ -90,6 +91,11 @@ struct Probe {
     Span span{};
 };
 
+// Lines that a pass wants at a place of the stage's text, for a language that writes whole files of another tool:
+// "interpolators", "vertex begin".
+struct StageText {
+    std::string place{}, line{};
+};
 struct Function {
     std::string name{};
     std::vector<Param> params{};
@@ -101,6 +107,10 @@ struct Function {
     std::string comment{};       // lines, printed above the function
     bool always_inline = false;  // recipes and pass bodies: they are spelled out where they are called
     Linkage linkage = Linkage::Internal;
+    // Foreign: how a call is written, "MACRO({0}, {1})". With {result} in it, it is a statement, or several, that
+    // declares its result. Empty: the name and the arguments.
+    std::string spelling{};
+    std::vector<StageText> texts{};  // Foreign: lines that a stage needs that calls it
     std::vector<Probe> probes{};
 
     const Inst& operator[](Value v) const { return insts[v.index]; }
@@ -109,6 +119,11 @@ struct Function {
     }
     std::span<const Value> args(Value v) const { return args(insts[v.index]); }
 };
+
+// Defined in another text than the module's.
+inline bool is_elsewhere(const Function& function) {
+    return function.linkage == Linkage::External || function.linkage == Linkage::Foreign;
+}
 
 struct Member {
     std::string name{};
@@ -147,11 +162,14 @@ struct Global {
     std::uint32_t block = 0xffffffffu;
     std::uint32_t member = 0;
     std::uint32_t keyword = 0xffffffffu;  // of Module::keywords
-    std::uint32_t slot = 0;  // texture or sampler: number of its binding (t0.., s0..) within the set
-    std::uint32_t set = 0;   // texture or sampler: descriptor set
+    std::uint32_t slot = 0;               // texture or sampler: number of its binding (t0.., s0..) within the set
+    std::uint32_t set = 0;                // texture or sampler: descriptor set
     Span span{};
+    std::string spelling{};  // not empty: an included file declares it, and it is written so
+    std::string decoder{};   // a foreign function that whatever is read goes through; may be empty
     bool in_block() const { return block != 0xffffffffu; }
     bool is_keyword() const { return keyword != 0xffffffffu; }
+    bool is_foreign() const { return !spelling.empty(); }
 };
 
 struct BlockMember {
@@ -160,6 +178,7 @@ struct BlockMember {
     std::uint32_t offset =
         0;  // bytes; equal in std140 and in an HLSL cbuffer, with `padding` members printed before it
     std::uint32_t padding = 0;  // number of floats of padding before it
+    std::string stored_as{};    // the word for its type, where a language declares it as another; may be empty
 };
 struct UniformBlock {
     std::string name{};
@@ -192,6 +211,8 @@ struct StageVariable {
     Builtin builtin = Builtin::None;
     std::string semantic{};  // HLSL semantic: "POSITION", "TEXCOORD0", "SV_Target0", "SV_Position"
     bool flat = false;
+    std::string spelling{};  // of an output: not empty: no member, but written to this
+    std::string guard{};     // of an output: a condition of the preprocessor under which it exists; may be empty
 };
 enum class StageKind : std::uint8_t { Vertex, Fragment };
 struct StageInterface {
@@ -199,6 +220,7 @@ struct StageInterface {
     FunctionId entry{};
     std::vector<StageVariable> inputs{};   // one per param of entry
     std::vector<StageVariable> outputs{};  // one per member of entry's result struct
+    std::vector<StageText> texts{};
 };
 
 struct Module {

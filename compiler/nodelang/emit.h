@@ -163,6 +163,10 @@ public:
         if (const auto found = externs_.find(known); found != externs_.end()) externs_[variable] = found->second;
     }
 
+    std::optional<ir::GlobalId> extern_global(const VariableDecl& variable) const {
+        const auto found = externs_.find(&variable);
+        return found == externs_.end() ? std::nullopt : std::optional(found->second);
+    }
     Typed extern_value(const VariableDecl& variable, Scope& scope);
     // A [static] variable: a constant of the material's render block.
     void set_static(const VariableDecl* variable, double value) { statics_[variable] = value; }

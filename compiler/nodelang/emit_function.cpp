@@ -131,6 +131,14 @@ Emitter::Instance Emitter::emit_function(const FunctionDecl& function, const Dec
     }
     scope.result = instance.result;
     made.result = instance.result;
+    if (const Attribute* foreign = function.attribute("foreign")) {
+        made.linkage = ir::Linkage::Foreign;
+        made.spelling = attribute_text(*foreign);
+        builder.ret(zero(made.result, scope));
+        module_.functions.push_back(std::move(made));
+        instance.id = {static_cast<std::uint32_t>(module_.functions.size() - 1)};
+        return instance;
+    }
     Value returned;
     const bool returns = statements(body_of(function, diagnostics_), 0, scope, returned);
     if (diagnostics_.error_count() != errors) return {.id = {}, .result = Type::error()};

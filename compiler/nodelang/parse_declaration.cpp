@@ -51,6 +51,12 @@ constexpr AttributeInfo kAttributes[] = {
     {kFunction, "needs"},
     {kFunction, "holds"},
     {kFunction, "excludes"},
+    // A path that is written as files of another tool: what the tool provides, and what its files say around a pass.
+    {kFunction, "foreign"},
+    {kFunction, "decodes"},
+    {kFunction, "lighting"},
+    {kFunction, "tag"},
+    {kFunction, "text"},
     {kParameter, "range"},
     {kParameter, "color"},
     {kParameter, "unit"},
@@ -68,7 +74,10 @@ constexpr AttributeInfo kAttributes[] = {
     {kVariable, "per_object"},
     {kVariable, "unit"},
     {kVariable, "vertex_output"},
+    {kVariable, "foreign"},
+    {kVariable, "gives"},
     {kMember, "target"},
+    {kMember, "only_if"},
 };
 
 bool is_number(const Expr& expr) {

@@ -116,6 +116,8 @@ bool must_stand(const Analysis& a, Value v) {
     const bool is_built = inst.op == Op::Construct || inst.op == Op::Insert || inst.op == Op::Select;
     if (inst.op == Op::Insert || (is_built && is_aggregate(inst.type))) return true;
     if (inst.op == Op::TextureSize) return true;
+    if (inst.op == Op::Call && a.module.functions[inst.data].spelling.find("{result}") != std::string::npos)
+        return true;
     if (a.reads[v.index] > 1 || a.read_elsewhere[v.index]) return true;
     if (has_receiver(a, v)) return false;
     if (inst.name) return !is_returned && !(reader && is_named_by_member(a, v, reader));

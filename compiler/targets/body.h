@@ -41,6 +41,7 @@ private:
     // expressions.cpp
     Text formula(ir::Value v) const;
     Text leaf(ir::Value v) const;
+    std::string spelled(ir::Value v, std::string_view spelling, std::string_view result) const;
     Text constant(ir::Value v) const;
     bool repeats_scalar(ir::Value v) const;
     Text scalar_of(ir::Value v) const;
@@ -61,6 +62,7 @@ private:
     void print_block(ir::BlockId block);
     void print_statement(ir::Value v);
     void print_assignment(ir::Value v);
+    bool print_spelled(ir::Value v);
     void print_struct(ir::Value v);
     void print_array(ir::Value v);
     void print_insert(ir::Value v);

@@ -27,6 +27,14 @@ Text call_text(std::string_view function, std::string_view arguments) {
     return {std::move(text), Precedence::Postfix};
 }
 
+// A foreign value may be spelled with a swizzle, of which another one takes the first components: "v.vertex.xyz".
+std::string without_swizzle(std::string text) {
+    const std::size_t dot = text.rfind('.');
+    if (dot != text.npos && kComponents.starts_with(std::string_view(text).substr(dot + 1)) && text.size() > dot + 1)
+        text.resize(dot);
+    return text;
+}
+
 bool is_identity(std::string_view letters, Type of) {
     return letters.size() == of.width() && letters == kComponents.substr(0, of.width());
 }
@@ -150,7 +158,11 @@ Text Body::shared(Value v) const {
     if (inst.op == Op::Extract) return extract(v);
     if (inst.op == Op::Swizzle) return swizzle(v);
     if (inst.op == Op::Select) return ternary(v);
-    if (inst.op == Op::Call) return function_call(writer_.functions[inst.data]);
+    if (inst.op == Op::Call) {
+        const std::string& spelling = module().functions[inst.data].spelling;
+        if (!spelling.empty()) return {spelled(v, spelling, {}), Precedence::Postfix};
+        return function_call(writer_.functions[inst.data]);
+    }
     const Value from = arg(v, 0);
     const Type old = function_[from].type;
     if (inst.op == Op::Convert) return old == inst.type ? expression(from) : function_call(writer_.type(inst.type));
@@ -164,11 +176,29 @@ Text Body::shared(Value v) const {
     return {fmt::format("{}[{}]", at_least(Precedence::Postfix, expression(from)), index), Precedence::Postfix};
 }
 
+// The call of a foreign function, with its arguments, and where it has one the name of its result, in their places.
+std::string Body::spelled(Value v, std::string_view spelling, std::string_view result) const {
+    std::string text;
+    while (!spelling.empty()) {
+        const std::size_t open = std::min(spelling.find('{'), spelling.size());
+        text += spelling.substr(0, open);
+        if (open == spelling.size()) break;
+        const std::size_t close = std::min(spelling.find('}', open), spelling.size());
+        const std::string_view what = spelling.substr(open + 1, close - open - 1);
+        const auto index = static_cast<std::uint32_t>(what.empty() ? 0 : what[0] - '0');
+        text += what == "result" ? std::string(result) : index < args(v) ? argument(v, index) : std::string();
+        spelling.remove_prefix(std::min(close + 1, spelling.size()));
+    }
+    return text;
+}
+
 Text Body::leaf(Value v) const {
     const Inst& inst = function_[v];
     if (inst.op == Op::Constant) return constant(v);
     if (inst.op == Op::Param) return entry_ ? entry_->inputs[inst.data] : Text{params_[inst.data]};
     const std::string& name = writer_.globals[inst.data];
+    if (writer_.language.read && module().globals[inst.data].in_block())
+        return {writer_.language.read(writer_, {inst.data}, name), Precedence::Postfix};
     const bool is_stored_as_such = !module().globals[inst.data].in_block() || Writer::stored(inst.type) == inst.type;
     if (is_stored_as_such) return {name};
     return call_text(writer_.type(inst.type), name);
@@ -270,11 +300,13 @@ Text Body::extract(Value v) const {
 Text Body::swizzle(Value v) const {
     const Inst& inst = function_[v];
     const Value from = arg(v, 0);
-    const Text source = expression(from);
+    Text source = expression(from);
+    const bool is_foreign = function_[from].op == Op::Global && module().globals[function_[from].data].is_foreign();
+    if (is_foreign) source.text = without_swizzle(std::move(source.text));
     if (function_[from].type.is_scalar()) return writer_.language.splat(inst.type, source);
     std::string letters;
     for (unsigned i = 0; i < inst.type.width(); ++i) letters += kComponents[inst.data >> (2 * i) & 3];
-    if (is_identity(letters, function_[from].type)) return source;
+    if (is_identity(letters, function_[from].type) && !is_foreign) return source;
     return {at_least(Precedence::Postfix, source) + "." + letters, Precedence::Postfix};
 }
 

@@ -63,6 +63,10 @@ struct EntryPoint {
     std::vector<Text> inputs;              // by parameter: "v_uv0", "input.uv0"
     std::vector<std::string> outputs;      // by member of the result: "out_color", "output.color"
     std::string before_return, at_return;  // statements around the assignments of the outputs; may be empty
+    std::vector<std::string> names = {};   // that its signature declares
+    std::vector<std::string> begin = {};   // statements before everything else
+    std::vector<std::string> guards = {};  // by output: a condition of the preprocessor, or empty
+    std::vector<std::string> end = {};     // statements before `at_return`
 };
 
 struct Language {
@@ -80,8 +84,11 @@ struct Language {
     // The initial value of an array with these elements.
     std::string (*array_value)(const std::string& element_type, std::size_t count,
                                const std::string& elements) = nullptr;
-    std::string_view set_word;        // what stands before the number of a descriptor set
-    std::string_view constant_array;  // what stands before a constant array's type
+    std::string_view set_word;                     // what stands before the number of a descriptor set
+    std::string_view constant_array;               // what stands before a constant array's type
+    std::span<const std::string_view> taken = {};  // names that are not reserved, but another text's
+    // How a value of a uniform block is read; null: by its name.
+    std::string (*read)(const Writer& writer, ir::GlobalId global, std::string_view name) = nullptr;
     // Ops that the table calls Own.
     Text (*expression)(const Body& body, ir::Value value) = nullptr;
     // A value that takes statements of its own, printed here. False: it is an expression like any other.

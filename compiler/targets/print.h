@@ -15,9 +15,18 @@ struct PrintedLine {
     int line = 0;  // from 1
     ir::OriginId origin;
 };
+// A declaration of the text.
+struct Piece {
+    enum class Kind { Uniform, Struct, Function, Entry };
+    Kind kind = Kind::Function;
+    std::string name{};
+    std::size_t begin = 0, end = 0;  // in the text: whole lines
+    int line = 0;                    // its first one
+};
 struct Printed {
     std::string text;
     std::vector<PrintedLine> lines;  // ascending; a line without an entry belongs to the one before it
+    std::vector<Piece> pieces{};     // in order
 };
 
 // Binding numbers of a set: HLSL registers count from 0 per kind, Vulkan bindings are one row. binding = slot + shift.
@@ -44,6 +53,8 @@ struct PrintOptions {
     std::vector<SetShifts> shifts;             // GLSL writes slot + shift; HLSL writes registers
     const std::vector<Plan>* plans = nullptr;  // of this module; null: made for this printing
     std::optional<Pasting> pasting = {};       // none: a whole shader
+    std::vector<std::string> taken = {};       // names that the text around it has
+    std::size_t width = 120;                   // columns that lines are broken at
 };
 
 struct TargetInfo {

@@ -40,6 +40,13 @@ void name_globals(Writer& w) {
     w.block_members.resize(m.blocks.size());
     w.globals.resize(m.globals.size());
     w.functions.resize(m.functions.size());
+    for (const std::string& name : w.options.taken) w.names.declare(name);
+    for (const std::string_view name : w.language.taken) w.names.declare(name);
+    for (std::size_t i = 0; i < m.functions.size(); ++i) {
+        if (m.functions[i].linkage != Linkage::Foreign || !w.reachable.functions[i]) continue;
+        w.functions[i] = m.functions[i].name;
+        w.names.declare(m.functions[i].name);
+    }
     // Properties first: their names are what the reflection says.
     for (std::size_t i = 0; i < m.blocks.size(); ++i) {
         if (!w.reachable.blocks[i]) continue;
@@ -50,6 +57,10 @@ void name_globals(Writer& w) {
     for (std::size_t i = 0; i < m.globals.size(); ++i) {
         const Global& global = m.globals[i];
         if (!w.reachable.globals[i]) continue;
+        if (global.is_foreign()) {
+            w.globals[i] = global.spelling;
+            continue;
+        }
         w.globals[i] = global.in_block() ? w.block_members[global.block][global.member] : w.names.declare(global.name);
     }
     for (std::size_t i = 0; i < m.blocks.size(); ++i) {
@@ -62,9 +73,28 @@ void name_globals(Writer& w) {
         for (const Member& member : m.structs[i].members) w.members[i].push_back(members.declare(member.name));
     }
     for (std::size_t i = 0; i < m.functions.size(); ++i) {
-        if (w.reachable.functions[i] && m.stage.entry.index != i) w.functions[i] = w.names.declare(m.functions[i].name);
+        if (w.reachable.functions[i] && m.stage.entry.index != i && w.functions[i].empty())
+            w.functions[i] = w.names.declare(m.functions[i].name);
     }
 }
+
+// What is printed until the end of the object's life is one declaration.
+class Declared {
+public:
+    Declared(Writer& w, Piece::Kind kind, std::string name) : w_(w) {
+        w.gap();
+        piece_ = {.kind = kind, .name = std::move(name), .begin = w.text.size(), .line = w.next_line};
+    }
+    ~Declared() {
+        piece_.end = w_.text.size();
+        if (piece_.end > piece_.begin) w_.pieces.push_back(std::move(piece_));
+    }
+    Declared(const Declared&) = delete;
+
+private:
+    Writer& w_;
+    Piece piece_;
+};
 
 // A struct stands after those that its members are made of. Those that the engine shares are declared once, however
 // many texts are pasted into a shader.
@@ -77,7 +107,7 @@ void print_struct(Writer& w, std::size_t index, const std::vector<bool>& shared,
         while (type.kind == Kind::Array) type = w.module.arrays[type.ref].element;
         if (type.kind == Kind::Struct) print_struct(w, type.ref, shared, printed);
     }
-    w.gap();
+    const Declared declared(w, Piece::Kind::Struct, w.structs[index]);
     if (shared[index]) open_guard(w, "PATINA_" + w.structs[index], "");
     w.line(0, "struct " + w.structs[index]);
     w.line(0, "{");
@@ -103,6 +133,13 @@ void print_declarations(Writer& w) {
     }
 }
 
+void print_keyword(Writer& w, GlobalId id) {
+    const Global& global = w.module.globals[id.index];
+    const std::vector<std::string>& words = w.module.keywords[global.keyword].values;
+    if (!words.empty()) w.comment(0, fmt::format("{}: {}", w.plain(global.name), numbered(words)));
+    w.language.keyword(w, id);
+}
+
 void print_globals(Writer& w) {
     std::vector<bool> printed(w.module.structs.size());
     const std::vector<bool> shared = shared_structs(w.module);
@@ -114,25 +151,37 @@ void print_globals(Writer& w) {
     }
     for (std::size_t i = 0; i < w.module.blocks.size(); ++i) {
         if (!w.reachable.blocks[i]) continue;
-        w.gap();
+        const Declared declared(w, Piece::Kind::Uniform, w.blocks[i]);
         w.language.block(w, w.module.blocks[i]);
     }
     w.gap();
     for (std::uint32_t i = 0; i < w.module.globals.size(); ++i) {
         const Global& global = w.module.globals[i];
-        if (!w.reachable.globals[i] || global.in_block()) continue;
-        if (!global.is_keyword()) {
+        if (!w.reachable.globals[i] || global.in_block() || global.is_foreign()) continue;
+        const std::size_t begin = w.text.size();
+        const int line = w.next_line;
+        if (global.is_keyword())
+            print_keyword(w, {i});
+        else
             w.language.resource(w, {i});
-            continue;
-        }
-        const std::vector<std::string>& words = w.module.keywords[global.keyword].values;
-        if (!words.empty()) w.comment(0, fmt::format("{}: {}", w.plain(global.name), numbered(words)));
-        w.language.keyword(w, {i});
+        if (w.text.size() > begin)
+            w.pieces.push_back({.kind = Piece::Kind::Uniform,
+                                .name = w.globals[i],
+                                .begin = begin,
+                                .end = w.text.size(),
+                                .line = line});
     }
 }
 
+// "vert" of "v2f vert(appdata_full v)"
+std::string_view function_name(std::string_view signature) {
+    const std::string_view before = signature.substr(0, signature.find('('));
+    return before.substr(before.rfind(' ') + 1);
+}
+
 void print_function(Writer& w, FunctionId id, const EntryPoint* entry) {
-    w.gap();
+    const Declared declared(w, entry ? Piece::Kind::Entry : Piece::Kind::Function,
+                            entry ? std::string(function_name(entry->signature)) : w.functions[id.index]);
     const Function& function = w.module[id];
     print_comment(w, function.comment, function.origin);
     Body(w, id, entry).print();
@@ -171,11 +220,11 @@ Printed print(const Module& module, const Language& language, const PrintOptions
     w.gap();
     const EntryPoint entry = module.stage.entry ? language.entry_point(w) : EntryPoint{};
     for (std::uint32_t i = 0; i < module.functions.size(); ++i) {
-        const bool is_here = w.reachable.functions[i] && module.functions[i].linkage != Linkage::External;
+        const bool is_here = w.reachable.functions[i] && !is_elsewhere(module.functions[i]);
         if (is_here && module.stage.entry.index != i) print_function(w, {i}, nullptr);
     }
     if (module.stage.entry) print_function(w, module.stage.entry, &entry);
-    return {std::move(w.text), std::move(w.lines)};
+    return {std::move(w.text), std::move(w.lines), std::move(w.pieces)};
 }
 
 }  // namespace patina::targets

@@ -73,8 +73,15 @@ void Body::print_declaration() {
 
 void Body::print() {
     writer_.names.open();
+    if (entry_) {
+        for (const std::string& name : entry_->names) writer_.names.declare(name);
+    }
     writer_.line(0, signature(), function_.origin);
     writer_.line(0, "{");
+    if (entry_ && !entry_->begin.empty()) {
+        for (const std::string& line : entry_->begin) writer_.line(indent_, line);
+        writer_.gap();
+    }
     print_block({0});
     writer_.line(0, "}");
     writer_.names.close();
@@ -183,13 +190,32 @@ void Body::print_statement(Value v) {
 
 void Body::print_assignment(Value v) {
     const Inst& inst = function_[v];
-    if (writer_.language.statement(*this, v)) return;
+    if (writer_.language.statement(*this, v) || print_spelled(v)) return;
     if (inst.op == Op::Construct && inst.type.kind == Kind::Struct) return print_struct(v);
     if (inst.op == Op::Construct && inst.type.kind == Kind::Array) return print_array(v);
     if (inst.op == Op::Insert) return print_insert(v);
     if (inst.op == Op::Select && is_aggregate(inst.type)) return print_select(v);
     const Text text = formula(v);  // before its own name exists
     assign(plan_.variable[v.index], v, text, v);
+}
+
+// A foreign function whose call is statements, one a line, that declare its result.
+bool Body::print_spelled(Value v) {
+    if (function_[v].op != Op::Call) return false;
+    const std::string& spelling = module().functions[function_[v].data].spelling;
+    if (spelling.find("{result}") == spelling.npos) return false;
+    const std::uint32_t id = plan_.variable[v.index];
+    const bool is_new = !is_declared(id);
+    if (is_new) target(id);
+    const std::string result = is_new ? names_[id] : declare_helper(name_without_hint(v));
+    const std::string text = spelled(v, spelling, result);
+    for (std::string_view rest = text; !rest.empty();) {
+        const std::size_t end = std::min(rest.find("; "), rest.size() - 1) + 1;
+        statement(v, rest.substr(0, end));
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    if (!is_new) statement(v, fmt::format("{} = {};", names_[id], result));
+    return true;
 }
 
 void Body::print_struct(Value v) {
@@ -354,8 +380,12 @@ void Body::print_return(Value v) {
         const std::string text =
             is_direct ? expression(member).text
                       : at_least(Precedence::Postfix, expression(result)) + part(function_[result].type, i);
-        statement(v, entry_->outputs[i] + " = " + text + ";");
+        const std::string guard = i < entry_->guards.size() ? entry_->guards[i] : std::string();
+        if (!guard.empty()) writer_.line(0, "#if " + guard);
+        statement(v, entry_->outputs[i] + (entry_->outputs[i] == "return" ? " " : " = ") + text + ";");
+        if (!guard.empty()) writer_.line(0, "#endif");
     }
+    for (const std::string& line : entry_->end) statement(v, line);
     if (!entry_->at_return.empty()) statement(v, entry_->at_return);
 }
 

@@ -10,8 +10,6 @@ using namespace ir;
 
 namespace {
 
-constexpr std::size_t kWidth = 120;
-
 void mark_type(const Module& module, Type type, Reachable& reachable) {
     if (type.is_numeric()) reachable.half |= type.scalar == Scalar::Half;
     if (type.kind == Kind::Array) mark_type(module, module.arrays[type.ref].element, reachable);
@@ -88,7 +86,7 @@ void Writer::line(unsigned indent, std::string_view content, OriginId origin) {
     if (lines.empty() ? static_cast<bool>(origin) : lines.back().origin != origin) lines.push_back({next_line, origin});
     for (unsigned extra = 0; !content.empty(); extra = 1) {
         const std::size_t margin = 4 * (indent + extra);
-        const std::size_t end = break_of(content, kWidth - std::min<std::size_t>(margin, kWidth / 2));
+        const std::size_t end = break_of(content, options.width - std::min<std::size_t>(margin, options.width / 2));
         text.append(margin, ' ').append(content.substr(0, end)).append("\n");
         ++next_line;
         content.remove_prefix(end);

@@ -34,6 +34,7 @@ struct Writer {
     std::string text;
     int next_line = 1;
     std::vector<PrintedLine> lines;
+    std::vector<Piece> pieces;
     int paddings = 0;
 
     // One statement or declaration; broken after commas where it is too wide.

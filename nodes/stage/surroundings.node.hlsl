@@ -34,6 +34,11 @@ float3 EnvironmentRadiance(
     return environment_map.SampleLevel(direction, MipFromRoughness(saturate(roughness), ENVIRONMENT_STEPS)).rgb;
 }
 
+// Scale and offset at a place of the table. The root gives grazing views, where both change fastest, most of it.
+float2 split_sum_share(float roughness, float ndotv) {
+    return split_sum_table.SampleLevel(float2(sqrt(ndotv), roughness) * (63.0 / 64) + 0.5 / 64, 0).xy;
+}
+
 /// The table of the split sum: how strongly a rough surface mirrors light that comes from everywhere alike.
 ///
 /// The reflectance is f0 scale + f90 offset, for GGX with Smith's exact joint visibility. scale + offset is the share of
@@ -48,9 +53,7 @@ void SplitSumTable(
     out float scale,                      ///< of f0
     out float offset                      ///< of f90
 ) {
-    // The root gives grazing views, where both change fastest, most of the table.
-    float2 place = float2(sqrt(saturate(ndotv)), saturate(roughness));
-    float4 texel = split_sum_table.SampleLevel(place * (63.0 / 64) + 0.5 / 64, 0);
-    scale = texel.x;
-    offset = texel.y;
+    float2 share = split_sum_share(saturate(roughness), saturate(ndotv));
+    scale = share.x;
+    offset = share.y;
 }

@@ -46,9 +46,11 @@ Diagnostic diagnostic_at(const ScenePlace& place, std::string code, std::string 
 // "did you mean 'Lerp'?", or what there is when that is little, or nothing. For words that a tool itself reads.
 std::string suggestion(std::string_view word, const std::vector<std::string>& known);
 
-enum class Target { Glsl, Hlsl };  // GLSL 450 for Vulkan; HLSL in Shader Model 5.1 style
+// GLSL 450 for Vulkan; HLSL in Shader Model 5.1 style; one ShaderLab file a material, with all of its passes, for
+// Unity's built-in render pipeline.
+enum class Target { Glsl, Hlsl, Unity };
 enum class Stage { Vertex, Fragment };
-std::string_view to_string(Target target);  // "glsl", "hlsl"
+std::string_view to_string(Target target);  // "glsl", "hlsl", "unity"
 std::string_view to_string(Stage stage);    // "vertex", "fragment"
 
 // A line of emitted text -> the place in the sources that it came from.
@@ -61,14 +63,14 @@ struct LineOrigin {
 };
 
 struct Shader {
-    std::string pass;  // "forward"
+    std::string pass;  // "forward"; of a file for Unity: empty
     Stage stage = Stage::Vertex;
     Target target = Target::Glsl;
     std::string file_name;                        // "rust.forward.frag.glsl"
     std::string text;                             // entry point: main; of functions: none
     std::vector<LineOrigin> line_map;             // ascending by line
     std::vector<Reflection::Shifts> hlsl_shifts;  // what glslang must add to HLSL registers
-    bool has_main = true;                         // false: functions, to be pasted into other shaders
+    bool has_main = true;                         // false: functions, or a file with passes, that is no stage
     // CompileOptions::hashes: of what the stage computes, whatever things are called in the graph. Stages of one graph
     // with the same hash can stand for each other.
     std::string hash{};
@@ -79,6 +81,7 @@ using Loader = std::function<std::optional<std::string>(const std::string& path)
 
 struct CompileOptions {
     std::vector<Target> targets = {Target::Glsl, Target::Hlsl};
+    // (Unity's files have passes of their own: for them `path` and `passes` do not count.)
     // A rendering path of the library, or a file that holds one: "deferred", "./mine.pass.hlsl". A material that the
     // path cannot take is compiled for the path's fallback, with a warning; the reflection says for which.
     std::string path = "forward";

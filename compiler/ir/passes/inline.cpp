@@ -53,8 +53,7 @@ Callee describe(const Module& module, const Function& function) {
     const auto work =
         std::count_if(function.insts.begin(), function.insts.end(), [](const Inst& i) { return is_work(i.op); });
     const bool is_wanted = function.always_inline || takes_opaque || work <= kSmall;
-    return {
-        .always = is_wanted && function.linkage != Linkage::External, .nesting = nesting_of(function), .verdicts = {}};
+    return {.always = is_wanted && !ir::is_elsewhere(function), .nesting = nesting_of(function), .verdicts = {}};
 }
 
 bool has_settled_work(const Function& callee, std::uint64_t params) {

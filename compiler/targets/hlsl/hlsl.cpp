@@ -105,19 +105,6 @@ void keyword(Writer& w, GlobalId id) {
                           w.declaration(global.type, w.globals[id.index]), w.keyword_value(global)));
 }
 
-std::string semantic(const StageVariable& variable, bool is_target) {
-    if (!variable.semantic.empty()) return variable.semantic;
-    switch (variable.builtin) {
-        case Builtin::None: return fmt::format("{}{}", is_target ? "SV_Target" : "TEXCOORD", variable.location);
-        case Builtin::Position:
-        case Builtin::FragCoord: return "SV_Position";
-        case Builtin::FrontFacing: return "SV_IsFrontFace";
-        case Builtin::VertexIndex: return "SV_VertexID";
-        case Builtin::InstanceIndex: return "SV_InstanceID";
-    }
-    return {};
-}
-
 // Variables by location, then what the rasteriser gives or takes, the position last: the front end of glslang numbers
 // the variables in this order, so that both stages must have the same one.
 std::vector<std::size_t> declaration_order(const std::vector<StageVariable>& variables) {
@@ -203,6 +190,23 @@ constexpr Language kLanguage = {
 };
 
 }  // namespace
+
+std::string semantic(const StageVariable& variable, bool is_target) {
+    if (!variable.semantic.empty()) return variable.semantic;
+    switch (variable.builtin) {
+        case Builtin::None: return fmt::format("{}{}", is_target ? "SV_Target" : "TEXCOORD", variable.location);
+        case Builtin::Position:
+        case Builtin::FragCoord: return "SV_Position";
+        case Builtin::FrontFacing: return "SV_IsFrontFace";
+        case Builtin::VertexIndex: return "SV_VertexID";
+        case Builtin::InstanceIndex: return "SV_InstanceID";
+    }
+    return {};
+}
+
+const Language& language() {
+    return kLanguage;
+}
 
 Printed print(const Module& module, const PrintOptions& options) {
     return targets::print(module, kLanguage, options);

@@ -9,6 +9,9 @@
 namespace patina::targets::hlsl {
 
 extern const SpellingTable kSpellings;  // spelling.cpp
+// What a dialect may change some of.
+const Language& language();
+std::string semantic(const ir::StageVariable& variable, bool is_target);
 
 std::optional<ir::Module> legalize(const ir::Module& module);
 Printed print(const ir::Module& module, const PrintOptions& options);

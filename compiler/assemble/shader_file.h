@@ -1,0 +1,44 @@
+// A whole ShaderLab file for Unity's built-in render pipeline: the properties, the passes with their state, and what
+// the passes have in common once at the top. The stages are linked as for any other language.
+//
+//   targets::Printed file = shader_file({material, linked.lowered, passes, reflection, include, header});
+#pragma once
+
+#include "compiler/assemble/reflect.h"
+
+namespace patina::assemble {
+
+struct ShaderFile {
+    const graph::Material& material;
+    const graph::Lowered& lowered;
+    std::span<const LinkedPass> passes;
+    const Reflection& reflection;
+    std::string_view include;  // text that the shader may need a part of (graph::ToolFiles)
+    std::string header;        // of the comment at the top
+};
+
+targets::Printed shader_file(const ShaderFile& file);
+
+// --- shader_properties.cpp
+// The lines of the block `Properties`.
+std::vector<std::string> shader_properties(const graph::Material& material, const graph::Lowered& lowered,
+                                           const Reflection& reflection);
+
+// --- shader_passes.cpp
+// The text of one pass: what both of its stages declare, each thing once.
+struct PassText {
+    struct Declaration {
+        targets::Piece::Kind kind{};
+        std::string name, text;
+        std::vector<targets::PrintedLine> lines{};  // counted from 0
+    };
+    std::vector<Declaration> declarations;  // what is read stands before what reads it; the entry functions last
+    std::vector<ir::StageText> texts;       // what both stages and the foreign functions that they call ask for
+};
+// `taken`: names that mean something else outside of the pass.
+PassText pass_text(const LinkedPass& pass, const std::vector<std::string>& taken);
+
+// Whether the text reads a name, other than in a comment on a line of its own.
+bool mentions(std::string_view text, std::string_view name);
+
+}  // namespace patina::assemble

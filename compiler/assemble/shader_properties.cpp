@@ -1,0 +1,143 @@
+// Properties as ShaderLab declares them: how an artist sees and sets them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "compiler/assemble/shader_file.h"
+#include "compiler/base/text.h"
+#include "compiler/graph/words.h"
+
+namespace patina::assemble {
+namespace {
+
+using graph::PropertyType;
+
+// "_BumpScale" -> "Bump Scale"
+std::string readable(std::string_view name) {
+    std::string made;
+    for (const char c : name) {
+        const bool is_upper = std::isupper(static_cast<unsigned char>(c)) != 0;
+        if (c == '_' || (is_upper && !made.empty() && std::islower(static_cast<unsigned char>(made.back())) != 0)) {
+            if (!made.empty() && made.back() != ' ') made += ' ';
+        }
+        if (c != '_') made += made.empty() ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    }
+    return made.empty() ? "Value" : made;
+}
+
+// Strings of ShaderLab know no escapes.
+std::string quoted(std::string_view text) {
+    std::string made;
+    for (const char c : text) made += c == '"' ? '\'' : static_cast<unsigned char>(c) < 0x20 || c == '\\' ? ' ' : c;
+    return made;
+}
+
+// Words of attributes are letters, digits and spaces.
+std::string plain(std::string_view text) {
+    std::string made;
+    for (const char c : text) made += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : ' ';
+    return made;
+}
+
+// IEC 61966-2-1, and as many digits as a colour picker could have meant.
+double encoded(double linear) {
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+double rounded(double value) {
+    return std::round(value * 10000) / 10000;
+}
+
+// "textures/rust.png" -> "rust.png"
+std::string_view file_name(std::string_view path) {
+    return path.substr(path.find_last_of("/\\") + 1);
+}
+
+std::string number(double value) {
+    return shortest(static_cast<float>(value));
+}
+
+std::string vector(const std::array<double, 4>& value, std::size_t count) {
+    std::string made;
+    for (std::size_t i = 0; i < 4; ++i) made += (i == 0 ? "" : ", ") + number(i < count ? value[i] : 0);
+    return "(" + made + ")";
+}
+
+// The word of Unity's that is nearest to a texture that is a file.
+std::string texture_word(const graph::MaterialProperty& entry) {
+    if (!entry.is_file && !entry.texture_path.empty()) return entry.texture_path;
+    return entry.is_file && entry.property->usage == graph::TextureUsage::Normal ? "bump" : "white";
+}
+
+struct Declared {
+    std::string attributes, type, value;
+};
+
+std::string range(const graph::Property& property) {
+    return fmt::format("Range({}, {})", number((*property.range)[0]), number((*property.range)[1]));
+}
+
+Declared declared(const graph::MaterialProperty& entry, bool is_decoded) {
+    const graph::Property& property = *entry.property;
+    const auto& value = property.value;
+    switch (property.type) {
+        case PropertyType::Float: return {"", property.range ? range(property) : "Float", number(value[0])};
+        case PropertyType::Float2: return {"", "Vector", vector(value, 2)};
+        case PropertyType::Float3: return {"", "Vector", vector(value, 3)};
+        case PropertyType::Float4: return {"", "Vector", vector(value, 4)};
+        case PropertyType::Color: {
+            std::string type(to_string(property.type));  // in ShaderLab with a capital
+            type[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(type[0])));
+            if (!is_decoded) return {"[HDR] ", type, vector(value, 4)};
+            return {"", type,
+                    vector({rounded(encoded(value[0])), rounded(encoded(value[1])), rounded(encoded(value[2])),
+                            rounded(value[3])},
+                           4)};
+        }
+        case PropertyType::Int:
+            if (property.range) return {"[IntRange] ", range(property), number(value[0])};
+            return {"", "Int", number(value[0])};
+        case PropertyType::Bool: return {"[Toggle] ", "Float", number(value[0])};
+        case PropertyType::Enum: {
+            std::string words;
+            for (std::size_t i = 0; i < property.values.size(); ++i)
+                words += fmt::format("{}{}, {}", i == 0 ? "" : ", ", property.values[i], i);
+            return {fmt::format("[Enum({})] ", words), "Float", number(value[0])};
+        }
+        case PropertyType::Texture2D: {
+            std::string attributes = property.tiling ? "" : "[NoScaleOffset] ";
+            if (property.usage == graph::TextureUsage::Normal) attributes += "[Normal] ";
+            return {attributes, "2D", fmt::format("\"{}\" {{}}", texture_word(entry))};
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+std::vector<std::string> shader_properties(const graph::Material& material, const graph::Lowered& lowered,
+                                           const Reflection& reflection) {
+    std::vector<std::string> lines;
+    std::string group;
+    for (std::size_t i = 0; i < material.properties.size(); ++i) {
+        const graph::MaterialProperty& entry = material.properties[i];
+        const graph::Property& property = *entry.property;
+        const graph::PropertyGlobals& globals = lowered.property_globals[i];
+        const ir::Global& global = lowered.module.globals[(globals.texture ? globals.texture : globals.value).index];
+        const Declared made = declared(entry, !global.decoder.empty());
+        if (property.group != group) {
+            if (!lines.empty()) lines.emplace_back();
+            if (!property.group.empty()) lines.push_back(fmt::format("[Header({})]", plain(property.group)));
+            group = property.group;
+        }
+        std::string line = fmt::format("{}{} (\"{}\", {}) = {}", made.attributes, reflection.properties[i].identifier,
+                                       quoted(property.label.empty() ? readable(property.name) : property.label),
+                                       made.type, made.value);
+        if (entry.is_file) line += "  // " + quoted(file_name(entry.texture_path));
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+}  // namespace patina::assemble

@@ -1,0 +1,93 @@
+// What a target whose files are another tool's wants to know beside the passes: how the tool keeps the values of
+// properties, what decodes them, and the lines that a stage needs which calls a foreign function.
+#include <algorithm>
+
+#include "compiler/graph/lowering.h"
+
+namespace patina::graph {
+namespace {
+
+using nodelang::Expr;
+
+bool reads(const Expr& expr, std::string_view property) {
+    if (expr.kind == Expr::Kind::Property && expr.text == property) return true;
+    return std::any_of(expr.args.begin(), expr.args.end(), [&](const Expr* arg) { return reads(*arg, property); });
+}
+
+bool reads(std::span<const PortValue> ports, std::string_view property) {
+    return std::any_of(ports.begin(), ports.end(),
+                       [&](const PortValue& port) { return port.value && reads(*port.value, property); });
+}
+
+bool node_reads(const Node& node, std::string_view property) {
+    return (node.expr && reads(*node.expr, property)) || reads(node.inputs, property);
+}
+
+// Whether these ports come to read the property, themselves or through nodes.
+bool reaches(const CheckedGraph& graph, std::span<const PortValue> ports, std::string_view property) {
+    if (reads(ports, property)) return true;
+    const std::vector<bool> nodes = graph.reachable(ports);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        if (nodes[i] && node_reads(graph.graph->nodes[i], property)) return true;
+    }
+    return false;
+}
+
+constexpr std::string_view kEmission = "emission";
+
+// A colour that may be brighter than white: one that is by default, or that nothing but the emission reads.
+bool is_hdr(const CheckedGraph& graph, const Property& property) {
+    if (std::any_of(property.value.begin(), property.value.begin() + 3, [](double v) { return v > 1; })) return true;
+    std::vector<PortValue> emission, others = graph.graph->vertex;
+    for (const PortValue& port : graph.graph->surface) (port.name == kEmission ? emission : others).push_back(port);
+    return reaches(graph, emission, property.name) && !reaches(graph, others, property.name);
+}
+
+// The word for its type; half where that is precise enough for what artists set.
+std::string stored_as(const Property& property) {
+    switch (property.type) {
+        case PropertyType::Color: return "half4";
+        case PropertyType::Int:
+        case PropertyType::Bool:
+        case PropertyType::Enum: return "float";
+        case PropertyType::Float:
+            return property.range && (*property.range)[0] >= -1 && (*property.range)[1] <= 1 ? "half" : "float";
+        case PropertyType::Float2:
+        case PropertyType::Float3:
+        case PropertyType::Float4: return "float4";
+        case PropertyType::Texture2D: return {};
+    }
+    return {};
+}
+
+std::string_view usage_of(const CheckedGraph& graph, const Property& property) {
+    if (property.type == PropertyType::Color) return is_hdr(graph, property) ? "" : "color";
+    if (property.type != PropertyType::Texture2D) return {};
+    return property.usage == TextureUsage::Normal ? "normal" : property.usage == TextureUsage::Color ? "color" : "";
+}
+
+}  // namespace
+
+void mark_for_tool(Lowering& lowering) {
+    Lowered& out = lowering.out;
+    const auto& decoders = lowering.session.stages->decoders;
+    for (std::size_t i = 0; i < lowering.material.properties.size(); ++i) {
+        const Property& property = *lowering.material.properties[i].property;
+        const PropertyGlobals& globals = out.property_globals[i];
+        ir::Global& global = out.module.globals[(globals.texture ? globals.texture : globals.value).index];
+        const auto decoder = decoders.find(usage_of(*lowering.material.graph, property));
+        if (decoder != decoders.end()) global.decoder = decoder->second->name;
+        if (global.in_block()) out.module.blocks[global.block].members[global.member].stored_as = stored_as(property);
+    }
+}
+
+void tell_texts(Lowering& lowering) {
+    Diagnostics said;  // when the file was read
+    for (const nodelang::FunctionDecl& function : lowering.session.pass_file->ast.functions) {
+        if (!function.attribute("foreign")) continue;
+        for (const nodelang::InstanceInfo& instance : lowering.emitter.instances_of(function))
+            lowering.out.module[instance.id].texts = texts_of(function, said);
+    }
+}
+
+}  // namespace patina::graph

@@ -1,0 +1,238 @@
+#include "compiler/targets/shaderlab/shaderlab.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/targets/body.h"
+#include "compiler/targets/hlsl/hlsl.h"
+#include "compiler/targets/legalize.h"
+
+namespace patina::targets::shaderlab {
+
+using namespace ir;
+
+namespace {
+
+// --- expressions
+
+constexpr std::string_view kSampler = "sampler";
+
+// "_MainTex" of the sampler "sampler_MainTex"
+std::string_view texture_of(std::string_view sampler) {
+    return sampler.starts_with(kSampler) ? sampler.substr(kSampler.size()) : sampler;
+}
+
+std::string decoded(std::string_view decoder, std::string text) {
+    return decoder.empty() ? text : fmt::format("{}({})", decoder, text);
+}
+
+Text expression(const Body& body, Value v) {
+    const Value texture = body.arg(v, 0);
+    const std::string name = body.argument(v, 0);
+    const std::string_view decoder =
+        body[texture].op == Op::Global ? std::string_view(body.module().globals[body[texture].data].decoder) : "";
+    std::string text;
+    if (body[v].op == Op::Sample) {
+        const std::string sampler = body.argument(v, 1);
+        const std::string_view own = texture_of(sampler);
+        text = own == name ? fmt::format("UNITY_SAMPLE_TEX2D({}, {})", name, body.argument(v, 2))
+                           : fmt::format("UNITY_SAMPLE_TEX2D_SAMPLER({}, {}, {})", name, own, body.argument(v, 2));
+    } else {
+        text = hlsl::language().expression(body, v).text;
+    }
+    return {decoded(decoder, std::move(text)), Precedence::Postfix};
+}
+
+// Unity keeps whole numbers of materials in floats, and vectors in four of them.
+std::string read(const Writer& w, GlobalId id, std::string_view name) {
+    const Global& global = w.module.globals[id.index];
+    const std::string_view stored = w.module.blocks[global.block].members[global.member].stored_as;
+    const std::string text = decoded(global.decoder, std::string(name));
+    if (stored == "float" && global.type.is_integer()) return fmt::format("{}({})", w.type(global.type), text);
+    if (stored == "float4" && global.type.is_vector() && global.type.width() < 4)
+        return fmt::format("{}.{}", text, std::string_view("xyz").substr(0, global.type.width()));
+    return text;
+}
+
+// --- declarations
+
+void block(Writer& w, const UniformBlock& block) {
+    const auto index = static_cast<std::size_t>(&block - w.module.blocks.data());
+    for (std::size_t i = 0; i < block.members.size(); ++i) {
+        const BlockMember& member = block.members[i];
+        const std::string& name = w.block_members[index][i];
+        w.line(0, member.stored_as.empty() ? w.declaration(member.type, name) + ";"
+                                           : fmt::format("{} {};", member.stored_as, name));
+    }
+}
+
+// A texture and its sampler are declared at once.
+void resource(Writer& w, GlobalId id) {
+    const Global& global = w.module.globals[id.index];
+    if (global.type.kind == Kind::Texture2D) w.line(0, fmt::format("UNITY_DECLARE_TEX2D({});", w.globals[id.index]));
+    if (global.type.kind == Kind::TextureCube)
+        w.line(0, fmt::format("UNITY_DECLARE_TEXCUBE({});", w.globals[id.index]));
+}
+
+std::vector<std::string> lines_at(const StageInterface& stage, std::string_view place) {
+    std::vector<std::string> lines;
+    for (const StageText& text : stage.texts) {
+        if (text.place == place) lines.push_back(text.line);
+    }
+    return lines;
+}
+
+// Names of a struct's members, beside those that Unity's macros declare.
+class MemberNames {
+public:
+    MemberNames() {
+        for (const char* name :
+             {"pos", "vec", "hpos", "fogCoord", "instanceID", "stereoTargetEyeIndex", "_ShadowCoord", "_LightCoord"})
+            names_.declare(name);
+    }
+    std::string declare(std::string_view name) { return names_.declare(name); }
+
+private:
+    Names names_;
+};
+
+// The numbers of the macros' coordinates follow those of the values.
+std::string numbered(std::string line, std::uint32_t& next) {
+    for (std::size_t at = line.find("{}"); at != line.npos; at = line.find("{}", at))
+        line.replace(at, 2, std::to_string(next++));
+    return line;
+}
+
+void declare_varyings(Writer& w, std::span<const std::string> members) {
+    const StageInterface& stage = w.module.stage;
+    const std::vector<std::string> first = lines_at(stage, "first interpolator");
+    w.gap();
+    const std::size_t begin = w.text.size();
+    const int line = w.next_line;
+    w.line(0, "struct v2f");
+    w.line(0, "{");
+    for (const std::string& each : first) w.line(1, each);
+    auto next = static_cast<std::uint32_t>(first.size());
+    for (const StageVariable& v : stage.outputs) {
+        if (v.builtin == Builtin::Position) w.line(1, "float4 pos : SV_POSITION;");
+    }
+    for (std::size_t i = 0; i < stage.outputs.size(); ++i) {
+        const StageVariable& v = stage.outputs[i];
+        if (v.builtin != Builtin::None || !v.spelling.empty()) continue;
+        const std::string_view prefix = v.flat || v.type.is_integer() ? "nointerpolation " : "";
+        w.line(1, fmt::format("{}{} : TEXCOORD{};", prefix, w.declaration(v.type, members[i]), next++));
+    }
+    for (const std::string& each : lines_at(stage, "interpolators")) w.line(1, numbered(each, next));
+    w.line(0, "};");
+    w.pieces.push_back(
+        {.kind = Piece::Kind::Struct, .name = "v2f", .begin = begin, .end = w.text.size(), .line = line});
+}
+
+EntryPoint vertex_entry(Writer& w) {
+    const StageInterface& stage = w.module.stage;
+    EntryPoint entry;
+    entry.names = {"v", "o"};
+    std::string signature = "v2f vert(appdata_full v";
+    for (const StageVariable& input : stage.inputs) {
+        const std::string name = w.names.declare(input.name);
+        signature += fmt::format(", uint {} : {}", name, hlsl::semantic(input, false));
+        entry.inputs.push_back({fmt::format("int({})", name), Precedence::Postfix});
+    }
+    entry.signature = signature + ")";
+    MemberNames names;
+    std::vector<std::string> members;
+    for (const StageVariable& output : stage.outputs) {
+        const bool is_member = output.builtin == Builtin::None && output.spelling.empty();
+        members.push_back(is_member ? names.declare(output.name) : "pos");
+        entry.outputs.push_back(output.spelling.empty() ? "o." + members.back() : output.spelling);
+    }
+    declare_varyings(w, members);
+    entry.begin = lines_at(stage, "vertex begin");
+    entry.begin.insert(entry.begin.begin(), "v2f o;");
+    entry.end = lines_at(stage, "vertex end");
+    entry.at_return = "return o;";
+    return entry;
+}
+
+// What the fragment stage returns: one colour, or a struct of them.
+std::string declare_targets(Writer& w, EntryPoint& entry) {
+    const StageInterface& stage = w.module.stage;
+    w.gap();
+    const std::size_t begin = w.text.size();
+    const int line = w.next_line;
+    const std::string name = w.names.declare("Targets");
+    w.line(0, "struct " + name);
+    w.line(0, "{");
+    Names members;
+    for (const StageVariable& v : stage.outputs) {
+        const std::string member = members.declare(v.name);
+        if (!v.guard.empty()) w.line(0, "#if " + v.guard);
+        w.line(1, fmt::format("half4 {} : {};", member, v.semantic));
+        if (!v.guard.empty()) w.line(0, "#endif");
+        entry.outputs.push_back("output." + member);
+        entry.guards.push_back(v.guard);
+    }
+    w.line(0, "};");
+    w.pieces.push_back({.kind = Piece::Kind::Struct, .name = name, .begin = begin, .end = w.text.size(), .line = line});
+    entry.before_return = name + " output;";
+    entry.at_return = "return output;";
+    return name;
+}
+
+EntryPoint fragment_entry(Writer& w) {
+    const StageInterface& stage = w.module.stage;
+    EntryPoint entry;
+    entry.names = {"i"};
+    std::string parameters = "v2f i";
+    MemberNames names;
+    for (const StageVariable& input : stage.inputs) {
+        if (input.builtin == Builtin::None) entry.inputs.push_back({"i." + names.declare(input.name)});
+        if (input.builtin == Builtin::FragCoord) entry.inputs.push_back({"i.pos"});
+        if (input.builtin == Builtin::FrontFacing) {
+            const std::string name = w.names.declare(input.name);
+            parameters += fmt::format(", bool {} : {}", name, hlsl::semantic(input, false));
+            entry.inputs.push_back({name});
+        }
+    }
+    entry.begin = lines_at(stage, "fragment begin");
+    entry.end = lines_at(stage, "fragment end");
+    std::string result = stage.outputs.empty() ? "float4" : "half4", target = " : SV_Target";
+    if (stage.outputs.size() == 1) {
+        entry.outputs = {"return"};
+    } else if (!stage.outputs.empty()) {
+        result = declare_targets(w, entry);
+        target.clear();
+    }
+    entry.signature = fmt::format("{} frag({}){}", result, parameters, target);
+    return entry;
+}
+
+EntryPoint entry_point(Writer& w) {
+    return w.module.stage.kind == StageKind::Vertex ? vertex_entry(w) : fragment_entry(w);
+}
+
+Language make_language() {
+    Language made = hlsl::language();
+    made.name = "shaderlab";
+    made.taken = taken_names();
+    made.read = read;
+    made.expression = expression;
+    made.block = block;
+    made.resource = resource;
+    made.entry_point = entry_point;
+    return made;
+}
+
+}  // namespace
+
+std::optional<Module> legalize(const Module& module) {
+    return hlsl::legalize(module);
+}
+
+Printed print(const Module& module, const PrintOptions& options) {
+    static const Language kLanguage = make_language();
+    return targets::print(module, kLanguage, options);
+}
+
+}  // namespace patina::targets::shaderlab

@@ -1,0 +1,17 @@
+// HLSL as it stands in a ShaderLab file for Unity's built-in render pipeline: uniforms without blocks, textures by
+// Unity's macros, entry functions `vert` and `frag` over Unity's appdata_full and a struct v2f that both share. Only a
+// stage's text is made here; the file around it is assemble/shader_file.h.
+#pragma once
+
+#include "compiler/targets/language.h"
+#include "compiler/targets/print.h"
+
+namespace patina::targets::shaderlab {
+
+std::optional<ir::Module> legalize(const ir::Module& module);
+Printed print(const ir::Module& module, const PrintOptions& options);
+
+// Names of Unity's includes that a shader of this library might want to declare, and those of their macros' locals.
+std::span<const std::string_view> taken_names();
+
+}  // namespace patina::targets::shaderlab

@@ -1,0 +1,168 @@
+// What a shader for Unity says beside its passes, where it needs it. Each piece ends at an empty line.
+
+// The macros for lights of all kinds are of 2018; before that the position alone was enough.
+#ifndef UNITY_LIGHTING_COORDS
+#define UNITY_LIGHTING_COORDS(first, second) UNITY_SHADOW_COORDS(second)
+#define UNITY_TRANSFER_LIGHTING(o, uv) UNITY_TRANSFER_SHADOW(o, uv)
+#endif
+
+// In a project of gamma space colours come encoded; lighting is computed in linear light all the same.
+half3 LinearColor(half3 color)
+{
+#ifdef UNITY_COLORSPACE_GAMMA
+    color = GammaToLinearSpace(color);
+#endif
+    return color;
+}
+half4 LinearColor(half4 color)
+{
+    return half4(LinearColor(color.rgb), color.a);
+}
+
+// A linear colour as the project keeps it.
+half3 ProjectColor(half3 color)
+{
+#ifdef UNITY_COLORSPACE_GAMMA
+    color = LinearToGammaSpace(color);
+#endif
+    return color;
+}
+
+// A normal map's texel as it was painted, however Unity has packed it.
+half4 NormalTexel(half4 packed)
+{
+    return half4(UnpackNormal(packed) * 0.5 + 0.5, 1);
+}
+
+// 0 directional, 1 point, 2 spot
+int LightType()
+{
+#if defined(SPOT)
+    return 2;
+#elif defined(POINT) || defined(POINT_COOKIE)
+    return 1;
+#else
+    return 0;
+#endif
+}
+
+// The coordinates of the lightmaps, or the light of four lights and the second order of the probes at a vertex.
+float4 AmbientOrLightmapUV(float2 uv1, float2 uv2, float3 position, half3 normal)
+{
+    float4 ambient = 0;
+#ifdef LIGHTMAP_ON
+    ambient.xy = uv1 * unity_LightmapST.xy + unity_LightmapST.zw;
+#elif UNITY_SHOULD_SAMPLE_SH
+    #ifdef VERTEXLIGHT_ON
+    ambient.rgb = Shade4PointLights(unity_4LightPosX0, unity_4LightPosY0, unity_4LightPosZ0, unity_LightColor[0].rgb,
+        unity_LightColor[1].rgb, unity_LightColor[2].rgb, unity_LightColor[3].rgb, unity_4LightAtten0, position, normal);
+    #endif
+    ambient.rgb = ShadeSHPerVertex(normal, ambient.rgb);
+#endif
+#ifdef DYNAMICLIGHTMAP_ON
+    ambient.zw = uv2 * unity_DynamicLightmapST.xy + unity_DynamicLightmapST.zw;
+#endif
+    return ambient;
+}
+
+// What Unity's global illumination asks of a pixel. The light is white: what is left of it is a shadow.
+UnityGIInput GIInput(float3 position, half attenuation, float4 ambient)
+{
+    UnityGIInput data;
+    UNITY_INITIALIZE_OUTPUT(UnityGIInput, data);
+    data.light.color = 1;
+    data.light.dir = _WorldSpaceLightPos0.xyz;
+    data.worldPos = position;
+    data.worldViewDir = normalize(UnityWorldSpaceViewDir(position));
+    data.atten = attenuation;
+#if defined(LIGHTMAP_ON) || defined(DYNAMICLIGHTMAP_ON)
+    data.lightmapUV = ambient;
+#else
+    data.ambient = ambient.rgb;
+#endif
+    data.probeHDR[0] = unity_SpecCube0_HDR;
+    data.probeHDR[1] = unity_SpecCube1_HDR;
+#if defined(UNITY_SPECCUBE_BLENDING) || defined(UNITY_SPECCUBE_BOX_PROJECTION)
+    data.boxMin[0] = unity_SpecCube0_BoxMin;
+#endif
+#ifdef UNITY_SPECCUBE_BOX_PROJECTION
+    data.boxMax[0] = unity_SpecCube0_BoxMax;
+    data.probePosition[0] = unity_SpecCube0_ProbePosition;
+    data.boxMin[1] = unity_SpecCube1_BoxMin;
+    data.boxMax[1] = unity_SpecCube1_BoxMax;
+    data.probePosition[1] = unity_SpecCube1_ProbePosition;
+#endif
+    return data;
+}
+
+// Light from all around over pi: probes, lights at vertices, lightmaps, real-time global illumination.
+half3 AmbientLight(half3 normal, float3 position, half attenuation, float4 ambient)
+{
+    return LinearColor(UnityGI_Base(GIInput(position, attenuation, ambient), 1, normal).indirect.diffuse);
+}
+
+// What real-time and baked shadows leave of the main light.
+half MixedShadow(float3 position, half attenuation, float4 ambient)
+{
+    return UnityGI_Base(GIInput(position, attenuation, ambient), 1, half3(0, 1, 0)).light.color.r;
+}
+
+// Light of the reflection probes from a direction, blurred as a surface of that perceptual roughness mirrors it.
+half3 ReflectedLight(half3 direction, half roughness, float3 position)
+{
+    Unity_GlossyEnvironmentData environment;
+    UNITY_INITIALIZE_OUTPUT(Unity_GlossyEnvironmentData, environment);
+    environment.roughness = roughness;
+    environment.reflUVW = direction;
+    return LinearColor(UnityGI_IndirectSpecular(GIInput(position, 1, 0), 1, environment));
+}
+
+// None, where Unity adds reflections to the G-buffer afterwards.
+half3 ReflectedLightOfBuffer(half3 direction, half roughness, float3 position)
+{
+#if UNITY_ENABLE_REFLECTION_BUFFERS
+    return 0;
+#else
+    return ReflectedLight(direction, roughness, position);
+#endif
+}
+
+// Without high dynamic range the buffer keeps 2 to the power of minus the light.
+half3 StoredLight(half3 color)
+{
+#ifndef UNITY_HDR_ON
+    color = exp2(-color);
+#endif
+    return color;
+}
+
+// The shadow mask of the object.
+half4 BakedShadows(float4 ambient, float3 position)
+{
+    return UnityGetRawBakedOcclusions(ambient.xy, position);
+}
+
+// What has been drawn before, at a place of the screen that is counted from the lower left.
+UNITY_DECLARE_TEX2D(_BackgroundTexture);
+half3 BackgroundColor(float2 uv)
+{
+#if UNITY_UV_STARTS_AT_TOP
+    if (_ProjectionParams.x > 0) uv.y = 1 - uv.y;
+#else
+    if (_ProjectionParams.x < 0) uv.y = 1 - uv.y;
+#endif
+    return LinearColor(_BackgroundTexture.SampleLevel(sampler_BackgroundTexture, uv, 0).rgb);
+}
+
+// Its distance along the camera's axis.
+UNITY_DECLARE_DEPTH_TEXTURE(_CameraDepthTexture);
+float BackgroundDepth(float2 uv)
+{
+    float depth = SAMPLE_DEPTH_TEXTURE_LOD(_CameraDepthTexture, float4(uv, 0, 0));
+    float parallel = depth;
+#ifdef UNITY_REVERSED_Z
+    parallel = 1 - depth;
+#endif
+    parallel = lerp(_ProjectionParams.y, _ProjectionParams.z, parallel);
+    return lerp(LinearEyeDepth(depth), parallel, unity_OrthoParams.w);
+}

@@ -1,0 +1,316 @@
+// Unity's built-in render pipeline: the passes that a ShaderLab file holds for it, over the values, functions and macros
+// that Unity's own includes declare. Colours are linear in here; in a project of gamma space they arrive and leave
+// encoded (unity.include.hlsl).
+// The names are those that 2017.4, 2019.4 and 6000 have in common.
+
+// --- the mesh and the camera
+
+[foreign("v.vertex.xyz")] [gives("position_os")] float3 mesh_position;
+[foreign("v.normal")] [gives("normal_os")] float3 mesh_normal;
+[foreign("v.tangent")] [gives("tangent_os")] float4 mesh_tangent;
+[foreign("v.texcoord.xy")] [gives("uv0")] float2 mesh_uv0;
+[foreign("v.texcoord1.xy")] [gives("uv1")] float2 mesh_uv1;
+[foreign("v.color")] [gives("vertex_color")] float4 mesh_color;
+
+[foreign] [gives("object_to_world")] float4x4 unity_ObjectToWorld;
+[foreign] [gives("world_to_object")] float4x4 unity_WorldToObject;
+[foreign] float4 unity_WorldTransformParams;  // w: -1 where the object is mirrored
+
+[foreign("_Time.y")] [gives("time")] float unity_seconds;
+[foreign("_ScreenParams.xy")] [gives("screen_size")] float2 unity_screen_size;
+[foreign("UNITY_MATRIX_VP")] [gives("world_to_clip")] float4x4 unity_world_to_clip;
+[foreign("UNITY_MATRIX_V")] [gives("world_to_view")] float4x4 unity_world_to_view;
+[foreign] [gives("camera_position_ws")] float3 _WorldSpaceCameraPos;
+[foreign("unity_OrthoParams.w")] [gives("view_is_orthographic")] float unity_is_orthographic;
+[foreign("(-UNITY_MATRIX_V[2].xyz)")] [gives("camera_forward_ws")] float3 unity_camera_forward;
+[foreign("UNITY_MATRIX_V[2].xyz")] float3 unity_camera_backward;
+[foreign("_ProjectionParams.yz")] [gives("clip_planes")] float2 unity_clip_planes;
+
+[foreign] float4 UnityObjectToClipPos(float3 position);
+[foreign] float3 UnityObjectToWorldNormal(float3 normal);
+[foreign] float3 UnityObjectToWorldDir(float3 direction);
+[foreign] float3 UnityWorldSpaceViewDir(float3 position);
+
+[gives("normal_object_to_world")]
+float3 unity_normal(float3 normal) {
+    return UnityObjectToWorldNormal(normal);
+}
+
+[gives("vertex_tangent_ws")]
+float4 unity_tangent(float4 tangent = tangent_os) {
+    return float4(UnityObjectToWorldDir(tangent.xyz), tangent.w * unity_WorldTransformParams.w);
+}
+
+[gives("view_dir_ws")]
+float3 unity_view_dir(float3 position = position_ws) {
+    return normalize(lerp(UnityWorldSpaceViewDir(position), unity_camera_backward, unity_is_orthographic));
+}
+
+// Where the pixel is on the screen. The origin is Unity's, the lower left.
+[foreign] float4 ComputeScreenPos(float4 position);
+
+[semantic("vertex")]
+float4 screen_pos(float3 position = position_os) {
+    return ComputeScreenPos(UnityObjectToClipPos(position));
+}
+
+[gives("screen_uv")]
+float2 unity_screen_uv(float4 position = screen_pos) {
+    return position.xy / position.w;
+}
+
+// --- colour
+
+/// What is read of textures and colours goes through these.
+[decodes("color")] [foreign] float3 LinearColor(float3 color);
+[decodes("normal")] [foreign] float4 NormalTexel(float4 packed);
+/// A linear colour as the project keeps it.
+[foreign] float3 ProjectColor(float3 color);
+
+// --- light
+
+[foreign] float4 _WorldSpaceLightPos0;
+[foreign("LinearColor(_LightColor0.rgb)")] [text("include", "UnityLightingCommon.cginc")]
+float3 LightColor();
+[foreign] float3 UnityWorldSpaceLightDir(float3 position);
+[foreign] int LightType();
+
+/// What the shadow map, distance, cone and cookie leave of the light.
+[foreign("UNITY_LIGHT_ATTENUATION({result}, i, {0})")]
+[text("include", "AutoLight.cginc")]
+[text("interpolators", "UNITY_LIGHTING_COORDS({}, {})")]
+[text("vertex end", "UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);")]
+float Attenuation(float3 position);
+
+/// Light of what is not computed per pixel: at the vertices in rgb, or where the lightmaps are read.
+[foreign("AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, {0}, {1})")]
+[text("include", "UnityPBSLighting.cginc")]
+float4 AmbientOrLightmapUV(float3 position, float3 normal);
+
+[foreign] [text("pragma", "multi_compile_fwdbase")] [text("include", "UnityPBSLighting.cginc")]
+float3 AmbientLight(float3 normal, float3 position, float attenuation, float4 ambient_or_lightmap_uv);
+[foreign("AmbientLight({0}, {1}, 1, {2})")] [text("include", "UnityPBSLighting.cginc")]
+float3 AmbientLightOfBuffer(float3 normal, float3 position, float4 ambient_or_lightmap_uv);
+[foreign] [text("pragma", "multi_compile_fwdbase")] [text("include", "UnityPBSLighting.cginc")]
+float MixedShadow(float3 position, float attenuation, float4 ambient_or_lightmap_uv);
+[foreign] [text("pragma", "multi_compile_fwdbase")] [text("include", "UnityPBSLighting.cginc")]
+float3 ReflectedLight(float3 direction, float roughness, float3 position);
+[foreign] [text("include", "UnityPBSLighting.cginc")]
+float3 ReflectedLightOfBuffer(float3 direction, float roughness, float3 position);
+
+[semantic("pixel")]
+float attenuation(float3 position = position_ws) {
+    return Attenuation(position);
+}
+[semantic("vertex")]
+float4 ambient_or_lightmap_uv(float3 position = position_ws, float3 normal = vertex_normal_ws) {
+    return AmbientOrLightmapUV(position, normal);
+}
+
+/// The main light. Its shadow is the real-time one, or mixed with a baked one; in subtractive lighting nothing of the
+/// light is left, where a lightmap holds it.
+[gives("light_at", "unity-forward-base")]
+Light unity_main_light(int index, float3 position, float left = attenuation, float4 ambient = ambient_or_lightmap_uv) {
+    Light light;
+    light.direction = _WorldSpaceLightPos0.xyz;
+    light.color = LightColor();
+    light.attenuation = 1;
+    light.shadow = MixedShadow(position, left, ambient);
+    light.index = 0;
+    light.type = 0;
+    return light;
+}
+
+/// Each further light. What shadow, distance, cone and cookie leave of it is one number in Unity.
+[gives("light_at", "unity-forward-add")]
+Light unity_further_light(int index, float3 position, float left = attenuation) {
+    Light light;
+    light.direction = normalize(UnityWorldSpaceLightDir(position));
+    light.color = LightColor();
+    light.attenuation = left;
+    light.shadow = 1;
+    light.index = 1;
+    light.type = LightType();
+    return light;
+}
+
+[gives("AmbientIrradiance", "unity-forward-base")]
+float3 unity_ambient(float3 normal, float3 position = position_ws, float left = attenuation,
+                     float4 ambient = ambient_or_lightmap_uv) {
+    return AmbientLight(normal, position, left, ambient);
+}
+[gives("AmbientIrradiance", "unity-deferred")]
+float3 unity_ambient_of_buffer(float3 normal, float3 position = position_ws, float4 ambient = ambient_or_lightmap_uv) {
+    return AmbientLightOfBuffer(normal, position, ambient);
+}
+
+[gives("EnvironmentRadiance", "unity-forward-base")]
+float3 unity_reflection(float3 direction, float roughness, float3 position = position_ws) {
+    return ReflectedLight(direction, roughness, position);
+}
+/// Unity adds reflections to its G-buffer later, where the project says so.
+[gives("EnvironmentRadiance", "unity-deferred")]
+float3 unity_reflection_of_buffer(float3 direction, float roughness, float3 position = position_ws) {
+    return ReflectedLightOfBuffer(direction, roughness, position);
+}
+
+/// Unity has no table of the split sum. This is a fit of it, by quotients of polynomials: least squares on a grid of 22
+/// by 21 values of sqrt(n.v) and roughness, of the integral for GGX with Smith's exact joint visibility. It is within 0.04
+/// of the scale and within 0.07 of the offset everywhere, and in the root of the mean square within 0.015 of both.
+[gives("split_sum_share")]
+float2 fitted_split_sum(float roughness, float ndotv) {
+    float r = roughness;
+    float u = sqrt(ndotv);
+    float r2 = r * r;
+    float u2 = u * u;
+    float scale = -0.0282 + 1.4469 * r + 3.2901 * r2 - 1.0967 * r2 * r + u * (0.1822 - 7.6881 * r + 0.3201 * r2) +
+                  u2 * (2.898 + 1.5248 * r - 0.4523 * u);
+    scale /= 1 - 0.0725 * r + 3.0333 * r2 + u * (-1.8141 - 4.3312 * r + 3.3887 * u);
+    float offset = 0.9667 - 0.5217 * r + 0.2952 * r2 + u * (-1.9407 + 0.2848 * r + 1.0033 * u);
+    offset /= 1 + 1.1816 * r + 8.5712 * r2 + u * (-2.2918 - 9.0057 * r + 4.9811 * u);
+    return saturate(float2(scale, offset));
+}
+
+// --- what has been drawn before
+
+/// From a copy of the picture, which Unity makes before the first object that reads it.
+[foreign] [text("grab", "_BackgroundTexture")] [text("queue", "2900")]
+float3 BackgroundColor(float2 uv);
+/// From the camera's depth texture, of which a script or another effect must ask Unity.
+[foreign] [text("include", "UnityCG.cginc")] [text("queue", "2900")]
+float BackgroundDepth(float2 uv);
+
+[gives("SceneColor", "unity-forward-base", "unity-forward-add")]
+float3 unity_scene_color(float2 uv) {
+    return BackgroundColor(uv);
+}
+[gives("SceneDepth", "unity-forward-base", "unity-forward-add")]
+float unity_scene_depth(float2 uv) {
+    return BackgroundDepth(uv);
+}
+
+// --- fog, which Unity mixes with colours as they are shown
+
+[foreign("float4 {result} = {0}; UNITY_APPLY_FOG_COLOR(i.fogCoord, {result}, {1});")]
+[text("pragma", "multi_compile_fog")] [text("include", "UnityCG.cginc")]
+[text("interpolators", "UNITY_FOG_COORDS({})")] [text("vertex end", "UNITY_TRANSFER_FOG(o, o.pos);")]
+float4 InFog(float4 color, float4 fog);
+
+[foreign] float4 unity_FogColor;
+
+/// A pixel as it is blended: fog covers as much as the surface does, dims what is only added, and takes away from what
+/// the picture is multiplied by.
+[inline]
+float4 unity_pixel(float3 color, float alpha) {
+    float4 fog = unity_FogColor;
+    if (premultiplied) { fog = float4(unity_FogColor.rgb * alpha, 0); }
+    if (adds) { fog = float4(0); }
+    if (multiplies) { fog = float4(1); }
+    float covered = 1;
+    if (fades || premultiplied) { covered = alpha; }
+    return InFog(float4(ProjectColor(color), covered), fog);
+}
+
+// --- the passes
+
+[pass("unity-forward-base")] [pass("unity-forward-add")] [pass("unity-deferred")] [vertex]
+[text("interpolators", "UNITY_VERTEX_INPUT_INSTANCE_ID", "UNITY_VERTEX_OUTPUT_STEREO")]
+[text("vertex begin", "UNITY_SETUP_INSTANCE_ID(v);", "UNITY_INITIALIZE_OUTPUT(v2f, o);",
+      "UNITY_TRANSFER_INSTANCE_ID(v, o);", "UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);")]
+[text("fragment begin", "UNITY_SETUP_INSTANCE_ID(i);", "UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);")]
+float4 unity_vertex(float3 position = position_os) {
+    return UnityObjectToClipPos(position);
+}
+
+[pass("unity-forward-base")] [fragment] [lights("main")]
+[tag("Name", "FORWARD")] [tag("LightMode", "ForwardBase")]
+[text("pragma", "multi_compile_instancing")]
+[blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
+[blend("fade", "src_alpha", "one_minus_src_alpha", "one", "one_minus_src_alpha")]
+[blend("transparent", "one", "one_minus_src_alpha")] [blend("additive", "one", "one", "zero", "one")]
+[blend("multiply", "dst_color", "zero", "zero", "one")]
+float4 unity_forward_base(float3 position = position_ws) {
+    LightingSurface lit = as_lit(lighting_surface());
+    if (alpha_clip) {
+        discard_if(lit.alpha < lit.alphaClip);
+    }
+    LightSum sum;
+    sum.direct = direct(lit, light_at(0, position));
+    sum.indirect = indirect(lit);
+    return unity_pixel(final(lit, sum), lit.alpha);
+}
+
+[pass("unity-forward-add")] [fragment] [each("light")] [lights("further")] [needs("added", "direct")]
+[tag("Name", "FORWARD_DELTA")] [tag("LightMode", "ForwardAdd")]
+[text("pragma", "multi_compile_fwdadd_fullshadows")]
+[depth("lessEqual", "keep")]
+[blend("opaque", "one", "one", "zero", "one")] [blend("cutout", "one", "one", "zero", "one")]
+[blend("fade", "src_alpha", "one", "zero", "one")] [blend("transparent", "one", "one", "zero", "one")]
+float4 unity_forward_add(float3 position = position_ws) {
+    LightingSurface lit = as_lit(lighting_surface());
+    if (alpha_clip) {
+        discard_if(lit.alpha < lit.alphaClip);
+    }
+    float3 color = added_by_light(lit, position);
+    return InFog(float4(ProjectColor(color), fades ? lit.alpha : 0), float4(0));
+}
+
+[pass("unity-shadow-caster")] [vertex]
+[text("first interpolator", "V2F_SHADOW_CASTER;")]
+[text("interpolators", "UNITY_VERTEX_INPUT_INSTANCE_ID", "UNITY_VERTEX_OUTPUT_STEREO")]
+[text("vertex begin", "UNITY_SETUP_INSTANCE_ID(v);", "UNITY_INITIALIZE_OUTPUT(v2f, o);",
+      "UNITY_TRANSFER_INSTANCE_ID(v, o);", "UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);")]
+[text("vertex end", "TRANSFER_SHADOW_CASTER_NORMALOFFSET(o)")]
+void unity_caster_vertex() {
+}
+
+[pass("unity-shadow-caster")] [fragment] [lights("none")] [optional]
+[tag("Name", "ShadowCaster")] [tag("LightMode", "ShadowCaster")]
+[text("pragma", "multi_compile_shadowcaster", "multi_compile_instancing")] [text("include", "UnityCG.cginc")]
+[text("fragment begin", "UNITY_SETUP_INSTANCE_ID(i);", "UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);")]
+[text("fragment end", "SHADOW_CASTER_FRAGMENT(i)")]
+[depth("lessEqual", "write")] [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
+void unity_caster() {
+    if (alpha_clip) {
+        LightingSurface lit = lighting_surface();
+        discard_if(lit.alpha < lit.alphaClip);
+    }
+}
+
+// The G-buffer of Unity's deferred path, as UnityStandardDataToGbuffer fills it.
+struct UnityTargets {
+    [target("gbuffer_diffuse", "rgba8")] float4 diffuse;    // diffuse colour, occlusion
+    [target("gbuffer_specular", "rgba8")] float4 specular;  // f0, smoothness
+    [target("gbuffer_normal", "rgb10a2")] float4 normal;    // in the world, 0.5 n + 0.5
+    [target("color", "rgba16f")] float4 light;              // emission and ambient light
+    [target("gbuffer_shadow_mask", "rgba8")] [only_if("defined(SHADOWS_SHADOWMASK) && UNITY_ALLOWED_MRT_COUNT > 4")]
+    float4 shadow_mask;
+};
+
+/// Without high dynamic range Unity keeps the light as 2^-light.
+[foreign] float3 StoredLight(float3 color);
+[foreign] [text("include", "UnityPBSLighting.cginc")]
+float4 BakedShadows(float4 ambient_or_lightmap_uv, float3 position);
+
+/// Only what is lit by the model that Unity's own lighting passes compute.
+[pass("unity-deferred")] [fragment] [lights("none")] [optional]
+[lighting("unity-brdf1", "unity-brdf2", "unity-brdf3")]
+[tag("Name", "DEFERRED")] [tag("LightMode", "Deferred")]
+[text("pragma", "exclude_renderers nomrt", "multi_compile_prepassfinal", "multi_compile_instancing")]
+[text("include", "UnityCG.cginc")]
+[blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
+UnityTargets unity_deferred(float3 position = position_ws, float4 ambient = ambient_or_lightmap_uv) {
+    LightingSurface lit = lighting_surface();
+    if (alpha_clip) {
+        discard_if(lit.alpha < lit.alphaClip);
+    }
+    LightSum sum;
+    sum.indirect = indirect(lit);
+    UnityTargets made;
+    made.diffuse = float4(ProjectColor(lit.diffuseColor), lit.occlusion);
+    made.specular = float4(ProjectColor(lit.f0), lit.smoothness);
+    made.normal = float4(0.5 + 0.5 * lit.normal_ws, 1);
+    made.light = float4(StoredLight(ProjectColor(final(lit, sum))), 1);
+    made.shadow_mask = BakedShadows(ambient, position);
+    return made;
+}

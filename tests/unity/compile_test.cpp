@@ -1,0 +1,97 @@
+// Every pass of the examples' ShaderLab files, in every combination of keywords that Unity would compile and that makes
+// a difference to it, is accepted by a compiler of HLSL, over stand-ins for Unity's includes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "patina/validate.h"
+#include "unity/shader_lab.h"
+
+namespace patina::unity {
+namespace {
+
+namespace fs = std::filesystem;
+using Keywords = std::vector<std::string>;
+
+const Compiler& compiler() {
+    static const Compiler kCompiler;
+    return kCompiler;
+}
+
+const std::map<std::string, std::vector<Keywords>>& variants() {
+    static const std::map<std::string, std::vector<Keywords>> kVariants = {
+        {"ForwardBase",
+         {{},
+          {"UNITY_COLORSPACE_GAMMA", "FOG_LINEAR"},
+          {"DIRECTIONAL", "LIGHTPROBE_SH", "SHADOWS_SCREEN", "VERTEXLIGHT_ON", "INSTANCING_ON"},
+          {"DIRECTIONAL", "LIGHTMAP_ON", "SHADOWS_SCREEN", "FOG_EXP2", "STAND_IN_2017"},
+          {"LIGHTMAP_ON", "DYNAMICLIGHTMAP_ON", "DIRLIGHTMAP_COMBINED", "UNITY_SPECCUBE_BOX_PROJECTION"},
+          {"UNITY_SPECCUBE_BLENDING", "STAND_IN_2017"}}},
+        {"ForwardAdd",
+         {{"POINT"},
+          {"POINT", "STAND_IN_2017", "FOG_LINEAR"},
+          {"SPOT", "SHADOWS_SCREEN", "FOG_EXP", "INSTANCING_ON"},
+          {"DIRECTIONAL", "UNITY_COLORSPACE_GAMMA"},
+          {"POINT_COOKIE"}}},
+        {"ShadowCaster", {{"SHADOWS_DEPTH"}, {"SHADOWS_CUBE"}, {"SHADOWS_DEPTH", "INSTANCING_ON"}}},
+        {"Deferred",
+         {{},
+          {"UNITY_HDR_ON", "LIGHTPROBE_SH", "INSTANCING_ON"},
+          {"LIGHTMAP_ON", "SHADOWS_SHADOWMASK", "UNITY_HDR_ON"},
+          {"UNITY_COLORSPACE_GAMMA", "UNITY_ENABLE_REFLECTION_BUFFERS"}}}};
+    return kVariants;
+}
+
+std::vector<std::string> examples() {
+    std::vector<std::string> files;
+    for (const char* folder : {"examples/graphs", "examples/sources", "tests/unity/graphs"}) {
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+            if (entry.path().string().ends_with(".graph.json")) files.push_back(entry.path());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+std::string words(const Keywords& keywords) {
+    std::string text;
+    for (const std::string& keyword : keywords) text += " " + keyword;
+    return text;
+}
+
+class UnityExample : public testing::TestWithParam<std::string> {};
+
+TEST_P(UnityExample, CompilesInEveryVariant) {
+    CompileOptions options;
+    options.targets = {Target::Hlsl, Target::Unity};
+    const Result result = compiler().compile_file(GetParam(), options);
+    for (const Diagnostic& d : result.diagnostics) {
+        if (d.code != "pass-left-out") ADD_FAILURE() << to_text(d);
+    }
+    ASSERT_TRUE(result.ok);
+    const ShaderLab file = taken_apart(result.shaders.back().text);
+    ASSERT_TRUE(file.pass("ForwardBase"));
+    for (const LabPass& pass : file.passes) {
+        ASSERT_TRUE(variants().contains(pass.light_mode)) << pass.light_mode;
+        for (const Keywords& keywords : variants().at(pass.light_mode)) {
+            for (const Stage which : {Stage::Vertex, Stage::Fragment}) {
+                const Shader shader = stage(pass, result.reflection, which, keywords);
+                const Validated validated = validate(shader);
+                ASSERT_TRUE(validated.ok) << pass.light_mode << words(keywords) << "\n"
+                                          << validated.log << result.shaders.back().text;
+            }
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, UnityExample, testing::ValuesIn(examples()), [](const auto& info) {
+    std::string name = fs::path(info.param).filename().string();
+    name = name.substr(0, name.find('.'));
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
+
+}  // namespace
+}  // namespace patina::unity

@@ -1,0 +1,281 @@
+// What stands in a ShaderLab file around its programs, and two files as a whole, for a reader to look at.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/received.h"
+#include "unity/shader_lab.h"
+
+namespace patina::unity {
+namespace {
+
+const Compiler& compiler() {
+    static const Compiler kCompiler;
+    return kCompiler;
+}
+
+Result for_unity(const std::string& graph) {
+    CompileOptions options;
+    options.targets = {Target::Unity};
+    Result result = compiler().compile_file(graph, options);
+    EXPECT_TRUE(result.ok) << graph;
+    return result;
+}
+
+Result of_text(const std::string& text) {
+    CompileOptions options;
+    options.targets = {Target::Unity};
+    return compiler().compile_text("t.graph.json", text, options);
+}
+
+std::string shader(const std::string& text) {
+    const Result result = of_text(text);
+    for (const Diagnostic& d : result.diagnostics) EXPECT_NE(d.severity, Severity::Error) << to_text(d);
+    return result.shaders.empty() ? std::string() : result.shaders.front().text;
+}
+
+std::string material(const std::string& rest) {
+    return R"({ "patina": 1, "workflow": "metallic-smoothness", "lighting": "unity-brdf1", )" + rest + " }";
+}
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+Diagnostic first_error(const Result& result) {
+    for (const Diagnostic& d : result.diagnostics) {
+        if (d.severity == Severity::Error) return d;
+    }
+    return {};
+}
+
+class UnityFile : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(UnityFile, ReadsAsExpected) {
+    const Result result = for_unity("tests/unity/graphs/" + GetParam() + ".graph.json");
+    ASSERT_EQ(result.shaders.size(), 1u);
+    EXPECT_EQ(result.shaders.front().file_name, GetParam() + ".shader");
+    EXPECT_TRUE(patina::testing::as_expected("unity/expected/" + GetParam() + ".shader", result.shaders.front().text));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, UnityFile, ::testing::Values("standard", "wave", "fade"),
+                         [](const auto& info) { return info.param; });
+
+// What an artist sees. Colours are those of a picker, but for those that may be brighter than white: 0.5 of linear
+// light is 0.7354 there (IEC 61966-2-1).
+TEST(UnityProperties, AreDeclaredAsArtistsSetThem) {
+    const std::string text = shader(material(R"("properties": [
+        { "name": "_Color", "type": "color", "default": [0.5, 0, 1], "label": "Paint" },
+        { "name": "_Bright", "type": "color", "default": [2, 1, 0.5] },
+        { "name": "_EmissionColor", "type": "color", "default": [0.5, 0.5, 0.5] },
+        { "name": "_Wear", "type": "float", "default": 0.25, "range": [0, 1], "group": "Wear & tear" },
+        { "name": "_Count", "type": "int", "default": 3, "range": [1, 8], "group": "Wear & tear" },
+        { "name": "_Steps", "type": "int", "default": 2 },
+        { "name": "_On", "type": "bool", "default": true },
+        { "name": "_Kind", "type": "enum", "values": ["Dry", "Wet"], "default": "Wet" },
+        { "name": "_Shift", "type": "float3", "default": [1, 2, 3] },
+        { "name": "_MainTex", "type": "texture2d", "tiling": true },
+        { "name": "_BumpMap", "type": "texture2d", "usage": "normal" },
+        { "name": "_Mask", "type": "texture2d", "usage": "data", "default": "gray" } ],
+      "surface": { "baseColor": "= $_Color.rgb * $_Bright.rgb", "emission": "$_EmissionColor.rgb" })"));
+    for (const char* line :
+         {R"(_Color ("Paint", Color) = (0.7354, 0, 1, 1))", R"([HDR] _Bright ("Bright", Color) = (2, 1, 0.5, 1))",
+          R"([HDR] _EmissionColor ("Emission Color", Color) = (0.5, 0.5, 0.5, 1))", R"([Header(Wear   tear)])",
+          R"(_Wear ("Wear", Range(0, 1)) = 0.25)", R"([IntRange] _Count ("Count", Range(1, 8)) = 3)",
+          R"(_Steps ("Steps", Int) = 2)", R"([Toggle] _On ("On", Float) = 1)",
+          R"([Enum(Dry, 0, Wet, 1)] _Kind ("Kind", Float) = 1)", R"(_Shift ("Shift", Vector) = (1, 2, 3, 0))",
+          R"( _MainTex ("Main Tex", 2D) = "white" {})",
+          R"([NoScaleOffset] [Normal] _BumpMap ("Bump Map", 2D) = "bump" {})",
+          R"([NoScaleOffset] _Mask ("Mask", 2D) = "gray" {})"})
+        EXPECT_TRUE(has(text, line)) << line << "\n" << text.substr(0, 1800);
+    EXPECT_FALSE(has(text, "[NoScaleOffset] _MainTex"));
+}
+
+struct Kind {
+    std::string surface, type, queue, blend, fallback;
+    std::vector<std::string> modes;
+};
+
+class UnityKind : public ::testing::TestWithParam<Kind> {};
+
+// Blending as Unity's manual gives it for premultiplied and plain alpha, additive and multiplicative surfaces.
+TEST_P(UnityKind, SaysHowItIsDrawn) {
+    const Kind& kind = GetParam();
+    const std::string text = shader(material(R"("render": { "surface": ")" + kind.surface + "\" }"));
+    EXPECT_TRUE(has(text, "\"RenderType\" = \"" + kind.type + "\" \"Queue\" = \"" + kind.queue + "\"")) << text;
+    EXPECT_TRUE(has(text, "FallBack " + kind.fallback)) << text;
+    const ShaderLab file = taken_apart(text);
+    std::vector<std::string> modes;
+    for (const LabPass& pass : file.passes) modes.push_back(pass.light_mode);
+    EXPECT_EQ(modes, kind.modes);
+    const std::string& state = file.passes.front().state;
+    if (kind.blend.empty()) {
+        EXPECT_FALSE(has(state, "Blend")) << state;
+        EXPECT_FALSE(has(state, "ZWrite")) << state;
+    } else {
+        EXPECT_TRUE(has(state, "Blend " + kind.blend + "\n")) << state;
+        EXPECT_TRUE(has(state, "ZWrite Off")) << state;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, UnityKind,
+    ::testing::Values(
+        Kind{"opaque",
+             "Opaque",
+             "Geometry",
+             "",
+             "\"VertexLit\"",
+             {"ForwardBase", "ForwardAdd", "ShadowCaster", "Deferred"}},
+        Kind{"cutout",
+             "TransparentCutout",
+             "AlphaTest",
+             "",
+             "\"Legacy Shaders/Transparent/Cutout/VertexLit\"",
+             {"ForwardBase", "ForwardAdd", "ShadowCaster", "Deferred"}},
+        Kind{"fade",
+             "Transparent",
+             "Transparent",
+             "SrcAlpha OneMinusSrcAlpha, One OneMinusSrcAlpha",
+             "Off",
+             {"ForwardBase", "ForwardAdd"}},
+        Kind{"transparent", "Transparent", "Transparent", "One OneMinusSrcAlpha", "Off", {"ForwardBase", "ForwardAdd"}},
+        Kind{"additive", "Transparent", "Transparent", "One One, Zero One", "Off", {"ForwardBase"}},
+        Kind{"multiply", "Transparent", "Transparent", "DstColor Zero, Zero One", "Off", {"ForwardBase"}}),
+    [](const auto& info) { return info.param.surface; });
+
+TEST(UnityState, IsThatOfTheGraph) {
+    const std::string text = shader(
+        material(R"("render": { "cull": "front", "depthWrite": false, "depthTest": "greaterEqual", "queue": 2460 })"));
+    EXPECT_TRUE(has(text, "Cull Front"));
+    EXPECT_TRUE(has(text, "ZWrite Off"));
+    EXPECT_TRUE(has(text, "ZTest GEqual"));
+    EXPECT_TRUE(has(text, "\"Queue\" = \"AlphaTest+10\""));
+}
+
+// Only Unity's own lighting can be left to its deferred path.
+TEST(UnityDeferred, IsForUnitysModelsAlone) {
+    for (const char* model : {"unity-brdf1", "unity-brdf2", "unity-brdf3"}) {
+        const Result result =
+            of_text(R"({ "patina": 1, "workflow": "metallic-smoothness", "lighting": ")" + std::string(model) + "\" }");
+        ASSERT_TRUE(result.ok);
+        EXPECT_TRUE(result.diagnostics.empty()) << to_text(result.diagnostics.front());
+        EXPECT_TRUE(taken_apart(result.shaders.front().text).pass("Deferred")) << model;
+    }
+    for (const char* model : {"\"lambert\"", "\"gltf\"", R"({ "direct": [0, 0, 0] })"}) {
+        const Result result =
+            of_text(R"({ "patina": 1, "workflow": "metallic-smoothness", "lighting": )" + std::string(model) + "}");
+        ASSERT_TRUE(result.ok);
+        ASSERT_EQ(result.diagnostics.size(), 1u);
+        EXPECT_EQ(result.diagnostics.front().code, "pass-left-out");
+        EXPECT_TRUE(has(result.diagnostics.front().message, "unity-brdf1")) << result.diagnostics.front().message;
+        EXPECT_FALSE(taken_apart(result.shaders.front().text).pass("Deferred")) << model;
+    }
+}
+
+// A pass that could add nothing is not there.
+TEST(UnityUnlit, HasNoPassForLights) {
+    const std::string text = shader(R"({ "patina": 1, "workflow": "unlit", "surface": { "color": "#ff8000" } })");
+    const ShaderLab file = taken_apart(text);
+    EXPECT_TRUE(file.pass("ForwardBase"));
+    EXPECT_FALSE(file.pass("ForwardAdd"));
+    EXPECT_FALSE(has(text, "AutoLight.cginc"));
+    EXPECT_FALSE(has(text, "multi_compile_fwdbase"));
+}
+
+// What a material reads of the picture makes it wait for it, and keeps it out of the G-buffer.
+TEST(UnityBackground, IsGrabbed) {
+    const Result result = of_text(R"({ "patina": 1, "workflow": "metallic-smoothness", "lighting": "unity-brdf1",
+        "surface": { "baseColor": "@scene_color" } })");
+    ASSERT_TRUE(result.ok);
+    ASSERT_EQ(result.diagnostics.size(), 1u);
+    EXPECT_EQ(result.diagnostics.front().code, "pass-left-out");
+    const std::string& text = result.shaders.front().text;
+    EXPECT_TRUE(has(text, "GrabPass { \"_BackgroundTexture\" }"));
+    EXPECT_TRUE(has(text, "\"Queue\" = \"Transparent-100\""));
+    EXPECT_FALSE(taken_apart(text).pass("Deferred"));
+}
+
+// Names that Unity's includes have are not declared a second time.
+TEST(UnityNames, KeepOutOfTheWayOfTheIncludes) {
+    const std::string text = shader(material(R"("properties": [ { "name": "_Time", "type": "float", "default": 1 } ],
+      "nodes": [ { "id": "shadow", "expr": "$_Time * 0.5" }, { "id": "SPOT", "expr": "shadow * shadow + shadow" } ],
+      "surface": { "metallic": "SPOT", "smoothness": "= SPOT * SPOT" })"));
+    EXPECT_FALSE(has(text, "float SPOT ")) << text;
+    EXPECT_FALSE(has(text, "float shadow ")) << text;
+    EXPECT_FALSE(has(text, "float _Time;")) << text;
+}
+
+// What belongs to another tool's files means nothing elsewhere.
+TEST(UnityAttributes, AreRefusedInPassFilesOfOnesOwn) {
+    for (const std::string declaration :
+         {"[foreign] float4 _Sun;", "[foreign] float3 Sun(float3 position);",
+          "[gives(\"view_dir_ws\")] float3 f() { return 0; }", "[text(\"pragma\", \"x\")] float3 f() { return 0; }",
+          "[decodes(\"color\")] float3 f(float3 c) { return c; }"}) {
+        CompileOptions options;
+        options.path = "./mine.pass.hlsl";
+        options.loader = [&](const std::string& path) -> std::optional<std::string> {
+            if (path.ends_with(".graph.json")) return material("\"surface\": {}");
+            return declaration + R"(
+[pass("mine")] [vertex] float4 mine_vertex(float3 position = position_ws) { return mul(world_to_clip, float4(position, 1)); }
+[pass("mine")] [fragment] [lights("none")] [blend("opaque", "one", "zero")] float4 mine() { return float4(1); }
+)";
+        };
+        const Result result = compiler().compile_file("t.graph.json", options);
+        EXPECT_FALSE(result.ok) << declaration;
+        ASSERT_FALSE(result.diagnostics.empty()) << declaration;
+        EXPECT_EQ(result.diagnostics.front().code, "bad-attribute") << declaration;
+        EXPECT_EQ(result.diagnostics.front().line, 1) << declaration;
+    }
+}
+
+// What is asked of Unity that it does not have is refused, at the node that asks.
+TEST(UnitySeam, IsRefusedWhereUnityHasNothingLikeIt) {
+    const Result added = of_text(R"({ "patina": 1, "workflow": "metallic-smoothness", "lighting": {
+        "nodes": [ { "id": "sky", "node": "AmbientIrradiance" } ], "direct": "= sky * @light.color" } })");
+    EXPECT_FALSE(added.ok);
+    const Diagnostic in_add = first_error(added);
+    EXPECT_EQ(in_add.code, "pass-refused");
+    EXPECT_EQ(in_add.node, "sky") << to_text(in_add);
+    EXPECT_TRUE(has(in_add.message, "'unity-forward-add'") && has(in_add.message, "ambient_sh")) << in_add.message;
+    const Result at_vertices = of_text(R"({ "patina": 1, "workflow": "metallic-smoothness",
+        "nodes": [ { "id": "lit", "expr": "@light.color", "stage": "vertex" } ], "surface": { "baseColor": "lit" } })");
+    EXPECT_FALSE(at_vertices.ok);
+    EXPECT_EQ(first_error(at_vertices).code, "pass-refused");
+    EXPECT_EQ(first_error(at_vertices).node, "lit") << to_text(first_error(at_vertices));
+    EXPECT_TRUE(at_vertices.shaders.empty());
+}
+
+TEST(UnityFunctions, AreRefused) {
+    CompileOptions options;
+    options.targets = {Target::Unity};
+    options.functions = "Rust_";
+    const Result result = compiler().compile_text("t.graph.json", material("\"surface\": {}"), options);
+    EXPECT_FALSE(result.ok);
+    EXPECT_EQ(result.diagnostics.front().code, "not-yet");
+}
+
+// One line of the file, one place in the graph.
+TEST(UnityLines, AreMapped) {
+    const Result result = for_unity("tests/unity/graphs/standard.graph.json");
+    const Shader& shader = result.shaders.front();
+    ASSERT_FALSE(shader.line_map.empty());
+    int line = 1, found = 0;
+    std::string before = "\n";
+    for (std::size_t at = 0; at < shader.text.size(); ++line) {
+        const std::size_t end = shader.text.find('\n', at);
+        const std::string text = shader.text.substr(at, end - at);
+        at = end + 1;
+        if (!has(text, "float4 albedo = ")) continue;
+        ++found;
+        const auto after = std::upper_bound(shader.line_map.begin(), shader.line_map.end(), line,
+                                            [](int l, const LineOrigin& origin) { return l < origin.line; });
+        ASSERT_NE(after, shader.line_map.begin());
+        EXPECT_EQ(std::prev(after)->node, "albedo");
+        EXPECT_TRUE(has(std::prev(after)->source_text, "\"albedo\""));
+    }
+    EXPECT_EQ(found, 1);
+}
+
+}  // namespace
+}  // namespace patina::unity

@@ -1,0 +1,38 @@
+// A stand-in for Unity's include of this name, written for these tests. STAND_IN_2017: without what came in 2018.
+#ifdef SHADOWS_SCREEN
+#define UNITY_SHADOW_COORDS(idx) float4 _ShadowCoord : TEXCOORD##idx;
+#define UNITY_TRANSFER_SHADOW(a, coord) a._ShadowCoord = ComputeScreenPos(a.pos) + float4(coord, 0, 0) * 0;
+#define UNITY_SHADOW_ATTENUATION(a, position) (a._ShadowCoord.w > -1e30 ? 1 : 0)
+#else
+#define UNITY_SHADOW_COORDS(idx)
+#define UNITY_TRANSFER_SHADOW(a, coord)
+#define UNITY_SHADOW_ATTENUATION(a, position) 1
+#endif
+
+#ifndef STAND_IN_2017
+#ifdef POINT
+#define STAND_IN_LIGHT_COORDS(idx) float3 _LightCoord : TEXCOORD##idx;
+#define STAND_IN_TRANSFER(a) a._LightCoord = mul(unity_ObjectToWorld, v.vertex).xyz;
+#else
+#define STAND_IN_LIGHT_COORDS(idx)
+#define STAND_IN_TRANSFER(a)
+#endif
+#define UNITY_LIGHTING_COORDS(idx1, idx2) STAND_IN_LIGHT_COORDS(idx1) UNITY_SHADOW_COORDS(idx2)
+#define UNITY_TRANSFER_LIGHTING(a, coord) STAND_IN_TRANSFER(a) UNITY_TRANSFER_SHADOW(a, coord)
+#endif
+
+// The inverse square with a window that ends at the range, and a cone that fades between two cosines.
+float stand_in_attenuation(float3 position)
+{
+    if (light_position[0].w < 0.5) return 1;
+    float3 to_light = light_position[0].xyz - position;
+    float squared = dot(to_light, to_light), ratio = squared / (light_color[0].w * light_color[0].w);
+    float window = saturate(1 - ratio * ratio);
+    float cosine = -dot(light_axis[0].xyz, normalize(to_light));
+    float spot = saturate((cosine - light_cone[0].y) / max(light_cone[0].x - light_cone[0].y, 0.001));
+    return window * window / max(squared, 0.0001) * (light_position[0].w > 1.5 ? spot * spot : 1);
+}
+#define UNITY_LIGHT_ATTENUATION(destName, input, worldPos) \
+    float3 lightCoord = worldPos;                          \
+    fixed shadow = UNITY_SHADOW_ATTENUATION(input, worldPos); \
+    fixed destName = stand_in_attenuation(lightCoord) * shadow;

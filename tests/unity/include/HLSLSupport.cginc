@@ -1,0 +1,53 @@
+// A stand-in for Unity's include of this name, written for these tests: what a shader of this project uses of it, under
+// its documented names. Values are those of the runtime's uniform blocks, which the test declares before.
+// In a project of gamma space (UNITY_COLORSPACE_GAMMA) textures, colours and lights come encoded.
+#define fixed half
+#define fixed2 half2
+#define fixed3 half3
+#define fixed4 half4
+
+#define UNITY_DECLARE_TEX2D(tex)        \
+    Texture2D tex : REGISTER_##tex; \
+    SamplerState sampler##tex : REGISTER_sampler##tex
+#define UNITY_SAMPLE_TEX2D(tex, coord) TEXEL_##tex(tex.Sample(sampler##tex, coord))
+#define UNITY_SAMPLE_TEX2D_SAMPLER(tex, samplertex, coord) TEXEL_##tex(tex.Sample(sampler##samplertex, coord))
+#define UNITY_INITIALIZE_OUTPUT(type, name) name = (type)0;
+#define UNITY_POSITION(pos) float4 pos : SV_POSITION
+#define UNITY_ALLOWED_MRT_COUNT 8
+#define UNITY_UV_STARTS_AT_TOP 1
+#define UNITY_DECLARE_DEPTH_TEXTURE(tex) UNITY_DECLARE_TEX2D(tex)
+#define SAMPLE_DEPTH_TEXTURE_LOD(tex, place) tex.SampleLevel(sampler##tex, (place).xy, (place).w).r
+
+// IEC 61966-2-1, both ways.
+float encoded_component(float c)
+{
+    return c <= 0.0031308 ? 12.92 * c : 1.055 * pow(abs(c), 1 / 2.4) - 0.055;
+}
+float decoded_component(float c)
+{
+    return c <= 0.04045 ? c / 12.92 : pow(abs(c + 0.055) / 1.055, 2.4);
+}
+half3 LinearToGammaSpace(half3 c)
+{
+    return half3(encoded_component(c.r), encoded_component(c.g), encoded_component(c.b));
+}
+half3 GammaToLinearSpace(half3 c)
+{
+    return half3(decoded_component(c.r), decoded_component(c.g), decoded_component(c.b));
+}
+// A colour as the project hands it over.
+float3 handed_over(float3 c)
+{
+#ifdef UNITY_COLORSPACE_GAMMA
+    c = LinearToGammaSpace(c);
+#endif
+    return c;
+}
+float4 handed_over(float4 c)
+{
+    return float4(handed_over(c.rgb), c.a);
+}
+float4 as_it_is(float4 c)
+{
+    return c;
+}

@@ -1,0 +1,98 @@
+// A stand-in for Unity's include of this name, written for these tests.
+#ifdef INSTANCING_ON
+#define UNITY_VERTEX_INPUT_INSTANCE_ID uint instanceID : SV_InstanceID;
+#define UNITY_SETUP_INSTANCE_ID(input) \
+    {                                  \
+        uint instance = input.instanceID; \
+    }
+#define UNITY_TRANSFER_INSTANCE_ID(input, output) output.instanceID = input.instanceID
+#else
+#define UNITY_VERTEX_INPUT_INSTANCE_ID
+#define UNITY_SETUP_INSTANCE_ID(input)
+#define UNITY_TRANSFER_INSTANCE_ID(input, output)
+#endif
+#define UNITY_VERTEX_OUTPUT_STEREO
+#define UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(output)
+#define UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input)
+
+struct appdata_full
+{
+    float4 vertex : POSITION;
+    float4 tangent : TANGENT;
+    float3 normal : NORMAL;
+    float4 texcoord : TEXCOORD0;
+    float4 texcoord1 : TEXCOORD1;
+    float4 texcoord2 : TEXCOORD2;
+    float4 texcoord3 : TEXCOORD3;
+    fixed4 color : COLOR;
+    UNITY_VERTEX_INPUT_INSTANCE_ID
+};
+
+float4 UnityObjectToClipPos(float3 position)
+{
+    return mul(world_to_clip, mul(object_to_world, float4(position, 1)));
+}
+float3 UnityObjectToWorldNormal(float3 normal)
+{
+    return normalize(mul(normal, (float3x3)world_to_object));
+}
+float3 UnityObjectToWorldDir(float3 direction)
+{
+    return normalize(mul((float3x3)object_to_world, direction));
+}
+float3 UnityWorldSpaceViewDir(float3 position)
+{
+    return camera_position_ws - position;
+}
+float3 UnityWorldSpaceLightDir(float3 position)
+{
+    return _WorldSpaceLightPos0.xyz - position * _WorldSpaceLightPos0.w;
+}
+float4 ComputeScreenPos(float4 position)
+{
+    return float4(0.5 * position.xy + 0.5 * position.w, position.zw);
+}
+float LinearEyeDepth(float depth)
+{
+    return clip_planes.x * clip_planes.y / lerp(clip_planes.y, clip_planes.x, depth);
+}
+half3 UnpackNormal(half4 packed)
+{
+    return packed.xyz * 2 - 1;
+}
+float3 Shade4PointLights(float4 x, float4 y, float4 z, float3 c0, float3 c1, float3 c2, float3 c3, float4 falloff,
+                         float3 position, float3 normal)
+{
+    return 0;
+}
+
+// What is far fades into fog; distances count along the camera's axis.
+float stand_in_fog(float distance)
+{
+    float linear_factor = saturate((fog_settings.w - distance) / (fog_settings.w - fog_settings.z));
+    float power = fog_settings.y * distance;
+    float factor = fog_settings.x < 1.5 ? linear_factor : fog_settings.x < 2.5 ? exp(-power) : exp(-power * power);
+    return fog_settings.x < 0.5 ? 1 : factor;
+}
+#if defined(FOG_LINEAR) || defined(FOG_EXP) || defined(FOG_EXP2)
+#define UNITY_FOG_COORDS(idx) float fogCoord : TEXCOORD##idx;
+#define UNITY_TRANSFER_FOG(o, outpos) o.fogCoord = (outpos).w
+#define UNITY_APPLY_FOG_COLOR(coord, col, fogCol) col.rgb = lerp((fogCol).rgb, col.rgb, stand_in_fog(coord))
+#else
+#define UNITY_FOG_COORDS(idx)
+#define UNITY_TRANSFER_FOG(o, outpos)
+#define UNITY_APPLY_FOG_COLOR(coord, col, fogCol)
+#endif
+
+#ifdef SHADOWS_CUBE
+#define V2F_SHADOW_CASTER float3 vec : TEXCOORD0; float4 pos : SV_POSITION
+#define TRANSFER_SHADOW_CASTER_NORMALOFFSET(o)                                     \
+    o.vec = mul(unity_ObjectToWorld, v.vertex).xyz - light_position[0].xyz; \
+    o.pos = UnityObjectToClipPos(v.vertex.xyz);
+#define SHADOW_CASTER_FRAGMENT(i) return length(i.vec) / light_color[0].w;
+#else
+#define V2F_SHADOW_CASTER float4 pos : SV_POSITION
+#define TRANSFER_SHADOW_CASTER_NORMALOFFSET(o) \
+    o.pos = UnityObjectToClipPos(v.vertex.xyz - 0.001 * v.normal);
+#define SHADOW_CASTER_FRAGMENT(i) return 0;
+#endif

@@ -1,0 +1,74 @@
+// A stand-in for Unity's include of this name, written for these tests.
+#define UNITY_SHOULD_SAMPLE_SH (!defined(LIGHTMAP_ON) && !defined(DYNAMICLIGHTMAP_ON))
+
+struct UnityLight
+{
+    half3 color;
+    half3 dir;
+    half ndotl;
+};
+struct UnityIndirect
+{
+    half3 diffuse;
+    half3 specular;
+};
+struct UnityGI
+{
+    UnityLight light;
+    UnityIndirect indirect;
+};
+struct UnityGIInput
+{
+    UnityLight light;
+    float3 worldPos;
+    half3 worldViewDir;
+    half atten;
+    half3 ambient;
+    float4 lightmapUV;
+#if defined(UNITY_SPECCUBE_BLENDING) || defined(UNITY_SPECCUBE_BOX_PROJECTION)
+    float4 boxMin[2];
+#endif
+#ifdef UNITY_SPECCUBE_BOX_PROJECTION
+    float4 boxMax[2];
+    float4 probePosition[2];
+#endif
+    float4 probeHDR[2];
+};
+struct Unity_GlossyEnvironmentData
+{
+    half roughness;
+    half3 reflUVW;
+};
+
+// The coefficients of Ramamoorthi and Hanrahan, "An Efficient Representation for Irradiance Environment Maps", 2001,
+// over pi.
+half3 stand_in_sh(float3 n)
+{
+    float3 sum = 0.28209479 * ambient_sh[0].rgb;
+    sum += 0.32573501 * (ambient_sh[1].rgb * n.y + ambient_sh[2].rgb * n.z + ambient_sh[3].rgb * n.x);
+    sum += 0.27313711 * (ambient_sh[4].rgb * n.x * n.y + ambient_sh[5].rgb * n.y * n.z + ambient_sh[7].rgb * n.x * n.z);
+    sum += 0.07884789 * ambient_sh[6].rgb * (3 * n.z * n.z - 1) + 0.13656855 * ambient_sh[8].rgb * (n.x * n.x - n.y * n.y);
+    return max(sum, 0);
+}
+half3 ShadeSHPerVertex(half3 normal, half3 ambient)
+{
+    return ambient;
+}
+half4 UnityGetRawBakedOcclusions(float2 uv, float3 position)
+{
+    return half4(uv, position.xy);
+}
+UnityGI UnityGI_Base(UnityGIInput data, half occlusion, half3 normal)
+{
+    UnityGI gi;
+    UNITY_INITIALIZE_OUTPUT(UnityGI, gi)
+    gi.light = data.light;
+    gi.light.color *= data.atten;
+    gi.indirect.diffuse = handed_over(stand_in_sh(normal) + data.ambient) * occlusion;
+    return gi;
+}
+half3 UnityGI_IndirectSpecular(UnityGIInput data, half occlusion, Unity_GlossyEnvironmentData glossy)
+{
+    float level = 5 * glossy.roughness * (1.7 - 0.7 * glossy.roughness);
+    return handed_over(environment_map.SampleLevel(environment_map_sampler, glossy.reflUVW, level).rgb) * occlusion;
+}

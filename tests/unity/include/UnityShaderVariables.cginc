@@ -1,0 +1,28 @@
+// A stand-in for Unity's include of this name, written for these tests.
+#define unity_ObjectToWorld object_to_world
+#define unity_WorldToObject world_to_object
+#define UNITY_MATRIX_VP world_to_clip
+#define UNITY_MATRIX_V world_to_view
+#define _WorldSpaceCameraPos camera_position_ws
+#define _Time float4(time / 20, time, time * 2, time * 3)
+#define _ScreenParams float4(screen_size, 1 + 1 / screen_size)
+#define _ProjectionParams float4(1, clip_planes.x, clip_planes.y, 1 / clip_planes.y)
+#define unity_OrthoParams float4(0, 0, 0, view_is_orthographic)
+#define unity_WorldTransformParams float4(0, 0, 0, determinant((float3x3)object_to_world) < 0 ? -1 : 1)
+
+#define _WorldSpaceLightPos0 float4(light_position[0].w < 0.5 ? normalize(light_position[0].xyz) : light_position[0].xyz, \
+                                    light_position[0].w < 0.5 ? 0 : 1)
+#ifndef STAND_IN_FOG
+#define fog_color float4(0, 0, 0, 0)
+#define fog_settings float4(0, 0, 0, 0)
+#endif
+#define unity_FogColor float4(handed_over(fog_color.rgb), 1)
+
+static const float4 unity_4LightPosX0 = 0, unity_4LightPosY0 = 0, unity_4LightPosZ0 = 0, unity_4LightAtten0 = 0;
+static const float4 unity_LightColor[8] = {float4(0, 0, 0, 0), float4(0, 0, 0, 0), float4(0, 0, 0, 0),
+                                           float4(0, 0, 0, 0), float4(0, 0, 0, 0), float4(0, 0, 0, 0),
+                                           float4(0, 0, 0, 0), float4(0, 0, 0, 0)};
+static const float4 unity_LightmapST = float4(1, 1, 0, 0), unity_DynamicLightmapST = float4(1, 1, 0, 0);
+static const float4 unity_SpecCube0_HDR = 1, unity_SpecCube1_HDR = 1;
+static const float4 unity_SpecCube0_BoxMin = 0, unity_SpecCube0_BoxMax = 0, unity_SpecCube0_ProbePosition = 0;
+static const float4 unity_SpecCube1_BoxMin = 0, unity_SpecCube1_BoxMax = 0, unity_SpecCube1_ProbePosition = 0;

@@ -1,0 +1,323 @@
+// ForwardBase and ForwardAdd of the ShaderLab files, drawn by the runtime through stand-ins for Unity's includes, show
+// what the runtime's own path shows: in a project of linear space and in one of gamma space, whose pictures are
+// decoded.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "paths/drawing.h"
+#include "patina/validate.h"
+#include "runtime/engine_values.h"
+#include "unity/shader_lab.h"
+
+namespace patina::unity {
+namespace {
+
+using runtime::Image;
+using Keywords = std::vector<std::string>;
+
+constexpr double kMost = 2.0 / 255;
+
+const Compiler& compiler() {
+    static const Compiler kCompiler;
+    return kCompiler;
+}
+
+runtime::Renderer& renderer() {
+    static const auto kOpened = runtime::Renderer::open({.validation = true});
+    EXPECT_TRUE(kOpened) << kOpened.error;
+    return *kOpened.value;
+}
+
+double decoded(double c) {
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
+runtime::Scene scene_of(const std::string& mesh, std::vector<runtime::Light> lights) {
+    runtime::Scene scene = runtime::default_scene(mesh);
+    scene.width = scene.height = 96;
+    scene.lights = std::move(lights);
+    scene.time = 0.7f;
+    scene.background = glm::vec4(0);
+    return scene;
+}
+
+const runtime::Light kSun{.direction = {-0.6f, 0.8f, 0.8f}, .color = glm::vec3(0.95f, 0.92f, 0.88f)};
+const runtime::Light kLamp{.kind = runtime::LightKind::Point,
+                           .position = {1.2f, 0.4f, 1.6f},
+                           .color = glm::vec3(0.5f, 0.8f, 1.1f),
+                           .range = 6};
+const runtime::Light kSpot{.kind = runtime::LightKind::Spot,
+                           .position = {-1.2f, 0.2f, 2.0f},
+                           .direction = {0.5f, -0.05f, -0.8f},
+                           .color = glm::vec3(1.2f, 0.4f, 0.2f),
+                           .range = 8,
+                           .inner_angle = 12,
+                           .outer_angle = 24};
+
+const runtime::Fog kFog{.mode = runtime::FogMode::Linear, .color = glm::vec3(0.3f, 0.4f, 0.6f), .start = 2, .end = 6};
+
+// A material for the runtime's path `forward`, and as Unity's file.
+struct Material {
+    Result result;
+    ShaderLab file;
+    std::vector<runtime::LoadedTexture> textures;
+    runtime::MaterialValues values;
+
+    Material(const std::string& graph, const runtime::Scene& scene, const std::map<std::string, std::string>& words,
+             std::vector<std::pair<std::string, std::string>> switches, const std::string& path = "forward") {
+        CompileOptions options;
+        options.path = path;
+        options.targets = {Target::Hlsl, Target::Unity};
+        options.switches = std::move(switches);
+        result = compiler().compile_file(graph, options);
+        EXPECT_TRUE(result.ok) << graph;
+        if (!result.ok) return;
+        file = taken_apart(result.shaders.back().text);
+        const std::string folder = graph.substr(0, graph.rfind('/'));
+        auto loaded = runtime::load_textures(result.reflection, folder, {}, true);
+        EXPECT_TRUE(loaded.errors.empty());
+        textures = std::move(loaded.textures);
+        runtime::add_engine_textures(textures, result.reflection, scene);
+        const auto given = runtime::material_values(result.reflection, words);
+        EXPECT_TRUE(given) << given.error;
+        values = given.value;
+    }
+
+    Shader own(Stage stage) const {
+        for (const Shader& shader : result.shaders) {
+            if (shader.stage == stage && shader.target == Target::Hlsl) return shader;
+        }
+        return {};
+    }
+};
+
+std::vector<std::uint32_t> spirv(const Shader& shader) {
+    const Validated validated = validate(shader);
+    EXPECT_TRUE(validated.ok) << validated.log << shader.text;
+    return validated.spirv;
+}
+
+// What one pass draws over what is there, with these lights in the slots from 0 on.
+struct Drawn {
+    Pass pass;
+    std::vector<std::uint32_t> vertex, fragment;
+    std::vector<runtime::SeenLight> lights;
+};
+
+Image drawn(const Material& material, const runtime::Scene& scene, std::vector<Drawn>& passes) {
+    runtime::Frame frame{
+        .targets = {
+            {.name = "color", .width = scene.width, .height = scene.height, .clear = scene.background},
+            {.name = "depth", .format = "depth", .width = scene.width, .height = scene.height, .clear = glm::vec4(1)}}};
+    for (Drawn& each : passes) {
+        const runtime::EngineScene seen{.scene = &scene,
+                                        .view = runtime::camera_view(scene),
+                                        .object_to_world = scene.object_to_world,
+                                        .lights = each.lights,
+                                        .ambient = scene.ambient};
+        frame.steps.push_back({.reflection = &material.result.reflection,
+                               .pass = &each.pass,
+                               .stages = {.vertex_spirv = each.vertex, .fragment_spirv = each.fragment},
+                               .mesh = &scene.mesh,
+                               .blocks = runtime::fill_blocks(material.result.reflection, material.values, seen),
+                               .textures = material.textures,
+                               .targets = {0},
+                               .depth = 1});
+    }
+    const auto image = renderer().draw(frame);
+    EXPECT_TRUE(image) << image.error;
+    EXPECT_TRUE(renderer().messages().empty()) << (renderer().messages().empty() ? "" : renderer().messages().front());
+    return image ? image.value : runtime::make_image(scene.width, scene.height);
+}
+
+Image forward(const Material& material, const runtime::Scene& scene) {
+    std::vector<runtime::SeenLight> lights;
+    for (const runtime::Light& light : scene.lights) lights.push_back({.light = &light, .index = lights.size()});
+    std::vector<Drawn> passes = {{.pass = material.result.reflection.passes.front(),
+                                  .vertex = spirv(material.own(Stage::Vertex)),
+                                  .fragment = spirv(material.own(Stage::Fragment)),
+                                  .lights = std::move(lights)}};
+    return drawn(material, scene, passes);
+}
+
+// ForwardBase with the first light, and ForwardAdd with each of the others.
+Image in_unity(const Material& material, const runtime::Scene& scene, const Keywords& keywords) {
+    const Reflection& reflection = material.result.reflection;
+    std::vector<Drawn> passes;
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const runtime::Light& light = scene.lights[i];
+        const LabPass* pass = material.file.pass(i == 0 ? "ForwardBase" : "ForwardAdd");
+        if (!pass) continue;
+        Keywords defined = keywords;
+        defined.push_back(light.kind == runtime::LightKind::Directional ? "DIRECTIONAL"
+                          : light.kind == runtime::LightKind::Point     ? "POINT"
+                                                                        : "SPOT");
+        Drawn& made = passes.emplace_back();
+        made.pass = reflection.passes.front();
+        made.pass.vertex_inputs = appdata_full();
+        made.pass.blocks.clear();
+        for (const Block& block : reflection.blocks) made.pass.blocks.push_back(block.name);
+        if (i > 0) {
+            const bool fades = reflection.surface == "fade";
+            made.pass.depth_write = false;
+            made.pass.targets.front().blend = {.source = fades ? "src_alpha" : "one",
+                                               .destination = "one",
+                                               .source_alpha = "zero",
+                                               .destination_alpha = "one"};
+        }
+        made.vertex = spirv(stage(*pass, reflection, Stage::Vertex, defined));
+        made.fragment = spirv(stage(*pass, reflection, Stage::Fragment, defined));
+        made.lights = {{.light = &light, .index = i}};
+    }
+    return drawn(material, scene, passes);
+}
+
+Image decoded(Image image) {
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            for (std::size_t c = 0; c < 3; ++c)
+                image.pixels[4 * static_cast<std::size_t>(y * image.width + x) + c] = static_cast<float>(
+                    decoded(double(image.pixels[4 * static_cast<std::size_t>(y * image.width + x) + c])));
+        }
+    }
+    return image;
+}
+
+void expect_same(const Image& a, const Image& b, const std::string& what) {
+    const paths::Difference how_far = paths::difference(a, b);
+    EXPECT_LE(how_far.largest, kMost) << what << ": " << paths::to_text(how_far);
+    EXPECT_GT(paths::lit_pixels(a), 500) << what;  // there is something to see
+}
+
+struct Case {
+    std::string graph, mesh = "sphere";
+    std::map<std::string, std::string> words = {};
+};
+
+class UnityPicture : public testing::TestWithParam<Case> {};
+
+TEST_P(UnityPicture, IsThatOfForward) {
+    const runtime::Scene scene = scene_of(GetParam().mesh, {kSun});
+    const Material material(GetParam().graph, scene, GetParam().words, {});
+    const Image expected = forward(material, scene);
+    expect_same(expected, in_unity(material, scene, {}), "linear");
+    expect_same(expected, decoded(in_unity(material, scene, {"UNITY_COLORSPACE_GAMMA"})), "gamma");
+}
+
+TEST_P(UnityPicture, AddsUpToThatOfForward) {
+    const runtime::Scene scene = scene_of(GetParam().mesh, {kSun, kLamp, kSpot});
+    const Material material(GetParam().graph, scene, GetParam().words, {});
+    if (!material.file.pass("ForwardAdd")) GTEST_SKIP() << "of what is not lit there is one pass";
+    expect_same(forward(material, scene), in_unity(material, scene, {}), "linear");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, UnityPicture,
+    testing::Values(Case{"tests/unity/graphs/standard.graph.json",
+                         "torus",
+                         {{"_Color", "#d08050"}, {"_GlossMapScale", "0.6"}, {"_Metallic", "0.4"}}},
+                    Case{"examples/graphs/rusted_steel.graph.json"}, Case{"examples/graphs/ivy.graph.json", "plane"},
+                    Case{"examples/graphs/toon.graph.json", "torus"}, Case{"examples/graphs/coral.graph.json"},
+                    Case{"examples/graphs/lava.graph.json"}, Case{"examples/graphs/azulejo.graph.json", "cube"},
+                    Case{"examples/sources/standard-specular-setup.graph.json"},
+                    Case{"tests/unity/graphs/wave.graph.json", "capsule"}),
+    [](const auto& info) {
+        std::string name = info.param.graph.substr(info.param.graph.rfind('/') + 1);
+        name = name.substr(0, name.find('.'));
+        std::replace(name.begin(), name.end(), '-', '_');
+        return name;
+    });
+
+// Over a background, as each kind of surface is blended. In gamma space blending itself is another.
+class UnityBlending : public testing::TestWithParam<std::string> {};
+
+TEST_P(UnityBlending, IsThatOfForward) {
+    runtime::Scene scene = scene_of("sphere", {kSun, kLamp});
+    scene.background = glm::vec4(0.4f, 0.5f, 0.2f, 1);
+    if (GetParam() == "additive" || GetParam() == "multiply") scene.lights.resize(1);
+    const Material material("tests/unity/graphs/" + GetParam() + ".graph.json", scene, {}, {});
+    expect_same(forward(material, scene), in_unity(material, scene, {}), "linear");
+    scene.fog = kFog;
+    const Material in_fog("tests/unity/graphs/" + GetParam() + ".graph.json", scene, {}, {{"fog", "true"}});
+    expect_same(forward(in_fog, scene), in_unity(in_fog, scene, {"FOG_LINEAR", "STAND_IN_FOG"}), "fog");
+}
+
+INSTANTIATE_TEST_SUITE_P(All, UnityBlending, testing::Values("fade", "transparent", "additive", "multiply"),
+                         [](const auto& info) { return info.param; });
+
+// The G-buffer: what `gbuffer` of the path `deferred` leaves, target by target. With high dynamic range the light is in
+// it as it is, without it as 2^-light.
+TEST(UnityPictures, FillTheSameGBuffer) {
+    const runtime::Scene scene = scene_of("torus", {});
+    const Material material("tests/unity/graphs/standard.graph.json", scene,
+                            {{"_Color", "#d08050"}, {"_Metallic", "0.4"}, {"_EmissionColor", "0.1,0.2,0.3"}}, {},
+                            "deferred");
+    const Reflection& reflection = material.result.reflection;
+    const auto gbuffer = std::find_if(reflection.passes.begin(), reflection.passes.end(),
+                                      [](const Pass& pass) { return pass.name == "gbuffer"; });
+    ASSERT_NE(gbuffer, reflection.passes.end());
+    ASSERT_EQ(gbuffer->targets.size(), 4u);
+    const LabPass* pass = material.file.pass("Deferred");
+    ASSERT_TRUE(pass);
+    const auto draw = [&](Drawn& made, std::size_t shown) {
+        runtime::Frame frame{.shown = shown};
+        for (const RenderTarget& target : gbuffer->targets)
+            frame.targets.push_back({.name = target.name, .width = scene.width, .height = scene.height});
+        frame.targets.push_back(
+            {.name = "depth", .format = "depth", .width = scene.width, .height = scene.height, .clear = glm::vec4(1)});
+        const runtime::EngineScene seen{.scene = &scene,
+                                        .view = runtime::camera_view(scene),
+                                        .object_to_world = scene.object_to_world,
+                                        .ambient = scene.ambient};
+        frame.steps.push_back({.reflection = &reflection,
+                               .pass = &made.pass,
+                               .stages = {.vertex_spirv = made.vertex, .fragment_spirv = made.fragment},
+                               .mesh = &scene.mesh,
+                               .blocks = runtime::fill_blocks(reflection, material.values, seen),
+                               .textures = material.textures,
+                               .targets = {0, 1, 2, 3},
+                               .depth = 4});
+        const auto image = renderer().draw(frame);
+        EXPECT_TRUE(image) << image.error;
+        return image ? image.value : runtime::make_image(scene.width, scene.height);
+    };
+    Drawn own{.pass = *gbuffer, .vertex = {}, .fragment = {}, .lights = {}};
+    for (const Shader& shader : material.result.shaders) {
+        if (shader.pass != "gbuffer" || shader.target != Target::Hlsl) continue;
+        (shader.stage == Stage::Vertex ? own.vertex : own.fragment) = spirv(shader);
+    }
+    for (const bool is_hdr : {true, false}) {
+        const Keywords keywords = is_hdr ? Keywords{"UNITY_HDR_ON"} : Keywords{};
+        Drawn unitys{.pass = *gbuffer, .vertex = {}, .fragment = {}, .lights = {}};
+        unitys.pass.vertex_inputs = appdata_full();
+        unitys.pass.blocks.clear();
+        for (const Block& block : reflection.blocks) unitys.pass.blocks.push_back(block.name);
+        unitys.vertex = spirv(stage(*pass, reflection, Stage::Vertex, keywords));
+        unitys.fragment = spirv(stage(*pass, reflection, Stage::Fragment, keywords));
+        for (std::size_t target = 0; target < 4; ++target) {
+            Image expected = draw(own, target);
+            if (target == 3 && !is_hdr) {
+                for (int y = 0; y < expected.height; ++y) {
+                    for (int x = 0; x < expected.width; ++x) {
+                        float* pixel = &expected.pixels[4 * static_cast<std::size_t>(y * expected.width + x)];
+                        for (int c = 0; c < 3 && pixel[3] > 0; ++c) pixel[c] = std::exp2(-pixel[c]);
+                    }
+                }
+            }
+            expect_same(expected, draw(unitys, target), gbuffer->targets[target].name);
+        }
+    }
+}
+
+// The fog that the stand-ins compute from the runtime's settings is the runtime's own.
+TEST(UnityPictures, FadeIntoTheSameFog) {
+    runtime::Scene scene = scene_of("torus", {kSun, kLamp});
+    scene.fog = kFog;
+    const Material material("tests/unity/graphs/standard.graph.json", scene, {{"_Color", "#d08050"}},
+                            {{"fog", "true"}});
+    expect_same(forward(material, scene), in_unity(material, scene, {"FOG_LINEAR", "STAND_IN_FOG"}), "fog");
+}
+
+}  // namespace
+}  // namespace patina::unity
