@@ -240,6 +240,15 @@ std::shared_ptr<const Program> keep_program(graph::Session& session, const graph
     return program;
 }
 
+// A macro of the tool declares a texture's sampler under the name that the texture has got.
+void name_samplers(graph::Lowered& lowered) {
+    for (const graph::PropertyGlobals& globals : lowered.property_globals) {
+        if (globals.texture)
+            lowered.module.globals[globals.sampler.index].name =
+                "sampler" + lowered.module.globals[globals.texture.index].name;
+    }
+}
+
 // Passes of which a tool's files hold all.
 Shader print_file(const graph::Session& session, const graph::Material& material, const graph::Lowered& lowered,
                   std::span<const LinkedPass> passes, const std::string& name, const Reflection& reflection) {
@@ -288,6 +297,7 @@ void compile_graph(graph::Session& session, std::uint32_t base, const std::strin
     const std::string name = graph::file_stem(path);
     if (!options.functions.empty()) return print_functions(session, *material, std::move(lowered), name, result);
     assemble::name_interface(lowered.module);
+    if (graph::tool_of(session)) name_samplers(lowered);
     const assemble::Linked linked = assemble::link(std::move(lowered));
     std::vector<LinkedPass> passes;
     for (const graph::LoweredPass& pass : linked.lowered.passes) {
