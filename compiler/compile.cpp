@@ -268,6 +268,15 @@ Materials drawn_beside(graph::Session& session, const graph::Lowered& lowered,
     return drawn;
 }
 
+// A macro of the tool declares a texture's sampler under the name that the texture has got.
+void name_samplers(graph::Lowered& lowered) {
+    for (const graph::PropertyGlobals& globals : lowered.property_globals) {
+        if (globals.texture)
+            lowered.module.globals[globals.sampler.index].name =
+                "sampler" + lowered.module.globals[globals.texture.index].name;
+    }
+}
+
 // Passes of which a tool's files hold all.
 Shader print_file(const graph::Session& session, const graph::Material& material, const graph::Lowered& lowered,
                   std::span<const LinkedPass> passes, const std::string& name, const Reflection& reflection) {
@@ -321,6 +330,7 @@ void compile_graph(graph::Session& session, std::uint32_t base, const std::strin
     linked.reserve(materials.size() + 1);
     const auto link = [&](graph::Lowered made) {
         assemble::name_interface(made.module);
+        if (graph::tool_of(session)) name_samplers(made);
         linked.push_back(assemble::link(std::move(made)));
     };
     link(std::move(lowered));

@@ -57,6 +57,7 @@ void name_globals(Writer& w) {
     for (std::size_t i = 0; i < m.globals.size(); ++i) {
         const Global& global = m.globals[i];
         if (!w.reachable.globals[i]) continue;
+        if (!global.decoder.empty() && w.names.is_free(global.decoder)) w.names.declare(global.decoder);
         if (global.is_foreign()) {
             w.globals[i] = global.spelling;
             continue;

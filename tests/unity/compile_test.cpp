@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <map>
 
@@ -46,8 +47,9 @@ const std::map<std::string, std::vector<Keywords>>& variants() {
 
 std::vector<std::string> examples() {
     std::vector<std::string> files;
-    for (const char* folder : {"examples/graphs", "examples/sources", "tests/unity/graphs"}) {
-        for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    for (const char* folder :
+         {"examples/graphs", "examples/sources", "tests/unity/graphs", "tests/graphs", "tests/snapshots"}) {
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
             if (entry.path().string().ends_with(".graph.json")) files.push_back(entry.path());
         }
     }
@@ -87,9 +89,9 @@ TEST_P(UnityExample, CompilesInEveryVariant) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, UnityExample, testing::ValuesIn(examples()), [](const auto& info) {
-    std::string name = fs::path(info.param).filename().string();
-    name = name.substr(0, name.find('.'));
-    std::replace(name.begin(), name.end(), '-', '_');
+    std::string name = info.param.substr(0, info.param.find('.'));
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
     return name;
 });
 

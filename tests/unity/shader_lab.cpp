@@ -76,9 +76,8 @@ std::string preamble(const Reflection& reflection, const std::vector<std::string
     }
     for (const Texture& texture : reflection.textures) {
         if (texture.is_material) {
-            text +=
-                fmt::format("#define REGISTER_{} register({})\n#define REGISTER_{} register({})\n", texture.identifier,
-                            texture.hlsl_register, texture.sampler_name, texture.sampler_register);
+            text += fmt::format("#define REGISTER_{0} register({1})\n#define REGISTER_sampler{0} register({2})\n",
+                                texture.identifier, texture.hlsl_register, texture.sampler_register);
             text += fmt::format("#define TEXEL_{} {}\n", texture.identifier,
                                 texture.usage == "color" ? "handed_over" : "as_it_is");
         } else if (texture.dimension == "cube") {

@@ -23,6 +23,8 @@ constexpr std::string_view kLists[] = {
     SHADOWS_CUBE SHADOWS_DEPTH SHADOWS_SCREEN SHADOWS_SOFT SPOT TRANSFORM_TEX VERTEXLIGHT_ON fixed2 fixed3 fixed4)",
     // What UNITY_LIGHT_ATTENUATION and UNITY_APPLY_FOG declare.
     R"(lightCoord shadow unityFogFactor)",
+    // The file's own.
+    R"(vert frag v2f)",
 };
 
 std::vector<std::string_view> words() {
