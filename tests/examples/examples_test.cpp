@@ -43,7 +43,8 @@ std::string word(std::string text) {
 void expect_accepted(const Result& result) {
     for (const Diagnostic& d : result.diagnostics) ADD_FAILURE() << to_text(d);
     ASSERT_TRUE(result.ok);
-    EXPECT_EQ(result.shaders.size(), 4 * result.reflection.passes.size());  // two stages, two targets
+    ASSERT_FALSE(result.reflection.passes.empty());
+    EXPECT_EQ(result.shaders.size(), 4 * result.reflection.passes.size());  // of each two stages, two targets
     for (const Shader& shader : result.shaders) {
         const Validated validated = validate(shader);
         EXPECT_TRUE(validated.ok) << shader.file_name << "\n" << validated.log;
