@@ -408,6 +408,7 @@ Result compile_targets(const graph::Library& library, const CompileOptions& opti
         CompileOptions& own = runs.emplace_back(options);
         own.targets = {target};
         own.keep_programs = false;
+        own.keep_variants = true;
         own.passes.clear();
         own.switches.clear();
     }

@@ -8,6 +8,7 @@
 
 #include "compiler/base/text.h"
 #include "compiler/graph/words.h"
+#include "compiler/targets/shaderlab/shaderlab.h"
 
 namespace patina::assemble {
 namespace {
@@ -62,6 +63,18 @@ std::string compare_word(std::string_view word) {
     const std::string made = in_capitals(word);
     if (made == "LessEqual") return "LEqual";
     return made == "GreaterEqual" ? "GEqual" : made;
+}
+
+// Unity's IncrSat stops at 255, IncrWrap goes on at 0.
+std::string operation_word(std::string_view word) {
+    constexpr std::pair<std::string_view, std::string_view> kWords[] = {{"increment", "IncrSat"},
+                                                                        {"decrement", "DecrSat"},
+                                                                        {"incrementWrap", "IncrWrap"},
+                                                                        {"decrementWrap", "DecrWrap"}};
+    for (const auto& [ours, unitys] : kWords) {
+        if (word == ours) return std::string(unitys);
+    }
+    return in_capitals(word);
 }
 
 // --- the text, line by line
@@ -356,7 +369,8 @@ private:
         std::string tags;
         for (const auto& [name, value] : declared.tags) {
             if (name == "Name") {
-                out_.line(3, fmt::format("Name \"{}\"", value));
+                const std::string& own = in_.passes[index].pass->name;  // one that the material adds has its own
+                out_.line(3, fmt::format("Name \"{}\"", own == declared.name ? value : std::string_view(own)));
             } else {
                 tags += fmt::format("\"{}\" = \"{}\" ", name, value);
             }
@@ -367,6 +381,7 @@ private:
         out_.line(3, "CGPROGRAM");
         out_.line(3, fmt::format("#pragma target {}", shader_model(text)));
         for (const std::string_view line : texts_at(text, "pragma")) out_.line(3, fmt::format("#pragma {}", line));
+        keywords(in_.reflection.passes[index]);
         out_.line(3, "#pragma vertex vert");
         out_.line(3, "#pragma fragment frag");
         for (const Declaration& each : text.declarations) {
@@ -378,6 +393,19 @@ private:
         out_.line(2, "}");
     }
 
+    // A program for each value; a build leaves out those that no material has.
+    void keywords(const Pass& pass) {
+        for (const std::string& name : pass.keywords) {
+            const auto property = std::find_if(in_.reflection.properties.begin(), in_.reflection.properties.end(),
+                                               [&](const Property& p) { return p.name == name; });
+            std::string words;
+            for (const std::string& value : property->values)
+                words += " " + targets::shaderlab::keyword_of(name, value);
+            if (words.empty()) words = " " + targets::shaderlab::keyword_of(name, {});
+            out_.line(3, "#pragma shader_feature_local" + words);
+        }
+    }
+
     // What ShaderLab does not take for granted.
     void state(const Pass& pass) {
         if (pass.cull != "back") out_.line(3, fmt::format("Cull {}", in_capitals(pass.cull)));
@@ -385,12 +413,24 @@ private:
         if (pass.depth_test != "lessEqual") out_.line(3, fmt::format("ZTest {}", compare_word(pass.depth_test)));
         if (pass.depth_bias != 0 || pass.depth_slope_bias != 0)
             out_.line(3, fmt::format("Offset {}, {}", shortest(pass.depth_slope_bias), shortest(pass.depth_bias)));
+        if (pass.stencil.is_used()) stencil(pass.stencil);
         const Blend blend = pass.targets.empty() ? Blend{} : pass.targets.front().blend;
         if (blend == Blend{}) return;
         std::string factors = fmt::format("{} {}", in_capitals(blend.source), in_capitals(blend.destination));
         if (blend.source_alpha != blend.source || blend.destination_alpha != blend.destination)
             factors += fmt::format(", {} {}", in_capitals(blend.source_alpha), in_capitals(blend.destination_alpha));
         out_.line(3, "Blend " + factors);
+    }
+
+    void stencil(const Stencil& stencil) {
+        std::string made = fmt::format("Ref {} Comp {}", stencil.value, compare_word(stencil.test));
+        if (stencil.read_mask != 255) made += fmt::format(" ReadMask {}", stencil.read_mask);
+        if (stencil.write_mask != 255) made += fmt::format(" WriteMask {}", stencil.write_mask);
+        for (const auto& [word, operation] : {std::pair("Pass", stencil.pass), std::pair("Fail", stencil.fail),
+                                              std::pair("ZFail", stencil.depth_fail)}) {
+            if (operation != "keep") made += fmt::format(" {} {}", word, operation_word(operation));
+        }
+        out_.line(3, fmt::format("Stencil {{ {} }}", made));
     }
 
     const ShaderFile& in_;

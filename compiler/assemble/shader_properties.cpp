@@ -8,6 +8,7 @@
 #include "compiler/assemble/shader_file.h"
 #include "compiler/base/text.h"
 #include "compiler/graph/words.h"
+#include "compiler/targets/shaderlab/shaderlab.h"
 
 namespace patina::assemble {
 namespace {
@@ -78,6 +79,15 @@ std::string range(const graph::Property& property) {
     return fmt::format("Range({}, {})", number((*property.range)[0]), number((*property.range)[1]));
 }
 
+// A property that stands for keywords. Unity makes the names of an enum's itself.
+Declared switched(const graph::MaterialProperty& entry) {
+    const graph::Property& property = *entry.property;
+    if (property.type == PropertyType::Bool)
+        return {fmt::format("[Toggle({})] ", targets::shaderlab::keyword_of(property.name, {})), "Float",
+                number(entry.chosen)};
+    return {fmt::format("[KeywordEnum({})] ", fmt::join(property.values, ", ")), "Float", number(entry.chosen)};
+}
+
 Declared declared(const graph::MaterialProperty& entry, bool is_decoded) {
     const graph::Property& property = *entry.property;
     const auto& value = property.value;
@@ -124,8 +134,9 @@ std::vector<std::string> shader_properties(const graph::Material& material, cons
         const graph::MaterialProperty& entry = material.properties[i];
         const graph::Property& property = *entry.property;
         const graph::PropertyGlobals& globals = lowered.property_globals[i];
-        const ir::Global& global = lowered.module.globals[(globals.texture ? globals.texture : globals.value).index];
-        const Declared made = declared(entry, !global.decoder.empty());
+        const ir::GlobalId id = globals.texture ? globals.texture : globals.value;
+        if (!id && !globals.keyword) continue;  // it has been decided
+        const Declared made = id ? declared(entry, !lowered.module.globals[id.index].decoder.empty()) : switched(entry);
         if (property.group != group) {
             if (!lines.empty()) lines.emplace_back();
             if (!property.group.empty()) lines.push_back(fmt::format("[Header({})]", plain(property.group)));

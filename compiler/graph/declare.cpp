@@ -52,7 +52,7 @@ ir::GlobalId add_keyword(ir::Module& module, const MaterialProperty& entry) {
                               .keyword = static_cast<std::uint32_t>(module.keywords.size()),
                               .set = kMaterialSet,
                               .span = property.span});
-    module.keywords.push_back({.value = entry.chosen, .values = property.values});
+    module.keywords.push_back({.property = property.name, .value = entry.chosen, .values = property.values});
     return {static_cast<std::uint32_t>(module.globals.size() - 1)};
 }
 

@@ -259,7 +259,7 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     EngineGlobals engine = declare_engine(*session.stages, *session.declarations, lowering.emitter, on);
     lowering.per_object = std::move(engine.per_object);
     out.reads = std::move(engine.reads);
-    const bool instanced = is_instanced(material) && session.options.functions.empty();
+    const bool instanced = is_instanced(material) && session.options.functions.empty() && !tool_of(session);
     out.property_globals = declare_material(
         material, out.module, session.options.keep_variants,
         instanced ? std::optional(out.module.globals[*lowering.per_object.begin()].block) : std::nullopt);

@@ -74,10 +74,14 @@ void mark_for_tool(Lowering& lowering) {
     for (std::size_t i = 0; i < lowering.material.properties.size(); ++i) {
         const Property& property = *lowering.material.properties[i].property;
         const PropertyGlobals& globals = out.property_globals[i];
+        if (!globals.texture && !globals.value) continue;  // it has a keyword
         ir::Global& global = out.module.globals[(globals.texture ? globals.texture : globals.value).index];
         const auto decoder = decoders.find(usage_of(*lowering.material.graph, property));
         if (decoder != decoders.end()) global.decoder = decoder->second->name;
-        if (global.in_block()) out.module.blocks[global.block].members[global.member].stored_as = stored_as(property);
+        if (!global.in_block()) continue;
+        ir::BlockMember& member = out.module.blocks[global.block].members[global.member];
+        member.stored_as = stored_as(property);
+        member.is_of_instance = property.binding == Binding::Instance;
     }
 }
 

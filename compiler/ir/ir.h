@@ -149,6 +149,7 @@ struct Constant {
 // A bool, or an enum as an int, that is known before a shader runs: a specialization constant, or a keyword, for an
 // engine that compiles the text once for each of its values.
 struct Keyword {
+    std::string property{};
     std::optional<std::uint32_t> constant_id{};  // of a specialization constant
     double value = 0;                            // until somebody sets another
     std::vector<std::string> values{};           // of an enum: its words
@@ -177,8 +178,9 @@ struct BlockMember {
     Type type{};
     std::uint32_t offset =
         0;  // bytes; equal in std140 and in an HLSL cbuffer, with `padding` members printed before it
-    std::uint32_t padding = 0;  // number of floats of padding before it
-    std::string stored_as{};    // the word for its type, where a language declares it as another; may be empty
+    std::uint32_t padding = 0;    // number of floats of padding before it
+    std::string stored_as{};      // the word for its type, where a language declares it as another; may be empty
+    bool is_of_instance = false;  // each instance has its own, where a language has words for that
 };
 struct UniformBlock {
     std::string name{};
@@ -232,6 +234,7 @@ struct Module {
     std::vector<UniformBlock> blocks;
     std::vector<Global> globals;
     std::vector<Keyword> keywords;
+    bool tests_keywords = false;  // what keywords alone decide is decided by the text's preprocessor
     std::vector<Semantic> semantics;
     std::vector<Origin> origins;
     std::vector<std::string> names;

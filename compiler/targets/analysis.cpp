@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "compiler/ir/passes/passes.h"
+
 namespace patina::targets {
 
 using namespace ir;
@@ -110,7 +112,7 @@ bool is_named_by_member(const Analysis& a, Value v, Value reader) {
 
 bool must_stand(const Analysis& a, Value v) {
     const Inst& inst = a[v];
-    if (is_leaf(inst.op) || !a.is_read(v) || a.is_free(v) || v == a.outputs) return false;
+    if (is_leaf(inst.op) || !a.is_read(v) || a.is_free(v) || v == a.outputs || a.is_test(v)) return false;
     const Value reader = a.only_reader[v.index];
     const bool is_returned = reader && a[reader].op == Op::Return && !a.is_entry;
     const bool is_built = inst.op == Op::Construct || inst.op == Op::Insert || inst.op == Op::Select;
@@ -198,7 +200,7 @@ private:
         for (int parts = 0; parts < 3 && a_.is_free(v) && a_.args(v) == 1; ++parts) v = a_.arg(v, 0);
         return is_leaf(a_[v].op);
     }
-    bool can_stand(Value v) const { return !is_access(v) && !a_.stands[v.index] && v != a_.outputs; }
+    bool can_stand(Value v) const { return !is_access(v) && !a_.stands[v.index] && v != a_.outputs && !a_.is_test(v); }
     Value biggest_operand(Value v) const {
         Value biggest;
         for (std::uint32_t i = 0; i < a_.args(v); ++i) {
@@ -283,6 +285,7 @@ Analysis analyse(const Module& module, const Function& function, bool is_entry) 
     a.last_read.resize(n);
     a.results.resize(n);
     a.order.reserve(n);
+    if (module.tests_keywords) a.tests = keyword_values(module, function);
 
     lay_out(a, {0});
     for (Value v : a.order) {

@@ -24,6 +24,7 @@ struct Analysis {
     std::vector<ir::Value> only_reader = {};   // none if there are several
     ir::Value outputs = {};
 
+    std::vector<std::uint8_t> tests = {};       // made of keywords, which the preprocessor tests; empty: nothing is
     std::vector<bool> stands = {};              // in a variable
     std::vector<std::uint32_t> last_read = {};  // position of the statement that reads the value last
 
@@ -32,6 +33,7 @@ struct Analysis {
     std::uint32_t args(ir::Value v) const { return function[v].operand_count; }
     bool is_read(ir::Value v) const { return reads[v.index] > 0; }
     bool is_live(ir::Value v) const;
+    bool is_test(ir::Value v) const { return !tests.empty() && tests[v.index] != 0; }
     // Whether the value at this place of a Yield goes anywhere.
     bool is_slot_read(ir::Value structure, std::uint32_t slot) const;
     // Never worth a variable: reading it costs nothing, so all of its readers repeat it.

@@ -68,6 +68,9 @@ private:
     void print_insert(ir::Value v);
     void print_select(ir::Value v);
     void print_if(ir::Value v);
+    void print_if_defined(ir::Value v, const std::string& test);
+    std::string keyword_test(ir::Value condition) const;
+    ir::Value only_if_in_else(ir::Value v) const;
     void print_branch(ir::BlockId block, ir::Value structure);
     void print_for(ir::Value v);
     void print_return(ir::Value v);

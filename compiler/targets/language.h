@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -99,6 +100,8 @@ struct Language {
     void (*block)(Writer& writer, const ir::UniformBlock& block) = nullptr;
     void (*resource)(Writer& writer, ir::GlobalId global) = nullptr;
     void (*keyword)(Writer& writer, ir::GlobalId global) = nullptr;
+    // What the preprocessor asks to know whether a keyword is on, or has that value. Null: it knows no keywords.
+    std::string (*keyword_test)(const ir::Keyword& keyword, std::optional<std::size_t> value) = nullptr;
     EntryPoint (*entry_point)(Writer& writer) = nullptr;
 };
 

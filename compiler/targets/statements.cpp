@@ -262,7 +262,87 @@ void Body::print_select(Value v) {
 
 // --- control flow
 
+// The condition in the words of the preprocessor; empty: it cannot say it.
+std::string Body::keyword_test(Value condition) const {
+    const Inst& inst = function_[condition];
+    const Module& m = writer_.module;
+    const auto of = [&](std::uint32_t i) { return keyword_test(arg(condition, i)); };
+    const auto keyword = [&](Value v) -> const Keyword* {
+        if (function_[v].op != Op::Global || !m.globals[function_[v].data].is_keyword()) return nullptr;
+        return &m.keywords[m.globals[function_[v].data].keyword];
+    };
+    if (const Keyword* read = keyword(condition)) return writer_.language.keyword_test(*read, {});
+    if (inst.op == Op::Not) {
+        const std::string inner = of(0);
+        if (inner.empty()) return {};
+        return inner.find(' ') == inner.npos ? "!" + inner : "!(" + inner + ")";
+    }
+    if (inst.op == Op::And || inst.op == Op::Or) {
+        const std::string left = of(0), right = of(1);
+        if (left.empty() || right.empty()) return {};
+        return inst.op == Op::And ? fmt::format("{} && {}", left, right) : fmt::format("({} || {})", left, right);
+    }
+    if (inst.op != Op::Equal && inst.op != Op::NotEqual) return {};
+    for (const std::uint32_t side : {0u, 1u}) {
+        const Keyword* read = keyword(arg(condition, side));
+        const Inst& other = function_[arg(condition, 1 - side)];
+        if (!read || other.op != Op::Constant || read->values.empty()) continue;
+        const auto value = static_cast<std::size_t>(m.numbers_of(m.constants[other.data])[0]);
+        const std::string test = writer_.language.keyword_test(*read, value);
+        return inst.op == Op::Equal ? test : "!" + test;
+    }
+    return {};
+}
+
+// Both sides stand in one scope, so that what one of them declares keeps its name for itself.
+void Body::print_if_defined(Value v, const std::string& test) {
+    for (std::uint32_t i = 0; i < slot_count(function_, v); ++i) {
+        const std::uint32_t id = slot(v, i);
+        if (id != Plan::kNone && !is_declared(id)) statement(v, target(id) + ";");
+    }
+    const auto side = [&](std::uint32_t block) {
+        at_block_start_ = true;
+        print_block({block});
+        print_yields(function_.blocks[block].insts.back(), v);
+        at_block_start_ = false;
+    };
+    writer_.line(0, "#if " + test, function_[v].origin);
+    side(function_[v].data);
+    Value last = v;
+    for (Value next = only_if_in_else(last); next; next = only_if_in_else(last)) {
+        writer_.line(0, "#elif " + keyword_test(arg(next, 0)), function_[next].origin);
+        side(function_[next].data);
+        last = next;
+    }
+    writer_.line(0, "#else", function_[last].origin);
+    side(function_[last].data + 1);
+    writer_.line(0, "#endif", function_[v].origin);
+}
+
+// The branch that is all there is on the other side of one, where it can be tested and writes the same variables.
+Value Body::only_if_in_else(Value v) const {
+    Value only;
+    const std::vector<Value>& insts = function_.blocks[function_[v].data + 1].insts;
+    for (const Value inside : insts) {
+        const Op op = function_[inside].op;
+        if (!plan_.is_printed(function_, inside) || op == Op::Result || op == Op::Yield) continue;
+        if (op != Op::If && !is_variable(inside)) continue;  // spelled out where it is read
+        if (op != Op::If || only) return {};
+        only = inside;
+    }
+    if (!only || keyword_test(arg(only, 0)).empty()) return {};
+    const Value yield = insts.back();
+    for (std::uint32_t i = 0; i < args(yield); ++i) {
+        if (slot(v, i) != Plan::kNone && plan_.variable[arg(yield, i).index] != slot(v, i)) return {};
+    }
+    return only;
+}
+
 void Body::print_if(Value v) {
+    if (writer_.module.tests_keywords) {
+        const std::string test = keyword_test(arg(v, 0));
+        if (!test.empty()) return print_if_defined(v, test);
+    }
     const BlockId then_block{function_[v].data}, else_block{function_[v].data + 1};
     const Value otherwise = function_.blocks[else_block.index].insts.back();
     const bool is_plain = has_plain_else(plan_, function_, v);

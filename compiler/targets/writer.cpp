@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "compiler/ir/passes/passes.h"
+
 namespace patina::targets {
 
 using namespace ir;
@@ -27,7 +29,31 @@ Value returned_construct(const Function& function) {
     return function[value].op == Op::Construct && uses == 1 ? value : Value{};
 }
 
+void mark_keywords(const Module& module, const Function& function, Value v, std::vector<bool>& read) {
+    const Inst& inst = function[v];
+    if (inst.op == Op::Global && module.globals[inst.data].is_keyword()) read[inst.data] = true;
+    for (const Value arg : function.args(inst)) mark_keywords(module, function, arg, read);
+}
+
+// Keywords that something reads as a value, and not only a test of the preprocessor.
+std::vector<bool> keywords_read(const Module& module, const Function& function) {
+    std::vector<bool> read(module.globals.size(), false);
+    const std::vector<std::uint8_t> tests = keyword_values(module, function);
+    for (std::uint32_t i = 0; i < function.insts.size(); ++i) {
+        const Inst& inst = function.insts[i];
+        if (tests[i] != 0) continue;
+        const auto args = function.args(inst);
+        for (std::size_t k = 0; k < args.size(); ++k) {
+            const bool is_test = inst.op == Op::If && k == 0;
+            if (!is_test && tests[args[k].index] != 0) mark_keywords(module, function, args[k], read);
+        }
+    }
+    return read;
+}
+
 void mark_function(const Module& module, const Function& function, bool is_entry, Reachable& reachable) {
+    const std::vector<bool> keywords =
+        module.tests_keywords ? keywords_read(module, function) : std::vector<bool>(module.globals.size(), true);
     const Value outputs = is_entry ? returned_construct(function) : Value{};
     if (!outputs) mark_type(module, function.result, reachable);
     for (const Param& param : function.params) mark_type(module, param.type, reachable);
@@ -37,7 +63,7 @@ void mark_function(const Module& module, const Function& function, bool is_entry
             if (v != outputs) mark_type(module, inst.type, reachable);
             if (inst.op == Op::Call) reachable.functions[inst.data] = true;
             if (inst.op == Op::TexelLoad || inst.op == Op::TextureSize) reachable.samplerless = true;
-            if (inst.op != Op::Global) continue;
+            if (inst.op != Op::Global || (module.globals[inst.data].is_keyword() && !keywords[inst.data])) continue;
             reachable.globals[inst.data] = true;
             if (module.globals[inst.data].in_block()) reachable.blocks[module.globals[inst.data].block] = true;
         }

@@ -222,7 +222,7 @@ float4 unity_vertex(float3 position = position_os) {
     return UnityObjectToClipPos(position);
 }
 
-[pass("unity-forward-base")] [fragment] [lights("main")]
+[pass("unity-forward-base")] [fragment] [lights("main")] [extra]
 [tag("Name", "FORWARD")] [tag("LightMode", "ForwardBase")]
 [text("pragma", "multi_compile_instancing")]
 [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <filesystem>
 #include <map>
+#include <sstream>
 
 #include "patina/validate.h"
 #include "unity/shader_lab.h"
@@ -63,6 +64,39 @@ std::string words(const Keywords& keywords) {
     return text;
 }
 
+// Every combination of the material's own keywords.
+std::vector<Keywords> features(const LabPass& pass) {
+    std::vector<Keywords> made = {{}};
+    for (const std::string& pragma : pass.pragmas) {
+        std::istringstream in(pragma);
+        std::string word;
+        in >> word;
+        if (word != "shader_feature_local") continue;
+        Keywords choices;
+        while (in >> word) choices.push_back(word);
+        if (choices.size() == 1) choices.emplace_back();  // it may be off
+        std::vector<Keywords> longer;
+        for (const Keywords& keywords : made) {
+            for (const std::string& choice : choices) {
+                longer.push_back(keywords);
+                if (!choice.empty()) longer.back().push_back(choice);
+            }
+        }
+        made = std::move(longer);
+    }
+    if (made.size() == 1) made.clear();
+    return made;
+}
+
+void expect_accepted(const LabPass& pass, const Result& result, const Keywords& keywords) {
+    for (const Stage which : {Stage::Vertex, Stage::Fragment}) {
+        const Shader shader = stage(pass, result.reflection, which, keywords);
+        const Validated validated = validate(shader);
+        ASSERT_TRUE(validated.ok) << pass.light_mode << words(keywords) << "\n"
+                                  << validated.log << result.shaders.back().text;
+    }
+}
+
 class UnityExample : public testing::TestWithParam<std::string> {};
 
 TEST_P(UnityExample, CompilesInEveryVariant) {
@@ -78,12 +112,12 @@ TEST_P(UnityExample, CompilesInEveryVariant) {
     for (const LabPass& pass : file.passes) {
         ASSERT_TRUE(variants().contains(pass.light_mode)) << pass.light_mode;
         for (const Keywords& keywords : variants().at(pass.light_mode)) {
-            for (const Stage which : {Stage::Vertex, Stage::Fragment}) {
-                const Shader shader = stage(pass, result.reflection, which, keywords);
-                const Validated validated = validate(shader);
-                ASSERT_TRUE(validated.ok) << pass.light_mode << words(keywords) << "\n"
-                                          << validated.log << result.shaders.back().text;
-            }
+            expect_accepted(pass, result, keywords);
+        }
+        for (Keywords keywords : features(pass)) {
+            const Keywords& usual = variants().at(pass.light_mode).front();
+            keywords.insert(keywords.end(), usual.begin(), usual.end());
+            expect_accepted(pass, result, keywords);
         }
     }
 }

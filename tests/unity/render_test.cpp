@@ -121,6 +121,7 @@ Image drawn(const Material& material, const runtime::Scene& scene, std::vector<D
                                .stages = {.vertex_spirv = each.vertex, .fragment_spirv = each.fragment},
                                .mesh = &scene.mesh,
                                .blocks = runtime::fill_blocks(material.result.reflection, material.values, seen),
+                               .constants = runtime::constants_of(material.result.reflection, material.values),
                                .textures = material.textures,
                                .targets = {0},
                                .depth = 1});
@@ -245,6 +246,30 @@ TEST_P(UnityBlending, IsThatOfForward) {
 
 INSTANTIATE_TEST_SUITE_P(All, UnityBlending, testing::Values("fade", "transparent", "additive", "multiply"),
                          [](const auto& info) { return info.param; });
+
+// Each combination of the material's keywords is the variant that the compiler makes for these values.
+TEST(UnityPictures, OfEachVariantAreThoseOfForward) {
+    const runtime::Scene scene = scene_of("torus", {kSun});
+    const std::string graph = "tests/unity/graphs/variants.graph.json";
+    std::vector<Image> seen;
+    for (const bool has_normals : {false, true}) {
+        for (const bool glows : {false, true}) {
+            for (const char* weather : {"Dry", "Wet", "Icy"}) {
+                const Material material(graph, scene, {{"_Emission", glows ? "true" : "false"}},
+                                        {{"_NORMALMAP", has_normals ? "true" : "false"}, {"_Weather", weather}});
+                std::string on = std::string("_WEATHER_") + weather;
+                std::transform(on.begin(), on.end(), on.begin(), [](unsigned char c) { return std::toupper(c); });
+                Keywords keywords = {on};
+                if (has_normals) keywords.emplace_back("_NORMALMAP");
+                if (glows) keywords.emplace_back("_EMISSION_ON");
+                const Image expected = forward(material, scene);
+                expect_same(expected, in_unity(material, scene, keywords), on);
+                for (const Image& other : seen) EXPECT_GT(paths::difference(expected, other).largest, kMost) << on;
+                seen.push_back(expected);
+            }
+        }
+    }
+}
 
 // The G-buffer: what `gbuffer` of the path `deferred` leaves, target by target. With high dynamic range the light is in
 // it as it is, without it as 2^-light.

@@ -67,7 +67,12 @@ bool is_uniform(const std::string& line, const Reflection& reflection) {
 std::string preamble(const Reflection& reflection, const std::vector<std::string>& keywords) {
     std::string text;
     for (const std::string& keyword : keywords) text += "#define " + keyword + " 1\n";
-    for (const Block& block : reflection.blocks) text += declared(block);
+    for (const Block& block : reflection.blocks) {
+        text += declared(block);
+        for (const BlockMember& member : block.members) {
+            if (member.name == "object_to_world" && member.array_count > 0) text += "#define STAND_IN_INSTANCES\n";
+        }
+    }
     int target = 8;
     for (const char* name : {"_BackgroundTexture", "_CameraDepthTexture"}) {
         text += fmt::format(

@@ -32,7 +32,8 @@ struct VariantPlan {
     bool ok = false;
     std::vector<Diagnostic> diagnostics;
     std::vector<VariantAxis> axes;
-    // Each with a value for every axis; Reachable: for those that count, and exactly one entry fits any choice of values.
+    // Each with a value for every axis; Reachable: for those that count, and exactly one entry fits any choice of
+    // values.
     std::vector<VariantValues> combinations;
 };
 

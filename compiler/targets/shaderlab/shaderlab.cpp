@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
+#include "compiler/ir/passes/passes.h"
 #include "compiler/targets/body.h"
 #include "compiler/targets/hlsl/hlsl.h"
 #include "compiler/targets/legalize.h"
@@ -44,11 +46,16 @@ Text expression(const Body& body, Value v) {
     return {decoded(decoder, std::move(text)), Precedence::Postfix};
 }
 
+constexpr std::string_view kInstances = "Instances";  // the buffer of what each instance has
+
 // Unity keeps whole numbers of materials in floats, and vectors in four of them.
 std::string read(const Writer& w, GlobalId id, std::string_view name) {
     const Global& global = w.module.globals[id.index];
-    const std::string_view stored = w.module.blocks[global.block].members[global.member].stored_as;
-    const std::string text = decoded(global.decoder, std::string(name));
+    const BlockMember& member = w.module.blocks[global.block].members[global.member];
+    const std::string_view stored = member.stored_as;
+    const std::string text = decoded(
+        global.decoder, member.is_of_instance ? fmt::format("UNITY_ACCESS_INSTANCED_PROP({}, {})", kInstances, name)
+                                              : std::string(name));
     if (stored == "float" && global.type.is_integer()) return fmt::format("{}({})", w.type(global.type), text);
     if (stored == "float4" && global.type.is_vector() && global.type.width() < 4)
         return fmt::format("{}.{}", text, std::string_view("xyz").substr(0, global.type.width()));
@@ -57,14 +64,31 @@ std::string read(const Writer& w, GlobalId id, std::string_view name) {
 
 // --- declarations
 
+std::string keyword_test(const Keyword& keyword, std::optional<std::size_t> value) {
+    return fmt::format("defined({})",
+                       value ? keyword_of(keyword.property, keyword.values[*value]) : keyword_of(keyword.property, {}));
+}
+
 void block(Writer& w, const UniformBlock& block) {
     const auto index = static_cast<std::size_t>(&block - w.module.blocks.data());
-    for (std::size_t i = 0; i < block.members.size(); ++i) {
-        const BlockMember& member = block.members[i];
-        const std::string& name = w.block_members[index][i];
+    const auto declarations = [&](bool of_instance, auto write) {
+        for (std::size_t i = 0; i < block.members.size(); ++i) {
+            const BlockMember& member = block.members[i];
+            if (member.is_of_instance == of_instance) write(member, w.block_members[index][i]);
+        }
+    };
+    declarations(false, [&](const BlockMember& member, const std::string& name) {
         w.line(0, member.stored_as.empty() ? w.declaration(member.type, name) + ";"
                                            : fmt::format("{} {};", member.stored_as, name));
-    }
+    });
+    bool is_open = false;
+    declarations(true, [&](const BlockMember& member, const std::string& name) {
+        if (!is_open) w.line(0, fmt::format("UNITY_INSTANCING_BUFFER_START({})", kInstances));
+        is_open = true;
+        const std::string type = member.stored_as.empty() ? w.type(member.type) : member.stored_as;
+        w.line(1, fmt::format("UNITY_DEFINE_INSTANCED_PROP({}, {})", type, name));
+    });
+    if (is_open) w.line(0, fmt::format("UNITY_INSTANCING_BUFFER_END({})", kInstances));
 }
 
 // A texture and its sampler are declared at once.
@@ -73,6 +97,25 @@ void resource(Writer& w, GlobalId id) {
     if (global.type.kind == Kind::Texture2D) w.line(0, fmt::format("UNITY_DECLARE_TEX2D({});", w.globals[id.index]));
     if (global.type.kind == Kind::TextureCube)
         w.line(0, fmt::format("UNITY_DECLARE_TEXCUBE({});", w.globals[id.index]));
+}
+
+// What reads a keyword as a value reads a constant.
+void keyword(Writer& w, GlobalId id) {
+    const Global& global = w.module.globals[id.index];
+    const Keyword& keyword = w.module.keywords[global.keyword];
+    const std::string constant = "static const " + w.declaration(global.type, w.globals[id.index]) + " = ";
+    if (keyword.values.empty()) {
+        w.line(0, "#if " + keyword_test(keyword, {}));
+        w.line(0, constant + "true;");
+        w.line(0, "#else");
+        w.line(0, constant + "false;");
+    }
+    for (std::size_t i = 0; i < keyword.values.size(); ++i) {
+        const bool is_last = i + 1 == keyword.values.size();
+        w.line(0, is_last ? "#else" : (i == 0 ? "#if " : "#elif ") + keyword_test(keyword, i));
+        w.line(0, constant + std::to_string(i) + ";");
+    }
+    w.line(0, "#endif");
 }
 
 std::vector<std::string> lines_at(const StageInterface& stage, std::string_view place) {
@@ -220,14 +263,36 @@ Language make_language() {
     made.expression = expression;
     made.block = block;
     made.resource = resource;
+    made.keyword = keyword;
+    made.keyword_test = keyword_test;
     made.entry_point = entry_point;
     return made;
 }
 
 }  // namespace
 
+std::string keyword_of(std::string_view property, std::string_view value) {
+    const auto in_capitals = [](std::string_view text) {
+        std::string made(text);
+        for (char& c : made) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+        return made;
+    };
+    std::string made = in_capitals(property);
+    if (!value.empty()) return made + "_" + in_capitals(value);
+    return made == property ? made : made + "_ON";
+}
+
 std::optional<Module> legalize(const Module& module) {
-    return hlsl::legalize(module);
+    std::optional<Module> legal = hlsl::legalize(module);
+    if (module.keywords.empty()) return legal;
+    Module made = branch_on_keywords(legal ? std::move(*legal) : module);
+    made.tests_keywords = true;
+    // A keyword that is on is a macro: no constant can have its name.
+    for (Global& global : made.globals) {
+        if (global.is_keyword())
+            global.name = "is" + std::string(global.name.starts_with('_') ? "" : "_") + global.name;
+    }
+    return made;
 }
 
 Printed print(const Module& module, const PrintOptions& options) {

@@ -11,6 +11,10 @@ namespace patina::targets::shaderlab {
 std::optional<ir::Module> legalize(const ir::Module& module);
 Printed print(const ir::Module& module, const PrintOptions& options);
 
+// The keyword of a bool property, or of an enum property's value: "_DETAIL", "_MODE_WET". A property whose name is in
+// capitals is its own keyword; another gets "_ON" behind it, as Unity's Toggle does.
+std::string keyword_of(std::string_view property, std::string_view value);
+
 // Names of Unity's includes that a shader of this library might want to declare, and those of their macros' locals.
 std::span<const std::string_view> taken_names();
 

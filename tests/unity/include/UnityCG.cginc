@@ -1,4 +1,9 @@
 // A stand-in for Unity's include of this name, written for these tests.
+// What each instance has is in the runtime's own block; the first is drawn.
+#define UNITY_INSTANCING_BUFFER_START(buffer)
+#define UNITY_DEFINE_INSTANCED_PROP(type, name)
+#define UNITY_INSTANCING_BUFFER_END(buffer)
+#define UNITY_ACCESS_INSTANCED_PROP(buffer, name) name[0]
 #ifdef INSTANCING_ON
 #define UNITY_VERTEX_INPUT_INSTANCE_ID uint instanceID : SV_InstanceID;
 #define UNITY_SETUP_INSTANCE_ID(input) \
@@ -30,15 +35,15 @@ struct appdata_full
 
 float4 UnityObjectToClipPos(float3 position)
 {
-    return mul(world_to_clip, mul(object_to_world, float4(position, 1)));
+    return mul(world_to_clip, mul(unity_ObjectToWorld, float4(position, 1)));
 }
 float3 UnityObjectToWorldNormal(float3 normal)
 {
-    return normalize(mul(normal, (float3x3)world_to_object));
+    return normalize(mul(normal, (float3x3)unity_WorldToObject));
 }
 float3 UnityObjectToWorldDir(float3 direction)
 {
-    return normalize(mul((float3x3)object_to_world, direction));
+    return normalize(mul((float3x3)unity_ObjectToWorld, direction));
 }
 float3 UnityWorldSpaceViewDir(float3 position)
 {

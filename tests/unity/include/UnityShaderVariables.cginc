@@ -1,6 +1,11 @@
 // A stand-in for Unity's include of this name, written for these tests.
+#ifdef STAND_IN_INSTANCES  // the runtime's object is an array of them
+#define unity_ObjectToWorld object_to_world[0]
+#define unity_WorldToObject world_to_object[0]
+#else
 #define unity_ObjectToWorld object_to_world
 #define unity_WorldToObject world_to_object
+#endif
 #define UNITY_MATRIX_VP world_to_clip
 #define UNITY_MATRIX_V world_to_view
 #define _WorldSpaceCameraPos camera_position_ws
@@ -8,7 +13,7 @@
 #define _ScreenParams float4(screen_size, 1 + 1 / screen_size)
 #define _ProjectionParams float4(1, clip_planes.x, clip_planes.y, 1 / clip_planes.y)
 #define unity_OrthoParams float4(0, 0, 0, view_is_orthographic)
-#define unity_WorldTransformParams float4(0, 0, 0, determinant((float3x3)object_to_world) < 0 ? -1 : 1)
+#define unity_WorldTransformParams float4(0, 0, 0, determinant((float3x3)unity_ObjectToWorld) < 0 ? -1 : 1)
 
 #define _WorldSpaceLightPos0 float4(light_position[0].w < 0.5 ? normalize(light_position[0].xyz) : light_position[0].xyz, \
                                     light_position[0].w < 0.5 ? 0 : 1)
