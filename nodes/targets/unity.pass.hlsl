@@ -59,6 +59,12 @@ float2 unity_screen_uv(float4 position = screen_pos) {
     return position.xy / position.w;
 }
 
+/// Unity's texture coordinates grow upwards, as tangent space does.
+[gives("uv_of_tangent")]
+float2 unity_uv_of_tangent(float2 tangent) {
+    return tangent;
+}
+
 // --- colour
 
 /// What is read of textures and colours goes through these.

@@ -194,7 +194,30 @@ void expect_same(const Image& a, const Image& b, const std::string& what) {
 struct Case {
     std::string graph, mesh = "sphere";
     std::map<std::string, std::string> words = {};
+    bool is_upward = false;  // texture coordinates are only read by textures: they can grow upwards, as Unity's do
 };
+
+// Pictures and coordinates upside down: what is seen is the same.
+runtime::Scene upward(runtime::Scene scene) {
+    for (runtime::Vertex& vertex : scene.mesh.vertices) vertex.uv0.y = 1 - vertex.uv0.y;
+    return scene;
+}
+Material upward(Material material) {
+    for (runtime::LoadedTexture& texture : material.textures) {
+        const auto is_own = [&](const Texture& t) { return t.name == texture.name && t.is_material; };
+        const auto& known = material.result.reflection.textures;
+        if (std::none_of(known.begin(), known.end(), is_own)) continue;
+        TextureData data = *texture.data;
+        for (TextureLevel& level : data.levels) {
+            const auto row = static_cast<std::ptrdiff_t>(4 * level.width);
+            for (int y = 0; y < level.height / 2; ++y)
+                std::swap_ranges(level.texels.begin() + y * row, level.texels.begin() + (y + 1) * row,
+                                 level.texels.end() - (y + 1) * row);
+        }
+        texture.data = std::make_shared<const TextureData>(std::move(data));
+    }
+    return material;
+}
 
 class UnityPicture : public testing::TestWithParam<Case> {};
 
@@ -202,15 +225,20 @@ TEST_P(UnityPicture, IsThatOfForward) {
     const runtime::Scene scene = scene_of(GetParam().mesh, {kSun});
     const Material material(GetParam().graph, scene, GetParam().words, {});
     const Image expected = forward(material, scene);
-    expect_same(expected, in_unity(material, scene, {}), "linear");
-    expect_same(expected, decoded(in_unity(material, scene, {"UNITY_COLORSPACE_GAMMA"})), "gamma");
+    const bool is_upward = GetParam().is_upward;
+    const Material seen = is_upward ? upward(material) : material;
+    const runtime::Scene shown = is_upward ? upward(scene) : scene;
+    expect_same(expected, in_unity(seen, shown, {}), "linear");
+    expect_same(expected, decoded(in_unity(seen, shown, {"UNITY_COLORSPACE_GAMMA"})), "gamma");
 }
 
 TEST_P(UnityPicture, AddsUpToThatOfForward) {
     const runtime::Scene scene = scene_of(GetParam().mesh, {kSun, kLamp, kSpot});
     const Material material(GetParam().graph, scene, GetParam().words, {});
     if (!material.file.pass("ForwardAdd")) GTEST_SKIP() << "of what is not lit there is one pass";
-    expect_same(forward(material, scene), in_unity(material, scene, {}), "linear");
+    const bool is_upward = GetParam().is_upward;
+    expect_same(forward(material, scene),
+                in_unity(is_upward ? upward(material) : material, is_upward ? upward(scene) : scene, {}), "linear");
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -221,7 +249,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"examples/graphs/rusted_steel.graph.json"}, Case{"examples/graphs/ivy.graph.json", "plane"},
                     Case{"examples/graphs/toon.graph.json", "torus"}, Case{"examples/graphs/coral.graph.json"},
                     Case{"examples/graphs/lava.graph.json"}, Case{"examples/graphs/azulejo.graph.json", "cube"},
-                    Case{"examples/sources/standard-specular-setup.graph.json"},
+                    Case{"examples/sources/standard-specular-setup.graph.json", "sphere", {}, true},
+                    Case{"examples/surfaces/bricks_parallax.graph.json", "plane", {}, true},
                     Case{"tests/unity/graphs/wave.graph.json", "capsule"}),
     [](const auto& info) {
         std::string name = info.param.graph.substr(info.param.graph.rfind('/') + 1);
