@@ -1,8 +1,9 @@
-// What a shader computes, as a number: equal for two shaders that differ only in what things are called, in the order of
-// nodes, or in the layout of the graph's text. Properties and what the engine owns count by name and place; node ids,
-// names of locals, of functions and of interpolated values do not.
+// What a shader computes, as a number: equal for two shaders that differ only in what things are called, in the order
+// of nodes, or in the layout of the graph's text. Properties and what the engine owns count by name and place; node
+// ids, names of locals, of functions and of interpolated values do not.
 //
-//   CanonicalHash a = hash_pass(rust.vertex, rust.fragment), b = hash_pass(renamed.vertex, renamed.fragment);   // a == b
+//   CanonicalHash a = hash_pass(rust.vertex, rust.fragment), b = hash_pass(renamed.vertex, renamed.fragment);   // a ==
+//   b
 #pragma once
 
 #include <compare>

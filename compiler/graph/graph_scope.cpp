@@ -271,8 +271,10 @@ Typed GraphScope::interpolated(std::uint32_t index) {
             std::replace(name.begin(), name.end(), '/', '_');
             ir::Builder builder(module, function, emitter.options());
             std::deque<std::unique_ptr<GraphScope>> keep;
+            lowering_.active_interpolators.push_back(path);
             const std::unique_ptr<GraphScope> twin = vertex_twin(builder, keep);
             twin->emit_nodes(graph_.reachable(index));
+            lowering_.active_interpolators.pop_back();
             Typed value = twin->values_[index];
             if (!value.ok()) return {};
             if (value.outputs) {
@@ -497,7 +499,15 @@ Typed GraphScope::semantic(std::string_view name, Span span, nodelang::Scope& sc
     const Type type = lowering_.out.module.semantics[found->second].type;
     if (type.is_error()) return {};
     if (scope_.in_vertex_stage && (semantic.source == Source::Builtin || reads_pixel(stages, semantic))) {
-        lowering_.session.diagnostics.report(Code::NoSuchStageValue, span, name, "vertex");
+        const std::vector<std::string>& carriers = lowering_.active_interpolators;
+        lowering_.session.diagnostics.report(Code::NoSuchStageValue, span, name, "vertex")
+            .note(
+                carriers.empty()
+                    ? "\"vertex\" is computed before there are pixels, from the mesh and from what is the same for all "
+                      "of it"
+                    : fmt::format("the interpolator '{0}' would carry it from the vertices; without \"stage\": "
+                                  "\"vertex\" at '{0}' it is computed in the pixel",
+                                  carriers.back()));
         return {};
     }
     return {.value = scope.builder->emit(Op::Semantic, type, {}, found->second), .type = type};

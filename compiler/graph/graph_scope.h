@@ -31,10 +31,10 @@ struct Lowering {
         const nodelang::Outputs* outputs = nullptr;
     };
     std::map<std::string, Interpolator> interpolators;
-    std::vector<std::string> active_interpolators;
-    std::map<std::string_view, Part> parts;  // slots that are derived from others, as far as they were asked for
-    std::set<std::uint32_t> per_object;      // globals of the object that is drawn
-    ir::FunctionId surface{};                // what the graph says of it
+    std::vector<std::string> active_interpolators;  // id paths of those that are being made, the innermost last
+    std::map<std::string_view, Part> parts;         // slots that are derived from others, as far as they were asked for
+    std::set<std::uint32_t> per_object;             // globals of the object that is drawn
+    ir::FunctionId surface{};                       // what the graph says of it
 
     bool is_on(std::string_view wanted) const;  // a switch
     // Of a slot's function; empty: it is another function.

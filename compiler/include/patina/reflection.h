@@ -148,8 +148,8 @@ struct Pass {
     std::optional<Bounds> bounds{};     // the same
     std::vector<RenderTarget> targets;  // none: only depth
     std::vector<VertexInput> vertex_inputs;
-    std::vector<std::string> blocks;    // names of the blocks that either stage reads
-    std::vector<std::string> textures;  // names of the textures that either stage reads
+    std::vector<std::string> blocks;      // names of the blocks that either stage reads
+    std::vector<std::string> textures;    // names of the textures that either stage reads
     std::vector<std::string> keywords{};  // properties that either stage reads as specialization constants or keywords
     // Of what it computes, whatever things are called in the graph (CompileOptions::hashes); else empty.
     std::string hash{};
