@@ -220,7 +220,7 @@ VariantPlan Compiler::plan_variants(const std::string& path, VariantsWanted want
                                     std::size_t limit) const {
     graph::Session session(*impl_->library, options);
     VariantPlan made;
-    plan(*this, session, path, wanted, limit, made);
+    plan(*this, session, path, wanted, std::min(limit, kMostVariants), made);
     const std::vector<Diagnostic> own = to_public(session.diagnostics, session.sources);
     made.diagnostics.insert(made.diagnostics.end(), own.begin(), own.end());
     made.ok = std::none_of(made.diagnostics.begin(), made.diagnostics.end(),

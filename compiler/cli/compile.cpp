@@ -163,7 +163,7 @@ void add_compile(Program& program) {
         .add_option("--variants-limit", arguments->variants.limit,
                     fmt::format("Refuse more combinations than this ({})", kVariantLimit))
         ->type_name("N")
-        ->check(CLI::PositiveNumber)
+        ->check(CLI::Range(std::size_t{1}, kMostVariants))
         ->needs(variants);
     CLI::Option* functions =
         command

@@ -26,7 +26,7 @@ private:
 
 // "rust.forward.frag.glsl" -> "rust.3f2a9c1e.forward.frag.glsl"
 std::string with_hash(const std::string& file_name, const std::string& name, const std::string& hash) {
-    return name + "." + hash + file_name.substr(name.size());
+    return hash.empty() ? file_name : name + "." + hash + file_name.substr(name.size());
 }
 
 VariantsWanted wanted_of(const std::string& word) {

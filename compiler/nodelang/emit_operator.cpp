@@ -180,6 +180,12 @@ Typed Emitter::binary(const Expr& expr, Scope& scope) {
         const Expr& other = *expr.args[1 - lead];
         sides[1 - lead] = sides[lead].enumerators ? enum_operand(other, *sides[lead].enumerators, scope)
                                                   : primary(expression(other, scope), scope, other.span);
+        const auto *a = sides[0].enumerators, *b = sides[1].enumerators;
+        if (a && b && *a != *b) {
+            diagnostics_.report(Code::TypeMismatch, expr.args[1]->span, "the right side",
+                                fmt::format("one of {}", enumerate(*b)), fmt::format("one of {}", enumerate(*a)));
+            return {};
+        }
     } else {
         for (std::size_t i : {0u, 1u}) {
             sides[i] = primary(expression(*expr.args[i], scope), scope, expr.args[i]->span);

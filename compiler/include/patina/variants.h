@@ -27,6 +27,7 @@ enum class VariantsWanted {
 std::string_view to_string(VariantsWanted wanted);  // "all", "listed", "reachable"
 
 inline constexpr std::size_t kVariantLimit = 1024;
+inline constexpr std::size_t kMostVariants = 1'000'000;  // that any limit can allow
 
 struct VariantPlan {
     bool ok = false;

@@ -110,12 +110,14 @@ void keyword(Writer& w, GlobalId id) {
         w.line(0, "#else");
         w.line(0, constant + "false;");
     }
-    for (std::size_t i = 0; i < keyword.values.size(); ++i) {
-        const bool is_last = i + 1 == keyword.values.size();
-        w.line(0, is_last ? "#else" : (i == 0 ? "#if " : "#elif ") + keyword_test(keyword, i));
-        w.line(0, constant + std::to_string(i) + ";");
+    // Where none is defined the first value counts, as for Unity.
+    const std::size_t count = keyword.values.size();
+    for (std::size_t i = 1; i <= count && count > 1; ++i) {
+        w.line(0, i == count ? "#else" : (i == 1 ? "#if " : "#elif ") + keyword_test(keyword, i));
+        w.line(0, constant + std::to_string(i % count) + ";");
     }
-    w.line(0, "#endif");
+    if (count == 1) w.line(0, constant + "0;");
+    if (count != 1) w.line(0, "#endif");
 }
 
 std::vector<std::string> lines_at(const StageInterface& stage, std::string_view place) {
