@@ -127,7 +127,8 @@ std::vector<std::string_view> names_of(std::string_view piece) {
     for (const std::string_view line : split(piece, "\n")) {
         const std::size_t open = line.find('(');
         const bool is_macro = line.starts_with("#define ");
-        if (open == line.npos || line.starts_with("//") || line.starts_with(" ") ||
+        const bool is_call = line.ends_with(';');  // of a macro that declares something
+        if (open == line.npos || is_call || line.starts_with("//") || line.starts_with(" ") ||
             (line.starts_with("#") && !is_macro))
             continue;
         const std::string_view before = line.substr(0, open);

@@ -168,18 +168,6 @@ Shader "Patina/Standard"
         return UnityGetRawBakedOcclusions(ambient.xy, position);
     }
 
-    // What has been drawn before, at a place of the screen that is counted from the lower left.
-    UNITY_DECLARE_TEX2D(_BackgroundTexture);
-    half3 BackgroundColor(float2 uv)
-    {
-    #if UNITY_UV_STARTS_AT_TOP
-        if (_ProjectionParams.x > 0) uv.y = 1 - uv.y;
-    #else
-        if (_ProjectionParams.x < 0) uv.y = 1 - uv.y;
-    #endif
-        return LinearColor(_BackgroundTexture.SampleLevel(sampler_BackgroundTexture, uv, 0).rgb);
-    }
-
     struct Surface
     {
         float3 baseColor;
