@@ -267,7 +267,10 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
         if (material.properties[i].property->binding == Binding::Instance)
             lowering.per_object.insert(out.property_globals[i].value.index);
     }
-    if (tool_of(session)) mark_for_tool(lowering);
+    if (tool_of(session)) {
+        out.keeps_functions = !material.pass;  // a pass that it adds has nobody to share with
+        mark_for_tool(lowering);
+    }
     declare_statics(lowering);
     extend_lighting_surface(lowering);
     declare_semantics(lowering);
@@ -276,10 +279,7 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     if (session.diagnostics.has_errors()) return out;
     if (session.options.functions.empty()) {
         lower_passes(lowering);
-        if (tool_of(session)) {
-            tell_texts(lowering);
-            out.keeps_functions = true;
-        }
+        if (tool_of(session)) tell_texts(lowering);
     } else {
         lower_functions(lowering);
     }

@@ -245,7 +245,6 @@ private:
     void assign(const Stmt& stmt, Scope& scope);
     bool store(const Expr& target, Typed value, Scope& scope);
     ir::Value return_value(const Stmt* stmt, Scope& scope);
-    ir::Value zero(ir::Type type, Scope& scope);
     std::optional<double> static_value(const VariableDecl* variable) const;
     ir::FunctionId outer_function(const FunctionDecl& function, const Declarations& home, Environment& environment,
                                   Scope scope, bool may_take, bool* needs_quad);

@@ -108,8 +108,9 @@ half MixedShadow(float3 position, half attenuation, float4 ambient)
 }
 
 // Light of the reflection probes from a direction, blurred as a surface of that perceptual roughness mirrors it.
-half3 ReflectedLight(half3 direction, half roughness, float3 position)
+half3 ReflectedLight(half3 direction, half roughness, float3 position, bool reads_probes)
 {
+    if (!reads_probes) return 0;
     Unity_GlossyEnvironmentData environment;
     UNITY_INITIALIZE_OUTPUT(Unity_GlossyEnvironmentData, environment);
     environment.roughness = roughness;
@@ -117,13 +118,13 @@ half3 ReflectedLight(half3 direction, half roughness, float3 position)
     return LinearColor(UnityGI_IndirectSpecular(GIInput(position, 1, 0), 1, environment));
 }
 
-// None, where Unity adds reflections to the G-buffer afterwards.
-half3 ReflectedLightOfBuffer(half3 direction, half roughness, float3 position)
+// Whether reflections go into the G-buffer with the rest: not where Unity adds them afterwards.
+bool BufferReadsProbes()
 {
 #if UNITY_ENABLE_REFLECTION_BUFFERS
-    return 0;
+    return false;
 #else
-    return ReflectedLight(direction, roughness, position);
+    return true;
 #endif
 }
 
