@@ -29,12 +29,13 @@ Words with(Words words, const Words& more) {
 
 // From -1 to 1, all of the picture; nothing is mirrored but the sun.
 World lit_plane(const char* graph, const Words& words) {
+    static const auto kNothing = std::make_shared<const runtime::Environment>(runtime::constant_ambient(glm::vec3(0)));
     World world;
     world.view.width = world.view.height = kPixels;
     world.view.background = glm::vec4(0);
     world.view.camera = {.position = {0, 0, 4}, .target = {0, 0, 0}, .orthographic_height = 2};
     world.view.ambient = runtime::constant_ambient(glm::vec3(kAround));
-    world.view.environment = std::make_shared<const runtime::Environment>(runtime::constant_ambient(glm::vec3(0)));
+    world.view.environment = kNothing;
     world.view.lights = {{.direction = {0, 0, 1}, .color = glm::vec3(kSun)}};
     add_object(world, graph, "plane", 1, glm::mat4(1), words);
     return world;
