@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <mutex>
 
 #include "runtime/split_sum.h"
 
@@ -65,10 +66,26 @@ std::string default_source(const Texture& texture, const std::string& graph_fold
     return (std::filesystem::path(graph_folder) / texture.default_value).lexically_normal().generic_string();
 }
 
+// Blurring takes half a second, and all materials of a scene ask for the same map: the last one is kept.
+std::shared_ptr<const TextureData> map_of(const SphericalHarmonics& ambient) {
+    struct Kept {
+        std::mutex mutex;
+        SphericalHarmonics ambient;
+        std::shared_ptr<const TextureData> map;
+    };
+    static Kept kept;
+    const std::lock_guard lock(kept.mutex);
+    if (!kept.map || kept.ambient.coefficients != ambient.coefficients) {
+        kept.ambient = ambient;
+        kept.map = Environment(ambient).map();
+    }
+    return kept.map;
+}
+
 std::shared_ptr<const TextureData> engine_texture(const std::string& name, const Scene& scene) {
     if (name == "split_sum_table") return split_sum_table();
     if (name != "environment_map") return nullptr;
-    return scene.environment ? scene.environment->map() : Environment(scene.ambient).map();
+    return scene.environment ? scene.environment->map() : map_of(scene.ambient);
 }
 
 }  // namespace

@@ -65,6 +65,17 @@ std::string written(const std::string& name, const std::string& text) {
     return folder / name;
 }
 
+std::string written_texture(const std::string& name, int width, int height,
+                            const std::function<glm::dvec4(int x, int y)>& texel) {
+    Image image = runtime::make_image(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            for (int c = 0; c < 4; ++c) image.at(x, y)[std::size_t(c)] = float(texel(x, y)[c]);
+    std::string path = written(name, "");
+    EXPECT_EQ(runtime::save_exr(path, image), "");
+    return path;
+}
+
 Result compiled(const std::string& graph, const std::string& path,
                 std::vector<std::pair<std::string, std::string>> switches) {
     CompileOptions options;

@@ -35,6 +35,9 @@ World proof_scene_and_metals(int width = 160, int height = 120);
 
 // A graph, lighting graph or pass file that a test writes; its path. The same name is the same file.
 std::string written(const std::string& name, const std::string& text);
+// A texture of floats, which are linear colours or data; its path.
+std::string written_texture(const std::string& name, int width, int height,
+                            const std::function<glm::dvec4(int x, int y)>& texel);
 
 // A graph compiled for a path, or for what it falls back to.
 Result compiled(const std::string& graph, const std::string& path,

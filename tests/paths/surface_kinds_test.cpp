@@ -16,17 +16,6 @@ constexpr int kPixels = 32, kSquares = 16;
 const glm::dvec3 kDark(0.02, 0.1, 0.3), kLight(0.9, 0.8, 0.5);
 const glm::dvec3 kSun(0.75, 0.5, 0.25);  // irradiance over pi, as lights are given
 
-std::string texture(const std::string& name, int width, int height,
-                    const std::function<glm::dvec4(int x, int y)>& color) {
-    Image image = runtime::make_image(width, height);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            for (int c = 0; c < 4; ++c) image.at(x, y)[std::size_t(c)] = float(color(x, y)[c]);
-    const std::string path = written(name, "");
-    EXPECT_EQ(runtime::save_exr(path, image), "");
-    return path;
-}
-
 // Seen in parallel: a surface from -1 to 1 fills the picture, and the board, twice as large, lies a metre behind it.
 World before_a_checkerboard(const std::string& graph, std::map<std::string, std::string> overrides) {
     World world;
@@ -42,8 +31,9 @@ World before_a_checkerboard(const std::string& graph, std::map<std::string, std:
   { "name": "_MainTex", "type": "texture2d", "usage": "data", "sampler": { "filter": "nearest" } }
 ], "nodes": [ { "id": "main", "node": "SampleTexture2D", "in": { "texture": "$_MainTex" } } ],
 "surface": { "color": "main.rgb" } })");
-    const std::string squares = texture("squares.exr", kSquares, kSquares,
-                                        [](int x, int y) { return glm::dvec4((x + y) % 2 == 0 ? kDark : kLight, 1); });
+    const std::string squares = written_texture("squares.exr", kSquares, kSquares, [](int x, int y) {
+        return glm::dvec4((x + y) % 2 == 0 ? kDark : kLight, 1);
+    });
     add_object(world, board, "plane", 1, glm::scale(glm::translate(glm::mat4(1), {0, 0, -1}), glm::vec3(2)),
                {{"_MainTex", squares}});
     add_object(world, graph, "plane", 1, glm::mat4(1), std::move(overrides));
@@ -100,8 +90,8 @@ TEST(SurfaceKinds, OpaqueCoversWithLightBrighterThanWhite) {
 // Four by two tiles, the left half of each a white leaf and the right half below the cut-off.
 TEST(SurfaceKinds, CutoutCoversWhereItIsNotCut) {
     const std::string leaf =
-        texture("leaf.exr", 64, 2, [](int x, int) { return glm::dvec4(1, 1, 1, x < 32 ? 0.75 : 0.25); });
-    const std::string flat = texture("flat.exr", 1, 1, [](int, int) { return glm::dvec4(0.5, 0.5, 1, 1); });
+        written_texture("leaf.exr", 64, 2, [](int x, int) { return glm::dvec4(1, 1, 1, x < 32 ? 0.75 : 0.25); });
+    const std::string flat = written_texture("flat.exr", 1, 1, [](int, int) { return glm::dvec4(0.5, 0.5, 1, 1); });
     expect_picture("examples/graphs/ivy.graph.json", {{"_MainTex", leaf}, {"_BumpMap", flat}}, [](int x, int y) {
         return x % 8 < 4 ? scattered(glm::dvec3(1)) + highlight(0.55) * kSun : behind(x, y);
     });
