@@ -75,10 +75,11 @@ int number(std::string_view digits) {
     return value;
 }
 
-// What only newer hardware has.
-std::string_view shader_model(const PassText& pass) {
+// What only newer hardware has, in a pass or in what all of them begin with.
+std::string_view shader_model(const PassText& pass, std::span<const Declaration* const> shared) {
     std::string text;
     for (const Declaration& each : pass.declarations) text += each.text;
+    for (const Declaration* each : shared) text += each->text;
     for (const int count : {16, 15, 14, 13, 12, 11}) {
         if (mentions(text, fmt::format("TEXCOORD{}", count))) return "4.0";
     }
@@ -222,7 +223,7 @@ private:
         for (const std::string& line : shader_state(in_.reflection.passes[index])) out_.line(3, line);
         out_.line(0, "");
         out_.line(3, "CGPROGRAM");
-        out_.line(3, fmt::format("#pragma target {}", shader_model(text)));
+        out_.line(3, fmt::format("#pragma target {}", shader_model(text, shared_)));
         for (const std::string_view line : texts_at(text, "pragma")) out_.line(3, fmt::format("#pragma {}", line));
         keywords(in_.reflection.passes[index]);
         out_.line(3, "#pragma vertex vert");

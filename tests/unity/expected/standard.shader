@@ -67,9 +67,9 @@ Shader "Patina/Standard"
     }
 
     // A normal map's texel as it was painted, however Unity has packed it.
-    half4 NormalTexel(half4 packed)
+    half4 NormalTexel(half4 texel)
     {
-        return half4(UnpackNormal(packed) * 0.5 + 0.5, 1);
+        return half4(UnpackNormal(texel) * 0.5 + 0.5, 1);
     }
 
     // The coordinates of the lightmaps, or the light of four lights and the second order of the probes at a vertex.
