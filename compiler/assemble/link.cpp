@@ -4,6 +4,7 @@
 #include <iterator>
 #include <map>
 
+#include "compiler/ir/passes/passes.h"
 #include "compiler/ir/rebuild.h"
 
 namespace patina::assemble {
@@ -167,8 +168,9 @@ private:
         }
         if (imported_[function.index]) return imported_[function.index];
         ir::Function copy = linked_.functions[function.index];
-        const bool shows = !in_vertex_stage() && !pass_.declaration->state.targets.empty();
-        if (linked_.lowered.keeps_functions && shows && !ir::is_elsewhere(copy)) copy.linkage = ir::Linkage::Exported;
+        // What a pass without targets reads of the surface decides what it needs to be handed.
+        const bool shares = in_vertex_stage() || !pass_.declaration->state.targets.empty();
+        if (linked_.lowered.keeps_functions && shares && !ir::is_elsewhere(copy)) copy.linkage = ir::Linkage::Exported;
         for (ir::Inst& inst : copy.insts) {
             if (inst.op == Op::Call) inst.data = imported({inst.data}).index;
         }
@@ -270,9 +272,29 @@ private:
     std::vector<ir::FunctionId> imported_;
 };
 
+// What of the functions an entry may call comes to be read, and nothing else.
+void drop_unread_members(graph::Lowered& lowered) {
+    std::vector<ir::FunctionId> entries, called;
+    const auto add = [&](ir::FunctionId function) {
+        if (function) called.push_back(function);
+    };
+    for (const graph::SemanticRecipe& semantic : lowered.semantics) {
+        add(semantic.recipe);
+        add(semantic.override);
+    }
+    for (const graph::LoweredPass& pass : lowered.passes) {
+        entries.insert(entries.end(), {pass.vertex, pass.fragment});
+        for (const auto& [semantic, recipe] : pass.recipes) add(recipe);
+        for (const auto& [semantic, recipe] : pass.at_vertices) add(recipe);
+        for (const auto& [old, made] : pass.replaced) add(made);
+    }
+    lowered.module = ir::drop_members(std::move(lowered.module), entries, called);
+}
+
 }  // namespace
 
 Linked link(graph::Lowered lowered) {
+    if (lowered.keeps_functions) drop_unread_members(lowered);
     std::vector<ir::Function> functions = std::move(lowered.module.functions);
     lowered.module.functions.clear();
     const std::vector<std::vector<SemanticId>> needs = all_needs(lowered, functions);

@@ -24,6 +24,12 @@ targets::Printed shader_file(const ShaderFile& file);
 std::vector<std::string> shader_properties(const graph::Material& material, const graph::Lowered& lowered,
                                            const Reflection& reflection);
 
+// --- shader_state.cpp
+// The lines for what ShaderLab does not take for granted.
+std::vector<std::string> shader_state(const Pass& pass);
+// "Transparent+1"
+std::string queue_word(int queue);
+
 // --- shader_passes.cpp
 // The text of one pass: what both of its stages declare, each thing once.
 struct PassText {
@@ -40,5 +46,15 @@ PassText pass_text(const LinkedPass& pass, const std::vector<std::string>& taken
 
 // Whether the text reads a name, other than in a comment on a line of its own.
 bool mentions(std::string_view text, std::string_view name);
+
+// --- shader_shared.cpp
+// The passes, in which a name means the same wherever it is not the pass's own.
+std::vector<PassText> pass_texts(std::span<const LinkedPass> linked);
+// What a pass's own entry functions take and give is its own, too.
+bool is_own(const PassText& pass, const PassText::Declaration& each);
+// What is not a pass's own, each once, in an order in which everything stands behind what it reads.
+std::vector<const PassText::Declaration*> shared_declarations(const std::vector<PassText>& passes);
+// The pieces of the tool's text that the passes' text comes to mention, in their order.
+std::vector<std::string_view> needed_pieces_of(std::string_view include, const std::string& text);
 
 }  // namespace patina::assemble

@@ -129,4 +129,14 @@ bool is_utf8(std::string_view text, std::size_t& bad) {
     return true;
 }
 
+std::vector<std::string_view> split(std::string_view text, std::string_view at) {
+    std::vector<std::string_view> parts;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find(at), text.size());
+        if (end > 0) parts.push_back(text.substr(0, end));
+        text.remove_prefix(std::min(end + at.size(), text.size()));
+    }
+    return parts;
+}
+
 }  // namespace patina

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace patina {
 
@@ -24,5 +25,8 @@ std::string enumerate(std::span<const std::string_view> words);
 
 // True if the text is well-formed UTF-8; otherwise `bad` is the offset of the first wrong byte.
 bool is_utf8(std::string_view text, std::size_t& bad);
+
+// The parts between the separators, those that are not empty.
+std::vector<std::string_view> split(std::string_view text, std::string_view at);
 
 }  // namespace patina

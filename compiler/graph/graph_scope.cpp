@@ -101,6 +101,7 @@ void GraphScope::emit_node(std::uint32_t index) {
     const Node& node = graph_.graph->nodes[index];
     const ResolvedNode& resolved = graph_.nodes[index];
     if (!resolved.ok) return;
+    at_ = index;
     if (node.vertex_stage && !scope_.in_vertex_stage) {
         values_[index] = interpolated(index);
         watch(ir::Probe::Kind::Node, id_path(node.id), {}, values_[index], node.span);
@@ -136,7 +137,10 @@ void GraphScope::emit_node(std::uint32_t index) {
     if (value.ok() && !resolved.subgraph) b.name(value.value, module.intern(node.id));
     values_[index] = value;
     watch(ir::Probe::Kind::Node, path, {}, value, node.span);
-    lowering_.session.diagnostics.set_context({}, {});
+    // Back in what a sub-graph stands for.
+    lowering_.session.diagnostics.set_context(
+        outer_ ? outer_->id_path(outer_->graph_.graph->nodes[outer_node_].id) : std::string(), {});
+    at_.reset();
     b.set_origin(outer_origin);
 }
 
@@ -236,6 +240,54 @@ Typed GraphScope::subgraph_node(std::uint32_t index) {
             .outputs = lowering_.emitter.intern(std::move(outputs))};
 }
 
+// --- what only pixels have
+
+// "reads it through 'b' and 'c'": how a reader comes to the node that is being emitted. Empty: it is that node.
+std::string GraphScope::way_from(const Lowering::VertexReader& reader) const {
+    const std::string plain = "reads it";
+    const GraphScope* scope = this;
+    std::optional<std::uint32_t> to = at_;
+    for (; &scope->graph_ != reader.graph; scope = scope->outer_) {
+        if (!scope->outer_) return plain;
+        to = scope->outer_node_;
+    }
+    if (!to) return plain;
+    std::map<std::uint32_t, std::uint32_t> read_by;
+    std::vector<std::uint32_t> work = reader.reads;
+    for (const std::uint32_t first : work) read_by[first] = first;
+    for (std::size_t i = 0; i < work.size(); ++i) {
+        for (const std::uint32_t read : scope->graph_.nodes[work[i]].reads) {
+            if (read_by.emplace(read, work[i]).second) work.push_back(read);
+        }
+    }
+    if (!read_by.contains(*to)) return plain;
+    std::vector<std::string> names;
+    for (std::uint32_t at = *to, last = at + 1; at != last; last = std::exchange(at, read_by[at])) {
+        const bool is_giver = scope == this && at == *to;
+        const bool is_reader = reader.is_interpolator && read_by[at] == at;
+        if (is_giver && is_reader) return {};
+        if (!is_giver && !is_reader) names.insert(names.begin(), "'" + scope->graph_.graph->nodes[at].id + "'");
+    }
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    return views.empty() ? plain : plain + " through " + enumerate(views);
+}
+
+void GraphScope::tell_reader(DiagnosticRecord& record) const {
+    if (lowering_.vertex_readers.empty()) return;
+    const Lowering::VertexReader& reader = lowering_.vertex_readers.back();
+    const std::string way = way_from(reader);
+    if (reader.is_interpolator) {
+        record.note(reader.span,
+                    fmt::format("'{0}' is pinned to the vertex stage here{1}: the interpolator '{0}' would carry it to "
+                                "the pixels; without \"stage\": \"vertex\" it is computed there",
+                                reader.name, way.empty() ? "" : ", and " + way));
+    } else {
+        record.note(reader.span, fmt::format("'{}' {}: no interpolator can carry it, for they lead from vertices to "
+                                             "pixels",
+                                             reader.name, way));
+    }
+}
+
 // --- interpolators: "stage": "vertex"
 
 std::unique_ptr<GraphScope> GraphScope::vertex_twin(ir::Builder& builder,
@@ -271,10 +323,10 @@ Typed GraphScope::interpolated(std::uint32_t index) {
             std::replace(name.begin(), name.end(), '/', '_');
             ir::Builder builder(module, function, emitter.options());
             std::deque<std::unique_ptr<GraphScope>> keep;
-            lowering_.active_interpolators.push_back(path);
+            lowering_.vertex_readers.push_back({path, node.id_span, true, &graph_, {index}});
             const std::unique_ptr<GraphScope> twin = vertex_twin(builder, keep);
             twin->emit_nodes(graph_.reachable(index));
-            lowering_.active_interpolators.pop_back();
+            lowering_.vertex_readers.pop_back();
             Typed value = twin->values_[index];
             if (!value.ok()) return {};
             if (value.outputs) {
@@ -487,9 +539,16 @@ Typed GraphScope::semantic(std::string_view name, Span span, nodelang::Scope& sc
         return {};
     }
     const SemanticDecl& semantic = stages.semantics[found->second];
+    // A default of a port stands in a file of functions; it is the graph that has left the port open.
+    const nodelang::OpenPort* open = scope.open_port;
+    const auto report = [&](Code code, std::string_view where) -> DiagnosticRecord& {
+        DiagnosticRecord& record = lowering_.session.diagnostics.report(code, open ? open->call : span, name, where);
+        return open ? record.note(fmt::format("'{}' of {} is left open, and reads it", open->port, open->function))
+                    : record;
+    };
     const bool per_light = graph_.graph->kind == GraphKind::Lighting && name == "light";
     if (semantic.source == Source::Given || per_light) {
-        lowering_.session.diagnostics.report(Code::SemanticNotHere, span, name, what_graph())
+        report(Code::SemanticNotHere, what_graph())
             .note(per_light                                   ? "only 'direct' is evaluated for each light"
                   : graph_.graph->kind == GraphKind::Lighting ? "only 'final' is evaluated after all lights"
                                                               : "only a lighting graph has it");
@@ -499,15 +558,10 @@ Typed GraphScope::semantic(std::string_view name, Span span, nodelang::Scope& sc
     const Type type = lowering_.out.module.semantics[found->second].type;
     if (type.is_error()) return {};
     if (scope_.in_vertex_stage && (semantic.source == Source::Builtin || reads_pixel(stages, semantic))) {
-        const std::vector<std::string>& carriers = lowering_.active_interpolators;
-        lowering_.session.diagnostics.report(Code::NoSuchStageValue, span, name, "vertex")
-            .note(
-                carriers.empty()
-                    ? "\"vertex\" is computed before there are pixels, from the mesh and from what is the same for all "
-                      "of it"
-                    : fmt::format("the interpolator '{0}' would carry it from the vertices; without \"stage\": "
-                                  "\"vertex\" at '{0}' it is computed in the pixel",
-                                  carriers.back()));
+        DiagnosticRecord& record = report(Code::NoSuchStageValue, "vertex");
+        record.note(
+            "vertices are computed before there are pixels, from the mesh and from what is the same for all of it");
+        tell_reader(record);
         return {};
     }
     return {.value = scope.builder->emit(Op::Semantic, type, {}, found->second), .type = type};

@@ -31,10 +31,18 @@ struct Lowering {
         const nodelang::Outputs* outputs = nullptr;
     };
     std::map<std::string, Interpolator> interpolators;
-    std::vector<std::string> active_interpolators;  // id paths of those that are being made, the innermost last
-    std::map<std::string_view, Part> parts;         // slots that are derived from others, as far as they were asked for
-    std::set<std::uint32_t> per_object;             // globals of the object that is drawn
-    ir::FunctionId surface{};                       // what the graph says of it
+    // Who asks for what the vertex stage computes: a node whose interpolator is being made, or an output of "vertex".
+    struct VertexReader {
+        std::string name;  // id path, or the output's
+        Span span;
+        bool is_interpolator = false;
+        const CheckedGraph* graph = nullptr;
+        std::vector<std::uint32_t> reads{};  // the node, or those that the output reads
+    };
+    std::vector<VertexReader> vertex_readers;  // the innermost last
+    std::map<std::string_view, Part> parts;    // slots that are derived from others, as far as they were asked for
+    std::set<std::uint32_t> per_object;        // globals of the object that is drawn
+    ir::FunctionId surface{};                  // what the graph says of it
 
     bool is_on(std::string_view wanted) const;  // a switch
     // Of a slot's function; empty: it is another function.
@@ -81,6 +89,7 @@ public:
     Typed semantic(std::string_view name, Span span, nodelang::Scope& scope) override;
     Typed file(const nodelang::Expr& expr, nodelang::Scope& scope) override;
     bool hides(std::string_view name) const override { return graph_.by_id.contains(name); }
+    void tell_reader(DiagnosticRecord& record) const override;
 
 private:
     void emit_node(std::uint32_t index);
@@ -98,6 +107,7 @@ private:
     ir::Value known_value(const Property& property, double value);
     bool uses_half(const Node& node) const;
     std::string id_path(std::string_view id) const;
+    std::string way_from(const Lowering::VertexReader& reader) const;
     std::string_view what_graph() const;
     std::string_view outermost_kind() const;
 
@@ -107,6 +117,7 @@ private:
     bool needs_quad_ = false;
     std::vector<Typed> values_;
     std::vector<bool> emitted_;
+    std::optional<std::uint32_t> at_;                                   // the node that is being emitted
     std::map<std::uint32_t, std::set<std::string_view>> read_outputs_;  // by sub-graph node; "": the node itself
     std::map<std::string, Typed, std::less<>> given_, inputs_;
     Typed shadow_;

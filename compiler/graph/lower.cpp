@@ -99,6 +99,9 @@ void lower_vertex_outputs(Lowering& lowering) {
         GraphScope scope(lowering, graph, builder, true);
         if (!port.value) continue;
         scope.announce(*port.value);
+        Lowering::VertexReader& reader =
+            lowering.vertex_readers.emplace_back(Lowering::VertexReader{port.name, port.name_span, false, &graph});
+        collect_reads(*port.value, graph, reader.reads);
         scope.emit_nodes(graph.reachable(std::span(&port, 1)));
         function.result = module.semantics[semantic->second].type;
         lowering.session.diagnostics.set_context("vertex", port.name);
@@ -113,6 +116,7 @@ void lower_vertex_outputs(Lowering& lowering) {
             lowering.emitter.convert(lowering.emitter.primary(value, scope.scope(), port.value_span), function.result,
                                      scope.scope(), port.value_span, fmt::format("the vertex output '{}'", port.name));
         lowering.session.diagnostics.set_context({}, {});
+        lowering.vertex_readers.pop_back();
         if (!value.ok()) continue;
         scope.watch(ir::Probe::Kind::Output, "vertex", port.name, value, port.name_span);
         builder.ret(value.value);
@@ -250,7 +254,7 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
                       .emitter = nodelang::Emitter(out.module, session.diagnostics, options),
                       .enumerators = {},
                       .interpolators = {},
-                      .active_interpolators = {},
+                      .vertex_readers = {},
                       .parts = {},
                       .per_object = {},
                       .surface = {}};
@@ -267,7 +271,10 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
         if (material.properties[i].property->binding == Binding::Instance)
             lowering.per_object.insert(out.property_globals[i].value.index);
     }
-    if (tool_of(session)) mark_for_tool(lowering);
+    if (tool_of(session)) {
+        out.keeps_functions = !material.pass;  // a pass that it adds has nobody to share with
+        mark_for_tool(lowering);
+    }
     declare_statics(lowering);
     extend_lighting_surface(lowering);
     declare_semantics(lowering);
@@ -276,10 +283,7 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     if (session.diagnostics.has_errors()) return out;
     if (session.options.functions.empty()) {
         lower_passes(lowering);
-        if (tool_of(session)) {
-            tell_texts(lowering);
-            out.keeps_functions = true;
-        }
+        if (tool_of(session)) tell_texts(lowering);
     } else {
         lower_functions(lowering);
     }

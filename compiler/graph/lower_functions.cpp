@@ -15,15 +15,6 @@ using ir::Type;
 using ir::Value;
 using nodelang::FunctionDecl;
 
-Value zero(ir::Builder& builder, Type type) {
-    if (type.is_numeric()) return builder.splat_constant(type, 0);
-    std::vector<Value> parts;
-    for (std::uint32_t i = 0; i < ir::part_count(builder.module(), type); ++i) {
-        parts.push_back(zero(builder, ir::part_type(builder.module(), type, i)));
-    }
-    return builder.construct(type, parts);
-}
-
 class Functions {
 public:
     explicit Functions(Lowering& lowering)
@@ -91,7 +82,7 @@ private:
                 made.result = module_[instance.id].result;
                 made.linkage = ir::Linkage::External;
                 ir::Builder builder(module_, made);
-                builder.ret(zero(builder, made.result));
+                builder.ret(builder.zero(made.result));
                 module_[instance.id] = std::move(made);
             }
         }

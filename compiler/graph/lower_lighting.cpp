@@ -43,7 +43,8 @@ ir::FunctionId lower_lighting(Lowering& lowering, const FunctionDecl& slot, cons
     const CheckedGraph& lighting = *lowering.material.lighting;
     ir::Function function{};
     function.name = slot.name;
-    function.always_inline = true;
+    function.comment = nodelang::first_sentence(slot.doc);
+    function.always_inline = !lowering.out.keeps_functions;
     ir::Builder builder(module, function, lowering.emitter.options());
     GraphScope scope(lowering, lighting, builder, false);
     scope.set_property_values(lowering.material.lighting_inputs, material);

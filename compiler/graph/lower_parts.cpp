@@ -97,7 +97,7 @@ Part not_linear(const Lowering& lowering, std::string_view of, std::string_view 
             .where = origin_of(lowering.out.module, found.origin)};
 }
 
-Part linear_slot(Lowering& lowering, const Attribute& attribute) {
+Part linear_slot(Lowering& lowering, const FunctionDecl& slot, const Attribute& attribute) {
     ir::Module& module = lowering.out.module;
     const std::string_view of = nodelang::attribute_text(attribute);
     const nodelang::Slot* whole = slot_named(lowering, of);
@@ -116,6 +116,8 @@ Part linear_slot(Lowering& lowering, const Attribute& attribute) {
     ir::LinearPart made = ir::linear_part(module, whole->function, *source.seed,
                                           {.componentwise = componentwise, .build = lowering.emitter.options()});
     if (!made.function) return not_linear(lowering, of, name, made);
+    made.function->name = slot.name;
+    made.function->comment = nodelang::first_sentence(slot.doc);
     const ir::FunctionId function = add_function(module, std::move(*made.function));
     if (const std::string other = componentwise ? "" : other_member_of(module, function, *source.seed); !other.empty())
         return {.why_not = fmt::format("what '{}' does with '{}' depends on '{}', too", of, name, other)};
@@ -254,7 +256,7 @@ const Part& part_of(Lowering& lowering, const FunctionDecl& slot) {
     const auto known = lowering.parts.find(slot.name);
     if (known != lowering.parts.end()) return known->second;
     Part made;
-    if (const Attribute* attribute = slot.attribute("part")) made = linear_slot(lowering, *attribute);
+    if (const Attribute* attribute = slot.attribute("part")) made = linear_slot(lowering, slot, *attribute);
     if (const Attribute* attribute = slot.attribute("without")) made = slot_without(lowering, *attribute);
     if (slot.attribute("pack")) made = pack_slot(lowering, slot);
     if (slot.attribute("unpack")) made = unpack_slot(lowering, slot);

@@ -102,6 +102,10 @@ ir::FunctionId lower_surface(Lowering& lowering, std::vector<const Input*>& memb
     const CheckedGraph& graph = *lowering.material.graph;
     ir::Function function{};
     function.name = "surface";
+    if (lowering.out.keeps_functions) {  // with others beside it, which take a `surface`
+        function.name = "get_surface";
+        function.comment = "What the graph says of the surface.";
+    }
     ir::Builder builder(module, function, lowering.emitter.options());
     GraphScope scope(lowering, graph, builder, false);
     scope.emit_nodes(pixel_nodes(graph));
@@ -135,7 +139,8 @@ ir::FunctionId lower_setup(Lowering& lowering, const FunctionDecl& slot, ir::Fun
     const CheckedGraph& workflow = *lowering.material.workflow;
     ir::Function function{};
     function.name = slot.name;
-    function.always_inline = true;
+    function.comment = nodelang::first_sentence(slot.doc);
+    function.always_inline = !lowering.out.keeps_functions;
     ir::Builder builder(module, function, lowering.emitter.options());
     GraphScope scope(lowering, workflow, builder, false);
     const Value inputs = builder.call(surface, {});

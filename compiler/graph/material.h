@@ -38,6 +38,15 @@ std::unique_ptr<Material> resolve_material(Session& session, std::shared_ptr<Gra
 // the material's, then what the passes bring. Reports what is wrong.
 std::vector<std::unique_ptr<Material>> resolve_passes(Session& session, Material& material);
 
+// A material as its file has it: itself, and the passes that it adds. `material` is null after errors that leave
+// nothing to go on with.
+struct MaterialFile {
+    std::unique_ptr<Material> material;
+    std::vector<std::unique_ptr<Material>> passes;
+};
+// Of text that is among the session's sources from `base` on (read_material.cpp).
+MaterialFile read_material(Session& session, std::uint32_t base, const std::string& path);
+
 // --- keywords: properties that are known before a shader runs (keywords.cpp)
 // Gives those from the property `first` on the values that the caller wants ("_DETAIL", "true"), and reports those that
 // they cannot have.

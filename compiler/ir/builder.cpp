@@ -229,6 +229,13 @@ Value Builder::extract(Value composite, std::uint32_t index) {
     return emit(Op::Extract, part_type(module_, type(composite), index), {composite}, index);
 }
 
+Value Builder::zero(Type type) {
+    if (type.is_numeric() && !type.is_matrix()) return splat_constant(type, 0);
+    std::vector<Value> parts;
+    for (std::uint32_t i = 0; i < part_count(module_, type); ++i) parts.push_back(zero(part_type(module_, type, i)));
+    return construct(type, parts);
+}
+
 Value Builder::splat(Value scalar, unsigned width) {
     return width == 1 ? scalar : construct(type(scalar).with_width(width), {&scalar, 1});
 }

@@ -50,6 +50,8 @@ public:
     Value splat_constant(Type type, double value);
     Value param(std::uint32_t index);
     Value extract(Value composite, std::uint32_t index);
+    // Every number in it 0.
+    Value zero(Type type);
     Value construct(Type type, std::span<const Value> parts) { return emit(Op::Construct, type, parts); }
     Value splat(Value scalar, unsigned width);
     Value swizzle(Value vector, std::span<const unsigned> components);

@@ -13,5 +13,8 @@ std::string verify(const Module& module);
 bool is_verifying();
 // Aborts with verify()'s text.
 void check(const Module& module, std::string_view stage);
+inline void check_if_verifying(const Module& module, std::string_view stage) {
+    if (is_verifying()) check(module, stage);
+}
 
 }  // namespace patina::ir

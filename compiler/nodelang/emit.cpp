@@ -147,14 +147,4 @@ Typed Emitter::make_cube(Value texture, Value sampler, Scope& scope) {
     return {.value = scope.builder->construct(bundle, std::array{texture, sampler}), .type = bundle};
 }
 
-Value Emitter::zero(Type type, Scope& scope) {
-    ir::Builder& b = *scope.builder;
-    if (type.is_numeric() && !type.is_matrix()) return b.splat_constant(type, 0);
-    std::vector<Value> parts;
-    for (std::uint32_t i = 0; i < ir::part_count(module_, type); ++i) {
-        parts.push_back(zero(ir::part_type(module_, type, i), scope));
-    }
-    return b.construct(type, parts);
-}
-
 }  // namespace patina::nodelang

@@ -58,6 +58,14 @@ public:
     virtual Typed file(const Expr& expr, Scope& scope) = 0;
     // True if a bare name is the environment's own (a node's id) and hides a constant of the library.
     virtual bool hides(std::string_view) const { return false; }
+    // Of the vertex stage: adds to a complaint who asks there for the value.
+    virtual void tell_reader(DiagnosticRecord&) const {}
+};
+
+// A port that is left open, whose default is emitted: where the call stands, and what is called.
+struct OpenPort {
+    Span call;
+    std::string_view function, port;
 };
 
 struct Local {
@@ -80,6 +88,7 @@ struct Scope {
     ir::Type result{};
     bool* needs_quad = nullptr;  // set when something needs neighbouring pixels
     std::string_view flow{};     // "if" or "for" when inside one
+    const OpenPort* open_port = nullptr;
     bool in_vertex_stage = false;
     double rounds_around = 1;  // of the loops that enclose what is emitted, multiplied
     double rounds = 0;         // of all loops so far, those of called functions included
@@ -225,10 +234,12 @@ private:
     Typed call_gathered(const FunctionDecl& function, const Declarations& home, std::span<const Expr* const> arguments,
                         std::vector<Argument>& gathered, Scope& scope, Span span, bool half);
     Typed choose(ir::Value chooser, std::span<const Typed> choices, Scope& scope);
-    Typed default_value(const Expr& expr, const Declarations& home, Scope& scope, ir::Type wanted);
+    Typed default_value(const Expr& expr, const Declarations& home, Scope& scope, ir::Type wanted,
+                        const OpenPort* port = nullptr);
     unsigned deduce_width(const FunctionDecl& function, std::span<const Argument> arguments);
     Typed call_slot(const FunctionDecl& function, const Expr& expr, Scope& scope);
-    void need_quad(Scope& scope, Span span, std::string_view what);
+    // `samples`: because it samples a texture; else because it is a derivative.
+    void need_quad(Scope& scope, Span span, std::string_view what, bool samples);
 
     // functions and statements (emit_function.cpp, emit_statement.cpp)
     const Instance& instantiate(const FunctionDecl& function, const Declarations& home,
@@ -245,7 +256,6 @@ private:
     void assign(const Stmt& stmt, Scope& scope);
     bool store(const Expr& target, Typed value, Scope& scope);
     ir::Value return_value(const Stmt* stmt, Scope& scope);
-    ir::Value zero(ir::Type type, Scope& scope);
     std::optional<double> static_value(const VariableDecl* variable) const;
     ir::FunctionId outer_function(const FunctionDecl& function, const Declarations& home, Environment& environment,
                                   Scope scope, bool may_take, bool* needs_quad);

@@ -28,10 +28,16 @@ public:
         return outer_.semantic(name, span, scope);
     }
     Typed file(const Expr& expr, Scope& scope) override { return outer_.file(expr, scope); }
+    void tell_reader(DiagnosticRecord& record) const override { outer_.tell_reader(record); }
 
 private:
     Environment& outer_;
 };
+
+bool takes_texture(const FunctionDecl& function) {
+    return std::any_of(function.params.begin(), function.params.end(),
+                       [](const ParamDecl& param) { return param.type.name.starts_with("Texture"); });
+}
 
 }  // namespace
 
@@ -116,7 +122,7 @@ Typed Emitter::call_gathered(const FunctionDecl& function, const Declarations& h
     if (function.attribute("inline")) return spelled_out(function, values, border, scope, span);
     const Instance& instance = instantiate(function, home, gathered, width, half, span);
     if (instance.result.is_error()) return {};
-    if (instance.needs_quad) need_quad(scope, span, function.name);
+    if (instance.needs_quad) need_quad(scope, span, function.name, takes_texture(function));
     if (instance.rounds > 0) count_rounds(instance.rounds, scope, span);
     return {.value = scope.builder->call(instance.id, values), .type = instance.result, .outputs = instance.outputs};
 }
@@ -176,7 +182,7 @@ Typed Emitter::spelled_out(const FunctionDecl& function, std::span<const Value> 
         diagnostics_.report(Code::MissingReturn, function.name_span, function.name);
         return {};
     }
-    if (needs_quad) need_quad(scope, span, function.name);
+    if (needs_quad) need_quad(scope, span, function.name, takes_texture(function));
     if (inner.rounds > 0) count_rounds(inner.rounds, scope, span);
     return {.value = returned, .type = inner.result};
 }
@@ -203,8 +209,9 @@ bool Emitter::gather_arguments(const FunctionDecl& function, const Declarations&
             argument.value = primary(expression(*given, scope), scope, given->span);
         } else {
             const bool generic = param.type.name == "floatN";
+            const OpenPort port{.call = span, .function = function.name, .port = param.name};
             argument.value =
-                default_value(*param.initial, home, scope, generic ? ir::kFloat : type(param.type, outside));
+                default_value(*param.initial, home, scope, generic ? ir::kFloat : type(param.type, outside), &port);
             if (generic) argument.value.literal = true;
         }
         good = good && (param.is_const || argument.value.ok());
@@ -273,12 +280,14 @@ Emitter::Argument Emitter::choosing_argument(const ParamDecl& param, const EnumD
     return {.value = value, .constant = choices[0], .choices = std::move(choices)};
 }
 
-Typed Emitter::default_value(const Expr& expr, const Declarations& home, Scope& scope, Type wanted) {
+Typed Emitter::default_value(const Expr& expr, const Declarations& home, Scope& scope, Type wanted,
+                             const OpenPort* port) {
     Scope outside{.builder = scope.builder, .declarations = &home, .half = scope.half};
     if (!scope.environment) return expression_as(expr, wanted, outside, "the default");
     DefaultEnvironment environment(*scope.environment);
     outside.environment = &environment;
     outside.in_vertex_stage = scope.in_vertex_stage;
+    outside.open_port = scope.open_port ? scope.open_port : port;
     return convert(primary(expression(expr, outside), outside, expr.span), wanted, outside, expr.span, "the default");
 }
 

@@ -109,7 +109,7 @@ Emitter::Instance Emitter::emit_function(const FunctionDecl& function, const Dec
         if (param.is_out) {
             outputs.names.emplace_back(param.name);
             members.push_back({std::string(param.name), param_type});
-            local.value = {.value = zero(param_type, scope), .type = param_type};
+            local.value = {.value = scope.builder->zero(param_type), .type = param_type};
         } else if (param.is_const) {
             local.constant = arguments[i].constant;
             local.value = {.value = builder.constant(param_type, {*local.constant}), .type = param_type};
@@ -134,7 +134,7 @@ Emitter::Instance Emitter::emit_function(const FunctionDecl& function, const Dec
     if (const Attribute* foreign = function.attribute("foreign")) {
         made.linkage = ir::Linkage::Foreign;
         made.spelling = attribute_text(*foreign);
-        builder.ret(zero(made.result, scope));
+        builder.ret(builder.zero(made.result));
         module_.functions.push_back(std::move(made));
         instance.id = {static_cast<std::uint32_t>(module_.functions.size() - 1)};
         return instance;

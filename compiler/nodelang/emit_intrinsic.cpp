@@ -105,12 +105,13 @@ std::vector<std::string_view> intrinsic_names() {
     return names;
 }
 
-void Emitter::need_quad(Scope& scope, Span span, std::string_view what) {
+void Emitter::need_quad(Scope& scope, Span span, std::string_view what, bool samples) {
     if (scope.in_vertex_stage) {
-        const bool is_node = !diagnostics_.context_node().empty();
-        const std::string_view own = scope.function ? scope.function->name : std::string_view();
-        diagnostics_.report(Code::WrongStage, span, what, is_node ? diagnostics_.context_node() : own)
-            .note("vertices have no neighbouring pixels; a texture can be sampled at a level there (SampleLevel)");
+        DiagnosticRecord& record = diagnostics_.report(Code::WrongStage, span, what);
+        record.note(samples ? "at vertices a texture is sampled at a level that is given: by SampleLevel, or by a node "
+                              "that takes a level"
+                            : "vertices have no neighbours to be compared with");
+        if (scope.environment) scope.environment->tell_reader(record);
     } else if (!scope.flow.empty()) {
         diagnostics_.report(Code::DerivativeInFlow, span, what, scope.flow)
             .note("compute it before, or sample with SampleLevel or SampleGrad");
@@ -211,7 +212,7 @@ Typed Emitter::intrinsic(std::string_view name, const Expr& expr, Scope& scope, 
         operands[2] = convert(operands[2], Type::scalar_of(type.scalar), scope, expr.args[2]->span, "the ratio");
         if (!operands[2].ok()) return {};
     }
-    if (row->takes == Takes::Pixels) need_quad(scope, expr.span, name);
+    if (row->takes == Takes::Pixels) need_quad(scope, expr.span, name, false);
     std::vector<Value> values;
     for (const Typed& operand : operands) values.push_back(operand.value);
     const ir::TypeRule rule = ir::info(row->op).rule;
@@ -351,7 +352,7 @@ Typed Emitter::method(const Expr& expr, Scope& scope) {
         if (!value.ok()) return {};
         operands.push_back(value.value);
     }
-    if (ir::has(row->op, ir::Derivative)) need_quad(scope, expr.span, expr.text);
+    if (ir::has(row->op, ir::Derivative)) need_quad(scope, expr.span, expr.text, true);
     const Type result = row->op == Op::TextureSize ? Type::vector(Scalar::Int, 2) : ir::kFloat4;
     return {.value = b.emit(row->op, result, operands), .type = result};
 }

@@ -126,7 +126,7 @@ void Emitter::declare(const Stmt& stmt, Scope& scope) {
     if (clash) diagnostics_.report(Code::Redefinition, stmt.name_span, stmt.name);
     if (!wanted.is_error()) {
         if (!stmt.value) {
-            local.value = {.value = zero(wanted, scope), .type = wanted};
+            local.value = {.value = scope.builder->zero(wanted), .type = wanted};
         } else if (wanted.kind == ir::Kind::Array && stmt.value->kind == Expr::Kind::List) {
             const ir::Array array = module_.arrays[wanted.ref];
             std::vector<Value> elements;

@@ -5,11 +5,11 @@
 [slot]
 LightingSurface lighting_surface();
 
-/// The lighting graph for one light.
+/// What one light adds, as the lighting graph says.
 [slot]
 float3 direct(LightingSurface surface, [per_light] Light light);
 
-/// The lighting graph for all light that comes from no single light.
+/// What all light adds that comes from no single light, as the lighting graph says.
 [slot]
 float3 indirect(LightingSurface surface) {
     return float3(0);
@@ -28,8 +28,9 @@ float3 added(LightingSurface surface, LightSum sum);
 /// `added`, of the light that is alone in the list.
 [inline]
 float3 added_by_light(LightingSurface surface, float3 position) {
+    float3 from_light = direct(surface, light_at(0, position));
     LightSum one;
-    one.direct = direct(surface, light_at(0, position));
+    one.direct = from_light;
     return added(surface, one);
 }
 

@@ -36,11 +36,11 @@ float smoothness(LightingSurface surface) {
 /// The surface as it is lit: a transparent one scatters light only as far as it covers what is behind it, and still
 /// mirrors as if it were whole.
 [inline]
-LightingSurface as_lit(LightingSurface surface) {
-    LightingSurface lit = surface;
+LightingSurface as_lit(LightingSurface whole) {
+    LightingSurface surface = whole;
     if (premultiplied) {
-        lit.diffuseColor = PremultiplyAlpha(surface.diffuseColor, surface.alpha, surface.oneMinusReflectivity).out;
-        lit.alpha = PremultiplyAlpha(surface.diffuseColor, surface.alpha, surface.oneMinusReflectivity).out_alpha;
+        surface.diffuseColor = PremultiplyAlpha(whole.diffuseColor, whole.alpha, whole.oneMinusReflectivity).out;
+        surface.alpha = PremultiplyAlpha(whole.diffuseColor, whole.alpha, whole.oneMinusReflectivity).out_alpha;
     }
-    return lit;
+    return surface;
 }

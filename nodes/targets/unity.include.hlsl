@@ -6,6 +6,36 @@
 #define UNITY_TRANSFER_LIGHTING(o, uv) UNITY_TRANSFER_SHADOW(o, uv)
 #endif
 
+// A level of a texture that the shader chooses: with a sampler beside the texture, or in it.
+#if defined(UNITY_SEPARATE_TEXTURE_SAMPLER) || defined(UNITY_COMPILER_HLSLCC) || defined(SHADER_API_D3D11) || \
+    defined(SHADER_API_XBOXONE) || defined(SHADER_API_PSSL)
+#define SAMPLE_TEX2D_LOD(tex, coord, level) tex.SampleLevel(sampler##tex, coord, level)
+#define SAMPLE_TEX2D_SAMPLER_LOD(tex, samplertex, coord, level) tex.SampleLevel(sampler##samplertex, coord, level)
+#else
+#define SAMPLE_TEX2D_LOD(tex, coord, level) tex2Dlod(tex, float4(coord, 0, level))
+#define SAMPLE_TEX2D_SAMPLER_LOD(tex, samplertex, coord, level) tex2Dlod(tex, float4(coord, 0, level))
+#endif
+
+// A level that is so much above the texture's own.
+#if defined(UNITY_SEPARATE_TEXTURE_SAMPLER) || defined(UNITY_COMPILER_HLSLCC) || defined(SHADER_API_D3D11) || \
+    defined(SHADER_API_XBOXONE) || defined(SHADER_API_PSSL)
+#define SAMPLE_TEX2D_BIAS(tex, coord, bias) tex.SampleBias(sampler##tex, coord, bias)
+#define SAMPLE_TEX2D_SAMPLER_BIAS(tex, samplertex, coord, bias) tex.SampleBias(sampler##samplertex, coord, bias)
+#else
+#define SAMPLE_TEX2D_BIAS(tex, coord, bias) tex2Dbias(tex, float4(coord, 0, bias))
+#define SAMPLE_TEX2D_SAMPLER_BIAS(tex, samplertex, coord, bias) tex2Dbias(tex, float4(coord, 0, bias))
+#endif
+
+// The level that belongs to these steps from pixel to pixel.
+#if defined(UNITY_SEPARATE_TEXTURE_SAMPLER) || defined(UNITY_COMPILER_HLSLCC) || defined(SHADER_API_D3D11) || \
+    defined(SHADER_API_XBOXONE) || defined(SHADER_API_PSSL)
+#define SAMPLE_TEX2D_GRAD(tex, coord, dx, dy) tex.SampleGrad(sampler##tex, coord, dx, dy)
+#define SAMPLE_TEX2D_SAMPLER_GRAD(tex, samplertex, coord, dx, dy) tex.SampleGrad(sampler##samplertex, coord, dx, dy)
+#else
+#define SAMPLE_TEX2D_GRAD(tex, coord, dx, dy) tex2Dgrad(tex, coord, dx, dy)
+#define SAMPLE_TEX2D_SAMPLER_GRAD(tex, samplertex, coord, dx, dy) tex2Dgrad(tex, coord, dx, dy)
+#endif
+
 // In a project of gamma space colours come encoded; lighting is computed in linear light all the same.
 half3 LinearColor(half3 color)
 {
@@ -29,9 +59,9 @@ half3 ProjectColor(half3 color)
 }
 
 // A normal map's texel as it was painted, however Unity has packed it.
-half4 NormalTexel(half4 packed)
+half4 NormalTexel(half4 texel)
 {
-    return half4(UnpackNormal(packed) * 0.5 + 0.5, 1);
+    return half4(UnpackNormal(texel) * 0.5 + 0.5, 1);
 }
 
 // 0 directional, 1 point, 2 spot
@@ -108,8 +138,9 @@ half MixedShadow(float3 position, half attenuation, float4 ambient)
 }
 
 // Light of the reflection probes from a direction, blurred as a surface of that perceptual roughness mirrors it.
-half3 ReflectedLight(half3 direction, half roughness, float3 position)
+half3 ReflectedLight(half3 direction, half roughness, float3 position, bool reads_probes)
 {
+    if (!reads_probes) return 0;
     Unity_GlossyEnvironmentData environment;
     UNITY_INITIALIZE_OUTPUT(Unity_GlossyEnvironmentData, environment);
     environment.roughness = roughness;
@@ -117,13 +148,13 @@ half3 ReflectedLight(half3 direction, half roughness, float3 position)
     return LinearColor(UnityGI_IndirectSpecular(GIInput(position, 1, 0), 1, environment));
 }
 
-// None, where Unity adds reflections to the G-buffer afterwards.
-half3 ReflectedLightOfBuffer(half3 direction, half roughness, float3 position)
+// Whether reflections go into the G-buffer with the rest: not where Unity adds them afterwards.
+bool BufferReadsProbes()
 {
 #if UNITY_ENABLE_REFLECTION_BUFFERS
-    return 0;
+    return false;
 #else
-    return ReflectedLight(direction, roughness, position);
+    return true;
 #endif
 }
 
@@ -143,7 +174,7 @@ half4 BakedShadows(float4 ambient, float3 position)
 }
 
 // What has been drawn before, at a place of the screen that is counted from the lower left.
-UNITY_DECLARE_TEX2D(_BackgroundTexture);
+sampler2D _BackgroundTexture;
 half3 BackgroundColor(float2 uv)
 {
 #if UNITY_UV_STARTS_AT_TOP
@@ -151,7 +182,7 @@ half3 BackgroundColor(float2 uv)
 #else
     if (_ProjectionParams.x < 0) uv.y = 1 - uv.y;
 #endif
-    return LinearColor(_BackgroundTexture.SampleLevel(sampler_BackgroundTexture, uv, 0).rgb);
+    return LinearColor(tex2Dlod(_BackgroundTexture, float4(uv, 0, 0)).rgb);
 }
 
 // Its distance along the camera's axis.

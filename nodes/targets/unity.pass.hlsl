@@ -43,7 +43,8 @@ float4 unity_tangent(float4 tangent = tangent_os) {
 
 [gives("view_dir_ws")]
 float3 unity_view_dir(float3 position = position_ws) {
-    return normalize(lerp(UnityWorldSpaceViewDir(position), unity_camera_backward, unity_is_orthographic));
+    float3 to_viewer = lerp(UnityWorldSpaceViewDir(position), unity_camera_backward, unity_is_orthographic);
+    return normalize(to_viewer);
 }
 
 // Where the pixel is on the screen. The origin is Unity's, the lower left.
@@ -69,7 +70,7 @@ float2 unity_uv_of_tangent(float2 tangent) {
 
 /// What is read of textures and colours goes through these.
 [decodes("color")] [foreign] float3 LinearColor(float3 color);
-[decodes("normal")] [foreign] float4 NormalTexel(float4 packed);
+[decodes("normal")] [foreign] float4 NormalTexel(float4 texel);
 /// A linear colour as the project keeps it.
 [foreign] float3 ProjectColor(float3 color);
 
@@ -87,27 +88,39 @@ float3 LightColor();
 [text("interpolators", "UNITY_LIGHTING_COORDS({}, {})")]
 [text("vertex end", "UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);")]
 float Attenuation(float3 position);
+[foreign("UNITY_LIGHT_ATTENUATION({result}, i, {0})")]
+[text("pragma", "multi_compile_fwdbase")] [text("include", "AutoLight.cginc")]
+[text("interpolators", "UNITY_LIGHTING_COORDS({}, {})")]
+[text("vertex end", "UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);")]
+float MainAttenuation(float3 position);
 
 /// Light of what is not computed per pixel: at the vertices in rgb, or where the lightmaps are read.
 [foreign("AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, {0}, {1})")]
 [text("include", "UnityPBSLighting.cginc")]
 float4 AmbientOrLightmapUV(float3 position, float3 normal);
 
-[foreign] [text("pragma", "multi_compile_fwdbase")] [text("include", "UnityPBSLighting.cginc")]
-float3 AmbientLight(float3 normal, float3 position, float attenuation, float4 ambient_or_lightmap_uv);
-[foreign("AmbientLight({0}, {1}, 1, {2})")] [text("include", "UnityPBSLighting.cginc")]
-float3 AmbientLightOfBuffer(float3 normal, float3 position, float4 ambient_or_lightmap_uv);
-[foreign] [text("pragma", "multi_compile_fwdbase")] [text("include", "UnityPBSLighting.cginc")]
-float MixedShadow(float3 position, float attenuation, float4 ambient_or_lightmap_uv);
-[foreign] [text("pragma", "multi_compile_fwdbase")] [text("include", "UnityPBSLighting.cginc")]
-float3 ReflectedLight(float3 direction, float roughness, float3 position);
 [foreign] [text("include", "UnityPBSLighting.cginc")]
-float3 ReflectedLightOfBuffer(float3 direction, float roughness, float3 position);
+float3 AmbientLight(float3 normal, float3 position, float attenuation, float4 ambient_or_lightmap_uv);
+[foreign] [text("include", "UnityPBSLighting.cginc")]
+float MixedShadow(float3 position, float attenuation, float4 ambient_or_lightmap_uv);
+[foreign] [text("include", "UnityPBSLighting.cginc")]
+float3 ReflectedLight(float3 direction, float roughness, float3 position, bool reads_probes);
+[foreign] bool BufferReadsProbes();
 
 [semantic("pixel")]
 float attenuation(float3 position = position_ws) {
     return Attenuation(position);
 }
+[gives("attenuation", "unity-forward-base")]
+float unity_main_attenuation(float3 position = position_ws) {
+    return MainAttenuation(position);
+}
+/// Lights are added to the G-buffer later, with their shadows.
+[gives("attenuation", "unity-deferred")]
+float unity_no_attenuation() {
+    return 1;
+}
+
 [semantic("vertex")]
 float4 ambient_or_lightmap_uv(float3 position = position_ws, float3 normal = vertex_normal_ws) {
     return AmbientOrLightmapUV(position, normal);
@@ -140,24 +153,25 @@ Light unity_further_light(int index, float3 position, float left = attenuation) 
     return light;
 }
 
-[gives("AmbientIrradiance", "unity-forward-base")]
+[gives("AmbientIrradiance", "unity-forward-base", "unity-deferred")]
 float3 unity_ambient(float3 normal, float3 position = position_ws, float left = attenuation,
                      float4 ambient = ambient_or_lightmap_uv) {
     return AmbientLight(normal, position, left, ambient);
 }
-[gives("AmbientIrradiance", "unity-deferred")]
-float3 unity_ambient_of_buffer(float3 normal, float3 position = position_ws, float4 ambient = ambient_or_lightmap_uv) {
-    return AmbientLightOfBuffer(normal, position, ambient);
+
+[gives("EnvironmentRadiance", "unity-forward-base", "unity-deferred")]
+float3 unity_reflection(float3 direction, float roughness, float3 position = position_ws, bool probes = reads_probes) {
+    return ReflectedLight(direction, roughness, position, probes);
 }
 
-[gives("EnvironmentRadiance", "unity-forward-base")]
-float3 unity_reflection(float3 direction, float roughness, float3 position = position_ws) {
-    return ReflectedLight(direction, roughness, position);
+[semantic("pixel")]
+bool reads_probes() {
+    return true;
 }
-/// Unity adds reflections to its G-buffer later, where the project says so.
-[gives("EnvironmentRadiance", "unity-deferred")]
-float3 unity_reflection_of_buffer(float3 direction, float roughness, float3 position = position_ws) {
-    return ReflectedLightOfBuffer(direction, roughness, position);
+/// Whether reflections come from the probes in this pass: to the G-buffer Unity adds them later, where the project says so.
+[gives("reads_probes", "unity-deferred")]
+bool unity_buffer_reads_probes() {
+    return BufferReadsProbes();
 }
 
 /// Unity has no table of the split sum. This is a fit of it, by quotients of polynomials: least squares on a grid of 22
@@ -236,14 +250,16 @@ float4 unity_vertex(float3 position = position_os) {
 [blend("transparent", "one", "one_minus_src_alpha")] [blend("additive", "one", "one", "zero", "one")]
 [blend("multiply", "dst_color", "zero", "zero", "one")]
 float4 unity_forward_base(float3 position = position_ws) {
-    LightingSurface lit = as_lit(lighting_surface());
+    LightingSurface surface = as_lit(lighting_surface());
     if (alpha_clip) {
-        discard_if(lit.alpha < lit.alphaClip);
+        discard_if(surface.alpha < surface.alphaClip);
     }
+    float3 from_light = direct(surface, light_at(0, position));
+    float3 from_around = indirect(surface);
     LightSum sum;
-    sum.direct = direct(lit, light_at(0, position));
-    sum.indirect = indirect(lit);
-    return unity_pixel(final(lit, sum), lit.alpha);
+    sum.direct = from_light;
+    sum.indirect = from_around;
+    return unity_pixel(final(surface, sum), surface.alpha);
 }
 
 [pass("unity-forward-add")] [fragment] [each("light")] [lights("further")] [needs("added", "direct")]
@@ -253,12 +269,12 @@ float4 unity_forward_base(float3 position = position_ws) {
 [blend("opaque", "one", "one", "zero", "one")] [blend("cutout", "one", "one", "zero", "one")]
 [blend("fade", "src_alpha", "one", "zero", "one")] [blend("transparent", "one", "one", "zero", "one")]
 float4 unity_forward_add(float3 position = position_ws) {
-    LightingSurface lit = as_lit(lighting_surface());
+    LightingSurface surface = as_lit(lighting_surface());
     if (alpha_clip) {
-        discard_if(lit.alpha < lit.alphaClip);
+        discard_if(surface.alpha < surface.alphaClip);
     }
-    float3 color = added_by_light(lit, position);
-    return InFog(float4(ProjectColor(color), fades ? lit.alpha : 0), float4(0));
+    float3 color = added_by_light(surface, position);
+    return InFog(float4(ProjectColor(color), fades ? surface.alpha : 0), float4(0));
 }
 
 [pass("unity-shadow-caster")] [vertex]
@@ -278,8 +294,8 @@ void unity_caster_vertex() {
 [depth("lessEqual", "write")] [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
 void unity_caster() {
     if (alpha_clip) {
-        LightingSurface lit = lighting_surface();
-        discard_if(lit.alpha < lit.alphaClip);
+        LightingSurface surface = lighting_surface();
+        discard_if(surface.alpha < surface.alphaClip);
     }
 }
 
@@ -306,17 +322,18 @@ float4 BakedShadows(float4 ambient_or_lightmap_uv, float3 position);
 [text("include", "UnityCG.cginc")]
 [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
 UnityTargets unity_deferred(float3 position = position_ws, float4 ambient = ambient_or_lightmap_uv) {
-    LightingSurface lit = lighting_surface();
+    LightingSurface surface = lighting_surface();
     if (alpha_clip) {
-        discard_if(lit.alpha < lit.alphaClip);
+        discard_if(surface.alpha < surface.alphaClip);
     }
+    float3 from_around = indirect(surface);
     LightSum sum;
-    sum.indirect = indirect(lit);
+    sum.indirect = from_around;
     UnityTargets made;
-    made.diffuse = float4(ProjectColor(lit.diffuseColor), lit.occlusion);
-    made.specular = float4(ProjectColor(lit.f0), lit.smoothness);
-    made.normal = float4(0.5 + 0.5 * lit.normal_ws, 1);
-    made.light = float4(StoredLight(ProjectColor(final(lit, sum))), 1);
+    made.diffuse = float4(ProjectColor(surface.diffuseColor), surface.occlusion);
+    made.specular = float4(ProjectColor(surface.f0), surface.smoothness);
+    made.normal = float4(0.5 + 0.5 * surface.normal_ws, 1);
+    made.light = float4(StoredLight(ProjectColor(final(surface, sum))), 1);
     made.shadow_mask = BakedShadows(ambient, position);
     return made;
 }

@@ -18,16 +18,18 @@ namespace {
 class RandomModule {
 public:
     explicit RandomModule(unsigned seed) : random_(seed) {
-        module.structs.push_back({"Triple", {{"a", kFloat}, {"b", kFloat}, {"c", kFloat}}});
-        for (int k = 0; k < 4; k++) {
+        for (std::uint32_t k = 0; k < 4; k++) {
+            module.structs.push_back({"Triple", {{"a", kFloat}, {"b", kFloat}, {"c", kFloat}}});
             const bool returns_struct = k < 3 && pick(2) == 0;
             std::vector<Param> params(1 + pick(3), kX);
-            const Type result = returns_struct ? Type::structure(0) : kFloat;
+            const Type result = returns_struct ? Type::structure(k) : kFloat;
+            if (k < 3 && k > 0 && pick(2) == 0) params.push_back({"t", Type::structure(k - 1), Rate::Pixel});
             const FunctionId made = add(
                 module, "f" + std::to_string(k), params, result,
                 [&](Builder& b) {
                     visible_.clear();
-                    for (std::uint32_t i = 0; i < params.size(); i++) visible_.push_back(b.param(i));
+                    for (std::uint32_t i = 0; i < params.size(); i++)
+                        visible_.push_back(params[i].type == kFloat ? b.param(i) : b.extract(b.param(i), pick(3)));
                     statements(b, 6, 0);
                     if (!returns_struct) return any();
                     const std::vector<Value> parts = {any(), any(), any()};
@@ -120,9 +122,14 @@ private:
     void call(Builder& b) {
         const FunctionId callee = callable_[pick(static_cast<std::uint32_t>(callable_.size()))];
         std::vector<Value> args;
-        for (std::size_t i = 0; i < module[callee].params.size(); i++) args.push_back(any());
-        const Value made = b.call(callee, args);
-        visible_.push_back(b.type(made) == kFloat ? made : b.extract(made, pick(3)));
+        for (const Param& param : module[callee].params) {
+            const std::vector<Value> parts = {any(), any(), any()};
+            args.push_back(param.type == kFloat ? parts[0] : b.construct(param.type, parts));
+        }
+        Value made = b.call(callee, args);
+        if (b.type(made) == kFloat) return visible_.push_back(made);
+        if (pick(2) == 0) made = b.emit(Op::Insert, b.type(made), {made, any()}, pick(3));
+        visible_.push_back(b.extract(made, pick(3)));
     }
 
     std::mt19937 random_;
@@ -147,6 +154,11 @@ std::vector<std::uint32_t> inputs_of(const Module& module) {
     return used;
 }
 
+Module drop_members_of_entry(Module module) {
+    const FunctionId entry = module.stage.entry;
+    return drop_members(std::move(module), std::span(&entry, 1), {});
+}
+
 struct NamedPass {
     const char* name;
     Module (*run)(Module);
@@ -155,6 +167,7 @@ constexpr NamedPass kPasses[] = {{"prune", prune},
                                  {"specialise", specialise},
                                  {"inline_calls", inline_calls},
                                  {"schedule", schedule},
+                                 {"drop_members", drop_members_of_entry},
                                  {"tidy", tidy}};
 
 TEST(Passes, KeepTheMeaningOfRandomModules) {

@@ -64,20 +64,16 @@ bool is_uniform(const std::string& line, const Reflection& reflection) {
     return false;
 }
 
-std::string preamble(const Reflection& reflection, const std::vector<std::string>& keywords) {
+std::string preamble(const Reflection& reflection, const std::vector<std::string>& keywords, Values values) {
     std::string text;
     for (const std::string& keyword : keywords) text += "#define " + keyword + " 1\n";
+    if (values == Values::OfRuntime) text += "#define STAND_IN_REGISTERS\n";
     for (const Block& block : reflection.blocks) {
+        if (block.is_material && values == Values::OfFile) continue;
         text += declared(block);
         for (const BlockMember& member : block.members) {
             if (member.name == "object_to_world" && member.array_count > 0) text += "#define STAND_IN_INSTANCES\n";
         }
-    }
-    int target = 8;
-    for (const char* name : {"_BackgroundTexture", "_CameraDepthTexture"}) {
-        text += fmt::format(
-            "#define REGISTER_{0} register(t{1}, space2)\n#define REGISTER_sampler{0} register(s{1}, space2)\n", name,
-            target++);
     }
     for (const Texture& texture : reflection.textures) {
         if (texture.is_material) {
@@ -132,18 +128,19 @@ ShaderLab taken_apart(const std::string& text) {
     return made;
 }
 
-Shader stage(const LabPass& pass, const Reflection& reflection, Stage stage, const std::vector<std::string>& keywords) {
+Shader stage(const LabPass& pass, const Reflection& reflection, Stage stage, const std::vector<std::string>& keywords,
+             Values values) {
     std::set<std::string> seen;
     std::string program;
     for (const std::string& line : lines_of(pass.program)) {
-        if (!is_uniform(line, reflection)) program += line + "\n";
+        if (values == Values::OfFile || !is_uniform(line, reflection)) program += line + "\n";
     }
     // Unity includes these two by itself. Colours of the material are handed over as the project keeps them.
-    std::string text = preamble(reflection, keywords) +
+    std::string text = preamble(reflection, keywords, values) +
                        with_includes("#include \"HLSLSupport.cginc\"\n#include \"UnityShaderVariables.cginc\"", seen);
     for (const Property& property : reflection.properties) {
         const bool is_decoded = pass.program.find("LinearColor(" + property.identifier + ")") != std::string::npos;
-        if (property.type == "color" && is_decoded)
+        if (property.type == "color" && is_decoded && values == Values::OfRuntime)
             text += fmt::format("#define {0} handed_over({0})\n", property.identifier);
     }
     text += fmt::format("#define {} main\n", stage == Stage::Vertex ? "vert" : "frag");

@@ -25,9 +25,13 @@ struct ShaderLab {
 };
 ShaderLab taken_apart(const std::string& text);
 
+// What a material's properties are: the runtime's blocks and registers, so that it can draw; or what the file declares.
+enum class Values { OfRuntime, OfFile };
+
 // One stage as HLSL with `main`. `reflection`: of the same material for a path of the runtime, with its blocks and
 // textures. `keywords`: what Unity would define.
-Shader stage(const LabPass& pass, const Reflection& reflection, Stage stage, const std::vector<std::string>& keywords);
+Shader stage(const LabPass& pass, const Reflection& reflection, Stage stage, const std::vector<std::string>& keywords,
+             Values values = Values::OfRuntime);
 
 // What appdata_full is read from, where a runtime draws the pass.
 std::vector<VertexInput> appdata_full();

@@ -16,8 +16,12 @@ struct Validated {
     std::string log;  // glslang's and spirv-val's own words
 };
 
+// How HLSL says `sampler2D`: not at all, or as DirectX 9 did, a texture and its sampler in one. With those the bindings
+// that the text leaves open are glslang's choice.
+enum class HlslSamplers { Separate, Combined };
+
 // Thread-safe.
-Validated validate(const Shader& shader);
+Validated validate(const Shader& shader, HlslSamplers samplers = HlslSamplers::Separate);
 
 // What `spirv-opt -O` makes of it; empty if it is not valid.
 std::vector<std::uint32_t> optimised(const std::vector<std::uint32_t>& spirv);

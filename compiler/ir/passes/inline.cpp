@@ -52,7 +52,9 @@ Callee describe(const Module& module, const Function& function) {
                                           [&](const Param& p) { return holds_opaque(module, p.type); });
     const auto work =
         std::count_if(function.insts.begin(), function.insts.end(), [](const Inst& i) { return is_work(i.op); });
-    const bool is_wanted = function.always_inline || takes_opaque || work <= kSmall;
+    // Making a struct takes a line for each of its members: once is enough, where the text is shared.
+    const bool is_shared = function.linkage == Linkage::Exported && function.result.kind == Kind::Struct;
+    const bool is_wanted = function.always_inline || takes_opaque || (work <= kSmall && !is_shared);
     return {.always = is_wanted && !ir::is_elsewhere(function), .nesting = nesting_of(function), .verdicts = {}};
 }
 

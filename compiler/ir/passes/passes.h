@@ -6,6 +6,8 @@
 //   Module small = tidy(std::move(linked));
 #pragma once
 
+#include <span>
+
 #include "compiler/ir/ir.h"
 
 namespace patina::ir {
@@ -39,6 +41,12 @@ Module legalize_discard(Module module);
 Module branch_on_keywords(Module module);
 // By value: 1 if it is made of keywords and constants by nothing but comparisons and logic.
 std::vector<std::uint8_t> keyword_values(const Module& module, const Function& function);
+
+// Drops members of structs that nothing reads of what is reached, in every function alike, and what was computed for
+// them alone. `entries` return what somebody else reads; `called` are called by whoever links them. What functions that
+// are defined elsewhere take and return stays whole, too. For stages that share their functions' text: what one of them
+// reads, all have. Not part of tidy().
+Module drop_members(Module module, std::span<const FunctionId> entries, std::span<const FunctionId> called);
 
 // The passes of passes.def in order, verified after each in debug builds.
 Module tidy(Module module);

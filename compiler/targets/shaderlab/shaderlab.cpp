@@ -29,20 +29,34 @@ std::string decoded(std::string_view decoder, std::string text) {
     return decoder.empty() ? text : fmt::format("{}({})", decoder, text);
 }
 
+// How a texture is read: by a macro, behind whose name stands "_SAMPLER" where the sampler is another texture's. Unity
+// has none for explicit levels, biases and gradients in 2017: they are the file's own.
+struct Reading {
+    Op op;
+    std::string_view prefix, suffix;
+};
+constexpr Reading kReadings[] = {{Op::Sample, "UNITY_", ""},
+                                 {Op::SampleBias, "", "_BIAS"},
+                                 {Op::SampleLevel, "", "_LOD"},
+                                 {Op::SampleGrad, "", "_GRAD"}};
+
+std::string read_texture(const Body& body, Value v, const Reading& reading) {
+    const std::string name = body.argument(v, 0), sampler = body.argument(v, 1);
+    const std::string_view own = texture_of(sampler);
+    if (own == name)
+        return fmt::format("{}SAMPLE_TEX2D{}({}, {})", reading.prefix, reading.suffix, name, body.arguments(v, 2));
+    return fmt::format("{}SAMPLE_TEX2D_SAMPLER{}({}, {}, {})", reading.prefix, reading.suffix, name, own,
+                       body.arguments(v, 2));
+}
+
 Text expression(const Body& body, Value v) {
     const Value texture = body.arg(v, 0);
-    const std::string name = body.argument(v, 0);
     const std::string_view decoder =
         body[texture].op == Op::Global ? std::string_view(body.module().globals[body[texture].data].decoder) : "";
-    std::string text;
-    if (body[v].op == Op::Sample) {
-        const std::string sampler = body.argument(v, 1);
-        const std::string_view own = texture_of(sampler);
-        text = own == name ? fmt::format("UNITY_SAMPLE_TEX2D({}, {})", name, body.argument(v, 2))
-                           : fmt::format("UNITY_SAMPLE_TEX2D_SAMPLER({}, {}, {})", name, own, body.argument(v, 2));
-    } else {
-        text = hlsl::language().expression(body, v).text;
-    }
+    const auto* const reading = std::find_if(std::begin(kReadings), std::end(kReadings),
+                                             [&](const Reading& each) { return each.op == body[v].op; });
+    std::string text = reading == std::end(kReadings) ? hlsl::language().expression(body, v).text
+                                                      : read_texture(body, v, *reading);
     return {decoded(decoder, std::move(text)), Precedence::Postfix};
 }
 

@@ -122,11 +122,13 @@ constexpr std::string_view kAroundGlsl =
     "#extension GL_EXT_samplerless_texture_functions : enable\n";
 constexpr std::string_view kEmptyMain = "\nvoid main() {}\n";
 
-bool compile(const Shader& shader, Validated& result) {
+bool compile(const Shader& shader, HlslSamplers samplers, Validated& result) {
     const EShLanguage stage = shader.stage == Stage::Vertex ? EShLangVertex : EShLangFragment;
     const bool is_hlsl = shader.target == Target::Hlsl;
     auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
     if (is_hlsl) messages = static_cast<EShMessages>(messages | EShMsgReadHlsl | EShMsgHlslLegalization);
+    const bool is_combined = is_hlsl && samplers == HlslSamplers::Combined;
+    if (is_combined) messages = static_cast<EShMessages>(messages | EShMsgHlslDX9Compatible);
 
     glslang::TShader unit(stage);
     // Functions stand in the smallest shader.
@@ -146,6 +148,7 @@ bool compile(const Shader& shader, Validated& result) {
     unit.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_3);
     unit.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_6);
     if (is_hlsl) shift_bindings(unit, shader.hlsl_shifts);
+    if (is_combined) unit.setAutoMapBindings(true);
 
     glslang::TProgram program;
     bool ok = unit.parse(GetDefaultResources(), 450, false, messages);
@@ -184,10 +187,10 @@ bool check_spirv(const Shader& shader, Validated& result) {
 
 }  // namespace
 
-Validated validate(const Shader& shader) {
+Validated validate(const Shader& shader, HlslSamplers samplers) {
     initialise_glslang();
     Validated result;
-    result.ok = compile(shader, result) && check_spirv(shader, result);
+    result.ok = compile(shader, samplers, result) && check_spirv(shader, result);
     return result;
 }
 

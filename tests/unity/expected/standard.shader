@@ -134,8 +134,9 @@ Shader "Patina/Standard"
     }
 
     // Light of the reflection probes from a direction, blurred as a surface of that perceptual roughness mirrors it.
-    half3 ReflectedLight(half3 direction, half roughness, float3 position)
+    half3 ReflectedLight(half3 direction, half roughness, float3 position, bool reads_probes)
     {
+        if (!reads_probes) return 0;
         Unity_GlossyEnvironmentData environment;
         UNITY_INITIALIZE_OUTPUT(Unity_GlossyEnvironmentData, environment);
         environment.roughness = roughness;
@@ -143,13 +144,13 @@ Shader "Patina/Standard"
         return LinearColor(UnityGI_IndirectSpecular(GIInput(position, 1, 0), 1, environment));
     }
 
-    // None, where Unity adds reflections to the G-buffer afterwards.
-    half3 ReflectedLightOfBuffer(half3 direction, half roughness, float3 position)
+    // Whether reflections go into the G-buffer with the rest: not where Unity adds them afterwards.
+    bool BufferReadsProbes()
     {
     #if UNITY_ENABLE_REFLECTION_BUFFERS
-        return 0;
+        return false;
     #else
-        return ReflectedLight(direction, roughness, position);
+        return true;
     #endif
     }
 
@@ -168,6 +169,25 @@ Shader "Patina/Standard"
         return UnityGetRawBakedOcclusions(ambient.xy, position);
     }
 
+    struct LightingSurface
+    {
+        float3 diffuseColor;
+        float3 f0;
+        float oneMinusReflectivity;
+        float roughness;
+        float3 normal_ws;
+        float occlusion;
+        float3 emission;
+    };
+
+    struct Light
+    {
+        float3 direction;
+        float3 color;
+        float attenuation;
+        float shadow;
+    };
+
     struct Surface
     {
         float3 baseColor;
@@ -176,8 +196,6 @@ Shader "Patina/Standard"
         float3 normal_ws;
         float occlusion;
         float3 emission;
-        float alpha;
-        float alphaClip;
     };
 
     struct MetallicSetupResult
@@ -207,7 +225,8 @@ Shader "Patina/Standard"
         return direction;
     }
 
-    Surface surface(float2 uv0, float3 geometry_normal_ws, float3 tangent_ws, float3 bitangent_ws)
+    // What the graph says of the surface.
+    Surface get_surface(float2 uv0, float3 geometry_normal_ws, float3 tangent_ws, float3 bitangent_ws)
     {
         // SampleTexture2D "albedo"
         float2 uv = uv0 * _MainTex_ST.xy + _MainTex_ST.zw;
@@ -226,16 +245,14 @@ Shader "Patina/Standard"
         // SampleTexture2D "glow"
         float4 glow = LinearColor(UNITY_SAMPLE_TEX2D(_EmissionMap, uv));
 
-        Surface s;
-        s.baseColor = albedo.xyz * LinearColor(_Color).xyz;
-        s.metallic = metal.x * _Metallic;
-        s.smoothness = metal.w * _GlossMapScale;
-        s.normal_ws = NormalTangentToWorld(bumps, geometry_normal_ws, tangent_ws, bitangent_ws);
-        s.occlusion = lerp(1.0, open.y, _OcclusionStrength);
-        s.emission = glow.xyz * _EmissionColor.xyz;
-        s.alpha = 1.0;
-        s.alphaClip = 0.5;
-        return s;
+        Surface surface;
+        surface.baseColor = albedo.xyz * LinearColor(_Color).xyz;
+        surface.metallic = metal.x * _Metallic;
+        surface.smoothness = metal.w * _GlossMapScale;
+        surface.normal_ws = NormalTangentToWorld(bumps, geometry_normal_ws, tangent_ws, bitangent_ws);
+        surface.occlusion = lerp(1.0, open.y, _OcclusionStrength);
+        surface.emission = glow.xyz * _EmissionColor.xyz;
+        return surface;
     }
 
     // Diffuse colour and reflectance of a surface between plastic and metal.
@@ -247,6 +264,26 @@ Shader "Patina/Standard"
         metallic_setup_result.f0 = lerp(float3(0.04, 0.04, 0.04), base_color, metallic);
         metallic_setup_result.one_minus_reflectivity = one_minus_reflectivity;
         return metallic_setup_result;
+    }
+
+    // The surface that the material and its workflow make of this point.
+    LightingSurface lighting_surface(float2 uv0, float3 geometry_normal_ws, float3 tangent_ws,
+        float3 bitangent_ws)
+    {
+        Surface material = get_surface(uv0, geometry_normal_ws, tangent_ws, bitangent_ws);
+
+        // MetallicSetup "setup"
+        MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
+
+        LightingSurface ls;
+        ls.diffuseColor = setup.diffuse_color;
+        ls.f0 = setup.f0;
+        ls.oneMinusReflectivity = setup.one_minus_reflectivity;
+        ls.roughness = 1.0 - material.smoothness;
+        ls.normal_ws = normalize(material.normal_ws);
+        ls.occlusion = material.occlusion;
+        ls.emission = material.emission;
+        return ls;
     }
 
     // The direction half-way between the light and the viewer: the normal of a mirror that shows one to the other.
@@ -295,6 +332,82 @@ Shader "Patina/Standard"
     float3 FresnelSchlick(float3 f0, float cosine, float f90)
     {
         return f0 + (f90 - f0) * SchlickWeight(cosine);
+    }
+
+    // What one light adds, as the lighting graph says.
+    float3 direct(LightingSurface surface, Light light, float3 view_dir_ws)
+    {
+        // NdotL "ndotl"
+        float cosine = dot(surface.normal_ws, light.direction);
+        float ndotl = saturate(cosine);
+
+        // NdotV "ndotv"
+        float cosine_2 = dot(surface.normal_ws, view_dir_ws);
+        float ndotv = saturate(abs(cosine_2));
+
+        // HalfVector "half_vector"
+        float3 half_vector = HalfVector(view_dir_ws, light.direction);
+
+        // NdotH "ndoth"
+        float ndoth = saturate(dot(surface.normal_ws, half_vector));
+
+        // LdotH "ldoth"
+        float ldoth = saturate(dot(light.direction, half_vector));
+
+        // DisneyDiffuse "diffuse"
+        float diffuse = DisneyDiffuse_2(ndotv, ndotl, ldoth, surface.roughness);
+
+        // AlphaFromRoughness "alpha"
+        float alpha = max(surface.roughness * surface.roughness, 0.002);
+
+        // VisibilitySmithJointApproximate "visibility"
+        float visibility = VisibilitySmithJointApproximate(ndotl, ndotv, alpha, 1e-05);
+
+        // DistributionGGXUnity "distribution"
+        float distribution = DistributionGGXUnity(ndoth, alpha);
+
+        // FresnelSchlick "fresnel"
+        float3 fresnel = FresnelSchlick(surface.f0, ldoth, 1.0);
+
+        float has_specular = any(surface.f0 > 0.0) ? 1.0 : 0.0;
+
+        float3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * has_specular * fresnel;
+
+        float3 radiance = light.color * (light.attenuation * light.shadow);
+        return (surface.diffuseColor * (diffuse * ndotl) + specular) * radiance;
+    }
+
+    // What all light adds that comes from no single light, as the lighting graph says.
+    float3 indirect(LightingSurface surface, float3 view_dir_ws, float3 position_ws, float attenuation,
+        float4 ambient_or_lightmap_uv, bool reads_probes)
+    {
+        // NdotV "ndotv"
+        float cosine = dot(surface.normal_ws, view_dir_ws);
+        float ndotv = saturate(abs(cosine));
+
+        // AlphaFromRoughness "alpha"
+        float alpha = max(surface.roughness * surface.roughness, 0.002);
+
+        // AmbientIrradiance "ambient"
+        float3 ambient = AmbientLight(surface.normal_ws, position_ws, attenuation, ambient_or_lightmap_uv);
+
+        float3 reflected = reflect(-view_dir_ws, surface.normal_ws);
+
+        // EnvironmentRadiance "environment"
+        float3 environment = ReflectedLight(reflected, surface.roughness, position_ws, reads_probes);
+
+        // SurfaceReduction "reduction"
+        float reduction = 1.0 / (alpha * alpha + 1.0);
+
+        // GrazingTerm "grazing"
+        float smoothness = 1.0 - surface.roughness;
+        float grazing = saturate(smoothness + 1.0 - surface.oneMinusReflectivity);
+
+        // FresnelLerp "reflectance"
+        float3 reflectance = lerp(surface.f0, grazing.xxx, SchlickWeight(ndotv));
+
+        float3 sum = surface.diffuseColor * ambient + reduction * reflectance * environment;
+        return sum * surface.occlusion;
     }
 
     ENDCG
@@ -359,83 +472,25 @@ Shader "Patina/Standard"
                 UNITY_SETUP_INSTANCE_ID(i);
                 UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);
 
-                float3 blend = lerp(UnityWorldSpaceViewDir(i.position_ws), UNITY_MATRIX_V[2].xyz, unity_OrthoParams.w);
-                float3 view_dir_ws = normalize(blend);
+                float3 to_viewer = lerp(UnityWorldSpaceViewDir(i.position_ws), UNITY_MATRIX_V[2].xyz,
+                    unity_OrthoParams.w);
+                float3 view_dir_ws = normalize(to_viewer);
                 float3 geometry_normal_ws = normalize(i.vertex_normal_ws);
                 float3 tangent_ws = normalize(i.vertex_tangent_ws.xyz);
                 float3 bitangent_ws = cross(geometry_normal_ws, tangent_ws) * i.vertex_tangent_ws.w;
                 UNITY_LIGHT_ATTENUATION(attenuation, i, i.position_ws)
-                Surface material = surface(i.uv0, geometry_normal_ws, tangent_ws, bitangent_ws);
-
-                // MetallicSetup "setup"
-                MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
-
-                float roughness = 1.0 - material.smoothness;
-                float3 normal_ws = normalize(material.normal_ws);
-                float3 color = LinearColor(_LightColor0.rgb);
-                float shadow_2 = MixedShadow(i.position_ws, attenuation, i.ambient_or_lightmap_uv);
-
-                // NdotL "ndotl"
-                float cosine = dot(normal_ws, _WorldSpaceLightPos0.xyz);
-                float ndotl = saturate(cosine);
-
-                // NdotV "ndotv"
-                float cosine_2 = dot(normal_ws, view_dir_ws);
-                float ndotv = saturate(abs(cosine_2));
-
-                // HalfVector "half_vector"
-                float3 half_vector = HalfVector(view_dir_ws, _WorldSpaceLightPos0.xyz);
-
-                // NdotH "ndoth"
-                float ndoth = saturate(dot(normal_ws, half_vector));
-
-                // LdotH "ldoth"
-                float ldoth = saturate(dot(_WorldSpaceLightPos0.xyz, half_vector));
-
-                // DisneyDiffuse "diffuse"
-                float diffuse = DisneyDiffuse_2(ndotv, ndotl, ldoth, roughness);
-
-                // AlphaFromRoughness "alpha"
-                float alpha = max(roughness * roughness, 0.002);
-
-                // VisibilitySmithJointApproximate "visibility"
-                float visibility = VisibilitySmithJointApproximate(ndotl, ndotv, alpha, 1e-05);
-
-                // DistributionGGXUnity "distribution"
-                float distribution = DistributionGGXUnity(ndoth, alpha);
-
-                // FresnelSchlick "fresnel"
-                float3 fresnel = FresnelSchlick(setup.f0, ldoth, 1.0);
-
-                float has_specular = any(setup.f0 > 0.0) ? 1.0 : 0.0;
-
-                float3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * has_specular * fresnel;
-
-                float3 radiance = color * shadow_2;
-                float3 direct = (setup.diffuse_color * (diffuse * ndotl) + specular) * radiance;
-
-                // AmbientIrradiance "ambient"
-                float3 ambient = AmbientLight(normal_ws, i.position_ws, attenuation, i.ambient_or_lightmap_uv);
-
-                float3 reflected = reflect(-view_dir_ws, normal_ws);
-
-                // EnvironmentRadiance "environment"
-                float3 environment = ReflectedLight(reflected, roughness, i.position_ws);
-
-                // SurfaceReduction "reduction"
-                float reduction = 1.0 / (alpha * alpha + 1.0);
-
-                // GrazingTerm "grazing"
-                float smoothness = 1.0 - roughness;
-                float grazing = saturate(smoothness + 1.0 - setup.one_minus_reflectivity);
-
-                // FresnelLerp "reflectance"
-                float3 reflectance = lerp(setup.f0, grazing.xxx, SchlickWeight(ndotv));
-
-                float3 indirect = (setup.diffuse_color * ambient + reduction * reflectance * environment) * material.occlusion;
-                float4 color_2 = float4(ProjectColor(direct + indirect + material.emission), 1.0);
-                UNITY_APPLY_FOG_COLOR(i.fogCoord, color_2, unity_FogColor);
-                return color_2;
+                LightingSurface surface = lighting_surface(i.uv0, geometry_normal_ws, tangent_ws, bitangent_ws);
+                Light light;
+                light.direction = _WorldSpaceLightPos0.xyz;
+                light.color = LinearColor(_LightColor0.rgb);
+                light.attenuation = 1.0;
+                light.shadow = MixedShadow(i.position_ws, attenuation, i.ambient_or_lightmap_uv);
+                float3 from_light = direct(surface, light, view_dir_ws);
+                float3 from_around = indirect(surface, view_dir_ws, i.position_ws, attenuation,
+                    i.ambient_or_lightmap_uv, true);
+                float4 color = float4(ProjectColor(from_light + from_around + surface.emission), 1.0);
+                UNITY_APPLY_FOG_COLOR(i.fogCoord, color, unity_FogColor);
+                return color;
             }
             ENDCG
         }
@@ -491,63 +546,23 @@ Shader "Patina/Standard"
                 UNITY_SETUP_INSTANCE_ID(i);
                 UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);
 
-                float3 blend = lerp(UnityWorldSpaceViewDir(i.position_ws), UNITY_MATRIX_V[2].xyz, unity_OrthoParams.w);
-                float3 view_dir_ws = normalize(blend);
+                float3 to_viewer = lerp(UnityWorldSpaceViewDir(i.position_ws), UNITY_MATRIX_V[2].xyz,
+                    unity_OrthoParams.w);
+                float3 view_dir_ws = normalize(to_viewer);
                 float3 geometry_normal_ws = normalize(i.vertex_normal_ws);
                 float3 tangent_ws = normalize(i.vertex_tangent_ws.xyz);
                 float3 bitangent_ws = cross(geometry_normal_ws, tangent_ws) * i.vertex_tangent_ws.w;
                 UNITY_LIGHT_ATTENUATION(attenuation, i, i.position_ws)
-                Surface material = surface(i.uv0, geometry_normal_ws, tangent_ws, bitangent_ws);
-
-                // MetallicSetup "setup"
-                MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
-
-                float roughness = 1.0 - material.smoothness;
-                float3 normal_ws = normalize(material.normal_ws);
-                float3 direction = normalize(UnityWorldSpaceLightDir(i.position_ws));
-                float3 color = LinearColor(_LightColor0.rgb);
-
-                // NdotL "ndotl"
-                float cosine = dot(normal_ws, direction);
-                float ndotl = saturate(cosine);
-
-                // NdotV "ndotv"
-                float cosine_2 = dot(normal_ws, view_dir_ws);
-                float ndotv = saturate(abs(cosine_2));
-
-                // HalfVector "half_vector"
-                float3 half_vector = HalfVector(view_dir_ws, direction);
-
-                // NdotH "ndoth"
-                float ndoth = saturate(dot(normal_ws, half_vector));
-
-                // LdotH "ldoth"
-                float ldoth = saturate(dot(direction, half_vector));
-
-                // DisneyDiffuse "diffuse"
-                float diffuse = DisneyDiffuse_2(ndotv, ndotl, ldoth, roughness);
-
-                // AlphaFromRoughness "alpha"
-                float alpha = max(roughness * roughness, 0.002);
-
-                // VisibilitySmithJointApproximate "visibility"
-                float visibility = VisibilitySmithJointApproximate(ndotl, ndotv, alpha, 1e-05);
-
-                // DistributionGGXUnity "distribution"
-                float distribution = DistributionGGXUnity(ndoth, alpha);
-
-                // FresnelSchlick "fresnel"
-                float3 fresnel = FresnelSchlick(setup.f0, ldoth, 1.0);
-
-                float has_specular = any(setup.f0 > 0.0) ? 1.0 : 0.0;
-
-                float3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * has_specular * fresnel;
-
-                float3 radiance = color * attenuation;
-                float3 direct = (setup.diffuse_color * (diffuse * ndotl) + specular) * radiance;
-                float4 color_2 = float4(ProjectColor(direct), 0.0);
-                UNITY_APPLY_FOG_COLOR(i.fogCoord, color_2, float4(0.0, 0.0, 0.0, 0.0));
-                return color_2;
+                LightingSurface surface = lighting_surface(i.uv0, geometry_normal_ws, tangent_ws, bitangent_ws);
+                Light light;
+                light.direction = normalize(UnityWorldSpaceLightDir(i.position_ws));
+                light.color = LinearColor(_LightColor0.rgb);
+                light.attenuation = attenuation;
+                light.shadow = 1.0;
+                float3 from_light = direct(surface, light, view_dir_ws);
+                float4 color = float4(ProjectColor(from_light), 0.0);
+                UNITY_APPLY_FOG_COLOR(i.fogCoord, color, float4(0.0, 0.0, 0.0, 0.0));
+                return color;
             }
             ENDCG
         }
@@ -655,50 +670,22 @@ Shader "Patina/Standard"
                 UNITY_SETUP_INSTANCE_ID(i);
                 UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);
 
-                float3 blend = lerp(UnityWorldSpaceViewDir(i.position_ws), UNITY_MATRIX_V[2].xyz, unity_OrthoParams.w);
-                float3 view_dir_ws = normalize(blend);
+                float3 to_viewer = lerp(UnityWorldSpaceViewDir(i.position_ws), UNITY_MATRIX_V[2].xyz,
+                    unity_OrthoParams.w);
+                float3 view_dir_ws = normalize(to_viewer);
                 float3 geometry_normal_ws = normalize(i.vertex_normal_ws);
                 float3 tangent_ws = normalize(i.vertex_tangent_ws.xyz);
                 float3 bitangent_ws = cross(geometry_normal_ws, tangent_ws) * i.vertex_tangent_ws.w;
-                Surface material = surface(i.uv0, geometry_normal_ws, tangent_ws, bitangent_ws);
-
-                // MetallicSetup "setup"
-                MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
-
-                float roughness = 1.0 - material.smoothness;
-                float3 normal_ws = normalize(material.normal_ws);
-
-                // NdotV "ndotv"
-                float cosine = dot(normal_ws, view_dir_ws);
-                float ndotv = saturate(abs(cosine));
-
-                // AlphaFromRoughness "alpha"
-                float alpha = max(roughness * roughness, 0.002);
-
-                // AmbientIrradiance "ambient"
-                float3 ambient = AmbientLight(normal_ws, i.position_ws, 1, i.ambient_or_lightmap_uv);
-
-                float3 reflected = reflect(-view_dir_ws, normal_ws);
-
-                // EnvironmentRadiance "environment"
-                float3 environment = ReflectedLightOfBuffer(reflected, roughness, i.position_ws);
-
-                // SurfaceReduction "reduction"
-                float reduction = 1.0 / (alpha * alpha + 1.0);
-
-                // GrazingTerm "grazing"
-                float smoothness = 1.0 - roughness;
-                float grazing = saturate(smoothness + 1.0 - setup.one_minus_reflectivity);
-
-                // FresnelLerp "reflectance"
-                float3 reflectance = lerp(setup.f0, grazing.xxx, SchlickWeight(ndotv));
-
-                float3 indirect = (setup.diffuse_color * ambient + reduction * reflectance * environment) * material.occlusion;
+                bool reads_probes = BufferReadsProbes();
+                LightingSurface surface = lighting_surface(i.uv0, geometry_normal_ws, tangent_ws, bitangent_ws);
+                float3 from_around = indirect(surface, view_dir_ws, i.position_ws, 1.0, i.ambient_or_lightmap_uv,
+                    reads_probes);
+                float smoothness = 1.0 - surface.roughness;
                 Targets output;
-                output.diffuse = float4(ProjectColor(setup.diffuse_color), material.occlusion);
-                output.specular = float4(ProjectColor(setup.f0), smoothness);
-                output.normal = float4(0.5 + 0.5 * normal_ws, 1.0);
-                output.light = float4(StoredLight(ProjectColor(indirect + material.emission)), 1.0);
+                output.diffuse = float4(ProjectColor(surface.diffuseColor), surface.occlusion);
+                output.specular = float4(ProjectColor(surface.f0), smoothness);
+                output.normal = float4(0.5 + 0.5 * surface.normal_ws, 1.0);
+                output.light = float4(StoredLight(ProjectColor(from_around + surface.emission)), 1.0);
             #if defined(SHADOWS_SHADOWMASK) && UNITY_ALLOWED_MRT_COUNT > 4
                 output.shadow_mask = BakedShadows(i.ambient_or_lightmap_uv, i.position_ws);
             #endif

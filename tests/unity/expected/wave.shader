@@ -112,8 +112,9 @@ Shader "Patina/Wave"
     }
 
     // Light of the reflection probes from a direction, blurred as a surface of that perceptual roughness mirrors it.
-    half3 ReflectedLight(half3 direction, half roughness, float3 position)
+    half3 ReflectedLight(half3 direction, half roughness, float3 position, bool reads_probes)
     {
+        if (!reads_probes) return 0;
         Unity_GlossyEnvironmentData environment;
         UNITY_INITIALIZE_OUTPUT(Unity_GlossyEnvironmentData, environment);
         environment.roughness = roughness;
@@ -121,13 +122,13 @@ Shader "Patina/Wave"
         return LinearColor(UnityGI_IndirectSpecular(GIInput(position, 1, 0), 1, environment));
     }
 
-    // None, where Unity adds reflections to the G-buffer afterwards.
-    half3 ReflectedLightOfBuffer(half3 direction, half roughness, float3 position)
+    // Whether reflections go into the G-buffer with the rest: not where Unity adds them afterwards.
+    bool BufferReadsProbes()
     {
     #if UNITY_ENABLE_REFLECTION_BUFFERS
-        return 0;
+        return false;
     #else
-        return ReflectedLight(direction, roughness, position);
+        return true;
     #endif
     }
 
@@ -146,6 +147,25 @@ Shader "Patina/Wave"
         return UnityGetRawBakedOcclusions(ambient.xy, position);
     }
 
+    struct LightingSurface
+    {
+        float3 diffuseColor;
+        float3 f0;
+        float oneMinusReflectivity;
+        float roughness;
+        float3 normal_ws;
+        float occlusion;
+        float3 emission;
+    };
+
+    struct Light
+    {
+        float3 direction;
+        float3 color;
+        float attenuation;
+        float shadow;
+    };
+
     struct Surface
     {
         float3 baseColor;
@@ -154,8 +174,6 @@ Shader "Patina/Wave"
         float3 normal_ws;
         float occlusion;
         float3 emission;
-        float alpha;
-        float alphaClip;
     };
 
     struct MetallicSetupResult
@@ -165,20 +183,19 @@ Shader "Patina/Wave"
         float one_minus_reflectivity;
     };
 
-    Surface surface(float3 geometry_normal_ws, float phase)
+    // What the graph says of the surface.
+    Surface get_surface(float3 geometry_normal_ws, float phase)
     {
         float foam = int(_Foam) != 0 ? smoothstep(0.5, 1.0, sin(phase)) : 0.0;
 
-        Surface s;
-        s.baseColor = lerp(float3(0.02, 0.1, 0.2), float3(1.0, 1.0, 1.0), foam);
-        s.metallic = 0.0;
-        s.smoothness = 0.8;
-        s.normal_ws = geometry_normal_ws;
-        s.occlusion = 1.0;
-        s.emission = float3(0.0, 0.0, 0.0);
-        s.alpha = 1.0;
-        s.alphaClip = 0.5;
-        return s;
+        Surface surface;
+        surface.baseColor = lerp(float3(0.02, 0.1, 0.2), float3(1.0, 1.0, 1.0), foam);
+        surface.metallic = 0.0;
+        surface.smoothness = 0.8;
+        surface.normal_ws = geometry_normal_ws;
+        surface.occlusion = 1.0;
+        surface.emission = float3(0.0, 0.0, 0.0);
+        return surface;
     }
 
     // Diffuse colour and reflectance of a surface between plastic and metal.
@@ -190,6 +207,25 @@ Shader "Patina/Wave"
         metallic_setup_result.f0 = lerp(float3(0.04, 0.04, 0.04), base_color, metallic);
         metallic_setup_result.one_minus_reflectivity = one_minus_reflectivity;
         return metallic_setup_result;
+    }
+
+    // The surface that the material and its workflow make of this point.
+    LightingSurface lighting_surface(float3 geometry_normal_ws, float phase)
+    {
+        Surface material = get_surface(geometry_normal_ws, phase);
+
+        // MetallicSetup "setup"
+        MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
+
+        LightingSurface ls;
+        ls.diffuseColor = setup.diffuse_color;
+        ls.f0 = setup.f0;
+        ls.oneMinusReflectivity = setup.one_minus_reflectivity;
+        ls.roughness = 1.0 - material.smoothness;
+        ls.normal_ws = normalize(material.normal_ws);
+        ls.occlusion = material.occlusion;
+        ls.emission = material.emission;
+        return ls;
     }
 
     // The direction half-way between the light and the viewer: the normal of a mirror that shows one to the other.
@@ -211,6 +247,38 @@ Shader "Patina/Wave"
         return 0.25 / (max(ldoth * ldoth, 0.1) * (alpha + 0.5));
     }
 
+    // What one light adds, as the lighting graph says.
+    float3 direct(LightingSurface surface, Light light, float3 view_dir_ws)
+    {
+        // NdotL "ndotl"
+        float cosine = dot(surface.normal_ws, light.direction);
+        float ndotl = saturate(cosine);
+
+        // HalfVector "half_vector"
+        float3 half_vector = HalfVector(view_dir_ws, light.direction);
+
+        // NdotH "ndoth"
+        float ndoth = saturate(dot(surface.normal_ws, half_vector));
+
+        // LdotH "ldoth"
+        float ldoth = saturate(dot(light.direction, half_vector));
+
+        // AlphaFromRoughness "alpha"
+        float alpha = max(surface.roughness * surface.roughness, 0.0);
+
+        // DistributionGGXMinimalist "distribution"
+        float peak = MinimalistPeak(ndoth, alpha);
+        float distribution = 0.31830987 * peak * peak;
+
+        // VisibilityMinimalist "visibility"
+        float visibility = VisibilityMinimalist(ldoth, alpha);
+
+        float specular = distribution * visibility * 3.1415927 * ndotl;
+
+        float3 radiance = light.color * (light.attenuation * light.shadow);
+        return (surface.diffuseColor * ndotl + surface.f0 * specular) * radiance;
+    }
+
     // How much of the mirrored surroundings a rough surface keeps: 1 for a mirror, one half for the roughest.
     float SurfaceReductionSimpleLinear(float alpha)
     {
@@ -224,6 +292,40 @@ Shader "Patina/Wave"
         float m = saturate(1.0 - cosine);
         float product = m * m;
         return lerp(f0, f90, product * product);
+    }
+
+    // What all light adds that comes from no single light, as the lighting graph says.
+    float3 indirect(LightingSurface surface, float3 view_dir_ws, float3 position_ws, float attenuation,
+        float4 ambient_or_lightmap_uv, bool reads_probes)
+    {
+        // NdotV "ndotv"
+        float cosine = dot(surface.normal_ws, view_dir_ws);
+        float ndotv = saturate(cosine);
+
+        // AlphaFromRoughness "alpha"
+        float alpha = max(surface.roughness * surface.roughness, 0.0);
+
+        // AmbientIrradiance "ambient"
+        float3 ambient = AmbientLight(surface.normal_ws, position_ws, attenuation, ambient_or_lightmap_uv);
+
+        // ReflectionVector "reflected"
+        float3 reflected = reflect(-view_dir_ws, surface.normal_ws);
+
+        // EnvironmentRadiance "environment"
+        float3 environment = ReflectedLight(reflected, surface.roughness, position_ws, reads_probes);
+
+        // SurfaceReduction "reduction"
+        float reduction = SurfaceReductionSimpleLinear(alpha);
+
+        // GrazingTerm "grazing"
+        float smoothness = 1.0 - surface.roughness;
+        float grazing = saturate(smoothness + 1.0 - surface.oneMinusReflectivity);
+
+        // FresnelLerpFast "reflectance"
+        float3 reflectance = FresnelLerpFast_2(surface.f0, grazing.xxx, ndotv);
+
+        float3 sum = surface.diffuseColor * ambient + reduction * reflectance * environment;
+        return sum * surface.occlusion;
     }
 
     float3 vertex_position_os(float3 position_os, float3 normal_os)
@@ -306,76 +408,24 @@ Shader "Patina/Wave"
                 UNITY_SETUP_INSTANCE_ID(i);
                 UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);
 
-                float3 blend = lerp(UnityWorldSpaceViewDir(i.position_ws), UNITY_MATRIX_V[2].xyz, unity_OrthoParams.w);
-                float3 view_dir_ws = normalize(blend);
+                float3 to_viewer = lerp(UnityWorldSpaceViewDir(i.position_ws), UNITY_MATRIX_V[2].xyz,
+                    unity_OrthoParams.w);
+                float3 view_dir_ws = normalize(to_viewer);
                 float3 normal = normalize(i.vertex_normal_ws);
                 float3 geometry_normal_ws = front_facing ? normal : -normal;
                 UNITY_LIGHT_ATTENUATION(attenuation, i, i.position_ws)
-                Surface material = surface(geometry_normal_ws, i.phase);
-
-                // MetallicSetup "setup"
-                MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
-
-                float roughness = 1.0 - material.smoothness;
-                float3 normal_ws = normalize(material.normal_ws);
-                float3 color = LinearColor(_LightColor0.rgb);
-                float shadow_2 = MixedShadow(i.position_ws, attenuation, i.ambient_or_lightmap_uv);
-
-                // NdotL "ndotl"
-                float cosine = dot(normal_ws, _WorldSpaceLightPos0.xyz);
-                float ndotl = saturate(cosine);
-
-                // HalfVector "half_vector"
-                float3 half_vector = HalfVector(view_dir_ws, _WorldSpaceLightPos0.xyz);
-
-                // NdotH "ndoth"
-                float ndoth = saturate(dot(normal_ws, half_vector));
-
-                // LdotH "ldoth"
-                float ldoth = saturate(dot(_WorldSpaceLightPos0.xyz, half_vector));
-
-                // AlphaFromRoughness "alpha"
-                float alpha = max(roughness * roughness, 0.0);
-
-                // DistributionGGXMinimalist "distribution"
-                float peak = MinimalistPeak(ndoth, alpha);
-                float distribution = 0.31830987 * peak * peak;
-
-                // VisibilityMinimalist "visibility"
-                float visibility = VisibilityMinimalist(ldoth, alpha);
-
-                float specular = distribution * visibility * 3.1415927 * ndotl;
-
-                float3 radiance = color * shadow_2;
-                float3 direct = (setup.diffuse_color * ndotl + setup.f0 * specular) * radiance;
-
-                // NdotV "ndotv"
-                float cosine_2 = dot(normal_ws, view_dir_ws);
-                float ndotv = saturate(cosine_2);
-
-                // AmbientIrradiance "ambient"
-                float3 ambient = AmbientLight(normal_ws, i.position_ws, attenuation, i.ambient_or_lightmap_uv);
-
-                // ReflectionVector "reflected"
-                float3 reflected = reflect(-view_dir_ws, normal_ws);
-
-                // EnvironmentRadiance "environment"
-                float3 environment = ReflectedLight(reflected, roughness, i.position_ws);
-
-                // SurfaceReduction "reduction"
-                float reduction = SurfaceReductionSimpleLinear(alpha);
-
-                // GrazingTerm "grazing"
-                float smoothness = 1.0 - roughness;
-                float grazing = saturate(smoothness + 1.0 - setup.one_minus_reflectivity);
-
-                // FresnelLerpFast "reflectance"
-                float3 reflectance = FresnelLerpFast_2(setup.f0, grazing.xxx, ndotv);
-
-                float3 indirect = (setup.diffuse_color * ambient + reduction * reflectance * environment) * material.occlusion;
-                float4 color_2 = float4(ProjectColor(direct + indirect + material.emission), 1.0);
-                UNITY_APPLY_FOG_COLOR(i.fogCoord, color_2, unity_FogColor);
-                return color_2;
+                LightingSurface surface = lighting_surface(geometry_normal_ws, i.phase);
+                Light light;
+                light.direction = _WorldSpaceLightPos0.xyz;
+                light.color = LinearColor(_LightColor0.rgb);
+                light.attenuation = 1.0;
+                light.shadow = MixedShadow(i.position_ws, attenuation, i.ambient_or_lightmap_uv);
+                float3 from_light = direct(surface, light, view_dir_ws);
+                float3 from_around = indirect(surface, view_dir_ws, i.position_ws, attenuation,
+                    i.ambient_or_lightmap_uv, true);
+                float4 color = float4(ProjectColor(from_light + from_around + surface.emission), 1.0);
+                UNITY_APPLY_FOG_COLOR(i.fogCoord, color, unity_FogColor);
+                return color;
             }
             ENDCG
         }
@@ -433,51 +483,22 @@ Shader "Patina/Wave"
                 UNITY_SETUP_INSTANCE_ID(i);
                 UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);
 
-                float3 blend = lerp(UnityWorldSpaceViewDir(i.position_ws), UNITY_MATRIX_V[2].xyz, unity_OrthoParams.w);
-                float3 view_dir_ws = normalize(blend);
+                float3 to_viewer = lerp(UnityWorldSpaceViewDir(i.position_ws), UNITY_MATRIX_V[2].xyz,
+                    unity_OrthoParams.w);
+                float3 view_dir_ws = normalize(to_viewer);
                 float3 normal = normalize(i.vertex_normal_ws);
                 float3 geometry_normal_ws = front_facing ? normal : -normal;
                 UNITY_LIGHT_ATTENUATION(attenuation, i, i.position_ws)
-                Surface material = surface(geometry_normal_ws, i.phase);
-
-                // MetallicSetup "setup"
-                MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
-
-                float roughness = 1.0 - material.smoothness;
-                float3 normal_ws = normalize(material.normal_ws);
-                float3 direction = normalize(UnityWorldSpaceLightDir(i.position_ws));
-                float3 color = LinearColor(_LightColor0.rgb);
-
-                // NdotL "ndotl"
-                float cosine = dot(normal_ws, direction);
-                float ndotl = saturate(cosine);
-
-                // HalfVector "half_vector"
-                float3 half_vector = HalfVector(view_dir_ws, direction);
-
-                // NdotH "ndoth"
-                float ndoth = saturate(dot(normal_ws, half_vector));
-
-                // LdotH "ldoth"
-                float ldoth = saturate(dot(direction, half_vector));
-
-                // AlphaFromRoughness "alpha"
-                float alpha = max(roughness * roughness, 0.0);
-
-                // DistributionGGXMinimalist "distribution"
-                float peak = MinimalistPeak(ndoth, alpha);
-                float distribution = 0.31830987 * peak * peak;
-
-                // VisibilityMinimalist "visibility"
-                float visibility = VisibilityMinimalist(ldoth, alpha);
-
-                float specular = distribution * visibility * 3.1415927 * ndotl;
-
-                float3 radiance = color * attenuation;
-                float3 direct = (setup.diffuse_color * ndotl + setup.f0 * specular) * radiance;
-                float4 color_2 = float4(ProjectColor(direct), 0.0);
-                UNITY_APPLY_FOG_COLOR(i.fogCoord, color_2, float4(0.0, 0.0, 0.0, 0.0));
-                return color_2;
+                LightingSurface surface = lighting_surface(geometry_normal_ws, i.phase);
+                Light light;
+                light.direction = normalize(UnityWorldSpaceLightDir(i.position_ws));
+                light.color = LinearColor(_LightColor0.rgb);
+                light.attenuation = attenuation;
+                light.shadow = 1.0;
+                float3 from_light = direct(surface, light, view_dir_ws);
+                float4 color = float4(ProjectColor(from_light), 0.0);
+                UNITY_APPLY_FOG_COLOR(i.fogCoord, color, float4(0.0, 0.0, 0.0, 0.0));
+                return color;
             }
             ENDCG
         }
@@ -592,50 +613,21 @@ Shader "Patina/Wave"
                 UNITY_SETUP_INSTANCE_ID(i);
                 UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);
 
-                float3 blend = lerp(UnityWorldSpaceViewDir(i.position_ws), UNITY_MATRIX_V[2].xyz, unity_OrthoParams.w);
-                float3 view_dir_ws = normalize(blend);
+                float3 to_viewer = lerp(UnityWorldSpaceViewDir(i.position_ws), UNITY_MATRIX_V[2].xyz,
+                    unity_OrthoParams.w);
+                float3 view_dir_ws = normalize(to_viewer);
                 float3 normal = normalize(i.vertex_normal_ws);
                 float3 geometry_normal_ws = front_facing ? normal : -normal;
-                Surface material = surface(geometry_normal_ws, i.phase);
-
-                // MetallicSetup "setup"
-                MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
-
-                float roughness = 1.0 - material.smoothness;
-                float3 normal_ws = normalize(material.normal_ws);
-
-                // NdotV "ndotv"
-                float cosine = dot(normal_ws, view_dir_ws);
-                float ndotv = saturate(cosine);
-
-                // AlphaFromRoughness "alpha"
-                float alpha = max(roughness * roughness, 0.0);
-
-                // AmbientIrradiance "ambient"
-                float3 ambient = AmbientLight(normal_ws, i.position_ws, 1, i.ambient_or_lightmap_uv);
-
-                // ReflectionVector "reflected"
-                float3 reflected = reflect(-view_dir_ws, normal_ws);
-
-                // EnvironmentRadiance "environment"
-                float3 environment = ReflectedLightOfBuffer(reflected, roughness, i.position_ws);
-
-                // SurfaceReduction "reduction"
-                float reduction = SurfaceReductionSimpleLinear(alpha);
-
-                // GrazingTerm "grazing"
-                float smoothness = 1.0 - roughness;
-                float grazing = saturate(smoothness + 1.0 - setup.one_minus_reflectivity);
-
-                // FresnelLerpFast "reflectance"
-                float3 reflectance = FresnelLerpFast_2(setup.f0, grazing.xxx, ndotv);
-
-                float3 indirect = (setup.diffuse_color * ambient + reduction * reflectance * environment) * material.occlusion;
+                bool reads_probes = BufferReadsProbes();
+                LightingSurface surface = lighting_surface(geometry_normal_ws, i.phase);
+                float3 from_around = indirect(surface, view_dir_ws, i.position_ws, 1.0, i.ambient_or_lightmap_uv,
+                    reads_probes);
+                float smoothness = 1.0 - surface.roughness;
                 Targets output;
-                output.diffuse = float4(ProjectColor(setup.diffuse_color), material.occlusion);
-                output.specular = float4(ProjectColor(setup.f0), smoothness);
-                output.normal = float4(0.5 + 0.5 * normal_ws, 1.0);
-                output.light = float4(StoredLight(ProjectColor(indirect + material.emission)), 1.0);
+                output.diffuse = float4(ProjectColor(surface.diffuseColor), surface.occlusion);
+                output.specular = float4(ProjectColor(surface.f0), smoothness);
+                output.normal = float4(0.5 + 0.5 * surface.normal_ws, 1.0);
+                output.light = float4(StoredLight(ProjectColor(from_around + surface.emission)), 1.0);
             #if defined(SHADOWS_SHADOWMASK) && UNITY_ALLOWED_MRT_COUNT > 4
                 output.shadow_mask = BakedShadows(i.ambient_or_lightmap_uv, i.position_ws);
             #endif

@@ -1,22 +1,42 @@
 // A stand-in for Unity's include of this name, written for these tests: what a shader of this project uses of it, under
 // its documented names. Values are those of the runtime's uniform blocks, which the test declares before.
 // In a project of gamma space (UNITY_COLORSPACE_GAMMA) textures, colours and lights come encoded.
+// STAND_IN_DX9: a texture and its sampler are one. STAND_IN_2017: without what came later. STAND_IN_REGISTERS: the
+// test says where the runtime binds each texture.
 #define fixed half
 #define fixed2 half2
 #define fixed3 half3
 #define fixed4 half4
 
+#ifdef STAND_IN_DX9
+#define UNITY_DECLARE_TEX2D(tex) sampler2D tex
+#define UNITY_DECLARE_TEX2D_NOSAMPLER(tex) sampler2D tex
+#define UNITY_SAMPLE_TEX2D(tex, coord) tex2D(tex, coord)
+#define UNITY_SAMPLE_TEX2D_SAMPLER(tex, samplertex, coord) tex2D(tex, coord)
+#else
+#define SHADER_API_D3D11 1
+#ifndef STAND_IN_2017
+#define UNITY_SEPARATE_TEXTURE_SAMPLER
+#endif
+#ifdef STAND_IN_REGISTERS
 #define UNITY_DECLARE_TEX2D(tex)        \
     Texture2D tex : REGISTER_##tex; \
     SamplerState sampler##tex : REGISTER_sampler##tex
 #define UNITY_SAMPLE_TEX2D(tex, coord) TEXEL_##tex(tex.Sample(sampler##tex, coord))
 #define UNITY_SAMPLE_TEX2D_SAMPLER(tex, samplertex, coord) TEXEL_##tex(tex.Sample(sampler##samplertex, coord))
+#else
+#define UNITY_DECLARE_TEX2D(tex) Texture2D tex; SamplerState sampler##tex
+#define UNITY_DECLARE_TEX2D_NOSAMPLER(tex) Texture2D tex
+#define UNITY_SAMPLE_TEX2D(tex, coord) tex.Sample(sampler##tex, coord)
+#define UNITY_SAMPLE_TEX2D_SAMPLER(tex, samplertex, coord) tex.Sample(sampler##samplertex, coord)
+#endif
+#endif
 #define UNITY_INITIALIZE_OUTPUT(type, name) name = (type)0;
 #define UNITY_POSITION(pos) float4 pos : SV_POSITION
 #define UNITY_ALLOWED_MRT_COUNT 8
 #define UNITY_UV_STARTS_AT_TOP 1
-#define UNITY_DECLARE_DEPTH_TEXTURE(tex) UNITY_DECLARE_TEX2D(tex)
-#define SAMPLE_DEPTH_TEXTURE_LOD(tex, place) tex.SampleLevel(sampler##tex, (place).xy, (place).w).r
+#define UNITY_DECLARE_DEPTH_TEXTURE(tex) sampler2D tex
+#define SAMPLE_DEPTH_TEXTURE_LOD(sampler, uv) (tex2Dlod(sampler, uv).r)
 
 // IEC 61966-2-1, both ways.
 float encoded_component(float c)

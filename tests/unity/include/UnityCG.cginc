@@ -1,9 +1,16 @@
 // A stand-in for Unity's include of this name, written for these tests.
 // What each instance has is in the runtime's own block; the first is drawn.
-#define UNITY_INSTANCING_BUFFER_START(buffer)
-#define UNITY_DEFINE_INSTANCED_PROP(type, name)
-#define UNITY_INSTANCING_BUFFER_END(buffer)
-#define UNITY_ACCESS_INSTANCED_PROP(buffer, name) name[0]
+#ifdef STAND_IN_REGISTERS
+#define UNITY_INSTANCING_BUFFER_START(buf)
+#define UNITY_DEFINE_INSTANCED_PROP(type, var)
+#define UNITY_INSTANCING_BUFFER_END(arr)
+#define UNITY_ACCESS_INSTANCED_PROP(arr, var) var[0]
+#else
+#define UNITY_INSTANCING_BUFFER_START(buf) cbuffer UnityInstancing_##buf { struct {
+#define UNITY_DEFINE_INSTANCED_PROP(type, var) type var;
+#define UNITY_INSTANCING_BUFFER_END(arr) } arr##Array[2]; };
+#define UNITY_ACCESS_INSTANCED_PROP(arr, var) arr##Array[0].var
+#endif
 #ifdef INSTANCING_ON
 #define UNITY_VERTEX_INPUT_INSTANCE_ID uint instanceID : SV_InstanceID;
 #define UNITY_SETUP_INSTANCE_ID(input) \

@@ -1,0 +1,103 @@
+#include "compiler/link_pass.h"
+
+#include <algorithm>
+
+#include "compiler/dumps.h"
+#include "compiler/ir/passes/passes.h"
+#include "compiler/ir/verify.h"
+
+namespace patina {
+
+using assemble::LinkedPass;
+
+namespace {
+
+// Vertex inputs get the locations 0, 1, 2...: an HLSL compiler counts them so, and cannot be told otherwise.
+void number_inputs(ir::Module& stage) {
+    std::uint32_t location = 0;
+    for (ir::StageVariable& input : stage.stage.inputs) {
+        if (input.builtin == ir::Builtin::None) input.location = location++;
+    }
+}
+
+// Direct3D hands 32 vectors from vertices to pixels, the position among them.
+constexpr std::size_t kMostVaryings = 31;
+
+// The sources are gone when a program runs.
+void add_places(Program& program, const ir::Module& stage, const SourceMap& sources) {
+    for (const ir::Function& function : stage.functions) {
+        for (const ir::Probe& probe : function.probes) {
+            const Position at = sources.resolve(probe.span.begin);
+            program.places[probe.span.begin] = {.file = std::string(at.file), .line = at.line, .column = at.column};
+        }
+    }
+}
+
+}  // namespace
+
+// The two stages of a pass. The fragment stage is finished first: the vertex stage computes what is left of its inputs.
+// Those that turn out to be constants are none, and leave less of both stages.
+LinkedPass link_pass(const graph::Material& material, const assemble::Linked& linked, const graph::LoweredPass& pass,
+                     bool optimise, Result& result, const CompileOptions& options) {
+    const std::string& name = pass.name;
+    const ir::BuildOptions build{.fold = optimise};
+    LinkedPass made{.pass = &pass, .material = &material, .lowered = &linked.lowered};
+    made.fragment = assemble::link_fragment(linked, pass, build);
+    if (optimise) {
+        ir::check_if_verifying(made.fragment, "linked fragment");
+        dump_stage(result, options, "linked", name + ".fragment.linked", made.fragment);
+        made.fragment = ir::tidy(std::move(made.fragment));
+    }
+    made.vertex = assemble::link_vertex(linked, pass, made.fragment, build);
+    if (optimise) {
+        ir::check_if_verifying(made.vertex, "linked vertex");
+        dump_stage(result, options, "linked", name + ".vertex.linked", made.vertex);
+        made.vertex = ir::tidy(std::move(made.vertex));
+        if (assemble::take_constants(made.fragment, made.vertex)) {
+            made.fragment = ir::tidy(std::move(made.fragment));
+            made.vertex = ir::tidy(assemble::link_vertex(linked, pass, made.fragment, build));
+        }
+        number_inputs(made.vertex);
+        dump_stage(result, options, "tidy", name + ".vertex.tidy", made.vertex);
+        dump_stage(result, options, "tidy", name + ".fragment.tidy", made.fragment);
+        dump_rates(result, options, name + ".fragment.rates", made.fragment);
+    }
+    ir::check_if_verifying(made.vertex, "vertex");
+    ir::check_if_verifying(made.fragment, "fragment");
+    return made;
+}
+
+void check_varyings(const LinkedPass& pass, graph::Session& session) {
+    const auto& outputs = pass.vertex.stage.outputs;
+    const auto count = static_cast<std::size_t>(std::count_if(outputs.begin(), outputs.end(), [](const auto& output) {
+        return output.builtin == ir::Builtin::None && output.spelling.empty();
+    }));
+    if (count <= kMostVaryings) return;
+    const Span graph = pass.material->graph->graph->span;
+    session.diagnostics
+        .report(Code::TooMany, {graph.begin, graph.begin + 1}, count, "values from vertices to pixels", kMostVaryings)
+        .note(fmt::format("in the pass '{}'; nodes with \"stage\": \"vertex\", what they read of the mesh and what the "
+                          "surface reads of it take one each",
+                          pass.pass->name));
+}
+
+std::shared_ptr<const Program> keep_program(graph::Session& session, const Materials& materials) {
+    auto program = std::make_shared<Program>();
+    Result unused;
+    for (const graph::Material* material : materials) {
+        graph::Lowered lowered = graph::lower(session, *material, {.fold = false});
+        if (session.diagnostics.has_errors()) return nullptr;
+        const assemble::Linked linked = assemble::link(std::move(lowered));
+        for (const graph::LoweredPass& pass : linked.lowered.passes) {
+            LinkedPass made = link_pass(*material, linked, pass, false, unused, session.options);
+            add_places(*program, made.vertex, session.sources);
+            add_places(*program, made.fragment, session.sources);
+            program->stages.push_back({.pass = pass.name, .stage = Stage::Vertex, .module = std::move(made.vertex)});
+            program->stages.push_back(
+                {.pass = pass.name, .stage = Stage::Fragment, .module = std::move(made.fragment)});
+        }
+    }
+    return program;
+}
+
+}  // namespace patina
