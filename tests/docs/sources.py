@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""docs/sources.md keeps its word: each item and slip has one row, which leads somewhere, and every link is good.
+"""docs/sources.md keeps its word: each item, slip and option has one row, which leads somewhere, and every link is good.
 
 The pages of nodes and models are generated: a link to one is good if the library has the node or model.
 
@@ -13,6 +13,7 @@ import sys
 
 ITEMS = [str(number) for number in range(1, 172)]
 SLIPS = [f"E{number}" for number in range(1, 80)]
+OPTIONS = [f"O{number}" for number in range(1, 26)]
 
 
 def anchors(page):
@@ -38,14 +39,18 @@ def bad_links(page, nodes, models):
 
 def bad_rows(page):
     rows = {}
-    for line in page.read_text(encoding="utf-8").splitlines():
+    text = page.read_text(encoding="utf-8")
+    for said in f"They name {len(ITEMS)} things", f"{len(OPTIONS)} options":
+        if said not in text:
+            yield f"the page does not say '{said}'"
+    for line in text.splitlines():
         cells = [cell.strip() for cell in re.split(r"(?<!\\)\|", line)[1:-1]]
-        if cells and re.fullmatch(r"E?\d+", cells[0]):
+        if cells and re.fullmatch(r"[EO]?\d+", cells[0]):
             rows.setdefault(cells[0], []).append(cells[1:])
-    for key in ITEMS + SLIPS:
+    for key in ITEMS + SLIPS + OPTIONS:
         if len(rows.get(key, [])) != 1:
             yield f"row {key}: there are {len(rows.get(key, []))} of it"
-    for key in rows.keys() - set(ITEMS + SLIPS):
+    for key in rows.keys() - set(ITEMS + SLIPS + OPTIONS):
         yield f"row {key}: there is no such item"
     for key, found in rows.items():
         for cells in found:
@@ -62,7 +67,7 @@ def main():
     nodes = set(re.findall(r"^  (\w+)", listed, re.MULTILINE))
     models = {path.name.partition(".")[0] for path in root.glob("nodes/lighting/*.lighting.json")}
     wrong = [*bad_rows(page), *bad_links(page, nodes, models)]
-    print("\n".join(wrong) or f"{len(ITEMS)} items, {len(SLIPS)} slips, {len(nodes)} nodes in the library: all is well")
+    print("\n".join(wrong) or f"{len(ITEMS)} items, {len(SLIPS)} slips, {len(OPTIONS)} options, {len(nodes)} nodes in the library: all is well")
     sys.exit(1 if wrong or not nodes else 0)
 
 

@@ -173,5 +173,22 @@ TEST(Instances, CastTheirShadows) {
     }
 }
 
+// A lamp that reaches the last instance alone is not too far from the object.
+TEST(Instances, AreReachedByLampsWhereverTheyAre) {
+    std::vector<Bead> all = beads(2);
+    all[0].place = glm::translate(glm::mat4(1), {-1.5f, 0, 0}) * all[0].place;
+    all[1].place = glm::translate(glm::mat4(1), {1.5f, 0, 0}) * all[1].place;
+    World one = together(bead("instance"), all, 64), many = apart(all, 64);
+    const WorldOptions options{.path = "forward-add", .exact_targets = true};
+    const Image unlit = draw(one, options);
+    for (World* world : {&one, &many})
+        world->view.lights.push_back({.kind = runtime::LightKind::Point,
+                                      .position = glm::vec3(all[1].place[3]) + glm::vec3(0, 0, 0.5f),
+                                      .range = 1});
+    const Image lit = draw(one, options);
+    EXPECT_LE(difference(lit, draw(many, options)).largest, 1e-5);
+    EXPECT_GT(difference(lit, unlit).largest, 0.1);
+}
+
 }  // namespace
 }  // namespace patina::paths

@@ -84,6 +84,41 @@ TEST(RenderState, AStencilCutsAWindow) {
     expect_halves(world, kGreen, kNothing);
 }
 
+// Of a number all of whose bits are set, the bits of the mask arrive.
+TEST(RenderState, AStencilWritesTheBitsOfItsMask) {
+    for (const auto& [asked, is_seen] : {std::pair(6, true), std::pair(15, false), std::pair(0, false)}) {
+        World world = empty_world();
+        add_object(world, unlit("0", R"("stencil": { "reference": 15, "pass": "replace", "writeMask": 6 })"), "plane",
+                   2, wall(0));
+        add_object(world,
+                   unlit("[0, 1, 0]",
+                         fmt::format(R"("stencil": {{ "reference": {}, "test": "equal" }}, "queue": 2001)", asked)),
+                   "plane", 2, wall(1));
+        expect_halves(world, is_seen ? kGreen : kNothing, is_seen ? kGreen : kNothing);
+    }
+}
+
+// A plane that is hidden by depth on the left, and one that the stencil lets through nowhere: what each leaves behind.
+TEST(RenderState, AStencilKnowsWhyASurfaceIsNotSeen) {
+    const auto numbers = [](const std::string& stencil, int left, int right) {
+        SCOPED_TRACE(stencil);
+        World world = empty_world();
+        add_object(world, unlit("0", ""), "plane", 2, wall(2, true));
+        add_object(world, unlit("0", R"("queue": 2001, "stencil": { "reference": 3, )" + stencil + " }"), "plane", 2,
+                   wall(0));
+        // They change what they test, so that along each path they go the way of the surface before them.
+        const std::string shown =
+            R"("queue": 2002, "depthTest": "always", "stencil": { "test": "equal", "pass": "zero", "reference": )";
+        add_object(world, unlit("[1, 0, 0]", shown + fmt::format("{} }}", left)), "plane", 2, wall(0, true));
+        add_object(world, unlit("[0, 1, 0]", shown + fmt::format("{} }}", right)), "plane", 2,
+                   glm::translate(glm::mat4(1), {20, 0, 0}) * wall(0, true));
+        expect_halves(world, kRed, kGreen);
+    };
+    const std::string words = R"("pass": "replace", "depthFail": "increment", "fail": "invert")";
+    numbers(words, 1, 3);
+    numbers(R"("test": "never", )" + words, 255, 255);
+}
+
 // Blended surfaces obey it too: each pixel once, however often the surface lies over itself.
 TEST(RenderState, AStencilKeepsAFadingSurfaceFromCoveringItself) {
     World world = empty_world();
@@ -245,6 +280,22 @@ TEST(RenderState, BoundsSayWhereTheMeshIsDrawn) {
                                    "forward");
     ASSERT_TRUE(result.reflection.bounds && result.reflection.bounds->box);
     EXPECT_EQ((*result.reflection.bounds->box)[1][1], 2);
+}
+
+// A material that lifts its plane over another one: they blend in the order of where they are drawn, green over red.
+TEST(RenderState, BoundsOrderWhatBlends) {
+    const auto lifted = [](const std::string& bounds) {
+        World world = empty_world();
+        add_object(world, written("lifted_fade.graph.json", R"json({ "patina": 1, "workflow": "unlit",
+  "vertex": { "position_os": "= @position_os + float3(0, 0, 0.5)" }, "surface": { "color": [0, 1, 0], "alpha": 0.5 },
+  "render": { "surface": "fade")json" + bounds + " } }"),
+                   "plane", 2, wall(0));
+        add_object(world, unlit("[1, 0, 0]", R"("surface": "fade")"), "plane", 2, wall(2));
+        return world;
+    };
+    expect_halves(lifted(R"(, "bounds": [[-1, -1, 0.5], [1, 1, 0.5]])"), {0.25f, 0.5f, 0}, {0.25f, 0.5f, 0});
+    // Where the object itself is, it is the farther one.
+    expect_halves(lifted(""), {0.5f, 0.25f, 0}, {0.5f, 0.25f, 0});
 }
 
 // The material moves its mesh, and not the square that deferred lights the screen by: it would end in the middle.

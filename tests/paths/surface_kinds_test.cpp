@@ -4,76 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
 
-#include "paths/drawing.h"
-#include "runtime/environment.h"
+#include "paths/checkerboard.h"
 
 namespace patina::paths {
 namespace {
 
-constexpr int kPixels = 32, kSquares = 16;
-const glm::dvec3 kDark(0.02, 0.1, 0.3), kLight(0.9, 0.8, 0.5);
-const glm::dvec3 kSun(0.75, 0.5, 0.25);  // irradiance over pi, as lights are given
-
-// Seen in parallel: a surface from -1 to 1 fills the picture, and the board, twice as large, lies a metre behind it.
-World before_a_checkerboard(const std::string& graph, std::map<std::string, std::string> overrides) {
-    World world;
-    world.view.width = world.view.height = kPixels;
-    world.view.background = glm::vec4(0);
-    world.view.camera = {.position = {0, 0, 4}, .target = {0, 0, 0}, .orthographic_height = 2};
-    static const auto kNothingAround =
-        std::make_shared<const runtime::Environment>(runtime::constant_ambient(glm::vec3(0)));
-    world.view.ambient = runtime::constant_ambient(glm::vec3(0));
-    world.view.environment = kNothingAround;
-    world.view.lights = {{.direction = {0, 0, 1}, .color = glm::vec3(kSun)}};
-    const std::string board = written("board.graph.json", R"({ "patina": 1, "workflow": "unlit", "properties": [
-  { "name": "_MainTex", "type": "texture2d", "usage": "data", "sampler": { "filter": "nearest" } }
-], "nodes": [ { "id": "main", "node": "SampleTexture2D", "in": { "texture": "$_MainTex" } } ],
-"surface": { "color": "main.rgb" } })");
-    const std::string squares = written_texture("squares.exr", kSquares, kSquares, [](int x, int y) {
-        return glm::dvec4((x + y) % 2 == 0 ? kDark : kLight, 1);
-    });
-    add_object(world, board, "plane", 1, glm::scale(glm::translate(glm::mat4(1), {0, 0, -1}), glm::vec3(2)),
-               {{"_MainTex", squares}});
-    add_object(world, graph, "plane", 1, glm::mat4(1), std::move(overrides));
-    return world;
-}
-
-glm::dvec2 uv_of(int x, int y) {
-    return {(x + 0.5) / kPixels, (y + 0.5) / kPixels};
-}
-// The picture shows the middle half of the board.
-glm::dvec3 behind(int x, int y) {
-    const glm::dvec2 square = glm::floor((0.25 + 0.5 * uv_of(x, y)) * double(kSquares));
-    return (int(square.x) + int(square.y)) % 2 == 0 ? kDark : kLight;
-}
-
-// Where n, l, v and h are one direction: Disney's diffuse term is 1, Smith's visibility term 1/4, GGX 1 / (pi a^2), and
-// Fresnel's is f0, which is 0.04.
-constexpr double kF0 = 0.04;
-double highlight(double smoothness) {
-    const double alpha = (1 - smoothness) * (1 - smoothness);
-    return kF0 / (4 * alpha * alpha);
-}
-glm::dvec3 scattered(const glm::dvec3& color) {
-    return color * (1 - kF0) * kSun;
-}
-
 void expect_picture(const std::string& graph, const std::map<std::string, std::string>& overrides,
-                    const std::function<glm::dvec3(int x, int y)>& expected, double tolerance = 1e-3) {
-    for (const char* via : {"glsl", "hlsl", "cpu"}) {
-        SCOPED_TRACE(fmt::format("{} via {}", graph, via));
-        const Image image =
-            draw(before_a_checkerboard(graph, overrides), {.via = via, .exact_textures = true, .exact_targets = true});
-        for (int y = 0; y < kPixels; ++y)
-            for (int x = 0; x < kPixels; ++x)
-                for (int c = 0; c < 3; ++c) {
-                    const double wanted = expected(x, y)[c];
-                    ASSERT_NEAR(double(image.at(x, y)[std::size_t(c)]), wanted, tolerance * std::max(1.0, wanted))
-                        << "pixel (" << x << ", " << y << "), channel " << c;
-                }
-    }
+                    const std::function<glm::dvec3(int x, int y)>& expected) {
+    SCOPED_TRACE(graph);
+    World world = checkerboard();
+    add_object(world, graph, "plane", 1, glm::mat4(1), overrides);
+    expect_pixels(world, expected);
 }
 
 TEST(SurfaceKinds, OpaqueCoversWithLightBrighterThanWhite) {
