@@ -350,6 +350,7 @@ void compile_graph(graph::Session& session, std::uint32_t base, const std::strin
     for (std::size_t i = 0; options.hashes && i < passes.size(); ++i)
         result.reflection.passes[i].hash = assemble::hash_pass(passes[i].vertex, passes[i].fragment).text();
     if (graph::tool_of(session)) {
+        assemble::check_shader_properties(*material, linked.front().lowered, session.diagnostics);
         result.shaders.push_back(
             print_file(session, *material, linked.front().lowered, passes, name, result.reflection));
         return;

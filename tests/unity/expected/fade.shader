@@ -10,7 +10,6 @@ Shader "Patina/fade"
     #include "UnityCG.cginc"
     #include "AutoLight.cginc"
     #include "UnityPBSLighting.cginc"
-    #include "UnityLightingCommon.cginc"
 
     half4 _Color;
 
@@ -147,7 +146,7 @@ Shader "Patina/fade"
     }
 
     // Disney's diffuse term: darker at the outline of a smooth surface, brighter at that of a rough one.
-    float DisneyDiffuse_2(float ndotv, float ndotl, float ldoth, float roughness)
+    float DisneyDiffuseTerm(float ndotv, float ndotl, float ldoth, float roughness)
     {
         float f90 = 0.5 + 2.0 * roughness * ldoth * ldoth;
         float difference = f90 - 1.0;
@@ -267,7 +266,7 @@ Shader "Patina/fade"
                 float ldoth = saturate(dot(_WorldSpaceLightPos0.xyz, half_vector));
 
                 // DisneyDiffuse "diffuse"
-                float diffuse = DisneyDiffuse_2(ndotv, ndotl, ldoth, 0.3);
+                float diffuse = DisneyDiffuseTerm(ndotv, ndotl, ldoth, 0.3);
 
                 // VisibilitySmithJointApproximate "visibility"
                 float visibility = VisibilitySmithJointApproximate(ndotl, ndotv, 0.09, 1e-05);
@@ -382,7 +381,7 @@ Shader "Patina/fade"
                 float ldoth = saturate(dot(direction, half_vector));
 
                 // DisneyDiffuse "diffuse"
-                float diffuse = DisneyDiffuse_2(ndotv, ndotl, ldoth, 0.3);
+                float diffuse = DisneyDiffuseTerm(ndotv, ndotl, ldoth, 0.3);
 
                 // VisibilitySmithJointApproximate "visibility"
                 float visibility = VisibilitySmithJointApproximate(ndotl, ndotv, 0.09, 1e-05);

@@ -23,7 +23,6 @@ Shader "Patina/Standard"
     #include "UnityCG.cginc"
     #include "AutoLight.cginc"
     #include "UnityPBSLighting.cginc"
-    #include "UnityLightingCommon.cginc"
 
     half4 _Color;
     float4 _MainTex_ST;
@@ -67,9 +66,9 @@ Shader "Patina/Standard"
     }
 
     // A normal map's texel as it was painted, however Unity has packed it.
-    half4 NormalTexel(half4 packed)
+    half4 NormalTexel(half4 texel)
     {
-        return half4(UnpackNormal(packed) * 0.5 + 0.5, 1);
+        return half4(UnpackNormal(texel) * 0.5 + 0.5, 1);
     }
 
     // The coordinates of the lightmaps, or the light of four lights and the second order of the probes at a vertex.
@@ -265,7 +264,7 @@ Shader "Patina/Standard"
     }
 
     // Disney's diffuse term: darker at the outline of a smooth surface, brighter at that of a rough one.
-    float DisneyDiffuse_2(float ndotv, float ndotl, float ldoth, float roughness)
+    float DisneyDiffuseTerm(float ndotv, float ndotl, float ldoth, float roughness)
     {
         float f90 = 0.5 + 2.0 * roughness * ldoth * ldoth;
         float difference = f90 - 1.0;
@@ -393,7 +392,7 @@ Shader "Patina/Standard"
                 float ldoth = saturate(dot(_WorldSpaceLightPos0.xyz, half_vector));
 
                 // DisneyDiffuse "diffuse"
-                float diffuse = DisneyDiffuse_2(ndotv, ndotl, ldoth, roughness);
+                float diffuse = DisneyDiffuseTerm(ndotv, ndotl, ldoth, roughness);
 
                 // AlphaFromRoughness "alpha"
                 float alpha = max(roughness * roughness, 0.002);
@@ -525,7 +524,7 @@ Shader "Patina/Standard"
                 float ldoth = saturate(dot(direction, half_vector));
 
                 // DisneyDiffuse "diffuse"
-                float diffuse = DisneyDiffuse_2(ndotv, ndotl, ldoth, roughness);
+                float diffuse = DisneyDiffuseTerm(ndotv, ndotl, ldoth, roughness);
 
                 // AlphaFromRoughness "alpha"
                 float alpha = max(roughness * roughness, 0.002);

@@ -14,7 +14,6 @@ Shader "Patina/Wave"
     #include "UnityCG.cginc"
     #include "AutoLight.cginc"
     #include "UnityPBSLighting.cginc"
-    #include "UnityLightingCommon.cginc"
 
     half _Height;
     float _Waves;
@@ -219,7 +218,7 @@ Shader "Patina/Wave"
     }
 
     // Schlick's reflectance with the fourth power instead of the fifth: a little too bright between.
-    float3 FresnelLerpFast_2(float3 f0, float3 f90, float cosine)
+    float3 FresnelToGrazingFast(float3 f0, float3 f90, float cosine)
     {
         float m = saturate(1.0 - cosine);
         float product = m * m;
@@ -370,7 +369,7 @@ Shader "Patina/Wave"
                 float grazing = saturate(smoothness + 1.0 - setup.one_minus_reflectivity);
 
                 // FresnelLerpFast "reflectance"
-                float3 reflectance = FresnelLerpFast_2(setup.f0, grazing.xxx, ndotv);
+                float3 reflectance = FresnelToGrazingFast(setup.f0, grazing.xxx, ndotv);
 
                 float3 indirect = (setup.diffuse_color * ambient + reduction * reflectance * environment) * material.occlusion;
                 float4 color_2 = float4(ProjectColor(direct + indirect + material.emission), 1.0);
@@ -628,7 +627,7 @@ Shader "Patina/Wave"
                 float grazing = saturate(smoothness + 1.0 - setup.one_minus_reflectivity);
 
                 // FresnelLerpFast "reflectance"
-                float3 reflectance = FresnelLerpFast_2(setup.f0, grazing.xxx, ndotv);
+                float3 reflectance = FresnelToGrazingFast(setup.f0, grazing.xxx, ndotv);
 
                 float3 indirect = (setup.diffuse_color * ambient + reduction * reflectance * environment) * material.occlusion;
                 Targets output;
