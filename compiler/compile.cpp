@@ -12,6 +12,7 @@
 #include "compiler/assemble/check_reads.h"
 #include "compiler/assemble/identifiers.h"
 #include "compiler/assemble/reflect.h"
+#include "compiler/assemble/shader_file.h"
 #include "compiler/dumps.h"
 #include "compiler/impl.h"
 #include "compiler/ir/verify.h"
@@ -103,7 +104,10 @@ void compile_graph(graph::Session& session, std::uint32_t base, const std::strin
     result.reflection = assemble::reflect(material, own, passes);
     for (std::size_t i = 0; options.hashes && i < passes.size(); ++i)
         result.reflection.passes[i].hash = assemble::hash_pass(passes[i].vertex, passes[i].fragment).text();
-    if (is_tool) return print_file(session, material, own, passes, name, result);
+    if (is_tool) {
+        assemble::check_shader_properties(material, own, session.diagnostics);
+        return print_file(session, material, own, passes, name, result);
+    }
     for (const LinkedPass& pass : passes) print_pass(session, pass, name, result);
     if (options.keep_programs) result.program = keep_program(session, materials);
 }

@@ -19,12 +19,23 @@ void name_set(ir::Module& module, std::uint32_t set, targets::Names& names) {
     }
 }
 
+// Whether a property is what the included file declares under that name.
+bool is_property(const ir::Module& module, std::string_view name) {
+    for (const ir::UniformBlock& block : module.blocks) {
+        for (const ir::BlockMember& member : block.members) {
+            if (!member.declared_in.empty() && member.name == name) return true;
+        }
+    }
+    return false;
+}
+
 }  // namespace
 
 void name_interface(ir::Module& module) {
     targets::Names names;
     for (const ir::Global& global : module.globals) {
-        if (global.is_foreign()) names.declare(global.spelling.substr(0, global.spelling.find('.')));
+        if (!global.is_foreign() || is_property(module, global.spelling)) continue;
+        names.declare(global.spelling.substr(0, global.spelling.find('.')));
     }
     for (ir::UniformBlock& block : module.blocks) block.name = names.declare(block.name);
     name_set(module, graph::kEngineSet, names);  // first: hosts know these by name

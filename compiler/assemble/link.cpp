@@ -308,8 +308,8 @@ namespace {
 
 std::vector<ir::StageText> texts_of(const graph::PassDecl& pass) {
     Diagnostics said;  // when its file was read
-    std::vector<ir::StageText> texts = graph::texts_of(*pass.vertex, said);
-    for (ir::StageText& text : graph::texts_of(*pass.fragment, said)) texts.push_back(std::move(text));
+    std::vector<ir::StageText> texts = graph::texts_of(pass.vertex->attributes, said);
+    for (ir::StageText& text : graph::texts_of(pass.fragment->attributes, said)) texts.push_back(std::move(text));
     return texts;
 }
 

@@ -23,6 +23,14 @@ targets::Printed shader_file(const ShaderFile& file);
 // The lines of the block `Properties`.
 std::vector<std::string> shader_properties(const graph::Material& material, const graph::Lowered& lowered,
                                            const Reflection& reflection);
+// The word for a texture's default, where it is a file.
+std::string_view default_word(const graph::Property& property);
+// What Unity's inspector lists of an enum: [KeywordEnum] so many names, [Enum] so many pairs of name and value.
+constexpr std::size_t kMostKeywords = 9, kMostPairs = 7;
+
+// --- check_shader_properties.cpp
+// Refuses names that Unity's includes declare, and tells what of a property a ShaderLab file cannot say.
+void check_shader_properties(const graph::Material& material, const graph::Lowered& lowered, Diagnostics& diagnostics);
 
 // --- shader_state.cpp
 // The lines for what ShaderLab does not take for granted.

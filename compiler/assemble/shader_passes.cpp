@@ -36,6 +36,11 @@ void add_texts_of(const ir::Module& stage, std::vector<ir::StageText>& into) {
             if (inst.op == ir::Op::Call) add_texts(stage.functions[inst.data].texts, into);
         }
     }
+    for (const ir::UniformBlock& block : stage.blocks) {
+        for (const ir::BlockMember& member : block.members) {
+            if (!member.declared_in.empty()) add_texts({{.place = "include", .line = member.declared_in}}, into);
+        }
+    }
 }
 
 std::vector<Declaration> declarations(const targets::Printed& printed) {

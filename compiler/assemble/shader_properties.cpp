@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 
 #include "compiler/assemble/shader_file.h"
@@ -55,8 +56,11 @@ std::string_view file_name(std::string_view path) {
     return path.substr(path.find_last_of("/\\") + 1);
 }
 
+// The shortest decimals that are this float: 0.005, not 5e-3.
 std::string number(double value) {
-    return shortest(static_cast<float>(value));
+    char digits[64];
+    const auto end = std::to_chars(digits, std::end(digits), static_cast<float>(value), std::chars_format::fixed);
+    return {digits, end.ptr};
 }
 
 std::string vector(const std::array<double, 4>& value, std::size_t count) {
@@ -65,10 +69,9 @@ std::string vector(const std::array<double, 4>& value, std::size_t count) {
     return "(" + made + ")";
 }
 
-// The word of Unity's that is nearest to a texture that is a file.
 std::string texture_word(const graph::MaterialProperty& entry) {
     if (!entry.is_file && !entry.texture_path.empty()) return entry.texture_path;
-    return entry.is_file && entry.property->usage == graph::TextureUsage::Normal ? "bump" : "white";
+    return std::string(entry.is_file ? default_word(*entry.property) : "white");
 }
 
 struct Declared {
@@ -79,12 +82,18 @@ std::string range(const graph::Property& property) {
     return fmt::format("Range({}, {})", number((*property.range)[0]), number((*property.range)[1]));
 }
 
+// An enum with more values than the inspector can list.
+Declared counted(const graph::Property& property, double value) {
+    return {"[IntRange] ", fmt::format("Range(0, {})", property.values.size() - 1), number(value)};
+}
+
 // A property that stands for keywords. Unity makes the names of an enum's itself.
 Declared switched(const graph::MaterialProperty& entry) {
     const graph::Property& property = *entry.property;
     if (property.type == PropertyType::Bool)
         return {fmt::format("[Toggle({})] ", targets::shaderlab::keyword_of(property.name, {})), "Float",
                 number(entry.chosen)};
+    if (property.values.size() > kMostKeywords) return counted(property, entry.chosen);
     return {fmt::format("[KeywordEnum({})] ", fmt::join(property.values, ", ")), "Float", number(entry.chosen)};
 }
 
@@ -110,6 +119,7 @@ Declared declared(const graph::MaterialProperty& entry, bool is_decoded) {
             return {"", "Int", number(value[0])};
         case PropertyType::Bool: return {"[Toggle] ", "Float", number(value[0])};
         case PropertyType::Enum: {
+            if (property.values.size() > kMostPairs) return counted(property, value[0]);
             std::string words;
             for (std::size_t i = 0; i < property.values.size(); ++i)
                 words += fmt::format("{}{}, {}", i == 0 ? "" : ", ", property.values[i], i);
@@ -125,6 +135,10 @@ Declared declared(const graph::MaterialProperty& entry, bool is_decoded) {
 }
 
 }  // namespace
+
+std::string_view default_word(const graph::Property& property) {
+    return property.usage == graph::TextureUsage::Normal ? "bump" : "white";
+}
 
 std::vector<std::string> shader_properties(const graph::Material& material, const graph::Lowered& lowered,
                                            const Reflection& reflection) {

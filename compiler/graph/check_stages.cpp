@@ -153,6 +153,11 @@ private:
                 bad(decl.type.span, "foreign", "stands before floats, ints, float3x3 or float4x4");
         }
         if (const Attribute* attribute = decl.attribute("gives")) gives(decl, *attribute);
+        if (const Attribute* attribute = decl.attribute("text")) {
+            texts_of(decl.attributes, diagnostics_);
+            if (!decl.attribute("foreign"))
+                bad(attribute->span, "text", "stands before a [foreign] value or a function");
+        }
         if (declarations_.parent && !decl.is_const) again(decl);
         if (is_of_pass(sources_, decl.span)) {
             for (const std::string_view name : {"attribute", "given", "vertex_output"}) {
@@ -267,7 +272,7 @@ private:
             }
         }
         if (const Attribute* attribute = decl.attribute("foreign")) foreign_function(decl, *attribute);
-        texts_of(decl, diagnostics_);
+        texts_of(decl.attributes, diagnostics_);
         for (const Attribute& attribute : decl.attributes) {
             const bool is_tools = attribute.name == "text" || attribute.name == "tag" || attribute.name == "decodes";
             if (is_tools && !is_for_tool(attribute.span)) foreign(attribute, attribute.span);

@@ -66,6 +66,18 @@ std::string_view usage_of(const CheckedGraph& graph, const Property& property) {
     return property.usage == TextureUsage::Normal ? "normal" : property.usage == TextureUsage::Color ? "color" : "";
 }
 
+// The tool's file that declares a value of materials under this name and with this type; empty: none does.
+std::string declared_in(const Lowering& lowering, const Property& property) {
+    const auto& foreign = lowering.session.stages->foreign;
+    const auto found = std::find_if(foreign.begin(), foreign.end(), [&](const nodelang::VariableDecl* each) {
+        return each->name == property.name && each->attribute("text");
+    });
+    if (found == foreign.end() || property.type != PropertyType::Color || property.binding == Binding::Instance)
+        return {};
+    Diagnostics said;  // when the file was read
+    return texts_of((*found)->attributes, said).front().line;
+}
+
 }  // namespace
 
 void mark_for_tool(Lowering& lowering) {
@@ -82,6 +94,7 @@ void mark_for_tool(Lowering& lowering) {
         ir::BlockMember& member = out.module.blocks[global.block].members[global.member];
         member.stored_as = stored_as(property);
         member.is_of_instance = property.binding == Binding::Instance;
+        member.declared_in = declared_in(lowering, property);
     }
 }
 
@@ -90,7 +103,7 @@ void tell_texts(Lowering& lowering) {
     for (const nodelang::FunctionDecl& function : lowering.session.pass_file->ast.functions) {
         if (!function.attribute("foreign")) continue;
         for (const nodelang::InstanceInfo& instance : lowering.emitter.instances_of(function))
-            lowering.out.module[instance.id].texts = texts_of(function, said);
+            lowering.out.module[instance.id].texts = texts_of(function.attributes, said);
     }
 }
 

@@ -248,9 +248,9 @@ void check_twice(const nodelang::FunctionDecl& fragment, Diagnostics& diagnostic
 
 }  // namespace
 
-std::vector<ir::StageText> texts_of(const nodelang::FunctionDecl& function, Diagnostics& diagnostics) {
+std::vector<ir::StageText> texts_of(std::span<const Attribute> attributes, Diagnostics& diagnostics) {
     std::vector<ir::StageText> texts;
-    for (const Attribute& attribute : function.attributes) {
+    for (const Attribute& attribute : attributes) {
         if (attribute.name != "text") continue;
         Arguments in(attribute, diagnostics);
         if (!in.count(2, 32, "[text(\"pragma\", \"target 3.5\")]")) continue;

@@ -124,7 +124,7 @@ bool is_of_pass(const SourceMap& sources, Span span);
 void read_pass_state(const nodelang::FunctionDecl& fragment, const nodelang::Declarations& declarations, PassDecl& pass,
                      Diagnostics& diagnostics);
 // What a function of a pass says at places of the text that it becomes.
-std::vector<ir::StageText> texts_of(const nodelang::FunctionDecl& function, Diagnostics& diagnostics);
+std::vector<ir::StageText> texts_of(std::span<const nodelang::Attribute> attributes, Diagnostics& diagnostics);
 std::vector<std::string_view> attribute_words(const nodelang::Attribute& attribute, std::size_t first = 0);
 
 }  // namespace patina::graph

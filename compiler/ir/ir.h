@@ -181,6 +181,7 @@ struct BlockMember {
     std::uint32_t padding = 0;    // number of floats of padding before it
     std::string stored_as{};      // the word for its type, where a language declares it as another; may be empty
     bool is_of_instance = false;  // each instance has its own, where a language has words for that
+    std::string declared_in{};    // the other tool's file that declares it; empty: the text does
 };
 struct UniformBlock {
     std::string name{};

@@ -75,6 +75,7 @@ constexpr AttributeInfo kAttributes[] = {
     {kVariable, "unit"},
     {kVariable, "vertex_output"},
     {kVariable, "foreign"},
+    {kVariable, "text"},
     {kVariable, "gives"},
     {kMember, "target"},
     {kMember, "only_if"},

@@ -51,7 +51,7 @@ void name_globals(Writer& w) {
     for (std::size_t i = 0; i < m.blocks.size(); ++i) {
         if (!w.reachable.blocks[i]) continue;
         for (const BlockMember& member : m.blocks[i].members) {
-            w.block_members[i].push_back(w.names.declare(member.name));
+            w.block_members[i].push_back(member.declared_in.empty() ? w.names.declare(member.name) : member.name);
         }
     }
     for (std::size_t i = 0; i < m.globals.size(); ++i) {

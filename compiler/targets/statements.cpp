@@ -262,36 +262,74 @@ void Body::print_select(Value v) {
 
 // --- control flow
 
-// The condition in the words of the preprocessor; empty: it cannot say it.
-std::string Body::keyword_test(Value condition) const {
-    const Inst& inst = function_[condition];
-    const Module& m = writer_.module;
-    const auto of = [&](std::uint32_t i) { return keyword_test(arg(condition, i)); };
-    const auto keyword = [&](Value v) -> const Keyword* {
-        if (function_[v].op != Op::Global || !m.globals[function_[v].data].is_keyword()) return nullptr;
-        return &m.keywords[m.globals[function_[v].data].keyword];
+namespace {
+
+// A condition of the preprocessor. `joined_by`: "&&" or "||" if it is several; it stands in parentheses among others.
+struct Test {
+    std::string text;
+    std::string_view joined_by = {};
+};
+
+Test negated(const Test& test) {
+    if (!test.joined_by.empty()) return {fmt::format("!({})", test.text)};
+    return {test.text.starts_with('!') ? test.text.substr(1) : "!" + test.text};
+}
+
+Test joined(const Test& left, std::string_view by, const Test& right) {
+    const auto part = [&](const Test& test) {
+        return test.joined_by.empty() || test.joined_by == by ? test.text : fmt::format("({})", test.text);
     };
-    if (const Keyword* read = keyword(condition)) return writer_.language.keyword_test(*read, {});
+    return {fmt::format("{} {} {}", part(left), by, part(right)), by};
+}
+
+// Whether an enum has this value. Where none of its keywords is defined it has the first, as a new material has.
+Test has_value(const Language& language, const Keyword& keyword, std::size_t value, bool wanted) {
+    const auto is = [&](std::size_t i) { return Test{language.keyword_test(keyword, i)}; };
+    if (value > 0) return wanted ? is(value) : negated(is(value));
+    Test made{wanted ? "1" : "0"};
+    for (std::size_t i = 1; i < keyword.values.size(); ++i) {
+        const Test next = wanted ? negated(is(i)) : is(i);
+        made = i == 1 ? next : joined(made, wanted ? "&&" : "||", next);
+    }
+    return made;
+}
+
+std::optional<Test> test_of(const Body& body, Value condition) {
+    const Inst& inst = body[condition];
+    const Module& m = body.module();
+    const Language& language = body.writer().language;
+    const auto of = [&](std::uint32_t i) { return test_of(body, body.arg(condition, i)); };
+    const auto keyword = [&](Value v) -> const Keyword* {
+        if (body[v].op != Op::Global || !m.globals[body[v].data].is_keyword()) return nullptr;
+        return &m.keywords[m.globals[body[v].data].keyword];
+    };
+    if (const Keyword* read = keyword(condition)) return Test{language.keyword_test(*read, {})};
     if (inst.op == Op::Not) {
-        const std::string inner = of(0);
-        if (inner.empty()) return {};
-        return inner.find(' ') == inner.npos ? "!" + inner : "!(" + inner + ")";
+        const std::optional<Test> inner = of(0);
+        return inner ? std::optional(negated(*inner)) : inner;
     }
     if (inst.op == Op::And || inst.op == Op::Or) {
-        const std::string left = of(0), right = of(1);
-        if (left.empty() || right.empty()) return {};
-        return inst.op == Op::And ? fmt::format("{} && {}", left, right) : fmt::format("({} || {})", left, right);
+        const std::optional<Test> left = of(0), right = of(1);
+        if (!left || !right) return {};
+        return joined(*left, inst.op == Op::And ? "&&" : "||", *right);
     }
     if (inst.op != Op::Equal && inst.op != Op::NotEqual) return {};
     for (const std::uint32_t side : {0u, 1u}) {
-        const Keyword* read = keyword(arg(condition, side));
-        const Inst& other = function_[arg(condition, 1 - side)];
+        const Keyword* read = keyword(body.arg(condition, side));
+        const Inst& other = body[body.arg(condition, 1 - side)];
         if (!read || other.op != Op::Constant || read->values.empty()) continue;
         const auto value = static_cast<std::size_t>(m.numbers_of(m.constants[other.data])[0]);
-        const std::string test = writer_.language.keyword_test(*read, value);
-        return inst.op == Op::Equal ? test : "!" + test;
+        return has_value(language, *read, value, inst.op == Op::Equal);
     }
     return {};
+}
+
+}  // namespace
+
+// The condition in the words of the preprocessor; empty: it cannot say it.
+std::string Body::keyword_test(Value condition) const {
+    const std::optional<Test> test = test_of(*this, condition);
+    return test ? test->text : std::string();
 }
 
 // Both sides stand in one scope, so that what one of them declares keeps its name for itself.

@@ -74,10 +74,13 @@ float2 unity_uv_of_tangent(float2 tangent) {
 /// A linear colour as the project keeps it.
 [foreign] float3 ProjectColor(float3 color);
 
+// What an include declares for materials: a property of this name is not declared again.
+[foreign] [text("include", "UnityPBSLighting.cginc")] float4 _SpecColor;
+
 // --- light
 
 [foreign] float4 _WorldSpaceLightPos0;
-[foreign("LinearColor(_LightColor0.rgb)")] [text("include", "UnityLightingCommon.cginc")]
+[foreign("LinearColor(_LightColor0.rgb)")] [text("include", "UnityPBSLighting.cginc")]
 float3 LightColor();
 [foreign] float3 UnityWorldSpaceLightDir(float3 position);
 [foreign] int LightType();

@@ -55,8 +55,8 @@ Text expression(const Body& body, Value v) {
         body[texture].op == Op::Global ? std::string_view(body.module().globals[body[texture].data].decoder) : "";
     const auto* const reading = std::find_if(std::begin(kReadings), std::end(kReadings),
                                              [&](const Reading& each) { return each.op == body[v].op; });
-    std::string text = reading == std::end(kReadings) ? hlsl::language().expression(body, v).text
-                                                      : read_texture(body, v, *reading);
+    std::string text =
+        reading == std::end(kReadings) ? hlsl::language().expression(body, v).text : read_texture(body, v, *reading);
     return {decoded(decoder, std::move(text)), Precedence::Postfix};
 }
 
@@ -88,7 +88,8 @@ void block(Writer& w, const UniformBlock& block) {
     const auto declarations = [&](bool of_instance, auto write) {
         for (std::size_t i = 0; i < block.members.size(); ++i) {
             const BlockMember& member = block.members[i];
-            if (member.is_of_instance == of_instance) write(member, w.block_members[index][i]);
+            if (member.is_of_instance == of_instance && member.declared_in.empty())
+                write(member, w.block_members[index][i]);
         }
     };
     declarations(false, [&](const BlockMember& member, const std::string& name) {
@@ -300,8 +301,12 @@ std::string keyword_of(std::string_view property, std::string_view value) {
 
 std::optional<Module> legalize(const Module& module) {
     std::optional<Module> legal = hlsl::legalize(module);
-    if (module.keywords.empty()) return legal;
-    Module made = branch_on_keywords(legal ? std::move(*legal) : module);
+    Module made = legal ? std::move(*legal) : module;
+    for (Function& function : made.functions) {
+        if (function.linkage != Linkage::Foreign) function.name = synonym(function.name);
+    }
+    if (made.keywords.empty()) return made;
+    made = branch_on_keywords(std::move(made));
     made.tests_keywords = true;
     // A keyword that is on is a macro: no constant can have its name.
     for (Global& global : made.globals) {

@@ -17,5 +17,9 @@ std::string keyword_of(std::string_view property, std::string_view value);
 
 // Names of Unity's includes that a shader of this library might want to declare, and those of their macros' locals.
 std::span<const std::string_view> taken_names();
+// Whether it is one of those, or begins as all names of Unity do.
+bool is_taken(std::string_view name);
+// What a function of the library is called here: its name, or another word for it where Unity has that name.
+std::string_view synonym(std::string_view function);
 
 }  // namespace patina::targets::shaderlab

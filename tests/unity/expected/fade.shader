@@ -10,7 +10,6 @@ Shader "Patina/fade"
     #include "UnityCG.cginc"
     #include "AutoLight.cginc"
     #include "UnityPBSLighting.cginc"
-    #include "UnityLightingCommon.cginc"
 
     half4 _Color;
 
@@ -213,7 +212,7 @@ Shader "Patina/fade"
     }
 
     // Disney's diffuse term: darker at the outline of a smooth surface, brighter at that of a rough one.
-    float DisneyDiffuse_2(float ndotv, float ndotl, float ldoth, float roughness)
+    float DisneyDiffuseTerm(float ndotv, float ndotl, float ldoth, float roughness)
     {
         float f90 = 0.5 + 2.0 * roughness * ldoth * ldoth;
         float difference = f90 - 1.0;
@@ -266,7 +265,7 @@ Shader "Patina/fade"
         float ldoth = saturate(dot(light.direction, half_vector));
 
         // DisneyDiffuse "diffuse"
-        float diffuse = DisneyDiffuse_2(ndotv, ndotl, ldoth, surface.roughness);
+        float diffuse = DisneyDiffuseTerm(ndotv, ndotl, ldoth, surface.roughness);
 
         // AlphaFromRoughness "alpha"
         float alpha = max(surface.roughness * surface.roughness, 0.002);

@@ -23,7 +23,6 @@ Shader "Patina/Standard"
     #include "UnityCG.cginc"
     #include "AutoLight.cginc"
     #include "UnityPBSLighting.cginc"
-    #include "UnityLightingCommon.cginc"
 
     half4 _Color;
     float4 _MainTex_ST;
@@ -302,7 +301,7 @@ Shader "Patina/Standard"
     }
 
     // Disney's diffuse term: darker at the outline of a smooth surface, brighter at that of a rough one.
-    float DisneyDiffuse_2(float ndotv, float ndotl, float ldoth, float roughness)
+    float DisneyDiffuseTerm(float ndotv, float ndotl, float ldoth, float roughness)
     {
         float f90 = 0.5 + 2.0 * roughness * ldoth * ldoth;
         float difference = f90 - 1.0;
@@ -355,7 +354,7 @@ Shader "Patina/Standard"
         float ldoth = saturate(dot(light.direction, half_vector));
 
         // DisneyDiffuse "diffuse"
-        float diffuse = DisneyDiffuse_2(ndotv, ndotl, ldoth, surface.roughness);
+        float diffuse = DisneyDiffuseTerm(ndotv, ndotl, ldoth, surface.roughness);
 
         // AlphaFromRoughness "alpha"
         float alpha = max(surface.roughness * surface.roughness, 0.002);

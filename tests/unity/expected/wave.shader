@@ -14,7 +14,6 @@ Shader "Patina/Wave"
     #include "UnityCG.cginc"
     #include "AutoLight.cginc"
     #include "UnityPBSLighting.cginc"
-    #include "UnityLightingCommon.cginc"
 
     half _Height;
     float _Waves;
@@ -287,7 +286,7 @@ Shader "Patina/Wave"
     }
 
     // Schlick's reflectance with the fourth power instead of the fifth: a little too bright between.
-    float3 FresnelLerpFast_2(float3 f0, float3 f90, float cosine)
+    float3 FresnelToGrazingFast(float3 f0, float3 f90, float cosine)
     {
         float m = saturate(1.0 - cosine);
         float product = m * m;
@@ -322,7 +321,7 @@ Shader "Patina/Wave"
         float grazing = saturate(smoothness + 1.0 - surface.oneMinusReflectivity);
 
         // FresnelLerpFast "reflectance"
-        float3 reflectance = FresnelLerpFast_2(surface.f0, grazing.xxx, ndotv);
+        float3 reflectance = FresnelToGrazingFast(surface.f0, grazing.xxx, ndotv);
 
         float3 sum = surface.diffuseColor * ambient + reduction * reflectance * environment;
         return sum * surface.occlusion;

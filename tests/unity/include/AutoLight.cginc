@@ -1,5 +1,6 @@
 // A stand-in for Unity's include of this name, written for these tests. STAND_IN_2017: without what came in 2018.
 #ifdef SHADOWS_SCREEN
+sampler2D _ShadowMapTexture;
 #define UNITY_SHADOW_COORDS(idx) float4 _ShadowCoord : TEXCOORD##idx;
 #define UNITY_TRANSFER_SHADOW(a, coord) a._ShadowCoord = ComputeScreenPos(a.pos) + float4(coord, 0, 0) * 0;
 #define UNITY_SHADOW_ATTENUATION(a, position) (a._ShadowCoord.w > -1e30 ? 1 : 0)
@@ -19,6 +20,16 @@
 #endif
 #define UNITY_LIGHTING_COORDS(idx1, idx2) STAND_IN_LIGHT_COORDS(idx1) UNITY_SHADOW_COORDS(idx2)
 #define UNITY_TRANSFER_LIGHTING(a, coord) STAND_IN_TRANSFER(a) UNITY_TRANSFER_SHADOW(a, coord)
+#endif
+
+#if defined(POINT) || defined(SPOT)
+sampler2D _LightTexture0;
+#endif
+#ifdef POINT_COOKIE
+samplerCUBE _LightTexture0;
+#endif
+#if defined(SPOT) || defined(POINT_COOKIE)
+sampler2D _LightTextureB0;
 #endif
 
 // The inverse square with a window that ends at the range, and a cone that fades between two cosines.

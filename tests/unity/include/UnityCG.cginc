@@ -68,10 +68,23 @@ float LinearEyeDepth(float depth)
 {
     return clip_planes.x * clip_planes.y / lerp(clip_planes.y, clip_planes.x, depth);
 }
-half3 UnpackNormal(half4 packed)
+half3 UnpackNormal(half4 packednormal)
 {
-    return packed.xyz * 2 - 1;
+    return packednormal.xyz * 2 - 1;
 }
+// Names that a shader must not declare again.
+float2 ParallaxOffset(half h, half height, half3 viewDir) { return 0; }
+half Luminance(half3 rgb) { return 0; }
+half3 DecodeHDR(half4 data, half4 decodeInstructions) { return 0; }
+half3 DecodeLightmap(fixed4 color) { return 0; }
+float4 EncodeFloatRGBA(float v) { return 0; }
+float DecodeFloatRGBA(float4 enc) { return 0; }
+float2 EncodeFloatRG(float v) { return 0; }
+float DecodeFloatRG(float2 enc) { return 0; }
+float Linear01Depth(float z) { return 0; }
+half3 ShadeSH9(half4 normal) { return 0; }
+float3 WorldSpaceViewDir(float4 localPos) { return 0; }
+float3 ObjSpaceViewDir(float4 v) { return 0; }
 float3 Shade4PointLights(float4 x, float4 y, float4 z, float3 c0, float3 c1, float3 c2, float3 c3, float4 falloff,
                          float3 position, float3 normal)
 {
@@ -87,9 +100,11 @@ float stand_in_fog(float distance)
     return fog_settings.x < 0.5 ? 1 : factor;
 }
 #if defined(FOG_LINEAR) || defined(FOG_EXP) || defined(FOG_EXP2)
-#define UNITY_FOG_COORDS(idx) float fogCoord : TEXCOORD##idx;
+#define UNITY_FOG_COORDS(idx) float1 fogCoord : TEXCOORD##idx;
 #define UNITY_TRANSFER_FOG(o, outpos) o.fogCoord = (outpos).w
-#define UNITY_APPLY_FOG_COLOR(coord, col, fogCol) col.rgb = lerp((fogCol).rgb, col.rgb, stand_in_fog(coord))
+#define UNITY_APPLY_FOG_COLOR(coord, col, fogCol)          \
+    float unityFogFactor = stand_in_fog((coord).x); \
+    col.rgb = lerp((fogCol).rgb, (col).rgb, unityFogFactor)
 #else
 #define UNITY_FOG_COORDS(idx)
 #define UNITY_TRANSFER_FOG(o, outpos)

@@ -1,39 +1,10 @@
 // A stand-in for Unity's include of this name, written for these tests.
 #define UNITY_SHOULD_SAMPLE_SH (!defined(LIGHTMAP_ON) && !defined(DYNAMICLIGHTMAP_ON))
 
-struct UnityLight
-{
-    half3 color;
-    half3 dir;
-    half ndotl;
-};
-struct UnityIndirect
-{
-    half3 diffuse;
-    half3 specular;
-};
-struct UnityGI
-{
-    UnityLight light;
-    UnityIndirect indirect;
-};
-struct UnityGIInput
-{
-    UnityLight light;
-    float3 worldPos;
-    half3 worldViewDir;
-    half atten;
-    half3 ambient;
-    float4 lightmapUV;
-#if defined(UNITY_SPECCUBE_BLENDING) || defined(UNITY_SPECCUBE_BOX_PROJECTION)
-    float4 boxMin[2];
-#endif
-#ifdef UNITY_SPECCUBE_BOX_PROJECTION
-    float4 boxMax[2];
-    float4 probePosition[2];
-#endif
-    float4 probeHDR[2];
-};
+#include "UnityLightingCommon.cginc"
+#include "UnityStandardBRDF.cginc"
+#include "UnityStandardUtils.cginc"
+
 struct Unity_GlossyEnvironmentData
 {
     half roughness;
@@ -49,10 +20,6 @@ half3 stand_in_sh(float3 n)
     sum += 0.27313711 * (ambient_sh[4].rgb * n.x * n.y + ambient_sh[5].rgb * n.y * n.z + ambient_sh[7].rgb * n.x * n.z);
     sum += 0.07884789 * ambient_sh[6].rgb * (3 * n.z * n.z - 1) + 0.13656855 * ambient_sh[8].rgb * (n.x * n.x - n.y * n.y);
     return max(sum, 0);
-}
-half3 ShadeSHPerVertex(half3 normal, half3 ambient)
-{
-    return ambient;
 }
 half4 UnityGetRawBakedOcclusions(float2 uv, float3 position)
 {
