@@ -71,6 +71,7 @@ private:
     void print_if_defined(ir::Value v, const std::string& test);
     std::string keyword_test(ir::Value condition) const;
     ir::Value only_if_in_else(ir::Value v) const;
+    bool says_nothing(ir::BlockId block, ir::Value structure) const;
     void print_branch(ir::BlockId block, ir::Value structure);
     void print_for(ir::Value v);
     void print_return(ir::Value v);

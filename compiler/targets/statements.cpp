@@ -352,9 +352,25 @@ void Body::print_if_defined(Value v, const std::string& test) {
         side(function_[next].data);
         last = next;
     }
-    writer_.line(0, "#else", function_[last].origin);
-    side(function_[last].data + 1);
+    if (!says_nothing({function_[last].data + 1}, last)) {
+        writer_.line(0, "#else", function_[last].origin);
+        side(function_[last].data + 1);
+    }
     writer_.line(0, "#endif", function_[v].origin);
+}
+
+// Nothing stands in the side of a branch: its values are what they were before.
+bool Body::says_nothing(BlockId block, Value structure) const {
+    const std::vector<Value>& insts = function_.blocks[block.index].insts;
+    const Value yield = insts.back();
+    for (std::uint32_t i = 0; i < args(yield); ++i) {
+        if (slot(structure, i) != Plan::kNone && plan_.variable[arg(yield, i).index] != slot(structure, i))
+            return false;
+    }
+    return std::none_of(insts.begin(), insts.end(), [&](Value v) {
+        const Op op = function_[v].op;
+        return plan_.is_printed(function_, v) && (op == Op::If || op == Op::For || is_variable(v));
+    });
 }
 
 // The branch that is all there is on the other side of one, where it can be tested and writes the same variables.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "compiler/ir/passes/passes.h"
 #include "compiler/ir/rebuild.h"
@@ -83,17 +84,25 @@ private:
         }
     }
 
-    // The side that all uses of a value are in, or none.
+    // The side that an operand is needed in, and those around it.
+    std::vector<Side> sides_of(const Use& use) const {
+        std::vector<Side> sides;
+        Side side = is_choice(use.by) && use.operand > 0 ? Side{use.by, use.operand} : side_[use.by.index];
+        for (; side.choice; side = side_[side.choice.index]) sides.push_back(side);
+        return sides;
+    }
+
+    // The innermost side that all uses of a value are in, or none.
     Side only_side(Value v) const {
-        Side only{};
+        std::vector<Side> common;
+        bool is_first = true;
         for (const Use& use : uses_[v.index]) {
-            const bool is_here = block_of_[use.by.index] == block_of_[v.index];
-            const bool is_side = is_choice(use.by) && use.operand > 0;
-            const Side side = is_side ? Side{use.by, use.operand} : side_[use.by.index];
-            if (!is_here || !side.choice || (only.choice && !(only == side))) return {};
-            only = side;
+            if (block_of_[use.by.index] != block_of_[v.index]) return {};
+            const std::vector<Side> sides = sides_of(use);
+            if (std::exchange(is_first, false)) common = sides;
+            std::erase_if(common, [&](const Side& side) { return std::ranges::count(sides, side) == 0; });
         }
-        return only;
+        return common.empty() ? Side{} : common.front();
     }
 
     const Function& from_;
