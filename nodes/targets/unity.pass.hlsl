@@ -301,8 +301,9 @@ struct UnityTargets {
 [foreign] [text("include", "UnityPBSLighting.cginc")]
 float4 BakedShadows(float4 ambient_or_lightmap_uv, float3 position);
 
-/// Only what is lit by the model that Unity's own lighting passes compute.
-[pass("unity-deferred")] [fragment] [lights("none")] [optional]
+/// Only what is lit by the model that Unity's own lighting passes compute. Of an object that has this pass the deferred
+/// path draws no other one.
+[pass("unity-deferred")] [fragment] [lights("none")] [optional] [alone]
 [lighting("unity-brdf1", "unity-brdf2", "unity-brdf3")]
 [tag("Name", "DEFERRED")] [tag("LightMode", "Deferred")]
 [text("pragma", "exclude_renderers nomrt", "multi_compile_prepassfinal", "multi_compile_instancing")]

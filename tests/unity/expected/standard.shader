@@ -300,7 +300,7 @@ Shader "Patina/Standard"
 
     SubShader
     {
-        Tags { "RenderType" = "Opaque" "Queue" = "Geometry" "PerformanceChecks" = "False" }
+        Tags { "RenderType" = "Opaque" "Queue" = "Geometry" }
         LOD 300
 
         Pass
