@@ -69,7 +69,9 @@ float2 unity_uv_of_tangent(float2 tangent) {
 
 /// What is read of textures and colours goes through these.
 [decodes("color")] [foreign] float3 LinearColor(float3 color);
-[decodes("normal")] [foreign] float4 NormalTexel(float4 texel);
+/// Of a normal map mostly its normal is wanted, which Unity unpacks and scales at once.
+[decodes("normal", "UnpackNormalRedGreen", "UnpackScaleNormal")] [text("include", "UnityPBSLighting.cginc")]
+[foreign] float4 NormalTexel(float4 texel);
 /// A linear colour as the project keeps it.
 [foreign] float3 ProjectColor(float3 color);
 
