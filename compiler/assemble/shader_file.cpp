@@ -188,8 +188,8 @@ private:
         for (const PassText& pass : passes_) {
             for (const std::string_view least : texts_at(pass, "queue")) queue = std::max(queue, number(least));
         }
-        std::string tags = fmt::format("\"RenderType\" = \"{}\" \"Queue\" = \"{}\" \"PerformanceChecks\" = \"False\"",
-                                       surface().render_type, queue_word(queue));
+        std::string tags =
+            fmt::format("\"RenderType\" = \"{}\" \"Queue\" = \"{}\"", surface().render_type, queue_word(queue));
         if (surface().render_type == "Transparent") tags += " \"IgnoreProjector\" = \"True\"";
         // What is moved in the space of the object must not be batched into another one.
         if (in_.reflection.moves_vertices) tags += " \"DisableBatching\" = \"True\"";

@@ -16,15 +16,30 @@ namespace {
 
 using graph::PropertyType;
 
-// "_BumpScale" -> "Bump Scale"
+bool is_upper(char c) {
+    return std::isupper(static_cast<unsigned char>(c)) != 0;
+}
+bool is_lower(char c) {
+    return std::islower(static_cast<unsigned char>(c)) != 0;
+}
+
+// "_BumpScale" -> "Bump Scale", "_NORMALMAP" -> "Normalmap"; "UV" is an abbreviation.
 std::string readable(std::string_view name) {
+    constexpr std::size_t kShort = 3;
+    const bool is_shouted = std::none_of(name.begin(), name.end(), is_lower);
     std::string made;
-    for (const char c : name) {
-        const bool is_upper = std::isupper(static_cast<unsigned char>(c)) != 0;
-        if (c == '_' || (is_upper && !made.empty() && std::islower(static_cast<unsigned char>(made.back())) != 0)) {
-            if (!made.empty() && made.back() != ' ') made += ' ';
-        }
-        if (c != '_') made += made.empty() ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const char c = name[i];
+        const bool begins = i == 0 || name[i - 1] == '_' || (is_upper(c) && is_lower(name[i - 1]));
+        if (c == '_') continue;
+        if (begins && !made.empty()) made += ' ';
+        const std::size_t word = name.find('_', i) == name.npos ? name.size() : name.find('_', i);
+        const std::size_t first = i == 0 ? 0 : name.rfind('_', i) + 1;  // of the word; rfind gives npos: 0
+        const bool is_quiet = is_shouted && !begins && word - first > kShort;
+        const bool is_first = made.empty();
+        made += static_cast<char>(is_quiet   ? std::tolower(static_cast<unsigned char>(c))
+                                  : is_first ? std::toupper(static_cast<unsigned char>(c))
+                                             : c);
     }
     return made.empty() ? "Value" : made;
 }

@@ -182,6 +182,11 @@ private:
         if (!models.empty() && std::find(models.begin(), models.end(), model) == models.end())
             return {.reason = fmt::format("it is lit by {}, and the material by {}", list_of(models), quoted(model)),
                     .is_news = true};
+        const std::vector<ExtraPass>& added = lowering_.material.graph->graph->passes;
+        if (pass.is_alone && !added.empty())
+            return {.reason = fmt::format("where it is drawn, '{}' is not", added.front().name),
+                    .where = {.span = added.front().name_span},
+                    .is_news = true};
         for (const std::string_view name : pass.needs) {
             const auto slot = std::find_if(stages_.slots.begin(), stages_.slots.end(),
                                            [&](const FunctionDecl* s) { return s->name == name; });

@@ -78,6 +78,15 @@ std::string declared_in(const Lowering& lowering, const Property& property) {
     return texts_of((*found)->attributes, said).front().line;
 }
 
+// [decodes("normal", "f", "g")]: where f follows, g does both.
+void decode_by(const nodelang::FunctionDecl& decoder, ir::Global& global) {
+    global.decoder = decoder.name;
+    const std::vector<std::string_view> pair = attribute_words(*decoder.attribute("decodes"), 1);
+    if (pair.size() < 2) return;
+    global.follower = pair[0];
+    global.at_once = pair[1];
+}
+
 }  // namespace
 
 void mark_for_tool(Lowering& lowering) {
@@ -89,7 +98,7 @@ void mark_for_tool(Lowering& lowering) {
         if (!globals.texture && !globals.value) continue;  // it has a keyword
         ir::Global& global = out.module.globals[(globals.texture ? globals.texture : globals.value).index];
         const auto decoder = decoders.find(usage_of(*lowering.material.graph, property));
-        if (decoder != decoders.end()) global.decoder = decoder->second->name;
+        if (decoder != decoders.end()) decode_by(*decoder->second, global);
         if (!global.in_block()) continue;
         ir::BlockMember& member = out.module.blocks[global.block].members[global.member];
         member.stored_as = stored_as(property);
@@ -104,6 +113,13 @@ void tell_texts(Lowering& lowering) {
         if (!function.attribute("foreign")) continue;
         for (const nodelang::InstanceInfo& instance : lowering.emitter.instances_of(function))
             lowering.out.module[instance.id].texts = texts_of(function.attributes, said);
+    }
+    // What a decoder asks for is asked for where its follower is called.
+    for (const auto& [usage, decoder] : lowering.session.stages->decoders) {
+        const std::vector<std::string_view> pair = attribute_words(*decoder->attribute("decodes"), 1);
+        for (ir::Function& function : lowering.out.module.functions) {
+            if (!pair.empty() && function.name == pair[0]) function.texts = texts_of(decoder->attributes, said);
+        }
     }
 }
 

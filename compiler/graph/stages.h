@@ -54,6 +54,7 @@ struct PassDecl {
     // The pass says so itself; else the material does.
     bool has_cull = false, has_depth = false, has_depth_bias = false, has_stencil = false;
     bool draws_extra = false;                // it also draws the passes that materials add
+    bool is_alone = false;                   // left out where the material adds passes
     bool is_optional = false;                // left out without a word where it cannot be had
     std::vector<std::string_view> needs;     // slots that must exist
     std::vector<std::string_view> holds;     // members of the lighting surface that it can tell; empty: all

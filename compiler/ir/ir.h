@@ -168,6 +168,8 @@ struct Global {
     Span span{};
     std::string spelling{};  // not empty: an included file declares it, and it is written so
     std::string decoder{};   // a foreign function that whatever is read goes through; may be empty
+    std::string follower{};  // a function of what is decoded, which the foreign function `at_once` computes with it
+    std::string at_once{};
     bool in_block() const { return block != 0xffffffffu; }
     bool is_keyword() const { return keyword != 0xffffffffu; }
     bool is_foreign() const { return !spelling.empty(); }

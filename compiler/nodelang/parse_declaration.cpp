@@ -48,6 +48,7 @@ constexpr AttributeInfo kAttributes[] = {
     {kFunction, "target"},
     {kFunction, "optional"},
     {kFunction, "extra"},
+    {kFunction, "alone"},
     {kFunction, "needs"},
     {kFunction, "holds"},
     {kFunction, "excludes"},

@@ -70,7 +70,9 @@ float2 unity_uv_of_tangent(float2 tangent) {
 
 /// What is read of textures and colours goes through these.
 [decodes("color")] [foreign] float3 LinearColor(float3 color);
-[decodes("normal")] [foreign] float4 NormalTexel(float4 texel);
+/// Of a normal map mostly its normal is wanted, which Unity unpacks and scales at once.
+[decodes("normal", "UnpackNormalRedGreen", "UnpackScaleNormal")] [text("include", "UnityPBSLighting.cginc")]
+[foreign] float4 NormalTexel(float4 texel);
 /// A linear colour as the project keeps it.
 [foreign] float3 ProjectColor(float3 color);
 
@@ -317,8 +319,9 @@ struct UnityTargets {
 [foreign] [text("include", "UnityPBSLighting.cginc")]
 float4 BakedShadows(float4 ambient_or_lightmap_uv, float3 position);
 
-/// Only what is lit by the model that Unity's own lighting passes compute.
-[pass("unity-deferred")] [fragment] [lights("none")] [optional]
+/// Only what is lit by the model that Unity's own lighting passes compute. Of an object that has this pass the deferred
+/// path draws no other one.
+[pass("unity-deferred")] [fragment] [lights("none")] [optional] [alone]
 [lighting("unity-brdf1", "unity-brdf2", "unity-brdf3")]
 [tag("Name", "DEFERRED")] [tag("LightMode", "Deferred")]
 [text("pragma", "exclude_renderers nomrt", "multi_compile_prepassfinal", "multi_compile_instancing")]

@@ -69,6 +69,7 @@ TEST(UnityProperties, AreDeclaredAsArtistsSetThem) {
         { "name": "_Bright", "type": "color", "default": [2, 1, 0.5] },
         { "name": "_EmissionColor", "type": "color", "default": [0.5, 0.5, 0.5] },
         { "name": "_Wear", "type": "float", "default": 0.25, "range": [0, 1], "group": "Wear & tear" },
+        { "name": "_FINE_UV", "type": "float", "default": 0.00002, "range": [0, 0.005] },
         { "name": "_Count", "type": "int", "default": 3, "range": [1, 8], "group": "Wear & tear" },
         { "name": "_Steps", "type": "int", "default": 2 },
         { "name": "_On", "type": "bool", "default": true },
@@ -82,9 +83,9 @@ TEST(UnityProperties, AreDeclaredAsArtistsSetThem) {
          {R"(_Color ("Paint", Color) = (0.7354, 0, 1, 1))", R"([HDR] _Bright ("Bright", Color) = (2, 1, 0.5, 1))",
           R"([HDR] _EmissionColor ("Emission Color", Color) = (0.5, 0.5, 0.5, 1))", R"([Header(Wear   tear)])",
           R"(_Wear ("Wear", Range(0, 1)) = 0.25)", R"([IntRange] _Count ("Count", Range(1, 8)) = 3)",
-          R"(_Steps ("Steps", Int) = 2)", R"([Toggle] _On ("On", Float) = 1)",
-          R"([Enum(Dry, 0, Wet, 1)] _Kind ("Kind", Float) = 1)", R"(_Shift ("Shift", Vector) = (1, 2, 3, 0))",
-          R"( _MainTex ("Main Tex", 2D) = "white" {})",
+          R"(_FINE_UV ("Fine UV", Range(0, 0.005)) = 0.00002)", R"(_Steps ("Steps", Int) = 2)",
+          R"([Toggle] _On ("On", Float) = 1)", R"([Enum(Dry, 0, Wet, 1)] _Kind ("Kind", Float) = 1)",
+          R"(_Shift ("Shift", Vector) = (1, 2, 3, 0))", R"( _MainTex ("Main Tex", 2D) = "white" {})",
           R"([NoScaleOffset] [Normal] _BumpMap ("Bump Map", 2D) = "bump" {})",
           R"([NoScaleOffset] _Mask ("Mask", 2D) = "gray" {})"})
         EXPECT_TRUE(has(text, line)) << line << "\n" << text.substr(0, 1800);
@@ -171,6 +172,22 @@ TEST(UnityDeferred, IsForUnitysModelsAlone) {
         EXPECT_TRUE(has(result.diagnostics.front().message, "unity-brdf1")) << result.diagnostics.front().message;
         EXPECT_FALSE(taken_apart(result.shaders.front().text).pass("Deferred")) << model;
     }
+}
+
+// Where an object has a Deferred pass its other passes are not drawn: those that a material adds are kept instead.
+TEST(UnityDeferred, MakesRoomForPassesThatAreAdded) {
+    const Result result = of_text(material(
+        R"("passes": [ { "name": "outline", "workflow": "unlit", "render": { "cull": "front" }, "surface": { "color": 0 } } ])"));
+    ASSERT_TRUE(result.ok) << to_text(result.diagnostics.front());
+    ASSERT_EQ(result.diagnostics.size(), 1u);
+    EXPECT_EQ(result.diagnostics.front().code, "pass-left-out");
+    EXPECT_TRUE(has(result.diagnostics.front().message, "'outline' is not")) << result.diagnostics.front().message;
+    EXPECT_TRUE(has(result.diagnostics.front().source_line, "outline"));
+    EXPECT_GT(result.diagnostics.front().column, 90);
+    const ShaderLab file = taken_apart(result.shaders.front().text);
+    EXPECT_FALSE(file.pass("Deferred"));
+    EXPECT_EQ(file.passes.size(), 4u);
+    EXPECT_TRUE(has(result.shaders.front().text, "Name \"outline\""));
 }
 
 // A pass that could add nothing is not there.

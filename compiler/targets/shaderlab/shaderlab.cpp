@@ -301,7 +301,7 @@ std::string keyword_of(std::string_view property, std::string_view value) {
 
 std::optional<Module> legalize(const Module& module) {
     std::optional<Module> legal = hlsl::legalize(module);
-    Module made = legal ? std::move(*legal) : module;
+    Module made = decode_at_once(legal ? std::move(*legal) : module);
     for (Function& function : made.functions) {
         if (function.linkage != Linkage::Foreign) function.name = synonym(function.name);
     }

@@ -11,6 +11,10 @@ namespace patina::targets::shaderlab {
 std::optional<ir::Module> legalize(const ir::Module& module);
 Printed print(const ir::Module& module, const PrintOptions& options);
 
+// Where all that is read of a texture goes on to its decoder's follower, a foreign function does both
+// (decode_at_once.cpp).
+ir::Module decode_at_once(ir::Module module);
+
 // The keyword of a bool property, or of an enum property's value: "_DETAIL", "_MODE_WET". A property whose name is in
 // capitals is its own keyword; another gets "_ON" behind it, as Unity's Toggle does.
 std::string keyword_of(std::string_view property, std::string_view value);

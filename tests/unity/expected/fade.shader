@@ -324,7 +324,7 @@ Shader "Patina/fade"
 
     SubShader
     {
-        Tags { "RenderType" = "Transparent" "Queue" = "Transparent" "PerformanceChecks" = "False" "IgnoreProjector" = "True" }
+        Tags { "RenderType" = "Transparent" "Queue" = "Transparent" "IgnoreProjector" = "True" }
         LOD 300
 
         Pass

@@ -65,12 +65,6 @@ Shader "Patina/Standard"
         return color;
     }
 
-    // A normal map's texel as it was painted, however Unity has packed it.
-    half4 NormalTexel(half4 texel)
-    {
-        return half4(UnpackNormal(texel) * 0.5 + 0.5, 1);
-    }
-
     // The coordinates of the lightmaps, or the light of four lights and the second order of the probes at a vertex.
     float4 AmbientOrLightmapUV(float2 uv1, float2 uv2, float3 position, half3 normal)
     {
@@ -204,19 +198,6 @@ Shader "Patina/Standard"
         float one_minus_reflectivity;
     };
 
-    // The z of a unit normal, from its x and y.
-    float3 NormalReconstructZ(float2 xy)
-    {
-        return float3(xy, sqrt(saturate(1.0 - dot(xy, xy))));
-    }
-
-    // A tangent-space normal from the texel of a normal map.
-    float3 UnpackNormalRedGreen(float4 encoded, float scale)
-    {
-        float2 xy = (encoded.xy * 2.0 - 1.0) * scale;
-        return NormalReconstructZ(xy);
-    }
-
     // A normal from tangent space, in the world.
     float3 NormalTangentToWorld(float3 normal_ts, float3 normal, float3 tangent, float3 bitangent)
     {
@@ -235,8 +216,8 @@ Shader "Patina/Standard"
         float4 metal = UNITY_SAMPLE_TEX2D(_MetallicGlossMap, uv);
 
         // SampleNormalMap "bumps"
-        float4 bumps_texel = NormalTexel(UNITY_SAMPLE_TEX2D(_BumpMap, uv));
-        float3 bumps = UnpackNormalRedGreen(bumps_texel, _BumpScale);
+        float4 bumps_texel = UNITY_SAMPLE_TEX2D(_BumpMap, uv);
+        float3 bumps = UnpackScaleNormal(bumps_texel, _BumpScale);
 
         // SampleTexture2D "open"
         float4 open = UNITY_SAMPLE_TEX2D(_OcclusionMap, uv);
@@ -413,7 +394,7 @@ Shader "Patina/Standard"
 
     SubShader
     {
-        Tags { "RenderType" = "Opaque" "Queue" = "Geometry" "PerformanceChecks" = "False" }
+        Tags { "RenderType" = "Opaque" "Queue" = "Geometry" }
         LOD 300
 
         Pass

@@ -347,7 +347,7 @@ Shader "Patina/Wave"
 
     SubShader
     {
-        Tags { "RenderType" = "Opaque" "Queue" = "Geometry" "PerformanceChecks" = "False" "DisableBatching" = "True" }
+        Tags { "RenderType" = "Opaque" "Queue" = "Geometry" "DisableBatching" = "True" }
         LOD 300
 
         Pass
