@@ -96,7 +96,8 @@ std::vector<std::pair<std::string, std::string>> switches_of(const RenderRequest
     std::vector<std::pair<std::string, std::string>> switches;
     for (const std::string& define : request.defines) {
         const std::size_t equals = define.find('=');
-        switches.emplace_back(define.substr(0, equals), equals == define.npos ? "true" : define.substr(equals + 1));
+        switches.emplace_back(define.substr(0, equals),
+                              equals == define.npos ? std::string() : define.substr(equals + 1));
     }
     return switches;
 }

@@ -172,7 +172,6 @@ void add_compile(Program& program) {
             ->type_name("PREFIX")
             ->check([](const std::string& prefix) { return prefix.empty() ? "it needs a prefix" : ""; });
     functions->excludes(command.get_option("--path"));
-    functions->excludes(command.get_option("--define"));
     functions->excludes(variants);
     variants->excludes(command.get_option("--dump"));
     add_include_option(command, arguments->include_dirs);

@@ -90,7 +90,7 @@ std::vector<std::pair<std::string, std::string>> PathOptions::switches() const {
     std::vector<std::pair<std::string, std::string>> made;
     for (const std::string& define : defines) {
         const std::size_t equals = define.find('=');
-        made.emplace_back(define.substr(0, equals), equals == define.npos ? "true" : define.substr(equals + 1));
+        made.emplace_back(define.substr(0, equals), equals == define.npos ? "" : define.substr(equals + 1));
     }
     return made;
 }
@@ -102,12 +102,16 @@ void add_path_options(CLI::App& command, PathOptions& options) {
             "Rendering path: forward, forward-add, vertex, deferred, ... ('patina paths' lists them), or a file "
             "of your own, x.pass.hlsl (forward)")
         ->type_name("PATH");
-    command.add_option("-D,--define", options.defines, "Turn a part of the path on: shadows, fog, ...")
+    command
+        .add_option(
+            "-D,--define", options.defines,
+            "Turn a part of the path on (shadows, fog, ...), or give a variant or specialization constant of the "
+            "graph a value: _WET, _Mode=Wet")
         ->type_name("NAME[=VALUE]")
         ->allow_extra_args(false)
         ->check([](const std::string& define) {
-            const bool has_name = !define.empty() && define[0] != '=';
-            return has_name ? std::string() : "'" + define + "' is not of the form NAME or NAME=VALUE";
+            const bool is_good = !define.empty() && define.front() != '=' && define.back() != '=';
+            return is_good ? std::string() : "'" + define + "' is not of the form NAME or NAME=VALUE";
         });
 }
 

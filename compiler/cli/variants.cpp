@@ -4,6 +4,7 @@
 #include <rapidjson/prettywriter.h>
 #include <rapidjson/stringbuffer.h>
 
+#include <algorithm>
 #include <map>
 
 namespace patina::cli {
@@ -40,11 +41,14 @@ std::string counted(std::size_t count, std::string_view what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
+constexpr std::size_t kMostNamed = 12;
+
 // "8 combinations of _DETAIL (2), _Mode (4)"
-std::string announcement(const VariantPlan& plan) {
-    std::string text = counted(plan.combinations.size(), "combination");
-    for (std::size_t i = 0; i < plan.axes.size(); ++i)
+std::string announcement(const VariantPlan& plan, double count) {
+    std::string text = fmt::format("{:.0f} combination{}", count, count == 1 ? "" : "s");
+    for (std::size_t i = 0; i < std::min(plan.axes.size(), kMostNamed); ++i)
         text += fmt::format("{}{} ({})", i == 0 ? " of " : ", ", plan.axes[i].property, plan.axes[i].values.size());
+    if (plan.axes.size() > kMostNamed) text += fmt::format(" and {} more", plan.axes.size() - kMostNamed);
     return plan.axes.empty() ? "it has no variants; " + text : text;
 }
 
@@ -55,8 +59,8 @@ struct Written {
     std::vector<std::string> files;
 };
 
-std::string manifest(const std::string& name, const VariantOptions& wanted, const VariantPlan& plan,
-                     const VariantSet& set, const std::vector<Written>& written) {
+std::string manifest(const std::string& name, const VariantOptions& wanted, const CompileOptions& options,
+                     const VariantPlan& plan, const VariantSet& set, const std::vector<Written>& written) {
     rapidjson::StringBuffer buffer;
     rapidjson::PrettyWriter<rapidjson::StringBuffer> json(buffer);
     json.SetIndent(' ', 2);
@@ -69,6 +73,13 @@ std::string manifest(const std::string& name, const VariantOptions& wanted, cons
     json.StartObject();
     member("graph", name);
     member("variants", wanted.wanted);
+    member("path", options.path);
+    json.Key("defines");
+    json.StartObject();
+    for (const auto& [define, value] :
+         std::map<std::string, std::string>(options.switches.rbegin(), options.switches.rend()))
+        member(define.c_str(), value.empty() ? "true" : value);
+    json.EndObject();
     json.Key("properties");
     json.StartArray();
     for (const VariantAxis& axis : plan.axes) {
@@ -98,11 +109,11 @@ std::string manifest(const std::string& name, const VariantOptions& wanted, cons
     json.EndArray();
     json.Key("combinations");
     json.StartArray();
-    for (std::size_t i = 0; i < plan.combinations.size(); ++i) {
+    for (std::size_t i = 0; i < plan.count; ++i) {
         json.StartObject();
         json.Key("values");
         json.StartObject();
-        for (const auto& [property, value] : plan.combinations[i]) member(property.c_str(), value);
+        for (const auto& [property, value] : plan.combination(i)) member(property.c_str(), value);
         json.EndObject();
         member("program", written[set.program_of[i]].hash);
         json.EndObject();
@@ -117,13 +128,23 @@ std::string manifest(const std::string& name, const VariantOptions& wanted, cons
 Exit make_variants(const Console& console, const Compiler& compiler, const std::string& graph,
                    const VariantOptions& wanted, const CompileOptions& options, const std::string& folder,
                    const AddShader& add, OutputFiles& files, std::vector<std::string>& dependencies) {
-    const VariantPlan plan = compiler.plan_variants(graph, wanted_of(wanted.wanted), options, wanted.limit);
+    const auto looking = [&](const VariantPlan& plan) {
+        const double most = combinations_of(plan.axes);
+        if (plan.count == 0) remark(console, graph + ": at most " + announcement(plan, most));
+        show_progress(console, plan.count, static_cast<std::size_t>(std::min(most, static_cast<double>(kMostVariants))),
+                      graph);
+    };
+    const VariantPlan plan = compiler.plan_variants(graph, wanted_of(wanted.wanted), options, wanted.limit, looking);
+    end_progress(console);
     report(console, plan.diagnostics);
     if (!plan.ok) return Exit::Wrong;
     const std::string name = stem(graph);
-    remark(console, graph + ": " + announcement(plan));
+    const bool is_told = wanted.wanted == to_string(VariantsWanted::Reachable);
+    remark(console, graph + ": " +
+                        (is_told ? counted(plan.count, "combination") + " can be reached"
+                                 : announcement(plan, static_cast<double>(plan.count))));
     VariantSet set = compiler.compile_variants(
-        graph, plan, options, [&](std::size_t done) { show_progress(console, done, plan.combinations.size(), graph); });
+        graph, plan, options, [&](std::size_t done) { show_progress(console, done, plan.count, graph); });
     end_progress(console);
     report(console, set.diagnostics);
     if (!set.ok) return Exit::Wrong;
@@ -152,7 +173,7 @@ Exit make_variants(const Console& console, const Compiler& compiler, const std::
     }
     remark(console, fmt::format("{}: {} in {}", graph, counted(set.programs.size(), "different program"),
                                 counted(files_of.size(), "shader")));
-    files.add(join_path(folder, name + ".variants.json"), manifest(name, wanted, plan, set, written));
+    files.add(join_path(folder, name + ".variants.json"), manifest(name, wanted, options, plan, set, written));
     dependencies = std::move(set.dependencies);
     return Exit::Ok;
 }

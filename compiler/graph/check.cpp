@@ -220,9 +220,11 @@ std::optional<std::array<double, 2>> range_of(std::span<const nodelang::Attribut
     return {};
 }
 
-void check_range(Session& session, const Expr& value, std::array<double, 2> range, bool hard, std::string_view name) {
+void check_range(Session& session, const Expr& value, std::array<double, 2> range, bool hard, std::string_view name,
+                 std::size_t components) {
     if (value.kind == Expr::Kind::List || value.kind == Expr::Kind::Color) {
-        for (const Expr* element : value.args) check_range(session, *element, range, hard, name);
+        for (std::size_t i = 0; i < std::min(components, value.args.size()); ++i)
+            check_range(session, *value.args[i], range, hard, name);
         return;
     }
     const bool negative = value.kind == Expr::Kind::Unary && value.text == "-";

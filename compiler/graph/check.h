@@ -56,7 +56,8 @@ void collect_reads(const nodelang::Expr& expr, const CheckedGraph& graph, std::v
 // What [range] says, of a parameter or of what a function returns.
 std::optional<std::array<double, 2>> range_of(std::span<const nodelang::Attribute> attributes);
 // Complains about a literal outside a range.
+// Of a list, the first `components`: alpha has no range.
 void check_range(Session& session, const nodelang::Expr& value, std::array<double, 2> range, bool hard,
-                 std::string_view name);
+                 std::string_view name, std::size_t components = 4);
 
 }  // namespace patina::graph

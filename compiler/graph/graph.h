@@ -139,6 +139,7 @@ struct ListedVariant {
         Span value_span;
     };
     std::vector<Value> values;
+    Span span;
 };
 
 // "passes": another surface of a material, drawn beside its own. It is a graph of its own that has the material's nodes

@@ -242,6 +242,8 @@ Typed GraphScope::subgraph_node(std::uint32_t index) {
 
 // --- what only pixels have
 
+constexpr std::size_t kMostOnTheWay = 8;
+
 // "reads it through 'b' and 'c'": how a reader comes to the node that is being emitted. Empty: it is that node.
 std::string GraphScope::way_from(const Lowering::VertexReader& reader) const {
     const std::string plain = "reads it";
@@ -266,7 +268,13 @@ std::string GraphScope::way_from(const Lowering::VertexReader& reader) const {
         const bool is_giver = scope == this && at == *to;
         const bool is_reader = reader.is_interpolator && read_by[at] == at;
         if (is_giver && is_reader) return {};
-        if (!is_giver && !is_reader) names.insert(names.begin(), "'" + scope->graph_.graph->nodes[at].id + "'");
+        if (!is_giver && !is_reader) names.push_back("'" + scope->graph_.graph->nodes[at].id + "'");
+    }
+    std::reverse(names.begin(), names.end());
+    if (names.size() > kMostOnTheWay) {
+        const std::string rest = fmt::format("{} more", names.size() - kMostOnTheWay);
+        names.resize(kMostOnTheWay);
+        names.push_back(rest);
     }
     const std::vector<std::string_view> views(names.begin(), names.end());
     return views.empty() ? plain : plain + " through " + enumerate(views);

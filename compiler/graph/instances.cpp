@@ -25,8 +25,17 @@ std::uint32_t bytes_of_element(const ir::Module& module, Type type) {
 }
 
 // How many elements of these globals fit in every block that has some.
-std::uint32_t count_of(const ir::Module& module, const std::set<std::uint32_t>& globals) {
+std::uint32_t count_of(const std::vector<InstanceSize>& sizes) {
     std::uint32_t count = kMostBlockBytes;
+    for (const InstanceSize& size : sizes) {
+        if (size.bytes > 0) count = std::min(count, size.room / size.bytes);
+    }
+    return count;
+}
+
+// By block.
+std::vector<InstanceSize> sizes_of(const ir::Module& module, const std::set<std::uint32_t>& globals) {
+    std::vector<InstanceSize> sizes;
     for (std::uint32_t block = 0; block < module.blocks.size(); ++block) {
         std::uint32_t alike = 0, each = 0;
         for (std::uint32_t i = 0; i < module.globals.size(); ++i) {
@@ -34,9 +43,9 @@ std::uint32_t count_of(const ir::Module& module, const std::set<std::uint32_t>& 
             if (global.block != block) continue;
             (globals.contains(i) ? each : alike) += bytes_of_element(module, global.type);
         }
-        if (each > 0) count = std::min(count, (kMostBlockBytes - std::min(alike, kMostBlockBytes)) / each);
+        sizes.push_back({.bytes = each, .room = kMostBlockBytes - std::min(alike, kMostBlockBytes)});
     }
-    return count;
+    return sizes;
 }
 
 Type array_of(ir::Module& module, Type element, std::uint32_t count) {
@@ -97,9 +106,15 @@ bool is_instanced(const Material& material) {
                        [](const MaterialProperty& each) { return each.property->binding == Binding::Instance; });
 }
 
+InstanceSize size_of_instance(const Lowered& lowered, const std::set<std::uint32_t>& globals) {
+    const std::vector<InstanceSize> sizes = sizes_of(lowered.module, globals);
+    return *std::max_element(sizes.begin(), sizes.end(),
+                             [](const auto& a, const auto& b) { return a.bytes < b.bytes; });
+}
+
 std::uint32_t make_instanced(Lowered& lowered, const std::set<std::uint32_t>& globals) {
     ir::Module& module = lowered.module;
-    const std::uint32_t count = count_of(module, globals);
+    const std::uint32_t count = count_of(sizes_of(module, globals));
     if (count == 0) return 0;
     std::vector<Type> elements;
     for (const ir::Global& global : module.globals) elements.push_back(global.type);

@@ -10,15 +10,35 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kBools = {"false", "true"};
 
+bool is_switch(const Session& session, std::string_view name) {
+    const auto& switches = session.stages->switches;
+    return std::any_of(switches.begin(), switches.end(),
+                       [&](const SwitchDecl& each) { return each.variable->name == name; });
+}
+
+// -D could not tell them apart.
+void check_name(Session& session, const Property& property) {
+    if (!is_keyword(property.binding) || !is_switch(session, property.name)) return;
+    session.diagnostics.report(Code::DuplicateId, property.name_span, "switch", property.name)
+        .note(fmt::format("the first is a part of the rendering paths, which -D {} turns on", property.name));
+}
+
 void choose(Session& session, MaterialProperty& entry, const std::string& word) {
     const Property& property = *entry.property;
     if (!is_keyword(property.binding)) {
+        if (is_switch(session, property.name)) return;  // which is meant
         session.diagnostics.report(Code::NotAKeyword, {}, property.name)
             .note(property.name_span, "with \"as\": \"variant\" or \"specialization\" here, it would be");
         return;
     }
     const std::vector<std::string_view> words = keyword_words(property);
-    const auto found = std::find(words.begin(), words.end(), word);
+    if (word.empty() && property.type != PropertyType::Bool) {
+        session.diagnostics.report(Code::ImpossibleValue, {}, property.name, told_values(property))
+            .note(fmt::format("write {}={}", property.name, words[0]))
+            .note(property.name_span, "the property is here");
+        return;
+    }
+    const auto found = std::find(words.begin(), words.end(), word.empty() ? "true" : word);
     if (found != words.end()) {
         entry.chosen = static_cast<double>(found - words.begin());
         entry.is_chosen = true;
@@ -63,6 +83,8 @@ std::vector<std::string_view> keyword_words(const Property& property) {
 
 void choose_keywords(Session& session, Material& material, std::size_t first) {
     check_listed(session, material);
+    for (std::size_t i = first; i < material.properties.size(); ++i)
+        check_name(session, *material.properties[i].property);
     for (const auto& [name, word] : session.options.switches) {
         const auto found = material.property_index.find(name);
         if (found != material.property_index.end() && found->second >= first)

@@ -127,23 +127,30 @@ void lower_vertex_outputs(Lowering& lowering) {
 // The switches as the caller wants them.
 void declare_switches(Lowering& lowering) {
     Session& session = lowering.session;
+    const bool has_passes = session.options.functions.empty();
     std::vector<std::string_view> known;
     for (const SwitchDecl& each : session.stages->switches) {
         known.push_back(each.variable->name);
         lowering.out.switches.emplace_back(each.variable->name, false);
     }
     for (const auto& [name, value] : session.options.switches) {
-        if (lowering.material.property_index.contains(name)) continue;  // the graph's own (keywords.cpp)
         const auto found = std::find(known.begin(), known.end(), name);
-        if (found == known.end()) {
-            for (const std::string_view keyword : keyword_names(lowering.material)) known.push_back(keyword);
-            session.diagnostics.report(Code::UnknownWord, {}, name, "a switch of a pass or a keyword of the graph")
-                .note(Diagnostics::suggestion(name, known));
-        } else if (value != "true" && value != "false") {
+        const bool is_switch = found != known.end();
+        if (!is_switch && lowering.material.property_index.contains(name)) continue;  // the graph's own (keywords.cpp)
+        if (!is_switch || !has_passes) {
+            std::vector<std::string_view> words = keyword_names(lowering.material);
+            if (has_passes) words.insert(words.begin(), known.begin(), known.end());
+            session.diagnostics
+                .report(Code::UnknownWord, {}, name,
+                        has_passes ? "a switch of a pass or a keyword of the graph" : "a keyword of the graph")
+                .note(is_switch       ? "it is a part of the rendering paths, and functions are of none"
+                      : words.empty() ? "it has none"
+                                      : Diagnostics::suggestion(name, words));
+        } else if (!value.empty() && value != "true" && value != "false") {
             session.diagnostics.report(Code::UnknownWord, {}, value, fmt::format("a value of '{}'", name))
                 .note("these exist: true and false");
         } else {
-            lowering.out.switches[static_cast<std::size_t>(found - known.begin())].second = value == "true";
+            lowering.out.switches[static_cast<std::size_t>(found - known.begin())].second = value != "false";
         }
     }
     for (const SwitchDecl& each : session.stages->switches)
@@ -153,10 +160,15 @@ void declare_switches(Lowering& lowering) {
     }
 }
 
-void report_large_instance(Session& session, const Material& material) {
-    const Span whole = material.graph->graph->span;
-    session.diagnostics.report(Code::TooMany, Span{whole.begin, whole.begin + 1}, material.properties.size(),
-                               "properties of one instance in a block of 64 KiB", 0);
+void report_large_instance(Session& session, const Material& material, const Lowered& lowered,
+                           const std::set<std::uint32_t>& globals) {
+    const auto first = std::find_if(material.properties.begin(), material.properties.end(),
+                                    [](const auto& each) { return each.property->binding == Binding::Instance; });
+    const auto [bytes, room] = size_of_instance(lowered, globals);
+    session.diagnostics.report(Code::TooMany, first->property->name_span, bytes, "bytes for each instance", room)
+        .note(
+            "a uniform block has 64 KiB, and not one instance fits; properties that all instances share need no "
+            "\"as\": \"instance\"");
 }
 
 // The switches that are on, and the path.
@@ -290,7 +302,7 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     if (instanced && !session.diagnostics.has_errors()) {
         out.instance_globals = lowering.per_object;
         out.instances = make_instanced(out, out.instance_globals);
-        if (out.instances == 0) report_large_instance(session, material);
+        if (out.instances == 0) report_large_instance(session, material, out, out.instance_globals);
     }
     return out;
 }

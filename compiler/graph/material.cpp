@@ -1,6 +1,7 @@
 #include "compiler/graph/material.h"
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 #include "compiler/base/text.h"
@@ -213,7 +214,8 @@ void bind_lighting_properties(Session& session, Material& material, std::span<co
             continue;
         }
         if (!input->value) continue;
-        if (property.range) check_range(session, *input->value, *property.range, property.hard, property.name);
+        const std::size_t ranged = property.type == PropertyType::Color ? 3 : 4;
+        if (property.range) check_range(session, *input->value, *property.range, property.hard, property.name, ranged);
         Property bound = property;
         const bool is_file = property.type == PropertyType::Texture2D && input->value->kind == Expr::Kind::File;
         if (is_file) {
@@ -326,6 +328,16 @@ bool resolve_rest(Session& session, Material& material) {
 
 }  // namespace
 
+namespace {
+
+// Whether files that are named so are one file where case does not count.
+bool is_same_file(std::string_view a, std::string_view b) {
+    const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+    return std::ranges::equal(a, b, {}, lower, lower);
+}
+
+}  // namespace
+
 void warn_unused(Session& session, const Material& material) {
     if (material.is_preview) return;
     const Graph& graph = *material.graph->graph;
@@ -379,9 +391,23 @@ std::vector<std::unique_ptr<Material>> resolve_passes(Session& session, Material
     std::vector<std::unique_ptr<Material>> passes;
     if (material.is_preview) return passes;
     for (const ExtraPass& pass : material.graph->graph->passes) {
-        if (const PassDecl* known = session.stages->pass(pass.name)) {
+        for (const PassDecl& known : session.stages->passes) {
+            if (!is_same_file(known.name, pass.name)) continue;
             session.diagnostics.report(Code::DuplicateId, pass.name_span, "pass", pass.name)
-                .note(fmt::format("the first is one of the path '{}'", known->path));
+                .note(known.name == pass.name
+                          ? fmt::format("the first is one of the path '{}'", known.path)
+                          : fmt::format("the path '{}' has '{}', and files are named by passes: for some file systems "
+                                        "these are one",
+                                        known.path, known.name));
+            break;
+        }
+        for (const ExtraPass& other : material.graph->graph->passes) {
+            if (&other == &pass) break;
+            if (other.name == pass.name || !is_same_file(other.name, pass.name)) continue;
+            session.diagnostics.report(Code::DuplicateId, pass.name_span, "pass", pass.name)
+                .note(other.name_span,
+                      "the first is here; files are named by passes, and for some file systems these "
+                      "are one");
         }
         auto made = std::make_unique<Material>();
         made->pass = &pass;

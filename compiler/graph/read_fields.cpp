@@ -1,6 +1,7 @@
 #include "compiler/graph/read_fields.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cfloat>
 #include <climits>
 #include <cmath>
@@ -89,6 +90,18 @@ void suggest(Reading& reading, DiagnosticRecord& record, std::string_view word,
              std::span<const std::string_view> words) {
     if (reading.diagnostics.error_count() > kEnough) return;
     if (std::string advice = Diagnostics::suggestion(word, words); !advice.empty()) record.note(std::move(advice));
+}
+
+std::string_view meant_by(std::string_view word, std::span<const std::string_view> known) {
+    std::string plain;
+    for (const char c : word) {
+        if (c != '_' && c != '-') plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    for (const Synonym& synonym : kSynonyms) {
+        if (synonym.theirs == plain && std::find(known.begin(), known.end(), synonym.ours) != known.end())
+            return synonym.ours;
+    }
+    return word;
 }
 
 void check_keys(Reading& reading, const Json& object, ObjectKind kind) {

@@ -78,6 +78,9 @@ void suggest(Reading& reading, DiagnosticRecord& record, std::string_view word,
 void check_range(Reading& reading, Span span, double value, const std::array<double, 2>& range, bool hard,
                  std::string_view name);
 
+// The word among `known` that others call `word`, or `word` itself.
+std::string_view meant_by(std::string_view word, std::span<const std::string_view> known);
+
 template <class E, std::size_t N>
 std::optional<E> read_word(Reading& reading, const Json& json, std::string_view key, std::string_view what,
                            const std::array<Word<E>, N>& words) {
@@ -88,8 +91,8 @@ std::optional<E> read_word(Reading& reading, const Json& json, std::string_view 
         if (words[i].text == *text) return words[i].value;
         texts[i] = words[i].text;
     }
-    suggest(reading, reading.diagnostics.report(Code::UnknownWord, inside(json.span), shown(*text), what), *text,
-            texts);
+    suggest(reading, reading.diagnostics.report(Code::UnknownWord, inside(json.span), shown(*text), what),
+            meant_by(*text, texts), texts);
     return std::nullopt;
 }
 

@@ -84,6 +84,7 @@ void read_variants(Reading& reading, const Json& array, std::vector<ListedVarian
     for (const Json& element : array.elements) {
         if (!expect(reading, element, Json::Kind::Object, "a variant")) continue;
         ListedVariant& listed = variants.emplace_back();
+        listed.span = element.span;
         for (const JsonMember& member : element.members) {
             const Json& value = member.value;
             const bool is_bool = value.kind == Json::Kind::Bool;

@@ -7,6 +7,10 @@ namespace {
 constexpr int kLastQueue = 5000;
 constexpr int kMostStencil = 255;
 constexpr double kFarthest = 1e6;  // metres, as in scenes
+// The offset is counted in what depth changes by from pixel to pixel, and no target is wider than this many, and in
+// steps of depth, of which a buffer of 24 bits has so many. Vulkan and ShaderLab take any floats here, Direct3D 11 a
+// float and an int.
+constexpr double kMostFactor = 16384, kMostUnits = 16777216;
 
 // `count` numbers; nothing after an error.
 template <std::size_t count>
@@ -70,11 +74,23 @@ std::optional<Bounds> read_bounds(Reading& reading, const Json& json) {
     for (std::size_t i = 0; i < 3; ++i) {
         if ((*lowest)[i] <= (*highest)[i]) continue;
         const Json& number = json.elements[1].elements[i];
-        reading.diagnostics.report(Code::WrongJsonType, number.span, "the highest corner of 'bounds'",
-                                   "nowhere below the lowest", reading.sources.text(number.span));
+        reading.diagnostics.report(Code::ImpossibleValue, number.span, "bounds",
+                                   "a box whose highest corner is nowhere below the lowest");
         return std::nullopt;
     }
     return Bounds{.box = std::array{*lowest, *highest}};
+}
+
+std::optional<std::array<double, 2>> read_depth_offset(Reading& reading, const Json& json) {
+    const auto numbers = read_numbers<2>(reading, json, "'depthOffset'", "an array of two numbers, factor and units");
+    if (!numbers) return std::nullopt;
+    const std::size_t errors = reading.diagnostics.error_count();
+    const auto check = [&](std::size_t i, double most, std::string_view name) {
+        check_range(reading, json.elements[i].span, (*numbers)[i], {-most, most}, true, name);
+    };
+    check(0, kMostFactor, "the factor of depthOffset");
+    check(1, kMostUnits, "the units of depthOffset");
+    return reading.diagnostics.error_count() == errors ? numbers : std::nullopt;
 }
 
 }  // namespace
@@ -96,8 +112,7 @@ RenderState read_render(Reading& reading, const Json& json) {
         render.depth_test = read_word(reading, *test, "depthTest", "a depth test", kCompares);
     }
     if (const Json* offset = json.find("depthOffset")) {
-        render.depth_offset =
-            read_numbers<2>(reading, *offset, "'depthOffset'", "an array of two numbers, factor and units");
+        render.depth_offset = read_depth_offset(reading, *offset);
     }
     if (const Json* stencil = json.find("stencil")) render.stencil = read_stencil(reading, *stencil);
     if (const Json* queue = json.find("queue")) render.queue = read_int(reading, *queue, "'queue'", 0, kLastQueue);

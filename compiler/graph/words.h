@@ -19,6 +19,40 @@ struct Word {
     E value;
 };
 
+// What others call a word of ours: where a message suggests one, it is the one that is meant.
+struct Synonym {
+    std::string_view theirs, ours;
+};
+inline constexpr std::array kSynonyms = {
+    // comparisons of ShaderLab, OpenGL and Direct3D
+    Synonym{"lequal", "lessEqual"},
+    Synonym{"gequal", "greaterEqual"},
+    Synonym{"le", "lessEqual"},
+    Synonym{"ge", "greaterEqual"},
+    Synonym{"lt", "less"},
+    Synonym{"gt", "greater"},
+    Synonym{"eq", "equal"},
+    Synonym{"ne", "notEqual"},
+    // what becomes of the stencil: incrSat, INCR_SAT
+    Synonym{"incr", "increment"},
+    Synonym{"decr", "decrement"},
+    Synonym{"incrsat", "increment"},
+    Synonym{"decrsat", "decrement"},
+    Synonym{"incrwrap", "incrementWrap"},
+    Synonym{"decrwrap", "decrementWrap"},
+    // culling and surfaces
+    Synonym{"none", "off"},
+    Synonym{"mask", "cutout"},
+    Synonym{"alphatest", "cutout"},
+    Synonym{"alphaclip", "cutout"},
+    Synonym{"blend", "fade"},
+    Synonym{"premultiplied", "transparent"},
+    Synonym{"premultiply", "transparent"},
+    Synonym{"add", "additive"},
+    Synonym{"multiplicative", "multiply"},
+    Synonym{"modulate", "multiply"},
+};
+
 template <class E, std::size_t N>
 constexpr std::string_view text_of(const std::array<Word<E>, N>& words, E value) {
     for (const Word<E>& word : words) {

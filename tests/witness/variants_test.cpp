@@ -120,7 +120,7 @@ TEST(Variants, OfASubgraphReachTheMaterial) {
     std::vector<std::string> names;
     for (const VariantAxis& axis : plan.axes) names.push_back(axis.property);
     EXPECT_EQ(names, (std::vector<std::string>{"_A", "_C", "_D", "_B"}));
-    EXPECT_EQ(plan.combinations.size(), 16u);
+    EXPECT_EQ(plan.count, 16u);
 }
 
 TEST(Variants, ThatAreEqualShareAShader) {
@@ -128,14 +128,15 @@ TEST(Variants, ThatAreEqualShareAShader) {
     const VariantSet set = compiler().compile_variants("sixteen.graph.json", plan, options_for(kSixteen));
     ASSERT_TRUE(set.ok) << told(set.diagnostics);
     EXPECT_EQ(set.programs.size(), 3u);
-    for (std::size_t i = 0; i < plan.combinations.size(); ++i) {
-        const std::map<std::string, std::string> values(plan.combinations[i].begin(), plan.combinations[i].end());
+    for (std::size_t i = 0; i < plan.count; ++i) {
+        const VariantValues combination = plan.combination(i);
+        const std::map<std::string, std::string> values(combination.begin(), combination.end());
         const VariantValues same_shader = {{"_A", values.at("_A")},
                                            {"_B", values.at("_A") == "true" ? values.at("_B") : "false"},
                                            {"_C", "false"},
                                            {"_D", "false"}};
-        for (std::size_t j = 0; j < plan.combinations.size(); ++j) {
-            VariantValues other = plan.combinations[j];
+        for (std::size_t j = 0; j < plan.count; ++j) {
+            VariantValues other = plan.combination(j);
             std::sort(other.begin(), other.end());
             if (other == same_shader) {
                 EXPECT_EQ(set.program_of[i], set.program_of[j]);
@@ -151,9 +152,9 @@ TEST(Variants, AreDrawnByTheShaderThatTheyShare) {
     for (const Target target : {Target::Glsl, Target::Hlsl}) {
         std::vector<Image> shared;
         for (const VariantProgram& program : set.programs) shared.push_back(drawn(program.result, target));
-        for (std::size_t i = 0; i < plan.combinations.size(); ++i) {
+        for (std::size_t i = 0; i < plan.count; ++i) {
             CompileOptions options = options_for(kSixteen);
-            options.switches = plan.combinations[i];
+            options.switches = plan.combination(i);
             const Image own = drawn(compiler().compile_file("sixteen.graph.json", options), target);
             EXPECT_EQ(own.pixels, shared[set.program_of[i]].pixels) << i;
         }
@@ -165,7 +166,7 @@ TEST(Variants, AreDrawnByTheShaderThatTheyShare) {
 TEST(Variants, CountOnlyWhereTheyCanBeReached) {
     const VariantPlan plan = planned(VariantsWanted::Reachable);
     ASSERT_TRUE(plan.ok) << told(plan.diagnostics);
-    EXPECT_EQ(plan.combinations,
+    EXPECT_EQ(plan.picked,
               (std::vector<VariantValues>{
                   {{"_A", "false"}}, {{"_A", "true"}, {"_B", "false"}}, {{"_A", "true"}, {"_B", "true"}}}));
     const VariantSet set = compiler().compile_variants("sixteen.graph.json", plan, options_for(kSixteen));
@@ -176,7 +177,7 @@ TEST(Variants, CanBeListed) {
     const VariantPlan plan = planned(VariantsWanted::Listed);
     ASSERT_TRUE(plan.ok) << told(plan.diagnostics);
     // The third entry says what the first means.
-    EXPECT_EQ(plan.combinations,
+    EXPECT_EQ(plan.picked,
               (std::vector<VariantValues>{{{"_A", "false"}, {"_C", "false"}, {"_D", "false"}, {"_B", "false"}},
                                           {{"_A", "true"}, {"_C", "false"}, {"_D", "false"}, {"_B", "true"}}}));
 }
@@ -187,10 +188,16 @@ TEST(Variants, PastTheLimitAreRefusedWithWhatTheyCost) {
     ASSERT_EQ(plan.diagnostics.size(), 1u);
     EXPECT_EQ(plan.diagnostics[0].message, "16 combinations of variants are too many: the limit is 15");
     ASSERT_EQ(plan.diagnostics[0].notes.size(), 5u);
-    EXPECT_EQ(plan.diagnostics[0].notes[0].message, "'_A' multiplies them by 2: without it there are 8");
+    EXPECT_EQ(plan.diagnostics[0].notes[0].message, "'_A' has 2 values: without it there are 8");
     EXPECT_EQ(plan.diagnostics[0].notes[3].file, "inner.subgraph.json");
     EXPECT_TRUE(planned(VariantsWanted::All, 16).ok);
-    EXPECT_FALSE(planned(VariantsWanted::Reachable, 2).ok);
+    // Three can be reached, two of them with _A on, as it is by default, and two with _B off. _C and _D cost nothing.
+    const VariantPlan reachable = planned(VariantsWanted::Reachable, 2);
+    ASSERT_EQ(reachable.diagnostics.size(), 1u);
+    EXPECT_EQ(reachable.diagnostics[0].message, "3 combinations of variants are too many: the limit is 2");
+    ASSERT_EQ(reachable.diagnostics[0].notes.size(), 3u);
+    EXPECT_EQ(reachable.diagnostics[0].notes[0].message, "'_A' has 2 values: without it there are 2");
+    EXPECT_EQ(reachable.diagnostics[0].notes[1].message, "'_B' has 2 values: without it there are 2");
     EXPECT_TRUE(planned(VariantsWanted::Reachable, 3).ok);
 }
 
@@ -199,8 +206,60 @@ TEST(Variants, ThatAreFixedDoNotMultiply) {
     options.switches = {{"_A", "false"}, {"_D", "true"}};
     const VariantPlan plan =
         compiler().plan_variants("sixteen.graph.json", VariantsWanted::All, options, kVariantLimit);
-    EXPECT_EQ(plan.combinations.size(), 4u);
+    EXPECT_EQ(plan.count, 4u);
     EXPECT_EQ(compiler().compile_variants("sixteen.graph.json", plan, options).programs.size(), 1u);
+}
+
+TEST(Variants, ThatAreFixedLeaveOutWhatIsListedOtherwise) {
+    CompileOptions options = options_for(kSixteen);
+    options.switches = {{"_A", "false"}};
+    const auto listed = [&] {
+        return compiler().plan_variants("sixteen.graph.json", VariantsWanted::Listed, options, kVariantLimit);
+    };
+    EXPECT_EQ(listed().picked, (std::vector<VariantValues>{{{"_C", "false"}, {"_D", "false"}, {"_B", "false"}}}));
+    options.switches = {{"_A", ""}, {"_B", "false"}};  // without a value it is on
+    const VariantPlan none = listed();
+    EXPECT_FALSE(none.ok);
+    ASSERT_EQ(none.diagnostics.size(), 1u);
+    EXPECT_EQ(none.diagnostics[0].code, "nothing-listed");
+    EXPECT_EQ(none.diagnostics[0].message, "no combination that the graph lists has '_A' = true and '_B' = false");
+    EXPECT_GT(none.diagnostics[0].line, 1);
+}
+
+// 2^19 combinations are counted, and each is had by its number, without a list of them: the last axis changes first.
+TEST(Variants, AreCountedWithoutBeingListed) {
+    std::string properties;
+    for (int i = 0; i < 19; ++i)
+        properties += "{ \"name\": \"_V" + std::to_string(i) + "\", \"type\": \"bool\", \"as\": \"variant\" },";
+    const std::string text = R"({ "patina": 1, "workflow": "unlit", "properties": [)" + properties + "] }";
+    const VariantPlan plan = compiler().plan_variants("many.graph.json", VariantsWanted::All,
+                                                      options_for({{"many.graph.json", text}}), 600'000);
+    ASSERT_TRUE(plan.ok) << told(plan.diagnostics);
+    EXPECT_EQ(plan.count, 524288u);
+    EXPECT_TRUE(plan.picked.empty());
+    const VariantValues last_but_one = plan.combination(524286);
+    EXPECT_EQ(last_but_one.front(), std::pair(std::string("_V0"), std::string("true")));
+    EXPECT_EQ(last_but_one.back(), std::pair(std::string("_V18"), std::string("false")));
+}
+
+// A choice between equal values is none, whenever it is made.
+TEST(Variants, BetweenEqualValuesAreNotInTheShader) {
+    const auto hash = [&](std::string_view binding, std::string_view value) {
+        CompileOptions options;
+        options.hashes = options.keep_variants = true;
+        const Result result = compiler().compile_text(
+            "equal.graph.json",
+            R"({ "patina": 1, "workflow": "unlit", "properties": [ { "name": "_S", "type": "bool", "as": ")" +
+                std::string(binding) + R"(" } ], "surface": { "color": "= )" + std::string(value) + R"(" } })",
+            options);
+        EXPECT_TRUE(result.ok) << told(result.diagnostics);
+        return result.reflection.passes.at(0).hash;
+    };
+    for (const char* binding : {"specialization", "variant"}) {
+        EXPECT_EQ(hash(binding, "$_S ? 0 : 0"), hash(binding, "0")) << binding;
+        EXPECT_EQ(hash(binding, "$_S ? @uv0.x : @uv0.x"), hash(binding, "@uv0.x")) << binding;
+        EXPECT_NE(hash(binding, "$_S ? 0 : 1"), hash(binding, "0")) << binding;
+    }
 }
 
 // --- constants of a pipeline

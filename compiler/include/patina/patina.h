@@ -90,7 +90,7 @@ struct CompileOptions {
     // them begins with this prefix ("Rust_"); the reflection lists them. `path` and `passes` do not count then.
     std::string functions{};
     // Parts of the passes that can be had or left out, and the graph's variants and specialization constants, with
-    // their values: "shadows", "true"; "_Mode", "Wet".
+    // their values: "shadows", "true"; "_Mode", "Wet". No value: "true".
     std::vector<std::pair<std::string, std::string>> switches{};
     std::vector<std::string> include_dirs;  // searched for files after the graph's own folder
     Loader loader;                          // default: the file system
@@ -267,8 +267,9 @@ public:
     Result compile_text(const std::string& path, std::string text, const CompileOptions& options = {}) const;
 
     // The combinations of a material's variants, counted before anything is compiled; more than `limit` are refused.
+    // `progress`: told the axes, and then how many combinations have been found; for Reachable, which takes time.
     VariantPlan plan_variants(const std::string& path, VariantsWanted wanted, const CompileOptions& options,
-                              std::size_t limit) const;
+                              std::size_t limit, const std::function<void(const VariantPlan&)>& progress = {}) const;
     // `progress`: told which combination comes next.
     VariantSet compile_variants(const std::string& path, const VariantPlan& plan, CompileOptions options,
                                 const std::function<void(std::size_t)>& progress = {}) const;

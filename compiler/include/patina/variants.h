@@ -3,7 +3,7 @@
 //
 //   patina::VariantPlan plan = compiler.plan_variants("rust.graph.json", patina::VariantsWanted::All, options);
 //   patina::VariantSet set = compiler.compile_variants("rust.graph.json", plan, options);
-//   const patina::VariantProgram& program = set.programs[set.program_of[3]];   // what plan.combinations[3] runs
+//   const patina::VariantProgram& program = set.programs[set.program_of[3]];   // what plan.combination(3) runs
 #pragma once
 
 #include "patina/patina.h"
@@ -33,10 +33,16 @@ struct VariantPlan {
     bool ok = false;
     std::vector<Diagnostic> diagnostics;
     std::vector<VariantAxis> axes;
-    // Each with a value for every axis; Reachable: for those that count, and exactly one entry fits any choice of
+    std::size_t count = 0;  // of combinations
+    // Listed, Reachable: the combinations. All: none, they follow from the axes.
+    std::vector<VariantValues> picked;
+
+    // With a value for every axis; Reachable: for those that count, and exactly one combination fits any choice of
     // values.
-    std::vector<VariantValues> combinations;
+    VariantValues combination(std::size_t index) const;
 };
+// Of all axes together; may be more than any plan holds.
+double combinations_of(const std::vector<VariantAxis>& axes);
 
 // What one or more combinations run: the first of them, compiled.
 struct VariantProgram {
@@ -48,7 +54,7 @@ struct VariantSet {
     bool ok = false;
     std::vector<Diagnostic> diagnostics;  // each once
     std::vector<VariantProgram> programs;
-    std::vector<std::size_t> program_of;    // by VariantPlan::combinations
+    std::vector<std::size_t> program_of;    // by VariantPlan::combination
     std::vector<std::string> dependencies;  // files that were read, the graph first
 };
 
