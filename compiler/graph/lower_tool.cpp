@@ -23,12 +23,51 @@ bool node_reads(const Node& node, std::string_view property) {
     return (node.expr && reads(*node.expr, property)) || reads(node.inputs, property);
 }
 
+// Marks the outputs of a node that the expression reads; the node by its name alone may be any of them.
+void mark_outputs(const Expr& expr, const Node& node, std::span<const PortValue> outputs, std::vector<bool>& read) {
+    const bool is_member = expr.kind == Expr::Kind::Member && expr.args[0]->text == node.id;
+    const bool is_node = expr.kind == Expr::Kind::Name && expr.text == node.id;
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        if (is_node || (is_member && outputs[i].name == expr.text)) read[i] = true;
+    }
+    if (is_member) return;
+    for (const Expr* arg : expr.args) mark_outputs(*arg, node, outputs, read);
+}
+
+// The outputs of a sub-graph's node that the ports read, and the other nodes.
+std::vector<PortValue> outputs_read(const CheckedGraph& graph, std::span<const PortValue> ports,
+                                    const std::vector<bool>& nodes, std::uint32_t at) {
+    const std::vector<PortValue>& outputs = graph.nodes[at].subgraph->graph->outputs;
+    const Node& node = graph.graph->nodes[at];
+    std::vector<bool> read(outputs.size(), false);
+    const auto mark = [&](std::span<const PortValue> values) {
+        for (const PortValue& port : values) {
+            if (port.value) mark_outputs(*port.value, node, outputs, read);
+        }
+    };
+    mark(ports);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        if (!nodes[i]) continue;
+        const Node& other = graph.graph->nodes[i];
+        if (other.expr) mark_outputs(*other.expr, node, outputs, read);
+        mark(other.inputs);
+    }
+    std::vector<PortValue> made;
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        if (read[i]) made.push_back(outputs[i]);
+    }
+    return made;
+}
+
 // Whether these ports come to read the property, themselves or through nodes.
 bool reaches(const CheckedGraph& graph, std::span<const PortValue> ports, std::string_view property) {
     if (reads(ports, property)) return true;
     const std::vector<bool> nodes = graph.reachable(ports);
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        if (nodes[i] && node_reads(graph.graph->nodes[i], property)) return true;
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+        if (!nodes[i]) continue;
+        if (node_reads(graph.graph->nodes[i], property)) return true;
+        const CheckedGraph* inner = graph.nodes[i].subgraph;
+        if (inner && reaches(*inner, outputs_read(graph, ports, nodes, i), property)) return true;
     }
     return false;
 }
