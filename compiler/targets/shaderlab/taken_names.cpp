@@ -1,5 +1,6 @@
 // What Unity's includes declare under names that nodes or artists use, too: a second function with the same parameters
-// would not compile, and a macro would take the name's place. The lists hold what any of 2017.4, 2019.4 and 6000 has.
+// would not compile, and a macro would take the name's place. The lists hold what any of 2017.4, 2019.4 and 6000 has;
+// behind a name may stand what a function of the library that has it is called instead.
 #include <algorithm>
 #include <vector>
 
@@ -14,37 +15,39 @@ constexpr std::string_view kLists[] = {
     _ProjectionParams _ScreenParams _SinTime _Time _WorldSpaceCameraPos _WorldSpaceLightPos0 _ZBufferParams)",
     // UnityCG.cginc
     R"(ComputeGrabScreenPos ComputeNonStereoScreenPos ComputeScreenPos DecodeDepthNormal DecodeDirectionalLightmap
-    DecodeFloatRG DecodeFloatRGBA DecodeHDR DecodeLightmap DecodeLightmapDoubleLDR DecodeLightmapRGBM
-    DecodeRealtimeLightmap DecodeViewNormalStereo EncodeDepthNormal EncodeFloatRG EncodeFloatRGBA
-    EncodeViewNormalStereo GammaToLinearSpace GammaToLinearSpaceExact IsGammaSpace Linear01Depth LinearEyeDepth
-    LinearRgbToLuminance LinearToGammaSpace LinearToGammaSpaceExact Luminance MultiplyUV ObjSpaceLightDir
-    ObjSpaceViewDir PackHeightmap ParallaxOffset SHEvalLinearL0L1 SHEvalLinearL0L1_SampleProbeVolume SHEvalLinearL2
+    DecodeFloatRG=FloatFromRG DecodeFloatRGBA DecodeHDR=LightFromRGBM DecodeLightmap=LightFromLightmap
+    DecodeLightmapDoubleLDR DecodeLightmapRGBM DecodeRealtimeLightmap DecodeViewNormalStereo EncodeDepthNormal
+    EncodeFloatRG=FloatToRG EncodeFloatRGBA EncodeViewNormalStereo GammaToLinearSpace GammaToLinearSpaceExact
+    IsGammaSpace Linear01Depth=DepthOfFarPlane LinearEyeDepth=DepthOfEye LinearRgbToLuminance LinearToGammaSpace
+    LinearToGammaSpaceExact Luminance=RelativeLuminance MultiplyUV ObjSpaceLightDir ObjSpaceViewDir PackHeightmap
+    ParallaxOffset=ParallaxShift SHEvalLinearL0L1 SHEvalLinearL0L1_SampleProbeVolume SHEvalLinearL2
     Shade4PointLights ShadeSH12Order ShadeSH3Order ShadeSH9 ShadeVertexLights ShadeVertexLightsFull
-    TransformStereoScreenSpaceTex TransformViewToProjection UnpackHeightmap UnpackNormal UnpackNormalDXT5nm
-    UnpackNormalWithScale UnpackNormalmapRGorAG VertexLight WorldSpaceLightDir WorldSpaceViewDir appdata_base
-    appdata_full appdata_img appdata_tan v2f_img v2f_vertex_lit vert_img)",
+    TransformStereoScreenSpaceTex TransformViewToProjection UnpackHeightmap UnpackNormal=NormalFromTexel
+    UnpackNormalDXT5nm UnpackNormalWithScale UnpackNormalmapRGorAG VertexLight WorldSpaceLightDir WorldSpaceViewDir
+    appdata_base appdata_full appdata_img appdata_tan v2f_img v2f_vertex_lit vert_img)",
     // AutoLight.cginc, UnityShadowLibrary.cginc, UnityLightingCommon.cginc
     R"(LPPV_SampleProbeOcclusion SampleCubeDistance _LightColor0 _LightTexture0 _LightTextureB0 _ShadowMapTexture
     _ShadowMapTexture_TexelSize _ShadowOffsets _SpecColor)",
     // UnityStandardBRDF.cginc, UnityStandardUtils.cginc, UnityImageBasedLighting.cginc
     R"(BRDF1_Unity_PBS BRDF2_Unity_PBS BRDF3_Direct BRDF3_Indirect BRDF3_Unity_PBS BRDF_Unity_Indirect BlendNormals
     BlinnTerm BoxProjectedCubemapDirection CalculateSurfaceGradient CalculateSurfaceNormal
-    CreateTangentToWorldPerVertex DiffuseAndSpecularFromMetallic DisneyDiffuse DotClamped
-    EnergyConservationBetweenDiffuseAndSpecular FresnelLerp FresnelLerpFast FresnelTerm GGXTerm GetLocalFrame
-    GetSpecPowToMip Hammersley2d ImportanceSampleCosDir ImportanceSampleGGX ImportanceSampleGGXDir
-    ImportanceSampleLambert InitRandom IntegrateDFG IntegrateDisneyDiffuseRef IntegrateLD IntegrateLambertDiffuseRef
-    LambertTerm LerpOneTo LerpWhiteTo NDFBlinnPhongNormalizedTerm OneMinusReflectivityFromMetallic
-    ParallaxOffset1Step PerceptualRoughnessToRoughness PerceptualRoughnessToSpecPower PerturbNormal Pow4 Pow5
-    PreMultiplyAlpha ReverseBits32 RoughnessToPerceptualRoughness RoughnessToSpecPower ShadeSHPerPixel
-    ShadeSHPerVertex SmithBeckmannVisibilityTerm SmithGGXVisibilityTerm SmithJointGGXVisibilityTerm
-    SmithVisibilityTerm SmoothnessToPerceptualRoughness SmoothnessToRoughness SpecularStrength UnpackScaleNormal
+    CreateTangentToWorldPerVertex DiffuseAndSpecularFromMetallic DisneyDiffuse=DisneyDiffuseTerm DotClamped
+    EnergyConservationBetweenDiffuseAndSpecular FresnelLerp=FresnelToGrazing FresnelLerpFast=FresnelToGrazingFast
+    FresnelTerm GGXTerm GetLocalFrame GetSpecPowToMip Hammersley2d ImportanceSampleCosDir ImportanceSampleGGX
+    ImportanceSampleGGXDir ImportanceSampleLambert InitRandom IntegrateDFG IntegrateDisneyDiffuseRef IntegrateLD
+    IntegrateLambertDiffuseRef LambertTerm LerpOneTo LerpWhiteTo NDFBlinnPhongNormalizedTerm
+    OneMinusReflectivityFromMetallic=DiffuseShareFromMetallic ParallaxOffset1Step PerceptualRoughnessToRoughness
+    PerceptualRoughnessToSpecPower PerturbNormal Pow4 Pow5 PreMultiplyAlpha ReverseBits32
+    RoughnessToPerceptualRoughness RoughnessToSpecPower ShadeSHPerPixel ShadeSHPerVertex
+    SmithBeckmannVisibilityTerm SmithGGXVisibilityTerm SmithJointGGXVisibilityTerm SmithVisibilityTerm
+    SmoothnessToPerceptualRoughness SmoothnessToRoughness SpecularStrength=BrightestSpecular UnpackScaleNormal
     UnpackScaleNormalDXT5nm UnpackScaleNormalRGorAG mipmapLevelToPerceptualRoughness
     perceptualRoughnessToMipmapLevel)",
     // UnityGlobalIllumination.cginc, UnityPBSLighting.cginc, UnityGBuffer.cginc
-    R"(DecodeDirectionalSpecularLightmap LightingStandard LightingStandardSpecular LightingStandardSpecular_Deferred
-    LightingStandardSpecular_GI LightingStandard_Deferred LightingStandard_GI MixLightmapWithRealtimeAttenuation
-    ResetUnityGI ResetUnityLight SubtractMainLightWithRealtimeAttenuationFromLightmap SurfaceOutputStandard
-    SurfaceOutputStandardSpecular)",
+    R"(DecodeDirectionalSpecularLightmap LightingStandard LightingStandardSpecular
+    LightingStandardSpecular_Deferred LightingStandardSpecular_GI LightingStandard_Deferred LightingStandard_GI
+    MixLightmapWithRealtimeAttenuation ResetUnityGI ResetUnityLight
+    SubtractMainLightWithRealtimeAttenuationFromLightmap SurfaceOutputStandard SurfaceOutputStandardSpecular)",
     // Macros, keywords among them.
     R"(COMPUTE_DEPTH_01 COMPUTE_EYEDEPTH COMPUTE_LIGHT_COORDS COMPUTE_VIEW_NORMAL DECLARE_LIGHT_COORD
     DECLARE_LIGHT_COORDS DECODE_EYEDEPTH DIRECTIONAL DIRECTIONAL_COOKIE DIRLIGHTMAP_COMBINED DIRLIGHTMAP_OFF
@@ -52,14 +55,14 @@ constexpr std::string_view kLists[] = {
     FOG_EXP FOG_EXP2 FOG_LINEAR HANDLE_SHADOWS_BLENDING_IN_GI INSTANCING_ON LIGHTING_COORDS LIGHTMAP_OFF
     LIGHTMAP_ON LIGHTMAP_RGBM_SCALE LIGHTMAP_SHADOW_MIXING LIGHTPROBE_SH LIGHT_ATTENUATION LOD_FADE_CROSSFADE
     LOD_FADE_PERCENTAGE POINT POINT_COOKIE POINT_NOATT PROCEDURAL_INSTANCING_ON READ_SHADOW_COORDS
-    SAMPLE_DEPTH_TEXTURE SAMPLE_DEPTH_TEXTURE_LOD SAMPLE_DEPTH_TEXTURE_PROJ SCALED_NORMAL SHADOWS_CUBE SHADOWS_DEPTH
-    SHADOWS_NATIVE SHADOWS_SCREEN SHADOWS_SHADOWMASK SHADOWS_SINGLE_CASCADE SHADOWS_SOFT SHADOWS_SPLIT_SPHERES
-    SHADOW_ATTENUATION SHADOW_CASTER_FRAGMENT SHADOW_COORDS SOFTPARTICLES_ON SPOT STEREO_CUBEMAP_RENDER_ON
-    STEREO_INSTANCING_ON STEREO_MULTIVIEW_ON SampleCubeReflection TANGENT_SPACE_ROTATION TRANSFER_SHADOW
-    TRANSFER_SHADOW_CASTER TRANSFER_SHADOW_CASTER_NOPOS TRANSFER_SHADOW_CASTER_NORMALOFFSET TRANSFER_SHADOW_WPOS
-    TRANSFER_VERTEX_TO_FRAGMENT TRANSFORM_TEX TRANSFORM_UV USING_DIRECTIONAL_LIGHT USING_LIGHT_MULTI_COMPILE
-    V2F_SCREEN_TYPE V2F_SHADOW_CASTER V2F_SHADOW_CASTER_NOPOS VERTEXLIGHT_ON VFACE VPOS WPOS fixed fixed2 fixed2x2
-    fixed3 fixed3x3 fixed4 fixed4x4)",
+    SAMPLE_DEPTH_TEXTURE SAMPLE_DEPTH_TEXTURE_LOD SAMPLE_DEPTH_TEXTURE_PROJ SCALED_NORMAL SHADOWS_CUBE
+    SHADOWS_DEPTH SHADOWS_NATIVE SHADOWS_SCREEN SHADOWS_SHADOWMASK SHADOWS_SINGLE_CASCADE SHADOWS_SOFT
+    SHADOWS_SPLIT_SPHERES SHADOW_ATTENUATION SHADOW_CASTER_FRAGMENT SHADOW_COORDS SOFTPARTICLES_ON SPOT
+    STEREO_CUBEMAP_RENDER_ON STEREO_INSTANCING_ON STEREO_MULTIVIEW_ON SampleCubeReflection TANGENT_SPACE_ROTATION
+    TRANSFER_SHADOW TRANSFER_SHADOW_CASTER TRANSFER_SHADOW_CASTER_NOPOS TRANSFER_SHADOW_CASTER_NORMALOFFSET
+    TRANSFER_SHADOW_WPOS TRANSFER_VERTEX_TO_FRAGMENT TRANSFORM_TEX TRANSFORM_UV USING_DIRECTIONAL_LIGHT
+    USING_LIGHT_MULTI_COMPILE V2F_SCREEN_TYPE V2F_SHADOW_CASTER V2F_SHADOW_CASTER_NOPOS VERTEXLIGHT_ON VFACE VPOS
+    WPOS fixed fixed2 fixed2x2 fixed3 fixed3x3 fixed4 fixed4x4)",
     // What UNITY_LIGHT_ATTENUATION and UNITY_APPLY_FOG declare.
     R"(lightCoord shadow unityFogFactor)",
     // The file's own.
@@ -73,53 +76,48 @@ constexpr std::string_view kLists[] = {
 constexpr std::string_view kPrefixes[] = {"unity_",      "UNITY_",        "_Unity",       "glstate_",
                                           "SHADER_API_", "SHADER_TARGET", "SHADER_STAGE_"};
 
-// The library's functions that Unity has under the same name.
-constexpr std::pair<std::string_view, std::string_view> kSynonyms[] = {
-    {"DecodeFloatRG", "FloatFromRG"},
-    {"DecodeHDR", "LightFromRGBM"},
-    {"DecodeLightmap", "LightFromLightmap"},
-    {"DisneyDiffuse", "DisneyDiffuseTerm"},
-    {"EncodeFloatRG", "FloatToRG"},
-    {"FresnelLerp", "FresnelToGrazing"},
-    {"FresnelLerpFast", "FresnelToGrazingFast"},
-    {"Linear01Depth", "DepthOfFarPlane"},
-    {"LinearEyeDepth", "DepthOfEye"},
-    {"Luminance", "RelativeLuminance"},
-    {"OneMinusReflectivityFromMetallic", "DiffuseShareFromMetallic"},
-    {"ParallaxOffset", "ParallaxShift"},
-    {"SpecularStrength", "BrightestSpecular"},
-    {"UnpackNormal", "NormalFromTexel"},
+struct Taken {
+    std::string_view name, instead;
 };
 
-std::vector<std::string_view> words() {
-    std::vector<std::string_view> made;
-    for (std::string_view list : kLists) {
-        while (!list.empty()) {
-            const std::size_t end = std::min(list.find_first_of(" \n"), list.size());
-            if (end > 0) made.push_back(list.substr(0, end));
-            list.remove_prefix(std::min(end + 1, list.size()));
+const std::vector<Taken>& taken() {
+    static const std::vector<Taken> kTaken = [] {
+        std::vector<Taken> made;
+        for (std::string_view list : kLists) {
+            while (!list.empty()) {
+                const std::size_t end = std::min(list.find_first_of(" \n"), list.size());
+                const std::string_view word = list.substr(0, end);
+                const std::size_t sign = std::min(word.find('='), end);
+                if (end > 0) made.push_back({word.substr(0, sign), word.substr(std::min(sign + 1, end))});
+                list.remove_prefix(std::min(end + 1, list.size()));
+            }
         }
-    }
-    return made;
+        return made;
+    }();
+    return kTaken;
 }
 
 }  // namespace
 
 std::span<const std::string_view> taken_names() {
-    static const std::vector<std::string_view> kTaken = words();
-    return kTaken;
+    static const std::vector<std::string_view> kNames = [] {
+        std::vector<std::string_view> names;
+        for (const Taken& each : taken()) names.push_back(each.name);
+        return names;
+    }();
+    return kNames;
 }
 
 bool is_taken(std::string_view name) {
-    const std::span<const std::string_view> taken = taken_names();
-    return std::find(taken.begin(), taken.end(), name) != taken.end() ||
+    const std::span<const std::string_view> names = taken_names();
+    return std::find(names.begin(), names.end(), name) != names.end() ||
            std::any_of(std::begin(kPrefixes), std::end(kPrefixes),
                        [&](std::string_view prefix) { return name.starts_with(prefix); });
 }
 
 std::string_view synonym(std::string_view function) {
-    for (const auto& [unitys, ours] : kSynonyms) {
-        if (function == unitys) return ours;
+    for (const Taken& each : taken()) {
+        if (each.name == function && !each.instead.empty()) return each.instead;
     }
     return function;
 }
