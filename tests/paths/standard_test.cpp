@@ -239,7 +239,7 @@ TEST(Standard, HasTheNamesOfTheStandardShader) {
                                             "_UVSec"}));
     const VariantPlan plan = compiler().plan_variants(kOpaque, VariantsWanted::All, {}, kVariantLimit);
     EXPECT_TRUE(plan.ok);
-    EXPECT_EQ(plan.combinations.size(), 64u);
+    EXPECT_EQ(plan.count, 64u);
 }
 
 }  // namespace

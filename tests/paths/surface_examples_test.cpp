@@ -157,7 +157,7 @@ TEST(SurfaceExamples, VariantsAreShadersAndConstantsAreNot) {
     for (const auto& [wanted, count] : {std::pair(VariantsWanted::All, 6u), std::pair(VariantsWanted::Listed, 3u)}) {
         const VariantPlan plan = compiler().plan_variants(graph, wanted, {}, kVariantLimit);
         ASSERT_TRUE(plan.ok);
-        EXPECT_EQ(plan.combinations.size(), count);
+        EXPECT_EQ(plan.count, count);
         const VariantSet set = compiler().compile_variants(graph, plan, {});
         EXPECT_EQ(set.programs.size(), count);
         for (const VariantProgram& program : set.programs) {

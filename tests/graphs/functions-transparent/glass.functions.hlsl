@@ -111,24 +111,26 @@ GlassPremultiplyAlphaResult GlassPremultiplyAlpha(float3 diffuse_color, float al
 //   geometry_normal_ws: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
 GlassLightingSurface Glasslighting_surface(float3 geometry_normal_ws)
 {
-    // MetallicSetup "setup"
-    GlassMetallicSetupResult setup = GlassMetallicSetup(Glass_Tint.xyz, 0.0);
+    GlassSurface material = Glasssurface(geometry_normal_ws);
 
-    GlassPremultiplyAlphaResult premultiply_alpha_result = GlassPremultiplyAlpha(setup.diffuse_color, Glass_Tint.w,
+    // MetallicSetup "setup"
+    GlassMetallicSetupResult setup = GlassMetallicSetup(material.baseColor, material.metallic);
+
+    GlassPremultiplyAlphaResult premultiply_alpha_result = GlassPremultiplyAlpha(setup.diffuse_color, material.alpha,
         setup.one_minus_reflectivity);
-    GlassLightingSurface lit_;
-    lit_.diffuseColor = premultiply_alpha_result.value;
-    lit_.f0 = setup.f0;
-    lit_.baseColor = Glass_Tint.xyz;
-    lit_.metallic = 0.0;
-    lit_.oneMinusReflectivity = setup.one_minus_reflectivity;
-    lit_.roughness = 0.5;
-    lit_.normal_ws = normalize(geometry_normal_ws);
-    lit_.occlusion = 1.0;
-    lit_.emission = float3(0.0, 0.0, 0.0);
-    lit_.alpha = premultiply_alpha_result.out_alpha;
-    lit_.alphaClip = 0.5;
-    return lit_;
+    GlassLightingSurface surface;
+    surface.diffuseColor = premultiply_alpha_result.value;
+    surface.f0 = setup.f0;
+    surface.baseColor = material.baseColor;
+    surface.metallic = material.metallic;
+    surface.oneMinusReflectivity = setup.one_minus_reflectivity;
+    surface.roughness = material.roughness;
+    surface.normal_ws = normalize(material.normal_ws);
+    surface.occlusion = material.occlusion;
+    surface.emission = material.emission;
+    surface.alpha = premultiply_alpha_result.out_alpha;
+    surface.alphaClip = material.alphaClip;
+    return surface;
 }
 
 // What one light adds to LightSum.direct.

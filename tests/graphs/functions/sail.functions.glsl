@@ -203,19 +203,19 @@ Sail_LightingSurface Sail_lighting_surface(vec2 uv0, vec3 geometry_normal_ws, ve
     // MetallicSetup "setup"
     Sail_MetallicSetupResult setup = Sail_MetallicSetup(material.baseColor, material.metallic);
 
-    Sail_LightingSurface lit_;
-    lit_.diffuseColor = setup.diffuse_color;
-    lit_.f0 = setup.f0;
-    lit_.baseColor = material.baseColor;
-    lit_.metallic = material.metallic;
-    lit_.oneMinusReflectivity = setup.one_minus_reflectivity;
-    lit_.roughness = material.roughness;
-    lit_.normal_ws = normalize(material.normal_ws);
-    lit_.occlusion = material.occlusion;
-    lit_.emission = material.emission;
-    lit_.alpha = material.alpha;
-    lit_.alphaClip = material.alphaClip;
-    return lit_;
+    Sail_LightingSurface surface;
+    surface.diffuseColor = setup.diffuse_color;
+    surface.f0 = setup.f0;
+    surface.baseColor = material.baseColor;
+    surface.metallic = material.metallic;
+    surface.oneMinusReflectivity = setup.one_minus_reflectivity;
+    surface.roughness = material.roughness;
+    surface.normal_ws = normalize(material.normal_ws);
+    surface.occlusion = material.occlusion;
+    surface.emission = material.emission;
+    surface.alpha = material.alpha;
+    surface.alphaClip = material.alphaClip;
+    return surface;
 }
 
 // What one light adds to LightSum.direct.
