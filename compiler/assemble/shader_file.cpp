@@ -210,14 +210,10 @@ private:
         out_.line(0, "");
         out_.line(2, "Pass");
         out_.line(2, "{");
+        out_.line(3, fmt::format("Name \"{}\"", name_of(in_.passes[index])));
         std::string tags;
         for (const auto& [name, value] : declared.tags) {
-            if (name == "Name") {
-                const std::string& own = in_.passes[index].pass->name;  // one that the material adds has its own
-                out_.line(3, fmt::format("Name \"{}\"", own == declared.name ? value : std::string_view(own)));
-            } else {
-                tags += fmt::format("\"{}\" = \"{}\" ", name, value);
-            }
+            if (name != "Name") tags += fmt::format("\"{}\" = \"{}\" ", name, value);
         }
         if (!tags.empty()) out_.line(3, fmt::format("Tags {{ {}}}", tags));
         for (const std::string& line : shader_state(in_.reflection.passes[index])) out_.line(3, line);
@@ -229,7 +225,7 @@ private:
         out_.line(3, "#pragma vertex vert");
         out_.line(3, "#pragma fragment frag");
         for (const Declaration& each : text.declarations) {
-            if (!is_own(text, each)) continue;
+            if (!each.is_own) continue;
             out_.line(0, "");
             out_.declaration(3, each);
         }

@@ -45,6 +45,7 @@ struct PassText {
         targets::Piece::Kind kind{};
         std::string name, text;
         std::vector<targets::PrintedLine> lines{};  // counted from 0
+        bool is_own = false;                        // no other pass has it: it stands in the pass (shader_shared.cpp)
     };
     std::vector<Declaration> declarations;  // what is read stands before what reads it; the entry functions last
     std::vector<ir::StageText> texts;       // what both stages and the foreign functions that they call ask for
@@ -52,14 +53,15 @@ struct PassText {
 // `taken`: names that mean something else outside of the pass.
 PassText pass_text(const LinkedPass& pass, const std::vector<std::string>& taken);
 
+// What the file calls the pass.
+std::string_view name_of(const LinkedPass& pass);
+
 // Whether the text reads a name, other than in a comment on a line of its own.
 bool mentions(std::string_view text, std::string_view name);
 
 // --- shader_shared.cpp
 // The passes, in which a name means the same wherever it is not the pass's own.
 std::vector<PassText> pass_texts(std::span<const LinkedPass> linked);
-// What a pass's own entry functions take and give is its own, too.
-bool is_own(const PassText& pass, const PassText::Declaration& each);
 // What is not a pass's own, each once, in an order in which everything stands behind what it reads.
 std::vector<const PassText::Declaration*> shared_declarations(const std::vector<PassText>& passes);
 // The pieces of the tool's text that the passes' text comes to mention, in their order.

@@ -1,5 +1,7 @@
 // Both stages of a pass as declarations of one program. A name means one thing in it: where the stages differ on what
 // it is, the vertex stage's gets another name.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -62,6 +64,15 @@ std::vector<Declaration> declarations(const targets::Printed& printed) {
     return made;
 }
 
+// What means something else outside of the pass is called after it.
+void rename(ir::Module& stage, const std::vector<std::string>& taken, std::string_view pass) {
+    const auto rename_if_taken = [&](std::string& name) {
+        if (std::find(taken.begin(), taken.end(), name) != taken.end()) name = fmt::format("{}_{}", name, pass);
+    };
+    for (ir::Function& function : stage.functions) rename_if_taken(function.name);
+    for (ir::Struct& structure : stage.structs) rename_if_taken(structure.name);
+}
+
 std::vector<Declaration> printed(ir::Module stage, const std::vector<ir::StageText>& texts,
                                  const std::vector<std::string>& taken) {
     stage.stage.texts = texts;
@@ -76,6 +87,14 @@ const Declaration* find(const std::vector<Declaration>& list, const std::string&
 }
 
 }  // namespace
+
+std::string_view name_of(const LinkedPass& pass) {
+    const graph::PassDecl& declared = *pass.pass->declaration;
+    const auto tag =
+        std::find_if(declared.tags.begin(), declared.tags.end(), [](const auto& each) { return each.first == "Name"; });
+    const bool is_added = pass.pass->name != declared.name;
+    return is_added || tag == declared.tags.end() ? std::string_view(pass.pass->name) : std::string_view(tag->second);
+}
 
 bool mentions(std::string_view text, std::string_view name) {
     const auto is_comment = [&](std::size_t at) {
@@ -95,12 +114,16 @@ PassText pass_text(const LinkedPass& pass, const std::vector<std::string>& taken
     add_texts_of(pass.vertex, made.texts);
     add_texts_of(pass.fragment, made.texts);
     add_texts(pass.vertex.stage.texts, made.texts);
-    const std::vector<Declaration> fragment = printed(pass.fragment, made.texts, taken_around);
+    const auto named = [&](ir::Module stage) {
+        rename(stage, taken_around, name_of(pass));
+        return stage;
+    };
+    const std::vector<Declaration> fragment = printed(named(pass.fragment), made.texts, taken_around);
     std::vector<Declaration> vertex;
     std::vector<std::string> taken = taken_around;
     for (bool differ = true; differ;) {
         differ = false;
-        vertex = printed(pass.vertex, made.texts, taken);
+        vertex = printed(named(pass.vertex), made.texts, taken);
         for (const Declaration& each : vertex) {
             const Declaration* other = find(fragment, each.name);
             if (!other || other->text == each.text) continue;

@@ -52,13 +52,14 @@ std::vector<std::string_view> needed_pieces_of(std::string_view include, const s
     return made;
 }
 
-bool is_own(const PassText& pass, const Declaration& each) {
+namespace {
+
+// What a pass's entry functions take and give may be called alike in all.
+bool is_of_entry(const PassText& pass, const Declaration& each) {
     if (each.kind == Kind::Entry) return true;
     const std::string& fragment = pass.declarations.back().text;
     return each.kind == Kind::Struct && mentions(fragment.substr(0, fragment.find('\n')), each.name);
 }
-
-namespace {
 
 // By name, the text that the most passes have; of a pass's own things nothing.
 std::map<std::string_view, const Declaration*> most_common(const std::vector<PassText>& passes) {
@@ -66,13 +67,24 @@ std::map<std::string_view, const Declaration*> most_common(const std::vector<Pas
     std::map<std::string_view, const Declaration*> made;
     for (const PassText& pass : passes) {
         for (const Declaration& each : pass.declarations) {
-            if (is_own(pass, each)) continue;
+            if (is_of_entry(pass, each)) continue;
             const int count = ++counts[each.name][each.text];
             const Declaration*& best = made[each.name];
             if (!best || count > counts[each.name][best->text]) best = &each;
         }
     }
     return made;
+}
+
+void mark_own(std::vector<PassText>& passes) {
+    std::map<std::string, int> counts;
+    for (const PassText& pass : passes) {
+        for (const Declaration& each : pass.declarations) ++counts[each.name];
+    }
+    for (PassText& pass : passes) {
+        for (Declaration& each : pass.declarations)
+            each.is_own = is_of_entry(pass, each) || (each.kind != Kind::Uniform && counts[each.name] == 1);
+    }
 }
 
 }  // namespace
@@ -87,12 +99,14 @@ std::vector<PassText> pass_texts(std::span<const LinkedPass> linked) {
         for (std::size_t i = 0; i < linked.size(); ++i) {
             const std::size_t before = taken[i].size();
             for (const Declaration& each : passes[i].declarations) {
-                if (!is_own(passes[i], each) && common.at(each.name)->text != each.text) taken[i].push_back(each.name);
+                if (!is_of_entry(passes[i], each) && common.at(each.name)->text != each.text)
+                    taken[i].push_back(each.name);
             }
             differ = differ || taken[i].size() > before;
         }
         for (std::size_t i = 0; differ && i < linked.size(); ++i) passes[i] = pass_text(linked[i], taken[i]);
     }
+    mark_own(passes);
     return passes;
 }
 
@@ -101,7 +115,7 @@ std::vector<const Declaration*> shared_declarations(const std::vector<PassText>&
     for (const PassText& pass : passes) {
         for (const Declaration& each : pass.declarations) {
             const auto is_same = [&](const Declaration* other) { return other->name == each.name; };
-            if (!is_own(pass, each) && std::none_of(made.begin(), made.end(), is_same)) made.push_back(&each);
+            if (!each.is_own && std::none_of(made.begin(), made.end(), is_same)) made.push_back(&each);
         }
     }
     std::stable_sort(made.begin(), made.end(),

@@ -52,14 +52,21 @@ Diagnostic first_error(const Result& result) {
 class UnityFile : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(UnityFile, ReadsAsExpected) {
-    const Result result = for_unity("tests/unity/graphs/" + GetParam() + ".graph.json");
+    const Result result = for_unity(GetParam() + ".graph.json");
     ASSERT_EQ(result.shaders.size(), 1u);
-    EXPECT_EQ(result.shaders.front().file_name, GetParam() + ".shader");
-    EXPECT_TRUE(patina::testing::as_expected("unity/expected/" + GetParam() + ".shader", result.shaders.front().text));
+    const std::string file = GetParam().substr(GetParam().rfind('/') + 1) + ".shader";
+    EXPECT_EQ(result.shaders.front().file_name, file);
+    EXPECT_TRUE(patina::testing::as_expected("unity/expected/" + file, result.shaders.front().text));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, UnityFile, ::testing::Values("standard", "wave", "fade"),
-                         [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(All, UnityFile,
+                         ::testing::Values("tests/unity/graphs/standard", "tests/unity/graphs/wave",
+                                           "tests/unity/graphs/fade", "examples/sources/standard-cutout"),
+                         [](const auto& info) {
+                             std::string name = info.param.substr(info.param.rfind('/') + 1);
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
 
 // What an artist sees. Colours are those of a picker, but for those that may be brighter than white: 0.5 of linear
 // light is 0.7354 there (IEC 61966-2-1).

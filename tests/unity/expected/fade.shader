@@ -287,39 +287,6 @@ Shader "Patina/fade"
         return (surface.diffuseColor * (diffuse * ndotl) + specular) * radiance;
     }
 
-    // What all light adds that comes from no single light, as the lighting graph says.
-    float3 indirect(LightingSurface surface, float3 view_dir_ws, float3 position_ws, float attenuation,
-        float4 ambient_or_lightmap_uv, bool reads_probes)
-    {
-        // NdotV "ndotv"
-        float cosine = dot(surface.normal_ws, view_dir_ws);
-        float ndotv = saturate(abs(cosine));
-
-        // AlphaFromRoughness "alpha"
-        float alpha = max(surface.roughness * surface.roughness, 0.002);
-
-        // AmbientIrradiance "ambient"
-        float3 ambient = AmbientLight(surface.normal_ws, position_ws, attenuation, ambient_or_lightmap_uv);
-
-        float3 reflected = reflect(-view_dir_ws, surface.normal_ws);
-
-        // EnvironmentRadiance "environment"
-        float3 environment = ReflectedLight(reflected, surface.roughness, position_ws, reads_probes);
-
-        // SurfaceReduction "reduction"
-        float reduction = 1.0 / (alpha * alpha + 1.0);
-
-        // GrazingTerm "grazing"
-        float smoothness = 1.0 - surface.roughness;
-        float grazing = saturate(smoothness + 1.0 - surface.oneMinusReflectivity);
-
-        // FresnelLerp "reflectance"
-        float3 reflectance = lerp(surface.f0, grazing.xxx, SchlickWeight(ndotv));
-
-        float3 sum = surface.diffuseColor * ambient + reduction * reflectance * environment;
-        return sum * surface.occlusion;
-    }
-
     ENDCG
 
     SubShader
@@ -353,6 +320,39 @@ Shader "Patina/fade"
                 UNITY_VERTEX_INPUT_INSTANCE_ID
                 UNITY_VERTEX_OUTPUT_STEREO
             };
+
+            // What all light adds that comes from no single light, as the lighting graph says.
+            float3 indirect(LightingSurface surface, float3 view_dir_ws, float3 position_ws, float attenuation,
+                float4 ambient_or_lightmap_uv, bool reads_probes)
+            {
+                // NdotV "ndotv"
+                float cosine = dot(surface.normal_ws, view_dir_ws);
+                float ndotv = saturate(abs(cosine));
+
+                // AlphaFromRoughness "alpha"
+                float alpha = max(surface.roughness * surface.roughness, 0.002);
+
+                // AmbientIrradiance "ambient"
+                float3 ambient = AmbientLight(surface.normal_ws, position_ws, attenuation, ambient_or_lightmap_uv);
+
+                float3 reflected = reflect(-view_dir_ws, surface.normal_ws);
+
+                // EnvironmentRadiance "environment"
+                float3 environment = ReflectedLight(reflected, surface.roughness, position_ws, reads_probes);
+
+                // SurfaceReduction "reduction"
+                float reduction = 1.0 / (alpha * alpha + 1.0);
+
+                // GrazingTerm "grazing"
+                float smoothness = 1.0 - surface.roughness;
+                float grazing = saturate(smoothness + 1.0 - surface.oneMinusReflectivity);
+
+                // FresnelLerp "reflectance"
+                float3 reflectance = lerp(surface.f0, grazing.xxx, SchlickWeight(ndotv));
+
+                float3 sum = surface.diffuseColor * ambient + reduction * reflectance * environment;
+                return sum * surface.occlusion;
+            }
 
             v2f vert(appdata_full v)
             {
