@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "compiler/graph/words.h"
+#include "compiler/ir/passes/passes.h"
 
 namespace patina::assemble {
 
@@ -249,8 +250,15 @@ Pass reflect_pass(const LinkedPass& linked) {
                                       .hlsl_semantic = input.semantic});
     }
     std::vector<bool> used(lowered.module.globals.size(), false);
-    mark_used(linked.vertex, used);
-    mark_used(linked.fragment, used);
+    for (const ir::Module* stage : {&linked.vertex, &linked.fragment}) {
+        if (!lowered.keeps_functions) {
+            mark_used(*stage, used);
+            continue;
+        }
+        // Functions that passes share compute more than this one reads of them.
+        const ir::FunctionId entry = stage->stage.entry;
+        mark_used(ir::drop_members(*stage, std::span(&entry, 1), {}), used);
+    }
     for (std::uint32_t block = 0; block < lowered.module.blocks.size(); ++block) {
         for (std::size_t i = 0; i < used.size(); ++i) {
             if (!used[i] || lowered.module.globals[i].block != block) continue;

@@ -113,7 +113,9 @@ void GraphScope::emit_node(std::uint32_t index) {
     const ir::OriginId outer_origin = b.origin();
     module.origins.push_back({.label = node.is_expression  ? node.note
                                        : resolved.function ? std::string(resolved.function->name)
+                                       : resolved.subgraph ? file_stem(resolved.subgraph->graph->path)
                                                            : node.type,
+                              .is_note = node.is_expression,
                               .id = path,
                               .span = node.span});
     b.set_origin({static_cast<std::uint32_t>(module.origins.size() - 1)});

@@ -81,6 +81,10 @@ void read_lighting_use(Reading& reading, const Json& json, LightingUse& lighting
 
 void read_variants(Reading& reading, const Json& array, std::vector<ListedVariant>& variants) {
     if (!expect(reading, array, Json::Kind::Array, "'variants'")) return;
+    if (array.elements.empty()) {
+        reading.diagnostics.report(Code::EmptyList, array.span, "variants")
+            .note("it lists combinations: \"variants\": [ { \"_DETAIL\": true }, { \"_Mode\": \"Wet\" } ]");
+    }
     for (const Json& element : array.elements) {
         if (!expect(reading, element, Json::Kind::Object, "a variant")) continue;
         ListedVariant& listed = variants.emplace_back();

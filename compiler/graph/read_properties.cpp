@@ -166,12 +166,13 @@ void check_default_range(Reading& reading, const Property& property) {
 
 void read_enum_values(Reading& reading, const Json& json, Property& property) {
     const Json* values = json.find("values");
-    if (!values || (values->kind == Json::Kind::Array && values->elements.empty())) {
-        reading.diagnostics.report(Code::MissingKey, values ? values->span : opening(json), "an enum", "values")
-            .note("\"values\": [\"Dry\", \"Wet\"]");
+    const char* const kExample = "\"values\": [\"Dry\", \"Wet\"]";
+    if (!values) {
+        reading.diagnostics.report(Code::MissingKey, opening(json), "an enum", "values").note(kExample);
         return;
     }
     if (!expect(reading, *values, Json::Kind::Array, "'values'")) return;
+    if (values->elements.empty()) reading.diagnostics.report(Code::EmptyList, values->span, "values").note(kExample);
     UniqueNames names;
     for (const Json& value : values->elements) {
         property.values.push_back(read_identifier(reading, value, "a value of an enum"));

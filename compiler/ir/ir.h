@@ -202,9 +202,10 @@ struct Semantic {
 
 // The graph node (or library function) that an instruction comes from.
 struct Origin {
-    std::string label{};  // "SampleTexture2D"; empty: no comment is printed
-    std::string id{};     // "albedo"
-    Span span{};          // where it stands in the graph's JSON
+    std::string label{};   // "SampleTexture2D"; empty: no comment is printed
+    bool is_note = false;  // the label is what somebody wrote about it
+    std::string id{};      // "albedo"
+    Span span{};           // where it stands in the graph's JSON
 };
 
 // Stage inputs are the entry function's params; stage outputs are the members of the struct that it returns.

@@ -141,7 +141,11 @@ void Body::enter(OriginId origin) {
     if (is_labelled(origin) && !commented_[origin.index]) {
         commented_[origin.index] = true;
         const Origin& o = writer_.module.origins[origin.index];
-        writer_.comment(indent_, o.id.empty() ? o.label : o.label + " \"" + o.id + "\"", origin);
+        writer_.comment(indent_,
+                        o.id.empty() ? o.label
+                        : o.is_note  ? fmt::format("{}: {}", o.id, o.label)
+                                     : fmt::format("{} \"{}\"", o.label, o.id),
+                        origin);
     }
     origin_ = origin;
     at_block_start_ = false;

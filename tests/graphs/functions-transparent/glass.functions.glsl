@@ -74,7 +74,8 @@ layout(set = Glassset, binding = 0, std140) uniform GlassMaterial
 };
 
 // The surface as the graph describes it, in the words of its workflow.
-//   geometry_normal_ws: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
+//   geometry_normal_ws: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the
+//     viewer.
 GlassSurface Glasssurface(vec3 geometry_normal_ws)
 {
     GlassSurface surface;
@@ -109,8 +110,10 @@ GlassPremultiplyAlphaResult GlassPremultiplyAlpha(vec3 diffuse_color, float alph
     return premultiply_alpha_result;
 }
 
-// The surface of this point, as its lighting takes it. A cutout surface is not drawn where its alpha is below alphaClip.
-//   geometry_normal_ws: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
+// The surface of this point, as its lighting takes it. A cutout surface is not drawn where its alpha is below
+// alphaClip.
+//   geometry_normal_ws: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the
+//     viewer.
 GlassLightingSurface Glasslighting_surface(vec3 geometry_normal_ws)
 {
     GlassSurface material = Glasssurface(geometry_normal_ws);

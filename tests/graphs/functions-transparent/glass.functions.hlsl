@@ -72,7 +72,8 @@ cbuffer GlassMaterial : register(b0, Glassset)
 };
 
 // The surface as the graph describes it, in the words of its workflow.
-//   geometry_normal_ws: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
+//   geometry_normal_ws: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the
+//     viewer.
 GlassSurface Glasssurface(float3 geometry_normal_ws)
 {
     GlassSurface surface;
@@ -107,8 +108,10 @@ GlassPremultiplyAlphaResult GlassPremultiplyAlpha(float3 diffuse_color, float al
     return premultiply_alpha_result;
 }
 
-// The surface of this point, as its lighting takes it. A cutout surface is not drawn where its alpha is below alphaClip.
-//   geometry_normal_ws: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
+// The surface of this point, as its lighting takes it. A cutout surface is not drawn where its alpha is below
+// alphaClip.
+//   geometry_normal_ws: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the
+//     viewer.
 GlassLightingSurface Glasslighting_surface(float3 geometry_normal_ws)
 {
     GlassSurface material = Glasssurface(geometry_normal_ws);

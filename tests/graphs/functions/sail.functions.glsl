@@ -24,7 +24,8 @@ SplitSumTableResult SplitSumTable(float roughness, float ndotv);
 // Light that arrives at a surface from all around, divided by pi: a colour times it is radiance.
 vec3 AmbientIrradiance(vec3 normal);
 
-// Radiance that arrives from a direction, as a surface of that roughness reflects it: the surroundings, blurred by the surface's GGX lobe.
+// Radiance that arrives from a direction, as a surface of that roughness reflects it: the surroundings, blurred by the
+// surface's GGX lobe.
 vec3 EnvironmentRadiance(vec3 direction, float roughness);
 
 struct Sail_LightingSurface
@@ -113,7 +114,8 @@ vec3 Sail_NormalTangentToWorld(vec3 normal_ts, vec3 normal, vec3 tangent, vec3 b
 
 // The surface as the graph describes it, in the words of its workflow.
 //   uv0: First texture coordinates; v grows downwards, as texels are stored.
-//   geometry_normal_ws: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
+//   geometry_normal_ws: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the
+//     viewer.
 //   tangent_ws: Mesh tangent in world space, unit
 //   bitangent_ws: Bitangent in world space: cross(normal, tangent) with the mesh's handedness.
 //   sway: interpolated, from vertex_sway()
@@ -189,9 +191,11 @@ vec3 Sail_FresnelSchlick(vec3 f0, float cosine, float f90)
     return f0 + (f90 - f0) * Sail_SchlickWeight(cosine);
 }
 
-// The surface of this point, as its lighting takes it. A cutout surface is not drawn where its alpha is below alphaClip.
+// The surface of this point, as its lighting takes it. A cutout surface is not drawn where its alpha is below
+// alphaClip.
 //   uv0: First texture coordinates; v grows downwards, as texels are stored.
-//   geometry_normal_ws: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
+//   geometry_normal_ws: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the
+//     viewer.
 //   tangent_ws: Mesh tangent in world space, unit
 //   bitangent_ws: Bitangent in world space: cross(normal, tangent) with the mesh's handedness.
 //   sway: interpolated, from vertex_sway()

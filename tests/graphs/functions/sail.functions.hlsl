@@ -22,7 +22,8 @@ SplitSumTableResult SplitSumTable(float roughness, float ndotv);
 // Light that arrives at a surface from all around, divided by pi: a colour times it is radiance.
 float3 AmbientIrradiance(float3 normal);
 
-// Radiance that arrives from a direction, as a surface of that roughness reflects it: the surroundings, blurred by the surface's GGX lobe.
+// Radiance that arrives from a direction, as a surface of that roughness reflects it: the surroundings, blurred by the
+// surface's GGX lobe.
 float3 EnvironmentRadiance(float3 direction, float roughness);
 
 struct Sail_LightingSurface
@@ -111,7 +112,8 @@ float3 Sail_NormalTangentToWorld(float3 normal_ts, float3 normal, float3 tangent
 
 // The surface as the graph describes it, in the words of its workflow.
 //   uv0: First texture coordinates; v grows downwards, as texels are stored.
-//   geometry_normal_ws: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
+//   geometry_normal_ws: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the
+//     viewer.
 //   tangent_ws: Mesh tangent in world space, unit
 //   bitangent_ws: Bitangent in world space: cross(normal, tangent) with the mesh's handedness.
 //   sway: interpolated, from vertex_sway()
@@ -187,9 +189,11 @@ float3 Sail_FresnelSchlick(float3 f0, float cosine, float f90)
     return f0 + (f90 - f0) * Sail_SchlickWeight(cosine);
 }
 
-// The surface of this point, as its lighting takes it. A cutout surface is not drawn where its alpha is below alphaClip.
+// The surface of this point, as its lighting takes it. A cutout surface is not drawn where its alpha is below
+// alphaClip.
 //   uv0: First texture coordinates; v grows downwards, as texels are stored.
-//   geometry_normal_ws: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
+//   geometry_normal_ws: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the
+//     viewer.
 //   tangent_ws: Mesh tangent in world space, unit
 //   bitangent_ws: Bitangent in world space: cross(normal, tangent) with the mesh's handedness.
 //   sway: interpolated, from vertex_sway()

@@ -196,7 +196,8 @@ Shader "Patina/fade"
         return ls;
     }
 
-    // The direction half-way between the light and the viewer: the normal of a mirror that shows one to the other.
+    // The direction half-way between the light and the viewer: the normal of a mirror that shows one to the
+    // other.
     float3 HalfVector(float3 view, float3 light_dir)
     {
         float3 sum = light_dir + view;
@@ -230,7 +231,8 @@ Shader "Patina/fade"
         return 0.5 / (view_part + light_part + guard);
     }
 
-    // GGX as Unity's Standard shader computes it: with 0.0000001 beside the square, which lowers the peak of surfaces smoother than alpha 0.05 and puts out that of mirrors.
+    // GGX as Unity's Standard shader computes it: with 0.0000001 beside the square, which lowers the peak of
+    // surfaces smoother than alpha 0.05 and puts out that of mirrors.
     float DistributionGGXUnity(float ndoth, float alpha)
     {
         float a2 = alpha * alpha;

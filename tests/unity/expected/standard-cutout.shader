@@ -228,7 +228,8 @@ Shader "Patina/Standard, cut out"
         float one_minus_reflectivity;
     };
 
-    // How far to move the texture coordinates so that a height map seems to stand out: the more, the more slanted the view.
+    // How far to move the texture coordinates so that a height map seems to stand out: the more, the more
+    // slanted the view.
     float2 ParallaxShift(float texel, float height, float3 view_ts)
     {
         float3 view = view_ts * rsqrt(max(dot(view_ts, view_ts), 1e-06));
@@ -295,7 +296,7 @@ Shader "Patina/Standard, cut out"
 
         float2 detailUV = tiledDetail + offset;
 
-        // The node would tile once more. "maps/main"
+        // maps/main: The node would tile once more.
         float4 main_ = LinearColor(UNITY_SAMPLE_TEX2D(_MainTex, uv));
 
         float3 tinted = main_.xyz * LinearColor(_Color).xyz;
@@ -315,7 +316,7 @@ Shader "Patina/Standard, cut out"
         tinted *= lerp(float3(1.0, 1.0, 1.0), 4.5947933 * detail.xyz, mask.w);
     #endif
 
-        // ./standard-maps.subgraph.json "maps"
+        // standard-maps "maps"
         float maps_value;
     #if defined(_METALLICGLOSSMAP)
         maps_value = metallicGloss.x;
@@ -414,7 +415,8 @@ Shader "Patina/Standard, cut out"
         return ls;
     }
 
-    // The direction half-way between the light and the viewer: the normal of a mirror that shows one to the other.
+    // The direction half-way between the light and the viewer: the normal of a mirror that shows one to the
+    // other.
     float3 HalfVector(float3 view, float3 light_dir)
     {
         float3 sum = light_dir + view;
@@ -448,7 +450,8 @@ Shader "Patina/Standard, cut out"
         return 0.5 / (view_part + light_part + guard);
     }
 
-    // GGX as Unity's Standard shader computes it: with 0.0000001 beside the square, which lowers the peak of surfaces smoother than alpha 0.05 and puts out that of mirrors.
+    // GGX as Unity's Standard shader computes it: with 0.0000001 beside the square, which lowers the peak of
+    // surfaces smoother than alpha 0.05 and puts out that of mirrors.
     float DistributionGGXUnity(float ndoth, float alpha)
     {
         float a2 = alpha * alpha;
@@ -648,7 +651,6 @@ Shader "Patina/Standard, cut out"
             #pragma shader_feature_local _METALLICGLOSSMAP
             #pragma shader_feature_local _NORMALMAP
             #pragma shader_feature_local _PARALLAXMAP
-            #pragma shader_feature_local _EMISSION
             #pragma shader_feature_local _DETAIL_MULX2
             #pragma vertex vert
             #pragma fragment frag
@@ -750,7 +752,7 @@ Shader "Patina/Standard, cut out"
             Surface_ShadowCaster get_surface_ShadowCaster(float2 uv0, float3 view_dir_ws, float3 geometry_normal_ws,
                 float3 tangent_ws, float3 bitangent_ws)
             {
-                // ./standard-maps.subgraph.json "maps"
+                // standard-maps "maps"
                 float fromMap_value;
             #if defined(_SMOOTHNESS_TEXTURE_ALBEDO_CHANNEL_A)
                 fromMap_value = 1.0;
@@ -776,7 +778,7 @@ Shader "Patina/Standard, cut out"
 
                 float2 uv = tiled + offset;
 
-                // The node would tile once more. "maps/main"
+                // maps/main: The node would tile once more.
                 float4 main_ = LinearColor(UNITY_SAMPLE_TEX2D(_MainTex, uv));
 
                 fromMap_value = main_.w;

@@ -227,7 +227,8 @@ Shader "Patina/Wave"
         return ls;
     }
 
-    // The direction half-way between the light and the viewer: the normal of a mirror that shows one to the other.
+    // The direction half-way between the light and the viewer: the normal of a mirror that shows one to the
+    // other.
     float3 HalfVector(float3 view, float3 light_dir)
     {
         float3 sum = light_dir + view;
@@ -240,7 +241,8 @@ Shader "Patina/Wave"
         return alpha / (spread + 1e-05);
     }
 
-    // Schüler's visibility with Fresnel's curve folded in: both are close to one over the squared cosine. It then needs no Fresnel term but the reflectance f0.
+    // Schüler's visibility with Fresnel's curve folded in: both are close to one over the squared cosine. It
+    // then needs no Fresnel term but the reflectance f0.
     float VisibilityMinimalist(float ldoth, float alpha)
     {
         return 0.25 / (max(ldoth * ldoth, 0.1) * (alpha + 0.5));
