@@ -88,10 +88,12 @@ std::shared_ptr<const TextureData> one_texel(std::array<float, 4> texel) {
     return std::make_shared<const TextureData>(std::move(data));
 }
 
-std::array<float, 4> texel_of(const std::string& default_value) {
-    if (default_value == "black") return {0, 0, 0, 1};
-    if (default_value == "gray") return {0.5f, 0.5f, 0.5f, 1};
-    if (default_value == "bump") return {0.5f, 0.5f, 1, 1};
+// As textures.h has it: what a texture of the usage "color" holds is decoded.
+std::array<float, 4> texel_of(const Texture& texture) {
+    const float half = texture.usage == "color" ? 0.21404114f : 0.5f;  // ((0.5 + 0.055) / 1.055)^2.4
+    if (texture.default_value == "black") return {0, 0, 0, 1};
+    if (texture.default_value == "gray") return {half, half, half, 1};
+    if (texture.default_value == "bump") return {half, half, 1, 1};
     return {1, 1, 1, 1};
 }
 
@@ -147,7 +149,7 @@ Model::Model(const Compiler& compiler, const ModelChoice& choice, Precision prec
         stage.set_value(property.identifier, property.value);
     }
     for (const Texture& texture : compiled.reflection.textures) {
-        if (texture.is_material) stage.set_texture(texture.identifier, one_texel(texel_of(texture.default_value)));
+        if (texture.is_material) stage.set_texture(texture.identifier, one_texel(texel_of(texture)));
     }
     for (const Pass& pass : compiled.reflection.passes) {
         const auto reads = [&](std::string_view name) {

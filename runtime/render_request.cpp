@@ -1,6 +1,7 @@
 #include "runtime/render_request.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "runtime/render_world.h"
@@ -176,6 +177,15 @@ Outcome<World> world_around(const RenderRequest& request) {
     return world;
 }
 
+// Every pixel is what it would be without an object.
+bool is_empty(const Image& image, const glm::vec4& background) {
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        const float without = background[int(i % 4)];
+        if (!(std::abs(image.pixels[i] - without) <= 1e-5f)) return false;
+    }
+    return true;
+}
+
 // A scene file's world, seen as the request says.
 bool world_of_file(const Compiler& compiler, const RenderRequest& request, World& world, RenderOutcome& outcome) {
     const auto refuse = [&](std::string error) {
@@ -218,7 +228,8 @@ RenderOutcome render(const Compiler& compiler, const RenderRequest& request, Ren
         return failed({}, "there is no way to render via '" + request.via + "'; there are: glsl, hlsl, cpu");
     RenderOutcome outcome;
     World world;
-    if (request.graph.ends_with(".scene.json")) {
+    const bool is_scene = request.graph.ends_with(".scene.json");
+    if (is_scene) {
         if (!world_of_file(compiler, request, world, outcome)) return outcome;
     } else {
         Outcome<World> made = world_around(request);
@@ -238,6 +249,11 @@ RenderOutcome render(const Compiler& compiler, const RenderRequest& request, Ren
                                       .progress = request.progress},
                                      machine);
     drawn.diagnostics.insert(drawn.diagnostics.begin(), outcome.diagnostics.begin(), outcome.diagnostics.end());
+    if (!is_scene && drawn.ok && is_empty(drawn.image, world.view.background))
+        drawn.diagnostics.push_back(complaint(
+            request, Severity::Warning, "nothing-seen",
+            "the picture is empty: the object is not where the camera looks, or nothing of it shows before an "
+            "even background; a scene gives it a place, and something behind it"));
     return drawn;
 }
 

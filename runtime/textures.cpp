@@ -43,14 +43,16 @@ Outcome<LoadedTexture> load_texture(const Texture& texture, const std::string& s
         return Failure{"the texture '" + texture.name + "' is a " + texture.dimension +
                        " texture; only 2d ones can be drawn"};
     Image image = default_texture(source);
-    if (image.pixels.empty()) {
+    const bool is_named = !image.pixels.empty();
+    if (!is_named) {
         Outcome<Image> loaded = load_image(source);
         if (!loaded) return Failure{"texture '" + texture.name + "': " + loaded.error};
         image = std::move(loaded.value);
     }
     bool is_color = texture.usage == "color";
     bool fits_8_bits = image.bits <= 8;
-    if (is_color && fits_8_bits) decode_srgb(image);  // pictures with more bits are taken as linear already
+    // Pictures with more bits are taken as linear already.
+    if (is_color && (fits_8_bits || is_named)) decode_srgb(image);
 
     TextureData data{.levels = mip_chain(image), .sampler = texture.sampler};
     TexelFormat format = exact || !fits_8_bits ? TexelFormat::Float32

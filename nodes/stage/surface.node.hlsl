@@ -33,6 +33,13 @@ float smoothness(LightingSurface surface) {
     return 1 - surface.roughness;
 }
 
+/// The colour of an unlit surface as what it sends out: a transparent one has no highlight that would stay without it, and
+/// shows its colour only as far as it covers what is behind it.
+[inline]
+float3 shown_unlit_color(float3 color, float alpha) {
+    return premultiplied ? color * alpha : color;
+}
+
 /// The surface as it is lit: a transparent one scatters light only as far as it covers what is behind it, and still
 /// mirrors as if it were whole.
 [inline]

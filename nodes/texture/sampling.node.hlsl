@@ -22,6 +22,21 @@ float4 SampleTexture2DLevel(
     return texture.SampleLevel(uv * texture.tiling.xy + texture.tiling.zw, level);
 }
 
+/// A texture's colour where coordinates jump from pixel to pixel, as behind the edges of a relief (ParallaxOcclusion).
+///
+/// The level of detail comes from other coordinates, which do not jump: SampleTexture2D would take an edge for a texture
+/// that is seen from far away, and draw a seam of its smallest levels along it. Of a normal map, UnpackNormal makes the
+/// normal.
+[node("Texture/Sample Texture 2D Grad")]
+float4 SampleTexture2DGrad(
+    Texture2D texture,      ///< what is read
+    float2 uv = uv0,        ///< where, before the texture's own tiling
+    float2 smooth_uv = uv0  ///< the coordinates before they were moved: how they differ between pixels chooses the level
+) {
+    float2 unmoved = smooth_uv * texture.tiling.xy;
+    return texture.SampleGrad(uv * texture.tiling.xy + texture.tiling.zw, ddx(unmoved), ddy(unmoved));
+}
+
 /// The normal that a normal map holds, in tangent space.
 ///
 /// Give the texture the usage "normal", so that it is not decoded as a colour.

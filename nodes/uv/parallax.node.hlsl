@@ -36,6 +36,9 @@ float2 ParallaxOffset(
 /// that is thinner than a step can be missed: flat views take more steps. Views flatter than 6 degrees are taken for as
 /// flat as that.
 ///
+/// Where a high part hides what lies behind it the moved coordinates jump. Read textures there by SampleTexture2DGrad, which
+/// takes its level of detail from the coordinates before; SampleTexture2D would draw seams along the edges.
+///
 /// formula: uv(t) = uv - t height v.xy / v.z, the first t at which 1 - t is not above the map's red
 /// source: Tatarchuk, "Practical Parallax Occlusion Mapping with Approximate Soft Shadows for Detailed Surface
 /// source: Rendering", SIGGRAPH 2006 course, chapter 5

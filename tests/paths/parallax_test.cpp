@@ -194,6 +194,21 @@ TEST(ParallaxOcclusion, TakesMoreStepsTheFlatterTheView) {
     }
 }
 
+// Where bricks hide the joints the coordinates jump; a level of detail by their differences would be a seam there.
+TEST(ParallaxOcclusion, OfTheExampleReadsItsMapsWithTheLevelsOfTheWall) {
+    const Result result = compiled("examples/surfaces/bricks_occlusion.graph.json", "forward");
+    int shaders = 0;
+    for (const Shader& shader : result.shaders) {
+        if (shader.stage != Stage::Fragment || shader.target != Target::Glsl) continue;
+        ++shaders;
+        for (const char* map : {"_MainTex", "_BumpMap", "_ParallaxMap"}) {
+            EXPECT_NE(shader.text.find(fmt::format("textureGrad(sampler2D({0}, ", map)), std::string::npos) << map;
+            EXPECT_EQ(shader.text.find(fmt::format("texture(sampler2D({0}, ", map)), std::string::npos) << map;
+        }
+    }
+    EXPECT_EQ(shaders, 1);
+}
+
 // One step: by the height right below, half of the relief above the plane, with the 0.42 of its source.
 TEST(ParallaxOffset, MovesBothSidesOfAStepByItsFormula) {
     const std::string graph_file = graph("one_step.graph.json", "nearest", R"(

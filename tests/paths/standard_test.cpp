@@ -124,6 +124,14 @@ TEST(Standard, DetailMapsLieOverTheMainOnesWhereTheMaskSays) {
     }
 }
 
+// Without a detail map its place holds middle grey, 0.214 decoded, of which Unity's factor 2^2.2 makes 0.983.
+TEST(Standard, AnEmptyDetailMapLeavesTheAlbedoNearlyAsItIs) {
+    const double factor = std::pow(2, 2.2) * std::pow((0.5 + 0.055) / 1.055, 2.4);
+    EXPECT_NEAR(factor, 1, 0.02);
+    expect_picture(kOpaque, {{"_DETAIL_MULX2", "true"}},
+                   [&](int, int) { return Surface{.base_color = factor * kTint}; });
+}
+
 TEST(Standard, OcclusionDimsWhatIsAroundAndEmissionIsAdded) {
     const Words maps = {{"_OcclusionMap", steps("open.exr", [](double t) { return glm::dvec4(1, t, 1, 1); })},
                         {"_OcclusionStrength", "0.75"},

@@ -58,6 +58,26 @@ TEST(SurfaceKinds, TransparentKeepsItsHighlight) {
                        });
 }
 
+std::string transparent(const std::string& name, const std::string& workflow, const std::string& light) {
+    return written(name, fmt::format(R"({{ "patina": 1, "workflow": "{}", "properties": [
+  {{ "name": "_Alpha", "type": "float", "default": 1 }} ],
+  "surface": {{ {}, "alpha": "$_Alpha" }}, "render": {{ "surface": "transparent" }} }})",
+                                     workflow, light));
+}
+
+// An unlit one is gone with its alpha, as all that it has is its colour; what a lit one emits stays.
+TEST(SurfaceKinds, TransparentTakesAnUnlitColorByItsAlphaAndLeavesEmission) {
+    const glm::dvec3 color(0.8, 0.4, 2);
+    const std::string unlit = transparent("unlit.graph.json", "unlit", R"("color": [0.8, 0.4, 2])");
+    const std::string lit = transparent("glowing.graph.json", "specular-glossiness",
+                                        R"("baseColor": 0, "specular": 0, "emission": [0.8, 0.4, 2])");
+    for (const double alpha : {0.0, 0.35, 1.0}) {
+        const std::map<std::string, std::string> words = {{"_Alpha", fmt::format("{}", alpha)}};
+        expect_picture(unlit, words, [&](int x, int y) { return alpha * color + (1 - alpha) * behind(x, y); });
+        expect_picture(lit, words, [&](int x, int y) { return color + (1 - alpha) * behind(x, y); });
+    }
+}
+
 TEST(SurfaceKinds, AdditiveAddsItsLight) {
     expect_picture("examples/surfaces/halo.graph.json", {{"_EmissionColor", "2,1,0.5"}}, [](int x, int y) {
         const double inside = std::max(0.0, 1 - 2 * glm::length(uv_of(x, y) - glm::dvec2(0.5)));

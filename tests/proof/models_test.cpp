@@ -229,6 +229,17 @@ TEST(Models, ClPbrSpecularCarriesASky) {
     for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], 0.96 * base[c] * sky[c] * 0.5, 1e-12) << c;
 }
 
+// And what a mirror shows: its lit ball, of which there is none but middle grey, 0.5 as a colour texture stores it.
+// Where alpha is 0.002 the surroundings keep 1 / (1 + alpha^2) of themselves.
+TEST(Models, ClPbrSpecularMirrorsMiddleGreyWithoutItsBall) {
+    Model model(compiler(), {.model = "cl-pbr-specular",
+                             .values = {{"baseColor", "1,1,1"}, {"metallic", "1"}, {"roughness", "0"}}});
+    ASSERT_TRUE(model.ok());
+    const double gray = std::pow((0.5 + 0.055) / 1.055, 2.4);
+    const Color seen = model.color({.n = {0, 0, 1}, .l = {0, 0, -1}, .v = {0, 0, 1}, .t = {1, 0, 0}}, {});
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], gray / (1 + 0.002 * 0.002), 1e-6) << c;
+}
+
 TEST(Models, EachHasAClosedFormOrAReasonForNone) {
     std::set<std::string_view> known;
     for (const ClosedModel& closed : closed_models()) known.insert(closed.name);

@@ -174,7 +174,7 @@ TEST(MipChain, EvenSizesAverageFourTexels) {
     EXPECT_EQ(mip_chain(image)[1].texels[0], 15 / 4.0f);
 }
 
-TEST(DefaultTextures, HoldWhatAShaderSamples) {
+TEST(DefaultTextures, HoldWhatAFileWould) {
     EXPECT_EQ(default_texture("white").pixels, (std::vector<float>{1, 1, 1, 1}));
     EXPECT_EQ(default_texture("black").pixels, (std::vector<float>{0, 0, 0, 1}));
     EXPECT_EQ(default_texture("gray").pixels, (std::vector<float>{0.5f, 0.5f, 0.5f, 1}));
@@ -188,6 +188,23 @@ Texture texture(const std::string& name, const std::string& usage, const std::st
     result.usage = usage;
     result.default_value = default_value;
     return result;
+}
+
+// IEC 61966-2-1: 0.5 stored is ((0.5 + 0.055) / 1.055)^2.4 of light.
+TEST(DefaultTextures, OfColorsAreDecoded) {
+    Reflection reflection;
+    reflection.textures = {texture("color", "color", "gray"), texture("data", "data", "gray"),
+                           texture("chosen", "color", "white")};
+    for (const bool exact : {false, true}) {
+        const std::vector<LoadedTexture> loaded = load_textures(reflection, "", {{"chosen", "gray"}}, exact).textures;
+        ASSERT_EQ(loaded.size(), 3u);
+        for (const std::size_t c : {0u, 1u, 2u}) {
+            EXPECT_NEAR(loaded[0].data->levels[0].texels[c], 0.2140411, 1e-6);
+            EXPECT_EQ(loaded[1].data->levels[0].texels[c], 0.5f);
+            EXPECT_NEAR(loaded[2].data->levels[0].texels[c], 0.2140411, 1e-6);
+        }
+        EXPECT_EQ(loaded[0].data->levels[0].texels[3], 1);
+    }
 }
 
 TEST_F(ImageFile, ColorTexturesAreDecodedAndDataIsNot) {

@@ -26,6 +26,7 @@ constexpr Exempt kExempt[] = {
     {"ParallaxOcclusion", "reads a texture; parallax_test compares it with the geometry of its reliefs"},
     {"SampleNormalMap", "reads a texture; UnpackNormal, which it calls, is tested"},
     {"SampleTexture2D", "reads a texture; quads_test draws with it"},
+    {"SampleTexture2DGrad", "reads a texture; quads_test draws with it"},
     {"SampleTexture2DLevel", "reads a texture; quads_test draws with it"},
     {"TexelSize", "reads a texture; quads_test draws with it"},
 };
