@@ -25,6 +25,8 @@ struct PortValue {
 };
 
 enum class Precision { Inherit, Float, Half };
+// Where a node may be computed: where its readers are, or where "stage" pins it to.
+enum class NodeStage { OfReaders, Fragment, Vertex };
 
 struct Node {
     std::string id;
@@ -36,7 +38,8 @@ struct Node {
     const nodelang::Expr* expr = nullptr;
     Span expr_span;
     bool is_expression = false;
-    bool vertex_stage = false;  // "stage": "vertex"
+    NodeStage stage = NodeStage::OfReaders;
+    Span stage_span;
     Precision precision = Precision::Inherit;
     std::string note;
 };

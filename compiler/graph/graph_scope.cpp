@@ -102,7 +102,14 @@ void GraphScope::emit_node(std::uint32_t index) {
     const ResolvedNode& resolved = graph_.nodes[index];
     if (!resolved.ok) return;
     at_ = index;
-    if (node.vertex_stage && !scope_.in_vertex_stage) {
+    if (node.stage == NodeStage::Fragment && scope_.in_vertex_stage) {
+        Diagnostics& diagnostics = lowering_.session.diagnostics;
+        diagnostics.set_context(id_path(node.id), {});
+        tell_reader(diagnostics.report(Code::WrongStage, node.stage_span,
+                                       fmt::format("'{}' is pinned to the fragment stage", node.id)));
+        return;
+    }
+    if (node.stage == NodeStage::Vertex && !scope_.in_vertex_stage) {
         values_[index] = interpolated(index);
         watch(ir::Probe::Kind::Node, id_path(node.id), {}, values_[index], node.span);
         return;

@@ -101,7 +101,7 @@ constexpr std::array kNode = {
     KeyInfo{"node", "a library node, ./x.subgraph.json or ./x.node.hlsl"},
     KeyInfo{"in", "the values at its input ports"},
     KeyInfo{"expr", "an expression, in place of a node"},
-    KeyInfo{"stage", "vertex: computed there, and its readers get it interpolated"},
+    KeyInfo{"stage", "vertex: computed there, and its readers get it interpolated; fragment: never for vertices"},
     kPrecision,
     KeyInfo{"note", "a remark, copied into the shader"},
 };

@@ -72,7 +72,7 @@ std::vector<bool> pixel_nodes(const CheckedGraph& graph) {
             work.pop_back();
             if (seen[at]) continue;
             seen[at] = true;
-            if (stop_at_interpolators && graph.graph->nodes[at].vertex_stage) continue;
+            if (stop_at_interpolators && graph.graph->nodes[at].stage == NodeStage::Vertex) continue;
             work.insert(work.end(), graph.nodes[at].reads.begin(), graph.nodes[at].reads.end());
         }
     };
@@ -82,7 +82,7 @@ std::vector<bool> pixel_nodes(const CheckedGraph& graph) {
     }
     walk(roots, pixel, true);
     for (std::uint32_t i = 0; i < graph.nodes.size(); ++i) {
-        if (graph.graph->nodes[i].vertex_stage) walk({i}, vertex, false);
+        if (graph.graph->nodes[i].stage == NodeStage::Vertex) walk({i}, vertex, false);
     }
     for (std::size_t i = 0; i < pixel.size(); ++i) pixel[i] = pixel[i] || !vertex[i];
     return pixel;

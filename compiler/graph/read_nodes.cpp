@@ -60,7 +60,8 @@ Node read_node(Reading& reading, const Json& json, UniqueNames& ids) {
     }
 
     if (const Json* stage = json.find("stage")) {
-        node.vertex_stage = read_word(reading, *stage, "stage", "a stage", kNodeStages) == NodeStage::Vertex;
+        node.stage = read_word(reading, *stage, "stage", "a stage", kNodeStages).value_or(NodeStage::OfReaders);
+        node.stage_span = stage->span;
     }
     if (const Json* precision = json.find("precision")) {
         node.precision =

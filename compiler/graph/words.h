@@ -40,6 +40,8 @@ inline constexpr std::array kSynonyms = {
     Synonym{"decrsat", "decrement"},
     Synonym{"incrwrap", "incrementWrap"},
     Synonym{"decrwrap", "decrementWrap"},
+    // stages
+    Synonym{"pixel", "fragment"},
     // culling and surfaces
     Synonym{"none", "off"},
     Synonym{"mask", "cutout"},
@@ -106,10 +108,8 @@ inline constexpr std::array kFilters = {
     Word<Filter>{"nearest", Filter::Nearest},
 };
 
-enum class NodeStage { Fragment, Vertex };
 inline constexpr std::array kNodeStages = {
     Word<NodeStage>{"fragment", NodeStage::Fragment},
-    Word<NodeStage>{"pixel", NodeStage::Fragment},
     Word<NodeStage>{"vertex", NodeStage::Vertex},
 };
 

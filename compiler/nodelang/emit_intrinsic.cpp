@@ -107,7 +107,8 @@ std::vector<std::string_view> intrinsic_names() {
 
 void Emitter::need_quad(Scope& scope, Span span, std::string_view what, bool samples) {
     if (scope.in_vertex_stage) {
-        DiagnosticRecord& record = diagnostics_.report(Code::WrongStage, span, what);
+        DiagnosticRecord& record =
+            diagnostics_.report(Code::WrongStage, span, fmt::format("{} needs neighbouring pixels", what));
         record.note(samples ? "at vertices a texture is sampled at a level that is given: by SampleLevel, or by a node "
                               "that takes a level"
                             : "vertices have no neighbours to be compared with");

@@ -194,7 +194,7 @@ TEST(ReadGraph, Material) {
     EXPECT_EQ(r.text(g.nodes[0].inputs.at(0).name_span), "texture");
     EXPECT_EQ(r.text(g.nodes[0].inputs.at(0).value_span), "\"$_T\"");
     EXPECT_TRUE(g.nodes[1].is_expression);
-    EXPECT_TRUE(g.nodes[1].vertex_stage);
+    EXPECT_EQ(g.nodes[1].stage, NodeStage::Vertex);
     EXPECT_EQ(g.nodes[1].precision, Precision::Half);
     EXPECT_EQ(r.text(g.nodes[1].expr->span), "a.r * 2");
     EXPECT_EQ(g.vertex.at(0).name, "position_os");
