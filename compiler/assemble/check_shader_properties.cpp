@@ -10,22 +10,92 @@ namespace patina::assemble {
 namespace {
 
 using graph::PropertyType;
-using targets::shaderlab::is_taken;
+using targets::shaderlab::declarer_of;
 using targets::shaderlab::keyword_of;
 
-constexpr std::string_view kUnity = "one of Unity's includes";
-
-void check_name(const graph::Property& property, bool is_keyword, Diagnostics& diagnostics) {
-    std::string taken = is_taken(property.name) ? property.name : "";
-    if (is_keyword && property.values.empty() && is_taken(keyword_of(property.name, {})))
-        taken = keyword_of(property.name, {});
-    for (const std::string& value : property.values) {
-        if (is_keyword && is_taken(keyword_of(property.name, value))) taken = keyword_of(property.name, value);
+// What Unity fills beside a texture, and what its macros declare there.
+std::string beside_texture(const graph::Material& material, std::string_view name) {
+    constexpr std::pair<std::string_view, std::string_view> kBeside[] = {
+        {"", "_ST"}, {"", "_TexelSize"}, {"", "_HDR"}, {"sampler", ""}};
+    for (const graph::MaterialProperty& entry : material.properties) {
+        if (entry.property->type != PropertyType::Texture2D) continue;
+        for (const auto& [before, behind] : kBeside) {
+            if (name == fmt::format("{}{}{}", before, entry.property->name, behind))
+                return fmt::format("what Unity keeps of the texture '{}'", entry.property->name);
+        }
     }
-    if (taken.empty()) return;
-    DiagnosticRecord& refused = diagnostics.report(Code::TakenName, property.name_span, taken, kUnity);
-    if (taken != property.name) refused.note(fmt::format("it is the keyword of '{}'", property.name));
+    return {};
 }
+
+// Why a property cannot have the name; empty: it can.
+std::string why_taken(const graph::Material& material, std::string_view name) {
+    if (const std::string_view declarer = declarer_of(name); !declarer.empty())
+        return fmt::format("a name that {} declares", declarer);
+    if (targets::is_reserved_word(name)) return "a word of HLSL or GLSL";
+    if (targets::safe_identifier(name) != name) return "a name that GLSL keeps for itself";
+    return beside_texture(material, name);
+}
+
+struct Named {
+    const graph::Property* property;
+    std::string keyword;
+};
+
+// The keywords of a property that has some.
+std::vector<Named> keywords_of(const graph::Property& property) {
+    if (property.values.empty()) return {{&property, keyword_of(property.name, {})}};
+    std::vector<Named> made;
+    for (const std::string& value : property.values) made.push_back({&property, keyword_of(property.name, value)});
+    return made;
+}
+
+class Names {
+public:
+    Names(const graph::Material& material, Diagnostics& diagnostics) : material_(material), diagnostics_(diagnostics) {}
+
+    void check(const graph::Property& property, bool is_keyword) {
+        const std::string why = why_taken(material_, property.name);
+        if (!why.empty()) return refuse(property, property.name, why);
+        if (!is_keyword) return values_.push_back(&property);
+        for (const Named& each : keywords_of(property)) {
+            const std::string_view declarer = declarer_of(each.keyword);
+            const Named* other = with_keyword(each.keyword);
+            if (declarer.empty() && !other) continue;
+            return refuse(property, each.keyword,
+                          other ? keyword_of_another(*other) : fmt::format("a name that {} declares", declarer));
+        }
+        for (Named& each : keywords_of(property)) keywords_.push_back(std::move(each));
+    }
+
+    // A keyword that is on is a macro: no value can have its name.
+    void finish() {
+        for (const graph::Property* each : values_) {
+            if (const Named* keyword = with_keyword(each->name))
+                refuse(*each, each->name, keyword_of_another(*keyword));
+        }
+    }
+
+private:
+    const Named* with_keyword(std::string_view name) const {
+        for (const Named& each : keywords_) {
+            if (each.keyword == name) return &each;
+        }
+        return nullptr;
+    }
+    static std::string keyword_of_another(const Named& other) {
+        return fmt::format("a keyword of '{}'", other.property->name);
+    }
+
+    void refuse(const graph::Property& property, const std::string& name, const std::string& why) {
+        DiagnosticRecord& refused = diagnostics_.report(Code::TakenName, property.name_span, name, why);
+        if (name != property.name) refused.note(fmt::format("it is the keyword of '{}'", property.name));
+    }
+
+    const graph::Material& material_;
+    Diagnostics& diagnostics_;
+    std::vector<const graph::Property*> values_;
+    std::vector<Named> keywords_;
+};
 
 void check_list(const graph::Property& property, bool is_keyword, Diagnostics& diagnostics) {
     const std::size_t most = is_keyword ? kMostKeywords : kMostPairs;
@@ -39,6 +109,7 @@ void check_list(const graph::Property& property, bool is_keyword, Diagnostics& d
 }  // namespace
 
 void check_shader_properties(const graph::Material& material, const graph::Lowered& lowered, Diagnostics& diagnostics) {
+    Names names(material, diagnostics);
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
         const graph::MaterialProperty& entry = material.properties[i];
         const graph::Property& property = *entry.property;
@@ -48,11 +119,12 @@ void check_shader_properties(const graph::Material& material, const graph::Lower
         const ir::Global* global = id ? &lowered.module.globals[id.index] : nullptr;
         const bool is_theirs = global && global->in_block() &&
                                !lowered.module.blocks[global->block].members[global->member].declared_in.empty();
-        if (!is_theirs) check_name(property, !id, diagnostics);
+        if (!is_theirs) names.check(property, !id);
         check_list(property, !id, diagnostics);
         if (entry.is_file)
             diagnostics.report(Code::NoFileDefault, property.default_span, property.name, default_word(property));
     }
+    names.finish();
 }
 
 }  // namespace patina::assemble

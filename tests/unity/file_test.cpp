@@ -4,50 +4,11 @@
 #include <algorithm>
 
 #include "tests/support/received.h"
+#include "unity/compiled.h"
 #include "unity/shader_lab.h"
 
 namespace patina::unity {
 namespace {
-
-const Compiler& compiler() {
-    static const Compiler kCompiler;
-    return kCompiler;
-}
-
-Result for_unity(const std::string& graph) {
-    CompileOptions options;
-    options.targets = {Target::Unity};
-    Result result = compiler().compile_file(graph, options);
-    EXPECT_TRUE(result.ok) << graph;
-    return result;
-}
-
-Result of_text(const std::string& text) {
-    CompileOptions options;
-    options.targets = {Target::Unity};
-    return compiler().compile_text("t.graph.json", text, options);
-}
-
-std::string shader(const std::string& text) {
-    const Result result = of_text(text);
-    for (const Diagnostic& d : result.diagnostics) EXPECT_NE(d.severity, Severity::Error) << to_text(d);
-    return result.shaders.empty() ? std::string() : result.shaders.front().text;
-}
-
-std::string material(const std::string& rest) {
-    return R"({ "patina": 1, "workflow": "metallic-smoothness", "lighting": "unity-brdf1", )" + rest + " }";
-}
-
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
-Diagnostic first_error(const Result& result) {
-    for (const Diagnostic& d : result.diagnostics) {
-        if (d.severity == Severity::Error) return d;
-    }
-    return {};
-}
 
 class UnityFile : public ::testing::TestWithParam<std::string> {};
 
@@ -218,56 +179,6 @@ TEST(UnityBackground, IsGrabbed) {
     EXPECT_TRUE(has(text, "GrabPass { \"_BackgroundTexture\" }"));
     EXPECT_TRUE(has(text, "\"Queue\" = \"Transparent-100\""));
     EXPECT_FALSE(taken_apart(text).pass("Deferred"));
-}
-
-// Names that Unity's includes have are not declared a second time.
-TEST(UnityNames, KeepOutOfTheWayOfTheIncludes) {
-    const std::string text = shader(material(R"("properties": [ { "name": "_Wear", "type": "float", "default": 1 } ],
-      "nodes": [ { "id": "shadow", "expr": "$_Wear * 0.5" }, { "id": "SPOT", "expr": "shadow * shadow + shadow" } ],
-      "surface": { "metallic": "SPOT", "smoothness": "= SPOT * SPOT" })"));
-    EXPECT_FALSE(has(text, "float SPOT ")) << text;
-    EXPECT_FALSE(has(text, "float shadow ")) << text;
-    EXPECT_FALSE(has(text, "DisneyDiffuse_2(")) << text;
-    EXPECT_TRUE(has(text, "DisneyDiffuseTerm(")) << text;
-}
-
-// A property's name is what materials keep its value under: it is refused, not changed.
-TEST(UnityNames, OfPropertiesAreNotUnitysOwn) {
-    for (const std::string name : {"_Time", "_LightColor0", "unity_Wetness", "_CameraDepthTexture", "Luminance", "SPOT",
-                                   "_ShadowMapTexture", "frag", "_ZBufferParams", "UNITY_PI"}) {
-        const Result result = of_text(material(R"("properties": [ { "name": ")" + name +
-                                               R"(", "type": "float", "default": 1 } ],
-      "surface": { "metallic": "$)" + name + R"(" })"));
-        EXPECT_FALSE(result.ok) << name;
-        EXPECT_EQ(first_error(result).code, "taken-name") << name;
-        EXPECT_EQ(first_error(result).line, 1) << name;
-        EXPECT_TRUE(has(first_error(result).message, name)) << first_error(result).message;
-        EXPECT_TRUE(result.shaders.empty()) << name;
-    }
-    const Result keyword = of_text(material(
-        R"("properties": [ { "name": "Fog", "type": "enum", "values": ["Off", "Linear"], "as": "variant" } ],
-      "surface": { "metallic": "= $Fog == 1 ? 1 : 0" })"));
-    EXPECT_EQ(first_error(keyword).code, "taken-name") << to_text(first_error(keyword));
-    EXPECT_TRUE(has(first_error(keyword).message, "'FOG_LINEAR'")) << first_error(keyword).message;
-}
-
-// One that an include declares for materials is read from there.
-TEST(UnityNames, OfMaterialsInTheIncludesAreNotDeclaredAgain) {
-    const std::string properties =
-        R"("properties": [ { "name": "_SpecColor", "type": "color", "default": [0.2, 0.2, 0.2] } ])";
-    for (const std::string& text :
-         {shader(R"({ "patina": 1, "workflow": "specular-glossiness", "lighting": "unity-brdf1", )" + properties +
-                 R"(, "surface": { "specular": "$_SpecColor.rgb" } })"),
-          shader(R"({ "patina": 1, "workflow": "unlit", )" + properties +
-                 R"(, "surface": { "color": "$_SpecColor.rgb" } })")}) {
-        EXPECT_TRUE(has(text, "_SpecColor (\"Spec Color\", Color) = ")) << text;
-        EXPECT_TRUE(has(text, "LinearColor(_SpecColor)")) << text;
-        EXPECT_FALSE(has(text, "half4 _SpecColor")) << text;
-        EXPECT_TRUE(has(text, "#include \"UnityPBSLighting.cginc\"")) << text;
-    }
-    const Result number = of_text(material(R"("properties": [ { "name": "_SpecColor", "type": "float", "default": 1 } ],
-      "surface": { "metallic": "$_SpecColor" })"));
-    EXPECT_EQ(first_error(number).code, "taken-name");
 }
 
 // What belongs to another tool's files means nothing elsewhere.

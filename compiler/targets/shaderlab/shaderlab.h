@@ -21,8 +21,9 @@ std::string keyword_of(std::string_view property, std::string_view value);
 
 // Names of Unity's includes that a shader of this library might want to declare, and those of their macros' locals.
 std::span<const std::string_view> taken_names();
-// Whether it is one of those, or begins as all names of Unity do.
-bool is_taken(std::string_view name);
+// What declares a name that a property might have, in words: one of those, or what begins as all names of Unity do, is
+// "one of Unity's includes" or "the file itself". Empty: nothing does.
+std::string_view declarer_of(std::string_view name);
 // What a function of the library is called here: its name, or another word for it where Unity has that name.
 std::string_view synonym(std::string_view function);
 

@@ -27,7 +27,7 @@ constexpr std::string_view kLists[] = {
     appdata_base appdata_full appdata_img appdata_tan v2f_img v2f_vertex_lit vert_img)",
     // AutoLight.cginc, UnityShadowLibrary.cginc, UnityLightingCommon.cginc
     R"(LPPV_SampleProbeOcclusion SampleCubeDistance _LightColor0 _LightTexture0 _LightTextureB0 _ShadowMapTexture
-    _ShadowMapTexture_TexelSize _ShadowOffsets _SpecColor)",
+    _CameraDepthTexture _ShadowMapTexture_TexelSize _ShadowOffsets _SpecColor)",
     // UnityStandardBRDF.cginc, UnityStandardUtils.cginc, UnityImageBasedLighting.cginc
     R"(BRDF1_Unity_PBS BRDF2_Unity_PBS BRDF3_Direct BRDF3_Indirect BRDF3_Unity_PBS BRDF_Unity_Indirect BlendNormals
     BlinnTerm BoxProjectedCubemapDirection CalculateSurfaceGradient CalculateSurfaceNormal
@@ -65,33 +65,49 @@ constexpr std::string_view kLists[] = {
     WPOS fixed fixed2 fixed2x2 fixed3 fixed3x3 fixed4 fixed4x4)",
     // What UNITY_LIGHT_ATTENUATION and UNITY_APPLY_FOG declare.
     R"(lightCoord shadow unityFogFactor)",
-    // The file's own.
+};
+
+// What the file itself declares.
+constexpr std::string_view kOwn =
     R"(AmbientLight AmbientOrLightmapUV BackgroundColor BackgroundDepth BakedShadows GIInput LightType LinearColor
     MixedShadow NormalTexel ProjectColor ReflectedLight ReflectedLightOfBuffer SAMPLE_TEX2D_BIAS SAMPLE_TEX2D_GRAD
     SAMPLE_TEX2D_LOD SAMPLE_TEX2D_SAMPLER_BIAS SAMPLE_TEX2D_SAMPLER_GRAD SAMPLE_TEX2D_SAMPLER_LOD StoredLight
-    _BackgroundTexture _CameraDepthTexture frag v2f vert)",
-};
+    _BackgroundTexture frag v2f vert)";
+
+// The parameters and locals of `vert` and `frag`, and the buffer of instances: anything but a property may be called
+// so, where it does not meet them.
+constexpr std::string_view kOwnNearProperties[] = {"Instances", "i", "o", "v"};
 
 // What else begins so is Unity's.
-constexpr std::string_view kPrefixes[] = {"unity_",      "UNITY_",        "_Unity",       "glstate_",
-                                          "SHADER_API_", "SHADER_TARGET", "SHADER_STAGE_"};
+constexpr std::string_view kPrefixes[] = {"unity_",   "Unity",       "UNITY_",        "_Unity",
+                                          "glstate_", "SHADER_API_", "SHADER_TARGET", "SHADER_STAGE_"};
 
 struct Taken {
     std::string_view name, instead;
 };
 
-const std::vector<Taken>& taken() {
-    static const std::vector<Taken> kTaken = [] {
-        std::vector<Taken> made;
-        for (std::string_view list : kLists) {
-            while (!list.empty()) {
-                const std::size_t end = std::min(list.find_first_of(" \n"), list.size());
-                const std::string_view word = list.substr(0, end);
-                const std::size_t sign = std::min(word.find('='), end);
-                if (end > 0) made.push_back({word.substr(0, sign), word.substr(std::min(sign + 1, end))});
-                list.remove_prefix(std::min(end + 1, list.size()));
-            }
-        }
+void add_words(std::string_view list, std::vector<Taken>& into) {
+    while (!list.empty()) {
+        const std::size_t end = std::min(list.find_first_of(" \n"), list.size());
+        const std::string_view word = list.substr(0, end);
+        const std::size_t sign = std::min(word.find('='), end);
+        if (end > 0) into.push_back({word.substr(0, sign), word.substr(std::min(sign + 1, end))});
+        list.remove_prefix(std::min(end + 1, list.size()));
+    }
+}
+
+// Unity's names, and behind them the file's own.
+struct AllTaken {
+    std::vector<Taken> names;
+    std::size_t unitys = 0;
+};
+
+const AllTaken& taken() {
+    static const AllTaken kTaken = [] {
+        AllTaken made;
+        for (const std::string_view list : kLists) add_words(list, made.names);
+        made.unitys = made.names.size();
+        add_words(kOwn, made.names);
         return made;
     }();
     return kTaken;
@@ -102,21 +118,25 @@ const std::vector<Taken>& taken() {
 std::span<const std::string_view> taken_names() {
     static const std::vector<std::string_view> kNames = [] {
         std::vector<std::string_view> names;
-        for (const Taken& each : taken()) names.push_back(each.name);
+        for (const Taken& each : taken().names) names.push_back(each.name);
         return names;
     }();
     return kNames;
 }
 
-bool is_taken(std::string_view name) {
+std::string_view declarer_of(std::string_view name) {
     const std::span<const std::string_view> names = taken_names();
-    return std::find(names.begin(), names.end(), name) != names.end() ||
-           std::any_of(std::begin(kPrefixes), std::end(kPrefixes),
-                       [&](std::string_view prefix) { return name.starts_with(prefix); });
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found != names.end() && found - names.begin() >= std::ptrdiff_t(taken().unitys)) return "the file itself";
+    if (found != names.end() || std::any_of(std::begin(kPrefixes), std::end(kPrefixes),
+                                            [&](std::string_view prefix) { return name.starts_with(prefix); }))
+        return "one of Unity's includes";
+    const auto* const end = std::end(kOwnNearProperties);
+    return std::find(std::begin(kOwnNearProperties), end, name) != end ? "the file itself" : "";
 }
 
 std::string_view synonym(std::string_view function) {
-    for (const Taken& each : taken()) {
+    for (const Taken& each : taken().names) {
         if (each.name == function && !each.instead.empty()) return each.instead;
     }
     return function;

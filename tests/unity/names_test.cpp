@@ -1,0 +1,121 @@
+// Names in a ShaderLab file: those of properties are kept or refused, the others keep out of Unity's way.
+#include "unity/compiled.h"
+
+namespace patina::unity {
+namespace {
+
+// Names that Unity's includes have are not declared a second time.
+TEST(UnityNames, KeepOutOfTheWayOfTheIncludes) {
+    const std::string text = shader(material(R"("properties": [ { "name": "_Wear", "type": "float", "default": 1 } ],
+      "nodes": [ { "id": "shadow", "expr": "$_Wear * 0.5" }, { "id": "SPOT", "expr": "shadow * shadow + shadow" } ],
+      "surface": { "metallic": "SPOT", "smoothness": "= SPOT * SPOT" })"));
+    EXPECT_FALSE(has(text, "float SPOT ")) << text;
+    EXPECT_FALSE(has(text, "float shadow ")) << text;
+    EXPECT_FALSE(has(text, "DisneyDiffuse_2(")) << text;
+    EXPECT_TRUE(has(text, "DisneyDiffuseTerm(")) << text;
+}
+
+// A property's name is what materials keep its value under: it is refused, not changed.
+TEST(UnityNames, OfPropertiesAreNotUnitysOwn) {
+    for (const std::string name :
+         {"_Time", "_LightColor0", "unity_Wetness", "_CameraDepthTexture", "Luminance", "SPOT", "_ShadowMapTexture",
+          "_ZBufferParams", "UNITY_PI", "UnityGI", "UnityLight", "UnityObjectToClipPos", "Unity_SafeNormalize"}) {
+        const Result result = of_text(material(R"("properties": [ { "name": ")" + name +
+                                               R"(", "type": "float", "default": 1 } ],
+      "surface": { "metallic": "$)" + name + R"(" })"));
+        EXPECT_FALSE(result.ok) << name;
+        EXPECT_EQ(first_error(result).code, "taken-name") << name;
+        EXPECT_EQ(first_error(result).line, 1) << name;
+        EXPECT_TRUE(has(first_error(result).message, "'" + name + "' is a name that one of Unity's includes declares"))
+            << first_error(result).message;
+        EXPECT_TRUE(result.shaders.empty()) << name;
+    }
+    const Result keyword = of_text(material(
+        R"("properties": [ { "name": "Fog", "type": "enum", "values": ["Off", "Linear"], "as": "variant" } ],
+      "surface": { "metallic": "= $Fog == 1 ? 1 : 0" })"));
+    EXPECT_EQ(first_error(keyword).code, "taken-name") << to_text(first_error(keyword));
+    EXPECT_TRUE(has(first_error(keyword).message, "'FOG_LINEAR'")) << first_error(keyword).message;
+}
+
+// ... nor the file's own, nor a word of the language: there is no other name that Unity would know the property by.
+TEST(UnityNames, OfPropertiesAreNotTheFilesOwnOrWords) {
+    const std::vector<std::pair<std::string, std::string>> kNames = {
+        {"i", "the file itself"},       {"o", "the file itself"},           {"v", "the file itself"},
+        {"vert", "the file itself"},    {"frag", "the file itself"},        {"v2f", "the file itself"},
+        {"GIInput", "the file itself"}, {"LinearColor", "the file itself"}, {"Instances", "the file itself"},
+        {"half", "a word of HLSL"},     {"texture", "a word of HLSL"},      {"input", "a word of HLSL"},
+        {"point", "a word of HLSL"},    {"pass", "a word of HLSL"},         {"lit", "a word of HLSL"},
+        {"main", "a word of HLSL"},     {"float3", "a word of HLSL"},       {"register", "a word of HLSL"},
+        {"a__b", "GLSL keeps"},         {"gl_Tint", "GLSL keeps"}};
+    for (const auto& [name, why] : kNames) {
+        const Result result = of_text(material(R"("properties": [ { "name": ")" + name +
+                                               R"(", "type": "float", "default": 1 } ],
+      "surface": { "metallic": "$)" + name + R"(" })"));
+        EXPECT_EQ(first_error(result).code, "taken-name") << name;
+        EXPECT_EQ(first_error(result).column, 105) << name;
+        EXPECT_TRUE(has(first_error(result).message, "'" + name + "' is ")) << first_error(result).message;
+        EXPECT_TRUE(has(first_error(result).message, why)) << first_error(result).message;
+        EXPECT_TRUE(result.shaders.empty()) << name;
+    }
+}
+
+// Unity fills these itself; a keyword that is on is a macro.
+TEST(UnityNames, OfPropertiesAreNotThoseOfOthers) {
+    for (const std::string name : {"_MainTex_ST", "_MainTex_TexelSize", "_MainTex_HDR", "sampler_MainTex"}) {
+        const Result result = of_text(material(
+            R"("properties": [ { "name": "_MainTex", "type": "texture2d", "tiling": true }, { "name": ")" + name +
+            R"(", "type": "float", "default": 1 } ],
+      "nodes": [ { "id": "albedo", "node": "SampleTexture2D", "in": { "texture": "$_MainTex" } } ],
+      "surface": { "baseColor": "albedo.rgb", "metallic": "$)" +
+            name + R"(" })"));
+        EXPECT_EQ(first_error(result).code, "taken-name") << name;
+        EXPECT_TRUE(has(first_error(result).message, "the texture '_MainTex'")) << first_error(result).message;
+    }
+    const std::pair<std::string, std::string> kOthers[] = {
+        {"_MODE_WET", R"("type": "float")"}, {"_MODE", R"("type": "enum", "values": ["Wet"], "as": "variant")"}};
+    for (const auto& [other, rest] : kOthers) {
+        const Result result = of_text(material(
+            R"("properties": [ { "name": "_Mode", "type": "enum", "values": ["Dry", "Wet"], "as": "variant" }, { "name": ")" +
+            other + "\", " + rest + R"( } ], "surface": { "metallic": "= $_Mode == 0 && $)" + other +
+            R"( == 0 ? 0.5 : 1" })"));
+        EXPECT_EQ(first_error(result).code, "taken-name") << to_text(first_error(result));
+        EXPECT_TRUE(has(first_error(result).message, "'_MODE_WET' is a keyword of '_Mode'"))
+            << first_error(result).message;
+    }
+}
+
+// What only the engine of the other targets has is free here.
+TEST(UnityNames, OfPropertiesAreKept) {
+    const std::string text =
+        shader(material(R"("properties": [ { "name": "light_count", "type": "float", "default": 1 },
+        { "name": "Material", "type": "float", "default": 1 }, { "name": "Surface", "type": "float", "default": 1 },
+        { "name": "albedo", "type": "float", "default": 1 }, { "name": "DotClamped_", "type": "float", "default": 1 } ],
+      "nodes": [ { "id": "albedo", "expr": "$albedo * $Surface" } ],
+      "surface": { "metallic": "= albedo * $light_count * $Material", "smoothness": "= albedo * $DotClamped_" })"));
+    for (const std::string name : {"light_count", "Material", "Surface", "albedo", "DotClamped_"}) {
+        EXPECT_TRUE(has(text, " " + name + " (\"")) << name;
+        EXPECT_TRUE(has(text, "float " + name + ";\n")) << name;
+    }
+}
+
+// One that an include declares for materials is read from there.
+TEST(UnityNames, OfMaterialsInTheIncludesAreNotDeclaredAgain) {
+    const std::string properties =
+        R"("properties": [ { "name": "_SpecColor", "type": "color", "default": [0.2, 0.2, 0.2] } ])";
+    for (const std::string& text :
+         {shader(R"({ "patina": 1, "workflow": "specular-glossiness", "lighting": "unity-brdf1", )" + properties +
+                 R"(, "surface": { "specular": "$_SpecColor.rgb" } })"),
+          shader(R"({ "patina": 1, "workflow": "unlit", )" + properties +
+                 R"(, "surface": { "color": "$_SpecColor.rgb" } })")}) {
+        EXPECT_TRUE(has(text, "_SpecColor (\"Spec Color\", Color) = ")) << text;
+        EXPECT_TRUE(has(text, "LinearColor(_SpecColor)")) << text;
+        EXPECT_FALSE(has(text, "half4 _SpecColor")) << text;
+        EXPECT_TRUE(has(text, "#include \"UnityPBSLighting.cginc\"")) << text;
+    }
+    const Result number = of_text(material(R"("properties": [ { "name": "_SpecColor", "type": "float", "default": 1 } ],
+      "surface": { "metallic": "$_SpecColor" })"));
+    EXPECT_EQ(first_error(number).code, "taken-name");
+}
+
+}  // namespace
+}  // namespace patina::unity
