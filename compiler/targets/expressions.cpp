@@ -103,8 +103,16 @@ Text Body::infix(Value v, const Spelling& spelling) const {
     if (!spelling.of_vectors.empty() && function_[arg(v, 0)].type.is_vector()) return call(v, spelling);
     const bool right_may = (spelling.scalars & (kEither | kSecond)) != 0, left_may = (spelling.scalars & kEither) != 0;
     const bool right_is_scalar = right_may && repeats_scalar(arg(v, 1));
-    std::string text = at_least(spelling.precedence, operand(v, 0, left_may && !right_is_scalar));
-    Text right = operand(v, 1, right_is_scalar);
+    Text left = operand(v, 0, left_may && !right_is_scalar), right = operand(v, 1, right_is_scalar);
+    // Nobody knows by heart how bits and shifts bind: a ^ (b >> 16u).
+    const bool is_of_bits = spelling.precedence >= Precedence::BitOr && spelling.precedence <= Precedence::BitAnd;
+    if (is_of_bits || spelling.precedence == Precedence::Shift) {
+        for (Text* side : {&left, &right}) {
+            const bool is_operator = side->precedence < Precedence::Unary;
+            if (is_operator && side->precedence != spelling.precedence) *side = {"(" + side->text + ")"};
+        }
+    }
+    std::string text = at_least(spelling.precedence, std::move(left));
 
     std::string_view sign = spelling.text;
     // a + -1.0 is a - 1.0, and a - -1.0 is a + 1.0, to the bit.
