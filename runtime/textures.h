@@ -34,8 +34,8 @@ struct LoadedTexture {
 // that it covers, so odd sizes keep the mean too.
 std::vector<TextureLevel> mip_chain(const Image& linear);
 
-// white | black | gray (0.5) | bump (0.5, 0.5, 1): one texel as a file would hold it, so a colour texture decodes it. No
-// such name: an empty image.
+// white | black | gray (0.5) | bump (0.5, 0.5, 1): one texel as a file would hold it, so a colour texture decodes it.
+// No such name: an empty image.
 Image default_texture(const std::string& name);
 
 struct LoadedTextures {

@@ -123,6 +123,7 @@ struct StencilState {
 };
 struct RenderState {
     SurfaceKind surface = SurfaceKind::Opaque;
+    Span surface_span;  // where it is said; empty: it is not
     Cull cull = Cull::Back;
     std::optional<bool> depth_write;
     std::optional<Compare> depth_test;

@@ -356,6 +356,7 @@ void warn_unused(Session& session, const Material& material) {
         if (used[i] || is_part) continue;
         session.diagnostics.report(Code::UnusedNode, node.id_span, node.id).at(node.id);
     }
+    warn_unheeded(session, material);
 }
 
 std::string file_texture_name(std::string_view path) {

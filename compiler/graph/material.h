@@ -64,8 +64,10 @@ std::vector<std::string_view> keyword_names(const Material& material);
 // (check_passes.cpp).
 void check_surface_members(Session& session, const Material& material);
 
-// Warns of nodes that neither the material nor a pass of it reads; once there are no errors, which may be the reason.
+// Warns of nodes that neither the material nor a pass of it reads, and of what its kind of surface does not heed
+// (check_render.cpp); once there are no errors, which may be the reason.
 void warn_unused(Session& session, const Material& material);
+void warn_unheeded(Session& session, const Material& material);
 
 // The name of the texture property that stands for a file at a port.
 std::string file_texture_name(std::string_view path);

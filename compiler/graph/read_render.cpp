@@ -101,6 +101,7 @@ RenderState read_render(Reading& reading, const Json& json) {
     if (!expect(reading, json, Json::Kind::Object, "'render'")) return render;
     check_keys(reading, json, ObjectKind::Render);
     if (const Json* surface = json.find("surface")) {
+        render.surface_span = surface->span;
         render.surface =
             read_word(reading, *surface, "surface", "a surface kind", kSurfaceKinds).value_or(SurfaceKind::Opaque);
     }
