@@ -118,9 +118,6 @@ void plan_listed(graph::Session& session, const graph::Material& material, const
 
 // --- reachable
 
-// Past the limit, so many times as many are still counted, for the message to say.
-constexpr std::size_t kCountedLimits = 4;
-
 // A tree of choices: the first property that is still read after the choices so far is the next one.
 class Reachable {
 public:
@@ -138,8 +135,10 @@ public:
         options_.dump.clear();
     }
 
-    // False: there are more than are counted, or the graph is wrong.
+    // False: there are more than the most, or the graph is wrong.
     bool walk(const VariantValues& chosen) {
+        // Nothing is left to be read: it is compiled when its shaders are made.
+        if (chosen.size() == axes_.size()) return add(chosen);
         CompileOptions options = options_;
         options.switches.insert(options.switches.end(), chosen.begin(), chosen.end());
         const Result result = compiler_.compile_file(path_, options);
@@ -147,13 +146,10 @@ public:
             diagnostics = result.diagnostics;
             return false;
         }
-        const Axis* next = first_read(result.reflection);
-        if (!next) {
-            if (combinations.size() == most_) return false;
-            combinations.push_back(in_order(chosen));
-            progress_(combinations.size());
-            return true;
-        }
+        const std::vector<const Axis*> read = read_in(result.reflection);
+        if (chosen.empty()) multiplying = read;
+        if (read.empty()) return add(chosen);
+        const Axis* next = read.front();
         return std::all_of(next->told.values.begin(), next->told.values.end(), [&](const std::string& value) {
             VariantValues longer = chosen;
             longer.emplace_back(next->told.property, value);
@@ -161,29 +157,26 @@ public:
         });
     }
 
-    // Of the whole tree: the combinations that are left where the axis has its default. A tree of the other properties
-    // alone has the same ones.
-    std::size_t without(const Axis& axis) const {
-        return static_cast<std::size_t>(
-            std::count_if(combinations.begin(), combinations.end(), [&](const auto& values) {
-                return std::none_of(values.begin(), values.end(), [&](const auto& value) {
-                    return value.first == axis.told.property && value.second != axis.told.values[axis.told.otherwise];
-                });
-            }));
-    }
-
     std::vector<VariantValues> combinations{};
+    std::vector<const Axis*> multiplying{};  // those that are read while none has a value: no other makes a difference
     std::vector<Diagnostic> diagnostics{};
 
 private:
-    const Axis* first_read(const Reflection& reflection) const {
-        const auto is_read = [&](const Axis& axis) {
-            return std::any_of(reflection.passes.begin(), reflection.passes.end(), [&](const Pass& pass) {
+    bool add(const VariantValues& chosen) {
+        if (combinations.size() == most_) return false;
+        combinations.push_back(in_order(chosen));
+        progress_(combinations.size());
+        return true;
+    }
+    std::vector<const Axis*> read_in(const Reflection& reflection) const {
+        std::vector<const Axis*> read;
+        for (const Axis& axis : axes_) {
+            const bool is_read = std::any_of(reflection.passes.begin(), reflection.passes.end(), [&](const Pass& pass) {
                 return std::count(pass.keywords.begin(), pass.keywords.end(), axis.told.property) > 0;
             });
-        };
-        const auto found = std::find_if(axes_.begin(), axes_.end(), is_read);
-        return found == axes_.end() ? nullptr : &*found;
+            if (is_read) read.push_back(&axis);
+        }
+        return read;
     }
     VariantValues in_order(VariantValues values) const {
         const auto place = [&](const auto& value) {
@@ -206,23 +199,27 @@ void plan_reachable(const Compiler& compiler, graph::Session& session, const std
                     const graph::Graph& graph, const std::vector<Axis>& axes, std::size_t limit,
                     const std::function<void(const VariantPlan&)>& progress, VariantPlan& made) {
     if (progress) progress(made);
-    Reachable reachable(compiler, path, session.options, axes, limit * kCountedLimits, [&](std::size_t count) {
+    Reachable reachable(compiler, path, session.options, axes, limit, [&](std::size_t count) {
         made.count = count;
         if (progress) progress(made);
     });
     const bool is_whole = reachable.walk({});
     made.diagnostics = std::move(reachable.diagnostics);
     if (!made.diagnostics.empty()) return;
-    if (made.count > limit) {
-        const double all = combinations_of(made.axes);
-        return refuse(session, graph, axes,
-                      is_whole ? std::to_string(made.count) : fmt::format("more than {}", made.count), limit,
-                      [&](const Axis& axis) {
-                          if (is_whole) return std::to_string(reachable.without(axis));
-                          return "at most " + told(std::round(all / static_cast<double>(axis.told.values.size())));
-                      });
+    if (is_whole) {
+        made.picked = std::move(reachable.combinations);
+        return;
     }
-    made.picked = std::move(reachable.combinations);
+    // They have not all been counted; of all combinations of what is read, there are so many without one.
+    std::vector<Axis> multiplying;
+    double all = 1;
+    for (const Axis* axis : reachable.multiplying) {
+        multiplying.push_back(*axis);
+        all *= static_cast<double>(axis->told.values.size());
+    }
+    refuse(session, graph, multiplying, fmt::format("more than {}", limit), limit, [&](const Axis& axis) {
+        return "at most " + told(std::round(all / static_cast<double>(axis.told.values.size())));
+    });
 }
 
 void plan(const Compiler& compiler, graph::Session& session, const std::string& path, VariantsWanted wanted,

@@ -64,8 +64,8 @@ Outcome<Numbers> parse_vector(const Property& property, const std::string& text,
 
 Outcome<Numbers> parse_value(const Property& property, const std::string& text, Spelling spelling) {
     if (property.type == "bool") {
-        if (text == "true" || text == "1") return Numbers{1};
-        if (text == "false" || text == "0") return Numbers{0};
+        if (text == "true") return Numbers{1};
+        if (text == "false") return Numbers{0};
         return Failure{property.name + " must be true or false, not '" + text + "'"};
     }
     if (property.type == "enum") {
@@ -257,16 +257,17 @@ Outcome<MaterialValues> material_values(const Reflection& reflection, const std:
     return result;
 }
 
-std::vector<std::pair<std::string, std::string>> variants_of(const Reflection& reflection,
-                                                             const MaterialValues& values) {
+std::vector<std::pair<std::string, std::string>> keywords_of(const Reflection& reflection,
+                                                             const std::map<std::string, std::string>& words,
+                                                             Spelling spelling) {
     std::vector<std::pair<std::string, std::string>> wanted;
     for (const Property& property : reflection.properties) {
-        if (property.binding != "variant") continue;
-        const double value = values.numbers.at(property.name)[0];
-        if (value == property.value[0]) continue;
-        wanted.emplace_back(property.name, property.type == "enum" ? property.values[std::size_t(value)]
-                                           : value != 0            ? "true"
-                                                                   : "false");
+        const bool is_variant = property.binding == "variant";
+        const auto word = words.find(property.name);
+        if ((!is_variant && !property.constant_id) || word == words.end()) continue;
+        const Outcome<Numbers> value = parse_value(property, word->second, spelling);
+        const bool is_other = value && is_variant && value.value[0] != property.value[0];
+        if (is_other || (!value && spelling == Spelling::Words)) wanted.push_back(*word);
     }
     return wanted;
 }

@@ -38,10 +38,12 @@ Outcome<MaterialValues> material_values(const Reflection& reflection, const std:
 // Of everything that can be given a value, tilings too.
 std::vector<std::string> property_names(const Reflection& reflection);
 
-// The variants that the compiler must be told of, because the material was compiled for other values: as
-// CompileOptions::switches.
-std::vector<std::pair<std::string, std::string>> variants_of(const Reflection& reflection,
-                                                             const MaterialValues& values);
+// The keywords that the compiler must be told of, as CompileOptions::switches: variants that the material was compiled
+// with other values of; and, of words from a command line, those that are no value of their variant or constant, of
+// which the compiler says so at its declaration.
+std::vector<std::pair<std::string, std::string>> keywords_of(const Reflection& reflection,
+                                                             const std::map<std::string, std::string>& words,
+                                                             Spelling spelling = Spelling::Words);
 
 // Of the specialization constant `id`: a bool as 0 or 1, an enum as its index.
 struct ConstantValue {

@@ -134,13 +134,14 @@ bool prepare(const Compiler& compiler, const RenderRequest& request, Prepared& m
     if (!made.compiled.ok) return false;
 
     const Reflection& reflection = made.compiled.reflection;
-    Outcome<MaterialValues> values = material_values(reflection, request.overrides);
-    if (!values) return refuse(values.error);
-    if (const auto wanted = variants_of(reflection, values.value); !wanted.empty()) {
+    if (const auto wanted = keywords_of(reflection, request.overrides); !wanted.empty()) {
         options.switches.insert(options.switches.end(), wanted.begin(), wanted.end());
         made.compiled = compiler.compile_file(request.graph, options);
+        outcome.diagnostics = made.compiled.diagnostics;
         if (!made.compiled.ok) return false;
     }
+    Outcome<MaterialValues> values = material_values(reflection, request.overrides);
+    if (!values) return refuse(values.error);
     for (const std::string& warning : values.value.warnings)
         outcome.diagnostics.push_back(complaint(request, Severity::Warning, "soft-range", warning));
     const std::string graph_folder = std::filesystem::path(request.graph).parent_path().string();

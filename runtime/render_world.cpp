@@ -174,8 +174,8 @@ private:
         const WorldMaterial& material = world_.materials[variant.material];
         Result made = compile_with(variant, path, {});
         if (!made.ok || material.overrides.empty()) return made;
-        const Outcome<MaterialValues> values = material_values(made.reflection, material.overrides);
-        const auto wanted = values ? variants_of(made.reflection, values.value) : decltype(options_.switches){};
+        const Spelling spelling = material.set.empty() ? Spelling::Words : Spelling::Json;
+        const auto wanted = keywords_of(made.reflection, material.overrides, spelling);
         return wanted.empty() ? made : compile_with(variant, path, wanted);
     }
 

@@ -39,20 +39,27 @@ void add_scene_options(CLI::App& command, runtime::RenderRequest& request) {
 }  // namespace
 
 void add_picture_options(CLI::App& command, std::vector<std::string>& set, runtime::RenderRequest& request) {
-    command.add_option("--set", set, "Give a property a value: _Roughness=0.2, _MainTex=rust.png")
+    command.add_option("--set", set, "Give a property a value: _Roughness=0.2, _MainTex=rust.png; one value each")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
     add_scene_options(command, request);
     add_include_option(command, request.include_dirs);
 }
 
-void take_overrides(const std::vector<std::string>& set, runtime::RenderRequest& request) {
+void take_overrides(const std::vector<std::string>& set, const PathOptions& path, runtime::RenderRequest& request) {
+    request.path = path.path;
+    request.defines = path.defines;
+    std::map<std::string, std::string> said;
+    for (const auto& [name, value] : path.switches()) say_once(said, name, value);
     for (const std::string& text : set) {
         const std::size_t equals = text.find('=');
         if (equals == text.npos || equals == 0) {
             throw CLI::ValidationError("--set", "'" + text + "' is not of the form NAME=VALUE");
         }
-        request.overrides[text.substr(0, equals)] = text.substr(equals + 1);
+        const std::string name = text.substr(0, equals);
+        if (const std::string why = say_once(said, name, text.substr(equals + 1)); !why.empty())
+            throw CLI::ValidationError("--set", why);
+        request.overrides[name] = text.substr(equals + 1);
     }
 }
 

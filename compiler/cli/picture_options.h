@@ -1,7 +1,8 @@
 // The options that say which picture of a graph is meant, the same for every command that makes or explains one.
 //
 //   add_picture_options(command, arguments->set, arguments->request);
-//   command.parse_complete_callback([arguments] { take_overrides(arguments->set, arguments->request); });
+//   command.parse_complete_callback([arguments] { take_overrides(arguments->set, arguments->path, arguments->request);
+//   });
 #pragma once
 
 #include "compiler/cli/program.h"
@@ -12,7 +13,8 @@ namespace patina::cli {
 // --set, --mesh, --size, --samples, --time, --light, --ambient, --camera and -I.
 void add_picture_options(CLI::App& command, std::vector<std::string>& set, runtime::RenderRequest& request);
 
-// "_Roughness=0.2" and so on into the request; throws the usage error of what is not of that form.
-void take_overrides(const std::vector<std::string>& set, runtime::RenderRequest& request);
+// "_Roughness=0.2" and so on into the request, and the path with its -D; throws the usage error of what is not of that
+// form, and of a name that has two values.
+void take_overrides(const std::vector<std::string>& set, const PathOptions& path, runtime::RenderRequest& request);
 
 }  // namespace patina::cli

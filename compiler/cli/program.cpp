@@ -102,17 +102,30 @@ void add_path_options(CLI::App& command, PathOptions& options) {
             "Rendering path: forward, forward-add, vertex, deferred, ... ('patina paths' lists them), or a file "
             "of your own, x.pass.hlsl (forward)")
         ->type_name("PATH");
+    add_define_option(command, options.defines);
+}
+
+void add_define_option(CLI::App& command, std::vector<std::string>& defines) {
     command
         .add_option(
-            "-D,--define", options.defines,
+            "-D,--define", defines,
             "Turn a part of the path on (shadows, fog, ...), or give a variant or specialization constant of the "
-            "graph a value: _WET, _Mode=Wet")
+            "graph a value: _WET, _Mode=Wet; a name has one value, here and in --set")
         ->type_name("NAME[=VALUE]")
         ->allow_extra_args(false)
-        ->check([](const std::string& define) {
-            const bool is_good = !define.empty() && define.front() != '=' && define.back() != '=';
-            return is_good ? std::string() : "'" + define + "' is not of the form NAME or NAME=VALUE";
+        ->check([said = std::make_shared<std::map<std::string, std::string>>()](const std::string& define) {
+            if (define.empty() || define.front() == '=' || define.back() == '=')
+                return "'" + define + "' is not of the form NAME or NAME=VALUE";
+            const std::size_t equals = define.find('=');
+            return say_once(*said, define.substr(0, equals), equals == define.npos ? "" : define.substr(equals + 1));
         });
+}
+
+std::string say_once(std::map<std::string, std::string>& values, const std::string& name, std::string value) {
+    if (value.empty()) value = "true";
+    const auto [said, is_new] = values.emplace(name, value);
+    if (is_new || said->second == value) return {};
+    return "'" + name + "' is '" + said->second + "' already, and cannot be '" + value + "' too";
 }
 
 std::function<std::string(std::string)> one_of(std::string what, std::vector<std::string> words) {

@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <initializer_list>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,6 +47,11 @@ struct PathOptions {
     std::vector<std::pair<std::string, std::string>> switches() const;
 };
 void add_path_options(CLI::App& command, PathOptions& options);
+// -D alone, with or without parts of a path.
+void add_define_option(CLI::App& command, std::vector<std::string>& defines);
+
+// Notes that `name` is to be `value`, where nothing is "true"; else what is wrong: another value was given before.
+std::string say_once(std::map<std::string, std::string>& values, const std::string& name, std::string value);
 
 // A check for an option whose value is one of a few words; complains with a suggestion.
 std::function<std::string(std::string)> one_of(std::string what, std::vector<std::string> words);

@@ -58,9 +58,7 @@ void complete(Arguments& arguments, bool has_mesh) {
         if (has_mesh && graph.ends_with(".scene.json"))
             throw CLI::ValidationError("--mesh", "'" + graph + "' is a scene, which has meshes of its own");
     }
-    take_overrides(arguments.set, arguments.request);
-    arguments.request.path = arguments.path.path;
-    arguments.request.defines = arguments.path.defines;
+    take_overrides(arguments.set, arguments.path, arguments.request);
     const std::string ending = std::filesystem::path(arguments.output).extension().string();
     if (!ending.empty() && !is_picture(arguments.output) && !std::filesystem::is_directory(arguments.output)) {
         throw CLI::ValidationError("--output",

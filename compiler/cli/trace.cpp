@@ -17,6 +17,7 @@ namespace {
 struct Arguments {
     std::string pixel;
     std::vector<std::string> set;
+    PathOptions path;  // -D alone
     std::string node;
     bool in_double = false;
     bool places = false;
@@ -248,7 +249,7 @@ bool read_pixel(std::string_view text, int& x, int& y) {
 }
 
 void complete(Arguments& arguments) {
-    take_overrides(arguments.set, arguments.request);
+    take_overrides(arguments.set, arguments.path, arguments.request);
     if (!read_pixel(arguments.pixel, arguments.x, arguments.y)) {
         throw CLI::ValidationError("--pixel", "'" + arguments.pixel + "' is not of the form X,Y");
     }
@@ -266,6 +267,7 @@ void add_trace(Program& program) {
     CLI::App& command = add_command(
         program, "trace", kTraceSummary,
         {"patina trace rust.graph.json --pixel 256,200", "patina trace rust.graph.json --pixel 256,200 --node rust",
+         "patina trace rust.graph.json --pixel 256,200 -D _Mode=Wet",
          "patina trace rust.graph.json --pixel 20,30 --size 64 --mesh torus --set _Roughness=0.2 --places",
          "patina trace rust.graph.json --pixel 256,200 --light 'point position=1,2,0' --double --json"});
     auto arguments = std::make_shared<Arguments>();
@@ -282,6 +284,7 @@ void add_trace(Program& program) {
     command.add_flag("--double", arguments->in_double, "Compute in double; default: 32-bit float, as a GPU does");
     command.add_flag("--json", arguments->json, "Print everything as one JSON object, with all digits");
     add_picture_options(command, arguments->set, arguments->request);
+    add_define_option(command, arguments->path.defines);
     command.parse_complete_callback([arguments] { complete(*arguments); });
     set_work(program, command, [arguments](const Console& console) { return trace_pixel(console, *arguments); });
 }

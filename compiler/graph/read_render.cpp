@@ -1,4 +1,7 @@
 // "render": how a surface is drawn, beside what its shaders compute.
+#include <cmath>
+
+#include "compiler/base/text.h"
 #include "compiler/graph/read_fields.h"
 
 namespace patina::graph {
@@ -38,7 +41,7 @@ StencilState read_stencil(Reading& reading, const Json& json) {
     check_keys(reading, json, ObjectKind::Stencil);
     const auto number = [&](std::string_view key, int& value) {
         if (const Json* found = json.find(key))
-            value = read_int(reading, *found, fmt::format("'{}'", key), 0, kMostStencil).value_or(value);
+            value = read_int(reading, *found, fmt::format("'stencil.{}'", key), 0, kMostStencil).value_or(value);
     };
     number("reference", stencil.reference);
     number("readMask", stencil.read_mask);
@@ -85,11 +88,16 @@ std::optional<std::array<double, 2>> read_depth_offset(Reading& reading, const J
     const auto numbers = read_numbers<2>(reading, json, "'depthOffset'", "an array of two numbers, factor and units");
     if (!numbers) return std::nullopt;
     const std::size_t errors = reading.diagnostics.error_count();
-    const auto check = [&](std::size_t i, double most, std::string_view name) {
-        check_range(reading, json.elements[i].span, (*numbers)[i], {-most, most}, true, name);
+    const auto check = [&](std::size_t i, double most, std::string_view note) {
+        const double number = (*numbers)[i];
+        if (std::abs(number) <= most) return;
+        reading.diagnostics
+            .report(Code::OutOfRange, json.elements[i].span, shortest(number), shortest(-most), shortest(most),
+                    "depthOffset")
+            .note(std::string(note));
     };
-    check(0, kMostFactor, "the factor of depthOffset");
-    check(1, kMostUnits, "the units of depthOffset");
+    check(0, kMostFactor, "the first number is the factor: times how much depth changes from pixel to pixel");
+    check(1, kMostUnits, "the second number is the units: times the least difference of depths");
     return reading.diagnostics.error_count() == errors ? numbers : std::nullopt;
 }
 

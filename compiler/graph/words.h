@@ -40,6 +40,9 @@ inline constexpr std::array kSynonyms = {
     Synonym{"decrsat", "decrement"},
     Synonym{"incrwrap", "incrementWrap"},
     Synonym{"decrwrap", "decrementWrap"},
+    // and of Metal and WebGPU: incrementClamp, increment-clamp
+    Synonym{"incrementclamp", "increment"},
+    Synonym{"decrementclamp", "decrement"},
     // stages
     Synonym{"pixel", "fragment"},
     // culling and surfaces
