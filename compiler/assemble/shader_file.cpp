@@ -19,7 +19,7 @@ struct SurfaceRow {
     graph::SurfaceKind kind;
     std::string_view render_type, fallback;
 };
-// A fallback brings the passes that the shader has not got itself: shadows of what is solid, and none of the others.
+// A fallback brings the passes that the shader has not got itself: it is for what casts shadows, and no others.
 constexpr SurfaceRow kSurfaces[] = {
     {graph::SurfaceKind::Opaque, "Opaque", "\"VertexLit\""},
     {graph::SurfaceKind::Cutout, "TransparentCutout", "\"Legacy Shaders/Transparent/Cutout/VertexLit\""},
@@ -112,7 +112,9 @@ public:
         tags();
         for (std::size_t i = 0; i < passes_.size(); ++i) pass(i);
         out_.line(1, "}");
-        out_.line(1, fmt::format("FallBack {}", surface().fallback));
+        const bool casts = std::any_of(in_.reflection.passes.begin(), in_.reflection.passes.end(),
+                                       [](const Pass& pass) { return pass.targets.empty(); });
+        out_.line(1, fmt::format("FallBack {}", casts ? surface().fallback : "Off"));
         out_.line(0, "}");
         return out_.take();
     }
@@ -191,8 +193,12 @@ private:
         std::string tags =
             fmt::format("\"RenderType\" = \"{}\" \"Queue\" = \"{}\"", surface().render_type, queue_word(queue));
         if (surface().render_type == "Transparent") tags += " \"IgnoreProjector\" = \"True\"";
-        // What is moved in the space of the object must not be batched into another one.
-        if (in_.reflection.moves_vertices) tags += " \"DisableBatching\" = \"True\"";
+        // What knows the object must not be batched into another one.
+        const bool moves = std::any_of(in_.passes.begin(), in_.passes.end(), [](const LinkedPass& pass) {
+            return !pass.material->graph->graph->vertex.empty();
+        });
+        if (moves || std::any_of(in_.passes.begin(), in_.passes.end(), knows_object))
+            tags += " \"DisableBatching\" = \"True\"";
         out_.line(2, fmt::format("Tags {{ {} }}", tags));
         out_.line(2, "LOD 300");
         std::vector<std::string_view> lines;

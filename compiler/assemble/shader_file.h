@@ -38,6 +38,11 @@ std::vector<std::string> shader_state(const Pass& pass);
 // "Transparent+1"
 std::string queue_word(int queue);
 
+// --- object_space.cpp
+// Whether the pass computes with an object's own space, or with where the object is, and not just what it makes of the
+// mesh in the world.
+bool knows_object(const LinkedPass& pass);
+
 // --- shader_passes.cpp
 // The text of one pass: what both of its stages declare, each thing once.
 struct PassText {

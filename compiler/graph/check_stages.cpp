@@ -273,6 +273,9 @@ private:
         }
         if (const Attribute* attribute = decl.attribute("foreign")) foreign_function(decl, *attribute);
         texts_of(decl.attributes, diagnostics_);
+        const Attribute* of_object = decl.attribute("per_object");
+        if (of_object && !decl.attribute("foreign"))
+            bad(of_object->span, "per_object", "stands before a value of the engine or a [foreign] function");
         for (const Attribute& attribute : decl.attributes) {
             const bool is_tools = attribute.name == "text" || attribute.name == "tag" || attribute.name == "decodes";
             if (is_tools && !is_for_tool(attribute.span)) foreign(attribute, attribute.span);

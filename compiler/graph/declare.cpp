@@ -116,7 +116,10 @@ void declare_foreign(const Stages& stages, const nodelang::Declarations& declara
     }
     for (const GivenDecl& given : stages.given) {
         const nodelang::VariableDecl* replaced = given.variable ? declarations.variable(given.what) : nullptr;
-        if (replaced && replaced->attribute("extern")) emitter.share_extern(replaced, given.variable);
+        if (!replaced || !replaced->attribute("extern")) continue;
+        emitter.share_extern(replaced, given.variable);
+        if (replaced->attribute("per_object"))
+            emitter.module().globals[emitter.extern_global(*given.variable)->index].is_of_object = true;
     }
 }
 

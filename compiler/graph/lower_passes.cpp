@@ -157,19 +157,59 @@ private:
         return !draws_objects(pass) || blend_of(pass, surface()) || pass.blends.empty();
     }
 
+    // What another tool draws for others to read, depth alone or all that they light, stands for what is nearest.
+    Refusal refusal_of_depth(const PassDecl& pass) const {
+        const RenderState& render = lowering_.material.graph->graph->render;
+        if (!tool_of(lowering_.session) || !(pass.is_alone || pass.state.targets.empty())) return {};
+        const ir::Origin where{.span = {render.span.begin, render.span.begin + 1}};
+        if (!render.depth_write.value_or(true))
+            return {.reason = "it writes depth, and the material does not", .where = where, .is_news = true};
+        const Compare test = render.depth_test.value_or(Compare::LessEqual);
+        if (test == Compare::Less || test == Compare::LessEqual || test == Compare::Equal) return {};
+        return {.reason = fmt::format("it holds what is nearest, and the material's depth test is '{}'",
+                                      text_of(kCompares, test)),
+                .where = where,
+                .is_news = true};
+    }
+
+    // Whether an object is drawn by another pass of the path, too, once for each light.
+    bool is_drawn_again(const PassDecl& pass) const {
+        if (lowering_.material.pass) return false;
+        const std::vector<const PassDecl*> others = stages_.passes_of(pass.path);
+        return std::any_of(others.begin(), others.end(), [&](const PassDecl* other) {
+            return draws_objects(*other) && other->state.each == "light" && other->state.lights != "shadowed" &&
+                   has_blend(*other) && !vain_part(*other);
+        });
+    }
+
     // A material's stencil needs the stencil for itself, and one pass that draws the object.
     Refusal refusal_of_stencil(const PassDecl& pass) const {
         const std::optional<StencilState>& stencil = lowering_.material.graph->graph->render.stencil;
         if (!stencil || !draws_objects(pass) || pass.state.targets.empty()) return {};
         const ir::Origin where{.span = {stencil->span.begin, stencil->span.begin + 1}};
-        if (pass.has_stencil) return {.reason = "it uses the stencil itself", .where = where};
-        const std::vector<const PassDecl*> others = stages_.passes_of(pass.path);
-        const bool is_drawn_again = std::any_of(others.begin(), others.end(), [&](const PassDecl* other) {
-            return draws_objects(*other) && other->state.each == "light" && other->state.lights != "shadowed";
-        });
-        if (is_drawn_again && stencil->changes() && stencil->test != Compare::Always)
-            return {.reason = "it draws an object once for each light, and this stencil changes what it tests",
-                    .where = where};
+        const bool is_tool = tool_of(lowering_.session) != nullptr;
+        if (pass.has_stencil) return {.reason = "it uses the stencil itself", .where = where, .is_news = is_tool};
+        if (is_tool && pass.state.each != "light") return {};  // the other one says so
+        if (!stencil->changes() || stencil->test == Compare::Always || !is_drawn_again(pass)) return {};
+        Refusal refusal{.reason = "it draws an object once for each light, and this stencil changes what it tests",
+                        .where = where};
+        if (is_tool)
+            refusal.advice =
+                "with a \"test\" that is \"always\", or a \"pass\", \"fail\" and \"depthFail\" that are "
+                "\"keep\", or with the workflow \"unlit\" there is no such fault";
+        return refusal;
+    }
+
+    // The slot that a pass of another tool needs and that makes nothing.
+    std::optional<std::string_view> vain_part(const PassDecl& pass) const {
+        if (!tool_of(lowering_.session)) return {};
+        for (const std::string_view name : pass.needs) {
+            const auto slot = std::find_if(stages_.slots.begin(), stages_.slots.end(),
+                                           [&](const FunctionDecl* s) { return s->name == name; });
+            if (slot == stages_.slots.end()) continue;
+            const Part* part = is_part(**slot) ? &part_of(lowering_, **slot) : nullptr;
+            if (part ? part->slot.function && part->is_zero : is_always_zero(name)) return name;
+        }
         return {};
     }
 
@@ -177,6 +217,7 @@ private:
         if (!pass.vertex || !pass.fragment) return {};  // reported when its file was read
         if (!has_blend(pass)) return {.reason = fmt::format("it does not draw '{}' surfaces", surface())};
         if (const Refusal refusal = refusal_of_stencil(pass)) return refusal;
+        if (const Refusal refusal = refusal_of_depth(pass)) return refusal;
         const std::string_view model = lowering_.material.lighting_name;
         const auto& models = pass.lighting;
         if (!models.empty() && std::find(models.begin(), models.end(), model) == models.end())
@@ -193,9 +234,9 @@ private:
             if (slot == stages_.slots.end()) return {.reason = fmt::format("it needs '{}', which nothing makes", name)};
             const Part* part = is_part(**slot) ? &part_of(lowering_, **slot) : nullptr;
             if (part && !part->slot.function) return {.reason = part->why_not, .where = part->where};
-            if (tool_of(lowering_.session) && (part ? part->is_zero : is_always_zero(name)))
-                return {.reason = fmt::format("'{}' is always 0", name), .is_vain = true};
         }
+        if (const auto vain = vain_part(pass))
+            return {.reason = fmt::format("'{}' is always 0", *vain), .is_vain = true};
         for (const std::string_view name : pass.excludes) {
             if (lowering_.is_on(name)) return {.reason = fmt::format("it has no place for '{}'", name)};
         }

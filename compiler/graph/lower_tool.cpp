@@ -74,8 +74,10 @@ bool reaches(const CheckedGraph& graph, std::span<const PortValue> ports, std::s
 
 constexpr std::string_view kEmission = "emission";
 
-// A colour that may be brighter than white: one that is by default, or that nothing but the emission reads.
+// A colour that may be brighter than white: one whose range ends above, or that is so by default, or that nothing but
+// the emission reads.
 bool is_hdr(const CheckedGraph& graph, const Property& property) {
+    if (property.range && (*property.range)[1] > 1) return true;
     if (std::any_of(property.value.begin(), property.value.begin() + 3, [](double v) { return v > 1; })) return true;
     std::vector<PortValue> emission, others = graph.graph->vertex;
     for (const PortValue& port : graph.graph->surface) (port.name == kEmission ? emission : others).push_back(port);

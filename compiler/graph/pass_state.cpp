@@ -107,11 +107,11 @@ void read_depth(Arguments& in, PassDecl& pass) {
     pass.state.depth_write = in.word(kDepthWrites, "what a pass does with depth") == "write";
 }
 
-void read_stencil(Arguments& in, PassDecl& pass) {
+void read_stencil(Arguments& in, std::size_t count, PassDecl& pass) {
     pass.has_stencil = true;
     pass.state.stencil.test = in.word(texts(kCompares), "a stencil test");
     pass.state.stencil.pass = in.word(kPassStencilOps, "a stencil operation");
-    pass.state.stencil.reference = in.word(kStencilReferences, "a stencil reference");
+    if (count > 2) pass.state.stencil.reference = in.word(kStencilReferences, "a stencil reference");
 }
 
 // Places of a tool's file where a pass may want lines of its own.
@@ -158,8 +158,8 @@ constexpr StateRow kState[] = {
          p.state.depth_bias = in.number();
          p.state.depth_slope_bias = in.number();
      }},
-    {"stencil", 3, 3, "[stencil(\"always\", \"replace\", \"lighting\")]",
-     [](Arguments& in, std::size_t, PassDecl& p) { read_stencil(in, p); }},
+    {"stencil", 2, 3, "[stencil(\"always\", \"replace\", \"lighting\")]",
+     [](Arguments& in, std::size_t count, PassDecl& p) { read_stencil(in, count, p); }},
     {"tag", 2, 2, "[tag(\"LightMode\", \"Always\")]", [](Arguments& in, std::size_t, PassDecl& p) { read_tag(in, p); }},
     {"optional", 0, 0, "[optional]", [](Arguments&, std::size_t, PassDecl& p) { p.is_optional = true; }},
     {"alone", 0, 0, "[alone]", [](Arguments&, std::size_t, PassDecl& p) { p.is_alone = true; }},

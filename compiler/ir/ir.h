@@ -111,6 +111,7 @@ struct Function {
     // declares its result. Empty: the name and the arguments.
     std::string spelling{};
     std::vector<StageText> texts{};  // Foreign: lines that a stage needs that calls it
+    bool is_of_object = false;       // Foreign: it depends on the object that is drawn
     std::vector<Probe> probes{};
 
     const Inst& operator[](Value v) const { return insts[v.index]; }
@@ -170,6 +171,7 @@ struct Global {
     std::string decoder{};   // a foreign function that whatever is read goes through; may be empty
     std::string follower{};  // a function of what is decoded, which the foreign function `at_once` computes with it
     std::string at_once{};
+    bool is_of_object = false;  // included: it depends on the object that is drawn
     bool in_block() const { return block != 0xffffffffu; }
     bool is_keyword() const { return keyword != 0xffffffffu; }
     bool is_foreign() const { return !spelling.empty(); }

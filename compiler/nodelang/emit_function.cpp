@@ -134,6 +134,7 @@ Emitter::Instance Emitter::emit_function(const FunctionDecl& function, const Dec
     if (const Attribute* foreign = function.attribute("foreign")) {
         made.linkage = ir::Linkage::Foreign;
         made.spelling = attribute_text(*foreign);
+        made.is_of_object = function.attribute("per_object") != nullptr;
         builder.ret(builder.zero(made.result));
         module_.functions.push_back(std::move(made));
         instance.id = {static_cast<std::uint32_t>(module_.functions.size() - 1)};

@@ -58,6 +58,7 @@ constexpr AttributeInfo kAttributes[] = {
     {kFunction, "lighting"},
     {kFunction, "tag"},
     {kFunction, "text"},
+    {kFunction, "per_object"},
     {kParameter, "range"},
     {kParameter, "color"},
     {kParameter, "unit"},

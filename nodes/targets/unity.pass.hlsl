@@ -26,9 +26,9 @@
 [foreign("UNITY_MATRIX_V[2].xyz")] float3 unity_camera_backward;
 [foreign("_ProjectionParams.yz")] [gives("clip_planes")] float2 unity_clip_planes;
 
-[foreign] float4 UnityObjectToClipPos(float3 position);
-[foreign] float3 UnityObjectToWorldNormal(float3 normal);
-[foreign] float3 UnityObjectToWorldDir(float3 direction);
+[foreign] [per_object] float4 UnityObjectToClipPos(float3 position);
+[foreign] [per_object] float3 UnityObjectToWorldNormal(float3 normal);
+[foreign] [per_object] float3 UnityObjectToWorldDir(float3 direction);
 [foreign] float3 UnityWorldSpaceViewDir(float3 position);
 
 [gives("normal_object_to_world")]
@@ -320,9 +320,9 @@ struct UnityTargets {
 float4 BakedShadows(float4 ambient_or_lightmap_uv, float3 position);
 
 /// Only what is lit by the model that Unity's own lighting passes compute. Of an object that has this pass the deferred
-/// path draws no other one.
+/// path draws no other one, and its stencil says which pixels are lit.
 [pass("unity-deferred")] [fragment] [lights("none")] [optional] [alone]
-[lighting("unity-brdf1", "unity-brdf2", "unity-brdf3")]
+[lighting("unity-brdf1", "unity-brdf2", "unity-brdf3")] [stencil("always", "keep")]
 [tag("Name", "DEFERRED")] [tag("LightMode", "Deferred")]
 [text("pragma", "exclude_renderers nomrt", "multi_compile_prepassfinal", "multi_compile_instancing")]
 [text("include", "UnityCG.cginc")]

@@ -1,0 +1,127 @@
+// Which passes a material has for Unity and what is said of it as a whole, where that depends on its state and on what
+// it reads.
+#include <algorithm>
+
+#include "unity/compiled.h"
+#include "unity/shader_lab.h"
+
+namespace patina::unity {
+namespace {
+
+constexpr const char* kAlone = "\"DisableBatching\" = \"True\"";
+
+// Objects that are batched are one mesh in world space.
+TEST(UnityBatching, IsOffWhereAnObjectKnowsItsSpace) {
+    for (const std::string graph : {"graphs/beetle", "graphs/lava", "graphs/turned_wood", "graphs/verdigris",
+                                    "graphs/outlined", "surfaces/dimples"})
+        EXPECT_TRUE(has(for_unity("examples/" + graph + ".graph.json").shaders.front().text, kAlone)) << graph;
+    for (const std::string surface :
+         {R"("baseColor": "= @position_os * @position_os")", R"("baseColor": "= @normal_os * @normal_os")",
+          R"("baseColor": "= @tangent_os.xyz * 0.5")", R"("baseColor": "= @object_position_ws * 0.5")"})
+        EXPECT_TRUE(has(shader(material("\"surface\": { " + surface + " }")), kAlone)) << surface;
+    EXPECT_TRUE(has(shader(material(R"("nodes": [ { "id": "height", "expr": "@position_os.y", "stage": "vertex" } ],
+      "surface": { "metallic": "= height * 0.5"
+         })")),
+                    kAlone));
+    EXPECT_TRUE(has(shader(material(R"("vertex": { "position_os": "= float3(@uv0, 0) * 0.5"
+})")),
+                    kAlone));
+}  // namespace
+
+TEST(UnityBatching, IsLeftToUnityElsewhere) {
+    EXPECT_FALSE(has(for_unity("tests/unity/graphs/standard.graph.json").shaders.front().text, "DisableBatching"));
+    for (const std::string surface :
+         {R"("baseColor": "= @position_ws * 0.5")", R"("baseColor": "= @normal_ws * 0.5")",
+          R"("normal_ts": "= float3(@uv0.x, 0, 1) * 0.5")", R"("baseColor": "= float3(@screen_uv, 0) * 0.5")"})
+        EXPECT_FALSE(has(shader(material("\"surface\": { " + surface + " }")), "DisableBatching")) << surface;
+}
+
+std::vector<std::string> modes(const Result& result) {
+    std::vector<std::string> made;
+    if (result.shaders.empty()) return made;
+    for (const LabPass& pass : taken_apart(result.shaders.front().text).passes) made.push_back(pass.light_mode);
+    return made;
+}
+
+// The words of the warnings; each is a pass that is left out.
+std::vector<std::string> left_out(const Result& result) {
+    std::vector<std::string> made;
+    for (const Diagnostic& d : result.diagnostics) {
+        EXPECT_EQ(d.code, "pass-left-out") << to_text(d);
+        EXPECT_GT(d.column, 1) << to_text(d);
+        made.push_back(d.message);
+    }
+    return made;
+}
+
+using Words = std::vector<std::string>;
+
+// Unity's deferred path keeps in the stencil which pixels it lights, and sets it whatever a pass says.
+TEST(UnityDeferred, HasNoPlaceForAStencil) {
+    const Result result = of_text(material(R"("render": { "stencil": { "reference": 1, "pass": "replace" } })"));
+    EXPECT_EQ(modes(result), (Words{"ForwardBase", "ForwardAdd", "ShadowCaster"}));
+    const Words said = left_out(result);
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_TRUE(has(said[0], "'unity-deferred'") && has(said[0], "stencil")) << said[0];
+}
+
+// What writes no depth has no place in a G-buffer, and none in the camera's depth texture, which casters fill. A
+// fallback would bring a caster.
+TEST(UnityDepth, IsThereForPassesThatWriteIt) {
+    for (const std::string state :
+         {R"("depthWrite": false)", R"("depthTest": "always")", R"("depthTest": "greater")"}) {
+        for (const std::string surface : {"opaque", "cutout"}) {
+            const Result result = of_text(material(R"("render": { "surface": ")" + surface + "\", " + state + " }"));
+            EXPECT_EQ(modes(result), (Words{"ForwardBase", "ForwardAdd"})) << state;
+            EXPECT_EQ(left_out(result).size(), 2u) << state;
+            ASSERT_TRUE(result.ok);
+            EXPECT_TRUE(has(result.shaders.front().text, "FallBack Off")) << state;
+        }
+    }
+    for (const std::string test : {"less", "lessEqual", "equal"}) {
+        const Result result = of_text(material(R"("render": { "depthTest": ")" + test + "\" }"));
+        EXPECT_EQ(modes(result).size(), 4u) << test;
+        EXPECT_TRUE(result.diagnostics.empty()) << test;
+    }
+}
+
+// A stencil that changes what it tests is for what is drawn once: what no light lights, and passes that are added.
+TEST(UnityStencil, MayChangeWhatItTestsWhereAnObjectIsDrawnOnce) {
+    const std::string stencil = R"("stencil": { "reference": 1, "test": "notEqual", "pass": "replace" })";
+    for (const std::string kind : {"fade", "opaque"}) {
+        const Result unlit = of_text(R"({ "patina": 1, "workflow": "unlit", "surface": { "color": 1 },
+            "render": { "surface": ")" +
+                                     kind + "\", " + stencil + " } }");
+        ASSERT_TRUE(unlit.ok) << to_text(first_error(unlit));
+        EXPECT_EQ(modes(unlit).front(), "ForwardBase");
+        EXPECT_TRUE(has(unlit.shaders.front().text, "Stencil { Ref 1 Comp NotEqual Pass Replace }"));
+    }
+    for (const std::string workflow : {"\"unlit\", \"surface\": { \"color\": 0 }", "\"metallic-roughness\""}) {
+        const Result added = of_text(material(R"("passes": [ { "name": "veil", "workflow": )" + workflow +
+                                              R"(, "render": { )" + stencil + " } } ]"));
+        ASSERT_TRUE(added.ok) << to_text(first_error(added));
+        EXPECT_TRUE(has(added.shaders.front().text, "Name \"veil\""));
+    }
+    const Result lit = of_text(material(R"("render": { )" + stencil + " }"));
+    EXPECT_FALSE(lit.ok);
+    EXPECT_EQ(std::count_if(lit.diagnostics.begin(), lit.diagnostics.end(),
+                            [](const Diagnostic& d) { return d.severity == Severity::Error; }),
+              1);
+    EXPECT_EQ(first_error(lit).code, "pass-refused");
+    EXPECT_GT(first_error(lit).column, 80);
+    ASSERT_FALSE(first_error(lit).notes.empty());
+    EXPECT_TRUE(has(to_text(first_error(lit)), "\"test\"")) << to_text(first_error(lit));
+}
+
+// The range of a colour says that it may be brighter than white.
+TEST(UnityColors, WithARangeAboveOneAreHdr) {
+    const std::string text = shader(R"({ "patina": 1, "workflow": "unlit", "properties": [
+        { "name": "_Glow", "type": "color", "default": [1, 1, 1], "range": [0, 16] },
+        { "name": "_Paint", "type": "color", "default": [1, 1, 1], "range": [0, 1] } ],
+        "surface": { "color": "= $_Glow.rgb * $_Paint.rgb" } })");
+    EXPECT_TRUE(has(text, "[HDR] _Glow (\"Glow\", Color) = (1, 1, 1, 1)"));
+    EXPECT_TRUE(has(text, "\n        _Paint (\"Paint\", Color) = (1, 1, 1, 1)"));
+}
+
+}  // namespace
+}  // namespace patina::unity
