@@ -106,6 +106,7 @@ void compile_graph(graph::Session& session, std::uint32_t base, const std::strin
         result.reflection.passes[i].hash = assemble::hash_pass(passes[i].vertex, passes[i].fragment).text();
     if (is_tool) {
         assemble::check_shader_properties(material, own, session.diagnostics);
+        assemble::check_samplers(material, result.reflection, session.diagnostics);
         return print_file(session, material, own, passes, name, result);
     }
     for (const LinkedPass& pass : passes) print_pass(session, pass, name, result);

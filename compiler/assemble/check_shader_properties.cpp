@@ -2,6 +2,8 @@
 // and where Unity has it already the property is refused.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "compiler/assemble/shader_file.h"
 #include "compiler/graph/words.h"
 #include "compiler/targets/shaderlab/shaderlab.h"
@@ -125,6 +127,33 @@ void check_shader_properties(const graph::Material& material, const graph::Lower
             diagnostics.report(Code::NoFileDefault, property.default_span, property.name, default_word(property));
     }
     names.finish();
+}
+
+void check_samplers(const graph::Material& material, const Reflection& reflection, Diagnostics& diagnostics) {
+    constexpr std::size_t kMost = 16;
+    constexpr std::size_t kUnitys = 4;  // shadow map, reflection probe, lightmap, and its directions or shadow mask
+    const Pass* most = nullptr;
+    for (const Pass& pass : reflection.passes) {
+        if (!most || pass.textures.size() > most->textures.size()) most = &pass;
+    }
+    const bool is_lit = std::any_of(reflection.passes.begin(), reflection.passes.end(),
+                                    [](const Pass& pass) { return pass.each == "light"; });
+    const std::size_t room = is_lit ? kMost - kUnitys : kMost;
+    if (!most || most->textures.size() <= room) return;
+    const std::string& first = most->textures[most->textures.size() > kMost ? kMost : room];
+    for (const graph::MaterialProperty& entry : material.properties) {
+        if (entry.property->name != first) continue;
+        const Span span = entry.property->name_span;
+        if (most->textures.size() > kMost) {
+            diagnostics.report(Code::TooMany, span, most->textures.size(), "textures in one pass", kMost);
+        } else {
+            diagnostics.report(
+                Code::SamplerLimit, span, first,
+                fmt::format("of {} samplers that Direct3D 11 has, shadows, probes and lightmaps need {}, and this pass "
+                            "reads {}",
+                            kMost, kUnitys, most->textures.size()));
+        }
+    }
 }
 
 }  // namespace patina::assemble

@@ -31,6 +31,8 @@ constexpr std::size_t kMostKeywords = 9, kMostPairs = 7;
 // --- check_shader_properties.cpp
 // Refuses names that Unity's includes declare, and tells what of a property a ShaderLab file cannot say.
 void check_shader_properties(const graph::Material& material, const graph::Lowered& lowered, Diagnostics& diagnostics);
+// Each texture has its sampler, of which Direct3D 11 has 16 in a stage.
+void check_samplers(const graph::Material& material, const Reflection& reflection, Diagnostics& diagnostics);
 
 // --- shader_state.cpp
 // The lines for what ShaderLab does not take for granted.

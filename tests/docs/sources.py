@@ -13,7 +13,7 @@ import sys
 
 ITEMS = [str(number) for number in range(1, 172)]
 SLIPS = [f"E{number}" for number in range(1, 80)]
-OPTIONS = [f"O{number}" for number in range(1, 26)]
+OPTIONS = [f"O{number}" for number in range(1, 30)]
 
 
 def anchors(page):
