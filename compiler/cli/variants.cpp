@@ -155,7 +155,10 @@ Exit make_variants(const Console& console, const Compiler& compiler, const std::
     for (VariantProgram& program : set.programs) {
         Written& made = written.emplace_back();
         made.hash = programs.name(program.hash);
-        made.reflection = name + "." + made.hash + ".reflect.json";
+        // A file that holds all programs has no hash in its name.
+        const bool is_hashed = std::any_of(program.result.shaders.begin(), program.result.shaders.end(),
+                                           [](const Shader& s) { return !s.hash.empty(); });
+        made.reflection = with_hash(name + ".reflect.json", name, is_hashed ? made.hash : "");
         files.add(join_path(folder, made.reflection), program.result.reflection.to_json());
         for (Shader& shader : program.result.shaders) {
             const auto [own, is_new] = files_of.try_emplace(shader.file_name + shader.hash);

@@ -237,6 +237,7 @@ Typed GraphScope::subgraph_node(std::uint32_t index) {
         Typed value = lowering_.emitter.primary(inner.value(*port.value), inner.scope_, port.value_span);
         if (value.literal) value = lowering_.emitter.convert(value, ir::kFloat, scope_, port.value_span, "the output");
         if (!value.ok()) return {};
+        scope_.builder->name(value.value, lowering_.out.module.intern(port.name));  // if it has none
         values.push_back(value.value);
         made.members.push_back({port.name, value.type});
         outputs.names.push_back(port.name);

@@ -110,6 +110,11 @@ bool is_named_by_member(const Analysis& a, Value v, Value reader) {
     return false;
 }
 
+// A foreign function whose call is statements.
+bool is_statements(const Analysis& a, Value v) {
+    return a[v].op == Op::Call && a.module.functions[a[v].data].spelling.find("{result}") != std::string::npos;
+}
+
 bool must_stand(const Analysis& a, Value v) {
     const Inst& inst = a[v];
     if (is_leaf(inst.op) || !a.is_read(v) || a.is_free(v) || v == a.outputs || a.is_test(v)) return false;
@@ -118,8 +123,7 @@ bool must_stand(const Analysis& a, Value v) {
     const bool is_built = inst.op == Op::Construct || inst.op == Op::Insert || inst.op == Op::Select;
     if (inst.op == Op::Insert || (is_built && is_aggregate(inst.type))) return true;
     if (inst.op == Op::TextureSize) return true;
-    if (inst.op == Op::Call && a.module.functions[inst.data].spelling.find("{result}") != std::string::npos)
-        return true;
+    if (is_statements(a, v)) return true;
     if (a.reads[v.index] > 1 || a.read_elsewhere[v.index]) return true;
     if (has_receiver(a, v)) return false;
     if (inst.name) return !is_returned && !(reader && is_named_by_member(a, v, reader));
@@ -186,7 +190,8 @@ private:
         Cost c{0, own_width(a_, v)};
         // The members of an aggregate and the values of a block's end are statements each.
         const Op op = a_[v].op;
-        const bool is_list = op == Op::Yield || op == Op::For || v == a_.outputs || is_aggregate(a_[v].type);
+        const bool is_list =
+            op == Op::Yield || op == Op::For || v == a_.outputs || is_aggregate(a_[v].type) || is_statements(a_, v);
         for (std::uint32_t i = 0; i < a_.args(v); ++i) {
             if (op == Op::Result) break;
             const Cost operand = cost_as_operand(a_.arg(v, i));
@@ -235,9 +240,7 @@ void find_last_reads(Analysis& a) {
         const Value v = *it;
         const Inst& inst = a[v];
         if (!a.is_live(v) || inst.op == Op::Result) continue;
-        const bool is_statement =
-            a.stands[v.index] || inst.op == Op::If || inst.op == Op::For || has(inst.op, Traits::Effect);
-        const std::uint32_t here = is_statement ? a.position[v.index] : a.last_read[v.index];
+        const std::uint32_t here = a.computed_at(v);
         for (std::uint32_t i = 0; i < a.args(v); ++i) {
             std::uint32_t& last = a.last_read[a.arg(v, i).index];
             last = std::max(last, inst.op == Op::For && i == 1 ? a.end[v.index] : here);
@@ -252,6 +255,12 @@ bool Analysis::is_live(Value v) const {
     if (op == Op::Return || op == Op::DiscardIf) return true;
     if (op == Op::Yield) return is_read(owner[block[v.index].index]);
     return is_read(v);
+}
+
+std::uint32_t Analysis::computed_at(Value v) const {
+    const Op op = function[v].op;
+    const bool is_statement = stands[v.index] || op == Op::If || op == Op::For || has(op, Traits::Effect);
+    return is_statement ? position[v.index] : last_read[v.index];
 }
 
 bool Analysis::is_slot_read(Value structure, std::uint32_t slot) const {

@@ -34,6 +34,8 @@ struct Analysis {
     bool is_read(ir::Value v) const { return reads[v.index] > 0; }
     bool is_live(ir::Value v) const;
     bool is_test(ir::Value v) const { return !tests.empty() && tests[v.index] != 0; }
+    // Position of the statement in which a value is computed that stands in no variable; else its own.
+    std::uint32_t computed_at(ir::Value v) const;
     // Whether the value at this place of a Yield goes anywhere.
     bool is_slot_read(ir::Value structure, std::uint32_t slot) const;
     // Never worth a variable: reading it costs nothing, so all of its readers repeat it.

@@ -1,5 +1,5 @@
 // Which values share a variable. A variable holds one value at a time: a value may take over another's variable when
-// nothing reads the other one after that.
+// nothing reads the other one after that, or nothing but members that the new value leaves as they are.
 #include <algorithm>
 
 #include "compiler/targets/analysis.h"
@@ -56,8 +56,37 @@ private:
 
     // Whether a new value, made at `position` of `block`, may overwrite the variable of `old`.
     bool can_take_over(Value old, BlockId block, std::uint32_t position) {
-        return variable(old) != Plan::kNone && a_[old].op != Op::LoopIndex && a_.block[old.index] == block &&
-               a_.last_read[old.index] <= position;
+        return is_changeable(old, block) && a_.last_read[old.index] <= position &&
+               std::all_of(kept_.begin(), kept_.end(), [&](Value kept) {
+                   return find(variable(kept)) != find(variable(old)) || a_.last_read[kept.index] <= position;
+               });
+    }
+    bool is_changeable(Value old, BlockId block) const {
+        return plan_.variable[old.index] != Plan::kNone && a_[old].op != Op::LoopIndex && a_.block[old.index] == block;
+    }
+
+    // `surface.alpha = 1;` Whether that leaves what is read of `old`, and of what its variable held before, later.
+    bool can_change_member(Value old, Value insert) {
+        if (!is_changeable(old, a_.block[insert.index])) return false;
+        const auto is_untouched = [&](Value held) {
+            return a_.last_read[held.index] <= a_.position[insert.index] || !reads_whole_or_member(held, insert);
+        };
+        return is_untouched(old) && std::all_of(kept_.begin(), kept_.end(), [&](Value kept) {
+                   return find(variable(kept)) != find(variable(old)) || is_untouched(kept);
+               });
+    }
+    // Whether anything after `insert` reads of `held` what that changes.
+    bool reads_whole_or_member(Value held, Value insert) const {
+        return std::any_of(a_.order.begin() + a_.position[held.index], a_.order.end(), [&](Value reader) {
+            if (!a_.is_live(reader) || a_[reader].op == Op::Result) return false;
+            const bool is_other = a_[reader].op == Op::Extract && a_[reader].data != a_[insert].data;
+            for (std::uint32_t i = 0; i < a_.args(reader); ++i) {
+                const bool is_limit = a_[reader].op == Op::For && i == 1;
+                const std::uint32_t at = is_limit ? a_.end[reader.index] : a_.computed_at(reader);
+                if (a_.arg(reader, i) == held && !is_other && at > a_.position[insert.index]) return true;
+            }
+            return false;
+        });
     }
 
     std::uint32_t variable_for(Value v) {
@@ -67,7 +96,8 @@ private:
         const BlockId block = a_.block[v.index];
         if (inst.op == Op::Insert) {
             const Value old = a_.arg(v, 0);
-            if (can_take_over(old, block, a_.position[v.index])) {
+            if (can_change_member(old, v)) {
+                if (a_.last_read[old.index] > a_.position[v.index]) kept_.push_back(old);
                 suggest(variable(old), inst.name);
                 return variable(old);
             }
@@ -174,6 +204,7 @@ private:
     const Analysis& a_;
     Plan& plan_;
     std::vector<std::uint32_t> joined_;  // union of variables, by index
+    std::vector<Value> kept_;            // of which members are read after others have changed
 };
 
 }  // namespace

@@ -93,7 +93,9 @@ void Body::print() {
 void Body::find_member_names() {
     member_of_.resize(function_.insts.size());
     const auto note = [&](Value value, Type structure, std::uint32_t member) {
-        member_of_[plan_.resolve(value).index] = writer_.module.structs[structure.ref].members[member].name;
+        Value named = plan_.resolve(value);
+        if (function_[named].op == Op::Swizzle) named = plan_.resolve(function_.args(function_[named])[0]);
+        member_of_[named.index] = writer_.module.structs[structure.ref].members[member].name;
     };
     for (const Inst& inst : function_.insts) {
         if (inst.type.kind != Kind::Struct) continue;
@@ -116,7 +118,8 @@ std::string Body::name_without_hint(Value v) const {
     // A step on the way to a node's value is called after the node.
     const std::string_view id = inst.origin ? std::string_view(writer_.module.origins[inst.origin.index].id) : "";
     const std::string_view last = id.substr(id.rfind('/') + 1);
-    return last.empty() ? std::string(fallback_name(inst.op)) : fmt::format("{}_{}", last, fallback_name(inst.op));
+    const std::string_view step = fallback_name(inst.op);
+    return step.starts_with(last) ? std::string(step) : fmt::format("{}_{}", last, step);
 }
 
 std::string Body::target(std::uint32_t id) {

@@ -213,6 +213,63 @@ TEST(Statements, AStructThatIsStillReadIsCopied) {
               "return s.metallic + t.metallic;\n");
 }
 
+// What is read later of the struct before is another member, which the change leaves as it is.
+TEST(Statements, AStructOfWhichAnotherMemberIsReadIsChanged) {
+    SurfaceFixture f;
+    const Value s = f.named(f.made(0), "s");
+    const Value t = f.b->emit(Op::Insert, f.surface, {s, f.b->param(1)}, 1);
+    const Value shade = f.b->emit(Op::Length, {f.b->extract(s, 0)});
+    EXPECT_EQ(f.glsl(f.b->emit(Op::Add, {shade, f.b->extract(t, 1)})),
+              "Surface s;\n"
+              "s.baseColor = a;\n"
+              "s.metallic = 0.0;\n"
+              "s.metallic = b;\n"
+              "return length(s.baseColor) + s.metallic;\n");
+}
+
+// The first change may use the variable; the second would change what is still read of the first struct.
+TEST(Statements, AMemberThatIsReadLaterOutlivesAllChanges) {
+    SurfaceFixture f;
+    const Value s = f.named(f.made(0), "s");
+    const Value t = f.b->emit(Op::Insert, f.surface, {s, f.b->param(1)}, 1);
+    const Value u = f.named(f.b->emit(Op::Insert, f.surface, {t, f.b->emit(Op::Neg, {f.b->extract(s, 0)})}, 0), "u");
+    const Value before = f.b->emit(Op::Length, {f.b->extract(s, 0)});
+    const Value after = f.b->emit(Op::Add, {f.b->emit(Op::Length, {f.b->extract(u, 0)}), f.b->extract(u, 1)});
+    EXPECT_EQ(f.glsl(f.b->emit(Op::Add, {before, after})),
+              "Surface s;\n"
+              "s.baseColor = a;\n"
+              "s.metallic = 0.0;\n"
+              "s.metallic = b;\n"
+              "Surface u = s;\n"
+              "u.baseColor = -s.baseColor;\n"
+              "return length(s.baseColor) + (length(u.baseColor) + u.metallic);\n");
+}
+
+// The branch would change what is read after it of the struct before.
+TEST(Statements, AMemberThatIsReadLaterOutlivesABranch) {
+    SurfaceFixture f;
+    const Value s = f.named(f.made(0), "s");
+    const Value t = f.b->emit(Op::Insert, f.surface, {s, f.b->param(1)}, 1);
+    f.b->begin_if(f.b->param(2));
+    const Value then = f.b->emit(Op::Insert, f.surface, {t, f.b->emit(Op::Neg, {f.b->param(0)})}, 0);
+    f.b->begin_else();
+    const Value structure = f.b->end_if({&then, 1}, {&t, 1});
+    const Value u = f.named(f.b->result(structure, 0), "u");
+    const Value before = f.b->emit(Op::Length, {f.b->extract(s, 0)});
+    const Value after = f.b->emit(Op::Add, {f.b->emit(Op::Length, {f.b->extract(u, 0)}), f.b->extract(u, 1)});
+    EXPECT_EQ(f.glsl(f.b->emit(Op::Add, {before, after})),
+              "Surface s;\n"
+              "s.baseColor = a;\n"
+              "s.metallic = 0.0;\n"
+              "s.metallic = b;\n"
+              "Surface u = s;\n"
+              "if (c) {\n"
+              "    u = s;\n"
+              "    u.baseColor = -a;\n"
+              "}\n"
+              "return length(s.baseColor) + (length(u.baseColor) + u.metallic);\n");
+}
+
 TEST(Statements, StructsAreNotSelectedByOperator) {
     SurfaceFixture f;
     f.finish(f.b->emit(Op::Select, f.surface, {f.b->param(2), f.named(f.made(0), "s"), f.named(f.made(1), "t")}));

@@ -30,9 +30,9 @@ layout(location = 2) out vec3 v_vertex_normal_ws;
 
 void main()
 {
-    vec4 product = object_to_world * vec4(in_position_os, 1.0);
+    vec4 position_ws = object_to_world * vec4(in_position_os, 1.0);
     v_uv0 = in_uv0;
-    v_position_ws = product.xyz;
+    v_position_ws = position_ws.xyz;
     v_vertex_normal_ws = normalize((vec4(in_normal_os, 0.0) * world_to_object).xyz);
-    gl_Position = world_to_clip * vec4(product.xyz, 1.0);
+    gl_Position = world_to_clip * vec4(position_ws.xyz, 1.0);
 }

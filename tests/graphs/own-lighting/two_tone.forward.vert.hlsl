@@ -35,10 +35,10 @@ struct VertexOutput
 
 VertexOutput main(VertexInput input)
 {
-    float4 product = mul(object_to_world, float4(input.position_os, 1.0));
+    float4 position_ws = mul(object_to_world, float4(input.position_os, 1.0));
     VertexOutput output;
-    output.position_ws = product.xyz;
+    output.position_ws = position_ws.xyz;
     output.vertex_normal_ws = normalize(mul(float4(input.normal_os, 0.0), world_to_object).xyz);
-    output.position = mul(world_to_clip, float4(product.xyz, 1.0));
+    output.position = mul(world_to_clip, float4(position_ws.xyz, 1.0));
     return output;
 }

@@ -32,11 +32,11 @@ layout(location = 3) out vec4 v_vertex_tangent_ws;
 
 void main()
 {
-    vec4 product = object_to_world * vec4(in_position_os, 1.0);
+    vec4 position_ws = object_to_world * vec4(in_position_os, 1.0);
     float handedness = determinant(object_to_world) < 0.0 ? -in_tangent_os.w : in_tangent_os.w;
     v_uv0 = in_uv0;
-    v_position_ws = product.xyz;
+    v_position_ws = position_ws.xyz;
     v_vertex_normal_ws = normalize((vec4(in_normal_os, 0.0) * world_to_object).xyz);
     v_vertex_tangent_ws = vec4(normalize((object_to_world * vec4(in_tangent_os.xyz, 0.0)).xyz), handedness);
-    gl_Position = world_to_clip * vec4(product.xyz, 1.0);
+    gl_Position = world_to_clip * vec4(position_ws.xyz, 1.0);
 }

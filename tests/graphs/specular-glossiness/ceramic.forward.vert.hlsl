@@ -39,14 +39,14 @@ struct VertexOutput
 
 VertexOutput main(VertexInput input)
 {
-    float4 product = mul(object_to_world, float4(input.position_os, 1.0));
+    float4 position_ws = mul(object_to_world, float4(input.position_os, 1.0));
     float handedness = determinant(object_to_world) < 0.0 ? -input.tangent_os.w : input.tangent_os.w;
     VertexOutput output;
     output.uv0 = input.uv0;
-    output.position_ws = product.xyz;
+    output.position_ws = position_ws.xyz;
     output.vertex_normal_ws = normalize(mul(float4(input.normal_os, 0.0), world_to_object).xyz);
     output.vertex_tangent_ws = float4(normalize(mul(object_to_world, float4(input.tangent_os.xyz, 0.0)).xyz),
         handedness);
-    output.position = mul(world_to_clip, float4(product.xyz, 1.0));
+    output.position = mul(world_to_clip, float4(position_ws.xyz, 1.0));
     return output;
 }

@@ -55,9 +55,9 @@ vec3 vertex_normal_os(vec3 position_os, vec3 normal_os)
 void main()
 {
     vec3 position_os = vertex_position_os(in_position_os, in_normal_os);
-    vec4 product = object_to_world * vec4(position_os, 1.0);
+    vec4 position_ws = object_to_world * vec4(position_os, 1.0);
     vec3 normal_os = vertex_normal_os(in_position_os, in_normal_os);
-    v_position_ws = product.xyz;
+    v_position_ws = position_ws.xyz;
     v_vertex_normal_ws = normalize((vec4(normal_os, 0.0) * world_to_object).xyz);
-    gl_Position = world_to_clip * vec4(product.xyz, 1.0);
+    gl_Position = world_to_clip * vec4(position_ws.xyz, 1.0);
 }

@@ -62,11 +62,11 @@ float3 vertex_normal_os(float3 position_os, float3 normal_os)
 VertexOutput main(VertexInput input)
 {
     float3 position_os = vertex_position_os(input.position_os, input.normal_os);
-    float4 product = mul(object_to_world, float4(position_os, 1.0));
+    float4 position_ws = mul(object_to_world, float4(position_os, 1.0));
     float3 normal_os = vertex_normal_os(input.position_os, input.normal_os);
     VertexOutput output;
-    output.position_ws = product.xyz;
+    output.position_ws = position_ws.xyz;
     output.vertex_normal_ws = normalize(mul(float4(normal_os, 0.0), world_to_object).xyz);
-    output.position = mul(world_to_clip, float4(product.xyz, 1.0));
+    output.position = mul(world_to_clip, float4(position_ws.xyz, 1.0));
     return output;
 }

@@ -364,11 +364,11 @@ Shader "Patina/fade"
                 UNITY_TRANSFER_INSTANCE_ID(v, o);
                 UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
 
-                float4 product = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0));
+                float4 position_ws = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0));
                 float3 vertex_normal_ws = UnityObjectToWorldNormal(v.normal);
-                o.position_ws = product.xyz;
+                o.position_ws = position_ws.xyz;
                 o.vertex_normal_ws = vertex_normal_ws;
-                o.ambient_or_lightmap_uv = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, product.xyz,
+                o.ambient_or_lightmap_uv = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, position_ws.xyz,
                     vertex_normal_ws);
                 o.pos = UnityObjectToClipPos(v.vertex.xyz);
                 UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);
@@ -395,8 +395,7 @@ Shader "Patina/fade"
                 float3 from_light = direct(surface, light, view_dir_ws);
                 float3 from_around = indirect(surface, view_dir_ws, i.position_ws, attenuation,
                     i.ambient_or_lightmap_uv, true);
-                float4 value = float4(ProjectColor(from_light + from_around + surface.emission), surface.alpha);
-                float4 color = value;
+                float4 color = float4(ProjectColor(from_light + from_around + surface.emission), surface.alpha);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, color, unity_FogColor);
                 return color;
             }

@@ -317,16 +317,16 @@ Shader "Patina/Standard, cut out"
     #endif
 
         // standard-maps "maps"
-        float maps_value;
+        float metallic;
     #if defined(_METALLICGLOSSMAP)
-        maps_value = metallicGloss.x;
+        metallic = metallicGloss.x;
     #else
         // SrgbToLinear "maps/slider"
         float3 slider = SrgbToLinear(_Metallic.xxx);
 
-        maps_value = slider.x;
+        metallic = slider.x;
     #endif
-        float fromMap;
+        float smoothness;
     #if defined(_METALLICGLOSSMAP) || defined(_SMOOTHNESS_TEXTURE_ALBEDO_CHANNEL_A)
         float fromMap_value;
     #if defined(_SMOOTHNESS_TEXTURE_ALBEDO_CHANNEL_A)
@@ -334,34 +334,34 @@ Shader "Patina/Standard, cut out"
     #else
         fromMap_value = metallicGloss.w;
     #endif
-        fromMap = fromMap_value * _GlossMapScale;
+        smoothness = fromMap_value * _GlossMapScale;
     #else
-        fromMap = _Glossiness;
+        smoothness = _Glossiness;
     #endif
-        float3 bumps;
+        float3 normal_ts;
     #if defined(_NORMALMAP)
         // SampleNormalMap "maps/bumps"
         float4 bumps_texel = UNITY_SAMPLE_TEX2D(_BumpMap, uv);
-        bumps = UnpackScaleNormal(bumps_texel, _BumpScale);
+        normal_ts = UnpackScaleNormal(bumps_texel, _BumpScale);
     #if defined(_DETAIL_MULX2)
         // SampleNormalMap "maps/detailBumps"
         float4 detailBumps_texel = UNITY_SAMPLE_TEX2D(_DetailNormalMap, detailUV);
         float3 detailBumps = UnpackScaleNormal(detailBumps_texel, _DetailNormalMapScale);
 
         // DetailNormal "maps/detailedBumps"
-        bumps = lerp(bumps, NormalBlendWhiteout(bumps, detailBumps), mask.w);
+        normal_ts = lerp(normal_ts, NormalBlendWhiteout(normal_ts, detailBumps), mask.w);
     #endif
     #else
-        bumps = float3(0.0, 0.0, 1.0);
+        normal_ts = float3(0.0, 0.0, 1.0);
     #endif
-        float3 maps_product;
+        float3 emission;
     #if defined(_EMISSION)
         // SampleTexture2D "maps/glow"
         float4 glow = LinearColor(UNITY_SAMPLE_TEX2D(_EmissionMap, uv));
 
-        maps_product = glow.xyz * _EmissionColor.xyz;
+        emission = glow.xyz * _EmissionColor.xyz;
     #else
-        maps_product = float3(0.0, 0.0, 0.0);
+        emission = float3(0.0, 0.0, 0.0);
     #endif
         float fromMap_value_2;
     #if defined(_SMOOTHNESS_TEXTURE_ALBEDO_CHANNEL_A)
@@ -372,11 +372,11 @@ Shader "Patina/Standard, cut out"
 
         Surface surface;
         surface.baseColor = tinted;
-        surface.metallic = maps_value;
-        surface.smoothness = fromMap;
-        surface.normal_ws = NormalTangentToWorld(bumps, geometry_normal_ws, tangent_ws, bitangent_ws);
+        surface.metallic = metallic;
+        surface.smoothness = smoothness;
+        surface.normal_ws = NormalTangentToWorld(normal_ts, geometry_normal_ws, tangent_ws, bitangent_ws);
         surface.occlusion = OcclusionStrength(cavity.y, _OcclusionStrength, 1.0);
-        surface.emission = maps_product;
+        surface.emission = emission;
         surface.alpha = fromMap_value_2 * LinearColor(_Color).w;
         surface.alphaClip = _Cutoff;
         return surface;
@@ -590,15 +590,15 @@ Shader "Patina/Standard, cut out"
                 UNITY_TRANSFER_INSTANCE_ID(v, o);
                 UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
 
-                float4 product = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0));
+                float4 position_ws = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0));
                 float3 vertex_normal_ws = UnityObjectToWorldNormal(v.normal);
                 o.uv0 = v.texcoord.xy;
                 o.uv1 = v.texcoord1.xy;
-                o.position_ws = product.xyz;
+                o.position_ws = position_ws.xyz;
                 o.vertex_normal_ws = vertex_normal_ws;
                 o.vertex_tangent_ws = float4(UnityObjectToWorldDir(v.tangent.xyz),
                     v.tangent.w * unity_WorldTransformParams.w);
-                o.ambient_or_lightmap_uv = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, product.xyz,
+                o.ambient_or_lightmap_uv = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, position_ws.xyz,
                     vertex_normal_ws);
                 o.pos = UnityObjectToClipPos(v.vertex.xyz);
                 UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);
@@ -877,15 +877,15 @@ Shader "Patina/Standard, cut out"
                 UNITY_TRANSFER_INSTANCE_ID(v, o);
                 UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
 
-                float4 product = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0));
+                float4 position_ws = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0));
                 float3 vertex_normal_ws = UnityObjectToWorldNormal(v.normal);
                 o.uv0 = v.texcoord.xy;
                 o.uv1 = v.texcoord1.xy;
-                o.position_ws = product.xyz;
+                o.position_ws = position_ws.xyz;
                 o.vertex_normal_ws = vertex_normal_ws;
                 o.vertex_tangent_ws = float4(UnityObjectToWorldDir(v.tangent.xyz),
                     v.tangent.w * unity_WorldTransformParams.w);
-                o.ambient_or_lightmap_uv = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, product.xyz,
+                o.ambient_or_lightmap_uv = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, position_ws.xyz,
                     vertex_normal_ws);
                 o.pos = UnityObjectToClipPos(v.vertex.xyz);
                 return o;

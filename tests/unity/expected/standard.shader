@@ -434,14 +434,14 @@ Shader "Patina/Standard"
                 UNITY_TRANSFER_INSTANCE_ID(v, o);
                 UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
 
-                float4 product = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0));
+                float4 position_ws = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0));
                 float3 vertex_normal_ws = UnityObjectToWorldNormal(v.normal);
                 o.uv0 = v.texcoord.xy;
-                o.position_ws = product.xyz;
+                o.position_ws = position_ws.xyz;
                 o.vertex_normal_ws = vertex_normal_ws;
                 o.vertex_tangent_ws = float4(UnityObjectToWorldDir(v.tangent.xyz),
                     v.tangent.w * unity_WorldTransformParams.w);
-                o.ambient_or_lightmap_uv = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, product.xyz,
+                o.ambient_or_lightmap_uv = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, position_ws.xyz,
                     vertex_normal_ws);
                 o.pos = UnityObjectToClipPos(v.vertex.xyz);
                 UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);
@@ -634,14 +634,14 @@ Shader "Patina/Standard"
                 UNITY_TRANSFER_INSTANCE_ID(v, o);
                 UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
 
-                float4 product = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0));
+                float4 position_ws = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0));
                 float3 vertex_normal_ws = UnityObjectToWorldNormal(v.normal);
                 o.uv0 = v.texcoord.xy;
-                o.position_ws = product.xyz;
+                o.position_ws = position_ws.xyz;
                 o.vertex_normal_ws = vertex_normal_ws;
                 o.vertex_tangent_ws = float4(UnityObjectToWorldDir(v.tangent.xyz),
                     v.tangent.w * unity_WorldTransformParams.w);
-                o.ambient_or_lightmap_uv = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, product.xyz,
+                o.ambient_or_lightmap_uv = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, position_ws.xyz,
                     vertex_normal_ws);
                 o.pos = UnityObjectToClipPos(v.vertex.xyz);
                 return o;

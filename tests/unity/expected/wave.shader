@@ -388,12 +388,12 @@ Shader "Patina/Wave"
                 UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
 
                 float3 position_os = vertex_position_os(v.vertex.xyz, v.normal);
-                float4 product = mul(unity_ObjectToWorld, float4(position_os, 1.0));
+                float4 position_ws = mul(unity_ObjectToWorld, float4(position_os, 1.0));
                 float3 normal_os = vertex_normal_os(v.vertex.xyz, v.normal);
                 float3 vertex_normal_ws = UnityObjectToWorldNormal(normal_os);
-                o.position_ws = product.xyz;
+                o.position_ws = position_ws.xyz;
                 o.vertex_normal_ws = vertex_normal_ws;
-                o.ambient_or_lightmap_uv = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, product.xyz,
+                o.ambient_or_lightmap_uv = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, position_ws.xyz,
                     vertex_normal_ws);
                 o.phase = dot(v.vertex.xy, _Drift.xy) * float(int(_Waves)) + _Time.y;
                 o.pos = UnityObjectToClipPos(position_os);
@@ -595,12 +595,12 @@ Shader "Patina/Wave"
                 UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
 
                 float3 position_os = vertex_position_os(v.vertex.xyz, v.normal);
-                float4 product = mul(unity_ObjectToWorld, float4(position_os, 1.0));
+                float4 position_ws = mul(unity_ObjectToWorld, float4(position_os, 1.0));
                 float3 normal_os = vertex_normal_os(v.vertex.xyz, v.normal);
                 float3 vertex_normal_ws = UnityObjectToWorldNormal(normal_os);
-                o.position_ws = product.xyz;
+                o.position_ws = position_ws.xyz;
                 o.vertex_normal_ws = vertex_normal_ws;
-                o.ambient_or_lightmap_uv = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, product.xyz,
+                o.ambient_or_lightmap_uv = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, position_ws.xyz,
                     vertex_normal_ws);
                 o.phase = dot(v.vertex.xy, _Drift.xy) * float(int(_Waves)) + _Time.y;
                 o.pos = UnityObjectToClipPos(position_os);
