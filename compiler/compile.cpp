@@ -95,6 +95,8 @@ void compile_graph(graph::Session& session, std::uint32_t base, const std::strin
         for (const graph::LoweredPass& pass : linked[i].lowered.passes) {
             passes.push_back(link_pass(*materials[i], linked[i], pass, true, result, options));
             check_varyings(passes.back(), session);
+            if (is_tool && !assemble::has_all(session, linked[i], passes.back())) passes.pop_back();
+            if (session.diagnostics.has_errors()) return;
         }
     }
     const graph::Lowered& own = linked.front().lowered;
@@ -124,10 +126,6 @@ Result finish(graph::Session& session, Result result) {
     return result;
 }
 
-bool is_tool(const graph::Library& library, Target target) {
-    return library.tools.contains(to_string(target));
-}
-
 void join(Result& into, Result from) {
     into.ok = into.ok && from.ok;
     const auto is_new = [&](const Diagnostic& d) {
@@ -145,31 +143,43 @@ void join(Result& into, Result from) {
     if (!into.ok) into.shaders.clear();
 }
 
-// A target that has passes of its own is compiled by itself. Where there are others, the reflection is theirs.
-Result compile_targets(const graph::Library& library, const CompileOptions& options,
-                       const std::function<Result(const CompileOptions&)>& compile) {
-    std::vector<CompileOptions> runs(1, options);
-    std::erase_if(runs[0].targets, [&](Target target) { return is_tool(library, target); });
+}  // namespace
+
+void without_switches(std::vector<std::pair<std::string, std::string>>& given, const Reflection& of_path) {
+    std::erase_if(given, [&](const auto& each) {
+        return std::any_of(of_path.switches.begin(), of_path.switches.end(),
+                           [&](const Switch& s) { return s.name == each.first; });
+    });
+}
+
+// A target that has passes of its own is compiled by itself. Where there are others, the reflection is theirs, and so
+// are the switches of passes.
+Result Compiler::Impl::compile_targets(const CompileOptions& options,
+                                       const std::function<Result(const CompileOptions&)>& compile) const {
+    CompileOptions others = options;
+    std::erase_if(others.targets, [&](Target target) { return is_tool(target); });
+    if (others.targets.size() == options.targets.size()) return compile(options);
+    std::optional<Result> result;
+    if (!others.targets.empty() || options.keep_programs) result = compile(others);
     for (const Target target : options.targets) {
-        if (!is_tool(library, target)) continue;
-        CompileOptions& own = runs.emplace_back(options);
+        if (!is_tool(target)) continue;
+        CompileOptions own = options;
         own.targets = {target};
         own.keep_programs = false;
         own.keep_variants = true;
         own.passes.clear();
-        own.switches.clear();
+        if (result) {
+            without_switches(own.switches, result->reflection);
+            join(*result, compile(own));
+        } else {
+            result = compile(own);
+        }
     }
-    if (runs.size() == 1) return compile(options);
-    if (runs[0].targets.empty() && !options.keep_programs) runs.erase(runs.begin());
-    Result result = compile(runs[0]);
-    for (std::size_t i = 1; i < runs.size(); ++i) join(result, compile(runs[i]));
-    return result;
+    return std::move(*result);
 }
 
-}  // namespace
-
 Result Compiler::compile_file(const std::string& path, const CompileOptions& options) const {
-    return compile_targets(*impl_->library, options, [&](const CompileOptions& some) {
+    return impl_->compile_targets(options, [&](const CompileOptions& some) {
         graph::Session session(*impl_->library, some);
         Result result;
         if (const std::optional<std::uint32_t> base = graph::load_source(session, path, {}))
@@ -179,7 +189,7 @@ Result Compiler::compile_file(const std::string& path, const CompileOptions& opt
 }
 
 Result Compiler::compile_text(const std::string& path, std::string text, const CompileOptions& options) const {
-    return compile_targets(*impl_->library, options, [&](const CompileOptions& some) {
+    return impl_->compile_targets(options, [&](const CompileOptions& some) {
         graph::Session session(*impl_->library, some);
         Result result;
         session.dependencies.push_back(path);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/assemble/check_reads.h"
 #include "compiler/dumps.h"
 #include "compiler/ir/passes/passes.h"
 #include "compiler/ir/verify.h"
@@ -47,6 +48,11 @@ LinkedPass link_pass(const graph::Material& material, const assemble::Linked& li
         ir::check_if_verifying(made.fragment, "linked fragment");
         dump_stage(result, options, "linked", name + ".fragment.linked", made.fragment);
         made.fragment = ir::tidy(std::move(made.fragment));
+        // What others read of functions that passes share may be what this one has not got.
+        if (linked.lowered.keeps_functions && assemble::missing_in(made.fragment)) {
+            const ir::FunctionId entry = made.fragment.stage.entry;
+            made.fragment = ir::tidy(ir::drop_members(std::move(made.fragment), std::span(&entry, 1), {}));
+        }
     }
     made.vertex = assemble::link_vertex(linked, pass, made.fragment, build);
     if (optimise) {

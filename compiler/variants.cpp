@@ -7,6 +7,7 @@
 #include <set>
 
 #include "compiler/assemble/canonical_hash.h"
+#include "compiler/impl.h"
 
 namespace patina {
 namespace {
@@ -37,32 +38,55 @@ void forget_choice(Reflection& reflection, const std::vector<VariantAxis>& axes)
     }
 }
 
+// Compiles and gathers what the results have in common.
+class Gathering {
+public:
+    Gathering(const Compiler& compiler, const std::string& path, VariantSet& set)
+        : compiler_(compiler), path_(path), set_(set) {}
+
+    // `values`: of the combination; empty: what is said holds for all. `is_first`: so it is, too.
+    Result compile(const CompileOptions& options, const VariantValues& values, bool is_first) {
+        Result result = compiler_.compile_file(path_, options);
+        for (Diagnostic& diagnostic : result.diagnostics) {
+            if (!said_.insert(to_text(diagnostic)).second) continue;
+            set_.diagnostics.push_back(std::move(diagnostic));
+            if (!values.empty() && !is_first) set_.diagnostics.back().notes.push_back(where_it_is_so(values));
+        }
+        for (const std::string& file : result.dependencies) {
+            if (read_.insert(file).second) set_.dependencies.push_back(file);
+        }
+        set_.ok = set_.ok && result.ok;
+        return result;
+    }
+
+private:
+    const Compiler& compiler_;
+    const std::string& path_;
+    VariantSet& set_;
+    std::set<std::string> said_, read_;
+};
+
 }  // namespace
 
 VariantSet Compiler::compile_variants(const std::string& path, const VariantPlan& plan, CompileOptions options,
                                       const std::function<void(std::size_t)>& progress) const {
     options.hashes = true;
     options.keep_variants = false;
-    const auto fixed = options.switches;
     VariantSet made;
     made.ok = plan.ok;
+    Gathering gathering(*this, path, made);
+    // Files that hold all combinations are written once.
+    CompileOptions whole = options;
+    std::erase_if(whole.targets, [&](Target target) { return !impl_->is_tool(target); });
+    std::erase_if(options.targets, [&](Target target) { return impl_->is_tool(target); });
+    const auto fixed = options.switches;
     std::map<std::string, std::size_t> known;
-    std::set<std::string> said, read;
-    for (std::size_t i = 0; i < plan.count; ++i) {
+    for (std::size_t i = 0; i < plan.count && !options.targets.empty(); ++i) {
         if (progress) progress(i);
         const VariantValues values = plan.combination(i);
         options.switches = fixed;
         options.switches.insert(options.switches.end(), values.begin(), values.end());
-        Result result = compile_file(path, options);
-        for (Diagnostic& diagnostic : result.diagnostics) {
-            if (!said.insert(to_text(diagnostic)).second) continue;
-            made.diagnostics.push_back(std::move(diagnostic));
-            if (!values.empty() && i > 0) made.diagnostics.back().notes.push_back(where_it_is_so(values));
-        }
-        for (const std::string& file : result.dependencies) {
-            if (read.insert(file).second) made.dependencies.push_back(file);
-        }
-        made.ok = made.ok && result.ok;
+        Result result = gathering.compile(options, values, i == 0);
         if (!result.ok) continue;
         const auto [found, is_new] = known.emplace(hash_of(result), made.programs.size());
         made.program_of.push_back(found->second);
@@ -70,6 +94,15 @@ VariantSet Compiler::compile_variants(const std::string& path, const VariantPlan
         forget_choice(result.reflection, plan.axes);
         made.programs.push_back({.hash = found->first, .result = std::move(result)});
     }
+    if (whole.targets.empty() || !made.ok) return made;
+    if (!made.programs.empty()) without_switches(whole.switches, made.programs.front().result.reflection);
+    Result file = gathering.compile(whole, {}, true);
+    if (!file.ok) return made;
+    for (VariantProgram& program : made.programs)
+        program.result.shaders.insert(program.result.shaders.end(), file.shaders.begin(), file.shaders.end());
+    if (!made.programs.empty()) return made;
+    made.program_of.assign(plan.count, 0);
+    made.programs.push_back({.hash = hash_of(file), .result = std::move(file)});
     return made;
 }
 

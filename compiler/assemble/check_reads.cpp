@@ -1,5 +1,7 @@
 #include "compiler/assemble/check_reads.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 
@@ -38,7 +40,97 @@ std::set<std::string_view> drawn_targets(const graph::Stages& stages, const std:
     return names;
 }
 
+class Search {
+public:
+    explicit Search(const ir::Module& stage) : stage_(stage), seen_(stage.functions.size()) {}
+
+    // `origin`: of the innermost node on the way.
+    std::optional<Missing> visit(ir::FunctionId function, ir::OriginId origin) {
+        if (seen_[function.index]) return {};
+        seen_[function.index] = true;
+        for (const ir::Inst& inst : stage_[function].insts) {
+            const ir::OriginId here = inst.origin ? inst.origin : origin;
+            if (inst.op == ir::Op::Global && is_missing(stage_.globals[inst.data]))
+                return Missing{stage_.globals[inst.data].name, here ? stage_.origins[here.index] : ir::Origin{}};
+            if (inst.op != ir::Op::Call) continue;
+            if (std::optional<Missing> found = visit({inst.data}, here)) return found;
+        }
+        return {};
+    }
+
+private:
+    static bool is_missing(const ir::Global& global) {
+        return !global.is_foreign() && global.set != graph::kMaterialSet && global.type.kind != ir::Kind::Sampler;
+    }
+
+    const ir::Module& stage_;
+    std::vector<bool> seen_;
+};
+
 }  // namespace
+
+std::optional<Missing> missing_in(const ir::Module& stage) {
+    return Search(stage).visit(stage.stage.entry, {});
+}
+
+namespace {
+
+// What a function or the semantics that it needs come to read.
+class Reads {
+public:
+    Reads(const Linked& linked, std::string_view global)
+        : linked_(linked), global_(global), seen_(linked.functions.size()) {}
+
+    // A place in a graph that reads the value by way of a semantic, such as `@light`.
+    ir::Origin place() {
+        const auto& semantics = linked_.lowered.semantics;
+        for (std::size_t i = 0; i < semantics.size(); ++i) {
+            seen_.assign(seen_.size(), false);
+            if (linked_.readers[i] && semantics[i].recipe && in(semantics[i].recipe))
+                return linked_.lowered.module.origins[linked_.readers[i].index];
+        }
+        return {};
+    }
+
+private:
+    bool in(ir::FunctionId function) {
+        if (!function || seen_[function.index]) return false;
+        seen_[function.index] = true;
+        for (const ir::Inst& inst : linked_.functions[function.index].insts) {
+            if (inst.op == ir::Op::Global && linked_.lowered.module.globals[inst.data].name == global_) return true;
+            if (inst.op == ir::Op::Call && in({inst.data})) return true;
+        }
+        const std::vector<ir::SemanticId>& needs = linked_.needs[function.index];
+        return std::any_of(needs.begin(), needs.end(), [&](ir::SemanticId semantic) {
+            return in(linked_.lowered.semantics[semantic.index].recipe);
+        });
+    }
+
+    const Linked& linked_;
+    std::string_view global_;
+    std::vector<bool> seen_;
+};
+
+}  // namespace
+
+bool has_all(graph::Session& session, const Linked& linked, const LinkedPass& pass) {
+    for (const ir::Module* stage : {&pass.vertex, &pass.fragment}) {
+        std::optional<Missing> missing = missing_in(*stage);
+        if (!missing) continue;
+        const Span graph = pass.material->graph->graph->span;
+        if (!missing->where.span.end) missing->where = Reads(linked, missing->name).place();
+        const bool is_at_node = missing->where.span.begin != missing->where.span.end;
+        session.diagnostics
+            .report(pass.pass->declaration->is_optional ? Code::PassLeftOut : Code::PassRefused,
+                    is_at_node ? missing->where.span : Span{graph.begin, graph.begin + 1}, pass.pass->name,
+                    fmt::format("its {} reads '{}', and '{}' has nothing like it there",
+                                stage == &pass.vertex ? "vertex stage" : "fragment stage", missing->name,
+                                to_string(session.options.targets[0])))
+            .at(missing->where.id);
+        return false;
+    }
+    return true;
+}
 
 void check_reads(graph::Session& session, const graph::Lowered& lowered, std::span<const LinkedPass> passes) {
     if (!session.pass_file || graph::tool_of(session) || lowered.path != session.path) return;

@@ -291,17 +291,31 @@ void drop_unread_members(graph::Lowered& lowered) {
     lowered.module = ir::drop_members(std::move(lowered.module), entries, called);
 }
 
+std::vector<ir::OriginId> readers_of(const ir::Module& module) {
+    std::vector<ir::OriginId> readers(module.semantics.size());
+    for (const ir::Function& function : module.functions) {
+        for (const ir::Inst& inst : function.insts) {
+            if (inst.op == Op::Semantic && inst.origin && !readers[inst.data]) readers[inst.data] = inst.origin;
+        }
+    }
+    return readers;
+}
+
 }  // namespace
 
 Linked link(graph::Lowered lowered) {
     if (lowered.keeps_functions) drop_unread_members(lowered);
+    std::vector<ir::OriginId> readers = readers_of(lowered.module);
     std::vector<ir::Function> functions = std::move(lowered.module.functions);
     lowered.module.functions.clear();
     const std::vector<std::vector<SemanticId>> needs = all_needs(lowered, functions);
     for (std::uint32_t i = 0; i < functions.size(); ++i) {
         thread_function(lowered.module, functions[i], needs[i], needs);
     }
-    return {.lowered = std::move(lowered), .functions = std::move(functions), .needs = needs};
+    return {.lowered = std::move(lowered),
+            .functions = std::move(functions),
+            .needs = needs,
+            .readers = std::move(readers)};
 }
 
 namespace {

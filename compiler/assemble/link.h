@@ -15,6 +15,7 @@ struct Linked {
     graph::Lowered lowered;               // its module has no functions any more: each stage copies those that it calls
     std::vector<ir::Function> functions;  // every `semantic` is a parameter now, handed down from the entry
     std::vector<std::vector<ir::SemanticId>> needs;  // by function: its last parameters
+    std::vector<ir::OriginId> readers;               // by semantic: a place in a graph that reads it; may be none
 };
 Linked link(graph::Lowered lowered);
 

@@ -52,8 +52,8 @@ std::string not_for_unity(const Arguments& arguments) {
     if (arguments.targets.size() > 1) return {};
     if (arguments.validate)
         return "nothing here proves ShaderLab, only Unity does; --validate is for glsl, hlsl and spirv";
-    const bool is_plain = arguments.path.path == PathOptions{}.path && arguments.path.defines.empty();
-    return is_plain ? "" : "Unity's files have passes of their own: --path and -D are for glsl, hlsl and spirv";
+    const bool is_plain = arguments.path.path == PathOptions{}.path;
+    return is_plain ? "" : "Unity's files have passes of their own: --path is for glsl, hlsl and spirv";
 }
 
 std::string as_bytes(const std::vector<std::uint32_t>& words) {

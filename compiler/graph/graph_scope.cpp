@@ -410,9 +410,19 @@ Typed GraphScope::value_as(const Expr& expr, Type type, std::string_view what) {
     return lowering_.emitter.expression_as(expr, type, scope_, what);
 }
 
+// What belongs to no node is the port's.
 Typed GraphScope::value_as(const PortValue& port, Type type, std::string_view what) {
     if (!port.value) return {};
-    return value_as(*port.value, type, what);
+    ir::Module& module = lowering_.out.module;
+    ir::Builder& b = *scope_.builder;
+    const ir::OriginId outer = b.origin();
+    if (!outer) {
+        module.origins.push_back({.span = port.value_span});
+        b.set_origin({static_cast<std::uint32_t>(module.origins.size() - 1)});
+    }
+    const Typed value = value_as(*port.value, type, what);
+    b.set_origin(outer);
+    return value;
 }
 
 // --- Environment

@@ -105,6 +105,8 @@ void lower_vertex_outputs(Lowering& lowering) {
         scope.emit_nodes(graph.reachable(std::span(&port, 1)));
         function.result = module.semantics[semantic->second].type;
         lowering.session.diagnostics.set_context("vertex", port.name);
+        module.origins.push_back({.span = port.value_span});
+        builder.set_origin({static_cast<std::uint32_t>(module.origins.size() - 1)});
         Typed value = scope.value(*port.value);
         // A tangent may be given without its handedness, which then stays the mesh's.
         if (value.ok() && value.type == ir::kFloat3 && function.result == ir::kFloat4) {
@@ -127,7 +129,7 @@ void lower_vertex_outputs(Lowering& lowering) {
 // The switches as the caller wants them.
 void declare_switches(Lowering& lowering) {
     Session& session = lowering.session;
-    const bool has_passes = session.options.functions.empty();
+    const bool has_passes = session.options.functions.empty() && !tool_of(session);
     std::vector<std::string_view> known;
     for (const SwitchDecl& each : session.stages->switches) {
         known.push_back(each.variable->name);
@@ -143,7 +145,8 @@ void declare_switches(Lowering& lowering) {
             session.diagnostics
                 .report(Code::UnknownWord, {}, name,
                         has_passes ? "a switch of a pass or a keyword of the graph" : "a keyword of the graph")
-                .note(is_switch       ? "it is a part of the rendering paths, and functions are of none"
+                .note(is_switch       ? fmt::format("it is a part of the rendering paths, and {} of none",
+                                              tool_of(session) ? "this target's file is" : "functions are")
                       : words.empty() ? "it has none"
                                       : Diagnostics::suggestion(name, words));
         } else if (!value.empty() && value != "true" && value != "false") {

@@ -66,8 +66,6 @@ ir::FunctionId lower_lighting(Lowering& lowering, const FunctionDecl& slot, cons
     scope.emit_nodes(lighting.reachable(std::span(&output, 1)));
     lowering.session.diagnostics.set_context(lowering.material.lighting_name, output.name);
     function.result = lowering.emitter.type(slot.result, scope.scope());
-    module.origins.push_back({.label = {}, .id = {}, .span = output.value_span});
-    builder.set_origin({static_cast<std::uint32_t>(module.origins.size() - 1)});
     const Typed value = scope.value_as(output, function.result, fmt::format("the output '{}'", output.name));
     lowering.session.diagnostics.set_context({}, {});
     if (!value.ok()) return {};

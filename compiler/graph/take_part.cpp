@@ -117,16 +117,7 @@ private:
                                                  place.at_vertex ? "vertex" : "fragment");
     }
 
-    // Where a tool draws, there is only what its includes declare and what the material has.
-    void global_of_tool(const ir::Global& global, const Place& place) {
-        if (global.is_foreign() || global.set == kMaterialSet || global.type.kind == ir::Kind::Sampler) return;
-        const std::string_view tool = to_string(lowering_.session.options.targets[0]);
-        refuse(place, fmt::format("it reads '{}', and there is nothing like it for '{}'", global.name, tool));
-        refusal_.is_news = declaration_.is_optional;
-    }
-
     void global(ir::GlobalId id, const Place& place) {
-        if (tool_of(lowering_.session)) return global_of_tool(module_.globals[id.index], place);
         if (draws_objects() || !is_graph(place) || !lowering_.per_object.contains(id.index)) return;
         refuse(place, fmt::format("{} reads '{}' of the object, which it cannot give", said(place),
                                   module_.globals[id.index].name));

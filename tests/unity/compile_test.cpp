@@ -49,8 +49,8 @@ const std::map<std::string, std::vector<Keywords>>& variants() {
 
 std::vector<std::string> examples() {
     std::vector<std::string> files;
-    for (const char* folder :
-         {"examples/graphs", "examples/sources", "tests/unity/graphs", "tests/graphs", "tests/snapshots"}) {
+    for (const char* folder : {"examples/graphs", "examples/sources", "examples/surfaces", "tests/unity/graphs",
+                               "tests/graphs", "tests/snapshots"}) {
         for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
             const std::string path = entry.path().string();
             const bool is_refused = path.find("reserved-names") != path.npos;  // names_test.cpp

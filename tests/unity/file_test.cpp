@@ -221,6 +221,29 @@ TEST(UnitySeam, IsRefusedWhereUnityHasNothingLikeIt) {
     EXPECT_TRUE(at_vertices.shaders.empty());
 }
 
+// A switch of other passes is none of this file; beside GLSL it is GLSL's.
+TEST(UnitySwitches, ArePropertiesAlone) {
+    const std::string graph = material(R"("properties": [ { "name": "_WORN", "type": "bool", "as": "variant" } ],
+      "surface": { "metallic": "= $_WORN ? 1 : 0" })");
+    CompileOptions options;
+    options.targets = {Target::Unity};
+    options.switches = {{"_WORN", "true"}};
+    const Result worn = compiler().compile_text("t.graph.json", graph, options);
+    ASSERT_TRUE(worn.ok);
+    EXPECT_FALSE(has(worn.shaders.front().text, "_WORN"));
+    EXPECT_TRUE(has(worn.shaders.front().text, "surface.metallic = 1.0;")) << worn.shaders.front().text;
+
+    options.switches.emplace_back("shadows", "");
+    const Result refused = compiler().compile_text("t.graph.json", graph, options);
+    EXPECT_EQ(first_error(refused).code, "unknown-word");
+    EXPECT_EQ(first_error(refused).message, "'shadows' is not a keyword of the graph");
+
+    options.targets = {Target::Glsl, Target::Unity};
+    const Result both = compiler().compile_text("t.graph.json", graph, options);
+    ASSERT_TRUE(both.ok);
+    EXPECT_EQ(both.shaders.back().text, worn.shaders.front().text);
+}
+
 TEST(UnityFunctions, AreRefused) {
     CompileOptions options;
     options.targets = {Target::Unity};

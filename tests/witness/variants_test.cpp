@@ -210,6 +210,33 @@ TEST(Variants, ThatAreFixedDoNotMultiply) {
     EXPECT_EQ(compiler().compile_variants("sixteen.graph.json", plan, options).programs.size(), 1u);
 }
 
+// A file of Unity's holds all combinations of what is not fixed, and stands beside each program of the others.
+TEST(Variants, OfUnityAreInOneFile) {
+    CompileOptions options = options_for(kSixteen);
+    options.switches = {{"_A", "true"}, {"shadows", ""}};
+    options.targets = {Target::Glsl, Target::Unity};
+    const VariantPlan plan =
+        compiler().plan_variants("sixteen.graph.json", VariantsWanted::All, options, kVariantLimit);
+    const VariantSet both = compiler().compile_variants("sixteen.graph.json", plan, options);
+    ASSERT_TRUE(both.ok);
+    EXPECT_EQ(both.programs.size(), 2u);
+    std::set<std::string> files;
+    for (const VariantProgram& program : both.programs) {
+        ASSERT_EQ(program.result.shaders.back().target, Target::Unity);
+        files.insert(program.result.shaders.back().text);
+    }
+    ASSERT_EQ(files.size(), 1u);
+    EXPECT_EQ(files.begin()->find("(_A)"), std::string::npos) << *files.begin();
+    EXPECT_NE(files.begin()->find("#pragma shader_feature_local _B\n"), std::string::npos) << *files.begin();
+
+    options.targets = {Target::Unity};
+    options.switches = {{"_A", "true"}};
+    const VariantSet alone = compiler().compile_variants("sixteen.graph.json", plan, options);
+    ASSERT_EQ(alone.programs.size(), 1u);
+    EXPECT_EQ(alone.program_of, std::vector<std::size_t>(8, 0));
+    EXPECT_EQ(alone.programs[0].result.shaders.front().text, *files.begin());
+}
+
 TEST(Variants, ThatAreFixedLeaveOutWhatIsListedOtherwise) {
     CompileOptions options = options_for(kSixteen);
     options.switches = {{"_A", "false"}};

@@ -81,7 +81,7 @@ using Loader = std::function<std::optional<std::string>(const std::string& path)
 
 struct CompileOptions {
     std::vector<Target> targets = {Target::Glsl, Target::Hlsl};
-    // (Unity's files have passes of their own: for them `path` and `passes` do not count.)
+    // (Unity's files have passes of their own: for them `path`, `passes` and the passes' switches do not count.)
     // A rendering path of the library, or a file that holds one: "deferred", "./mine.pass.hlsl". A material that the
     // path cannot take is compiled for the path's fallback, with a warning; the reflection says for which.
     std::string path = "forward";
