@@ -167,18 +167,26 @@ bool is_of_pipeline(const Module& module, const Function& function, Value v, int
                        [&](Value arg) { return is_of_pipeline(module, function, arg, depth + 1); });
 }
 bool chooses_vector_of_pipeline(const Module& module, const Function& function, Value v) {
-    return !module.keywords.empty() && function[v].op == Op::Select && function[v].type.is_vector() &&
-           is_of_pipeline(module, function, v);
+    return !module.keywords.empty() && !module.tests_keywords && function[v].op == Op::Select &&
+           function[v].type.is_vector() && is_of_pipeline(module, function, v);
 }
 Value component(Builder& b, Value vector, std::uint32_t index) {
     const std::span<const double> numbers = b.constant_of(vector);
     const Type type = b.type(vector).with_width(1);
     return numbers.empty() ? b.extract(vector, index) : b.constant(type, {numbers[index]});
 }
+bool repeats(std::span<const double> numbers) {
+    return !numbers.empty() && std::all_of(numbers.begin(), numbers.end(), [&](double n) { return n == numbers[0]; });
+}
 Value choose_components(Copy& copy, Value v) {
     Builder& b = copy.to;
     const Type type = copy.from[v].type;
     const Value condition = operand(copy, v, 0), yes = operand(copy, v, 1), no = operand(copy, v, 2);
+    if (b.type(condition).is_scalar() && repeats(b.constant_of(yes)) && repeats(b.constant_of(no))) {
+        const Value chosen =
+            b.emit(Op::Select, type.with_width(1), {condition, component(b, yes, 0), component(b, no, 0)});
+        return b.splat(chosen, type.width());
+    }
     std::vector<Value> parts;
     for (std::uint32_t i = 0; i < type.width(); ++i) {
         const Value chosen = b.type(condition).is_scalar() ? condition : component(b, condition, i);

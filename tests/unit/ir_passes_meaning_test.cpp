@@ -18,6 +18,12 @@ namespace {
 class RandomModule {
 public:
     explicit RandomModule(unsigned seed) : random_(seed) {
+        for (std::uint32_t k = 0; k < kKeywords; k++) {
+            const std::string name = "_K" + std::to_string(k);
+            module.keywords.push_back({.value = static_cast<double>(seed >> k & 1)});
+            module.globals.push_back({.name = name, .type = kBool});
+            module.globals.back().keyword = k;
+        }
         for (std::uint32_t k = 0; k < 4; k++) {
             module.structs.push_back({"Triple", {{"a", kFloat}, {"b", kFloat}, {"c", kFloat}}});
             const bool returns_struct = k < 3 && pick(2) == 0;
@@ -48,13 +54,15 @@ private:
 
     void statements(Builder& b, int n, int depth) {
         for (int k = 0; k < n; k++) {
-            const std::uint32_t kind = pick(10);
+            const std::uint32_t kind = pick(12);
             if (kind == 0 && depth < 3) {
                 branch(b, depth);
             } else if (kind == 1 && depth < 3) {
                 loop(b, depth);
             } else if (kind == 2 && !callable_.empty()) {
                 call(b);
+            } else if (kind == 4 || kind == 5) {
+                visible_.push_back(chosen_by_keyword(b));
             } else if (kind == 3) {
                 static constexpr double kNumbers[] = {0, 1, -1, 0.5, 2, 3};
                 visible_.push_back(b.constant(kFloat, {kNumbers[pick(6)]}));
@@ -62,6 +70,17 @@ private:
                 arithmetic(b);
             }
         }
+    }
+
+    Value keyword(Builder& b) {
+        const Value k = b.emit(Op::Global, kBool, {}, pick(kKeywords));
+        return pick(3) == 0 ? b.emit(Op::Not, {k}) : k;
+    }
+    Value chosen_by_keyword(Builder& b) {
+        Value condition = keyword(b);
+        if (pick(4) == 0) condition = b.emit(pick(2) == 0 ? Op::And : Op::Or, {condition, keyword(b)});
+        const Value x = any(), y = any();
+        return b.emit(Op::Select, kFloat, {condition, x, y});
     }
 
     void arithmetic(Builder& b) {
@@ -132,6 +151,7 @@ private:
         visible_.push_back(b.extract(made, pick(3)));
     }
 
+    static constexpr std::uint32_t kKeywords = 3;
     std::mt19937 random_;
     std::vector<FunctionId> callable_;
     std::vector<Value> visible_;
@@ -168,6 +188,7 @@ constexpr NamedPass kPasses[] = {{"prune", prune},
                                  {"inline_calls", inline_calls},
                                  {"schedule", schedule},
                                  {"drop_members", drop_members_of_entry},
+                                 {"branch_on_keywords", branch_on_keywords},
                                  {"tidy", tidy}};
 
 TEST(Passes, KeepTheMeaningOfRandomModules) {

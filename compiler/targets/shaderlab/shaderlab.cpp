@@ -300,14 +300,15 @@ std::string keyword_of(std::string_view property, std::string_view value) {
 }
 
 std::optional<Module> legalize(const Module& module) {
-    std::optional<Module> legal = hlsl::legalize(module);
-    Module made = decode_at_once(legal ? std::move(*legal) : module);
+    Module made = module;
+    made.tests_keywords = !module.keywords.empty();
+    if (std::optional<Module> legal = hlsl::legalize(made)) made = std::move(*legal);
+    made = decode_at_once(std::move(made));
     for (Function& function : made.functions) {
         if (function.linkage != Linkage::Foreign) function.name = synonym(function.name);
     }
     if (made.keywords.empty()) return made;
     made = branch_on_keywords(std::move(made));
-    made.tests_keywords = true;
     // A keyword that is on is a macro: no constant can have its name.
     for (Global& global : made.globals) {
         if (global.is_keyword())

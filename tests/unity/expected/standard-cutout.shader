@@ -302,10 +302,20 @@ Shader "Patina/Standard, cut out"
         float3 tinted = main_.xyz * LinearColor(_Color).xyz;
 
         // SampleTexture2D "maps/mask"
-        float4 mask = UNITY_SAMPLE_TEX2D(_DetailMask, uv);
+        float4 mask;
+    #if defined(_DETAIL_MULX2)
+        mask = UNITY_SAMPLE_TEX2D(_DetailMask, uv);
+    #else
+        mask = float4(0.0, 0.0, 0.0, 0.0);
+    #endif
 
         // SampleTexture2D "maps/metallicGloss"
-        float4 metallicGloss = UNITY_SAMPLE_TEX2D(_MetallicGlossMap, uv);
+        float4 metallicGloss;
+    #if defined(_METALLICGLOSSMAP) || defined(_SMOOTHNESS_TEXTURE_ALBEDO_CHANNEL_A)
+        metallicGloss = UNITY_SAMPLE_TEX2D(_MetallicGlossMap, uv);
+    #else
+        metallicGloss = float4(0.0, 0.0, 0.0, 0.0);
+    #endif
 
         // SampleTexture2D "maps/cavity"
         float4 cavity = UNITY_SAMPLE_TEX2D(_OcclusionMap, uv);
