@@ -161,6 +161,18 @@ TEST(UnityDeferred, MakesRoomForPassesThatAreAdded) {
     EXPECT_TRUE(has(result.shaders.front().text, "Name \"outline\""));
 }
 
+// What is known to be kept is not asked for: alpha is 1 and alphaClip 0.5 unless the material says something else.
+TEST(UnityCutout, AsksForNoAlphaThatIsKnown) {
+    const auto discards = [](const std::string& surface) {
+        const std::string text = shader(material(surface + R"("render": { "surface": "cutout" })"));
+        const std::size_t begin = text.find("Name \"ShadowCaster\"");
+        return has(text.substr(begin, text.find("Name \"DEFERRED\"") - begin), "discard;");
+    };
+    EXPECT_FALSE(discards(""));
+    EXPECT_TRUE(discards(R"("surface": { "alpha": "@uv0.x" }, )"));
+    EXPECT_TRUE(discards(R"("surface": { "alpha": 0.2 }, )"));
+}
+
 // A pass that could add nothing is not there, and no light would look different in the deferred path.
 TEST(UnityUnlit, HasNoPassForLights) {
     const Result result = of_text(R"({ "patina": 1, "workflow": "unlit", "surface": { "color": "#ff8000" } })");

@@ -120,6 +120,14 @@ TEST(UnityNames, OfPropertiesAreKept) {
     }
 }
 
+// What an entry function takes is its own: another function may have a parameter of that name.
+TEST(UnityNames, OfParametersAreFreeInOtherFunctions) {
+    const std::string text =
+        shader(material(R"("surface": { "normal_os": "@normal_os" }, "render": { "cull": "off" })"));
+    EXPECT_TRUE(has(text, "half4 frag(v2f i, bool front_facing : SV_IsFrontFace)")) << text;
+    EXPECT_TRUE(has(text, "Surface get_surface(float3 normal_os, bool front_facing)")) << text;
+}
+
 // One that an include declares for materials is read from there.
 TEST(UnityNames, OfMaterialsInTheIncludesAreNotDeclaredAgain) {
     const std::string properties =

@@ -577,10 +577,16 @@ Shader "Patina/passes"
             #pragma vertex vert
             #pragma fragment frag
 
-            struct PremultiplyAlphaResult
+            struct LightingSurface_lacquer
             {
-                float3 value;
-                float out_alpha;
+                float3 diffuseColor;
+                float3 f0;
+                float oneMinusReflectivity;
+                float roughness;
+                float3 normal_ws;
+                float occlusion;
+                float3 emission;
+                float alpha;
             };
 
             struct Surface_lacquer
@@ -592,6 +598,12 @@ Shader "Patina/passes"
                 float occlusion;
                 float3 emission;
                 float alpha;
+            };
+
+            struct PremultiplyAlphaResult
+            {
+                float3 value;
+                float out_alpha;
             };
 
             struct v2f
@@ -607,7 +619,8 @@ Shader "Patina/passes"
                 UNITY_VERTEX_OUTPUT_STEREO
             };
 
-            Surface_lacquer surface(float2 uv0, float3 geometry_normal_ws)
+            // What the graph says of the surface.
+            Surface_lacquer get_surface_lacquer(float2 uv0, float3 geometry_normal_ws)
             {
                 float3 value;
             #if defined(_WET_ON)
@@ -629,6 +642,26 @@ Shader "Patina/passes"
                 return surface_lacquer;
             }
 
+            // The surface that the material and its workflow make of this point.
+            LightingSurface_lacquer lighting_surface_lacquer(float2 uv0, float3 geometry_normal_ws)
+            {
+                Surface_lacquer material = get_surface_lacquer(uv0, geometry_normal_ws);
+
+                // MetallicSetup "setup"
+                MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
+
+                LightingSurface_lacquer lsl;
+                lsl.diffuseColor = setup.diffuse_color;
+                lsl.f0 = setup.f0;
+                lsl.oneMinusReflectivity = setup.one_minus_reflectivity;
+                lsl.roughness = material.roughness;
+                lsl.normal_ws = normalize(material.normal_ws);
+                lsl.occlusion = material.occlusion;
+                lsl.emission = material.emission;
+                lsl.alpha = material.alpha;
+                return lsl;
+            }
+
             // A diffuse colour for blending with pre-multiplied alpha: what is mirrored stays as the material fades.
             PremultiplyAlphaResult PremultiplyAlpha(float3 diffuse_color, float alpha, float one_minus_reflectivity)
             {
@@ -636,6 +669,82 @@ Shader "Patina/passes"
                 premultiply_alpha_result.value = diffuse_color * alpha;
                 premultiply_alpha_result.out_alpha = 1.0 - one_minus_reflectivity + alpha * one_minus_reflectivity;
                 return premultiply_alpha_result;
+            }
+
+            // What one light adds, as the lighting graph says.
+            float3 direct_lacquer(LightingSurface_lacquer surface, Light light, float3 view_dir_ws)
+            {
+                // NdotL "ndotl"
+                float cosine = dot(surface.normal_ws, light.direction);
+                float ndotl = saturate(cosine);
+
+                // NdotV "ndotv"
+                float cosine_2 = dot(surface.normal_ws, view_dir_ws);
+                float ndotv = saturate(abs(cosine_2));
+
+                // HalfVector "half_vector"
+                float3 half_vector = HalfVector(view_dir_ws, light.direction);
+
+                // NdotH "ndoth"
+                float ndoth = saturate(dot(surface.normal_ws, half_vector));
+
+                // LdotH "ldoth"
+                float ldoth = saturate(dot(light.direction, half_vector));
+
+                // DisneyDiffuse "diffuse"
+                float diffuse = DisneyDiffuseTerm(ndotv, ndotl, ldoth, surface.roughness);
+
+                // AlphaFromRoughness "alpha"
+                float alpha = max(surface.roughness * surface.roughness, 0.002);
+
+                // VisibilitySmithJointApproximate "visibility"
+                float visibility = VisibilitySmithJointApproximate(ndotl, ndotv, alpha, 1e-05);
+
+                // DistributionGGXUnity "distribution"
+                float distribution = DistributionGGXUnity(ndoth, alpha);
+
+                // FresnelSchlick "fresnel"
+                float3 fresnel = FresnelSchlick(surface.f0, ldoth, 1.0);
+
+                float has_specular = any(surface.f0 > 0.0) ? 1.0 : 0.0;
+
+                float3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * has_specular * fresnel;
+
+                float3 radiance = light.color * (light.attenuation * light.shadow);
+                return (surface.diffuseColor * (diffuse * ndotl) + specular) * radiance;
+            }
+
+            // What all light adds that comes from no single light, as the lighting graph says.
+            float3 indirect_lacquer(LightingSurface_lacquer surface, float3 view_dir_ws, float3 position_ws,
+                float attenuation, float4 ambient_or_lightmap_uv, bool reads_probes)
+            {
+                // NdotV "ndotv"
+                float cosine = dot(surface.normal_ws, view_dir_ws);
+                float ndotv = saturate(abs(cosine));
+
+                // AlphaFromRoughness "alpha"
+                float alpha = max(surface.roughness * surface.roughness, 0.002);
+
+                // AmbientIrradiance "ambient"
+                float3 ambient = AmbientLight(surface.normal_ws, position_ws, attenuation, ambient_or_lightmap_uv);
+
+                float3 reflected = reflect(-view_dir_ws, surface.normal_ws);
+
+                // EnvironmentRadiance "environment"
+                float3 environment = ReflectedLight(reflected, surface.roughness, position_ws, reads_probes);
+
+                // SurfaceReduction "reduction"
+                float reduction = 1.0 / (alpha * alpha + 1.0);
+
+                // GrazingTerm "grazing"
+                float smoothness = 1.0 - surface.roughness;
+                float grazing = saturate(smoothness + 1.0 - surface.oneMinusReflectivity);
+
+                // FresnelLerp "reflectance"
+                float3 reflectance = lerp(surface.f0, grazing.xxx, SchlickWeight(ndotv));
+
+                float3 sum = surface.diffuseColor * ambient + reduction * reflectance * environment;
+                return sum * surface.occlusion;
             }
 
             v2f vert(appdata_full v)
@@ -669,80 +778,24 @@ Shader "Patina/passes"
                 float3 view_dir_ws = normalize(to_viewer);
                 float3 geometry_normal_ws = normalize(i.vertex_normal_ws);
                 UNITY_LIGHT_ATTENUATION(attenuation, i, i.position_ws)
-                Surface_lacquer material = surface(i.uv0, geometry_normal_ws);
-
-                // MetallicSetup "setup"
-                MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
-
-                float3 normal_ws = normalize(material.normal_ws);
-                PremultiplyAlphaResult premultiply_alpha_result = PremultiplyAlpha(setup.diffuse_color, material.alpha,
-                    setup.one_minus_reflectivity);
-                float3 color = LinearColor(_LightColor0.rgb);
-                float shadow_2 = MixedShadow(i.position_ws, attenuation, i.ambient_or_lightmap_uv);
-
-                // NdotL "ndotl"
-                float cosine = dot(normal_ws, _WorldSpaceLightPos0.xyz);
-                float ndotl = saturate(cosine);
-
-                // NdotV "ndotv"
-                float cosine_2 = dot(normal_ws, view_dir_ws);
-                float ndotv = saturate(abs(cosine_2));
-
-                // HalfVector "half_vector"
-                float3 half_vector = HalfVector(view_dir_ws, _WorldSpaceLightPos0.xyz);
-
-                // NdotH "ndoth"
-                float ndoth = saturate(dot(normal_ws, half_vector));
-
-                // LdotH "ldoth"
-                float ldoth = saturate(dot(_WorldSpaceLightPos0.xyz, half_vector));
-
-                // DisneyDiffuse "diffuse"
-                float diffuse = DisneyDiffuseTerm(ndotv, ndotl, ldoth, material.roughness);
-
-                // AlphaFromRoughness "alpha"
-                float alpha = max(material.roughness * material.roughness, 0.002);
-
-                // VisibilitySmithJointApproximate "visibility"
-                float visibility = VisibilitySmithJointApproximate(ndotl, ndotv, alpha, 1e-05);
-
-                // DistributionGGXUnity "distribution"
-                float distribution = DistributionGGXUnity(ndoth, alpha);
-
-                // FresnelSchlick "fresnel"
-                float3 fresnel = FresnelSchlick(setup.f0, ldoth, 1.0);
-
-                float has_specular = any(setup.f0 > 0.0) ? 1.0 : 0.0;
-
-                float3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * has_specular * fresnel;
-
-                float3 radiance = color * shadow_2;
-                float3 from_light = (premultiply_alpha_result.value * (diffuse * ndotl) + specular) * radiance;
-
-                // AmbientIrradiance "ambient"
-                float3 ambient = AmbientLight(normal_ws, i.position_ws, attenuation, i.ambient_or_lightmap_uv);
-
-                float3 reflected = reflect(-view_dir_ws, normal_ws);
-
-                // EnvironmentRadiance "environment"
-                float3 environment = ReflectedLight(reflected, material.roughness, i.position_ws, true);
-
-                // SurfaceReduction "reduction"
-                float reduction = 1.0 / (alpha * alpha + 1.0);
-
-                // GrazingTerm "grazing"
-                float smoothness = 1.0 - material.roughness;
-                float grazing = saturate(smoothness + 1.0 - setup.one_minus_reflectivity);
-
-                // FresnelLerp "reflectance"
-                float3 reflectance = lerp(setup.f0, grazing.xxx, SchlickWeight(ndotv));
-
-                float3 from_around = (premultiply_alpha_result.value * ambient + reduction * reflectance * environment) * material.occlusion;
+                LightingSurface_lacquer surface = lighting_surface_lacquer(i.uv0, geometry_normal_ws);
+                PremultiplyAlphaResult premultiply_alpha_result = PremultiplyAlpha(surface.diffuseColor, surface.alpha,
+                    surface.oneMinusReflectivity);
+                surface.diffuseColor = premultiply_alpha_result.value;
+                surface.alpha = premultiply_alpha_result.out_alpha;
+                Light light;
+                light.direction = _WorldSpaceLightPos0.xyz;
+                light.color = LinearColor(_LightColor0.rgb);
+                light.attenuation = 1.0;
+                light.shadow = MixedShadow(i.position_ws, attenuation, i.ambient_or_lightmap_uv);
+                float3 from_light = direct_lacquer(surface, light, view_dir_ws);
+                float3 from_around = indirect_lacquer(surface, view_dir_ws, i.position_ws, attenuation,
+                    i.ambient_or_lightmap_uv, true);
                 float4 fog = float4(unity_FogColor.xyz * premultiply_alpha_result.out_alpha, 0.0);
-                float4 color_2 = float4(ProjectColor(from_light + from_around + material.emission),
+                float4 color = float4(ProjectColor(from_light + from_around + surface.emission),
                     premultiply_alpha_result.out_alpha);
-                UNITY_APPLY_FOG_COLOR(i.fogCoord, color_2, fog);
-                return color_2;
+                UNITY_APPLY_FOG_COLOR(i.fogCoord, color, fog);
+                return color;
             }
             ENDCG
         }
@@ -770,7 +823,7 @@ Shader "Patina/passes"
                 UNITY_VERTEX_OUTPUT_STEREO
             };
 
-            float3 surface_rim(float2 uv0)
+            float3 get_surface_rim(float2 uv0)
             {
                 // SampleTexture2D "albedo"
                 float4 albedo = LinearColor(UNITY_SAMPLE_TEX2D(_MainTex, uv0));
@@ -797,7 +850,7 @@ Shader "Patina/passes"
                 UNITY_SETUP_INSTANCE_ID(i);
                 UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);
 
-                float3 material = surface_rim(i.uv0);
+                float3 material = get_surface_rim(i.uv0);
                 float4 color = float4(ProjectColor(material), 1.0);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, color, float4(0.0, 0.0, 0.0, 0.0));
                 return color;
