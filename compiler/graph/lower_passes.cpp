@@ -237,7 +237,9 @@ private:
 
     Refusal lower_pass(const PassDecl& pass) {
         if (!pass.vertex || !pass.fragment) return {};  // reported when its file was read
-        if (!has_blend(pass)) return {.reason = fmt::format("it does not draw '{}' surfaces", surface())};
+        if (!has_blend(pass))
+            return {.reason = fmt::format("it does not draw '{}' surfaces", surface()),
+                    .is_vain = vain_part(pass).has_value()};
         if (const Refusal refusal = refusal_of_stencil(pass)) return refusal;
         if (const Refusal refusal = refusal_of_depth(pass)) return refusal;
         const std::string_view model = lowering_.material.lighting_name;

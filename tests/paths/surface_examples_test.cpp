@@ -88,7 +88,7 @@ TEST(SurfaceExamples, ABallOfDyeReachesWhatLiesInIt) {
     shown("examples/surfaces/dye.graph.json", 0, kRadius, disc);
     shown(changed("dye", R"("depthTest": "greater",)", ""), 0, 0, 0);
     // As far as the near side is hidden, and nothing else.
-    shown(changed("dye", R"("depthFail": "incrementWrap", )", ""), kRadius, 0, 0);
+    shown(changed("dye", R"(, "depthFail": "incrementWrap")", ""), kRadius, 0, 0);
     // The patch's own number is taken for a count.
     shown(changed("dye", R"("readMask": 15, )", ""), kRadius, kRadius, disc);
 }

@@ -185,6 +185,12 @@ TEST(UnityUnlit, HasNoPassForLights) {
     EXPECT_FALSE(file.pass("ForwardAdd"));
     EXPECT_FALSE(has(text, "AutoLight.cginc"));
     EXPECT_FALSE(has(text, "multi_compile_fwdbase"));
+    for (const std::string kind : {"additive", "multiply", "fade"}) {
+        const Result blended = of_text(R"({ "patina": 1, "workflow": "unlit", "surface": { "color": 0.5 },
+            "render": { "surface": ")" +
+                                       kind + "\" } }");
+        EXPECT_TRUE(blended.diagnostics.empty()) << to_text(blended.diagnostics.front());
+    }
 }
 
 // What a material reads of the picture makes it wait for it, and keeps it out of the G-buffer.
