@@ -103,12 +103,15 @@ void compile_graph(graph::Session& session, std::uint32_t base, const std::strin
     assemble::check_reads(session, own, passes);
     if (session.diagnostics.has_errors()) return;
 
+    if (is_tool) assemble::order_passes(passes);
     result.reflection = assemble::reflect(material, own, passes);
     for (std::size_t i = 0; options.hashes && i < passes.size(); ++i)
         result.reflection.passes[i].hash = assemble::hash_pass(passes[i].vertex, passes[i].fragment).text();
     if (is_tool) {
         assemble::check_shader_properties(material, own, session.diagnostics);
+        assemble::check_keywords(material, result.reflection, session.diagnostics);
         assemble::check_samplers(material, result.reflection, session.diagnostics);
+        assemble::check_queues(material, passes, result.reflection, session.diagnostics);
         return print_file(session, material, own, passes, name, result);
     }
     for (const LinkedPass& pass : passes) print_pass(session, pass, name, result);

@@ -133,6 +133,7 @@ NodeInfo describe_node(const nodelang::FunctionDecl& function, const EvaluationC
 std::vector<SemanticInfo> describe_semantics(const graph::Library& library) {
     std::vector<SemanticInfo> all;
     for (const graph::SemanticDecl& semantic : library.stages.semantics) {
+        if (semantic.is_of_pass) continue;  // no graph can read it
         const std::string_view type = semantic.function ? semantic.function->result.name : semantic.variable->type.name;
         const std::string_view doc = semantic.function ? semantic.function->doc : semantic.variable->doc;
         all.push_back({.name = std::string(semantic.name),

@@ -20,14 +20,15 @@ namespace {
 // A graph may stand on one line, which no message shows whole: each printed line would carry the graph.
 constexpr std::size_t kMaxSourceText = 1000;
 
-std::vector<LineOrigin> line_map(const targets::Printed& printed, const ir::Module& module, const SourceMap& sources) {
+std::vector<LineOrigin> line_map(const targets::Printed& printed, std::span<const ir::Origin> origins,
+                                 const SourceMap& sources) {
     std::vector<LineOrigin> map;
     map.reserve(printed.lines.size());
     for (const targets::PrintedLine& line : printed.lines) {
         LineOrigin& made = map.emplace_back();
         made.line = line.line;
         if (!line.origin) continue;
-        const ir::Origin& origin = module.origins[line.origin.index];
+        const ir::Origin& origin = origins[line.origin.index];
         made.node = origin.id;
         const Position position = sources.resolve(origin.span.begin);
         const Position end = sources.resolve(origin.span.end);
@@ -72,7 +73,7 @@ public:
                 .target = target,
                 .file_name = fmt::format("{}.{}", text_.file_name, info.extension),
                 .text = std::move(printed.text),
-                .line_map = line_map(printed, module, sources),
+                .line_map = line_map(printed, module.origins, sources),
                 .hlsl_shifts = reflection.hlsl_shifts,
                 .has_main = !text_.pasting,
                 .hash = text_.hash};
@@ -159,7 +160,7 @@ void print_file(const graph::Session& session, const graph::Material& material, 
                               .target = session.options.targets[0],
                               .file_name = name + ".shader",
                               .text = printed.text,
-                              .line_map = line_map(printed, lowered.module, session.sources),
+                              .line_map = line_map(printed, assemble::origins_of(passes), session.sources),
                               .hlsl_shifts = {},
                               .has_main = false});
 }

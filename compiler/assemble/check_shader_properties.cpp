@@ -38,16 +38,29 @@ std::string why_taken(const graph::Material& material, std::string_view name) {
     return beside_texture(material, name);
 }
 
-struct Named {
+struct Keyword {
     const graph::Property* property;
-    std::string keyword;
+    std::string name;
+    std::string_view value{};  // of an enum
+    Span where;
+
+    // "of the value 'Wet' of '_Mode'"
+    std::string owner() const {
+        return value.empty() ? fmt::format("of '{}'", property->name)
+                             : fmt::format("of the value '{}' of '{}'", value, property->name);
+    }
 };
 
-// The keywords of a property that has some.
-std::vector<Named> keywords_of(const graph::Property& property) {
-    if (property.values.empty()) return {{&property, keyword_of(property.name, {})}};
-    std::vector<Named> made;
-    for (const std::string& value : property.values) made.push_back({&property, keyword_of(property.name, value)});
+// Those of a property that has some.
+std::vector<Keyword> keywords_of(const graph::Property& property) {
+    if (property.values.empty())
+        return {{.property = &property, .name = keyword_of(property.name, {}), .where = property.name_span}};
+    std::vector<Keyword> made;
+    for (std::size_t i = 0; i < property.values.size(); ++i)
+        made.push_back({.property = &property,
+                        .name = keyword_of(property.name, property.values[i]),
+                        .value = property.values[i],
+                        .where = property.value_spans[i]});
     return made;
 }
 
@@ -57,46 +70,61 @@ public:
 
     void check(const graph::Property& property, bool is_keyword) {
         const std::string why = why_taken(material_, property.name);
-        if (!why.empty()) return refuse(property, property.name, why);
+        if (!why.empty()) return static_cast<void>(refuse(property, why));
         if (!is_keyword) return values_.push_back(&property);
-        for (const Named& each : keywords_of(property)) {
-            const std::string_view declarer = declarer_of(each.keyword);
-            const Named* other = with_keyword(each.keyword);
-            if (declarer.empty() && !other) continue;
-            return refuse(property, each.keyword,
-                          other ? keyword_of_another(*other) : fmt::format("a name that {} declares", declarer));
+        for (Keyword& each : keywords_of(property)) {
+            const std::string_view declarer = declarer_of(each.name);
+            const Keyword* other = with_keyword(each.name);
+            if (other) {
+                refuse(each, *other);
+            } else if (!declarer.empty()) {
+                diagnostics_.report(
+                    Code::TakenName, each.where,
+                    fmt::format("the keyword '{}' {} is a name that {} declares", each.name, each.owner(), declarer));
+            } else {
+                keywords_.push_back(std::move(each));
+            }
         }
-        for (Named& each : keywords_of(property)) keywords_.push_back(std::move(each));
     }
 
     // A keyword that is on is a macro: no value can have its name.
     void finish() {
         for (const graph::Property* each : values_) {
-            if (const Named* keyword = with_keyword(each->name))
-                refuse(*each, each->name, keyword_of_another(*keyword));
+            if (const Keyword* keyword = with_keyword(each->name))
+                refuse(*each, "the keyword " + keyword->owner()).note(keyword->where, "which is here");
         }
     }
 
 private:
-    const Named* with_keyword(std::string_view name) const {
-        for (const Named& each : keywords_) {
-            if (each.keyword == name) return &each;
+    const Keyword* with_keyword(std::string_view name) const {
+        for (const Keyword& each : keywords_) {
+            if (each.name == name) return &each;
         }
         return nullptr;
     }
-    static std::string keyword_of_another(const Named& other) {
-        return fmt::format("a keyword of '{}'", other.property->name);
+
+    DiagnosticRecord& refuse(const graph::Property& property, const std::string& why) {
+        return diagnostics_.report(
+            Code::TakenName, property.name_span,
+            fmt::format("'{}' is {}: a property cannot have it, and Unity would not know it by another name",
+                        property.name, why));
     }
 
-    void refuse(const graph::Property& property, const std::string& name, const std::string& why) {
-        DiagnosticRecord& refused = diagnostics_.report(Code::TakenName, property.name_span, name, why);
-        if (name != property.name) refused.note(fmt::format("it is the keyword of '{}'", property.name));
+    // Two choices would be one.
+    void refuse(const Keyword& keyword, const Keyword& other) {
+        const bool is_same_enum = keyword.property == other.property;
+        DiagnosticRecord& refused = diagnostics_.report(
+            Code::TakenName, keyword.where,
+            fmt::format("the keyword '{}' {} is also that {}", keyword.name, keyword.owner(),
+                        is_same_enum ? fmt::format("of its value '{}'", other.value) : other.owner()));
+        refused.note(other.where, "which is here");
+        if (is_same_enum) refused.note("Unity writes keywords in capitals");
     }
 
     const graph::Material& material_;
     Diagnostics& diagnostics_;
     std::vector<const graph::Property*> values_;
-    std::vector<Named> keywords_;
+    std::vector<Keyword> keywords_;
 };
 
 void check_list(const graph::Property& property, bool is_keyword, Diagnostics& diagnostics) {
@@ -109,6 +137,23 @@ void check_list(const graph::Property& property, bool is_keyword, Diagnostics& d
 }
 
 }  // namespace
+
+void check_keywords(const graph::Material& material, const Reflection& reflection, Diagnostics& diagnostics) {
+    constexpr std::size_t kMost = 64;
+    const auto is_read = [&](const graph::Property& property) {
+        return std::any_of(reflection.passes.begin(), reflection.passes.end(), [&](const Pass& pass) {
+            return std::find(pass.keywords.begin(), pass.keywords.end(), property.name) != pass.keywords.end();
+        });
+    };
+    std::size_t count = 0;
+    const graph::Property* first = nullptr;  // that is too much
+    for (const graph::MaterialProperty& entry : material.properties) {
+        if (!is_read(*entry.property)) continue;
+        count += keywords_of(*entry.property).size();
+        if (count > kMost && !first) first = entry.property;
+    }
+    if (first) diagnostics.report(Code::KeywordLimit, first->name_span, first->name, count, kMost);
+}
 
 void check_shader_properties(const graph::Material& material, const graph::Lowered& lowered, Diagnostics& diagnostics) {
     Names names(material, diagnostics);

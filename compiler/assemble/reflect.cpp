@@ -222,7 +222,7 @@ void set_object_state(Pass& pass, const graph::PassDecl& declaration, const grap
     }
     if (!declaration.has_stencil && render.stencil && !pass.targets.empty())
         pass.stencil = reflect_stencil(*render.stencil, is_repetition(pass));
-    pass.queue = render.queue.value_or(surface.queue);
+    pass.queue = queue_of(render);
 }
 
 Pass reflect_pass(const LinkedPass& linked) {
@@ -296,6 +296,10 @@ std::string layout_hash(const Reflection& reflection) {
 }
 
 }  // namespace
+
+int queue_of(const graph::RenderState& render) {
+    return render.queue.value_or(row_of(render.surface).queue);
+}
 
 std::vector<targets::SetShifts> binding_shifts(const ir::Module& module) {
     std::vector<targets::SetShifts> shifts;

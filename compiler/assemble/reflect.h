@@ -18,6 +18,9 @@ struct LinkedPass {
 // `material`, `lowered`: of the material itself. `passes`: its own, and those that it adds.
 Reflection reflect(const graph::Material& material, const graph::Lowered& lowered, std::span<const LinkedPass> passes);
 
+// The material's queue: its own, or that of its kind of surface.
+int queue_of(const graph::RenderState& render);
+
 // Vulkan bindings of a set are buffers, then textures, then samplers; HLSL counts each from 0.
 std::vector<targets::SetShifts> binding_shifts(const ir::Module& module);
 

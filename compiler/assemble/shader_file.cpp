@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "compiler/base/text.h"
 #include "compiler/graph/words.h"
@@ -67,12 +66,6 @@ std::vector<std::string_view> texts_at(const PassText& pass, std::string_view pl
         if (text.place == place) lines.push_back(text.line);
     }
     return lines;
-}
-
-int number(std::string_view digits) {
-    int value = 0;
-    std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    return value;
 }
 
 // What only newer hardware has, in a pass or in what all of them begin with.
@@ -186,12 +179,8 @@ private:
     // --- the shader and its passes
 
     void tags() {
-        int queue = in_.reflection.passes.empty() ? 2000 : in_.reflection.passes.front().queue;
-        for (const PassText& pass : passes_) {
-            for (const std::string_view least : texts_at(pass, "queue")) queue = std::max(queue, number(least));
-        }
-        std::string tags =
-            fmt::format("\"RenderType\" = \"{}\" \"Queue\" = \"{}\"", surface().render_type, queue_word(queue));
+        std::string tags = fmt::format("\"RenderType\" = \"{}\" \"Queue\" = \"{}\"", surface().render_type,
+                                       queue_word(shader_queue(in_.material, in_.passes)));
         if (surface().render_type == "Transparent") tags += " \"IgnoreProjector\" = \"True\"";
         // What knows the object must not be batched into another one.
         const bool moves = std::any_of(in_.passes.begin(), in_.passes.end(), [](const LinkedPass& pass) {

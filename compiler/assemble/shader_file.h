@@ -18,6 +18,8 @@ struct ShaderFile {
 };
 
 targets::Printed shader_file(const ShaderFile& file);
+// What the origins of its lines count: those of each pass, one pass after the other.
+std::vector<ir::Origin> origins_of(std::span<const LinkedPass> passes);
 
 // --- shader_properties.cpp
 // The lines of the block `Properties`.
@@ -31,8 +33,19 @@ constexpr std::size_t kMostKeywords = 9, kMostPairs = 7;
 // --- check_shader_properties.cpp
 // Refuses names that Unity's includes declare, and tells what of a property a ShaderLab file cannot say.
 void check_shader_properties(const graph::Material& material, const graph::Lowered& lowered, Diagnostics& diagnostics);
+// Unity before 2021.2 allows so many keywords that are a shader's own.
+void check_keywords(const graph::Material& material, const Reflection& reflection, Diagnostics& diagnostics);
 // Each texture has its sampler, of which Direct3D 11 has 16 in a stage.
 void check_samplers(const graph::Material& material, const Reflection& reflection, Diagnostics& diagnostics);
+
+// --- shader_order.cpp
+// In the order of their queues, relative to the material's own passes.
+void order_passes(std::vector<LinkedPass>& passes);
+// The queue of the whole file: the material's, unless what a pass reads is there later.
+int shader_queue(const graph::Material& material, std::span<const LinkedPass> passes);
+// Tells which passes Unity draws at another time than their queue says, where that may be seen.
+void check_queues(const graph::Material& material, std::span<const LinkedPass> passes, const Reflection& reflection,
+                  Diagnostics& diagnostics);
 
 // --- shader_state.cpp
 // The lines for what ShaderLab does not take for granted.

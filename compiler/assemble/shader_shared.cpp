@@ -89,6 +89,15 @@ void mark_own(std::vector<PassText>& passes) {
 
 }  // namespace
 
+std::vector<ir::Origin> origins_of(std::span<const LinkedPass> passes) {
+    std::vector<ir::Origin> all;
+    for (const LinkedPass& pass : passes) {
+        const std::vector<ir::Origin>& own = pass.lowered->module.origins;
+        all.insert(all.end(), own.begin(), own.end());
+    }
+    return all;
+}
+
 std::vector<PassText> pass_texts(std::span<const LinkedPass> linked) {
     std::vector<PassText> passes;
     std::vector<std::vector<std::string>> taken(linked.size());
@@ -107,6 +116,15 @@ std::vector<PassText> pass_texts(std::span<const LinkedPass> linked) {
         for (std::size_t i = 0; differ && i < linked.size(); ++i) passes[i] = pass_text(linked[i], taken[i]);
     }
     mark_own(passes);
+    std::uint32_t first = 0;
+    for (std::size_t i = 0; i < linked.size(); ++i) {
+        for (Declaration& each : passes[i].declarations) {
+            for (targets::PrintedLine& line : each.lines) {
+                if (line.origin) line.origin.index += first;
+            }
+        }
+        first += static_cast<std::uint32_t>(linked[i].lowered->module.origins.size());
+    }
     return passes;
 }
 

@@ -1,4 +1,5 @@
-// patina docs: the reference as Markdown, a page for each node and lighting model, and an index of each kind.
+// patina docs: the reference as Markdown, a page for each node and lighting model, an index of each kind, and
+// one page of semantics.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -73,6 +74,37 @@ void add_models(Pages& pages, const Compiler& compiler, const std::string& folde
     pages[std::string("models/") + kIndex] = index;
 }
 
+// What a material or a lighting graph reads with '@'.
+void add_semantics(Pages& pages, const Compiler& compiler) {
+    struct Rate {
+        std::string_view name, title, text;
+    };
+    static constexpr Rate kRates[] = {
+        {"vertex", "Of the mesh", "Known at each vertex; pixels read what is interpolated between them."},
+        {"pixel", "Of the pixel",
+         "Computed where they are read. What comes of `@frag_coord` or of neighbouring pixels is not there in the "
+         "`vertex` block, nor in a node that is pinned to the vertex stage."},
+        {"uniform", "Of the frame and of the object", "The same for all that is drawn at once."},
+        {"lighting", "In a lighting graph", "Handed to it by the material; a material cannot read them."},
+    };
+    std::string text = std::string(kWritten) +
+                       "# Semantics\n\nWhat mesh, camera, engine and light provide, read as `@uv0` in a port or an "
+                       "expression of a [graph](graph-format.md#values). Lengths are metres, `_os`, `_ws`, `_vs` and "
+                       "`_ts` are object, world, view and tangent space ([conventions](conventions.md)).\n";
+    for (const Rate& rate : kRates) {
+        std::string rows;
+        for (const SemanticInfo& semantic : compiler.semantics()) {
+            if (semantic.rate != rate.name) continue;
+            std::string doc = semantic.doc;
+            std::ranges::replace(doc, '\n', ' ');
+            rows += fmt::format("| `@{}` | {} | {} |\n", semantic.name, semantic.type, escaped(doc));
+        }
+        if (rows.empty()) continue;
+        text += fmt::format("\n## {}\n\n{}\n\n| semantic | type | |\n|---|---|---|\n{}", rate.title, rate.text, rows);
+    }
+    pages["semantics.md"] = text;
+}
+
 // Pages that were written here once and that nothing makes any more.
 std::vector<std::string> stale(const Pages& pages, const std::string& folder) {
     std::vector<std::string> paths;
@@ -109,6 +141,7 @@ Exit write_docs(const Console& console, const Arguments& arguments) {
     Pages pages;
     add_nodes(pages, compiler, arguments.folder);
     add_models(pages, compiler, arguments.folder);
+    add_semantics(pages, compiler);
     if (arguments.check) return compare(console, pages, arguments.folder);
     OutputFiles files;
     for (const auto& [path, text] : pages) files.add(join_path(arguments.folder, path), text);
@@ -127,12 +160,14 @@ Exit write_docs(const Console& console, const Arguments& arguments) {
 }  // namespace
 
 void add_docs(Program& program) {
-    CLI::App& command = add_command(program, "docs", "Write the reference of nodes and lighting models as Markdown",
-                                    {"patina docs docs", "patina docs docs --check"});
+    CLI::App& command =
+        add_command(program, "docs", "Write the reference of nodes, lighting models and semantics as Markdown",
+                    {"patina docs docs", "patina docs docs --check"});
     auto arguments = std::make_shared<Arguments>();
     command
-        .add_option("DIR", arguments->folder,
-                    "Gets nodes/*.md and models/*.md; pages of nodes and models that are gone are removed")
+        .add_option(
+            "DIR", arguments->folder,
+            "Gets nodes/*.md, models/*.md and semantics.md; pages of nodes and models that are gone are removed")
         ->required()
         ->type_name(" ");
     command.add_flag("--check", arguments->check, "Write nothing; exit code 1 if a page is not what would be written");

@@ -74,6 +74,7 @@ struct Property {
     std::optional<std::array<double, 2>> range;
     bool hard = false;                // values outside the range are refused
     std::vector<std::string> values;  // of an enum
+    std::vector<Span> value_spans;    // of each
     std::string label, group, help;
     TextureUsage usage = TextureUsage::Color;
     bool tiling = false;

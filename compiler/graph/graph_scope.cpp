@@ -563,7 +563,7 @@ Typed GraphScope::semantic(std::string_view name, Span span, nodelang::Scope& sc
         if (!near.empty())
             record.note(fmt::format("did you mean '@{}'?", near));
         else
-            record.note("docs/graph-format.md lists them");
+            record.note("docs/semantics.md lists them");
         return {};
     }
     const SemanticDecl& semantic = stages.semantics[found->second];

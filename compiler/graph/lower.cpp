@@ -287,7 +287,8 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
             lowering.per_object.insert(out.property_globals[i].value.index);
     }
     if (tool_of(session)) {
-        out.keeps_functions = !material.pass;  // a pass that it adds has nobody to share with
+        // A pass that it adds has nothing to share unless it is lit, and then reads as the others.
+        out.keeps_functions = !material.pass || !material.lighting->graph->nodes.empty();
         mark_for_tool(lowering);
     }
     declare_statics(lowering);

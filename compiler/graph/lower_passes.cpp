@@ -109,7 +109,7 @@ private:
         for (const PassDecl* pass : stages_.passes_of(path)) passes.push_back(pass);
         for (const PassDecl* pass : optional_first(passes)) {
             const Refusal refusal = lower_pass(*pass);
-            if (refusal.is_news) report(Code::PassLeftOut, refusal, pass->name, refusal.reason);
+            if (refusal.is_news) report_left_out(*pass, refusal);
             if (!refusal || refusal.is_news || refusal.is_vain || pass->is_optional) continue;
             const bool is_own = std::find(passes.begin() + std::ptrdiff_t(own), passes.end(), pass) != passes.end();
             if (is_own && !pass->state.fallback.empty()) {
@@ -121,10 +121,19 @@ private:
             if (has_blend(*pass)) {
                 report(Code::PassRefused, refusal, pass->name, refusal.reason);
             } else if (is_own) {
-                report(Code::PassLeftOut, refusal, pass->name, refusal.reason);
+                report_left_out(*pass, refusal);
             }
         }
         in_order_of([&](const LoweredPass& p) { return std::find(passes.begin(), passes.end(), p.declaration); });
+    }
+
+    // A tool's users know a pass by its tag.
+    void report_left_out(const PassDecl& pass, Refusal refusal) {
+        if (lowering_.session.diagnostics.has_errors()) return;
+        const auto tag =
+            std::find_if(pass.tags.begin(), pass.tags.end(), [](const auto& each) { return each.first != "Name"; });
+        if (refusal.advice.empty()) refusal.advice = pass.otherwise;
+        report(Code::PassLeftOut, refusal, tag == pass.tags.end() ? pass.name : tag->second, refusal.reason);
     }
 
     template <class... Words>
@@ -172,6 +181,19 @@ private:
                 .is_news = true};
     }
 
+    // What no light lights would not look different.
+    Refusal refusal_of_lighting(const PassDecl& pass) const {
+        const Graph& graph = *lowering_.material.graph->graph;
+        const LightingUse& use = graph.lighting;
+        const Span inlined{use.span.begin, use.span.begin + 1};
+        return {.reason = fmt::format("it is for what is lit by {}, and the material is lit by {}",
+                                      list_of(pass.lighting), quoted(lowering_.material.lighting_name)),
+                .where = {.span = !use.present  ? graph.workflow_span
+                                  : use.inlined ? inlined
+                                                : use.span},
+                .is_news = is_drawn_again(pass)};
+    }
+
     // Whether an object is drawn by another pass of the path, too, once for each light.
     bool is_drawn_again(const PassDecl& pass) const {
         if (lowering_.material.pass) return false;
@@ -215,14 +237,15 @@ private:
 
     Refusal lower_pass(const PassDecl& pass) {
         if (!pass.vertex || !pass.fragment) return {};  // reported when its file was read
-        if (!has_blend(pass)) return {.reason = fmt::format("it does not draw '{}' surfaces", surface())};
+        if (!has_blend(pass))
+            return {.reason = fmt::format("it does not draw '{}' surfaces", surface()),
+                    .is_vain = vain_part(pass).has_value()};
         if (const Refusal refusal = refusal_of_stencil(pass)) return refusal;
         if (const Refusal refusal = refusal_of_depth(pass)) return refusal;
         const std::string_view model = lowering_.material.lighting_name;
         const auto& models = pass.lighting;
         if (!models.empty() && std::find(models.begin(), models.end(), model) == models.end())
-            return {.reason = fmt::format("it is lit by {}, and the material by {}", list_of(models), quoted(model)),
-                    .is_news = true};
+            return refusal_of_lighting(pass);
         const std::vector<ExtraPass>& added = lowering_.material.graph->graph->passes;
         if (pass.is_alone && !added.empty())
             return {.reason = fmt::format("where it is drawn, '{}' is not", added.front().name),

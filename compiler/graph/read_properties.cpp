@@ -176,6 +176,7 @@ void read_enum_values(Reading& reading, const Json& json, Property& property) {
     UniqueNames names;
     for (const Json& value : values->elements) {
         property.values.push_back(read_identifier(reading, value, "a value of an enum"));
+        property.value_spans.push_back(value.span);
         if (value.kind == Json::Kind::String) names.add(reading, value, "value");
     }
 }

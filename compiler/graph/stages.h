@@ -60,6 +60,7 @@ struct PassDecl {
     std::vector<std::string_view> holds;     // members of the lighting surface that it can tell; empty: all
     std::vector<std::string_view> excludes;  // switches that must be off
     std::vector<std::string_view> lighting;  // lighting models that it is for; empty: all
+    std::string_view otherwise;              // what comes of a material's being without it, in words; may be empty
     std::vector<std::pair<std::string_view, std::string_view>> tags;  // for the tool whose files it is written into
     std::vector<std::string_view> guards;                             // by target: a condition, or empty
     // From another file than the one that is being read, which may put its own in their places.

@@ -293,6 +293,7 @@ void unity_caster_vertex() {
 
 [pass("unity-shadow-caster")] [fragment] [lights("none")] [optional]
 [tag("Name", "ShadowCaster")] [tag("LightMode", "ShadowCaster")]
+[otherwise("it casts no shadow, and is not in the camera's depth texture")]
 [text("pragma", "multi_compile_shadowcaster", "multi_compile_instancing")] [text("include", "UnityCG.cginc")]
 [text("fragment begin", "UNITY_SETUP_INSTANCE_ID(i);", "UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);")]
 [text("fragment end", "SHADOW_CASTER_FRAGMENT(i)")]
@@ -324,6 +325,7 @@ float4 BakedShadows(float4 ambient_or_lightmap_uv, float3 position);
 [pass("unity-deferred")] [fragment] [lights("none")] [optional] [alone]
 [lighting("unity-brdf1", "unity-brdf2", "unity-brdf3")] [stencil("always", "keep")]
 [tag("Name", "DEFERRED")] [tag("LightMode", "Deferred")]
+[otherwise("where a project's cameras are deferred, Unity draws it forward, after the others")]
 [text("pragma", "exclude_renderers nomrt", "multi_compile_prepassfinal", "multi_compile_instancing")]
 [text("include", "UnityCG.cginc")]
 [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]

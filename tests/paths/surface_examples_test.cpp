@@ -50,6 +50,49 @@ TEST(SurfaceExamples, APortholeShowsTheBoardThroughTheWall) {
     expect_pixels(empty, [&](int x, int y) { return is_hole(x, y) ? glm::dvec3(0.1, 0.2, 0.3) : wall; });
 }
 
+// Of a ball of radius r the board, which lies at a distance d from its middle, shows a disc of radius sqrt(r^2 - d^2).
+// A patch before the ball is not dyed, whatever number it leaves in the stencil, and a patch in the middle is.
+TEST(SurfaceExamples, ABallOfDyeReachesWhatLiesInIt) {
+    const glm::dvec3 dye(0.9, 0.3, 0.5), front(0.25, 0.5, 0.75), middle(0.8, 0.7, 0.2);
+    const glm::dvec2 center(0.19, -0.22);
+    constexpr double kRadius = 0.5, kDistance = 0.3;
+    const double disc = std::sqrt(kRadius * kRadius - kDistance * kDistance);
+    const auto patch = [](const std::string& name, const std::string& color, const std::string& rest) {
+        return written(name + ".graph.json",
+                       R"({ "patina": 1, "workflow": "unlit", "surface": { "color": )" + color + " }" + rest + " }");
+    };
+    const auto shown = [&](const std::string& graph, double before, double in_it, double behind_it) {
+        SCOPED_TRACE(graph);
+        World world = checkerboard();
+        add_object(world,
+                   patch("front", "[0.25, 0.5, 0.75]",
+                         R"(, "render": { "stencil": { "reference": 128, "pass": "replace" } })"),
+                   "plane", 1, placed({-0.2f, -0.1f, 0}, glm::vec3(0.15f)));
+        add_object(world, patch("middle", "[0.8, 0.7, 0.2]", ""), "plane", 1,
+                   placed({0.25f, -0.2f, kDistance - 1}, glm::vec3(0.1f)));
+        add_object(world, graph, "sphere", 256, placed({center.x, center.y, kDistance - 1}, glm::vec3(kRadius)),
+                   {{"_Color", "0.9,0.3,0.5"}});
+        const auto dyed = [&](const glm::dvec3& color, bool is_there) { return is_there ? color * dye : color; };
+        expect_pixels(world, [&](int x, int y) {
+            const glm::dvec2 right_down = 2.0 * uv_of(x, y) - 1.0;
+            const glm::dvec2 at(right_down.x, -right_down.y);
+            const double aside = glm::distance(at, center);
+            const auto is_near = [&](const glm::dvec2& where, double size) {
+                return std::max(std::abs(at.x - where.x), std::abs(at.y - where.y)) < size;
+            };
+            if (is_near({-0.2, -0.1}, 0.15)) return dyed(front, aside < before);
+            if (is_near({0.25, -0.2}, 0.1)) return dyed(middle, aside < in_it);
+            return dyed(behind(x, y), aside < behind_it);
+        });
+    };
+    shown("examples/surfaces/dye.graph.json", 0, kRadius, disc);
+    shown(changed("dye", R"("depthTest": "greater",)", ""), 0, 0, 0);
+    // As far as the near side is hidden, and nothing else.
+    shown(changed("dye", R"(, "depthFail": "incrementWrap")", ""), kRadius, 0, 0);
+    // The patch's own number is taken for a count.
+    shown(changed("dye", R"("readMask": 15, )", ""), kRadius, kRadius, disc);
+}
+
 // Wall and poster are one plane, which leans away, so that its depth has a slope. Light comes from around, and no lamp.
 TEST(SurfaceExamples, APosterIsSeenOnTheWallThatItLiesIn) {
     constexpr double kLean = 0.6;

@@ -22,7 +22,8 @@ TEST_P(UnityFile, ReadsAsExpected) {
 
 INSTANTIATE_TEST_SUITE_P(All, UnityFile,
                          ::testing::Values("tests/unity/graphs/standard", "tests/unity/graphs/wave",
-                                           "tests/unity/graphs/fade", "examples/sources/standard-cutout"),
+                                           "tests/unity/graphs/passes", "tests/unity/graphs/fade",
+                                           "examples/sources/standard-cutout"),
                          [](const auto& info) {
                              std::string name = info.param.substr(info.param.rfind('/') + 1);
                              std::replace(name.begin(), name.end(), '-', '_');
@@ -131,13 +132,15 @@ TEST(UnityDeferred, IsForUnitysModelsAlone) {
         EXPECT_TRUE(result.diagnostics.empty()) << to_text(result.diagnostics.front());
         EXPECT_TRUE(taken_apart(result.shaders.front().text).pass("Deferred")) << model;
     }
-    for (const char* model : {"\"lambert\"", "\"gltf\"", R"({ "direct": [0, 0, 0] })"}) {
+    for (const char* model : {"\"lambert\"", "\"gltf\"", R"({ "direct": "= @light.radiance" })"}) {
         const Result result =
             of_text(R"({ "patina": 1, "workflow": "metallic-smoothness", "lighting": )" + std::string(model) + "}");
         ASSERT_TRUE(result.ok);
         ASSERT_EQ(result.diagnostics.size(), 1u);
         EXPECT_EQ(result.diagnostics.front().code, "pass-left-out");
-        EXPECT_TRUE(has(result.diagnostics.front().message, "unity-brdf1")) << result.diagnostics.front().message;
+        const std::string message = result.diagnostics.front().message;
+        EXPECT_TRUE(has(message, "no pass 'Deferred'") && has(message, "unity-brdf1")) << message;
+        EXPECT_EQ(result.diagnostics.front().column, 63);  // of the model
         EXPECT_FALSE(taken_apart(result.shaders.front().text).pass("Deferred")) << model;
     }
 }
@@ -158,14 +161,36 @@ TEST(UnityDeferred, MakesRoomForPassesThatAreAdded) {
     EXPECT_TRUE(has(result.shaders.front().text, "Name \"outline\""));
 }
 
-// A pass that could add nothing is not there.
+// What is known to be kept is not asked for: alpha is 1 and alphaClip 0.5 unless the material says something else.
+TEST(UnityCutout, AsksForNoAlphaThatIsKnown) {
+    const auto discards = [](const std::string& surface) {
+        const std::string text = shader(material(surface + R"("render": { "surface": "cutout" })"));
+        const std::size_t begin = text.find("Name \"ShadowCaster\"");
+        return has(text.substr(begin, text.find("Name \"DEFERRED\"") - begin), "discard;");
+    };
+    EXPECT_FALSE(discards(""));
+    EXPECT_TRUE(discards(R"("surface": { "alpha": "@uv0.x" }, )"));
+    EXPECT_TRUE(discards(R"("surface": { "alpha": 0.2 }, )"));
+}
+
+// A pass that could add nothing is not there, and no light would look different in the deferred path.
 TEST(UnityUnlit, HasNoPassForLights) {
-    const std::string text = shader(R"({ "patina": 1, "workflow": "unlit", "surface": { "color": "#ff8000" } })");
+    const Result result = of_text(R"({ "patina": 1, "workflow": "unlit", "surface": { "color": "#ff8000" } })");
+    ASSERT_TRUE(result.ok);
+    EXPECT_TRUE(result.diagnostics.empty()) << to_text(result.diagnostics.front());
+    const std::string& text = result.shaders.front().text;
+    EXPECT_FALSE(taken_apart(text).pass("Deferred"));
     const ShaderLab file = taken_apart(text);
     EXPECT_TRUE(file.pass("ForwardBase"));
     EXPECT_FALSE(file.pass("ForwardAdd"));
     EXPECT_FALSE(has(text, "AutoLight.cginc"));
     EXPECT_FALSE(has(text, "multi_compile_fwdbase"));
+    for (const std::string kind : {"additive", "multiply", "fade"}) {
+        const Result blended = of_text(R"({ "patina": 1, "workflow": "unlit", "surface": { "color": 0.5 },
+            "render": { "surface": ")" +
+                                       kind + "\" } }");
+        EXPECT_TRUE(blended.diagnostics.empty()) << to_text(blended.diagnostics.front());
+    }
 }
 
 // What a material reads of the picture makes it wait for it, and keeps it out of the G-buffer.
@@ -273,6 +298,21 @@ TEST(UnityLines, AreMapped) {
         EXPECT_TRUE(has(std::prev(after)->source_text, "\"albedo\""));
     }
     EXPECT_EQ(found, 1);
+}
+
+// ... and those of the passes that a material adds, whose nodes are counted by themselves.
+TEST(UnityLines, OfAddedPassesAreMapped) {
+    const Result result = for_unity("tests/unity/graphs/passes.graph.json");
+    const Shader& shader = result.shaders.front();
+    const std::size_t at = shader.text.find("float3 position_os = v.vertex.xyz + v.normal * _Width;");
+    ASSERT_NE(at, std::string::npos);
+    const auto line =
+        static_cast<int>(std::count(shader.text.begin(), shader.text.begin() + std::ptrdiff_t(at), '\n')) + 1;
+    const auto after = std::upper_bound(shader.line_map.begin(), shader.line_map.end(), line,
+                                        [](int l, const LineOrigin& origin) { return l < origin.line; });
+    ASSERT_NE(after, shader.line_map.begin());
+    EXPECT_EQ(std::prev(after)->node, "shell");
+    EXPECT_TRUE(has(std::prev(after)->source_text, "\"shell\"")) << std::prev(after)->source_text;
 }
 
 }  // namespace

@@ -34,7 +34,8 @@ TEST(UnityNames, OfPropertiesAreNotUnitysOwn) {
         R"("properties": [ { "name": "Fog", "type": "enum", "values": ["Off", "Linear"], "as": "variant" } ],
       "surface": { "metallic": "= $Fog == 1 ? 1 : 0" })"));
     EXPECT_EQ(first_error(keyword).code, "taken-name") << to_text(first_error(keyword));
-    EXPECT_TRUE(has(first_error(keyword).message, "'FOG_LINEAR'")) << first_error(keyword).message;
+    EXPECT_TRUE(has(first_error(keyword).message, "the keyword 'FOG_LINEAR' of the value 'Linear' of 'Fog' is a name"))
+        << first_error(keyword).message;
 }
 
 // ... nor the file's own, nor a word of the language: there is no other name that Unity would know the property by.
@@ -71,17 +72,38 @@ TEST(UnityNames, OfPropertiesAreNotThoseOfOthers) {
         EXPECT_EQ(first_error(result).code, "taken-name") << name;
         EXPECT_TRUE(has(first_error(result).message, "the texture '_MainTex'")) << first_error(result).message;
     }
-    const std::pair<std::string, std::string> kOthers[] = {
-        {"_MODE_WET", R"("type": "float")"}, {"_MODE", R"("type": "enum", "values": ["Wet"], "as": "variant")"}};
-    for (const auto& [other, rest] : kOthers) {
+}
+
+// Two keywords of one name would be one choice.
+TEST(UnityNames, OfKeywordsAreOneChoiceEach) {
+    struct Case {
+        std::string other, rest, message;
+    };
+    const Case kCases[] = {
+        {"_MODE_WET", R"("type": "float")", "'_MODE_WET' is the keyword of the value 'Wet' of '_Mode'"},
+        {"_MODE_WET", R"("type": "bool", "as": "variant")",
+         "the keyword '_MODE_WET' of '_MODE_WET' is also that of the value 'Wet' of '_Mode'"},
+        {"_MODE", R"("type": "enum", "values": ["Wet"], "as": "variant")",
+         "the keyword '_MODE_WET' of the value 'Wet' of '_MODE' is also that of the value 'Wet' of '_Mode'"}};
+    for (const auto& [other, rest, message] : kCases) {
         const Result result = of_text(material(
             R"("properties": [ { "name": "_Mode", "type": "enum", "values": ["Dry", "Wet"], "as": "variant" }, { "name": ")" +
-            other + "\", " + rest + R"( } ], "surface": { "metallic": "= $_Mode == 0 && $)" + other +
-            R"( == 0 ? 0.5 : 1" })"));
+            other + "\", " + rest + R"( } ], "surface": { "metallic": "= $_Mode == Dry ? float($)" + other +
+            R"() : 1" })"));
         EXPECT_EQ(first_error(result).code, "taken-name") << to_text(first_error(result));
-        EXPECT_TRUE(has(first_error(result).message, "'_MODE_WET' is a keyword of '_Mode'"))
-            << first_error(result).message;
+        EXPECT_TRUE(has(first_error(result).message, message)) << first_error(result).message;
+        ASSERT_EQ(first_error(result).notes.size(), 1u);
+        EXPECT_TRUE(has(first_error(result).notes[0].message, "here"));
     }
+    const Result alike = of_text(material(
+        R"("properties": [ { "name": "_V", "type": "enum", "values": ["X", "x", "Y"], "as": "variant" } ],
+      "surface": { "metallic": "= $_V == 1 ? 1 : 0" })"));
+    EXPECT_EQ(first_error(alike).code, "taken-name");
+    EXPECT_TRUE(
+        has(first_error(alike).message, "the keyword '_V_X' of the value 'x' of '_V' is also that of its value 'X'"))
+        << first_error(alike).message;
+    EXPECT_TRUE(has(first_error(alike).source_line.substr(std::size_t(first_error(alike).column) - 1, 2), "x"))
+        << first_error(alike).column;
 }
 
 // What only the engine of the other targets has is free here.
@@ -96,6 +118,14 @@ TEST(UnityNames, OfPropertiesAreKept) {
         EXPECT_TRUE(has(text, " " + name + " (\"")) << name;
         EXPECT_TRUE(has(text, "float " + name + ";\n")) << name;
     }
+}
+
+// What an entry function takes is its own: another function may have a parameter of that name.
+TEST(UnityNames, OfParametersAreFreeInOtherFunctions) {
+    const std::string text =
+        shader(material(R"("surface": { "normal_os": "@normal_os" }, "render": { "cull": "off" })"));
+    EXPECT_TRUE(has(text, "half4 frag(v2f i, bool front_facing : SV_IsFrontFace)")) << text;
+    EXPECT_TRUE(has(text, "Surface get_surface(float3 normal_os, bool front_facing)")) << text;
 }
 
 // One that an include declares for materials is read from there.

@@ -62,7 +62,7 @@ TEST(UnityDeferred, HasNoPlaceForAStencil) {
     EXPECT_EQ(modes(result), (Words{"ForwardBase", "ForwardAdd", "ShadowCaster"}));
     const Words said = left_out(result);
     ASSERT_EQ(said.size(), 1u);
-    EXPECT_TRUE(has(said[0], "'unity-deferred'") && has(said[0], "stencil")) << said[0];
+    EXPECT_TRUE(has(said[0], "'Deferred'") && has(said[0], "stencil")) << said[0];
 }
 
 // What writes no depth has no place in a G-buffer, and none in the camera's depth texture, which casters fill. A
@@ -112,6 +112,78 @@ TEST(UnityStencil, MayChangeWhatItTestsWhereAnObjectIsDrawnOnce) {
     ASSERT_FALSE(first_error(lit).notes.empty());
     EXPECT_TRUE(has(to_text(first_error(lit)), "\"test\"")) << to_text(first_error(lit));
 }
+
+std::vector<std::string> pass_names(const std::string& text) {
+    const std::string before = "            Name \"";
+    std::vector<std::string> made;
+    for (std::size_t at = text.find(before); at != text.npos; at = text.find(before, at + 1)) {
+        const std::size_t begin = at + before.size();
+        made.push_back(text.substr(begin, text.find('"', begin) - begin));
+    }
+    return made;
+}
+
+std::string added(const std::string& name, const std::string& render) {
+    return R"({ "name": ")" + name + R"(", "workflow": "unlit", "surface": { "color": 1 }, "render": { )" + render +
+           " } }";
+}
+
+// Unity draws the passes of a file in their order, and the file at one queue.
+TEST(UnityQueue, OrdersThePassesOfAMaterial) {
+    const std::string text =
+        shader(R"({ "patina": 1, "workflow": "unlit", "surface": { "color": 1 },
+        "render": { "queue": 2100 }, "passes": [ )" +
+               added("late", R"("queue": 2300)") + ", " + added("same", R"("queue": 2100)") + ", " +
+               added("before", R"("queue": 2050)") + ", " + added("first", R"("queue": 1900)") + " ] }");
+    EXPECT_EQ(pass_names(text), (Words{"first", "before", "FORWARD", "ShadowCaster", "same", "late"}));
+    EXPECT_TRUE(has(text, "\"Queue\" = \"Geometry+100\"")) << text;
+}
+
+struct Added {
+    std::string name, material, pass, words;  // no words: nothing is said
+};
+class UnityQueueOf : public ::testing::TestWithParam<Added> {};
+
+// Of solid passes depth says what is seen, whenever they are drawn; a pass on the very surface of its material is seen
+// where that has left its depth.
+TEST_P(UnityQueueOf, APassIsToldWhereItMayBeSeen) {
+    const Added& each = GetParam();
+    const Result result =
+        of_text(R"({ "patina": 1, "workflow": "unlit", "surface": { "color": 1 },
+        "render": { )" +
+                each.material +
+                R"( }, "nodes": [ { "id": "shell", "expr": "@position_os * 1.1", "stage": "vertex" } ],
+        "passes": [ { "name": "other", "vertex": { "position_os": "shell" } }, )" +
+                added("shown", each.pass) + " ] }");
+    ASSERT_TRUE(result.ok) << to_text(first_error(result));
+    std::string said;
+    for (const Diagnostic& d : result.diagnostics) {
+        if (d.code != "queue-limit") continue;
+        EXPECT_TRUE(has(d.message, "Unity draws the pass 'shown' with the material")) << d.message;
+        EXPECT_EQ(d.source_line.substr(std::size_t(d.column) - 1, 5), "shown");
+        said += d.message;
+    }
+    EXPECT_EQ(said.empty(), each.words.empty()) << said;
+    EXPECT_TRUE(has(said, each.words)) << said;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, UnityQueueOf,
+    ::testing::Values(
+        Added{"solid", R"("queue": 2000)", R"("queue": 2400, "cull": "front")", ""},
+        Added{"on_it", R"("queue": 2000)", R"("surface": "additive")", ""},
+        Added{"of_the_other_side", R"("queue": 2000)", R"("surface": "additive", "cull": "front")", "the sky"},
+        Added{"through_walls", R"("queue": 2000)", R"("surface": "fade", "depthTest": "always")", "the sky"},
+        Added{"on_what_writes_no_depth", R"("depthWrite": false)", R"("surface": "additive")", "the sky"},
+        Added{"on_holes", R"("surface": "cutout")", R"("surface": "additive")", "the sky"},
+        Added{"hidden", R"("queue": 2000)", R"("queue": 2100, "depthTest": "greater")",
+              "2100: what has a queue in between is drawn after it"},
+        Added{"before_blended", R"("surface": "fade")", R"("queue": 2000)",
+              "opaque objects and the sky are there before it"},
+        Added{"among_blended", R"("surface": "fade")", R"("surface": "fade", "queue": 2900)",
+              "what has a queue in between is drawn before it"},
+        Added{"after_opaque", R"("surface": "fade", "queue": 2500)", R"("surface": "fade", "queue": 2500)", ""}),
+    [](const auto& info) { return info.param.name; });
 
 // The range of a colour says that it may be brighter than white.
 TEST(UnityColors, WithARangeAboveOneAreHdr) {

@@ -118,12 +118,19 @@ private:
         if (inst.op == Op::Call) need_result_member(inst.data, member);
     }
 
+    // Not where the condition has turned out to be false.
+    bool discards(const Function& function, Value value) const {
+        if (function[value].op != Op::DiscardIf) return false;
+        const Inst& condition = function[function.args(value)[0]];
+        return condition.op != Op::Constant || module_.numbers_of(module_.constants[condition.data])[0] != 0;
+    }
+
     // A pass's body may discard, and give nothing that anybody reads.
     bool calls_discard(const Inst& inst) const {
         if (inst.op != Op::Call) return false;
         const Function& callee = module_.functions[inst.data];
         return std::any_of(callee.blocks[0].insts.begin(), callee.blocks[0].insts.end(),
-                           [&](Value value) { return callee[value].op == Op::DiscardIf; });
+                           [&](Value value) { return discards(callee, value); });
     }
 
     // The function runs at all.
@@ -143,7 +150,7 @@ private:
             for (std::uint32_t k = 0; k + 1 < function.insts[i].operand_count; k++) need.owners[body[k].index] = {i};
         }
         for (const Value value : function.blocks[0].insts) {
-            if (function[value].op == Op::DiscardIf || calls_discard(function[value])) need_all(f, value);
+            if (discards(function, value) || calls_discard(function[value])) need_all(f, value);
         }
         const Value end = function.blocks[0].insts.back();
         need.live.values[end.index] = 1;

@@ -250,7 +250,9 @@ EntryPoint fragment_entry(Writer& w) {
         if (input.builtin == Builtin::None) entry.inputs.push_back({"i." + names.declare(input.name)});
         if (input.builtin == Builtin::FragCoord) entry.inputs.push_back({"i.pos"});
         if (input.builtin == Builtin::FrontFacing) {
-            const std::string name = w.names.declare(input.name);
+            // Other functions may have a parameter of that name.
+            const std::string name = w.names.is_free(input.name) ? input.name : w.names.declare(input.name);
+            entry.names.push_back(name);
             parameters += fmt::format(", bool {} : {}", name, hlsl::semantic(input, false));
             entry.inputs.push_back({name});
         }
