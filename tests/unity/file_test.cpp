@@ -60,6 +60,22 @@ TEST(UnityProperties, AreDeclaredAsArtistsSetThem) {
     EXPECT_FALSE(has(text, "[NoScaleOffset] _MainTex"));
 }
 
+// Its size is a variable that Unity fills, where it is read. Hardware of shader model 3.0 can do that.
+TEST(UnityTextures, HaveTheirSizeBesideThem) {
+    const std::string properties = R"("properties": [ { "name": "_MainTex", "type": "texture2d" },
+        { "name": "_Mask", "type": "texture2d", "usage": "data" } ],
+      "nodes": [ { "id": "texel", "node": "TexelSize", "in": { "texture": "$_MainTex" } },
+        { "id": "mask", "node": "SampleTexture2D", "in": { "texture": "$_Mask" } } ], )";
+    const std::string text =
+        shader(material(properties + R"("surface": { "baseColor": "= frac(@uv0.x * texel.size.x) * mask.rgb",
+          "metallic": "= $_MainTex.texelSize.y" })"));
+    EXPECT_TRUE(has(text, "float4 _MainTex_TexelSize;\n")) << text;
+    EXPECT_TRUE(has(text, "* _MainTex_TexelSize.z")) << text;
+    EXPECT_TRUE(has(text, "= _MainTex_TexelSize.y;")) << text;
+    EXPECT_FALSE(has(text, "_Mask_TexelSize") || has(text, "GetDimensions")) << text;
+    EXPECT_TRUE(has(text, "#pragma target 3.0") && !has(text, "#pragma target 3.5")) << text;
+}
+
 struct Kind {
     std::string surface, type, queue, blend, fallback;
     std::vector<std::string> modes;
