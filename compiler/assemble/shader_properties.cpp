@@ -44,20 +44,6 @@ std::string readable(std::string_view name) {
     return made.empty() ? "Value" : made;
 }
 
-// Strings of ShaderLab know no escapes.
-std::string quoted(std::string_view text) {
-    std::string made;
-    for (const char c : text) made += c == '"' ? '\'' : static_cast<unsigned char>(c) < 0x20 || c == '\\' ? ' ' : c;
-    return made;
-}
-
-// Words of attributes are letters, digits and spaces.
-std::string plain(std::string_view text) {
-    std::string made;
-    for (const char c : text) made += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : ' ';
-    return made;
-}
-
 // IEC 61966-2-1, and as many digits as a colour picker could have meant.
 double encoded(double linear) {
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
@@ -151,6 +137,24 @@ Declared declared(const graph::MaterialProperty& entry, bool is_decoded) {
 
 }  // namespace
 
+std::string quoted(std::string_view text) {
+    std::string made;
+    for (const char c : text) made += c == '"' ? '\'' : static_cast<unsigned char>(c) < 0x20 || c == '\\' ? ' ' : c;
+    return made;
+}
+
+std::string header_words(std::string_view text) {
+    std::string made;
+    bool is_gap = false;
+    for (const char c : text) {
+        const bool is_kept = std::isalnum(static_cast<unsigned char>(c)) != 0 || static_cast<unsigned char>(c) >= 0x80;
+        if (is_kept && is_gap && !made.empty()) made += ' ';
+        if (is_kept) made += c;
+        is_gap = !is_kept;
+    }
+    return made;
+}
+
 std::string_view default_word(const graph::Property& property) {
     return property.usage == graph::TextureUsage::Normal ? "bump" : "white";
 }
@@ -168,7 +172,8 @@ std::vector<std::string> shader_properties(const graph::Material& material, cons
         const Declared made = id ? declared(entry, !lowered.module.globals[id.index].decoder.empty()) : switched(entry);
         if (property.group != group) {
             if (!lines.empty()) lines.emplace_back();
-            if (!property.group.empty()) lines.push_back(fmt::format("[Header({})]", plain(property.group)));
+            const std::string words = header_words(property.group);
+            if (!words.empty()) lines.push_back(fmt::format("[Header({})]", words));
             group = property.group;
         }
         std::string line = fmt::format("{}{} (\"{}\", {}) = {}", made.attributes, reflection.properties[i].identifier,

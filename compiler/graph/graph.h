@@ -75,6 +75,7 @@ struct Property {
     bool hard = false;                // values outside the range are refused
     std::vector<std::string> values;  // of an enum
     std::string label, group, help;
+    Span label_span, group_span;
     TextureUsage usage = TextureUsage::Color;
     bool tiling = false;
     SamplerState sampler;

@@ -215,7 +215,9 @@ Property read_property(Reading& reading, const Json& json, UniqueNames& names) {
         property.binding_span = binding->span;
     }
     property.label = read_text(reading, json, "label");
+    if (const Json* label = json.find("label")) property.label_span = label->span;
     property.group = read_text(reading, json, "group");
+    if (const Json* group = json.find("group")) property.group_span = group->span;
     property.help = read_text(reading, json, "help");
 
     const Json* type = json.find("type");

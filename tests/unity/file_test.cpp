@@ -49,7 +49,7 @@ TEST(UnityProperties, AreDeclaredAsArtistsSetThem) {
       "surface": { "baseColor": "= $_Color.rgb * $_Bright.rgb", "emission": "$_EmissionColor.rgb" })"));
     for (const char* line :
          {R"(_Color ("Paint", Color) = (0.7354, 0, 1, 1))", R"([HDR] _Bright ("Bright", Color) = (2, 1, 0.5, 1))",
-          R"([HDR] _EmissionColor ("Emission Color", Color) = (0.5, 0.5, 0.5, 1))", R"([Header(Wear   tear)])",
+          R"([HDR] _EmissionColor ("Emission Color", Color) = (0.5, 0.5, 0.5, 1))", R"([Header(Wear tear)])",
           R"(_Wear ("Wear", Range(0, 1)) = 0.25)", R"([IntRange] _Count ("Count", Range(1, 8)) = 3)",
           R"(_FINE_UV ("Fine UV", Range(0, 0.005)) = 0.00002)", R"(_Steps ("Steps", Int) = 2)",
           R"([Toggle] _On ("On", Float) = 1)", R"([Enum(Dry, 0, Wet, 1)] _Kind ("Kind", Float) = 1)",
