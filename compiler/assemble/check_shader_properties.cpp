@@ -149,6 +149,8 @@ void check_shader_properties(const graph::Material& material, const graph::Lower
         texts.check(property);
         if (entry.is_file)
             diagnostics.report(Code::NoFileDefault, property.default_span, property.name, default_word(property));
+        if (const std::string words = sampler_words(property); !words.empty())
+            diagnostics.report(Code::NoSampler, property.sampler_span, property.name, words);
     }
     names.finish();
 }

@@ -155,6 +155,16 @@ std::string header_words(std::string_view text) {
     return made;
 }
 
+std::string sampler_words(const graph::Property& property) {
+    const graph::SamplerState& sampler = property.sampler;
+    std::vector<std::string> words;
+    if (sampler.wrap != graph::Wrap::Repeat)
+        words.push_back(fmt::format("Wrap Mode: {}", sampler.wrap == graph::Wrap::Clamp ? "Clamp" : "Mirror"));
+    if (sampler.filter == graph::Filter::Nearest) words.emplace_back("Filter Mode: Point");
+    if (sampler.anisotropy > 1) words.push_back(fmt::format("Aniso Level: {}", sampler.anisotropy));
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
 std::string_view default_word(const graph::Property& property) {
     return property.usage == graph::TextureUsage::Normal ? "bump" : "white";
 }
@@ -179,7 +189,10 @@ std::vector<std::string> shader_properties(const graph::Material& material, cons
         std::string line = fmt::format("{}{} (\"{}\", {}) = {}", made.attributes, reflection.properties[i].identifier,
                                        quoted(property.label.empty() ? readable(property.name) : property.label),
                                        made.type, made.value);
-        if (entry.is_file) line += "  // " + quoted(file_name(entry.texture_path));
+        std::string asset = entry.is_file ? quoted(file_name(entry.texture_path)) : "";
+        if (const std::string words = sampler_words(property); !words.empty())
+            asset += (asset.empty() ? "" : ", ") + words;
+        if (!asset.empty()) line += "  // " + asset;
         lines.push_back(std::move(line));
     }
     return lines;

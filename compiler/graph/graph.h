@@ -79,6 +79,7 @@ struct Property {
     TextureUsage usage = TextureUsage::Color;
     bool tiling = false;
     SamplerState sampler;
+    Span sampler_span;
     Binding binding = Binding::Uniform;  // Specialization and Variant: bool and enum
     Span binding_span;
 };

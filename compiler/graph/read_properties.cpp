@@ -202,7 +202,10 @@ void read_texture_keys(Reading& reading, const Json& json, Property& property) {
     if (const Json* tiling = json.find("tiling")) {
         property.tiling = read_bool(reading, *tiling, "'tiling'").value_or(false);
     }
-    if (const Json* sampler = json.find("sampler")) read_sampler(reading, *sampler, property.sampler);
+    if (const Json* sampler = json.find("sampler")) {
+        property.sampler_span = sampler->span;
+        read_sampler(reading, *sampler, property.sampler);
+    }
 }
 
 Property read_property(Reading& reading, const Json& json, UniqueNames& names) {
