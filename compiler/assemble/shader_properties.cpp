@@ -158,8 +158,8 @@ std::string header_words(std::string_view text) {
 std::string sampler_words(const graph::Property& property) {
     const graph::SamplerState& sampler = property.sampler;
     std::vector<std::string> words;
-    if (sampler.wrap != graph::Wrap::Repeat)
-        words.push_back(fmt::format("Wrap Mode: {}", sampler.wrap == graph::Wrap::Clamp ? "Clamp" : "Mirror"));
+    if (sampler.wrap == graph::Wrap::Clamp) words.emplace_back("Wrap Mode: Clamp");
+    if (sampler.wrap == graph::Wrap::Mirror) words.emplace_back("Wrap Mode: Mirror");
     if (sampler.filter == graph::Filter::Nearest) words.emplace_back("Filter Mode: Point");
     if (sampler.anisotropy > 1) words.push_back(fmt::format("Aniso Level: {}", sampler.anisotropy));
     return fmt::format("{}", fmt::join(words, ", "));
