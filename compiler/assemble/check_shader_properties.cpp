@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "compiler/assemble/shader_file.h"
 #include "compiler/graph/words.h"
@@ -136,6 +137,27 @@ void check_list(const graph::Property& property, bool is_keyword, Diagnostics& d
     if (is_keyword) told.note("the number sets no keyword: a script has to enable the one that is meant");
 }
 
+// Labels and the names of groups, where ShaderLab makes something else of them. Of a group it is told once.
+class Texts {
+public:
+    explicit Texts(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+    void check(const graph::Property& property) {
+        const std::string label = quoted(property.label), header = header_words(property.group);
+        if (label != property.label)
+            diagnostics_.report(Code::InspectorText, property.label_span, fmt::format("\"{}\"", label), "label",
+                                "has no escapes in strings");
+        if (header != property.group && groups_.insert(property.group).second)
+            diagnostics_.report(Code::InspectorText, property.group_span,
+                                header.empty() ? "no header" : fmt::format("\"{}\"", header), "group",
+                                "takes letters, digits and spaces there");
+    }
+
+private:
+    Diagnostics& diagnostics_;
+    std::set<std::string_view> groups_;
+};
+
 }  // namespace
 
 void check_keywords(const graph::Material& material, const Reflection& reflection, Diagnostics& diagnostics) {
@@ -157,6 +179,7 @@ void check_keywords(const graph::Material& material, const Reflection& reflectio
 
 void check_shader_properties(const graph::Material& material, const graph::Lowered& lowered, Diagnostics& diagnostics) {
     Names names(material, diagnostics);
+    Texts texts(diagnostics);
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
         const graph::MaterialProperty& entry = material.properties[i];
         const graph::Property& property = *entry.property;
@@ -168,8 +191,11 @@ void check_shader_properties(const graph::Material& material, const graph::Lower
                                !lowered.module.blocks[global->block].members[global->member].declared_in.empty();
         if (!is_theirs) names.check(property, !id);
         check_list(property, !id, diagnostics);
+        texts.check(property);
         if (entry.is_file)
             diagnostics.report(Code::NoFileDefault, property.default_span, property.name, default_word(property));
+        if (const std::string words = sampler_words(property); !words.empty())
+            diagnostics.report(Code::NoSampler, property.sampler_span, property.name, words);
     }
     names.finish();
 }

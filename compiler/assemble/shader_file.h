@@ -25,6 +25,13 @@ std::vector<ir::Origin> origins_of(std::span<const LinkedPass> passes);
 // The lines of the block `Properties`.
 std::vector<std::string> shader_properties(const graph::Material& material, const graph::Lowered& lowered,
                                            const Reflection& reflection);
+// What can stand between quotes: ShaderLab knows no escapes there.
+std::string quoted(std::string_view text);
+// What can stand in [Header(...)]: letters and digits of every script, with one space for a run of others.
+std::string header_words(std::string_view text);
+// How a texture is sampled, in the words of Unity's import settings, where it is not as a new asset is: "Wrap Mode:
+// Clamp, Filter Mode: Point". Empty: as a new one.
+std::string sampler_words(const graph::Property& property);
 // The word for a texture's default, where it is a file.
 std::string_view default_word(const graph::Property& property);
 // What Unity's inspector lists of an enum: [KeywordEnum] so many names, [Enum] so many pairs of name and value.

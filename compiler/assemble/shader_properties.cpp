@@ -44,20 +44,6 @@ std::string readable(std::string_view name) {
     return made.empty() ? "Value" : made;
 }
 
-// Strings of ShaderLab know no escapes.
-std::string quoted(std::string_view text) {
-    std::string made;
-    for (const char c : text) made += c == '"' ? '\'' : static_cast<unsigned char>(c) < 0x20 || c == '\\' ? ' ' : c;
-    return made;
-}
-
-// Words of attributes are letters, digits and spaces.
-std::string plain(std::string_view text) {
-    std::string made;
-    for (const char c : text) made += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : ' ';
-    return made;
-}
-
 // IEC 61966-2-1, and as many digits as a colour picker could have meant.
 double encoded(double linear) {
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
@@ -151,6 +137,34 @@ Declared declared(const graph::MaterialProperty& entry, bool is_decoded) {
 
 }  // namespace
 
+std::string quoted(std::string_view text) {
+    std::string made;
+    for (const char c : text) made += c == '"' ? '\'' : static_cast<unsigned char>(c) < 0x20 || c == '\\' ? ' ' : c;
+    return made;
+}
+
+std::string header_words(std::string_view text) {
+    std::string made;
+    bool is_gap = false;
+    for (const char c : text) {
+        const bool is_kept = std::isalnum(static_cast<unsigned char>(c)) != 0 || static_cast<unsigned char>(c) >= 0x80;
+        if (is_kept && is_gap && !made.empty()) made += ' ';
+        if (is_kept) made += c;
+        is_gap = !is_kept;
+    }
+    return made;
+}
+
+std::string sampler_words(const graph::Property& property) {
+    const graph::SamplerState& sampler = property.sampler;
+    std::vector<std::string> words;
+    if (sampler.wrap == graph::Wrap::Clamp) words.emplace_back("Wrap Mode: Clamp");
+    if (sampler.wrap == graph::Wrap::Mirror) words.emplace_back("Wrap Mode: Mirror");
+    if (sampler.filter == graph::Filter::Nearest) words.emplace_back("Filter Mode: Point");
+    if (sampler.anisotropy > 1) words.push_back(fmt::format("Aniso Level: {}", sampler.anisotropy));
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
 std::string_view default_word(const graph::Property& property) {
     return property.usage == graph::TextureUsage::Normal ? "bump" : "white";
 }
@@ -168,13 +182,17 @@ std::vector<std::string> shader_properties(const graph::Material& material, cons
         const Declared made = id ? declared(entry, !lowered.module.globals[id.index].decoder.empty()) : switched(entry);
         if (property.group != group) {
             if (!lines.empty()) lines.emplace_back();
-            if (!property.group.empty()) lines.push_back(fmt::format("[Header({})]", plain(property.group)));
+            const std::string words = header_words(property.group);
+            if (!words.empty()) lines.push_back(fmt::format("[Header({})]", words));
             group = property.group;
         }
         std::string line = fmt::format("{}{} (\"{}\", {}) = {}", made.attributes, reflection.properties[i].identifier,
                                        quoted(property.label.empty() ? readable(property.name) : property.label),
                                        made.type, made.value);
-        if (entry.is_file) line += "  // " + quoted(file_name(entry.texture_path));
+        std::string asset = entry.is_file ? quoted(file_name(entry.texture_path)) : "";
+        if (const std::string words = sampler_words(property); !words.empty())
+            asset += (asset.empty() ? "" : ", ") + words;
+        if (!asset.empty()) line += "  // " + asset;
         lines.push_back(std::move(line));
     }
     return lines;

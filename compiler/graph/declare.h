@@ -21,7 +21,8 @@ struct PropertyGlobals {
     ir::GlobalId value;    // numeric properties
     ir::GlobalId texture;  // texture properties
     ir::GlobalId sampler;
-    ir::GlobalId tiling;  // float4 scale and offset, when the property has "tiling"
+    ir::GlobalId tiling;      // float4 scale and offset, when the property has "tiling"
+    ir::GlobalId texel_size;  // float4, where another tool fills it beside the texture (lower_tool.cpp)
     // A keyword: its global; or none, and it is a constant, where texts are made for one value of it.
     ir::GlobalId keyword;
 };

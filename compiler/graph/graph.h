@@ -76,9 +76,11 @@ struct Property {
     std::vector<std::string> values;  // of an enum
     std::vector<Span> value_spans;    // of each
     std::string label, group, help;
+    Span label_span, group_span;
     TextureUsage usage = TextureUsage::Color;
     bool tiling = false;
     SamplerState sampler;
+    Span sampler_span;
     Binding binding = Binding::Uniform;  // Specialization and Variant: bool and enum
     Span binding_span;
 };

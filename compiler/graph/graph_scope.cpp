@@ -512,7 +512,10 @@ Typed GraphScope::material_property(std::size_t index) {
         return keyword(property, globals.keyword ? read(globals.keyword) : known_value(property, chosen));
     if (property.type == PropertyType::Texture2D) {
         const Value tiling = globals.tiling ? read(globals.tiling) : b.constant(ir::kFloat4, {1, 1, 0, 0});
-        return lowering_.emitter.make_texture(read(globals.texture), read(globals.sampler), tiling, scope_);
+        const Value texture = read(globals.texture), sampler = read(globals.sampler);
+        const Value texel_size =
+            globals.texel_size ? read(globals.texel_size) : lowering_.emitter.texel_size(texture, scope_);
+        return lowering_.emitter.make_texture(texture, sampler, texel_size, tiling, scope_);
     }
     const Value value = read(globals.value);
     if (property.type == PropertyType::Bool) {

@@ -1,5 +1,6 @@
 // What a target whose files are another tool's wants to know beside the passes: how the tool keeps the values of
-// properties, what decodes them, and the lines that a stage needs which calls a foreign function.
+// properties, what decodes them, what it fills beside textures, and the lines that a stage needs which calls a foreign
+// function.
 #include <algorithm>
 
 #include "compiler/graph/lowering.h"
@@ -128,6 +129,13 @@ void decode_by(const nodelang::FunctionDecl& decoder, ir::Global& global) {
     global.at_once = pair[1];
 }
 
+// Beside each texture the tool fills (1/width, 1/height, width, height).
+ir::GlobalId add_texel_size(ir::Module& module, const ir::Global& texture) {
+    module.globals.push_back(
+        {.name = texture.name + "_TexelSize", .type = ir::kFloat4, .set = texture.set, .span = texture.span});
+    return {static_cast<std::uint32_t>(module.globals.size() - 1)};
+}
+
 }  // namespace
 
 void mark_for_tool(Lowering& lowering) {
@@ -135,8 +143,10 @@ void mark_for_tool(Lowering& lowering) {
     const auto& decoders = lowering.session.stages->decoders;
     for (std::size_t i = 0; i < lowering.material.properties.size(); ++i) {
         const Property& property = *lowering.material.properties[i].property;
-        const PropertyGlobals& globals = out.property_globals[i];
+        PropertyGlobals& globals = out.property_globals[i];
         if (!globals.texture && !globals.value) continue;  // it has a keyword
+        if (globals.texture)
+            globals.texel_size = add_texel_size(out.module, ir::Global(out.module.globals[globals.texture.index]));
         ir::Global& global = out.module.globals[(globals.texture ? globals.texture : globals.value).index];
         const auto decoder = decoders.find(usage_of(*lowering.material.graph, property));
         if (decoder != decoders.end()) decode_by(*decoder->second, global);

@@ -203,7 +203,10 @@ void read_texture_keys(Reading& reading, const Json& json, Property& property) {
     if (const Json* tiling = json.find("tiling")) {
         property.tiling = read_bool(reading, *tiling, "'tiling'").value_or(false);
     }
-    if (const Json* sampler = json.find("sampler")) read_sampler(reading, *sampler, property.sampler);
+    if (const Json* sampler = json.find("sampler")) {
+        property.sampler_span = sampler->span;
+        read_sampler(reading, *sampler, property.sampler);
+    }
 }
 
 Property read_property(Reading& reading, const Json& json, UniqueNames& names) {
@@ -216,7 +219,9 @@ Property read_property(Reading& reading, const Json& json, UniqueNames& names) {
         property.binding_span = binding->span;
     }
     property.label = read_text(reading, json, "label");
+    if (const Json* label = json.find("label")) property.label_span = label->span;
     property.group = read_text(reading, json, "group");
+    if (const Json* group = json.find("group")) property.group_span = group->span;
     property.help = read_text(reading, json, "help");
 
     const Json* type = json.find("type");

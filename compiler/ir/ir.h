@@ -160,7 +160,8 @@ struct Keyword {
 struct Global {
     std::string name{};
     Type type{};
-    // For a member of a uniform block: the block and the member in it. For a texture, sampler or keyword: neither.
+    // For a member of a uniform block: the block and the member in it. For a texture, sampler or keyword, and for what
+    // another tool fills under its name: neither.
     std::uint32_t block = 0xffffffffu;
     std::uint32_t member = 0;
     std::uint32_t keyword = 0xffffffffu;  // of Module::keywords

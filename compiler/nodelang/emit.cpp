@@ -131,15 +131,19 @@ bool Emitter::is_texture(Type type) const {
     return (texture2d_ && type == *texture2d_) || (texture_cube_ && type == *texture_cube_);
 }
 
-Typed Emitter::make_texture(Value texture, Value sampler, Value tiling, Scope& scope) {
+Value Emitter::texel_size(Value texture, Scope& scope) {
     ir::Builder& b = *scope.builder;
-    const Type bundle = texture2d();
     const Value level = b.constant(ir::kInt, {0});
     const Value texels = b.emit(Op::TextureSize, Type::vector(Scalar::Int, 2), {texture, level});
     const Value size = b.convert(texels, Scalar::Float);
     const Value inverse = b.emit(Op::Div, ir::kFloat2, {b.splat_constant(ir::kFloat2, 1), size});
-    const Value texel_size = b.construct(ir::kFloat4, std::array{inverse, size});
-    return {.value = b.construct(bundle, std::array{texture, sampler, texel_size, tiling}), .type = bundle};
+    return b.construct(ir::kFloat4, std::array{inverse, size});
+}
+
+Typed Emitter::make_texture(Value texture, Value sampler, Value texel_size, Value tiling, Scope& scope) {
+    const Type bundle = texture2d();
+    const std::array members{texture, sampler, texel_size, tiling};
+    return {.value = scope.builder->construct(bundle, members), .type = bundle};
 }
 
 Typed Emitter::make_cube(Value texture, Value sampler, Scope& scope) {

@@ -134,8 +134,10 @@ public:
     ir::Type structure(const StructDecl& decl, const Declarations& home);
     ir::Type texture2d();     // the struct {texture, sampler, texelSize, tiling}
     ir::Type texture_cube();  // the struct {texture, sampler}
+    // (1/width, 1/height, width, height), asked of the texture.
+    ir::Value texel_size(ir::Value texture, Scope& scope);
     // Makes a texture's value from its parts.
-    Typed make_texture(ir::Value texture, ir::Value sampler, ir::Value tiling, Scope& scope);
+    Typed make_texture(ir::Value texture, ir::Value sampler, ir::Value texel_size, ir::Value tiling, Scope& scope);
     Typed make_cube(ir::Value texture, ir::Value sampler, Scope& scope);
     bool is_texture(ir::Type type) const;
     const Outputs* intern(Outputs outputs);

@@ -127,7 +127,8 @@ Typed Emitter::extern_value(const VariableDecl& variable, Scope& scope) {
     if (!type.is_opaque()) return {.value = value, .type = type};
     const Value sampler = read(global->second.index + 1);  // declared with its texture
     if (type.kind == ir::Kind::TextureCube) return make_cube(value, sampler, scope);
-    return make_texture(value, sampler, scope.builder->constant(ir::kFloat4, {1, 1, 0, 0}), scope);
+    const Value untiled = scope.builder->constant(ir::kFloat4, {1, 1, 0, 0});
+    return make_texture(value, sampler, texel_size(value, scope), untiled, scope);
 }
 
 Typed Emitter::file_constant(const VariableDecl& variable, Scope& scope) {

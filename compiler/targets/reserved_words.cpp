@@ -46,7 +46,10 @@ constexpr std::string_view kLists[] = {
     anyInvocation subpassLoad)",
     // HLSL: keywords.
     R"(AppendStructuredBuffer BlendState Buffer ByteAddressBuffer CompileShader ComputeShader ConsumeStructuredBuffer
-    ConstantBuffer DepthStencilState DepthStencilView DomainShader GeometryShader Hullshader HullShader InputPatch
+    ConstantBuffer FeedbackTexture2D FeedbackTexture2DArray RasterizerOrderedBuffer RasterizerOrderedByteAddressBuffer
+    RasterizerOrderedStructuredBuffer RasterizerOrderedTexture1D RasterizerOrderedTexture1DArray
+    RasterizerOrderedTexture2D RasterizerOrderedTexture2DArray RasterizerOrderedTexture3D RWTexture1DArray
+    RWTexture2DArray RaytracingAccelerationStructure RayDesc RayQuery SubpassInput SubpassInputMS DepthStencilState DepthStencilView DomainShader GeometryShader Hullshader HullShader InputPatch
     LineStream OutputPatch PixelShader PointStream RWBuffer RWByteAddressBuffer RWStructuredBuffer RWTexture1D
     RWTexture2D RWTexture3D RasterizerState RenderTargetView SamplerComparisonState SamplerState StructuredBuffer
     Texture1D Texture1DArray Texture2D Texture2DArray Texture2DMS Texture2DMSArray Texture3D TextureCube
@@ -55,20 +58,38 @@ constexpr std::string_view kLists[] = {
     min12int min16float min16int min16uint nointerpolation packoffset pass Pass pixelfragment point vertexfragment
     snorm unorm stateblock stateblock_state string technique Technique technique10 technique11 triangle triangleadj
     vector sampler_state dword DWORD FLOAT VECTOR MATRIX STRING TEXTURE SAMPLER VERTEXSHADER PIXELSHADER decl Decl
-    uniform unsigned bool1 bool2 bool3 bool4 int1 int2 int3 int4 uint1 uint2 uint3 uint4 half1 half2 half3 half4
-    float1 float2 float3 float4 double1 double2 double3 double4 float1x1 float2x2 float2x3 float2x4 float3x2
-    float3x3 float3x4 float4x2 float4x3 float4x4 half2x2 half3x3 half4x4 int2x2 int3x3 int4x4 bool2x2 bool3x3
-    bool4x4 float16_t2 float16_t3 float16_t4 register vertexshader pixelshader in inout)",
+    asm_fragment samplerCUBE samplerRECT textureCUBE textureRECT int8_t4_packed uint8_t4_packed
+    uniform unsigned register vertexshader pixelshader in inout)",
     // HLSL: intrinsic functions.
     R"(abort all AllMemoryBarrier asdouble asfloat asint asuint asfloat16 atan2 CheckAccessFullyMapped clip countbits
     D3DCOLORtoUBYTE4 ddx ddx_coarse ddx_fine ddy ddy_coarse ddy_fine DeviceMemoryBarrier dst errorf
     EvaluateAttributeAtCentroid EvaluateAttributeAtSample EvaluateAttributeSnapped f16tof32 f32tof16 firstbithigh
     firstbitlow fmod frac GetRenderTargetSampleCount GetRenderTargetSamplePosition GroupMemoryBarrier InterlockedAdd
     InterlockedAnd InterlockedMax InterlockedMin InterlockedOr InterlockedXor isfinite isnormal lerp lit log10 mad
-    msad4 mul noise NonUniformResourceIndex printf rcp reversebits rsqrt saturate select sincos tex1D tex1Dlod tex2D
-    tex2Dbias tex2Dgrad tex2Dlod tex2Dproj tex3D tex3Dlod texCUBE texCUBElod texCUBEbias WaveGetLaneIndex
+    msad4 mul noise NonUniformResourceIndex printf rcp reversebits rsqrt saturate select sincos tex1D tex1Dbias
+    tex1Dgrad tex1Dlod tex1Dproj tex2D tex2Dbias tex2Dgrad tex2Dlod tex2Dproj tex3D tex3Dbias tex3Dgrad tex3Dlod
+    tex3Dproj texCUBE texCUBEbias texCUBEgrad texCUBElod texCUBEproj texRECT texRECTproj AllMemoryBarrierWithGroupSync
+    DeviceMemoryBarrierWithGroupSync GroupMemoryBarrierWithGroupSync InterlockedCompareExchange
+    InterlockedCompareStore InterlockedExchange WaveGetLaneIndex
     QuadReadAcrossX QuadReadAcrossY dot2add dot4add_i8packed)",
 };
+
+// Types of HLSL that have vectors and matrices: "half" of "half3" and "half4x4".
+constexpr std::string_view kScalars[] = {"bool",      "int",       "uint",     "dword",     "half",       "float",
+                                         "double",    "min16int",  "min12int", "min16uint", "min16float", "min10float",
+                                         "int16_t",   "int32_t",   "int64_t",  "uint16_t",  "uint32_t",   "uint64_t",
+                                         "float16_t", "float32_t", "float64_t"};
+
+bool is_size(char c) {
+    return c >= '1' && c <= '4';
+}
+
+bool is_vector_or_matrix(std::string_view word) {
+    if (word.size() < 4 || !is_size(word.back())) return false;
+    word.remove_suffix(1);
+    if (word.back() == 'x' && is_size(word[word.size() - 2])) word.remove_suffix(2);
+    return std::find(std::begin(kScalars), std::end(kScalars), word) != std::end(kScalars);
+}
 
 class ReservedWords {
 public:
@@ -107,7 +128,7 @@ private:
 
 bool is_reserved_word(std::string_view word) {
     static const ReservedWords words;
-    return words.contains(word);
+    return words.contains(word) || is_vector_or_matrix(word);
 }
 
 }  // namespace patina::targets

@@ -50,7 +50,7 @@ TEST(UnityProperties, AreDeclaredAsArtistsSetThem) {
       "surface": { "baseColor": "= $_Color.rgb * $_Bright.rgb", "emission": "$_EmissionColor.rgb" })"));
     for (const char* line :
          {R"(_Color ("Paint", Color) = (0.7354, 0, 1, 1))", R"([HDR] _Bright ("Bright", Color) = (2, 1, 0.5, 1))",
-          R"([HDR] _EmissionColor ("Emission Color", Color) = (0.5, 0.5, 0.5, 1))", R"([Header(Wear   tear)])",
+          R"([HDR] _EmissionColor ("Emission Color", Color) = (0.5, 0.5, 0.5, 1))", R"([Header(Wear tear)])",
           R"(_Wear ("Wear", Range(0, 1)) = 0.25)", R"([IntRange] _Count ("Count", Range(1, 8)) = 3)",
           R"(_FINE_UV ("Fine UV", Range(0, 0.005)) = 0.00002)", R"(_Steps ("Steps", Int) = 2)",
           R"([Toggle] _On ("On", Float) = 1)", R"([Enum(Dry, 0, Wet, 1)] _Kind ("Kind", Float) = 1)",
@@ -59,6 +59,22 @@ TEST(UnityProperties, AreDeclaredAsArtistsSetThem) {
           R"([NoScaleOffset] _Mask ("Mask", 2D) = "gray" {})"})
         EXPECT_TRUE(has(text, line)) << line << "\n" << text.substr(0, 1800);
     EXPECT_FALSE(has(text, "[NoScaleOffset] _MainTex"));
+}
+
+// Its size is a variable that Unity fills, where it is read. Hardware of shader model 3.0 can do that.
+TEST(UnityTextures, HaveTheirSizeBesideThem) {
+    const std::string properties = R"("properties": [ { "name": "_MainTex", "type": "texture2d" },
+        { "name": "_Mask", "type": "texture2d", "usage": "data" } ],
+      "nodes": [ { "id": "texel", "node": "TexelSize", "in": { "texture": "$_MainTex" } },
+        { "id": "mask", "node": "SampleTexture2D", "in": { "texture": "$_Mask" } } ], )";
+    const std::string text =
+        shader(material(properties + R"("surface": { "baseColor": "= frac(@uv0.x * texel.size.x) * mask.rgb",
+          "metallic": "= $_MainTex.texelSize.y" })"));
+    EXPECT_TRUE(has(text, "float4 _MainTex_TexelSize;\n")) << text;
+    EXPECT_TRUE(has(text, "* _MainTex_TexelSize.z")) << text;
+    EXPECT_TRUE(has(text, "= _MainTex_TexelSize.y;")) << text;
+    EXPECT_FALSE(has(text, "_Mask_TexelSize") || has(text, "GetDimensions")) << text;
+    EXPECT_TRUE(has(text, "#pragma target 3.0") && !has(text, "#pragma target 3.5")) << text;
 }
 
 struct Kind {

@@ -60,6 +60,35 @@ TEST(UnityNames, OfPropertiesAreNotTheFilesOwnOrWords) {
     }
 }
 
+// Types of Direct3D 9 and 11, and what HLSLSupport.cginc calls them.
+TEST(UnityNames, OfTypesAreNotThoseOfPropertiesOrValues) {
+    const std::vector<std::string> kNames = {
+        "samplerCUBE",      "sampler1D",        "sampler_state",  "textureCUBE",     "asm_fragment",
+        "RWTexture2DArray", "texCUBEproj",      "tex3Dgrad",      "float1x4",        "half3x2",
+        "double2x3",        "min16float3",      "uint4x4",        "int64_t2",        "dword2",
+        "bool1x1",          "sampler2D_float",  "sampler2D_half", "sampler3D_float", "samplerCUBE_float",
+        "samplerCUBE_half", "TextureCube_half", "fixed",          "fixed3",          "fixed4x4",
+        "CBUFFER_START",    "INTERNAL_DATA"};
+    for (const std::string& name : kNames) {
+        const Result result = of_text(material(R"("properties": [ { "name": ")" + name +
+                                               R"(", "type": "float", "default": 1 } ],
+      "surface": { "metallic": "$)" + name + R"(" })"));
+        EXPECT_EQ(first_error(result).code, "taken-name") << name;
+        const std::string text = shader(material(R"("properties": [ { "name": "_Wear", "type": "float" } ],
+      "nodes": [ { "id": ")" + name + R"(", "expr": "$_Wear * 0.3" } ],
+      "surface": { "metallic": ")" + name + R"(", "smoothness": "= )" +
+                                                 name + " * " + name + "\" }"));
+        EXPECT_FALSE(has(text, "float " + name + " =")) << name << "\n" << text;
+        EXPECT_TRUE(has(text, " = _Wear * 0.3;")) << name << "\n" << text;
+    }
+    for (const std::string name : {"half5", "float4x5", "half0", "x3", "sampler4D", "fixed5"}) {
+        const std::string text =
+            shader(material(R"("properties": [ { "name": ")" + name +
+                            R"(", "type": "float" } ], "surface": { "metallic": "$)" + name + R"(" })"));
+        EXPECT_TRUE(has(text, "float " + name + ";")) << name;
+    }
+}
+
 // Unity fills these itself; a keyword that is on is a macro.
 TEST(UnityNames, OfPropertiesAreNotThoseOfOthers) {
     for (const std::string name : {"_MainTex_ST", "_MainTex_TexelSize", "_MainTex_HDR", "sampler_MainTex"}) {

@@ -255,6 +255,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"examples/sources/standard-specular-setup.graph.json", "sphere", {}, true},
                     Case{"examples/surfaces/bricks_parallax.graph.json", "plane", {}, true},
                     Case{"tests/unity/graphs/specular.graph.json", "sphere"},
+                    Case{"tests/unity/graphs/texels.graph.json", "sphere"},
                     Case{"tests/unity/graphs/wave.graph.json", "capsule"}),
     [](const auto& info) {
         std::string name = info.param.graph.substr(info.param.graph.rfind('/') + 1);

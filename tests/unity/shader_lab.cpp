@@ -53,7 +53,15 @@ std::string declared(const Block& block) {
     return text + "};\n";
 }
 
+// What the file says of a texture's size, (1/width, 1/height, width, height), which the runtime does not fill.
+bool is_texel_size(const std::string& line, const Reflection& reflection) {
+    return std::any_of(reflection.textures.begin(), reflection.textures.end(), [&](const Texture& texture) {
+        return texture.is_material && line == fmt::format("float4 {}_TexelSize;", texture.identifier);
+    });
+}
+
 bool is_uniform(const std::string& line, const Reflection& reflection) {
+    if (is_texel_size(line, reflection)) return true;
     for (const Block& block : reflection.blocks) {
         for (const BlockMember& member : block.members) {
             if (block.is_material && line.ends_with(" " + member.name + ";") &&
@@ -81,6 +89,8 @@ std::string preamble(const Reflection& reflection, const std::vector<std::string
                                 texture.identifier, texture.hlsl_register, texture.sampler_register);
             text += fmt::format("#define TEXEL_{} {}\n", texture.identifier,
                                 texture.usage == "color" ? "handed_over" : "as_it_is");
+            if (values == Values::OfRuntime)
+                text += fmt::format("#define {0}_TexelSize size_of({0})\n", texture.identifier);
         } else if (texture.dimension == "cube") {
             text += fmt::format("TextureCube {} : register({});\nSamplerState {} : register({});\n", texture.identifier,
                                 texture.hlsl_register, texture.sampler_name, texture.sampler_register);

@@ -106,9 +106,10 @@ void block(Writer& w, const UniformBlock& block) {
     if (is_open) w.line(0, fmt::format("UNITY_INSTANCING_BUFFER_END({})", kInstances));
 }
 
-// A texture and its sampler are declared at once.
+// A texture and its sampler are declared at once; its size is a variable that Unity fills.
 void resource(Writer& w, GlobalId id) {
     const Global& global = w.module.globals[id.index];
+    if (global.type.is_numeric()) w.line(0, w.declaration(global.type, w.globals[id.index]) + ";");
     if (global.type.kind == Kind::Texture2D) w.line(0, fmt::format("UNITY_DECLARE_TEX2D({});", w.globals[id.index]));
     if (global.type.kind == Kind::TextureCube)
         w.line(0, fmt::format("UNITY_DECLARE_TEXCUBE({});", w.globals[id.index]));

@@ -62,7 +62,12 @@ constexpr std::string_view kLists[] = {
     TRANSFER_SHADOW TRANSFER_SHADOW_CASTER TRANSFER_SHADOW_CASTER_NOPOS TRANSFER_SHADOW_CASTER_NORMALOFFSET
     TRANSFER_SHADOW_WPOS TRANSFER_VERTEX_TO_FRAGMENT TRANSFORM_TEX TRANSFORM_UV USING_DIRECTIONAL_LIGHT
     USING_LIGHT_MULTI_COMPILE V2F_SCREEN_TYPE V2F_SHADOW_CASTER V2F_SHADOW_CASTER_NOPOS VERTEXLIGHT_ON VFACE VPOS
-    WPOS fixed fixed2 fixed2x2 fixed3 fixed3x3 fixed4 fixed4x4)",
+    WPOS fixed fixed2 fixed2x2 fixed3 fixed3x3 fixed4 fixed4x4 INTERNAL_DATA WorldNormalVector
+    WorldReflectionVector CBUFFER_START CBUFFER_END GLOBAL_CBUFFER_START GLOBAL_CBUFFER_END CUBEMAPFACE_POSITIVE_X
+    CUBEMAPFACE_NEGATIVE_X CUBEMAPFACE_POSITIVE_Y CUBEMAPFACE_NEGATIVE_Y CUBEMAPFACE_POSITIVE_Z CUBEMAPFACE_NEGATIVE_Z
+    sampler2D_float sampler2D_half sampler3D_float sampler3D_half samplerCUBE_float samplerCUBE_half Texture2D_float
+    Texture2D_half Texture2DArray_float Texture2DArray_half Texture3D_float Texture3D_half TextureCube_float
+    TextureCube_half TextureCubeArray_float TextureCubeArray_half)",
     // What UNITY_LIGHT_ATTENUATION and UNITY_APPLY_FOG declare.
     R"(lightCoord shadow unityFogFactor)",
 };

@@ -31,6 +31,15 @@
 #define UNITY_SAMPLE_TEX2D_SAMPLER(tex, samplertex, coord) tex.Sample(sampler##samplertex, coord)
 #endif
 #endif
+// What Unity fills beside a texture.
+#ifdef STAND_IN_REGISTERS
+float4 size_of(Texture2D tex)
+{
+    uint width, height;
+    tex.GetDimensions(width, height);
+    return float4(1.0 / width, 1.0 / height, width, height);
+}
+#endif
 #define UNITY_INITIALIZE_OUTPUT(type, name) name = (type)0;
 #define UNITY_POSITION(pos) float4 pos : SV_POSITION
 #define UNITY_ALLOWED_MRT_COUNT 8
