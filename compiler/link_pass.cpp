@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compiler/assemble/check_reads.h"
+#include "compiler/assemble/pinned_inputs.h"
 #include "compiler/dumps.h"
 #include "compiler/ir/passes/passes.h"
 #include "compiler/ir/verify.h"
@@ -37,7 +38,8 @@ void add_places(Program& program, const ir::Module& stage, const SourceMap& sour
 }  // namespace
 
 // The two stages of a pass. The fragment stage is finished first: the vertex stage computes what is left of its inputs.
-// Those that turn out to be constants are none, and leave less of both stages.
+// Those that turn out to be constants are none, and leave less of both stages, as one of two that are equal does. Their
+// order comes last, when it is known what each is.
 LinkedPass link_pass(const graph::Material& material, const assemble::Linked& linked, const graph::LoweredPass& pass,
                      bool optimise, Result& result, const CompileOptions& options) {
     const std::string& name = pass.name;
@@ -59,10 +61,15 @@ LinkedPass link_pass(const graph::Material& material, const assemble::Linked& li
         ir::check_if_verifying(made.vertex, "linked vertex");
         dump_stage(result, options, "linked", name + ".vertex.linked", made.vertex);
         made.vertex = ir::tidy(std::move(made.vertex));
-        if (assemble::take_constants(made.fragment, made.vertex)) {
-            made.fragment = ir::tidy(std::move(made.fragment));
+        const auto link_again = [&] {
             made.vertex = ir::tidy(assemble::link_vertex(linked, pass, made.fragment, build));
+        };
+        const bool takes = assemble::take_constants(made.fragment, made.vertex);
+        if (assemble::share_pinned(linked, made.fragment, made.vertex) || takes) {
+            made.fragment = ir::tidy(std::move(made.fragment));
+            link_again();
         }
+        if (assemble::order_pinned(linked, made.fragment, made.vertex)) link_again();
         number_inputs(made.vertex);
         dump_stage(result, options, "tidy", name + ".vertex.tidy", made.vertex);
         dump_stage(result, options, "tidy", name + ".fragment.tidy", made.fragment);

@@ -28,7 +28,8 @@ std::vector<Axis> open_axes(const graph::Material& material) {
         axes.push_back({.property = entry.property,
                         .told = {.property = entry.property->name,
                                  .values = {},
-                                 .otherwise = static_cast<std::size_t>(entry.property->value[0])}});
+                                 .otherwise = static_cast<std::size_t>(entry.property->value[0]),
+                                 .is_bool = entry.property->type == graph::PropertyType::Bool}});
         for (const std::string_view word : graph::keyword_words(*entry.property))
             axes.back().told.values.emplace_back(word);
     }

@@ -227,6 +227,10 @@ CanonicalHash hash_text(std::string_view text) {
     return Hash("text").add(text);
 }
 
+std::vector<CanonicalHash> hash_outputs(const ir::Module& stage) {
+    return Stage(stage, inputs_of(stage)).result().outputs;
+}
+
 CanonicalHash hash_stage(const ir::Module& stage) {
     const Stage::Result result = Stage(stage, inputs_of(stage)).result();
     Hash hash("stage");

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "compiler/ir/ir.h"
 
@@ -25,6 +26,9 @@ struct CanonicalHash {
 CanonicalHash hash_pass(const ir::Module& vertex, const ir::Module& fragment);
 // Of one stage, whatever the other one is: interpolated values count by their locations.
 CanonicalHash hash_stage(const ir::Module& stage);
+
+// Of what a stage gives, by output.
+std::vector<CanonicalHash> hash_outputs(const ir::Module& stage);
 
 // Of several that belong together, written out.
 CanonicalHash hash_text(std::string_view text);

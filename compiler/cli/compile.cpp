@@ -136,21 +136,17 @@ void add_compile(Program& program) {
          "patina compile rust.graph.json --functions Rust_ -o out", "patina compile rust.graph.json --dump tidy"});
     auto arguments = std::make_shared<Arguments>();
     command.add_option("GRAPH", arguments->graphs, "Material graphs (JSON)")->required()->type_name(" ");
-    command.add_option("-t,--target", arguments->targets, "glsl, hlsl, spirv, unity, with commas between (glsl,hlsl)")
-        ->type_name("TARGETS")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->check(one_of("a target", {"glsl", "hlsl", "spirv", "unity"}));
+    add_words_option(command, "-t,--target", arguments->targets,
+                     "glsl, hlsl, spirv, unity, with commas between (glsl,hlsl)",
+                     one_of("a target", {"glsl", "hlsl", "spirv", "unity"}))
+        ->type_name("TARGETS");
     command.add_option("-o,--output", arguments->folder, "Folder to write to, made if missing (.)")->type_name("DIR");
     command.add_flag("--validate", arguments->validate, "Prove the shaders with glslang and spirv-val");
     command.add_flag("--depfile", arguments->depfile, "Write NAME.d: what NAME.reflect.json was made from, for ninja");
-    command
-        .add_option("--dump", arguments->dump,
-                    "Print a stage: graph, ir, linked, tidy, rates; writes files only with -o")
-        ->type_name("STAGE")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->check(one_of("a stage", {"graph", "ir", "linked", "tidy", "rates"}));
+    add_words_option(command, "--dump", arguments->dump,
+                     "Print a stage: graph, ir, linked, tidy, rates; writes files only with -o",
+                     one_of("a stage", {"graph", "ir", "linked", "tidy", "rates"}))
+        ->type_name("STAGE");
     add_path_options(command, arguments->path);
     CLI::Option* variants =
         command

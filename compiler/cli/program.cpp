@@ -1,5 +1,7 @@
 #include "compiler/cli/program.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <map>
 
@@ -128,6 +130,23 @@ std::string say_once(std::map<std::string, std::string>& values, const std::stri
     return "'" + name + "' is '" + said->second + "' already, and cannot be '" + value + "' too";
 }
 
+CLI::Option* add_words_option(CLI::App& command, std::string name, std::vector<std::string>& words, std::string help,
+                              std::function<std::string(std::string)> check) {
+    const std::string told = name.substr(name.rfind("--"));
+    const auto take = [&words, told, check = std::move(check)](const std::vector<std::string>& given) {
+        words.clear();
+        for (const std::string& text : given) {
+            for (std::size_t begin = 0, end = 0; end != text.npos; begin = end + 1) {
+                end = text.find(',', begin);
+                words.push_back(text.substr(begin, end == text.npos ? end : end - begin));
+                if (std::string error = check(words.back()); !error.empty()) throw CLI::ValidationError(told, error);
+            }
+        }
+    };
+    return command.add_option_function<std::vector<std::string>>(std::move(name), take, std::move(help))
+        ->allow_extra_args(false);
+}
+
 std::function<std::string(std::string)> one_of(std::string what, std::vector<std::string> words) {
     return [what = std::move(what), words = std::move(words)](const std::string& word) -> std::string {
         for (const std::string& known : words) {
@@ -141,12 +160,18 @@ std::function<std::string(std::string)> one_of(std::string what, std::vector<std
 }
 
 void refuse_equal_outputs(const std::vector<std::string>& graphs, std::string_view ending, std::string_view verb) {
-    std::map<std::string, std::string> seen;
+    std::map<std::string, std::string> seen;  // by names for which case does not count
     for (const std::string& graph : graphs) {
-        const auto [other, is_new] = seen.emplace(stem(graph), graph);
+        const std::string name = stem(graph), file = name + std::string(ending);
+        std::string folded = name;
+        std::ranges::transform(folded, folded.begin(), [](unsigned char c) { return std::tolower(c); });
+        const auto [found, is_new] = seen.emplace(folded, graph);
         if (is_new) continue;
-        throw CLI::ValidationError("GRAPH", "'" + other->second + "' and '" + graph + "' would both write " +
-                                                stem(graph) + std::string(ending) + ": " + std::string(verb) +
+        const std::string& other = found->second;
+        const std::string both = stem(other) == name ? "would both write " + file
+                                                     : "would write " + stem(other) + std::string(ending) + " and " +
+                                                           file + ", which are one for some file systems";
+        throw CLI::ValidationError("GRAPH", "'" + other + "' and '" + graph + "' " + both + ": " + std::string(verb) +
                                                 " them into different folders");
     }
 }

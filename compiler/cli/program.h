@@ -56,8 +56,12 @@ std::string say_once(std::map<std::string, std::string>& values, const std::stri
 // A check for an option whose value is one of a few words; complains with a suggestion.
 std::function<std::string(std::string)> one_of(std::string what, std::vector<std::string> words);
 
-// Two graphs of one name would overwrite each other's files: throws the usage error that says so. `ending`: of what a
-// graph's files are called, ".png"; `verb`: what the command does to graphs.
+// An option that takes words with commas between, "glsl,hlsl". `check` is asked of each, an empty one too.
+CLI::Option* add_words_option(CLI::App& command, std::string name, std::vector<std::string>& words, std::string help,
+                              std::function<std::string(std::string)> check);
+
+// Two graphs of one name, or of names that differ in case alone, would overwrite each other's files: throws the usage
+// error that says so. `ending`: of what a graph's files are called, ".png"; `verb`: what the command does to graphs.
 void refuse_equal_outputs(const std::vector<std::string>& graphs, std::string_view ending, std::string_view verb);
 
 // Parses, runs the chosen subcommand and returns its exit code.

@@ -70,15 +70,21 @@ std::string manifest(const std::string& name, const VariantOptions& wanted, cons
         json.Key(key);
         text(word);
     };
+    const auto value = [&](const VariantAxis& axis, const std::string& word) {
+        if (axis.is_bool)
+            json.Bool(word == "true");
+        else
+            text(word);
+    };
     json.StartObject();
     member("graph", name);
     member("variants", wanted.wanted);
     member("path", options.path);
     json.Key("defines");
     json.StartObject();
-    for (const auto& [define, value] :
+    for (const auto& [define, word] :
          std::map<std::string, std::string>(options.switches.rbegin(), options.switches.rend()))
-        member(define.c_str(), value.empty() ? "true" : value);
+        member(define.c_str(), word.empty() ? "true" : word);
     json.EndObject();
     json.Key("properties");
     json.StartArray();
@@ -87,9 +93,10 @@ std::string manifest(const std::string& name, const VariantOptions& wanted, cons
         member("name", axis.property);
         json.Key("values");
         json.StartArray();
-        for (const std::string& value : axis.values) text(value);
+        for (const std::string& word : axis.values) value(axis, word);
         json.EndArray();
-        member("default", axis.values[axis.otherwise]);
+        json.Key("default");
+        value(axis, axis.values[axis.otherwise]);
         json.EndObject();
     }
     json.EndArray();
@@ -113,7 +120,12 @@ std::string manifest(const std::string& name, const VariantOptions& wanted, cons
         json.StartObject();
         json.Key("values");
         json.StartObject();
-        for (const auto& [property, value] : plan.combination(i)) member(property.c_str(), value);
+        for (const auto& [property, word] : plan.combination(i)) {
+            const auto axis = std::find_if(plan.axes.begin(), plan.axes.end(),
+                                           [&](const VariantAxis& each) { return each.property == property; });
+            json.Key(property.c_str());
+            value(*axis, word);
+        }
         json.EndObject();
         member("program", written[set.program_of[i]].hash);
         json.EndObject();
@@ -130,7 +142,7 @@ Exit make_variants(const Console& console, const Compiler& compiler, const std::
                    const AddShader& add, OutputFiles& files, std::vector<std::string>& dependencies) {
     const auto looking = [&](const VariantPlan& plan) {
         const double most = combinations_of(plan.axes);
-        if (plan.count == 0) remark(console, graph + ": at most " + announcement(plan, most));
+        if (plan.count == 0 && !plan.axes.empty()) remark(console, graph + ": at most " + announcement(plan, most));
         show_progress(console, plan.count, static_cast<std::size_t>(std::min(most, static_cast<double>(kMostVariants))),
                       graph);
     };
@@ -139,7 +151,7 @@ Exit make_variants(const Console& console, const Compiler& compiler, const std::
     report(console, plan.diagnostics);
     if (!plan.ok) return Exit::Wrong;
     const std::string name = stem(graph);
-    const bool is_told = wanted.wanted == to_string(VariantsWanted::Reachable);
+    const bool is_told = wanted.wanted == to_string(VariantsWanted::Reachable) && !plan.axes.empty();
     remark(console, graph + ": " +
                         (is_told ? counted(plan.count, "combination") + " can be reached"
                                  : announcement(plan, static_cast<double>(plan.count))));

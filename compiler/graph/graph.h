@@ -53,6 +53,7 @@ struct SamplerState {
     Wrap wrap = Wrap::Repeat;
     Filter filter = Filter::Linear;
     int anisotropy = 1;  // 1 to 16
+    bool operator==(const SamplerState&) const = default;
 };
 
 // When a property gets its value: when something is drawn; when a pipeline is made; when the graph is compiled; for
@@ -142,7 +143,8 @@ struct ListedVariant {
     struct Value {
         std::string name;
         Span name_span;
-        std::string word;  // "true", "Wet"
+        std::string word;      // "true", "Wet"
+        bool is_bool = false;  // true or false, not a string
         Span value_span;
     };
     std::vector<Value> values;

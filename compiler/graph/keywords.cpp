@@ -65,6 +65,15 @@ void check_listed(Session& session, const Material& material) {
                     .note(known.empty() ? "it has none" : Diagnostics::suggestion(value.name, known));
                 continue;
             }
+            const bool is_bool = property->type == PropertyType::Bool;
+            if (value.is_bool != is_bool) {
+                session.diagnostics
+                    .report(Code::WrongJsonType, value.value_span, fmt::format("'{}'", property->name),
+                            is_bool ? "true or false" : told_values(*property),
+                            is_bool ? "a string" : std::string_view(value.word))
+                    .note(property->name_span, "the property is here");
+                continue;
+            }
             const std::vector<std::string_view> words = keyword_words(*property);
             if (std::find(words.begin(), words.end(), value.word) != words.end()) continue;
             session.diagnostics

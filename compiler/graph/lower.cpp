@@ -126,6 +126,14 @@ void lower_vertex_outputs(Lowering& lowering) {
     }
 }
 
+// A variant of a lighting graph has the value that the material gives it.
+const Property* variant_of_lighting(const Material& material, std::string_view name) {
+    for (const Property& property : material.lighting->graph->properties) {
+        if (property.name == name && property.binding == Binding::Variant) return &property;
+    }
+    return nullptr;
+}
+
 // The switches as the caller wants them.
 void declare_switches(Lowering& lowering) {
     Session& session = lowering.session;
@@ -142,13 +150,20 @@ void declare_switches(Lowering& lowering) {
         if (!is_switch || !has_passes) {
             std::vector<std::string_view> words = keyword_names(lowering.material);
             if (has_passes) words.insert(words.begin(), known.begin(), known.end());
-            session.diagnostics
-                .report(Code::UnknownWord, {}, name,
-                        has_passes ? "a switch of a pass or a keyword of the graph" : "a keyword of the graph")
-                .note(is_switch       ? fmt::format("it is a part of the rendering paths, and {} of none",
-                                              tool_of(session) ? "this target's file is" : "functions are")
-                      : words.empty() ? "it has none"
-                                      : Diagnostics::suggestion(name, words));
+            DiagnosticRecord& record = session.diagnostics.report(
+                Code::UnknownWord, {}, name,
+                has_passes ? "a switch of a pass or a keyword of the graph" : "a keyword of the graph");
+            if (const Property* property = variant_of_lighting(lowering.material, name)) {
+                record.note(property->name_span,
+                            fmt::format("it is a variant of the lighting graph: the material says what it is, by "
+                                        "\"lighting\": {{ \"in\": {{ \"{}\": ... }} }}",
+                                        name));
+                continue;
+            }
+            record.note(is_switch       ? fmt::format("it is a part of the rendering paths, and {} of none",
+                                                tool_of(session) ? "this target's file is" : "functions are")
+                        : words.empty() ? "it has none"
+                                        : Diagnostics::suggestion(name, words));
         } else if (!value.empty() && value != "true" && value != "false") {
             session.diagnostics.report(Code::UnknownWord, {}, value, fmt::format("a value of '{}'", name))
                 .note("these exist: true and false");

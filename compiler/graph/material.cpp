@@ -62,72 +62,6 @@ const CheckedGraph* find_lighting(Session& session, const Graph& graph, const Gr
     return check_graph(session, found->second.get());
 }
 
-void add_property(Session& session, Material& material, const Property& property, const std::string& from) {
-    const auto [existing, is_new] = material.property_index.emplace(property.name, material.properties.size());
-    if (!is_new) {
-        const Property& first = *material.properties[existing->second].property;
-        if (&first == &property) return;
-        if (first.type != property.type || first.binding != property.binding || first.values != property.values) {
-            session.diagnostics.report(Code::DuplicateId, property.name_span, "property", property.name)
-                .note(first.name_span, first.type != property.type         ? "the first is here, with another type"
-                                       : first.binding != property.binding ? "the first is here, bound at another time"
-                                                                           : "the first is here, with other values");
-        }
-        return;  // a sub-graph's property of the same name and type is the same property
-    }
-    MaterialProperty entry{.property = &property, .texture_path = property.texture, .chosen = property.value[0]};
-    if (property.type == PropertyType::Texture2D && property.texture.find_first_of("./") != std::string::npos) {
-        entry.texture_path = find_file(session, property.texture, from);
-        if (entry.texture_path.empty()) {
-            report_not_found(session, property.texture, from,
-                             property.default_span ? property.default_span : property.span);
-        } else {
-            entry.is_file = true;
-            session.dependencies.push_back(entry.texture_path);
-        }
-    }
-    material.properties.push_back(std::move(entry));
-}
-
-// A file at a port is a texture without a name of its own.
-void add_file(Session& session, Material& material, const Expr& expr, const std::string& from,
-              std::deque<Property>& storage) {
-    if (expr.kind == Expr::Kind::File) {
-        Property& property = storage.emplace_back();
-        property.name = file_texture_name(expr.text);
-        property.name_span = property.span = property.default_span = expr.span;
-        property.type = PropertyType::Texture2D;
-        property.texture = std::string(expr.text);
-        add_property(session, material, property, from);
-    }
-    for (const Expr* argument : expr.args) add_file(session, material, *argument, from, storage);
-}
-
-void add_values(Session& session, Material& material, const Graph& graph, std::deque<Property>& storage) {
-    const auto add = [&](const Expr* value) {
-        if (value) add_file(session, material, *value, graph.path, storage);
-    };
-    for (const Node& node : graph.nodes) {
-        add(node.expr);
-        for (const PortValue& port : node.inputs) add(port.value);
-    }
-    for (const auto* ports : {&graph.vertex, &graph.surface, &graph.outputs}) {
-        for (const PortValue& port : *ports) add(port.value);
-    }
-}
-
-void add_graph(Session& session, Material& material, const CheckedGraph& checked, std::set<const CheckedGraph*>& seen) {
-    if (!seen.insert(&checked).second) return;
-    // A lighting graph's own properties may have been bound by the material.
-    for (const Property& property : checked.graph->properties) {
-        if (&checked != material.lighting) add_property(session, material, property, checked.graph->path);
-    }
-    add_values(session, material, *checked.graph, session.file_properties);
-    for (const ResolvedNode& node : checked.nodes) {
-        if (node.subgraph) add_graph(session, material, *node.subgraph, seen);
-    }
-}
-
 // A number, colour or word for a property, as that property's default; false if it is no constant.
 bool set_default(Session& session, Property& property, const Expr& value) {
     const bool negative = value.kind == Expr::Kind::Unary && value.text == "-";
@@ -180,22 +114,16 @@ void bind_variant(Session& session, Material& material, const Property& property
         return;
     }
     Property bound = property;
-    if (value && !set_default(session, bound, *value)) {
+    const bool is_word = value && value->kind == Expr::Kind::Name && !material.graph->by_id.contains(value->text);
+    if (is_word && property.type == PropertyType::Bool) {
+        session.diagnostics
+            .report(Code::UnknownEnumerator, value->span, value->text, fmt::format("'{}'", property.name))
+            .note(Diagnostics::suggestion(value->text, keyword_words(property)));
+    } else if (value && !set_default(session, bound, *value)) {
         session.diagnostics.report(Code::NotConstant, input->value_span, fmt::format("'{}'", property.name))
             .note("a property of the material can be given that is a variant or a specialization constant");
     }
     material.variants[&property] = bound.value[0];
-}
-
-// A pass sets a property of its lighting graph that the material has already: there is one value for both.
-void check_shared_default(Session& session, const Material& material, const Property& bound, const PortValue& input) {
-    const auto known = material.property_index.find(bound.name);
-    if (known == material.property_index.end()) return;
-    const Property& first = *material.properties[known->second].property;
-    if (first.value == bound.value && first.texture == bound.texture) return;
-    session.diagnostics.report(Code::DuplicateId, input.name_span, "property", bound.name)
-        .note(first.default_span ? first.default_span : first.name_span,
-              "the first is here, with another default: a pass shares the material's properties");
 }
 
 // What "lighting": { "in": ... } says: a constant is another default of the lighting graph's property, which can still
@@ -210,7 +138,7 @@ void bind_lighting_properties(Session& session, Material& material, std::span<co
             continue;
         }
         if (input == inputs.end()) {
-            add_property(session, material, property, material.lighting->graph->path);
+            join_property(session, material, property, {.from = material.lighting->graph->path});
             continue;
         }
         if (!input->value) continue;
@@ -223,11 +151,11 @@ void bind_lighting_properties(Session& session, Material& material, std::span<co
             bound.default_span = input->value->span;
         }
         if (is_file || set_default(session, bound, *input->value)) {
-            if (material.pass) check_shared_default(session, material, bound, *input);
             // A file is named from the graph that names it.
             const std::string& from = is_file ? material.graph->graph->path : material.lighting->graph->path;
             session.file_properties.push_back(std::move(bound));
-            add_property(session, material, session.file_properties.back(), from);
+            join_property(session, material, session.file_properties.back(),
+                          {.from = from, .said_at = input->name_span});
         } else {
             material.lighting_inputs.push_back(*input);
         }
@@ -315,12 +243,11 @@ bool resolve_rest(Session& session, Material& material) {
     if (!material.workflow) return false;
     material.lighting = find_lighting(session, graph, *material.workflow->graph, material.lighting_name);
     if (!material.lighting) return false;
-    std::set<const CheckedGraph*> seen;
     const std::size_t known = material.properties.size();
-    add_graph(session, material, *material.graph, seen);
+    join_graph(session, material, *material.graph);
     choose_keywords(session, material, known);
     bind_lighting_properties(session, material, graph.lighting.inputs);
-    add_graph(session, material, *material.lighting, seen);
+    join_graph(session, material, *material.lighting);
     check_surface(session, material);
     check_vertex(session, graph);
     return true;
@@ -357,12 +284,6 @@ void warn_unused(Session& session, const Material& material) {
         session.diagnostics.report(Code::UnusedNode, node.id_span, node.id).at(node.id);
     }
     warn_unheeded(session, material);
-}
-
-std::string file_texture_name(std::string_view path) {
-    std::string name = "_";
-    for (char c : file_stem(path)) name += is_identifier(std::string("_") + c) ? c : '_';
-    return name;
 }
 
 std::vector<const Input*> Material::surface_inputs() const {

@@ -10,6 +10,7 @@ struct MaterialProperty {
     const Property* property = nullptr;
     std::string texture_path;  // a texture's default: a file, found on disk; or white, black, gray, bump
     bool is_file = false;      // `texture_path` is one
+    bool is_own = false;       // the material itself says what its default is
     double chosen = 0;         // of a keyword: bool 0 or 1; enum: index
     bool is_chosen = false;    // by the caller; else `chosen` is its default
 };
@@ -46,6 +47,20 @@ struct MaterialFile {
 };
 // Of text that is among the session's sources from `base` on (read_material.cpp).
 MaterialFile read_material(Session& session, std::uint32_t base, const std::string& path);
+
+// --- properties of all graphs: one name is one property (join_properties.cpp)
+struct JoinOptions {
+    const std::string& from;  // the graph that names its file
+    bool is_own = false;      // the material declares it
+    bool is_at_port = false;  // it is a file at a port, which has no other name
+    Span said_at{};           // the material gives a lighting graph's property this default
+};
+// Makes it the material's, or reports how it differs from the one of that name that the material has.
+void join_property(Session& session, Material& material, const Property& property, const JoinOptions& options);
+// Those of a graph and of its sub-graphs, in an order that has nothing to do with its nodes.
+void join_graph(Session& session, Material& material, const CheckedGraph& graph);
+// Its default is a file, and no word.
+bool is_texture_file(const Property& property);
 
 // --- keywords: properties that are known before a shader runs (keywords.cpp)
 // Gives those from the property `first` on the values that the caller wants ("_DETAIL", "true"), and reports those that

@@ -99,6 +99,7 @@ void read_variants(Reading& reading, const Json& array, std::vector<ListedVarian
             listed.values.push_back({.name = member.key,
                                      .name_span = member.key_span,
                                      .word = is_bool ? (value.boolean ? "true" : "false") : value.string,
+                                     .is_bool = is_bool,
                                      .value_span = value.span});
         }
     }

@@ -74,6 +74,15 @@ std::optional<Bounds> read_bounds(Reading& reading, const Json& json) {
     const auto highest =
         read_numbers<3>(reading, json.elements[1], "the highest corner of 'bounds'", "an array of three numbers");
     if (!lowest || !highest) return std::nullopt;
+    const std::size_t errors = reading.diagnostics.error_count();
+    for (const Json& corner : json.elements) {
+        for (const Json& number : corner.elements) {
+            if (std::fabs(number.number) <= kFarthest) continue;
+            reading.diagnostics.report(Code::OutOfRange, number.span, reading.sources.text(number.span), -kFarthest,
+                                       kFarthest, "bounds");
+        }
+    }
+    if (reading.diagnostics.error_count() > errors) return std::nullopt;
     for (std::size_t i = 0; i < 3; ++i) {
         if ((*lowest)[i] <= (*highest)[i]) continue;
         const Json& number = json.elements[1].elements[i];

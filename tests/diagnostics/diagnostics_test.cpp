@@ -129,6 +129,26 @@ TEST(DiagnosticFolders, OneForEachCode) {
     }
 }
 
+// What is wrong with the command itself is said before any file is looked for, and ends with 2.
+TEST(Usage, IsRefusedWithWhatIsWrong) {
+    const std::pair<std::string, std::string> cases[] = {
+        {"plain.graph.json -t glsl,,hlsl", "--target: '' is not a target: use one of glsl, hlsl, spirv and unity"},
+        {"plain.graph.json -t glsl -t hlsl,", "--target: '' is not a target: use one of glsl, hlsl, spirv and unity"},
+        {"plain.graph.json -t glsl,metal", "--target: 'metal' is not a target: use one of glsl, hlsl, spirv and unity"},
+        {"plain.graph.json --dump ,tidy", "--dump: '' is not a stage: use one of graph, ir, linked, tidy and rates"},
+        {"a/plain.graph.json b/plain.graph.json",
+         "GRAPH: 'a/plain.graph.json' and 'b/plain.graph.json' would both write plain.*: compile them into different "
+         "folders"},
+        {"a/plain.graph.json b/Plain.graph.json",
+         "GRAPH: 'a/plain.graph.json' and 'b/Plain.graph.json' would write plain.* and Plain.*, which are one for some "
+         "file systems: compile them into different folders"}};
+    for (const auto& [arguments, message] : cases) {
+        const Ran ran = run("patina compile " + arguments, received_folder());
+        EXPECT_EQ(ran.exit, 2) << arguments;
+        EXPECT_EQ(ran.output, "patina compile: " + message + "\ntry 'patina compile --help'\n") << arguments;
+    }
+}
+
 TEST(DiagnosticsOfTheLibrary, UnknownPass) {
     const Compiler compiler;
     CompileOptions options;

@@ -485,5 +485,128 @@ TEST(CanonicalHash, SeesWhatIsComputed) {
                       {}));
 }
 
+// --- what nodes bring and hand over
+
+std::vector<std::string> stage_hashes(const Result& result) {
+    std::vector<std::string> hashes;
+    for (const Shader& shader : result.shaders) hashes.push_back(shader.hash);
+    return hashes;
+}
+
+Result compiled(const std::string& text, std::map<std::string, std::string> files = {}) {
+    CompileOptions options = options_for(files);
+    options.hashes = options.keep_programs = true;
+    Result result = compiler().compile_text("a.graph.json", text, options);
+    EXPECT_TRUE(result.ok) << told(result.diagnostics) << text;
+    return result;
+}
+
+std::string subgraph(const std::string& properties, const std::string& nodes, const std::string& value) {
+    return R"json({ "patina": 1, "kind": "subgraph", "properties": [)json" + properties + R"json(], "nodes": [)json" +
+           nodes + R"json(], "outputs": { "value": ")json" + value + "\" } }";
+}
+
+// 'moss' and 'sand' both have 'grain' inside; 'ground' has both. What a graph declares lies together in its order, what
+// its sub-graphs bring behind it, those first whose first property's name comes first: _A of 'moss', _B of 'sand'.
+TEST(Properties, OfSubgraphsHaveAnOrderThatNodesDoNotChange) {
+    const std::string grain = R"json({ "id": "g", "node": "./grain.subgraph.json" })json";
+    const std::string inside[] = {R"json({ "id": "m", "node": "./moss.subgraph.json" })json",
+                                  R"json({ "id": "s", "node": "./sand.subgraph.json" })json"};
+    const std::map<std::string, std::string> files = {
+        {"moss.subgraph.json", subgraph(R"json({ "name": "_A", "type": "bool", "as": "specialization" },
+                                               { "name": "_Z", "type": "float", "default": 0.25 })json",
+                                        grain, "= $_A ? $_Z : g")},
+        {"sand.subgraph.json", subgraph(R"json({ "name": "_B", "type": "bool", "as": "specialization" },
+                                               { "name": "_Y", "type": "float2" })json",
+                                        grain, "= $_B ? $_Y.x : g")},
+        {"grain.subgraph.json",
+         subgraph(R"json({ "name": "_C", "type": "bool", "as": "specialization" },
+                                                { "name": "_T", "type": "texture2d" })json",
+                  R"json({ "id": "t", "node": "SampleTexture2D", "in": { "texture": "$_T" } })json",
+                  "= $_C ? t.r : @uv0.x")},
+        {"ground.subgraph.json", subgraph("", inside[0] + "," + inside[1], "= m - s")},
+        {"ground_turned.subgraph.json", subgraph("", inside[1] + "," + inside[0], "= m - s")}};
+    const auto material = [](const std::string& nodes, const std::string& value) {
+        return R"json({ "patina": 1, "workflow": "unlit", "properties": [ { "name": "_Own", "type": "float" } ],
+                        "nodes": [)json" +
+               nodes + R"json(], "surface": { "color": "= float3($_Own + )json" + value + ")\" } }";
+    };
+    const auto node = [](const std::string& id, const std::string& file) {
+        return R"json({ "id": ")json" + id + R"json(", "node": "./)json" + file + R"json(.subgraph.json" })json";
+    };
+    const std::string materials[] = {material(node("a", "moss") + "," + node("b", "sand"), "(a - b)"),
+                                     material(node("b", "sand") + "," + node("a", "moss"), "(a - b)"),
+                                     material(node("a", "sand") + "," + node("b", "moss"), "(b - a)"),
+                                     material(node("zz", "moss") + "," + node("aa", "sand"), "(zz - aa)"),
+                                     material(node("n", "ground"), "n"),
+                                     material(node("n", "ground_turned"), "n")};
+    const Result first = compiled(materials[0], files);
+    for (const std::string& text : materials) {
+        const Result result = compiled(text, files);
+        std::vector<std::string> names;
+        std::map<std::string, std::optional<std::uint32_t>> ids;
+        for (const Property& property : result.reflection.properties) {
+            names.push_back(property.name);
+            ids[property.name] = property.constant_id;
+        }
+        EXPECT_EQ(names, (std::vector<std::string>{"_Own", "_A", "_Z", "_C", "_T", "_B", "_Y"})) << text;
+        EXPECT_EQ(ids["_A"], 0u);
+        EXPECT_EQ(ids["_C"], 1u);
+        EXPECT_EQ(ids["_B"], 2u);
+        EXPECT_EQ(result.reflection.layout_hash, first.reflection.layout_hash);
+        EXPECT_EQ(result.reflection.passes[0].hash, first.reflection.passes[0].hash) << text;
+        EXPECT_EQ(stage_hashes(result), stage_hashes(first)) << text;
+    }
+}
+
+TEST(Properties, ThatAreFilesAtPortsHaveAnOrderThatNodesDoNotChange) {
+    const std::string moss = R"json({ "id": "m", "node": "SampleTexture2D", "in": { "texture": "./moss.png" } })json";
+    const std::string sand = R"json({ "id": "s", "node": "SampleTexture2D", "in": { "texture": "./sand.png" } })json";
+    const std::map<std::string, std::string> files = {{"moss.png", ""}, {"sand.png", ""}};
+    const Result first = compiled(unlit("= m.rgb - s.rgb", moss + "," + sand), files);
+    const Result turned = compiled(unlit("= m.rgb - s.rgb", sand + "," + moss), files);
+    ASSERT_EQ(turned.reflection.properties.size(), 4u);
+    EXPECT_EQ(turned.reflection.properties[2].name, "_moss");
+    EXPECT_EQ(turned.reflection.properties[3].name, "_sand");
+    EXPECT_EQ(stage_hashes(turned), stage_hashes(first));
+}
+
+// A quad's corners are where a wave is computed, and between them it is a line: what the CPU makes of it, too.
+TEST(Interpolators, HaveAnOrderThatNodesDoNotChange) {
+    const auto pinned = [](const std::string& id, const std::string& value) {
+        return R"json({ "id": ")json" + id + R"json(", "expr": ")json" + value + R"json(", "stage": "vertex" })json";
+    };
+    const std::string sine = "0.5 + 0.25 * sin(@uv0.x)", cosine = "0.5 * cos(@uv0.y)", both = "@uv0 * 0.5";
+    const std::string texts[] = {
+        unlit("= float3(x, y, z.x - z.y)", pinned("x", sine) + "," + pinned("y", cosine) + "," + pinned("z", both)),
+        unlit("= float3(x, y, z.x - z.y)", pinned("z", both) + "," + pinned("y", cosine) + "," + pinned("x", sine)),
+        unlit("= float3(y, z, x.x - x.y)", pinned("z", cosine) + "," + pinned("y", sine) + "," + pinned("x", both))};
+    const Result first = compiled(texts[0]);
+    const Image cpu = drawn(first, {});
+    for (const std::string& text : texts) {
+        const Result result = compiled(text);
+        EXPECT_EQ(stage_hashes(result), stage_hashes(first)) << text;
+        for (const Target target : {Target::Glsl, Target::Hlsl}) {
+            const Image image = drawn(result, target);
+            ASSERT_EQ(image.pixels.size(), cpu.pixels.size());
+            for (std::size_t i = 0; i < image.pixels.size(); ++i) EXPECT_NEAR(image.pixels[i], cpu.pixels[i], 1e-5);
+        }
+    }
+    EXPECT_EQ(renderer().messages(), std::vector<std::string>{});
+    EXPECT_NE(stage_hashes(compiled(unlit("= float3(y, x, z.x - z.y)",
+                                          pinned("x", sine) + "," + pinned("y", cosine) + "," + pinned("z", both)))),
+              stage_hashes(first));
+}
+
+TEST(Interpolators, ThatAreEqualAreOne) {
+    const auto text = [](const std::string& value, const std::string& second) {
+        return unlit(value, R"json({ "id": "x", "expr": "sin(@uv0.x + @uv0.y)", "stage": "vertex" })json" + second);
+    };
+    const std::string second = R"json(, { "id": "y", "expr": "sin(@uv0.y + @uv0.x)", "stage": "vertex" })json";
+    const std::vector<std::string> one = stage_hashes(compiled(text("= float3(x - 2 * sqrt(x))", "")));
+    EXPECT_EQ(stage_hashes(compiled(text("= float3(x - 2 * sqrt(y))", second))), one);
+    EXPECT_EQ(stage_hashes(compiled(text("= float3(y - 2 * sqrt(x))", second))), one);
+}
+
 }  // namespace
 }  // namespace patina

@@ -15,6 +15,7 @@ struct VariantAxis {
     std::string property;
     std::vector<std::string> values;
     std::size_t otherwise = 0;  // the default: index into `values`
+    bool is_bool = false;       // else an enum
 };
 // Property and value, in the order of the axes.
 using VariantValues = std::vector<std::pair<std::string, std::string>>;

@@ -1,0 +1,194 @@
+// How the properties of all graphs become the material's: which are one, and in what order they lie. Names and order of
+// nodes do not count: a graph that is laid out anew keeps its block, its slots and its ids.
+#include <algorithm>
+#include <compare>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "compiler/base/text.h"
+#include "compiler/graph/material.h"
+
+namespace patina::graph {
+
+using nodelang::Expr;
+
+namespace {
+
+// The file of a texture's default, or the word. Nothing: there is no such file, which has been reported.
+std::optional<std::string> find_texture(Session& session, const Property& property, const std::string& from) {
+    if (!is_texture_file(property)) return property.texture;
+    std::string path = find_file(session, property.texture, from);
+    if (!path.empty()) return path;
+    report_not_found(session, property.texture, from, property.default_span ? property.default_span : property.span);
+    return {};
+}
+
+// What a property is, wherever it is declared. Empty: the same.
+std::string_view differing_kind(const Property& a, const Property& b) {
+    if (a.type != b.type) return "with another type";
+    if (a.binding != b.binding) return "bound at another time";
+    if (a.values != b.values) return "with other values";
+    return a.usage == b.usage ? "" : "with another usage";
+}
+
+// What the material may say of it, for all.
+std::string_view differing_choice(const Property& a, const Property& b, bool same_default) {
+    if (!same_default) return "with another default";
+    if (a.range != b.range || a.hard != b.hard) return "with another range";
+    if (a.tiling != b.tiling) return a.tiling ? "with tiling" : "without tiling";
+    return a.sampler == b.sampler ? "" : "with another sampler";
+}
+
+// A property of a name that the material has already.
+void share(Session& session, const Material& material, const MaterialProperty& entry, const Property& property,
+           const JoinOptions& options) {
+    const Property& first = *entry.property;
+    if (&first == &property) return;
+    const Span where = options.said_at ? options.said_at : property.name_span;
+    const auto report = [&](std::string_view how, Span first_span) -> DiagnosticRecord& {
+        return session.diagnostics.report(Code::DuplicateId, where, "property", property.name)
+            .note(first_span, fmt::format("the first is here, {}", how));
+    };
+    if (const std::string_view kind = differing_kind(first, property); !kind.empty()) {
+        report(kind, first.name_span);
+        return;
+    }
+    const bool is_said = options.said_at || options.is_at_port;
+    if (entry.is_own && !is_said) return;  // the material's word is the one
+    bool same_default = first.value == property.value;
+    if (property.type == PropertyType::Texture2D) {
+        const std::optional<std::string> texture = find_texture(session, property, options.from);
+        if (!texture) return;
+        same_default = *texture == entry.texture_path;
+    }
+    const std::string_view choice = differing_choice(first, property, same_default);
+    if (choice.empty() || (options.said_at && same_default)) return;
+    const Span default_span = first.default_span && options.said_at ? first.default_span : first.name_span;
+    DiagnosticRecord& record = report(choice, default_span);
+    if (material.pass && options.said_at)
+        record.note("a pass shares the material's properties");
+    else if (!is_said)
+        record.note(fmt::format("where the material declares '{}', what it says of it holds for all", property.name));
+}
+
+struct Brought {
+    const Property* property;
+    const std::string* from;
+    bool is_at_port = false;
+};
+using AllBrought = std::vector<Brought>;
+
+// By names, which are the interface; by what is shown to artists where those are alike.
+bool comes_before(const AllBrought& a, const AllBrought& b) {
+    const auto compare = [&](auto key) {
+        return std::lexicographical_compare_three_way(
+            a.begin(), a.end(), b.begin(), b.end(),
+            [&](const Brought& x, const Brought& y) { return key(*x.property) <=> key(*y.property); });
+    };
+    const auto by_name = compare([](const Property& p) { return std::tie(p.name); });
+    if (by_name != 0) return by_name < 0;
+    return compare([](const Property& p) { return std::tie(p.label, p.group, p.help); }) < 0;
+}
+
+class Collector {
+public:
+    Collector(Session& session, const Material& material) : session_(session), material_(material) {}
+
+    // Each once: a graph's own, in its order; the files at its ports, by name; then what its sub-graphs bring.
+    const AllBrought& brought_by(const CheckedGraph& checked) {
+        const auto [found, is_new] = known_.try_emplace(&checked);
+        if (!is_new) return found->second;
+        AllBrought all;
+        const Graph& graph = *checked.graph;
+        // Those of the material's lighting graph may have been bound by the material.
+        for (const Property& property : graph.properties) {
+            if (&checked != material_.lighting) all.push_back({&property, &graph.path});
+        }
+        add_files(graph, all);
+        std::set<const CheckedGraph*> seen;
+        std::vector<const AllBrought*> parts;
+        for (const ResolvedNode& node : checked.nodes) {
+            if (node.subgraph && seen.insert(node.subgraph).second) parts.push_back(&brought_by(*node.subgraph));
+        }
+        std::stable_sort(parts.begin(), parts.end(),
+                         [](const AllBrought* x, const AllBrought* y) { return comes_before(*x, *y); });
+        std::set<const Property*> here;
+        for (const Brought& own : all) here.insert(own.property);
+        for (const AllBrought* part : parts) {
+            for (const Brought& each : *part) {
+                if (here.insert(each.property).second) all.push_back(each);
+            }
+        }
+        return known_[&checked] = std::move(all);
+    }
+
+private:
+    void add_files(const Graph& graph, AllBrought& all) {
+        const std::size_t own = all.size();
+        const auto add = [&](const PortValue& port) {
+            if (port.value) add_file(*port.value, graph, all);
+        };
+        for (const Node& node : graph.nodes) {
+            if (node.expr) add_file(*node.expr, graph, all);
+            std::for_each(node.inputs.begin(), node.inputs.end(), add);
+        }
+        for (const auto* ports : {&graph.vertex, &graph.surface, &graph.outputs})
+            std::for_each(ports->begin(), ports->end(), add);
+        std::stable_sort(all.begin() + static_cast<std::ptrdiff_t>(own), all.end(),
+                         [](const Brought& a, const Brought& b) { return a.property->name < b.property->name; });
+    }
+
+    // A file at a port is a texture without a name of its own.
+    void add_file(const Expr& expr, const Graph& graph, AllBrought& all) {
+        if (expr.kind == Expr::Kind::File) {
+            Property& property = session_.file_properties.emplace_back();
+            property.name = file_texture_name(expr.text);
+            property.name_span = property.span = property.default_span = expr.span;
+            property.type = PropertyType::Texture2D;
+            property.texture = std::string(expr.text);
+            all.push_back({&property, &graph.path, true});
+        }
+        for (const Expr* argument : expr.args) add_file(*argument, graph, all);
+    }
+
+    Session& session_;
+    const Material& material_;
+    std::map<const CheckedGraph*, AllBrought> known_;
+};
+
+}  // namespace
+
+bool is_texture_file(const Property& property) {
+    return property.type == PropertyType::Texture2D && property.texture.find_first_of("./") != std::string::npos;
+}
+
+void join_property(Session& session, Material& material, const Property& property, const JoinOptions& options) {
+    const auto [existing, is_new] = material.property_index.emplace(property.name, material.properties.size());
+    if (!is_new) return share(session, material, material.properties[existing->second], property, options);
+    MaterialProperty entry{.property = &property,
+                           .texture_path = find_texture(session, property, options.from).value_or(""),
+                           .is_own = options.is_own || options.said_at,
+                           .chosen = property.value[0]};
+    entry.is_file = is_texture_file(property) && !entry.texture_path.empty();
+    if (entry.is_file) session.dependencies.push_back(entry.texture_path);
+    material.properties.push_back(std::move(entry));
+}
+
+void join_graph(Session& session, Material& material, const CheckedGraph& graph) {
+    const std::size_t own = graph.graph->properties.size();
+    const AllBrought all = Collector(session, material).brought_by(graph);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const bool is_own = &graph == material.graph && i < own;
+        join_property(session, material, *all[i].property,
+                      {.from = *all[i].from, .is_own = is_own, .is_at_port = all[i].is_at_port});
+    }
+}
+
+std::string file_texture_name(std::string_view path) {
+    std::string name = "_";
+    for (char c : file_stem(path)) name += is_identifier(std::string("_") + c) ? c : '_';
+    return name;
+}
+
+}  // namespace patina::graph
