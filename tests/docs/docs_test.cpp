@@ -2,7 +2,7 @@
 // one page lie in one folder. Each graph compiles without a complaint and both other compilers accept its shaders; each
 // scene can be read; each path draws the page's graphs; each file of nodes is sound and its test lines hold; every
 // other file is used by one of these. A
-// ```glsl block is what the graph before it becomes.
+// ```glsl block is what the graph before it becomes, a ```shaderlab block what it becomes for Unity.
 #include <algorithm>
 #include <map>
 #include <sstream>
@@ -59,7 +59,7 @@ TEST_P(Page, HoldsExamplesThatWork) {
     }
     const Compiler compiler;
     std::vector<std::string> used;
-    std::string last_shaders;
+    std::string last_shaders, last_file;
     int examples = 0;
     for (const Block& block : blocks) {
         const std::string path = folder / block.name;
@@ -74,6 +74,10 @@ TEST_P(Page, HoldsExamplesThatWork) {
                 EXPECT_TRUE(validated.ok) << validated.log;
                 last_shaders += shader.text;
             }
+            CompileOptions unity;
+            unity.targets = {Target::Unity};
+            const Result file = compiler.compile_file(path, unity);
+            last_file = file.ok ? file.shaders.front().text : std::string();
         } else if (block.name.ends_with(".scene.json")) {
             ++examples;
             const SceneResult scene = compiler.read_scene(path);
@@ -99,12 +103,13 @@ TEST_P(Page, HoldsExamplesThatWork) {
             const NodeFileResult result = compiler.check_node_file(path);
             EXPECT_TRUE(result.ok && result.diagnostics.empty()) << joined(result.diagnostics);
             for (const NodeTest& test : result.tests) EXPECT_TRUE(passed(test)) << test.text;
-        } else if (block.language == "glsl") {
+        } else if (block.language == "glsl" || block.language == "shaderlab") {
+            const std::string& emitted = block.language == "glsl" ? last_shaders : last_file;
             // Declarations are left out there: paragraph by paragraph.
             for (std::size_t at = 0; at < block.text.size();) {
                 const std::size_t end = std::min(block.text.find("\n\n", at), block.text.size() - 1) + 1;
                 const std::string paragraph = block.text.substr(at, end - at);
-                EXPECT_NE(last_shaders.find(paragraph), std::string::npos) << "no longer emitted:\n" << paragraph;
+                EXPECT_NE(emitted.find(paragraph), std::string::npos) << "no longer emitted:\n" << paragraph;
                 at = end + 1;
             }
         }
@@ -185,7 +190,7 @@ TEST(ManualPage, OffersANodeThatCompiles) {
 
 INSTANTIATE_TEST_SUITE_P(All, Page,
                          ::testing::Values("docs/graph-format.md", "docs/node-language.md", "docs/rendering-paths.md",
-                                           "docs/adding-a-node.md", "README.md"),
+                                           "docs/adding-a-node.md", "docs/unity.md", "README.md"),
                          [](const auto& info) {
                              std::string name = fs::path(info.param).stem();
                              std::replace(name.begin(), name.end(), '-', '_');

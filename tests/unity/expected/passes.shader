@@ -823,14 +823,6 @@ Shader "Patina/passes"
                 UNITY_VERTEX_OUTPUT_STEREO
             };
 
-            float3 get_surface_rim(float2 uv0)
-            {
-                // SampleTexture2D "albedo"
-                float4 albedo = LinearColor(UNITY_SAMPLE_TEX2D(_MainTex, uv0));
-
-                return albedo.xyz * 0.2;
-            }
-
             v2f vert(appdata_full v)
             {
                 v2f o;
@@ -850,8 +842,11 @@ Shader "Patina/passes"
                 UNITY_SETUP_INSTANCE_ID(i);
                 UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);
 
-                float3 material = get_surface_rim(i.uv0);
-                float4 color = float4(ProjectColor(material), 1.0);
+                // SampleTexture2D "albedo"
+                float4 albedo = LinearColor(UNITY_SAMPLE_TEX2D(_MainTex, i.uv0));
+
+                float3 emission = albedo.xyz * 0.2;
+                float4 color = float4(ProjectColor(emission), 1.0);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, color, float4(0.0, 0.0, 0.0, 0.0));
                 return color;
             }
