@@ -66,7 +66,7 @@ LinkedPass link_pass(const graph::Material& material, const assemble::Linked& li
         };
         const bool takes = assemble::take_constants(made.fragment, made.vertex);
         if (assemble::share_pinned(linked, made.fragment, made.vertex) || takes) {
-            made.fragment = ir::tidy(std::move(made.fragment));
+            made.fragment = ir::tidy(ir::settle_params(std::move(made.fragment)));
             link_again();
         }
         if (assemble::order_pinned(linked, made.fragment, made.vertex)) link_again();

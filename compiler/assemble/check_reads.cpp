@@ -120,13 +120,15 @@ bool has_all(graph::Session& session, const Linked& linked, const LinkedPass& pa
         const Span graph = pass.material->graph->graph->span;
         if (!missing->where.span.end) missing->where = Reads(linked, missing->name).place();
         const bool is_at_node = missing->where.span.begin != missing->where.span.end;
-        session.diagnostics
-            .report(pass.pass->declaration->is_optional ? Code::PassLeftOut : Code::PassRefused,
-                    is_at_node ? missing->where.span : Span{graph.begin, graph.begin + 1}, pass.pass->name,
-                    fmt::format("its {} reads '{}', and '{}' has nothing like it there",
-                                stage == &pass.vertex ? "vertex stage" : "fragment stage", missing->name,
-                                to_string(session.options.targets[0])))
-            .at(missing->where.id);
+        const graph::PassDecl& declaration = *pass.pass->declaration;
+        DiagnosticRecord& record = session.diagnostics.report(
+            declaration.is_optional ? Code::PassLeftOut : Code::PassRefused,
+            is_at_node ? missing->where.span : Span{graph.begin, graph.begin + 1}, graph::known_as(declaration),
+            fmt::format("its {} reads '{}', and '{}' has nothing like it there",
+                        stage == &pass.vertex ? "vertex stage" : "fragment stage", missing->name,
+                        to_string(session.options.targets[0])));
+        record.at(missing->where.id);
+        if (declaration.is_optional && !declaration.otherwise.empty()) record.note(std::string(declaration.otherwise));
         return false;
     }
     return true;

@@ -236,6 +236,12 @@ std::optional<ir::GlobalId> LoweredPass::attribute_of(ir::SemanticId semantic) c
     return found(attributes, semantic);
 }
 
+std::string_view known_as(const PassDecl& pass) {
+    const auto tag =
+        std::find_if(pass.tags.begin(), pass.tags.end(), [](const auto& each) { return each.first != "Name"; });
+    return tag == pass.tags.end() ? pass.name : std::string_view(tag->second);
+}
+
 const BlendRow* blend_of(const PassDecl& pass, std::string_view surface) {
     for (const BlendRow& row : pass.blends) {
         if (row.surface.empty() || row.surface == surface) return &row;

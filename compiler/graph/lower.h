@@ -32,6 +32,8 @@ struct LoweredPass {
 };
 // How a pass blends surfaces of a kind; null: it does not draw them.
 const BlendRow* blend_of(const PassDecl& pass, std::string_view surface);
+// A tool's users know a pass by its tag, "ShadowCaster".
+std::string_view known_as(const PassDecl& pass);
 
 // A function for an engine's own shaders.
 struct LoweredFunction {

@@ -127,13 +127,10 @@ private:
         in_order_of([&](const LoweredPass& p) { return std::find(passes.begin(), passes.end(), p.declaration); });
     }
 
-    // A tool's users know a pass by its tag.
     void report_left_out(const PassDecl& pass, Refusal refusal) {
         if (lowering_.session.diagnostics.has_errors()) return;
-        const auto tag =
-            std::find_if(pass.tags.begin(), pass.tags.end(), [](const auto& each) { return each.first != "Name"; });
         if (refusal.advice.empty()) refusal.advice = pass.otherwise;
-        report(Code::PassLeftOut, refusal, tag == pass.tags.end() ? pass.name : tag->second, refusal.reason);
+        report(Code::PassLeftOut, refusal, known_as(pass), refusal.reason);
     }
 
     template <class... Words>

@@ -20,6 +20,7 @@ constexpr AttributeInfo kAttributes[] = {
     {kFunction, "extern"},
     {kFunction, "range"},
     {kFunction, "inline"},
+    {kFunction, "in_float"},
     // What a pass may call, and how it comes about.
     {kFunction, "slot"},
     {kFunction, "part"},

@@ -55,6 +55,7 @@ private:
     Text matrix_of_rows(ir::Value v) const;
     Text extract(ir::Value v) const;
     Text swizzle(ir::Value v) const;
+    bool may_end_in_swizzle(ir::Value v) const;
     Text row(ir::Value matrix, const std::string& index) const;
 
     // statements.cpp

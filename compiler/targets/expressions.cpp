@@ -302,19 +302,27 @@ Text Body::extract(Value v) const {
         const std::string matrix = at_least(Precedence::Postfix, expression(arg(from, 0)));
         return {fmt::format("{}[{}][{}]", matrix, index, function_[from].data), Precedence::Postfix};
     }
-    return {at_least(Precedence::Postfix, expression(from)) + part(type, index), Precedence::Postfix};
+    Text source = expression(from);
+    if (may_end_in_swizzle(from)) source.text = without_swizzle(std::move(source.text));
+    return {at_least(Precedence::Postfix, source) + part(type, index), Precedence::Postfix};
+}
+
+// A value of the tool, or one that it keeps in a wider vector.
+bool Body::may_end_in_swizzle(Value v) const {
+    return function_[v].op == Op::Global && function_[v].type.is_vector() && !is_variable(v) &&
+           (module().globals[function_[v].data].is_foreign() || writer_.language.read);
 }
 
 Text Body::swizzle(Value v) const {
     const Inst& inst = function_[v];
     const Value from = arg(v, 0);
     Text source = expression(from);
-    const bool is_foreign = function_[from].op == Op::Global && module().globals[function_[from].data].is_foreign();
-    if (is_foreign) source.text = without_swizzle(std::move(source.text));
+    const bool is_stripped = may_end_in_swizzle(from);
+    if (is_stripped) source.text = without_swizzle(std::move(source.text));
     if (function_[from].type.is_scalar()) return writer_.language.splat(inst.type, source);
     std::string letters;
     for (unsigned i = 0; i < inst.type.width(); ++i) letters += kComponents[inst.data >> (2 * i) & 3];
-    if (is_identity(letters, function_[from].type) && !is_foreign) return source;
+    if (is_identity(letters, function_[from].type) && !is_stripped) return source;
     return {at_least(Precedence::Postfix, source) + "." + letters, Precedence::Postfix};
 }
 

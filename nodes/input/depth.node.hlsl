@@ -59,6 +59,7 @@ float4 ClipFromScreen(
 
 /// The point in the world that a pixel and its depth stand for. `clip_to_world` is the inverse of the camera's view and
 /// projection.
+[in_float]
 float3 WorldFromDepth(float2 uv, float depth, float4x4 clip_to_world) {
     float4 point_ws = mul(clip_to_world, ClipFromScreen(uv, depth));
     return point_ws.xyz / point_ws.w;

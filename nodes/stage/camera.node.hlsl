@@ -48,7 +48,7 @@ float3 SceneColor(
 }
 
 /// Distance in metres, along the camera's axis, of what has been drawn so far at a place of the screen.
-[node("Input/Scene/Scene Depth")]
+[node("Input/Scene/Scene Depth")] [in_float]
 float SceneDepth(
     float2 uv = screen_uv  ///< position on the screen, 0 to 1 from the top left
 ) {

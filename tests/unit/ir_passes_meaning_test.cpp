@@ -189,6 +189,7 @@ constexpr NamedPass kPasses[] = {{"prune", prune},
                                  {"schedule", schedule},
                                  {"drop_members", drop_members_of_entry},
                                  {"branch_on_keywords", branch_on_keywords},
+                                 {"settle_params", settle_params},
                                  {"tidy", tidy}};
 
 TEST(Passes, KeepTheMeaningOfRandomModules) {

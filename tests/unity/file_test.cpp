@@ -253,13 +253,41 @@ TEST(UnitySeam, IsRefusedWhereUnityHasNothingLikeIt) {
     const Diagnostic in_add = first_error(added);
     EXPECT_EQ(in_add.code, "pass-refused");
     EXPECT_EQ(in_add.node, "sky") << to_text(in_add);
-    EXPECT_TRUE(has(in_add.message, "'unity-forward-add'") && has(in_add.message, "ambient_sh")) << in_add.message;
+    EXPECT_TRUE(has(in_add.message, "'ForwardAdd'") && has(in_add.message, "ambient_sh")) << in_add.message;
     const Result at_vertices = of_text(R"({ "patina": 1, "workflow": "metallic-smoothness",
         "nodes": [ { "id": "lit", "expr": "@light.color", "stage": "vertex" } ], "surface": { "baseColor": "lit" } })");
     EXPECT_FALSE(at_vertices.ok);
     EXPECT_EQ(first_error(at_vertices).code, "pass-refused");
     EXPECT_EQ(first_error(at_vertices).node, "lit") << to_text(first_error(at_vertices));
     EXPECT_TRUE(at_vertices.shaders.empty());
+}
+
+// What several sides need stands behind the narrowest condition of theirs, in the fewest words that Unity knows; what
+// all need stands alone.
+TEST(UnityKeywords, AreTestedInFewWords) {
+    const auto text = [](const std::string& nodes, const std::string& color) {
+        return shader(R"({ "patina": 1, "workflow": "unlit", "properties": [
+            { "name": "_C", "type": "enum", "values": ["X", "Y", "Z", "W"], "as": "variant" },
+            { "name": "_A", "type": "bool", "as": "variant" },
+            { "name": "_MainTex", "type": "texture2d" } ],
+          "nodes": [ { "id": "t", "node": "SampleTexture2D", "in": { "texture": "$_MainTex" } }, )" +
+                      nodes + R"( ], "surface": { "color": ")" + color + R"(" } })");
+    };
+    const std::string other = text(R"({ "id": "d", "expr": "$_C != X && $_C != Y ? t.rgb : @normal_ws" })", "d");
+    EXPECT_TRUE(has(other, "#if defined(_C_Z) || defined(_C_W)\n")) << other;
+    const std::string first = text(R"({ "id": "d", "expr": "$_C == X || $_C != Y && $_C == X ? t.rgb : 0.5" })", "d");
+    EXPECT_TRUE(has(first, "#if !defined(_C_Y) && !defined(_C_Z) && !defined(_C_W)\n")) << first;
+    const std::string all = text(R"({ "id": "d", "expr": "$_C == X ? t.rgb : $_C == Y ? t.gbr : t.brg" })", "d");
+    EXPECT_TRUE(has(all, "float4 t = LinearColor(UNITY_SAMPLE_TEX2D(_MainTex, i.uv0));") ||
+                has(all, "float4 t = LinearColor(UNITY_SAMPLE_TEX2D(_MainTex, uv0));"))
+        << all;
+    // Needed where _A is on, by one of them only if _C is Y.
+    const std::string narrow = text(R"({ "id": "d", "expr": "$_A ? ($_C == Y ? t.rgb : 0.25) : 0.5" },
+          { "id": "e", "expr": "$_A ? d * t.a : d" })",
+                                    "e");
+    const std::size_t sample = narrow.find("UNITY_SAMPLE_TEX2D(_MainTex");
+    const std::size_t test = narrow.rfind("#if ", sample);
+    EXPECT_EQ(narrow.substr(test, narrow.find('\n', test) - test), "#if defined(_A)") << narrow;
 }
 
 // A switch of other passes is none of this file; beside GLSL it is GLSL's.

@@ -608,5 +608,33 @@ TEST(Interpolators, ThatAreEqualAreOne) {
     EXPECT_EQ(stage_hashes(compiled(text("= float3(y - 2 * sqrt(x))", second))), one);
 }
 
+// In a surface that is a function of its own what turned out to be a constant, or another interpolator, is no
+// parameter.
+TEST(Interpolators, ThatAreOneOrKnownAreNotHandedOnTwice) {
+    const auto text = [](const std::string& x, const std::string& y, const std::string& c, bool turned) {
+        const auto pinned = [](const std::string& id, const std::string& value) {
+            return R"json({ "id": ")json" + id + R"json(", "expr": ")json" + value +
+                   R"json(", "stage": "vertex" })json";
+        };
+        const auto noise = [](const std::string& id, const std::string& scale) {
+            return R"json({ "id": ")json" + id + R"json(", "node": "GradientNoise", "in": { "scale": "= )json" + scale +
+                   R"json(" } })json";
+        };
+        const std::string wave = "sin(@uv0.x + @uv0.y)";
+        const std::string first = pinned(x, wave) + "," + pinned(c, "2.46"), second = pinned(y, wave);
+        return unlit("= float3(one - 2 * sqrt(two), sin(three), cos(three) * " + y + ")",
+                     (turned ? second + "," + first : first + "," + second) + "," + noise("one", "3 + " + x) + "," +
+                         noise("two", "3 - " + y) + "," + noise("three", c));
+    };
+    const Result plain = compiled(text("x", "y", "c", false));
+    const std::string& shader = plain.shaders[1].text;
+    EXPECT_NE(shader.find("vec3 material = surface(v_uv0, v_x);"), std::string::npos) << shader;
+    for (const bool turned : {false, true}) {
+        EXPECT_EQ(stage_hashes(compiled(text("x", "y", "c", turned))), stage_hashes(plain));
+        EXPECT_EQ(stage_hashes(compiled(text("q", "b", "z", turned))), stage_hashes(plain));
+        EXPECT_EQ(stage_hashes(compiled(text("b", "q", "a", turned))), stage_hashes(plain));
+    }
+}
+
 }  // namespace
 }  // namespace patina

@@ -48,6 +48,10 @@ std::vector<std::uint8_t> keyword_values(const Module& module, const Function& f
 // reads, all have. Not part of tidy().
 Module drop_members(Module module, std::span<const FunctionId> entries, std::span<const FunctionId> called);
 
+// Where all calls of a function agree about an argument, the function knows it: a constant, or one that it is handed
+// already. What it is handed on by others is called as there. Not part of tidy(), which prunes the parameters then.
+Module settle_params(Module module);
+
 // The passes of passes.def in order, verified after each in debug builds.
 Module tidy(Module module);
 

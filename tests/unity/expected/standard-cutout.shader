@@ -311,7 +311,7 @@ Shader "Patina/Standard, cut out"
 
         // SampleTexture2D "maps/metallicGloss"
         float4 metallicGloss;
-    #if defined(_METALLICGLOSSMAP) || defined(_SMOOTHNESS_TEXTURE_ALBEDO_CHANNEL_A)
+    #if defined(_METALLICGLOSSMAP)
         metallicGloss = UNITY_SAMPLE_TEX2D(_MetallicGlossMap, uv);
     #else
         metallicGloss = float4(0.0, 0.0, 0.0, 0.0);
