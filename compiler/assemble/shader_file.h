@@ -80,6 +80,13 @@ struct PassText {
 // `taken`: names that mean something else outside of the pass.
 PassText pass_text(const LinkedPass& pass, const std::vector<std::string>& taken);
 
+// What a pass hands from vertices to pixels beside the position, in vectors: those that are numbered, and those that
+// say of which instance and which eye a vertex is, which shader model 3.0 has not got.
+struct Handed {
+    std::size_t numbered = 0, others = 0;
+};
+Handed handed(const LinkedPass& pass);
+
 // What the file calls the pass.
 std::string_view name_of(const LinkedPass& pass);
 

@@ -77,6 +77,55 @@ TEST(UnityTextures, HaveTheirSizeBesideThem) {
     EXPECT_TRUE(has(text, "#pragma target 3.0") && !has(text, "#pragma target 3.5")) << text;
 }
 
+// Values that are computed at vertices, a vector each.
+std::string with_values(const std::string& workflow, int count) {
+    std::string nodes, sum = "float3(0)";
+    for (int i = 0; i < count; ++i) {
+        const std::string n = std::to_string(i);
+        nodes += (i == 0 ? "" : ",") + (R"({ "id": "v)" + n + R"(", "stage": "vertex", "expr": ")" + n +
+                                        R"(.5 * @position_os.xyzx * @position_os.yzxx" })");
+        sum += " + sin(v" + n + ".rgb) * v" + n + ".a";
+    }
+    const std::string input = workflow == "unlit" ? "color" : "baseColor";
+    return R"({ "patina": 1, "workflow": ")" + workflow + R"(", "nodes": [ )" + nodes + R"( ], "surface": { ")" +
+           input + R"(": "= )" + sum + R"(" } })";
+}
+
+std::string model_of_first(const std::string& text) {
+    const std::size_t at = text.find("#pragma target ");
+    return at == text.npos ? "" : text.substr(at + 15, 3);
+}
+
+// Fog takes one vector, light two, an instance and an eye one each, and the position one. Shader model 3.0 has 10
+// beside the position (and no instances), Direct3D 10 and OpenGL ES 3.0 have 16 with it, Direct3D 11 has 32.
+TEST(UnityInterpolators, AskForTheModelThatHoldsThem) {
+    const std::string inside = "UNITY_FOG_COORDS(";
+    for (const auto& [count, model] : std::initializer_list<std::pair<int, std::string>>{
+             {9, "3.0"}, {10, "3.5"}, {12, "3.5"}, {13, "5.0"}, {28, "5.0"}}) {
+        const std::string text = shader(with_values("unlit", count));
+        EXPECT_EQ(model_of_first(text), model) << count;
+        EXPECT_TRUE(has(text, inside + std::to_string(count) + ")")) << text;
+    }
+    // Lit, the normal, the position and what comes of lightmaps are three more.
+    for (const auto& [count, model] :
+         std::initializer_list<std::pair<int, std::string>>{{4, "3.0"}, {5, "3.5"}, {7, "3.5"}, {8, "5.0"}}) {
+        const std::string text = shader(with_values("metallic-roughness", count));
+        EXPECT_EQ(model_of_first(text), model) << count;
+        EXPECT_TRUE(has(text, "UNITY_LIGHTING_COORDS(" + std::to_string(count + 3) + ", ")) << text;
+    }
+}
+
+TEST(UnityInterpolators, AreRefusedWhereNoModelHoldsThem) {
+    const Result result = of_text(with_values("unlit", 29));
+    EXPECT_FALSE(result.ok);
+    const Diagnostic told = first_error(result);
+    EXPECT_EQ(told.code, "too-many");
+    EXPECT_EQ(told.message, "32 values from vertices to pixels are too many: the limit is 31");
+    EXPECT_EQ(told.line, 1);
+    EXPECT_TRUE(has(told.notes.front().message, "'unity-forward-base'")) << to_text(told);
+    EXPECT_TRUE(has(told.notes.back().message, "stereo")) << to_text(told);
+}
+
 struct Kind {
     std::string surface, type, queue, blend, fallback;
     std::vector<std::string> modes;
