@@ -110,6 +110,7 @@ void compile_graph(graph::Session& session, std::uint32_t base, const std::strin
     for (std::size_t i = 0; options.hashes && i < passes.size(); ++i)
         result.reflection.passes[i].hash = assemble::hash_pass(passes[i].vertex, passes[i].fragment).text();
     if (is_tool) {
+        assemble::check_shader_name(material, session.diagnostics);
         assemble::check_shader_properties(material, own, session.diagnostics);
         assemble::check_keywords(material, result.reflection, session.diagnostics);
         assemble::check_samplers(material, result.reflection, session.diagnostics);

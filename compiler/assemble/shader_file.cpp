@@ -78,8 +78,7 @@ std::string_view shader_model(const LinkedPass& linked, const PassText& pass,
     std::string text;
     for (const Declaration& each : pass.declarations) text += each.text;
     for (const Declaration* each : shared) text += each->text;
-    constexpr std::string_view kModern[] = {".SampleLevel(",   ".SampleGrad(", ".SampleBias(", ".Load(",
-                                            ".GetDimensions(", "uint",         "asuint",       "SV_IsFrontFace"};
+    constexpr std::string_view kModern[] = {".Load(", ".GetDimensions(", "uint", "SV_IsFrontFace"};
     const bool is_modern = std::any_of(std::begin(kModern), std::end(kModern),
                                        [&](std::string_view word) { return text.find(word) != text.npos; });
     return is_modern ? "3.5" : "3.0";
@@ -94,7 +93,7 @@ public:
 
     targets::Printed run() {
         for (const std::string_view line : split(in_.header, "\n")) out_.line(0, fmt::format("// {}", line));
-        out_.line(0, fmt::format("Shader \"Patina/{}\"", name()));
+        out_.line(0, fmt::format("Shader \"Patina/{}\"", shader_name(in_.reflection.name)));
         out_.line(0, "{");
         out_.line(1, "Properties");
         out_.line(1, "{");
@@ -115,15 +114,6 @@ public:
     }
 
 private:
-    // Slashes would make menus of it.
-    std::string name() const {
-        std::string made = in_.reflection.name;
-        for (char& c : made) {
-            if (c == '"' || c == '\\' || static_cast<unsigned char>(c) < 0x20) c = ' ';
-        }
-        return made;
-    }
-
     const SurfaceRow& surface() const {
         const graph::SurfaceKind kind = in_.material.graph->graph->render.surface;
         return *std::find_if(std::begin(kSurfaces), std::end(kSurfaces),

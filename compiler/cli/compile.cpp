@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 
 #include "compiler/base/text.h"
@@ -78,6 +79,31 @@ bool add_shader(const Console& console, const Arguments& arguments, const Shader
     return validated.ok;
 }
 
+// What a ShaderLab file calls its shader; empty: it is none.
+std::string_view shader_name(const Shader& shader) {
+    constexpr std::string_view kBefore = "\nShader \"";
+    const std::size_t at = shader.text.find(kBefore);
+    if (shader.target != Target::Unity || at == shader.text.npos) return {};
+    const std::size_t begin = at + kBefore.size();
+    return std::string_view(shader.text).substr(begin, shader.text.find('"', begin) - begin);
+}
+
+// In Unity's list of shaders two of one name are one; false if there are such, which has been told.
+bool has_own_names(const Console& console, const std::string& graph, std::span<const Shader> shaders,
+                   std::map<std::string, std::string, std::less<>>& graphs_by_name) {
+    for (const Shader& shader : shaders) {
+        const std::string_view name = shader_name(shader);
+        if (name.empty()) continue;
+        const auto [found, is_new] = graphs_by_name.emplace(name, graph);
+        if (is_new) continue;
+        complain(console, "taken-name",
+                 fmt::format("'{}' and '{}' would both write the shader \"{}\": give one of them another \"name\"",
+                             found->second, graph, name));
+        return false;
+    }
+    return true;
+}
+
 Exit write(const Console& console, const Arguments& arguments, const std::string& graph, const std::string& target,
            std::span<const std::string> dependencies, OutputFiles files) {
     if (arguments.depfile) files.add(join_path(arguments.folder, stem(graph)) + ".d", make_rule(target, dependencies));
@@ -103,7 +129,7 @@ Exit compile_variants(const Console& console, const Arguments& arguments, const 
 }
 
 Exit compile_graph(const Console& console, const Arguments& arguments, const Compiler& compiler,
-                   const std::string& graph) {
+                   const std::string& graph, std::map<std::string, std::string, std::less<>>& shader_names) {
     const Result result = compiler.compile_file(graph, options_of(arguments));
     report(console, result.diagnostics);
     for (const Dump& dump : result.dumps) {
@@ -114,7 +140,7 @@ Exit compile_graph(const Console& console, const Arguments& arguments, const Com
     OutputFiles files;
     bool ok = true;
     for (const Shader& shader : result.shaders) ok &= add_shader(console, arguments, shader, files);
-    if (!ok) return Exit::Wrong;
+    if (!ok || !has_own_names(console, graph, result.shaders, shader_names)) return Exit::Wrong;
     if (!arguments.writes()) return Exit::Ok;
 
     const std::string name = join_path(arguments.folder, stem(graph));
@@ -187,11 +213,13 @@ void add_compile(Program& program) {
             return Exit::Usage;
         }
         const Compiler compiler;
+        std::map<std::string, std::string, std::less<>> shader_names;  // of Unity's files: whose they are
         Exit exit = Exit::Ok;
         for (std::size_t i = 0; i < arguments->graphs.size(); ++i) {
             show_progress(console, i, arguments->graphs.size(), arguments->graphs[i]);
-            const auto compile = arguments->variants.wanted.empty() ? compile_graph : compile_variants;
-            exit = worse(exit, compile(console, *arguments, compiler, arguments->graphs[i]));
+            exit = worse(exit, arguments->variants.wanted.empty()
+                                   ? compile_graph(console, *arguments, compiler, arguments->graphs[i], shader_names)
+                                   : compile_variants(console, *arguments, compiler, arguments->graphs[i]));
         }
         return exit;
     });

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "tests/support/received.h"
 #include "unity/compiled.h"
@@ -59,6 +60,49 @@ TEST(UnityProperties, AreDeclaredAsArtistsSetThem) {
           R"([NoScaleOffset] _Mask ("Mask", 2D) = "gray" {})"})
         EXPECT_TRUE(has(text, line)) << line << "\n" << text.substr(0, 1800);
     EXPECT_FALSE(has(text, "[NoScaleOffset] _MainTex"));
+}
+
+// An attribute of Unity's makes room where no header does: the inspector shows no empty lines.
+TEST(UnityProperties, OutsideOfGroupsAreSetApart) {
+    const std::string text = shader(material(R"("properties": [
+        { "name": "_A", "type": "float" },
+        { "name": "_B", "type": "float", "group": "Wear" },
+        { "name": "_C", "type": "float" },
+        { "name": "_D", "type": "float" } ],
+      "surface": { "metallic": "= $_A + $_B + $_C + $_D" })"));
+    EXPECT_TRUE(has(text, R"(    {
+        _A ("A", Float) = 0
+
+        [Header(Wear)]
+        _B ("B", Float) = 0
+
+        [Space]
+        _C ("C", Float) = 0
+        _D ("D", Float) = 0
+    })"))
+        << text;
+}
+
+// Slashes are Unity's menus; what it cannot read or would show empty is left out, and told of at the name.
+TEST(UnityName, IsTheGraphsAsFarAsShaderLabCan) {
+    for (const auto& [name, shown, is_told] : std::initializer_list<std::tuple<std::string, std::string, bool>>{
+             {"Worn metal", "Worn metal", false},
+             {"Metals/Größe 2 (worn)", "Metals/Größe 2 (worn)", false},
+             {R"(Leather \"fine\")", "Leather 'fine'", true},
+             {R"(a\\\tb)", "a b", true},
+             {" a ", "a", true},
+             {"a/", "a", true},
+             {"/ a // b", "a/b", true},
+             {"/", "Unnamed", true}}) {
+        const Result result = of_text(R"({ "patina": 1, "workflow": "unlit", "name": ")" + name + "\" }");
+        ASSERT_TRUE(result.ok) << name;
+        EXPECT_TRUE(has(result.shaders.front().text, "\nShader \"Patina/" + shown + "\"\n")) << name;
+        ASSERT_EQ(result.diagnostics.size(), is_told ? 1u : 0u) << name;
+        if (!is_told) continue;
+        EXPECT_EQ(result.diagnostics.front().code, "inspector-text");
+        EXPECT_EQ(result.diagnostics.front().column, 45) << name;  // of the name's value
+        EXPECT_TRUE(has(result.diagnostics.front().message, "\"Patina/" + shown + "\" for this name")) << name;
+    }
 }
 
 // Its size is a variable that Unity fills, where it is read. Hardware of shader model 3.0 can do that.
