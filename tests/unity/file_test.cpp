@@ -170,6 +170,16 @@ TEST(UnityInterpolators, AreRefusedWhereNoModelHoldsThem) {
     EXPECT_TRUE(has(told.notes.back().message, "stereo")) << to_text(told);
 }
 
+// Of what the tool's text has, no more than is read stands in the file.
+TEST(UnityTextures, BringTheMacrosThatReadThem) {
+    const std::string text = shader(material(R"("properties": [ { "name": "_MainTex", "type": "texture2d" } ],
+      "nodes": [ { "id": "texel", "node": "SampleTexture2DLevel", "in": { "texture": "$_MainTex", "level": 2 } } ],
+      "surface": { "baseColor": "texel.rgb" })"));
+    EXPECT_TRUE(has(text, "#define SAMPLE_TEX2D_LOD(") && has(text, "SAMPLE_TEX2D_LOD(_MainTex, ")) << text;
+    EXPECT_FALSE(has(text, "SAMPLE_TEX2D_SAMPLER_") || has(text, "SAMPLE_TEX2D_BIAS")) << text;
+    EXPECT_TRUE(has(text, "#pragma target 3.0") && !has(text, "#pragma target 3.5")) << text;
+}
+
 struct Kind {
     std::string surface, type, queue, blend, fallback;
     std::vector<std::string> modes;
