@@ -94,8 +94,10 @@ void compile_graph(graph::Session& session, std::uint32_t base, const std::strin
     for (std::size_t i = 0; i < materials.size(); ++i) {
         for (const graph::LoweredPass& pass : linked[i].lowered.passes) {
             passes.push_back(link_pass(*materials[i], linked[i], pass, true, result, options));
-            check_varyings(passes.back(), session);
-            if (is_tool && !assemble::has_all(session, linked[i], passes.back())) passes.pop_back();
+            if (is_tool && !assemble::has_all(session, linked[i], passes.back()))
+                passes.pop_back();
+            else
+                check_varyings(passes.back(), session);
             if (session.diagnostics.has_errors()) return;
         }
     }
@@ -108,6 +110,7 @@ void compile_graph(graph::Session& session, std::uint32_t base, const std::strin
     for (std::size_t i = 0; options.hashes && i < passes.size(); ++i)
         result.reflection.passes[i].hash = assemble::hash_pass(passes[i].vertex, passes[i].fragment).text();
     if (is_tool) {
+        assemble::check_shader_name(material, session.diagnostics);
         assemble::check_shader_properties(material, own, session.diagnostics);
         assemble::check_keywords(material, result.reflection, session.diagnostics);
         assemble::check_samplers(material, result.reflection, session.diagnostics);

@@ -4,6 +4,7 @@
 
 #include "compiler/assemble/check_reads.h"
 #include "compiler/assemble/pinned_inputs.h"
+#include "compiler/assemble/shader_file.h"
 #include "compiler/dumps.h"
 #include "compiler/ir/passes/passes.h"
 #include "compiler/ir/verify.h"
@@ -81,17 +82,17 @@ LinkedPass link_pass(const graph::Material& material, const assemble::Linked& li
 }
 
 void check_varyings(const LinkedPass& pass, graph::Session& session) {
-    const auto& outputs = pass.vertex.stage.outputs;
-    const auto count = static_cast<std::size_t>(std::count_if(outputs.begin(), outputs.end(), [](const auto& output) {
-        return output.builtin == ir::Builtin::None && output.spelling.empty();
-    }));
+    const assemble::Handed vectors = assemble::handed(pass);
+    const std::size_t count = vectors.numbered + vectors.others;
     if (count <= kMostVaryings) return;
     const Span graph = pass.material->graph->graph->span;
-    session.diagnostics
-        .report(Code::TooMany, {graph.begin, graph.begin + 1}, count, "values from vertices to pixels", kMostVaryings)
-        .note(fmt::format("in the pass '{}'; nodes with \"stage\": \"vertex\", what they read of the mesh and what the "
-                          "surface reads of it take one each",
-                          pass.pass->name));
+    DiagnosticRecord& told = session.diagnostics.report(Code::TooMany, {graph.begin, graph.begin + 1}, count,
+                                                        "values from vertices to pixels", kMostVaryings);
+    told.note(
+        fmt::format("in the pass '{}'; nodes with \"stage\": \"vertex\", what they read of the mesh and what the "
+                    "surface reads of it take one each",
+                    pass.pass->name));
+    if (graph::tool_of(session)) told.note("so do light, fog, instances and stereo rendering in Unity");
 }
 
 std::shared_ptr<const Program> keep_program(graph::Session& session, const Materials& materials) {

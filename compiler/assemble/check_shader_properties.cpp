@@ -160,6 +160,17 @@ private:
 
 }  // namespace
 
+void check_shader_name(const graph::Material& material, Diagnostics& diagnostics) {
+    const graph::Graph& graph = *material.graph->graph;
+    const std::string name = shader_name(graph.name);
+    if (name == graph.name) return;
+    const bool is_given = graph.name_span.begin != graph.name_span.end;
+    diagnostics.report(
+        Code::InspectorText, is_given ? graph.name_span : Span{graph.span.begin, graph.span.begin + 1},
+        fmt::format("\"Patina/{}\"", name), "name",
+        quoted(graph.name) != graph.name ? "has no escapes in strings" : "makes a menu of each part between slashes");
+}
+
 void check_keywords(const graph::Material& material, const Reflection& reflection, Diagnostics& diagnostics) {
     constexpr std::size_t kMost = 64;
     const auto is_read = [&](const graph::Property& property) {

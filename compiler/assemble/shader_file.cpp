@@ -69,18 +69,19 @@ std::vector<std::string_view> texts_at(const PassText& pass, std::string_view pl
 }
 
 // What only newer hardware has, in a pass or in what all of them begin with.
-std::string_view shader_model(const PassText& pass, std::span<const Declaration* const> shared) {
+std::string_view shader_model(const LinkedPass& linked, const PassText& pass,
+                              std::span<const Declaration* const> shared) {
+    // 3.0 has 10 interpolators, 3.5 those of OpenGL ES 3.0 and Direct3D 10; no more than 5.0 has got here.
+    const Handed vectors = handed(linked);
+    if (vectors.numbered + vectors.others > 15) return "5.0";
+    if (vectors.numbered > 10) return "3.5";
     std::string text;
     for (const Declaration& each : pass.declarations) text += each.text;
     for (const Declaration* each : shared) text += each->text;
-    for (const int count : {16, 15, 14, 13, 12, 11}) {
-        if (mentions(text, fmt::format("TEXCOORD{}", count))) return "4.0";
-    }
-    constexpr std::string_view kModern[] = {".SampleLevel(",   ".SampleGrad(", ".SampleBias(", ".Load(",
-                                            ".GetDimensions(", "uint",         "asuint",       "SV_IsFrontFace"};
+    constexpr std::string_view kModern[] = {".Load(", ".GetDimensions(", "uint", "SV_IsFrontFace"};
     const bool is_modern = std::any_of(std::begin(kModern), std::end(kModern),
                                        [&](std::string_view word) { return text.find(word) != text.npos; });
-    return is_modern || mentions(text, "TEXCOORD10") ? "3.5" : "3.0";
+    return is_modern ? "3.5" : "3.0";
 }
 
 class Writing {
@@ -92,7 +93,7 @@ public:
 
     targets::Printed run() {
         for (const std::string_view line : split(in_.header, "\n")) out_.line(0, fmt::format("// {}", line));
-        out_.line(0, fmt::format("Shader \"Patina/{}\"", name()));
+        out_.line(0, fmt::format("Shader \"Patina/{}\"", shader_name(in_.reflection.name)));
         out_.line(0, "{");
         out_.line(1, "Properties");
         out_.line(1, "{");
@@ -113,15 +114,6 @@ public:
     }
 
 private:
-    // Slashes would make menus of it.
-    std::string name() const {
-        std::string made = in_.reflection.name;
-        for (char& c : made) {
-            if (c == '"' || c == '\\' || static_cast<unsigned char>(c) < 0x20) c = ' ';
-        }
-        return made;
-    }
-
     const SurfaceRow& surface() const {
         const graph::SurfaceKind kind = in_.material.graph->graph->render.surface;
         return *std::find_if(std::begin(kSurfaces), std::end(kSurfaces),
@@ -214,7 +206,7 @@ private:
         for (const std::string& line : shader_state(in_.reflection.passes[index])) out_.line(3, line);
         out_.line(0, "");
         out_.line(3, "CGPROGRAM");
-        out_.line(3, fmt::format("#pragma target {}", shader_model(text, shared_)));
+        out_.line(3, fmt::format("#pragma target {}", shader_model(in_.passes[index], text, shared_)));
         for (const std::string_view line : texts_at(text, "pragma")) out_.line(3, fmt::format("#pragma {}", line));
         keywords(in_.reflection.passes[index]);
         out_.line(3, "#pragma vertex vert");

@@ -27,6 +27,9 @@ std::vector<std::string> shader_properties(const graph::Material& material, cons
                                            const Reflection& reflection);
 // What can stand between quotes: ShaderLab knows no escapes there.
 std::string quoted(std::string_view text);
+// What a shader can be called: as between quotes, but each part between slashes, which Unity makes menus of, has
+// no space at its ends and single ones in it, and is not empty.
+std::string shader_name(std::string_view text);
 // What can stand in [Header(...)]: letters and digits of every script, with one space for a run of others.
 std::string header_words(std::string_view text);
 // How a texture is sampled, in the words of Unity's import settings, where it is not as a new asset is: "Wrap Mode:
@@ -38,6 +41,8 @@ std::string_view default_word(const graph::Property& property);
 constexpr std::size_t kMostKeywords = 9, kMostPairs = 7;
 
 // --- check_shader_properties.cpp
+// Tells what the shader is called, where that is not the graph's name.
+void check_shader_name(const graph::Material& material, Diagnostics& diagnostics);
 // Refuses names that Unity's includes declare, and tells what of a property a ShaderLab file cannot say.
 void check_shader_properties(const graph::Material& material, const graph::Lowered& lowered, Diagnostics& diagnostics);
 // Unity before 2021.2 allows so many keywords that are a shader's own.
@@ -79,6 +84,13 @@ struct PassText {
 };
 // `taken`: names that mean something else outside of the pass.
 PassText pass_text(const LinkedPass& pass, const std::vector<std::string>& taken);
+
+// What a pass hands from vertices to pixels beside the position, in vectors: those that are numbered, and those that
+// say of which instance and which eye a vertex is, which shader model 3.0 has not got.
+struct Handed {
+    std::size_t numbered = 0, others = 0;
+};
+Handed handed(const LinkedPass& pass);
 
 // What the file calls the pass.
 std::string_view name_of(const LinkedPass& pass);

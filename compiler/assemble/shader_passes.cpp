@@ -45,6 +45,15 @@ void add_texts_of(const ir::Module& stage, std::vector<ir::StageText>& into) {
     }
 }
 
+// Of both stages.
+std::vector<ir::StageText> texts_of(const LinkedPass& pass) {
+    std::vector<ir::StageText> made;
+    add_texts_of(pass.vertex, made);
+    add_texts_of(pass.fragment, made);
+    add_texts(pass.vertex.stage.texts, made);
+    return made;
+}
+
 std::vector<Declaration> declarations(const targets::Printed& printed) {
     std::vector<Declaration> made;
     for (const targets::Piece& piece : printed.pieces) {
@@ -109,11 +118,23 @@ bool mentions(std::string_view text, std::string_view name) {
     return false;
 }
 
+Handed handed(const LinkedPass& pass) {
+    Handed made;
+    for (const ir::StageVariable& output : pass.vertex.stage.outputs)
+        made.numbered += output.builtin == ir::Builtin::None && output.spelling.empty() ? 1 : 0;
+    for (const ir::StageText& text : texts_of(pass)) {
+        if (text.place == "first interpolator") ++made.numbered;
+        if (text.place != "interpolators") continue;
+        std::size_t numbers = 0;
+        for (std::size_t at = text.line.find("{}"); at != text.line.npos; at = text.line.find("{}", at + 2)) ++numbers;
+        (numbers == 0 ? made.others : made.numbered) += std::max<std::size_t>(numbers, 1);
+    }
+    return made;
+}
+
 PassText pass_text(const LinkedPass& pass, const std::vector<std::string>& taken_around) {
     PassText made;
-    add_texts_of(pass.vertex, made.texts);
-    add_texts_of(pass.fragment, made.texts);
-    add_texts(pass.vertex.stage.texts, made.texts);
+    made.texts = texts_of(pass);
     const auto named = [&](ir::Module stage) {
         rename(stage, taken_around, name_of(pass));
         return stage;

@@ -143,6 +143,16 @@ std::string quoted(std::string_view text) {
     return made;
 }
 
+std::string shader_name(std::string_view text) {
+    std::vector<std::string> parts;
+    const std::string whole = quoted(text);
+    for (const std::string_view part : split(whole, "/")) {
+        std::string made = fmt::format("{}", fmt::join(split(part, " "), " "));
+        if (!made.empty()) parts.push_back(std::move(made));
+    }
+    return parts.empty() ? "Unnamed" : fmt::format("{}", fmt::join(parts, "/"));
+}
+
 std::string header_words(std::string_view text) {
     std::string made;
     bool is_gap = false;
@@ -181,9 +191,14 @@ std::vector<std::string> shader_properties(const graph::Material& material, cons
         if (!id && !globals.keyword) continue;  // it has been decided
         const Declared made = id ? declared(entry, !lowered.module.globals[id.index].decoder.empty()) : switched(entry);
         if (property.group != group) {
-            if (!lines.empty()) lines.emplace_back();
+            const bool is_first = lines.empty();
+            if (!is_first) lines.emplace_back();
             const std::string words = header_words(property.group);
-            if (!words.empty()) lines.push_back(fmt::format("[Header({})]", words));
+            // Without a header it would seem to belong to the group before.
+            if (!words.empty())
+                lines.push_back(fmt::format("[Header({})]", words));
+            else if (!is_first)
+                lines.emplace_back("[Space]");
             group = property.group;
         }
         std::string line = fmt::format("{}{} (\"{}\", {}) = {}", made.attributes, reflection.properties[i].identifier,

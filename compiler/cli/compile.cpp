@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 
 #include "compiler/base/text.h"
@@ -78,6 +79,34 @@ bool add_shader(const Console& console, const Arguments& arguments, const Shader
     return validated.ok;
 }
 
+// What a ShaderLab file calls its shader; empty: it is none.
+std::string_view shader_name(const Shader& shader) {
+    constexpr std::string_view kBefore = "\nShader \"";
+    const std::size_t at = shader.text.find(kBefore);
+    if (shader.target != Target::Unity || at == shader.text.npos) return {};
+    const std::size_t begin = at + kBefore.size();
+    return std::string_view(shader.text).substr(begin, shader.text.find('"', begin) - begin);
+}
+
+// Of Unity's files: which graph has made the shader.
+using ShaderNames = std::map<std::string, std::string, std::less<>>;
+
+// In Unity's list of shaders two of one name are one; false if there are such, which has been told.
+bool has_own_names(const Console& console, const std::string& graph, std::span<const Shader> shaders,
+                   ShaderNames& shader_names) {
+    for (const Shader& shader : shaders) {
+        const std::string_view name = shader_name(shader);
+        if (name.empty()) continue;
+        const auto [found, is_new] = shader_names.emplace(name, graph);
+        if (is_new || found->second == graph) continue;
+        complain(console, "taken-name",
+                 fmt::format("'{}' and '{}' would both write the shader \"{}\": give one of them another \"name\"",
+                             found->second, graph, name));
+        return false;
+    }
+    return true;
+}
+
 Exit write(const Console& console, const Arguments& arguments, const std::string& graph, const std::string& target,
            std::span<const std::string> dependencies, OutputFiles files) {
     if (arguments.depfile) files.add(join_path(arguments.folder, stem(graph)) + ".d", make_rule(target, dependencies));
@@ -90,20 +119,23 @@ Exit write(const Console& console, const Arguments& arguments, const std::string
 }
 
 Exit compile_variants(const Console& console, const Arguments& arguments, const Compiler& compiler,
-                      const std::string& graph) {
+                      const std::string& graph, ShaderNames& shader_names) {
     OutputFiles files;
     std::vector<std::string> dependencies;
     const Exit exit = make_variants(
         console, compiler, graph, arguments.variants, options_of(arguments), arguments.folder,
-        [&](const Shader& shader, OutputFiles& made) { return add_shader(console, arguments, shader, made); }, files,
-        dependencies);
+        [&](const Shader& shader, OutputFiles& made) {
+            return add_shader(console, arguments, shader, made) &&
+                   has_own_names(console, graph, std::span(&shader, 1), shader_names);
+        },
+        files, dependencies);
     if (exit != Exit::Ok) return exit;
     const std::string manifest = files.files.back().path;
     return write(console, arguments, graph, manifest, dependencies, std::move(files));
 }
 
 Exit compile_graph(const Console& console, const Arguments& arguments, const Compiler& compiler,
-                   const std::string& graph) {
+                   const std::string& graph, ShaderNames& shader_names) {
     const Result result = compiler.compile_file(graph, options_of(arguments));
     report(console, result.diagnostics);
     for (const Dump& dump : result.dumps) {
@@ -114,7 +146,7 @@ Exit compile_graph(const Console& console, const Arguments& arguments, const Com
     OutputFiles files;
     bool ok = true;
     for (const Shader& shader : result.shaders) ok &= add_shader(console, arguments, shader, files);
-    if (!ok) return Exit::Wrong;
+    if (!ok || !has_own_names(console, graph, result.shaders, shader_names)) return Exit::Wrong;
     if (!arguments.writes()) return Exit::Ok;
 
     const std::string name = join_path(arguments.folder, stem(graph));
@@ -187,11 +219,12 @@ void add_compile(Program& program) {
             return Exit::Usage;
         }
         const Compiler compiler;
+        ShaderNames shader_names;
         Exit exit = Exit::Ok;
         for (std::size_t i = 0; i < arguments->graphs.size(); ++i) {
             show_progress(console, i, arguments->graphs.size(), arguments->graphs[i]);
             const auto compile = arguments->variants.wanted.empty() ? compile_graph : compile_variants;
-            exit = worse(exit, compile(console, *arguments, compiler, arguments->graphs[i]));
+            exit = worse(exit, compile(console, *arguments, compiler, arguments->graphs[i], shader_names));
         }
         return exit;
     });

@@ -163,6 +163,7 @@ struct Graph {
     GraphKind kind = GraphKind::Material;
     std::string path;  // as the file was named; "" for an inline graph
     std::string name;  // "name", or the file's stem
+    Span name_span;    // of the value; empty: it is the file's
     std::string help;  // what a lighting model, a workflow or a sub-graph is for
     Span span;
     std::string workflow;

@@ -29,7 +29,10 @@ std::string stem(std::string_view path) {
 // --- keys that every kind of graph has
 
 void read_common(Reading& reading, const Json& json, Graph& graph, UniqueNames& names) {
-    if (std::string name = read_text(reading, json, "name"); !name.empty()) graph.name = std::move(name);
+    if (std::string name = read_text(reading, json, "name"); !name.empty()) {
+        graph.name = std::move(name);
+        graph.name_span = json.find("name")->span;
+    }
     graph.help = read_text(reading, json, "help");
     if (const Json* schema = json.find("$schema")) (void)read_string(reading, *schema, "'$schema'");
     if (const Json* precision = json.find("precision")) {

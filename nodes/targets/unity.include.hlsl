@@ -10,9 +10,15 @@
 #if defined(UNITY_SEPARATE_TEXTURE_SAMPLER) || defined(UNITY_COMPILER_HLSLCC) || defined(SHADER_API_D3D11) || \
     defined(SHADER_API_XBOXONE) || defined(SHADER_API_PSSL)
 #define SAMPLE_TEX2D_LOD(tex, coord, level) tex.SampleLevel(sampler##tex, coord, level)
-#define SAMPLE_TEX2D_SAMPLER_LOD(tex, samplertex, coord, level) tex.SampleLevel(sampler##samplertex, coord, level)
 #else
 #define SAMPLE_TEX2D_LOD(tex, coord, level) tex2Dlod(tex, float4(coord, 0, level))
+#endif
+
+// A level of a texture that the shader chooses, with another texture's sampler.
+#if defined(UNITY_SEPARATE_TEXTURE_SAMPLER) || defined(UNITY_COMPILER_HLSLCC) || defined(SHADER_API_D3D11) || \
+    defined(SHADER_API_XBOXONE) || defined(SHADER_API_PSSL)
+#define SAMPLE_TEX2D_SAMPLER_LOD(tex, samplertex, coord, level) tex.SampleLevel(sampler##samplertex, coord, level)
+#else
 #define SAMPLE_TEX2D_SAMPLER_LOD(tex, samplertex, coord, level) tex2Dlod(tex, float4(coord, 0, level))
 #endif
 
@@ -20,9 +26,15 @@
 #if defined(UNITY_SEPARATE_TEXTURE_SAMPLER) || defined(UNITY_COMPILER_HLSLCC) || defined(SHADER_API_D3D11) || \
     defined(SHADER_API_XBOXONE) || defined(SHADER_API_PSSL)
 #define SAMPLE_TEX2D_BIAS(tex, coord, bias) tex.SampleBias(sampler##tex, coord, bias)
-#define SAMPLE_TEX2D_SAMPLER_BIAS(tex, samplertex, coord, bias) tex.SampleBias(sampler##samplertex, coord, bias)
 #else
 #define SAMPLE_TEX2D_BIAS(tex, coord, bias) tex2Dbias(tex, float4(coord, 0, bias))
+#endif
+
+// A level that is so much above the texture's own, with another texture's sampler.
+#if defined(UNITY_SEPARATE_TEXTURE_SAMPLER) || defined(UNITY_COMPILER_HLSLCC) || defined(SHADER_API_D3D11) || \
+    defined(SHADER_API_XBOXONE) || defined(SHADER_API_PSSL)
+#define SAMPLE_TEX2D_SAMPLER_BIAS(tex, samplertex, coord, bias) tex.SampleBias(sampler##samplertex, coord, bias)
+#else
 #define SAMPLE_TEX2D_SAMPLER_BIAS(tex, samplertex, coord, bias) tex2Dbias(tex, float4(coord, 0, bias))
 #endif
 
@@ -30,9 +42,15 @@
 #if defined(UNITY_SEPARATE_TEXTURE_SAMPLER) || defined(UNITY_COMPILER_HLSLCC) || defined(SHADER_API_D3D11) || \
     defined(SHADER_API_XBOXONE) || defined(SHADER_API_PSSL)
 #define SAMPLE_TEX2D_GRAD(tex, coord, dx, dy) tex.SampleGrad(sampler##tex, coord, dx, dy)
-#define SAMPLE_TEX2D_SAMPLER_GRAD(tex, samplertex, coord, dx, dy) tex.SampleGrad(sampler##samplertex, coord, dx, dy)
 #else
 #define SAMPLE_TEX2D_GRAD(tex, coord, dx, dy) tex2Dgrad(tex, coord, dx, dy)
+#endif
+
+// The level that belongs to these steps from pixel to pixel, with another texture's sampler.
+#if defined(UNITY_SEPARATE_TEXTURE_SAMPLER) || defined(UNITY_COMPILER_HLSLCC) || defined(SHADER_API_D3D11) || \
+    defined(SHADER_API_XBOXONE) || defined(SHADER_API_PSSL)
+#define SAMPLE_TEX2D_SAMPLER_GRAD(tex, samplertex, coord, dx, dy) tex.SampleGrad(sampler##samplertex, coord, dx, dy)
+#else
 #define SAMPLE_TEX2D_SAMPLER_GRAD(tex, samplertex, coord, dx, dy) tex2Dgrad(tex, coord, dx, dy)
 #endif
 
@@ -185,7 +203,7 @@ half3 BackgroundColor(float2 uv)
     return LinearColor(tex2Dlod(_BackgroundTexture, float4(uv, 0, 0)).rgb);
 }
 
-// Its distance along the camera's axis.
+// How far along the camera's axis that is which has been drawn before, at a place of the screen.
 UNITY_DECLARE_DEPTH_TEXTURE(_CameraDepthTexture);
 float BackgroundDepth(float2 uv)
 {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "tests/support/received.h"
 #include "unity/compiled.h"
@@ -61,6 +62,49 @@ TEST(UnityProperties, AreDeclaredAsArtistsSetThem) {
     EXPECT_FALSE(has(text, "[NoScaleOffset] _MainTex"));
 }
 
+// An attribute of Unity's makes room where no header does: the inspector shows no empty lines.
+TEST(UnityProperties, OutsideOfGroupsAreSetApart) {
+    const std::string text = shader(material(R"("properties": [
+        { "name": "_A", "type": "float" },
+        { "name": "_B", "type": "float", "group": "Wear" },
+        { "name": "_C", "type": "float" },
+        { "name": "_D", "type": "float" } ],
+      "surface": { "metallic": "= $_A + $_B + $_C + $_D" })"));
+    EXPECT_TRUE(has(text, R"(    {
+        _A ("A", Float) = 0
+
+        [Header(Wear)]
+        _B ("B", Float) = 0
+
+        [Space]
+        _C ("C", Float) = 0
+        _D ("D", Float) = 0
+    })"))
+        << text;
+}
+
+// Slashes are Unity's menus; what it cannot read or would show empty is left out, and told of at the name.
+TEST(UnityName, IsTheGraphsAsFarAsShaderLabCan) {
+    for (const auto& [name, shown, is_told] : std::initializer_list<std::tuple<std::string, std::string, bool>>{
+             {"Worn metal", "Worn metal", false},
+             {"Metals/Größe 2 (worn)", "Metals/Größe 2 (worn)", false},
+             {R"(Leather \"fine\")", "Leather 'fine'", true},
+             {R"(a\\\tb)", "a b", true},
+             {" a ", "a", true},
+             {"a/", "a", true},
+             {"/ a // b", "a/b", true},
+             {"/", "Unnamed", true}}) {
+        const Result result = of_text(R"({ "patina": 1, "workflow": "unlit", "name": ")" + name + "\" }");
+        ASSERT_TRUE(result.ok) << name;
+        EXPECT_TRUE(has(result.shaders.front().text, "\nShader \"Patina/" + shown + "\"\n")) << name;
+        ASSERT_EQ(result.diagnostics.size(), is_told ? 1u : 0u) << name;
+        if (!is_told) continue;
+        EXPECT_EQ(result.diagnostics.front().code, "inspector-text");
+        EXPECT_EQ(result.diagnostics.front().column, 45) << name;  // of the name's value
+        EXPECT_TRUE(has(result.diagnostics.front().message, "\"Patina/" + shown + "\" for this name")) << name;
+    }
+}
+
 // Its size is a variable that Unity fills, where it is read. Hardware of shader model 3.0 can do that.
 TEST(UnityTextures, HaveTheirSizeBesideThem) {
     const std::string properties = R"("properties": [ { "name": "_MainTex", "type": "texture2d" },
@@ -74,6 +118,65 @@ TEST(UnityTextures, HaveTheirSizeBesideThem) {
     EXPECT_TRUE(has(text, "* _MainTex_TexelSize.z")) << text;
     EXPECT_TRUE(has(text, "= _MainTex_TexelSize.y;")) << text;
     EXPECT_FALSE(has(text, "_Mask_TexelSize") || has(text, "GetDimensions")) << text;
+    EXPECT_TRUE(has(text, "#pragma target 3.0") && !has(text, "#pragma target 3.5")) << text;
+}
+
+// Values that are computed at vertices, a vector each.
+std::string with_values(const std::string& workflow, int count) {
+    std::string nodes, sum = "float3(0)";
+    for (int i = 0; i < count; ++i) {
+        const std::string n = std::to_string(i);
+        nodes += (i == 0 ? "" : ",") + (R"({ "id": "v)" + n + R"(", "stage": "vertex", "expr": ")" + n +
+                                        R"(.5 * @position_os.xyzx * @position_os.yzxx" })");
+        sum += " + sin(v" + n + ".rgb) * v" + n + ".a";
+    }
+    const std::string input = workflow == "unlit" ? "color" : "baseColor";
+    return R"({ "patina": 1, "workflow": ")" + workflow + R"(", "nodes": [ )" + nodes + R"( ], "surface": { ")" +
+           input + R"(": "= )" + sum + R"(" } })";
+}
+
+std::string model_of_first(const std::string& text) {
+    const std::size_t at = text.find("#pragma target ");
+    return at == text.npos ? "" : text.substr(at + 15, 3);
+}
+
+// Fog takes one vector, light two, an instance and an eye one each, and the position one. Shader model 3.0 has 10
+// beside the position (and no instances), Direct3D 10 and OpenGL ES 3.0 have 16 with it, Direct3D 11 has 32.
+TEST(UnityInterpolators, AskForTheModelThatHoldsThem) {
+    const std::string inside = "UNITY_FOG_COORDS(";
+    for (const auto& [count, model] : std::initializer_list<std::pair<int, std::string>>{
+             {9, "3.0"}, {10, "3.5"}, {12, "3.5"}, {13, "5.0"}, {28, "5.0"}}) {
+        const std::string text = shader(with_values("unlit", count));
+        EXPECT_EQ(model_of_first(text), model) << count;
+        EXPECT_TRUE(has(text, inside + std::to_string(count) + ")")) << text;
+    }
+    // Lit, the normal, the position and what comes of lightmaps are three more.
+    for (const auto& [count, model] :
+         std::initializer_list<std::pair<int, std::string>>{{4, "3.0"}, {5, "3.5"}, {7, "3.5"}, {8, "5.0"}}) {
+        const std::string text = shader(with_values("metallic-roughness", count));
+        EXPECT_EQ(model_of_first(text), model) << count;
+        EXPECT_TRUE(has(text, "UNITY_LIGHTING_COORDS(" + std::to_string(count + 3) + ", ")) << text;
+    }
+}
+
+TEST(UnityInterpolators, AreRefusedWhereNoModelHoldsThem) {
+    const Result result = of_text(with_values("unlit", 29));
+    EXPECT_FALSE(result.ok);
+    const Diagnostic told = first_error(result);
+    EXPECT_EQ(told.code, "too-many");
+    EXPECT_EQ(told.message, "32 values from vertices to pixels are too many: the limit is 31");
+    EXPECT_EQ(told.line, 1);
+    EXPECT_TRUE(has(told.notes.front().message, "'unity-forward-base'")) << to_text(told);
+    EXPECT_TRUE(has(told.notes.back().message, "stereo")) << to_text(told);
+}
+
+// Of what the tool's text has, no more than is read stands in the file.
+TEST(UnityTextures, BringTheMacrosThatReadThem) {
+    const std::string text = shader(material(R"("properties": [ { "name": "_MainTex", "type": "texture2d" } ],
+      "nodes": [ { "id": "texel", "node": "SampleTexture2DLevel", "in": { "texture": "$_MainTex", "level": 2 } } ],
+      "surface": { "baseColor": "texel.rgb" })"));
+    EXPECT_TRUE(has(text, "#define SAMPLE_TEX2D_LOD(") && has(text, "SAMPLE_TEX2D_LOD(_MainTex, ")) << text;
+    EXPECT_FALSE(has(text, "SAMPLE_TEX2D_SAMPLER_") || has(text, "SAMPLE_TEX2D_BIAS")) << text;
     EXPECT_TRUE(has(text, "#pragma target 3.0") && !has(text, "#pragma target 3.5")) << text;
 }
 

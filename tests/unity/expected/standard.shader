@@ -11,6 +11,7 @@ Shader "Patina/Standard"
         [NoScaleOffset] _MetallicGlossMap ("Metallic", 2D) = "white" {}
         _GlossMapScale ("Smoothness", Range(0, 1)) = 0.5
 
+        [Space]
         [NoScaleOffset] [Normal] _BumpMap ("Normal Map", 2D) = "bump" {}
         _BumpScale ("Bump Scale", Float) = 1
         [NoScaleOffset] _OcclusionMap ("Occlusion", 2D) = "white" {}
