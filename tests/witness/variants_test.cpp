@@ -561,6 +561,30 @@ TEST(Properties, OfSubgraphsHaveAnOrderThatNodesDoNotChange) {
 
 TEST(Properties, ThatAreFilesAtPortsHaveAnOrderThatNodesDoNotChange) {
     const std::string moss = R"json({ "id": "m", "node": "SampleTexture2D", "in": { "texture": "./moss.png" } })json";
+// The sub-graph comes before the lighting graph and says 0.2 of both, with another range.
+TEST(Properties, HaveTheDefaultThatTheMaterialGivesItsLightingGraph) {
+    const std::map<std::string, std::string> files = {
+        {"part.subgraph.json", subgraph(R"json({ "name": "_P", "type": "float", "default": 0.2, "label": "Part" },
+                                               { "name": "_ON", "type": "bool", "as": "specialization" })json",
+                                        "", "= $_ON ? $_P : 0")},
+        {"lit.lighting.json", R"json({ "patina": 1, "kind": "lighting", "properties": [
+             { "name": "_P", "type": "float", "default": 0.3, "range": [0, 2] },
+             { "name": "_ON", "type": "bool", "as": "specialization" } ],
+             "direct": "= $_ON ? $_P * @light.radiance : float3(0)" })json"}};
+    const Result result = compiled(R"json({ "patina": 1, "workflow": "metallic-roughness",
+        "lighting": { "use": "./lit.lighting.json", "in": { "_P": 0.75, "_ON": true } },
+        "nodes": [ { "id": "part", "node": "./part.subgraph.json" } ], "surface": { "metallic": "part" },
+        "passes": [ { "name": "again", "lighting": "./lit.lighting.json" } ] })json",
+                                   files);
+    const std::vector<Property>& properties = result.reflection.properties;
+    ASSERT_EQ(properties.size(), 2u);
+    EXPECT_EQ(properties[0].value[0], 0.75);
+    EXPECT_EQ(properties[0].label, "Part");
+    ASSERT_TRUE(properties[0].range.has_value());
+    EXPECT_EQ((*properties[0].range)[1], 2);
+    EXPECT_EQ(properties[1].value[0], 1);
+}
+
     const std::string sand = R"json({ "id": "s", "node": "SampleTexture2D", "in": { "texture": "./sand.png" } })json";
     const std::map<std::string, std::string> files = {{"moss.png", ""}, {"sand.png", ""}};
     const Result first = compiled(unlit("= m.rgb - s.rgb", moss + "," + sand), files);
