@@ -194,7 +194,7 @@ TEST(Variants, PastTheLimitAreRefusedWithWhatTheyCost) {
     // Three can be reached, and no more are counted than the limit. _C and _D cost nothing.
     const VariantPlan reachable = planned(VariantsWanted::Reachable, 2);
     ASSERT_EQ(reachable.diagnostics.size(), 1u);
-    EXPECT_EQ(reachable.diagnostics[0].message, "more than 2 combinations of variants are too many: the limit is 2");
+    EXPECT_EQ(reachable.diagnostics[0].message, "the reachable combinations of variants are too many: the limit is 2");
     ASSERT_EQ(reachable.diagnostics[0].notes.size(), 3u);
     EXPECT_EQ(reachable.diagnostics[0].notes[0].message, "'_A' has 2 values: without it there are at most 2");
     EXPECT_EQ(reachable.diagnostics[0].notes[1].message, "'_B' has 2 values: without it there are at most 2");
@@ -207,6 +207,8 @@ TEST(Variants, ThatAreFixedDoNotMultiply) {
     const VariantPlan plan =
         compiler().plan_variants("sixteen.graph.json", VariantsWanted::All, options, kVariantLimit);
     EXPECT_EQ(plan.count, 4u);
+    EXPECT_EQ(plan.fixed, 2u);
+    EXPECT_EQ(planned(VariantsWanted::All).fixed, 0u);
     EXPECT_EQ(compiler().compile_variants("sixteen.graph.json", plan, options).programs.size(), 1u);
 }
 
@@ -559,8 +561,6 @@ TEST(Properties, OfSubgraphsHaveAnOrderThatNodesDoNotChange) {
     }
 }
 
-TEST(Properties, ThatAreFilesAtPortsHaveAnOrderThatNodesDoNotChange) {
-    const std::string moss = R"json({ "id": "m", "node": "SampleTexture2D", "in": { "texture": "./moss.png" } })json";
 // The sub-graph comes before the lighting graph and says 0.2 of both, with another range.
 TEST(Properties, HaveTheDefaultThatTheMaterialGivesItsLightingGraph) {
     const std::map<std::string, std::string> files = {
@@ -585,6 +585,8 @@ TEST(Properties, HaveTheDefaultThatTheMaterialGivesItsLightingGraph) {
     EXPECT_EQ(properties[1].value[0], 1);
 }
 
+TEST(Properties, ThatAreFilesAtPortsHaveAnOrderThatNodesDoNotChange) {
+    const std::string moss = R"json({ "id": "m", "node": "SampleTexture2D", "in": { "texture": "./moss.png" } })json";
     const std::string sand = R"json({ "id": "s", "node": "SampleTexture2D", "in": { "texture": "./sand.png" } })json";
     const std::map<std::string, std::string> files = {{"moss.png", ""}, {"sand.png", ""}};
     const Result first = compiled(unlit("= m.rgb - s.rgb", moss + "," + sand), files);
