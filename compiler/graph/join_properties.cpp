@@ -34,7 +34,7 @@ struct Difference {
 std::string told_range(const Property& property, bool by_hardness) {
     if (!property.range) return "no range";
     if (by_hardness) return property.hard ? "a hard range" : "a soft range";
-    return fmt::format("the range {:g} to {:g}", (*property.range)[0], (*property.range)[1]);
+    return fmt::format("the range {} to {}", shortest((*property.range)[0]), shortest((*property.range)[1]));
 }
 
 std::string told_sampler(const SamplerState& sampler, const SamplerState& other) {
