@@ -218,7 +218,7 @@ void plan_reachable(const Compiler& compiler, graph::Session& session, const std
         multiplying.push_back(*axis);
         all *= static_cast<double>(axis->told.values.size());
     }
-    refuse(session, graph, multiplying, fmt::format("more than {}", limit), limit, [&](const Axis& axis) {
+    refuse(session, graph, multiplying, "the reachable", limit, [&](const Axis& axis) {
         return "at most " + told(std::round(all / static_cast<double>(axis.told.values.size())));
     });
 }
@@ -233,6 +233,10 @@ void plan(const Compiler& compiler, graph::Session& session, const std::string& 
     const graph::Graph& graph = *file.material->graph->graph;
     const std::vector<Axis> axes = open_axes(*file.material);
     for (const Axis& axis : axes) made.axes.push_back(axis.told);
+    made.fixed = static_cast<std::size_t>(
+        std::ranges::count_if(file.material->properties, [](const graph::MaterialProperty& entry) {
+            return entry.property->binding == graph::Binding::Variant && entry.is_chosen;
+        }));
     switch (wanted) {
         case VariantsWanted::All: return plan_all(session, graph, axes, limit, made);
         case VariantsWanted::Listed: return plan_listed(session, *file.material, axes, limit, made);

@@ -82,8 +82,10 @@ void add_semantics(Pages& pages, const Compiler& compiler) {
     static constexpr Rate kRates[] = {
         {"vertex", "Of the mesh", "Known at each vertex; pixels read what is interpolated between them."},
         {"pixel", "Of the pixel",
-         "Computed where they are read. What comes of `@frag_coord` or of neighbouring pixels is not there in the "
-         "`vertex` block, nor in a node that is pinned to the vertex stage."},
+         "Computed where they are read. The `vertex` block, and a node that is pinned to the vertex stage, are "
+         "computed "
+         "before there are pixels: `@frag_coord`, `@front_facing`, `@screen_uv`, `@scene_color`, `@scene_depth` and "
+         "neighbouring pixels are not there."},
         {"uniform", "Of the frame and of the object", "The same for all that is drawn at once."},
         {"lighting", "In a lighting graph", "Handed to it by the material; a material cannot read them."},
     };

@@ -49,7 +49,8 @@ std::string announcement(const VariantPlan& plan, double count) {
     for (std::size_t i = 0; i < std::min(plan.axes.size(), kMostNamed); ++i)
         text += fmt::format("{}{} ({})", i == 0 ? " of " : ", ", plan.axes[i].property, plan.axes[i].values.size());
     if (plan.axes.size() > kMostNamed) text += fmt::format(" and {} more", plan.axes.size() - kMostNamed);
-    return plan.axes.empty() ? "it has no variants; " + text : text;
+    if (!plan.axes.empty()) return text;
+    return plan.fixed > 0 ? text + ": -D fixes all variants" : "it has no variants; " + text;
 }
 
 // The programs' files, in the order of the set.

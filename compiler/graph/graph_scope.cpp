@@ -456,10 +456,15 @@ Typed GraphScope::property(const Expr& expr, nodelang::Scope&) {
         if (property.name == expr.text && variant != lowering_.material.variants.end())
             return keyword(property, known_value(property, variant->second));
     }
-    const bool is_own = graph_.graph->kind == GraphKind::Material ||
-                        std::any_of(own.begin(), own.end(), [&](const Property& p) { return p.name == expr.text; });
+    const auto declared = std::find_if(own.begin(), own.end(), [&](const Property& p) { return p.name == expr.text; });
+    const bool is_own = graph_.graph->kind == GraphKind::Material || declared != own.end();
     const auto index = lowering_.material.property_index.find(expr.text);
-    if (is_own && index != lowering_.material.property_index.end()) return material_property(index->second);
+    if (is_own && index != lowering_.material.property_index.end()) {
+        const Property& joined = *lowering_.material.properties[index->second].property;
+        const bool is_same =
+            declared == own.end() || (declared->type == joined.type && declared->values == joined.values);
+        return is_same ? material_property(index->second) : stand_in(*declared);
+    }
     DiagnosticRecord& record = lowering_.session.diagnostics.report(Code::UnknownProperty, expr.span, expr.text);
     if (lowering_.session.diagnostics.is_full()) return {};
     std::vector<std::string> written;
@@ -499,6 +504,15 @@ Typed GraphScope::keyword(const Property& property, Value value) {
 
 Value GraphScope::known_value(const Property& property, double value) {
     return scope_.builder->constant(property.type == PropertyType::Bool ? ir::kBool : ir::kInt, {value});
+}
+
+// For one that another graph declares to be something else, which has been reported.
+Typed GraphScope::stand_in(const Property& property) {
+    if (property.type == PropertyType::Texture2D) return {};
+    if (property.type == PropertyType::Bool || property.type == PropertyType::Enum)
+        return keyword(property, known_value(property, property.value[0]));
+    const Type type = property_type(property.type);
+    return {.value = scope_.builder->splat_constant(type, property.value[0]), .type = type};
 }
 
 Typed GraphScope::material_property(std::size_t index) {

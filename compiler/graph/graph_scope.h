@@ -102,6 +102,7 @@ private:
     // The same graph in another function of the vertex stage, with only what `node` needs emitted.
     std::unique_ptr<GraphScope> vertex_twin(ir::Builder& builder, std::deque<std::unique_ptr<GraphScope>>& keep);
     Typed material_property(std::size_t index);
+    Typed stand_in(const Property& property);
     Typed bound_property(const PortValue& port);
     Typed keyword(const Property& property, ir::Value value);
     ir::Value known_value(const Property& property, double value);

@@ -8,6 +8,7 @@
 
 #include "compiler/base/text.h"
 #include "compiler/graph/material.h"
+#include "compiler/graph/words.h"
 
 namespace patina::graph {
 
@@ -24,36 +25,108 @@ std::optional<std::string> find_texture(Session& session, const Property& proper
     return {};
 }
 
-// What a property is, wherever it is declared. Empty: the same.
-std::string_view differing_kind(const Property& a, const Property& b) {
-    if (a.type != b.type) return "with another type";
-    if (a.binding != b.binding) return "bound at another time";
-    if (a.values != b.values) return "with other values";
-    return a.usage == b.usage ? "" : "with another usage";
+// What two declarations say of one thing, in words, and where each says so.
+struct Difference {
+    std::string first, second;
+    Span first_at, second_at;
+};
+
+std::string told_range(const Property& property, bool by_hardness) {
+    if (!property.range) return "no range";
+    if (by_hardness) return property.hard ? "a hard range" : "a soft range";
+    return fmt::format("the range {} to {}", shortest((*property.range)[0]), shortest((*property.range)[1]));
 }
 
-// What the material may say of it, for all.
-std::string_view differing_choice(const Property& a, const Property& b, bool same_default) {
-    if (!same_default) return "with another default";
-    if (a.range != b.range || a.hard != b.hard) return "with another range";
-    if (a.tiling != b.tiling) return a.tiling ? "with tiling" : "without tiling";
-    return a.sampler == b.sampler ? "" : "with another sampler";
+std::string told_sampler(const SamplerState& sampler, const SamplerState& other) {
+    if (sampler.wrap != other.wrap) return fmt::format("the wrap mode {}", text_of(kWraps, sampler.wrap));
+    if (sampler.filter != other.filter) return fmt::format("the filter {}", text_of(kFilters, sampler.filter));
+    return fmt::format("an anisotropy of {}", sampler.anisotropy);
+}
+
+std::string told_values_of(const Property& property) {
+    const std::vector<std::string_view> values(property.values.begin(), property.values.end());
+    return fmt::format("the values {}", enumerate(values));
+}
+
+std::string told_default(const Session& session, const Property& property) {
+    if (!property.default_span) return "no default";
+    return fmt::format("the default {}", shown(session.sources.text(property.default_span)));
+}
+
+Difference difference(const Property& first, const Property& second, auto told, Span Property::*at = nullptr) {
+    const auto place = [&](const Property& p) { return at && p.*at ? p.*at : p.name_span; };
+    return {told(first), told(second), place(first), place(second)};
+}
+
+// In what a property is, wherever it is declared.
+std::optional<Difference> differing_kind(const Property& a, const Property& b) {
+    if (a.type != b.type)
+        return difference(a, b, [](auto& p) { return fmt::format("the type {}", to_string(p.type)); });
+    if (a.binding != b.binding) {
+        const auto told = [](auto& p) { return fmt::format("\"as\": \"{}\"", text_of(kBindings, p.binding)); };
+        return difference(a, b, told, &Property::binding_span);
+    }
+    if (a.values != b.values) return difference(a, b, told_values_of);
+    if (a.usage == b.usage) return {};
+    return difference(a, b, [](auto& p) { return fmt::format("the usage {}", text_of(kTextureUsages, p.usage)); });
+}
+
+// In what the material may say of it, for all. A default that neither gives follows from the range.
+std::optional<Difference> differing_choice(const Session& session, const Property& a, const Property& b,
+                                           bool same_default) {
+    if (!same_default && (a.default_span || b.default_span))
+        return difference(
+            a, b, [&](auto& p) { return told_default(session, p); }, &Property::default_span);
+    if (a.range != b.range || a.hard != b.hard)
+        return difference(a, b, [&](auto& p) { return told_range(p, a.range == b.range); });
+    if (a.tiling != b.tiling)
+        return difference(a, b, [](auto& p) { return std::string(p.tiling ? "tiling" : "no tiling"); });
+    if (a.sampler == b.sampler) return {};
+    Difference of{told_sampler(a.sampler, b.sampler), told_sampler(b.sampler, a.sampler), {}, {}};
+    of.first_at = a.sampler_span ? a.sampler_span : a.name_span;
+    of.second_at = b.sampler_span ? b.sampler_span : b.name_span;
+    return of;
+}
+
+MaterialProperty entry_of(Session& session, const Property& property, const JoinOptions& options) {
+    MaterialProperty entry{.property = &property,
+                           .texture_path = find_texture(session, property, options.from).value_or(""),
+                           .is_own = options.is_own || options.said_at,
+                           .is_at_port = options.is_at_port,
+                           .chosen = property.value[0]};
+    entry.is_file = is_texture_file(property) && !entry.texture_path.empty();
+    if (entry.is_file) session.dependencies.push_back(entry.texture_path);
+    return entry;
+}
+
+// What the material gives to its lighting graph is right for the sub-graphs that came before, too.
+void take_over(Session& session, MaterialProperty& entry, const Property& property, const JoinOptions& options) {
+    Property& said = session.file_properties.emplace_back(property);
+    said.label = entry.property->label;
+    said.group = entry.property->group;
+    said.help = entry.property->help;
+    MaterialProperty made = entry_of(session, said, options);
+    if (entry.is_chosen) made.chosen = entry.chosen;
+    made.is_chosen = entry.is_chosen;
+    entry = std::move(made);
 }
 
 // A property of a name that the material has already.
-void share(Session& session, const Material& material, const MaterialProperty& entry, const Property& property,
+void share(Session& session, const Material& material, MaterialProperty& entry, const Property& property,
            const JoinOptions& options) {
     const Property& first = *entry.property;
     if (&first == &property) return;
-    const Span where = options.said_at ? options.said_at : property.name_span;
-    const auto report = [&](std::string_view how, Span first_span) -> DiagnosticRecord& {
-        return session.diagnostics.report(Code::DuplicateId, where, "property", property.name)
-            .note(first_span, fmt::format("the first is here, {}", how));
+    const auto report = [&](const Difference& of) -> DiagnosticRecord& {
+        return session.diagnostics
+            .report(Code::ImpossibleValue, of.second_at, property.name, "the same wherever it is declared")
+            .note(of.first_at, fmt::format("here it has {}, there {}", of.first, of.second));
     };
-    if (const std::string_view kind = differing_kind(first, property); !kind.empty()) {
-        report(kind, first.name_span);
+    if (const std::optional<Difference> kind = differing_kind(first, property)) {
+        report(*kind);
         return;
     }
+    if (options.said_at && !entry.is_own && !entry.is_at_port && !material.pass)
+        return take_over(session, entry, property, options);
     const bool is_said = options.said_at || options.is_at_port;
     if (entry.is_own && !is_said) return;  // the material's word is the one
     bool same_default = first.value == property.value;
@@ -62,12 +135,13 @@ void share(Session& session, const Material& material, const MaterialProperty& e
         if (!texture) return;
         same_default = *texture == entry.texture_path;
     }
-    const std::string_view choice = differing_choice(first, property, same_default);
-    if (choice.empty() || (options.said_at && same_default)) return;
-    const Span default_span = first.default_span && options.said_at ? first.default_span : first.name_span;
-    DiagnosticRecord& record = report(choice, default_span);
+    const std::optional<Difference> choice = differing_choice(session, first, property, same_default);
+    if (!choice || (options.said_at && same_default)) return;
+    DiagnosticRecord& record = report(*choice);
     if (material.pass && options.said_at)
         record.note("a pass shares the material's properties");
+    else if (options.is_at_port || entry.is_at_port)
+        record.note(fmt::format("a file at a port is a property that is named for it: '{}'", property.name));
     else if (!is_said)
         record.note(fmt::format("where the material declares '{}', what it says of it holds for all", property.name));
 }
@@ -166,13 +240,7 @@ bool is_texture_file(const Property& property) {
 void join_property(Session& session, Material& material, const Property& property, const JoinOptions& options) {
     const auto [existing, is_new] = material.property_index.emplace(property.name, material.properties.size());
     if (!is_new) return share(session, material, material.properties[existing->second], property, options);
-    MaterialProperty entry{.property = &property,
-                           .texture_path = find_texture(session, property, options.from).value_or(""),
-                           .is_own = options.is_own || options.said_at,
-                           .chosen = property.value[0]};
-    entry.is_file = is_texture_file(property) && !entry.texture_path.empty();
-    if (entry.is_file) session.dependencies.push_back(entry.texture_path);
-    material.properties.push_back(std::move(entry));
+    material.properties.push_back(entry_of(session, property, options));
 }
 
 void join_graph(Session& session, Material& material, const CheckedGraph& graph) {

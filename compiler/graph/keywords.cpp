@@ -27,8 +27,10 @@ void choose(Session& session, MaterialProperty& entry, const std::string& word) 
     const Property& property = *entry.property;
     if (!is_keyword(property.binding)) {
         if (is_switch(session, property.name)) return;  // which is meant
+        const bool can_be = property.type == PropertyType::Bool || property.type == PropertyType::Enum;
         session.diagnostics.report(Code::NotAKeyword, {}, property.name)
-            .note(property.name_span, "with \"as\": \"variant\" or \"specialization\" here, it would be");
+            .note(property.name_span, can_be ? "with \"as\": \"variant\" or \"specialization\" here, it would be"
+                                             : "only a bool or an enum can be bound as a variant or a constant");
         return;
     }
     const std::vector<std::string_view> words = keyword_words(property);

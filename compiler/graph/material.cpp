@@ -145,10 +145,10 @@ void bind_lighting_properties(Session& session, Material& material, std::span<co
         const std::size_t ranged = property.type == PropertyType::Color ? 3 : 4;
         if (property.range) check_range(session, *input->value, *property.range, property.hard, property.name, ranged);
         Property bound = property;
+        bound.default_span = input->value_span;
         const bool is_file = property.type == PropertyType::Texture2D && input->value->kind == Expr::Kind::File;
         if (is_file) {
             bound.texture = std::string(input->value->text);
-            bound.default_span = input->value->span;
         }
         if (is_file || set_default(session, bound, *input->value)) {
             // A file is named from the graph that names it.
@@ -166,6 +166,27 @@ void bind_lighting_properties(Session& session, Material& material, std::span<co
         for (const Property& property : own) names.push_back(property.name);
         session.diagnostics.report(Code::UnknownPort, port.name_span, material.lighting_name, "property", port.name)
             .note(names.empty() ? "it has none" : Diagnostics::suggestion(port.name, names));
+    }
+}
+
+// A lighting graph's variant is no property of the material, which would otherwise have two of one name.
+void check_lighting_variants(Session& session, const Material& material, const LightingUse& use) {
+    for (const Property& property : material.lighting->graph->properties) {
+        const auto found = material.property_index.find(property.name);
+        if (property.binding != Binding::Variant || found == material.property_index.end()) continue;
+        const bool is_given = std::any_of(use.inputs.begin(), use.inputs.end(),
+                                          [&](const PortValue& input) { return input.name == property.name; });
+        if (is_given) continue;
+        const Property& other = *material.properties[found->second].property;
+        DiagnosticRecord& record =
+            session.diagnostics.report(Code::DuplicateId, other.name_span, "property", property.name)
+                .note(property.name_span, "the lighting graph has a variant of this name");
+        if (!use.inlined) {
+            record.note(fmt::format(
+                "\"lighting\": {{ \"use\": \"{}\", \"in\": {{ \"{}\": ... }} }} gives it a value, or a property of the "
+                "material that has the same values",
+                use.use.empty() ? material.lighting_name : use.use, property.name));
+        }
     }
 }
 
@@ -248,6 +269,7 @@ bool resolve_rest(Session& session, Material& material) {
     choose_keywords(session, material, known);
     bind_lighting_properties(session, material, graph.lighting.inputs);
     join_graph(session, material, *material.lighting);
+    check_lighting_variants(session, material, graph.lighting);
     check_surface(session, material);
     check_vertex(session, graph);
     return true;

@@ -11,6 +11,7 @@ struct MaterialProperty {
     std::string texture_path;  // a texture's default: a file, found on disk; or white, black, gray, bump
     bool is_file = false;      // `texture_path` is one
     bool is_own = false;       // the material itself says what its default is
+    bool is_at_port = false;   // it is a file at a port
     double chosen = 0;         // of a keyword: bool 0 or 1; enum: index
     bool is_chosen = false;    // by the caller; else `chosen` is its default
 };

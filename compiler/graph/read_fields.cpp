@@ -104,7 +104,7 @@ std::string_view meant_by(std::string_view word, std::span<const std::string_vie
     return word;
 }
 
-void check_keys(Reading& reading, const Json& object, ObjectKind kind) {
+void check_keys(Reading& reading, const Json& object, ObjectKind kind, std::span<const std::string_view> unfit) {
     static constexpr std::array kFiles = {ObjectKind::Material, ObjectKind::Subgraph, ObjectKind::Lighting,
                                           ObjectKind::Workflow, ObjectKind::Scene};
     const bool is_file = std::find(kFiles.begin(), kFiles.end(), kind) != kFiles.end();
@@ -126,7 +126,9 @@ void check_keys(Reading& reading, const Json& object, ObjectKind kind) {
             continue;
         }
         std::vector<std::string_view> names;
-        for (const KeyInfo& key : keys_of(kind)) names.push_back(key.name);
+        for (const KeyInfo& key : keys_of(kind)) {
+            if (std::find(unfit.begin(), unfit.end(), key.name) == unfit.end()) names.push_back(key.name);
+        }
         suggest(reading, record, member.key, names);
     }
 }

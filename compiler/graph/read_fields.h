@@ -66,8 +66,9 @@ void read_name(Reading& reading, const Json& object, std::string_view what, std:
 // "range" and "hard".
 void read_limits(Reading& reading, const Json& object, std::optional<std::array<double, 2>>& range, bool& hard);
 
-// Complains about each key that an object of this kind does not have, and about each that it needs.
-void check_keys(Reading& reading, const Json& object, ObjectKind kind);
+// Complains about each key that an object of this kind does not have, and about each that it needs. Those of `unfit`
+// are not offered: they have no use in this place.
+void check_keys(Reading& reading, const Json& object, ObjectKind kind, std::span<const std::string_view> unfit = {});
 // Complains about a key of the format that `what` has no use for: it belongs to `owner`.
 void refuse_key(Reading& reading, const Json& object, std::string_view key, std::string_view what,
                 std::string_view owner);

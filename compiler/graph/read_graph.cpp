@@ -170,8 +170,13 @@ void read_material(Reading& reading, const Json& json, Graph& graph) {
 void read_subgraph(Reading& reading, const Json& json, Graph& graph) {
     UniqueNames names;
     check_keys(reading, json, ObjectKind::Subgraph);
-    if (const Json* inputs = json.find("inputs")) graph.inputs = read_inputs(reading, *inputs, names, false);
+    const Json* inputs = json.find("inputs");
+    const Json* properties = json.find("properties");
+    const bool comes_later = inputs && properties && properties->span.begin < inputs->span.begin;
+    // Of two that share a name the second is wrong.
+    if (inputs && !comes_later) graph.inputs = read_inputs(reading, *inputs, names, false);
     read_common(reading, json, graph, names);
+    if (inputs && comes_later) graph.inputs = read_inputs(reading, *inputs, names, false);
     if (const Json* outputs = json.find("outputs")) read_declared_outputs(reading, *outputs, graph.outputs);
 }
 

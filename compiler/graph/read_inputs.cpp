@@ -53,8 +53,10 @@ void read_conversion(Reading& reading, const Json& json, Input& input) {
     reading.diagnostics.set_context({}, {});
 }
 
+constexpr std::array<std::string_view, 2> kConversion = {"gives", "as"};
+
 void refuse_conversion(Reading& reading, const Json& json) {
-    for (const std::string_view key : {"gives", "as"}) {
+    for (const std::string_view key : kConversion) {
         if (const JsonMember* member = find_member(json, key)) {
             reading.diagnostics.report(Code::UnknownKey, member->key_span, key, describe(ObjectKind::Input))
                 .note(fmt::format("'{}' belongs to the inputs of a workflow", key));
@@ -64,7 +66,7 @@ void refuse_conversion(Reading& reading, const Json& json) {
 
 Input read_input(Reading& reading, const Json& json, UniqueNames& names, bool of_workflow) {
     Input input;
-    check_keys(reading, json, ObjectKind::Input);
+    check_keys(reading, json, ObjectKind::Input, std::span(kConversion).first(of_workflow ? 0 : kConversion.size()));
     read_name(reading, json, "input", input.name, input.name_span, names);
     read_type(reading, json, input);
     read_limits(reading, json, input.range, input.hard);

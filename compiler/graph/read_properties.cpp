@@ -260,7 +260,10 @@ std::vector<Property> read_properties(Reading& reading, const Json& array, Uniqu
     if (!expect(reading, array, Json::Kind::Array, "'properties'")) return properties;
     for (const Json& element : array.elements) {
         if (!expect(reading, element, Json::Kind::Object, "a property")) continue;
-        properties.push_back(read_property(reading, element, names));
+        Property property = read_property(reading, element, names);
+        const bool is_second = std::any_of(properties.begin(), properties.end(),
+                                           [&](const Property& first) { return first.name == property.name; });
+        if (!is_second) properties.push_back(std::move(property));  // else it has been reported
     }
     return properties;
 }

@@ -238,6 +238,10 @@ std::size_t find_material(Reading& reading, const Json& json, const Materials& m
 std::vector<SceneInstance> read_instances(SceneReading& reading, const Json& array) {
     std::vector<SceneInstance> instances;
     if (!expect(reading, array, Json::Kind::Array, "'instances'")) return instances;
+    if (array.elements.empty()) {
+        reading.diagnostics.report(Code::EmptyList, array.span, "instances")
+            .note("an object without this key is drawn once");
+    }
     if (array.elements.size() > kMostSceneInstances) {
         reading.diagnostics.report(Code::TooMany, opening(array), array.elements.size(), "instances",
                                    kMostSceneInstances);

@@ -194,7 +194,7 @@ TEST(Variants, PastTheLimitAreRefusedWithWhatTheyCost) {
     // Three can be reached, and no more are counted than the limit. _C and _D cost nothing.
     const VariantPlan reachable = planned(VariantsWanted::Reachable, 2);
     ASSERT_EQ(reachable.diagnostics.size(), 1u);
-    EXPECT_EQ(reachable.diagnostics[0].message, "more than 2 combinations of variants are too many: the limit is 2");
+    EXPECT_EQ(reachable.diagnostics[0].message, "the reachable combinations of variants are too many: the limit is 2");
     ASSERT_EQ(reachable.diagnostics[0].notes.size(), 3u);
     EXPECT_EQ(reachable.diagnostics[0].notes[0].message, "'_A' has 2 values: without it there are at most 2");
     EXPECT_EQ(reachable.diagnostics[0].notes[1].message, "'_B' has 2 values: without it there are at most 2");
@@ -207,6 +207,8 @@ TEST(Variants, ThatAreFixedDoNotMultiply) {
     const VariantPlan plan =
         compiler().plan_variants("sixteen.graph.json", VariantsWanted::All, options, kVariantLimit);
     EXPECT_EQ(plan.count, 4u);
+    EXPECT_EQ(plan.fixed, 2u);
+    EXPECT_EQ(planned(VariantsWanted::All).fixed, 0u);
     EXPECT_EQ(compiler().compile_variants("sixteen.graph.json", plan, options).programs.size(), 1u);
 }
 
@@ -557,6 +559,30 @@ TEST(Properties, OfSubgraphsHaveAnOrderThatNodesDoNotChange) {
         EXPECT_EQ(result.reflection.passes[0].hash, first.reflection.passes[0].hash) << text;
         EXPECT_EQ(stage_hashes(result), stage_hashes(first)) << text;
     }
+}
+
+// The sub-graph comes before the lighting graph and says 0.2 of both, with another range.
+TEST(Properties, HaveTheDefaultThatTheMaterialGivesItsLightingGraph) {
+    const std::map<std::string, std::string> files = {
+        {"part.subgraph.json", subgraph(R"json({ "name": "_P", "type": "float", "default": 0.2, "label": "Part" },
+                                               { "name": "_ON", "type": "bool", "as": "specialization" })json",
+                                        "", "= $_ON ? $_P : 0")},
+        {"lit.lighting.json", R"json({ "patina": 1, "kind": "lighting", "properties": [
+             { "name": "_P", "type": "float", "default": 0.3, "range": [0, 2] },
+             { "name": "_ON", "type": "bool", "as": "specialization" } ],
+             "direct": "= $_ON ? $_P * @light.radiance : float3(0)" })json"}};
+    const Result result = compiled(R"json({ "patina": 1, "workflow": "metallic-roughness",
+        "lighting": { "use": "./lit.lighting.json", "in": { "_P": 0.75, "_ON": true } },
+        "nodes": [ { "id": "part", "node": "./part.subgraph.json" } ], "surface": { "metallic": "part" },
+        "passes": [ { "name": "again", "lighting": "./lit.lighting.json" } ] })json",
+                                   files);
+    const std::vector<Property>& properties = result.reflection.properties;
+    ASSERT_EQ(properties.size(), 2u);
+    EXPECT_EQ(properties[0].value[0], 0.75);
+    EXPECT_EQ(properties[0].label, "Part");
+    ASSERT_TRUE(properties[0].range.has_value());
+    EXPECT_EQ((*properties[0].range)[1], 2);
+    EXPECT_EQ(properties[1].value[0], 1);
 }
 
 TEST(Properties, ThatAreFilesAtPortsHaveAnOrderThatNodesDoNotChange) {

@@ -34,6 +34,7 @@ struct VariantPlan {
     bool ok = false;
     std::vector<Diagnostic> diagnostics;
     std::vector<VariantAxis> axes;
+    std::size_t fixed = 0;  // variants that the options give a value
     std::size_t count = 0;  // of combinations
     // Listed, Reachable: the combinations. All: none, they follow from the axes.
     std::vector<VariantValues> picked;
