@@ -51,7 +51,8 @@ void choose(Session& session, MaterialProperty& entry, const std::string& word) 
         .note(property.name_span, "the property is here");
 }
 
-// What the graph lists under "variants".
+}  // namespace
+
 void check_listed(Session& session, const Material& material) {
     for (const ListedVariant& listed : material.graph->graph->variants) {
         for (const ListedVariant::Value& value : listed.values) {
@@ -85,15 +86,12 @@ void check_listed(Session& session, const Material& material) {
     }
 }
 
-}  // namespace
-
 std::vector<std::string_view> keyword_words(const Property& property) {
     if (property.type == PropertyType::Bool) return {kBools.begin(), kBools.end()};
     return {property.values.begin(), property.values.end()};
 }
 
 void choose_keywords(Session& session, Material& material, std::size_t first) {
-    check_listed(session, material);
     for (std::size_t i = first; i < material.properties.size(); ++i)
         check_name(session, *material.properties[i].property);
     for (const auto& [name, word] : session.options.switches) {

@@ -266,9 +266,12 @@ bool resolve_rest(Session& session, Material& material) {
     if (!material.lighting) return false;
     const std::size_t known = material.properties.size();
     join_graph(session, material, *material.graph);
+    check_listed(session, material);
     choose_keywords(session, material, known);
+    const std::size_t own = material.properties.size();
     bind_lighting_properties(session, material, graph.lighting.inputs);
     join_graph(session, material, *material.lighting);
+    choose_keywords(session, material, own);
     check_lighting_variants(session, material, graph.lighting);
     check_surface(session, material);
     check_vertex(session, graph);

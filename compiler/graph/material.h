@@ -67,6 +67,8 @@ bool is_texture_file(const Property& property);
 // Gives those from the property `first` on the values that the caller wants ("_DETAIL", "true"), and reports those that
 // they cannot have.
 void choose_keywords(Session& session, Material& material, std::size_t first);
+// Reports what the graph lists under "variants" and does not have.
+void check_listed(Session& session, const Material& material);
 // The keyword of the material that an expression reads and nothing else, or null.
 const MaterialProperty* keyword_named(const Material& material, const nodelang::Expr& expr);
 // What such a property may be: "a bool", "one of Dry and Wet".

@@ -307,6 +307,28 @@ const std::map<std::string, std::string> kSpecialized = {{"special.graph.json", 
   ],
   "surface": { "color": "= float3($_Mode == Quarter ? 0.25 : $_Mode == Half ? 0.5 : 1, $_Blue ? 0.75 : 0, tilted.z)" } })json"}};
 
+// One that only a lighting graph declares has the default that -D gives it, too, and no other value than its own.
+TEST(Specialization, OfALightingGraphIsSetLikeAnyOther) {
+    const std::map<std::string, std::string> files = {{"m.graph.json", R"json({
+  "patina": 1, "workflow": "metallic-roughness", "lighting": "./l.lighting.json" })json"},
+                                                      {"l.lighting.json", R"json({
+  "patina": 1, "kind": "lighting",
+  "properties": [ { "name": "_Hard", "type": "bool", "as": "specialization" } ],
+  "direct": "= @surface.diffuseColor * @light.color * ($_Hard ? 0.25 : 0.5)" })json"}};
+    CompileOptions options = options_for(files);
+    for (const bool is_hard : {false, true}) {
+        options.switches = {{"_Hard", is_hard ? "true" : "false"}};
+        const Result result = compiler().compile_file("m.graph.json", options);
+        ASSERT_TRUE(result.ok) << told(result.diagnostics);
+        const std::string wanted = std::string("const bool _Hard = ") + (is_hard ? "true;" : "false;");
+        EXPECT_NE(result.shaders[1].text.find(wanted), std::string::npos) << result.shaders[1].text;
+    }
+    options.switches = {{"_Hard", "soft"}};
+    const Result refused = compiler().compile_file("m.graph.json", options);
+    ASSERT_EQ(refused.diagnostics.size(), 1u) << told(refused.diagnostics);
+    EXPECT_EQ(refused.diagnostics[0].code, "unknown-word");
+}
+
 TEST(Specialization, HasTheIdsOfItsPropertiesInEveryVariant) {
     for (const char* fixed : {"false", "true"}) {
         CompileOptions options = options_for(kSpecialized);
