@@ -142,8 +142,10 @@ TEST(Usage, IsRefusedWithWhatIsWrong) {
         {"a/plain.graph.json b/Plain.graph.json",
          "GRAPH: 'a/plain.graph.json' and 'b/Plain.graph.json' would write plain.* and Plain.*, which are one for some "
          "file systems: compile them into different folders"}};
+    const fs::path folder = received_folder() / "run";
+    fs::create_directories(folder);
     for (const auto& [arguments, message] : cases) {
-        const Ran ran = run("patina compile " + arguments, received_folder());
+        const Ran ran = run("patina compile " + arguments, folder);
         EXPECT_EQ(ran.exit, 2) << arguments;
         EXPECT_EQ(ran.output, "patina compile: " + message + "\ntry 'patina compile --help'\n") << arguments;
     }
