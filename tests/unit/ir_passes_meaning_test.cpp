@@ -61,6 +61,8 @@ private:
                 loop(b, depth);
             } else if (kind == 2 && !callable_.empty()) {
                 call(b);
+            } else if (kind == 6 && !callable_.empty()) {
+                work_for_keywords(b);
             } else if (kind == 4 || kind == 5) {
                 visible_.push_back(chosen_by_keyword(b));
             } else if (kind == 3) {
@@ -81,6 +83,20 @@ private:
         if (pick(4) == 0) condition = b.emit(pick(2) == 0 ? Op::And : Op::Or, {condition, keyword(b)});
         const Value x = any(), y = any();
         return b.emit(Op::Select, kFloat, {condition, x, y});
+    }
+
+    // Work that sides of several choices need, and nothing else.
+    void work_for_keywords(Builder& b) {
+        call(b);
+        const Value work = visible_.back();
+        visible_.pop_back();
+        for (int k = 0; k < 2; k++) {
+            const Value other = any();
+            const Value condition = keyword(b);
+            visible_.push_back(pick(2) == 0 ? b.emit(Op::Select, kFloat, {condition, work, other})
+                                            : b.emit(Op::Select, kFloat, {condition, other, work}));
+        }
+        visible_.push_back(b.emit(Op::Add, {visible_[visible_.size() - 2], visible_.back()}));
     }
 
     void arithmetic(Builder& b) {
