@@ -8,17 +8,17 @@
 #include <algorithm>
 #include <functional>
 
-#include "compiler/assemble/canonical_hash.h"
-#include "compiler/assemble/check_reads.h"
-#include "compiler/assemble/identifiers.h"
-#include "compiler/assemble/reflect.h"
-#include "compiler/assemble/shader_file.h"
-#include "compiler/dumps.h"
-#include "compiler/impl.h"
+#include "compiler/output/canonical_hash.h"
+#include "compiler/link/check_reads.h"
+#include "compiler/link/identifiers.h"
+#include "compiler/output/reflect.h"
+#include "compiler/engines/shaderlab/shader_file.h"
+#include "compiler/api/dumps.h"
+#include "compiler/api/compiler_impl.h"
 #include "compiler/ir/verify.h"
-#include "compiler/link_pass.h"
-#include "compiler/print_shaders.h"
-#include "compiler/report.h"
+#include "compiler/link/link_pass.h"
+#include "compiler/output/print_shaders.h"
+#include "compiler/api/report.h"
 
 namespace patina {
 namespace {

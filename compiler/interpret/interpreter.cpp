@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstring>
 
-#include "compiler/assemble/program.h"
+#include "compiler/link/program.h"
 #include "compiler/interpret/machine.h"
 #include "compiler/interpret/trace.h"
 #include "patina/interpret.h"

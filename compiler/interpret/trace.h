@@ -1,7 +1,7 @@
 // What a watcher saw in the machine's memory -> values with the names that the graphs give them.
 #pragma once
 
-#include "compiler/assemble/program.h"
+#include "compiler/link/program.h"
 #include "compiler/interpret/machine.h"
 
 namespace patina::interpret {

@@ -7,7 +7,7 @@
 //   Scope scope{.builder = &b, .declarations = &library, .environment = &graph};
 //   Typed mask = emitter.expression(*expr, scope);
 //
-// Not here: what a graph is (graph/lower.h), how stages are put together (assemble/).
+// Not here: what a graph is (lower/lower.h), how stages are put together (assemble/).
 #pragma once
 
 #include <deque>

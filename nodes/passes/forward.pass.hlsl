@@ -6,7 +6,7 @@ float4 forward_vertex(float3 position = position_ws) {
     return mul(world_to_clip, float4(position, 1));
 }
 
-/// Which instance of an object is drawn. Properties and matrices of instances are read by it (compiler/graph/instances.h).
+/// Which instance of an object is drawn. Properties and matrices of instances are read by it (compiler/lower/instances.h).
 [builtin("instance_index")] int instance_index;
 
 /// What is baked for this point: light of the lightmap, what is left of the main light in it, and shadows.

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "compiler/graph/check.h"
+#include "compiler/resolve/check_graph.h"
 
 namespace patina::proof {
 namespace {

@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "compiler/graph/check.h"
+#include "compiler/resolve/check_graph.h"
 #include "proof/term.h"
 #include "witness/bench.h"
 

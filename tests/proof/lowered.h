@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "compiler/graph/lower.h"
+#include "compiler/lower/lower.h"
 
 namespace patina::proof {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "compiler/graph/declare.h"
+#include "compiler/lower/declare.h"
 #include "compiler/nodelang/embedded.h"
 #include "compiler/nodelang/parse.h"
 

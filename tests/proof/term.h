@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/graph/library.h"
+#include "compiler/resolve/library.h"
 #include "compiler/interpret/machine.h"
 
 namespace patina::proof {

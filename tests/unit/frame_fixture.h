@@ -9,7 +9,7 @@
 #include <deque>
 #include <span>
 
-#include "compiler/assemble/program.h"
+#include "compiler/link/program.h"
 #include "compiler/ir/builder.h"
 #include "compiler/ir/verify.h"
 #include "patina/validate.h"

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <functional>
 
-#include "compiler/assemble/program.h"
+#include "compiler/link/program.h"
 #include "compiler/ir/builder.h"
 #include "compiler/ir/verify.h"
 #include "patina/interpret.h"

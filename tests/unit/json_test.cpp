@@ -1,5 +1,5 @@
 // The JSON reader: every value knows its place, comments are kept, and broken text is refused with words that help.
-#include "compiler/graph/json.h"
+#include "compiler/json/json.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Identifiers of the emitted text: reserved words, clashes, numbers.
-#include "compiler/targets/names.h"
+#include "compiler/languages/names.h"
 
 #include <gtest/gtest.h>
 
-#include "compiler/targets/print.h"
+#include "compiler/languages/print.h"
 
 namespace patina::targets {
 namespace {

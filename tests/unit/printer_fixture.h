@@ -10,7 +10,7 @@
 
 #include "compiler/ir/builder.h"
 #include "compiler/ir/verify.h"
-#include "compiler/targets/print.h"
+#include "compiler/languages/print.h"
 
 namespace patina::targets {
 

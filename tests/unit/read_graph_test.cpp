@@ -1,10 +1,10 @@
 // The graph reader: what each key becomes, what stands at a port, and what is said about everything else.
-#include "compiler/graph/read_graph.h"
+#include "compiler/format/read_graph.h"
 
 #include <gtest/gtest.h>
 
-#include "compiler/graph/color.h"
-#include "compiler/graph/keys.h"
+#include "compiler/format/color.h"
+#include "compiler/format/keys.h"
 
 namespace patina::graph {
 namespace {

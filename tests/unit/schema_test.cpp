@@ -1,6 +1,6 @@
 // The JSON Schema: it accepts the graphs that the documentation shows, refuses what the reader refuses, and names every
 // key, node and port. Checked by a validator of the few keywords that the schema uses.
-#include "compiler/graph/schema.h"
+#include "compiler/format/schema/schema.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <regex>
 #include <sstream>
 
-#include "compiler/graph/json_text.h"
-#include "compiler/graph/keys.h"
+#include "compiler/json/json_text.h"
+#include "compiler/format/keys.h"
 
 namespace patina::graph {
 namespace {

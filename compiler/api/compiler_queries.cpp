@@ -1,0 +1,303 @@
+// The Compiler class but for compiling itself (compile.cpp): the library, its descriptions, single nodes, fmt and
+// schema.
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/base/text.h"
+#include "compiler/api/describe.h"
+#include "compiler/api/evaluate.h"
+#include "compiler/resolve/check_graph.h"
+#include "compiler/format/canonical_form.h"
+#include "compiler/json/json.h"
+#include "compiler/format/read_graph.h"
+#include "compiler/format/read_scene.h"
+#include "compiler/format/schema/schema.h"
+#include "compiler/api/compiler_impl.h"
+#include "compiler/nodelang/parse.h"
+#include "compiler/api/report.h"
+
+namespace patina {
+namespace {
+
+// "0.5", "0,0,1", "Reoriented", "#ff8800": the graph format's values, as a command line spells them.
+const nodelang::Expr* read_argument(const std::string& text, SourceMap& sources, nodelang::Ast& ast,
+                                    Diagnostics& diagnostics) {
+    const std::uint32_t base = sources.add("argument", text);
+    const std::string_view stored = sources.file_text(base);
+    const Span span{base, base + static_cast<std::uint32_t>(text.size())};
+    if (text.starts_with('#')) {
+        graph::Json json;
+        json.kind = graph::Json::Kind::String;
+        // read_value expects the span of a JSON string, with its quotes.
+        json.span = {span.begin - 1, span.end + 1};
+        json.string = text;
+        return graph::read_value(json, sources, ast, diagnostics);
+    }
+    if (text.find(',') == std::string::npos || text.find('(') != std::string::npos) {
+        return nodelang::parse_expression({.text = stored, .base = base}, ast, diagnostics);
+    }
+    nodelang::Expr list{.kind = nodelang::Expr::Kind::List, .span = span, .name_span = span, .text = {}, .args = {}};
+    for (std::size_t at = 0; at <= stored.size();) {
+        const std::size_t comma = std::min(stored.find(',', at), stored.size());
+        const nodelang::Expr* element = nodelang::parse_expression(
+            {.text = stored.substr(at, comma - at), .base = base + static_cast<std::uint32_t>(at)}, ast, diagnostics);
+        if (!element) return nullptr;
+        list.args.push_back(element);
+        at = comma + 1;
+    }
+    return &ast.exprs.emplace_back(std::move(list));
+}
+
+// A node to be called: of the library, or the one of a user's file.
+struct Callee {
+    const nodelang::FunctionDecl& function;
+    const nodelang::Declarations& declarations;
+};
+
+std::optional<Callee> find_callee(graph::Session& session, std::string_view node) {
+    if (node.ends_with(".hlsl")) {
+        const graph::NodeFile* file = graph::load_node_file(session, std::string(node), {});
+        if (!file) return {};
+        return Callee{*file->node, file->declarations};
+    }
+    const nodelang::Declarations& declarations = session.library.declarations;
+    const nodelang::FunctionDecl* function = declarations.function(node);
+    if (function && function->attribute("node")) return Callee{*function, declarations};
+    const std::vector<std::string_view> names = declarations.function_names();
+    const std::string_view near = nearest(node, names);
+    DiagnosticRecord& record = session.diagnostics.report(Code::UnknownNode, {}, node);
+    if (!near.empty()) record.note(fmt::format("did you mean '{}'?", near));
+    return {};
+}
+
+// By parameter; null where none is given.
+std::vector<const nodelang::Expr*> read_arguments(graph::Session& session, const nodelang::FunctionDecl& function,
+                                                  std::span<const std::pair<std::string, std::string>> arguments) {
+    std::vector<const nodelang::Expr*> values(function.params.size(), nullptr);
+    for (const auto& [name, text] : arguments) {
+        const auto param = std::find_if(function.params.begin(), function.params.end(),
+                                        [&](const nodelang::ParamDecl& p) { return !p.is_out && p.name == name; });
+        if (param == function.params.end()) {
+            std::vector<std::string_view> known;
+            for (const nodelang::ParamDecl& p : function.params) {
+                if (!p.is_out) known.push_back(p.name);
+            }
+            session.diagnostics.report(Code::UnknownPort, {}, function.name, "input", name)
+                .at(function.name)
+                .note(Diagnostics::suggestion(name, known));
+            continue;
+        }
+        session.diagnostics.set_context(function.name, name);
+        const nodelang::Expr*& value = values[static_cast<std::size_t>(param - function.params.begin())];
+        if (value) session.diagnostics.report(Code::DuplicateKey, value->span, name);
+        value = read_argument(text, session.sources, session.ast, session.diagnostics);
+        if (const auto range = graph::range_of(param->attributes); range && value) {
+            graph::check_range(session, *value, *range, false, name);
+        }
+    }
+    return values;
+}
+
+}  // namespace
+
+std::string_view version() {
+    return "0.1.0";
+}
+
+std::string_view to_string(Target target) {
+    switch (target) {
+        case Target::Glsl: return "glsl";
+        case Target::Hlsl: return "hlsl";
+        case Target::Unity: return "unity";
+    }
+    return {};
+}
+
+std::string_view to_string(Stage stage) {
+    switch (stage) {
+        case Stage::Vertex: return "vertex";
+        case Stage::Fragment: return "fragment";
+    }
+    return {};
+}
+
+Compiler::Compiler() : impl_(std::make_unique<Impl>()) {
+    impl_->library = graph::load_library(nodelang::embedded_files());
+}
+Compiler::~Compiler() = default;
+Compiler::Compiler(Compiler&&) noexcept = default;
+Compiler& Compiler::operator=(Compiler&&) noexcept = default;
+
+void Compiler::Impl::describe() const {
+    std::call_once(once, [&] {
+        const EvaluationContext context{*library, library->declarations, library->sources};
+        for (const nodelang::FunctionDecl& function : library->ast.functions) {
+            if (function.attribute("node")) nodes.push_back(describe_node(function, context));
+        }
+        std::sort(nodes.begin(), nodes.end(), [](const NodeInfo& a, const NodeInfo& b) {
+            return std::pair(a.category, a.name) < std::pair(b.category, b.name);
+        });
+        semantics = describe_semantics(*library);
+        paths = describe_paths(*library);
+        for (const auto& [name, graph] : library->workflows) {
+            if (graph.get()) workflows.push_back(describe_model(*graph.get(), name, library->sources));
+        }
+        for (const auto& [name, graph] : library->lighting_models) {
+            if (graph.get()) lighting_models.push_back(describe_model(*graph.get(), name, library->sources));
+        }
+    });
+}
+
+std::vector<Diagnostic> Compiler::library_diagnostics() const {
+    const graph::Library& library = *impl_->library;
+    std::vector<Diagnostic> all;
+    const auto add = [&](const Diagnostics& some) {
+        const std::vector<Diagnostic> made = to_public(some, library.sources);
+        all.insert(all.end(), made.begin(), made.end());
+    };
+    add(library.diagnostics);
+    for (const nodelang::FunctionDecl& function : library.ast.functions) {
+        if (const Diagnostics* errors = nodelang::body_errors(function)) add(*errors);
+    }
+    for (const auto* graphs : {&library.workflows, &library.lighting_models}) {
+        for (const auto& [name, graph] : *graphs) add(graph.diagnostics());
+    }
+    return all;
+}
+const std::vector<NodeInfo>& Compiler::nodes() const {
+    impl_->describe();
+    return impl_->nodes;
+}
+const NodeInfo* Compiler::node(std::string_view name) const {
+    const auto& all = nodes();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const NodeInfo& n) { return n.name == name; });
+    return found == all.end() ? nullptr : &*found;
+}
+const std::vector<SemanticInfo>& Compiler::semantics() const {
+    impl_->describe();
+    return impl_->semantics;
+}
+const std::vector<ModelInfo>& Compiler::workflows() const {
+    impl_->describe();
+    return impl_->workflows;
+}
+const std::vector<ModelInfo>& Compiler::lighting_models() const {
+    impl_->describe();
+    return impl_->lighting_models;
+}
+const std::vector<PathInfo>& Compiler::paths() const {
+    impl_->describe();
+    return impl_->paths;
+}
+
+bool passed(const NodeTest& test) {
+    if (test.actual.size() != test.expected.size()) return false;
+    for (std::size_t i = 0; i < test.actual.size(); ++i) {
+        const double actual = test.actual[i], expected = test.expected[i];
+        if (actual == expected || (std::isnan(actual) && std::isnan(expected))) continue;
+        // Written so that a lone NaN fails.
+        if (!(std::abs(actual - expected) <= test.absolute + test.relative * std::abs(expected))) return false;
+    }
+    return true;
+}
+
+std::vector<NodeTest> Compiler::tests(std::string_view node) const {
+    const nodelang::FunctionDecl* function = impl_->library->declarations.function(node);
+    if (!function) return {};
+    Diagnostics diagnostics;
+    const graph::Library& library = *impl_->library;
+    std::vector<NodeTest> tests = node_tests({library, library.declarations, library.sources}, *function, diagnostics);
+    // A line that cannot be run is a test that fails, not one that is missing.
+    for (const DiagnosticRecord& record : diagnostics.records()) {
+        const Position position = impl_->library->sources.resolve(record.span.begin);
+        NodeTest& broken = tests.emplace_back();
+        broken.node = node;
+        broken.text = record.message;
+        broken.file = position.file;
+        broken.line = position.line;
+        broken.expected = {0};
+    }
+    return tests;
+}
+
+NodeFileResult Compiler::check_node_file(const std::string& path, const CompileOptions& options) const {
+    NodeFileResult result;
+    graph::Session session(*impl_->library, options);
+    if (const graph::NodeFile* file = graph::load_node_file(session, path, {})) {
+        const EvaluationContext context{session.library, file->declarations, session.sources};
+        result.node = describe_node(*file->node, context);
+        check_functions(context, file->ast, session.diagnostics);
+        if (!session.diagnostics.has_errors()) result.tests = node_tests(context, *file->node, session.diagnostics);
+    }
+    result.diagnostics = to_public(session.diagnostics, session.sources);
+    result.ok = !session.diagnostics.has_errors();
+    return result;
+}
+
+SceneResult Compiler::read_scene(const std::string& path, const CompileOptions& options) const {
+    SceneResult result;
+    graph::Session session(*impl_->library, options);
+    if (const std::optional<std::uint32_t> base = graph::load_source(session, path, {})) {
+        const std::unique_ptr<graph::Json> json = graph::parse_json(session.sources, *base, session.diagnostics);
+        if (json) result.scene = graph::read_scene(session, *json, path);
+    }
+    result.diagnostics = to_public(session.diagnostics, session.sources);
+    result.dependencies = std::move(session.dependencies);
+    result.ok = !session.diagnostics.has_errors();
+    return result;
+}
+
+EvalResult Compiler::evaluate(std::string_view node, std::span<const std::pair<std::string, std::string>> arguments,
+                              bool single, std::span<const NamedValue> names) const {
+    const CompileOptions options;
+    graph::Session session(*impl_->library, options);
+    Diagnostics& diagnostics = session.diagnostics;
+    EvalResult result;
+    if (const std::optional<Callee> callee = find_callee(session, node)) {
+        const std::string_view name = callee->function.name;
+        const auto values = read_arguments(session, callee->function, arguments);
+        diagnostics.set_context(name, {});
+        if (!diagnostics.has_errors()) {
+            Evaluation evaluation =
+                evaluate_call({session.library, callee->declarations, session.sources, names}, callee->function, values,
+                              single ? Precision::Float : Precision::Double, diagnostics, {});
+            result.outputs = std::move(evaluation.outputs);
+        }
+    }
+    result.ok = !diagnostics.has_errors();
+    result.diagnostics = to_public(diagnostics, session.sources);
+    return result;
+}
+
+EvalResult Compiler::evaluate_expression(std::string_view expression, std::span<const NamedValue> names,
+                                         bool single) const {
+    const CompileOptions options;
+    graph::Session session(*impl_->library, options);
+    EvalResult result;
+    const nodelang::Expr* parsed =
+        read_argument(std::string(expression), session.sources, session.ast, session.diagnostics);
+    if (parsed) {
+        Evaluation evaluation =
+            patina::evaluate_expression({session.library, session.library.declarations, session.sources, names},
+                                        *parsed, single ? Precision::Float : Precision::Double, session.diagnostics);
+        result.outputs = std::move(evaluation.outputs);
+    }
+    result.ok = !session.diagnostics.has_errors();
+    result.diagnostics = to_public(session.diagnostics, session.sources);
+    return result;
+}
+
+std::string Compiler::schema() const {
+    return graph::make_schema(
+        {.nodes = nodes(), .semantics = semantics(), .workflows = workflows(), .lighting_models = lighting_models()});
+}
+
+Compiler::Formatted Compiler::format(const std::string& path, std::string text) const {
+    SourceMap sources;
+    Diagnostics diagnostics;
+    const std::uint32_t base = sources.add(path, std::move(text));
+    graph::FormattedText formatted = graph::format_graph(sources, base, diagnostics);
+    return {.ok = formatted.ok, .text = std::move(formatted.text), .diagnostics = to_public(diagnostics, sources)};
+}
+
+}  // namespace patina

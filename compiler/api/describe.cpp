@@ -1,0 +1,164 @@
+#include "compiler/api/describe.h"
+
+#include <algorithm>
+
+#include "compiler/resolve/check_graph.h"
+
+namespace patina {
+
+using nodelang::Expr;
+
+namespace {
+
+std::string_view trim(std::string_view text) {
+    while (!text.empty() && (text.front() == ' ' || text.front() == '\t' || text.front() == '\r'))
+        text.remove_prefix(1);
+    while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r')) text.remove_suffix(1);
+    return text;
+}
+
+// "@uv0" for a semantic default, the source text for a constant.
+std::string default_text(const Expr& expr, const EvaluationContext& context) {
+    const Expr* root = &expr;
+    while (root->kind == Expr::Kind::Member) root = root->args[0];
+    const bool by_name = root->kind == Expr::Kind::Name && context.library.stages.semantic_index.contains(root->text);
+    std::string text(context.sources.text(expr.span));
+    return by_name ? "@" + text : text;
+}
+
+std::string doc_line(std::string_view doc) {
+    doc = trim(doc);
+    while (doc.starts_with('/') || doc.starts_with('<')) doc.remove_prefix(1);
+    return std::string(trim(doc));
+}
+
+PortInfo describe_param(const nodelang::ParamDecl& param, const EvaluationContext& context) {
+    PortInfo port{.name = std::string(param.name),
+                  .type = std::string(param.type.name),
+                  .is_output = param.is_out,
+                  .default_value = {},
+                  .range = {},
+                  .unit = {},
+                  .doc = doc_line(param.doc),
+                  .enumerators = {}};
+    if (param.initial) port.default_value = default_text(*param.initial, context);
+    port.range = graph::range_of(param.attributes);
+    for (const nodelang::Attribute& attribute : param.attributes) {
+        if (attribute.name == "unit") port.unit = nodelang::attribute_text(attribute);
+    }
+    if (const nodelang::EnumDecl* enumeration = context.declarations.enumeration(param.type.name)) {
+        for (std::size_t i = 0; i < enumeration->values.size(); ++i) {
+            const std::string_view doc = i < enumeration->docs.size() ? enumeration->docs[i] : std::string_view();
+            port.enumerators.push_back({.name = std::string(enumeration->values[i]), .doc = doc_line(doc)});
+        }
+    }
+    return port;
+}
+
+std::string_view rate(graph::Source source) {
+    switch (source) {
+        case graph::Source::Attribute:
+        case graph::Source::Vertex: return "vertex";
+        case graph::Source::Builtin:
+        case graph::Source::Pixel: return "pixel";
+        case graph::Source::Extern:
+        case graph::Source::Uniform: return "uniform";
+        case graph::Source::Given: return "lighting";
+    }
+    return {};
+}
+
+}  // namespace
+
+Doc read_doc(std::string_view comment) {
+    Doc doc;
+    std::size_t at = 0;
+    while (at < comment.size()) {
+        const std::size_t end = std::min(comment.find('\n', at), comment.size());
+        std::string_view line = comment.substr(at, end - at);
+        at = end + 1;
+        line = trim(line);
+        while (line.starts_with('/')) line.remove_prefix(1);
+        line = trim(line);
+        const auto keyword = [&](std::string_view word, std::string& into) {
+            if (!line.starts_with(word)) return false;
+            if (!into.empty()) into += "\n";
+            into += trim(line.substr(word.size()));
+            return true;
+        };
+        if (line.starts_with("test:")) {
+            const std::string_view text = trim(line.substr(5));
+            doc.tests.push_back({.text = text, .offset = static_cast<std::uint32_t>(text.data() - comment.data())});
+        } else if (!keyword("formula:", doc.formula) && !keyword("source:", doc.source) && !keyword("use:", doc.use)) {
+            doc.text += line;
+            doc.text += '\n';
+        }
+    }
+    while (!doc.text.empty() && doc.text.back() == '\n') doc.text.pop_back();
+    return doc;
+}
+
+NodeInfo describe_node(const nodelang::FunctionDecl& function, const EvaluationContext& context) {
+    NodeInfo node;
+    node.name = function.name;
+    const std::string_view path = nodelang::attribute_text(*function.attribute("node"));
+    node.category = path.substr(0, path.rfind('/') == std::string_view::npos ? path.size() : path.rfind('/'));
+    Doc doc = read_doc(function.doc);
+    node.doc = std::move(doc.text);
+    node.formula = std::move(doc.formula);
+    node.source = std::move(doc.source);
+    for (const Doc::TestLine& test : doc.tests) node.tests.emplace_back(test.text);
+    node.file = context.sources.file(function.name_span.begin);
+    for (const nodelang::ParamDecl& param : function.params) {
+        const bool hidden = std::any_of(param.attributes.begin(), param.attributes.end(),
+                                        [](const nodelang::Attribute& a) { return a.name == "hidden"; });
+        if (!param.is_out && !hidden) node.ports.push_back(describe_param(param, context));
+    }
+    if (function.result.name != "void") {
+        node.ports.push_back({.name = "out",
+                              .type = std::string(function.result.name),
+                              .is_output = true,
+                              .default_value = {},
+                              .range = graph::range_of(function.attributes),
+                              .unit = {},
+                              .doc = {},
+                              .enumerators = {}});
+    }
+    for (const nodelang::ParamDecl& param : function.params) {
+        if (param.is_out) node.ports.push_back(describe_param(param, context));
+    }
+    return node;
+}
+
+std::vector<SemanticInfo> describe_semantics(const graph::Library& library) {
+    std::vector<SemanticInfo> all;
+    for (const graph::SemanticDecl& semantic : library.stages.semantics) {
+        if (semantic.is_of_pass) continue;  // no graph can read it
+        const std::string_view type = semantic.function ? semantic.function->result.name : semantic.variable->type.name;
+        const std::string_view doc = semantic.function ? semantic.function->doc : semantic.variable->doc;
+        all.push_back({.name = std::string(semantic.name),
+                       .type = std::string(type),
+                       .doc = read_doc(doc).text,
+                       .rate = std::string(rate(semantic.source))});
+        // Members of a given struct are what a lighting graph reads: @surface.roughness.
+        const nodelang::StructDecl* structure = library.declarations.structure(type);
+        if (!structure) continue;
+        for (const nodelang::MemberDecl& member : structure->members) {
+            all.push_back({.name = fmt::format("{}.{}", semantic.name, member.name),
+                           .type = std::string(member.type.name),
+                           .doc = doc_line(member.doc),
+                           .rate = std::string(rate(semantic.source))});
+        }
+        for (const nodelang::FunctionDecl& function : library.ast.functions) {
+            if (!function.attribute("member") || function.params.empty() || function.params[0].type.name != type)
+                continue;
+            all.push_back({.name = fmt::format("{}.{}", semantic.name, function.name),
+                           .type = std::string(function.result.name),
+                           .doc = read_doc(function.doc).text,
+                           .rate = std::string(rate(semantic.source))});
+        }
+    }
+    return all;
+}
+
+}  // namespace patina

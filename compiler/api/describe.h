@@ -1,0 +1,27 @@
+// Declarations of the library -> the public descriptions of nodes, semantics and models: what `patina nodes`, the node
+// reference and the JSON Schema are made of.
+#pragma once
+
+#include "compiler/api/evaluate.h"
+#include "patina/patina.h"
+
+namespace patina {
+
+// A doc comment taken apart: text without slashes, and the lines that begin with a keyword.
+struct Doc {
+    std::string text;
+    std::string formula, source, use;
+    struct TestLine {
+        std::string_view text;     // behind "test:"; points into the comment
+        std::uint32_t offset = 0;  // of its first byte in the comment
+    };
+    std::vector<TestLine> tests;
+};
+Doc read_doc(std::string_view comment);
+
+NodeInfo describe_node(const nodelang::FunctionDecl& function, const EvaluationContext& context);
+std::vector<SemanticInfo> describe_semantics(const graph::Library& library);
+std::vector<PathInfo> describe_paths(const graph::Library& library);
+ModelInfo describe_model(const graph::Graph& graph, const std::string& name, const SourceMap& sources);
+
+}  // namespace patina

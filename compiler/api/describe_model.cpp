@@ -1,0 +1,91 @@
+// A workflow or lighting graph -> its public description. Comments above the graph and above its nodes are
+// documentation.
+#include <algorithm>
+
+#include "compiler/api/describe.h"
+
+namespace patina {
+namespace {
+
+// The lines of comments that end right before the offset, without what stands before them.
+std::string_view comment_before(const SourceMap& sources, std::uint32_t offset) {
+    const std::string_view text = sources.text_before(offset);
+    const auto line_start = [&](std::size_t end) { return text.substr(0, end).rfind('\n') + 1; };
+    std::size_t begin = line_start(text.size());
+    const std::size_t end = begin;
+    while (begin > 0) {
+        const std::size_t above = line_start(begin - 1);
+        const std::string_view line = text.substr(above, begin - above);
+        const std::size_t first = line.find_first_not_of(" \t");
+        if (first == line.npos || !line.substr(first).starts_with("//")) break;
+        begin = above;
+    }
+    return text.substr(begin, end - begin);
+}
+
+// As written, without the quotes of a JSON string.
+std::string value_text(const SourceMap& sources, Span span) {
+    std::string_view text = sources.text(span);
+    if (text.size() >= 2 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
+    return std::string(text);
+}
+
+ModelInputInfo describe_input(const graph::Input& input, const SourceMap& sources) {
+    return {.name = input.name,
+            .type = input.type,
+            .default_value = std::string(sources.text(input.default_span)),
+            .doc = input.help,
+            .range = input.range,
+            .gives = input.gives};
+}
+
+ModelInputInfo describe_property(const graph::Property& property, const SourceMap& sources) {
+    return {.name = property.name,
+            .type = std::string(to_string(property.type)),
+            .default_value = std::string(sources.text(property.default_span)),
+            .doc = property.help,
+            .range = property.range,
+            .values = property.values,
+            .is_variant = property.binding == graph::Binding::Variant};
+}
+
+ModelNodeInfo describe_node(const graph::Node& node, const SourceMap& sources) {
+    ModelNodeInfo info{.id = node.id,
+                       .node = node.is_expression ? std::string() : node.type,
+                       .expr = node.is_expression ? value_text(sources, node.expr_span) : std::string(),
+                       .inputs = {},
+                       .doc = read_doc(comment_before(sources, node.span.begin)).text};
+    for (const graph::PortValue& port : node.inputs) {
+        info.inputs.emplace_back(port.name, value_text(sources, port.value_span));
+    }
+    return info;
+}
+
+}  // namespace
+
+ModelInfo describe_model(const graph::Graph& graph, const std::string& name, const SourceMap& sources) {
+    Doc doc = read_doc(comment_before(sources, graph.span.begin));
+    ModelInfo model{.name = name,
+                    .title = graph.name,
+                    .doc = doc.text.empty() ? graph.name : std::move(doc.text),
+                    .formula = std::move(doc.formula),
+                    .source = std::move(doc.source),
+                    .use = doc.use.empty() ? graph.help : std::move(doc.use),
+                    .file = graph.path,
+                    .inputs = {},
+                    .properties = {},
+                    .nodes = {},
+                    .outputs = {}};
+    for (const graph::Input& input : graph.inputs) model.inputs.push_back(describe_input(input, sources));
+    for (const graph::Property& property : graph.properties) {
+        model.properties.push_back(describe_property(property, sources));
+    }
+    for (const graph::Node& node : graph.nodes) model.nodes.push_back(describe_node(node, sources));
+    const bool is_workflow = graph.kind == graph::GraphKind::Workflow;
+    for (const graph::PortValue& output : is_workflow ? graph.surface : graph.outputs) {
+        model.outputs.emplace_back(output.name, value_text(sources, output.value_span));
+    }
+    return model;
+}
+
+}  // namespace patina

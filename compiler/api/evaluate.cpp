@@ -1,0 +1,288 @@
+#include "compiler/api/evaluate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "compiler/api/describe.h"
+#include "compiler/lower/declare.h"
+#include "compiler/interpret/interpret.h"
+#include "compiler/nodelang/parse.h"
+
+namespace patina {
+
+using nodelang::Expr;
+using nodelang::Typed;
+
+namespace {
+
+// Outside a graph there is no mesh and no camera: a port that would read them must be given.
+class NoGraph : public nodelang::Environment {
+public:
+    NoGraph(Diagnostics& diagnostics, std::span<const NamedValue> names) : diagnostics_(diagnostics), names_(names) {}
+    Typed name(const Expr& expr, nodelang::Scope& scope) override {
+        for (const NamedValue& named : names_) {
+            if (named.name != expr.text || named.values.empty() || named.values.size() > 4) continue;
+            std::vector<ir::Value> parts;
+            for (double value : named.values) parts.push_back(scope.builder->constant(ir::kFloat, {value}));
+            const ir::Type type = ir::Type::vector(ir::Scalar::Float, static_cast<unsigned>(parts.size()));
+            return {.value = parts.size() == 1 ? parts[0] : scope.builder->construct(type, parts), .type = type};
+        }
+        diagnostics_.report(Code::UnknownName, expr.span, "value", expr.text);
+        return {};
+    }
+    Typed property(const Expr& expr, nodelang::Scope&) override {
+        diagnostics_.report(Code::UnknownProperty, expr.span, expr.text);
+        return {};
+    }
+    Typed semantic(std::string_view name, Span span, nodelang::Scope&) override {
+        diagnostics_.report(Code::SemanticNotHere, span, name, "an evaluation of one node")
+            .note("give every port a value that would read the mesh, the camera or a light");
+        return {};
+    }
+    Typed file(const Expr& expr, nodelang::Scope&) override {
+        diagnostics_.report(Code::SemanticNotHere, expr.span, expr.text, "an evaluation of one node");
+        return {};
+    }
+
+    bool hides(std::string_view name) const override {
+        return std::any_of(names_.begin(), names_.end(), [&](const NamedValue& named) { return named.name == name; });
+    }
+
+private:
+    Diagnostics& diagnostics_;
+    std::span<const NamedValue> names_;
+};
+
+struct Bench {
+    ir::Module module;
+    nodelang::Emitter emitter;
+    ir::Function function{};
+    ir::Builder builder;
+    NoGraph environment;
+    nodelang::Scope scope;
+
+    Bench(const EvaluationContext& context, Diagnostics& diagnostics)
+        : emitter(module, diagnostics, {.fold = false}),
+          builder(module, function, {.fold = false}),
+          environment(diagnostics, context.names) {
+        graph::declare_engine(context.library.stages, context.library.declarations, emitter);
+        function.name = "evaluate";
+        scope.builder = &builder;
+        scope.declarations = &context.declarations;
+        scope.environment = &environment;
+    }
+
+    // Complains of a value that only a renderer has; false then.
+    bool is_whole(Diagnostics& diagnostics) const {
+        const auto read = [&](const ir::Function& made) {
+            return std::find_if(made.insts.begin(), made.insts.end(),
+                                [](const ir::Inst& inst) { return inst.op == ir::Op::Global; });
+        };
+        std::vector<const ir::Function*> functions = {&function};
+        for (const ir::Function& made : module.functions) functions.push_back(&made);
+        for (const ir::Function* made : functions) {
+            const auto found = read(*made);
+            if (found == made->insts.end()) continue;
+            diagnostics.report(Code::SemanticNotHere, {}, module.globals[found->data].name, "an evaluation of one node")
+                .note("a renderer binds it: `patina render --node`, `patina trace` and `patina eval --model` have it");
+            return false;
+        }
+        return true;
+    }
+
+    // Runs what has been emitted; the flattened value.
+    std::vector<double> run(Typed value, Precision precision) {
+        function.result = value.type;
+        builder.ret(value.value);
+        module.functions.push_back(std::move(function));
+        interpret::Resources resources;
+        resources.uniforms.resize(module.globals.size());
+        for (std::size_t i = 0; i < module.globals.size(); ++i) {
+            resources.uniforms[i].resize(interpret::flat_size(module, module.globals[i].type), 0);
+        }
+        resources.textures.resize(module.globals.size());
+        const ir::FunctionId id{static_cast<std::uint32_t>(module.functions.size() - 1)};
+        return interpret::run(module, id, {}, resources, precision).lanes[0];
+    }
+};
+
+// The loosest tolerance among the ops of all functions: their errors do not cancel by luck.
+void tolerance_of(const ir::Module& module, double& relative, double& absolute) {
+    for (const ir::Function& function : module.functions) {
+        for (const ir::Inst& inst : function.insts) {
+            relative = std::max(relative, ir::info(inst.op).relative);
+            absolute = std::max(absolute, ir::info(inst.op).absolute);
+        }
+    }
+}
+
+// "float3 out" and so on, from a value and what its outputs are called.
+std::vector<EvalOutput> split_outputs(const ir::Module& module, const Typed& value, std::span<const double> flat) {
+    std::vector<EvalOutput> outputs;
+    if (!value.outputs) {
+        outputs.push_back({.name = "out", .type = module.type_name(value.type), .values = {flat.begin(), flat.end()}});
+        return outputs;
+    }
+    std::size_t at = 0;
+    const ir::Struct& structure = module.structs[value.type.ref];
+    for (std::size_t i = 0; i < structure.members.size(); ++i) {
+        const std::size_t size = interpret::flat_size(module, structure.members[i].type);
+        const auto begin = flat.begin() + static_cast<std::ptrdiff_t>(at);
+        outputs.push_back({.name = value.outputs->names[i],
+                           .type = module.type_name(structure.members[i].type),
+                           .values = {begin, begin + static_cast<std::ptrdiff_t>(size)}});
+        at += size;
+    }
+    return outputs;
+}
+
+// Runs what was emitted for `value`, unless it could not be.
+Evaluation evaluated(Bench& bench, const Typed& value, Precision precision, Diagnostics& diagnostics) {
+    Evaluation evaluation;
+    if (!value.ok() || !bench.is_whole(diagnostics)) return evaluation;
+    tolerance_of(bench.module, evaluation.relative, evaluation.absolute);
+    const std::vector<double> flat = bench.run(value, precision);
+    evaluation.outputs = split_outputs(bench.module, value, flat);
+    evaluation.ok = true;
+    return evaluation;
+}
+
+std::optional<std::vector<double>> constant(const EvaluationContext& context, const Expr& expr,
+                                            std::optional<ir::Type> type, Diagnostics& diagnostics) {
+    Bench bench(context, diagnostics);
+    Typed value = bench.emitter.primary(bench.emitter.expression(expr, bench.scope), bench.scope, expr.span);
+    if (type) value = bench.emitter.convert(value, *type, bench.scope, expr.span, "the value");
+    if (!value.ok()) return {};
+    return bench.run(value, Precision::Double);
+}
+
+// One argument of a test's call, as numbers that a GPU can be fed with.
+std::optional<NodeTest::Argument> read_argument(const EvaluationContext& context, const nodelang::ParamDecl& param,
+                                                const Expr& expr, Diagnostics& diagnostics) {
+    NodeTest::Argument argument{.name = std::string(param.name), .type = {}, .values = {}, .enumerator = {}};
+    if (context.declarations.enumeration(param.type.name)) {
+        argument.type = param.type.name;
+        argument.enumerator = expr.text;
+        return argument;
+    }
+    Bench bench(context, diagnostics);
+    const Typed value = bench.emitter.primary(bench.emitter.expression(expr, bench.scope), bench.scope, expr.span);
+    if (!value.ok()) return {};
+    ir::Type type = value.type;
+    if (param.type.name != "floatN") {
+        type = bench.emitter.type(param.type, bench.scope);
+    } else if (type.scalar != ir::Scalar::Float) {
+        type = type.with_scalar(ir::Scalar::Float);
+    }
+    argument.type = bench.module.type_name(type);
+    std::optional<std::vector<double>> values = constant(context, expr, type, diagnostics);
+    if (!values) return {};
+    argument.values = std::move(*values);
+    return argument;
+}
+
+std::optional<NodeTest> read_test(const EvaluationContext& context, const nodelang::FunctionDecl& function,
+                                  std::string_view line, std::uint32_t base, nodelang::Ast& ast,
+                                  Diagnostics& diagnostics) {
+    const Span span{base, base + static_cast<std::uint32_t>(line.size())};
+    const auto refuse = [&](std::string_view why) {
+        diagnostics.report(Code::BadTestLine, span, why);
+        return std::nullopt;
+    };
+    const std::size_t equals = line.find("==");
+    if (equals == std::string_view::npos) return refuse("it has no ==");
+    std::string_view right = line.substr(equals + 2);
+    const std::size_t within = right.find(" within ");
+    std::optional<double> relative;
+    if (within != std::string_view::npos) {
+        const auto number = std::string(right.substr(within + 8));
+        relative = std::strtod(number.c_str(), nullptr);
+        right = right.substr(0, within);
+    }
+    const auto offset = static_cast<std::uint32_t>(right.data() - line.data());
+    const Expr* left_expr =
+        nodelang::parse_expression({.text = line.substr(0, equals), .base = base}, ast, diagnostics);
+    const Expr* right_expr = nodelang::parse_expression({.text = right, .base = base + offset}, ast, diagnostics);
+    if (!left_expr || !right_expr) return {};
+    NodeTest test{.node = std::string(function.name),
+                  .text = std::string(line),
+                  .file = {},
+                  .arguments = {},
+                  .output = "out",
+                  .expected = {},
+                  .actual = {}};
+    const Expr* call = left_expr;
+    if (call->kind == Expr::Kind::Member) {
+        test.output = call->text;
+        call = call->args[0];
+    }
+    if (call->kind != Expr::Kind::Call || call->text != function.name)
+        return refuse("its left side is no call of the node");
+    std::vector<const Expr*> arguments(function.params.size(), nullptr);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < function.params.size() && next < call->args.size(); ++i) {
+        if (function.params[i].is_out) continue;
+        arguments[i] = call->args[next++];
+        std::optional<NodeTest::Argument> argument =
+            read_argument(context, function.params[i], *arguments[i], diagnostics);
+        if (!argument) return {};
+        test.arguments.push_back(std::move(*argument));
+    }
+    const Evaluation evaluation = evaluate_call(context, function, arguments, Precision::Double, diagnostics, span);
+    if (!evaluation.ok) return {};
+    const auto output = std::find_if(evaluation.outputs.begin(), evaluation.outputs.end(),
+                                     [&](const EvalOutput& o) { return o.name == test.output; });
+    if (output == evaluation.outputs.end()) return refuse("the node has no such output");
+    const std::optional<std::vector<double>> expected = constant(context, *right_expr, {}, diagnostics);
+    if (!expected) return {};
+    test.actual = output->values;
+    test.expected = *expected;
+    if (test.expected.size() == 1) test.expected.resize(test.actual.size(), test.expected[0]);
+    test.relative = relative.value_or(std::max(evaluation.relative, 1e-5));
+    test.absolute = std::max(evaluation.absolute, 1e-6);
+    const Position position = context.sources.resolve(base);
+    test.file = position.file;
+    test.line = position.line;
+    return test;
+}
+
+}  // namespace
+
+Evaluation evaluate_call(const EvaluationContext& context, const nodelang::FunctionDecl& function,
+                         std::span<const Expr* const> arguments, Precision precision, Diagnostics& diagnostics,
+                         Span span) {
+    Bench bench(context, diagnostics);
+    return evaluated(bench, bench.emitter.call(function, context.declarations, arguments, bench.scope, span, false),
+                     precision, diagnostics);
+}
+
+Evaluation evaluate_expression(const EvaluationContext& context, const Expr& expr, Precision precision,
+                               Diagnostics& diagnostics) {
+    Bench bench(context, diagnostics);
+    const Typed value = bench.emitter.expression(expr, bench.scope);
+    return evaluated(bench, bench.emitter.primary(value, bench.scope, expr.span), precision, diagnostics);
+}
+
+void check_functions(const EvaluationContext& context, const nodelang::Ast& ast, Diagnostics& diagnostics) {
+    ir::Module module;
+    nodelang::Emitter emitter(module, diagnostics, {.fold = true});
+    graph::declare_engine(context.library.stages, context.library.declarations, emitter);
+    for (const nodelang::FunctionDecl& function : ast.functions) {
+        emitter.check_function(function, context.declarations);
+    }
+}
+
+std::vector<NodeTest> node_tests(const EvaluationContext& context, const nodelang::FunctionDecl& function,
+                                 Diagnostics& diagnostics) {
+    std::vector<NodeTest> tests;
+    nodelang::Ast ast;
+    for (const Doc::TestLine& line : read_doc(function.doc).tests) {
+        std::optional<NodeTest> test =
+            read_test(context, function, line.text, function.doc_begin + line.offset, ast, diagnostics);
+        if (test) tests.push_back(std::move(*test));
+    }
+    return tests;
+}
+
+}  // namespace patina

@@ -1,0 +1,287 @@
+// Which combinations of a material's variants there are: all, those that the graph lists, or those that make a
+// difference; or what they cost, where they are too many.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "compiler/base/text.h"
+#include "compiler/resolve/material.h"
+#include "compiler/api/compiler_impl.h"
+#include "compiler/api/report.h"
+#include "patina/variants.h"
+
+namespace patina {
+namespace {
+
+// A variant without a value, and where it is declared.
+struct Axis {
+    const graph::Property* property;
+    VariantAxis told;
+};
+
+std::vector<Axis> open_axes(const graph::Material& material) {
+    std::vector<Axis> axes;
+    for (const graph::MaterialProperty& entry : material.properties) {
+        if (entry.property->binding != graph::Binding::Variant || entry.is_chosen) continue;
+        axes.push_back({.property = entry.property,
+                        .told = {.property = entry.property->name,
+                                 .values = {},
+                                 .otherwise = static_cast<std::size_t>(entry.property->value[0]),
+                                 .is_bool = entry.property->type == graph::PropertyType::Bool}});
+        for (const std::string_view word : graph::keyword_words(*entry.property))
+            axes.back().told.values.emplace_back(word);
+    }
+    return axes;
+}
+
+// What one axis costs: how many combinations there are without it.
+using Without = std::function<std::string(const Axis&)>;
+
+void refuse(graph::Session& session, const graph::Graph& graph, const std::vector<Axis>& axes, std::string count,
+            std::size_t limit, const Without& without) {
+    DiagnosticRecord& record = session.diagnostics.report(Code::TooMany, {graph.span.begin, graph.span.begin + 1},
+                                                          count, "combinations of variants", limit);
+    for (const Axis& axis : axes) {
+        const std::string left = without(axis);
+        if (left == count) continue;
+        record.note(axis.property->name_span, fmt::format("'{}' has {} values: without it there are {}",
+                                                          axis.told.property, axis.told.values.size(), left));
+    }
+    record.note("-D NAME=VALUE fixes one, and --variants-limit sets another limit");
+}
+
+std::string told(double count) {
+    return fmt::format("{:.0f}", count);
+}
+
+void plan_all(graph::Session& session, const graph::Graph& graph, const std::vector<Axis>& axes, std::size_t limit,
+              VariantPlan& made) {
+    const double count = combinations_of(made.axes);
+    if (count > static_cast<double>(limit))
+        return refuse(session, graph, axes, told(count), limit, [&](const Axis& axis) {
+            return told(std::round(count / static_cast<double>(axis.told.values.size())));
+        });
+    made.count = static_cast<std::size_t>(count);
+}
+
+// --- listed
+
+// The word that the caller has fixed a property to, or null.
+const std::string* fixed_word(const graph::Session& session, const std::string& property) {
+    const auto& switches = session.options.switches;
+    const auto found =
+        std::find_if(switches.rbegin(), switches.rend(), [&](const auto& each) { return each.first == property; });
+    return found == switches.rend() ? nullptr : &found->second;
+}
+
+bool contradicts(const graph::Session& session, const graph::ListedVariant& listed) {
+    return std::any_of(listed.values.begin(), listed.values.end(), [&](const auto& value) {
+        const std::string* fixed = fixed_word(session, value.name);
+        return fixed && (fixed->empty() ? "true" : *fixed) != value.word;
+    });
+}
+
+void plan_listed(graph::Session& session, const graph::Material& material, const std::vector<Axis>& axes,
+                 std::size_t limit, VariantPlan& made) {
+    const graph::Graph& graph = *material.graph->graph;
+    if (graph.variants.empty()) {
+        session.diagnostics.report(Code::MissingKey, {graph.span.begin, graph.span.begin + 1}, "the graph", "variants")
+            .note("it lists combinations: \"variants\": [ { \"_DETAIL\": true }, { \"_Mode\": \"Wet\" } ]");
+        return;
+    }
+    std::set<VariantValues> known;
+    for (const graph::ListedVariant& listed : graph.variants) {
+        if (contradicts(session, listed)) continue;
+        VariantValues values;
+        for (const Axis& axis : axes) {
+            const auto given = std::find_if(listed.values.begin(), listed.values.end(),
+                                            [&](const auto& each) { return each.name == axis.told.property; });
+            values.emplace_back(axis.told.property,
+                                given == listed.values.end() ? axis.told.values[axis.told.otherwise] : given->word);
+        }
+        if (known.insert(values).second) made.picked.push_back(std::move(values));
+    }
+    made.count = made.picked.size();
+    if (made.count > limit) return refuse(session, graph, {}, std::to_string(made.count), limit, {});
+    if (made.count > 0) return;
+    std::vector<std::string> fixed;
+    for (const graph::MaterialProperty& entry : material.properties) {
+        if (entry.property->binding == graph::Binding::Variant && entry.is_chosen)
+            fixed.push_back(fmt::format("'{}' = {}", entry.property->name,
+                                        graph::keyword_words(*entry.property)[static_cast<std::size_t>(entry.chosen)]));
+    }
+    const std::vector<std::string_view> views(fixed.begin(), fixed.end());
+    session.diagnostics.report(Code::NothingListed, graph.variants[0].span, enumerate(views))
+        .note("-D fixes that; the combinations that say otherwise are left out");
+}
+
+// --- reachable
+
+// A tree of choices: the first property that is still read after the choices so far is the next one.
+class Reachable {
+public:
+    Reachable(const Compiler& compiler, const std::string& path, const CompileOptions& options,
+              const std::vector<Axis>& axes, std::size_t most, std::function<void(std::size_t)> progress)
+        : compiler_(compiler),
+          path_(path),
+          options_(options),
+          axes_(axes),
+          most_(most),
+          progress_(std::move(progress)) {
+        options_.targets.clear();
+        options_.keep_variants = true;
+        options_.keep_programs = options_.hashes = false;
+        options_.dump.clear();
+    }
+
+    // False: there are more than the most, or the graph is wrong.
+    bool walk(const VariantValues& chosen) {
+        // Nothing is left to be read: it is compiled when its shaders are made.
+        if (chosen.size() == axes_.size()) return add(chosen);
+        CompileOptions options = options_;
+        options.switches.insert(options.switches.end(), chosen.begin(), chosen.end());
+        const Result result = compiler_.compile_file(path_, options);
+        if (!result.ok) {
+            diagnostics = result.diagnostics;
+            return false;
+        }
+        const std::vector<const Axis*> read = read_in(result.reflection);
+        if (chosen.empty()) multiplying = read;
+        if (read.empty()) return add(chosen);
+        const Axis* next = read.front();
+        return std::all_of(next->told.values.begin(), next->told.values.end(), [&](const std::string& value) {
+            VariantValues longer = chosen;
+            longer.emplace_back(next->told.property, value);
+            return walk(longer);
+        });
+    }
+
+    std::vector<VariantValues> combinations{};
+    std::vector<const Axis*> multiplying{};  // those that are read while none has a value: no other makes a difference
+    std::vector<Diagnostic> diagnostics{};
+
+private:
+    bool add(const VariantValues& chosen) {
+        if (combinations.size() == most_) return false;
+        combinations.push_back(in_order(chosen));
+        progress_(combinations.size());
+        return true;
+    }
+    std::vector<const Axis*> read_in(const Reflection& reflection) const {
+        std::vector<const Axis*> read;
+        for (const Axis& axis : axes_) {
+            const bool is_read = std::any_of(reflection.passes.begin(), reflection.passes.end(), [&](const Pass& pass) {
+                return std::count(pass.keywords.begin(), pass.keywords.end(), axis.told.property) > 0;
+            });
+            if (is_read) read.push_back(&axis);
+        }
+        return read;
+    }
+    VariantValues in_order(VariantValues values) const {
+        const auto place = [&](const auto& value) {
+            return std::find_if(axes_.begin(), axes_.end(),
+                                [&](const Axis& axis) { return axis.told.property == value.first; });
+        };
+        std::sort(values.begin(), values.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
+        return values;
+    }
+
+    const Compiler& compiler_;
+    const std::string& path_;
+    CompileOptions options_;
+    const std::vector<Axis>& axes_;
+    std::size_t most_;
+    std::function<void(std::size_t)> progress_;
+};
+
+void plan_reachable(const Compiler& compiler, graph::Session& session, const std::string& path,
+                    const graph::Graph& graph, const std::vector<Axis>& axes, std::size_t limit,
+                    const std::function<void(const VariantPlan&)>& progress, VariantPlan& made) {
+    if (progress) progress(made);
+    Reachable reachable(compiler, path, session.options, axes, limit, [&](std::size_t count) {
+        made.count = count;
+        if (progress) progress(made);
+    });
+    const bool is_whole = reachable.walk({});
+    made.diagnostics = std::move(reachable.diagnostics);
+    if (!made.diagnostics.empty()) return;
+    if (is_whole) {
+        made.picked = std::move(reachable.combinations);
+        return;
+    }
+    // They have not all been counted; of all combinations of what is read, there are so many without one.
+    std::vector<Axis> multiplying;
+    double all = 1;
+    for (const Axis* axis : reachable.multiplying) {
+        multiplying.push_back(*axis);
+        all *= static_cast<double>(axis->told.values.size());
+    }
+    refuse(session, graph, multiplying, "the reachable", limit, [&](const Axis& axis) {
+        return "at most " + told(std::round(all / static_cast<double>(axis.told.values.size())));
+    });
+}
+
+void plan(const Compiler& compiler, graph::Session& session, const std::string& path, VariantsWanted wanted,
+          std::size_t limit, const std::function<void(const VariantPlan&)>& progress, VariantPlan& made) {
+    graph::find_path(session);
+    const std::optional<std::uint32_t> base = graph::load_source(session, path, {});
+    if (!base) return;
+    const graph::MaterialFile file = graph::read_material(session, *base, path);
+    if (!file.material || session.diagnostics.has_errors()) return;
+    const graph::Graph& graph = *file.material->graph->graph;
+    const std::vector<Axis> axes = open_axes(*file.material);
+    for (const Axis& axis : axes) made.axes.push_back(axis.told);
+    made.fixed = static_cast<std::size_t>(
+        std::ranges::count_if(file.material->properties, [](const graph::MaterialProperty& entry) {
+            return entry.property->binding == graph::Binding::Variant && entry.is_chosen;
+        }));
+    switch (wanted) {
+        case VariantsWanted::All: return plan_all(session, graph, axes, limit, made);
+        case VariantsWanted::Listed: return plan_listed(session, *file.material, axes, limit, made);
+        case VariantsWanted::Reachable:
+            return plan_reachable(compiler, session, path, graph, axes, limit, progress, made);
+    }
+}
+
+}  // namespace
+
+std::string_view to_string(VariantsWanted wanted) {
+    switch (wanted) {
+        case VariantsWanted::All: return "all";
+        case VariantsWanted::Listed: return "listed";
+        case VariantsWanted::Reachable: return "reachable";
+    }
+    return {};
+}
+
+double combinations_of(const std::vector<VariantAxis>& axes) {
+    double count = 1;
+    for (const VariantAxis& axis : axes) count *= static_cast<double>(axis.values.size());
+    return count;
+}
+
+VariantValues VariantPlan::combination(std::size_t index) const {
+    if (!picked.empty()) return picked[index];
+    VariantValues values(axes.size());
+    // The last axis changes first.
+    for (std::size_t i = axes.size(); i-- > 0; index /= axes[i].values.size())
+        values[i] = {axes[i].property, axes[i].values[index % axes[i].values.size()]};
+    return values;
+}
+
+VariantPlan Compiler::plan_variants(const std::string& path, VariantsWanted wanted, const CompileOptions& options,
+                                    std::size_t limit, const std::function<void(const VariantPlan&)>& progress) const {
+    graph::Session session(*impl_->library, options);
+    VariantPlan made;
+    plan(*this, session, path, wanted, std::min(limit, kMostVariants), progress, made);
+    const std::vector<Diagnostic> own = to_public(session.diagnostics, session.sources);
+    made.diagnostics.insert(made.diagnostics.end(), own.begin(), own.end());
+    made.ok = std::none_of(made.diagnostics.begin(), made.diagnostics.end(),
+                           [](const Diagnostic& d) { return d.severity == Severity::Error; });
+    if (!made.ok) made.count = 0;
+    return made;
+}
+
+}  // namespace patina

@@ -1,0 +1,217 @@
+#include "compiler/api/report.h"
+
+#include <rapidjson/stringbuffer.h>
+#include <rapidjson/writer.h>
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "compiler/base/text.h"
+
+namespace patina {
+namespace {
+
+void place(Diagnostic& diagnostic, Span span, const SourceMap& sources) {
+    if (!span) return;
+    const Position begin = sources.resolve(span.begin);
+    const Position end = sources.resolve(std::max(span.begin, span.end));
+    diagnostic.file = begin.file;
+    diagnostic.line = begin.line;
+    diagnostic.column = begin.column;
+    diagnostic.end_line = end.line;
+    diagnostic.end_column = end.column;
+    // A whole graph may stand on one line: not a copy of it with each complaint.
+    constexpr std::size_t kMaxLine = 1u << 16;
+    if (begin.line_text.size() <= kMaxLine) diagnostic.source_line = begin.line_text;
+}
+
+std::string_view word(Severity severity) {
+    switch (severity) {
+        case Severity::Error: return "error";
+        case Severity::Warning: return "warning";
+        case Severity::Note: return "note";
+    }
+    return {};
+}
+
+// Long lines (a whole graph on one) are shown around the place only.
+constexpr std::size_t kShown = 110;
+
+// The line as a terminal shows it, a column each: whole characters; blanks for control characters, and U+FFFD for bytes
+// that are no text. `columns[i]` is the column of byte i, and of the end.
+struct ShownLine {
+    std::vector<std::string> cells;
+    std::vector<std::size_t> columns;
+};
+
+ShownLine show(std::string_view line) {
+    ShownLine shown;
+    for (std::size_t at = 0; at < line.size();) {
+        std::size_t length = 1;
+        while (at + length < line.size() && length < 4 &&
+               (static_cast<unsigned char>(line[at + length]) & 0xC0u) == 0x80u)
+            ++length;
+        std::size_t bad = 0;
+        if (!is_utf8(line.substr(at, length), bad)) length = 1;
+        const std::string_view character = line.substr(at, length);
+        const bool is_control = static_cast<unsigned char>(character[0]) < 0x20 || character[0] == 0x7f;
+        shown.columns.insert(shown.columns.end(), length, shown.cells.size());
+        shown.cells.emplace_back(is_control ? " " : is_utf8(character, bad) ? character : "\xEF\xBF\xBD");
+        at += length;
+    }
+    shown.columns.push_back(shown.cells.size());
+    return shown;
+}
+
+void show_source(std::string& text, const Diagnostic& d, bool colors) {
+    if (d.source_line.empty() || d.column < 1) return;
+    // A part of the line that holds what is shown, however long the line is and however wide its characters are.
+    constexpr std::size_t kBytes = 4 * kShown;
+    const std::size_t place = std::min(static_cast<std::size_t>(d.column) - 1, d.source_line.size());
+    std::size_t begin = place - std::min(place, kBytes);
+    while (begin < place && (static_cast<unsigned char>(d.source_line[begin]) & 0xC0u) == 0x80u) ++begin;
+    const ShownLine line = show(std::string_view(d.source_line).substr(begin, place - begin + kBytes));
+    const std::size_t end = d.end_line > d.line ? d.source_line.size() + 1 : static_cast<std::size_t>(d.end_column);
+    const auto column_of = [&](std::size_t byte) { return line.columns[std::min(byte, line.columns.size() - 1)]; };
+    const std::size_t from = column_of(place - begin);
+    const std::size_t to = column_of(std::max(end, place + 1) - 1 - begin);
+    std::size_t first = from > kShown * 3 / 4 ? from - kShown / 2 : 0;
+    first = std::min(first, line.cells.size() - std::min(line.cells.size(), kShown));
+    const std::size_t last = std::min(line.cells.size(), first + kShown);
+    std::string shown;
+    for (std::size_t i = first; i < last; ++i) shown += line.cells[i];
+    const std::size_t width = std::clamp<std::size_t>(to - std::min(to, from), 1, kShown - (from - first));
+    text += fmt::format("{:>5} | {}\n", d.line, shown);
+    text += fmt::format("{:>5} | {:>{}}", "", "", from - first);
+    if (colors) text += "\x1b[1;32m";
+    text += "^" + std::string(width - 1, '~');
+    if (colors) text += "\x1b[0m";
+    text += "\n";
+}
+
+void write_text(std::string& text, const Diagnostic& d, bool colors) {
+    const auto paint = [&](const char* code) { return colors ? code : ""; };
+    const char* color = d.severity == Severity::Error     ? "\x1b[1;31m"
+                        : d.severity == Severity::Warning ? "\x1b[1;35m"
+                                                          : "\x1b[1;36m";
+    const std::string place = d.line > 0 ? fmt::format("{}:{}:{}", d.file, d.line, d.column) : d.file;
+    if (!d.file.empty()) text += fmt::format("{}{}:{} ", paint("\x1b[1m"), place, paint("\x1b[0m"));
+    text += fmt::format("{}{}:{} {}", paint(color), word(d.severity), paint("\x1b[0m"), d.message);
+    // The surface and the vertex outputs are no nodes to their reader.
+    const bool is_part = d.node == "surface" || d.node == "vertex";
+    const std::string node = is_part ? d.node : d.node.empty() ? "" : fmt::format("node '{}'", d.node);
+    if (!node.empty()) {
+        text += d.port.empty() ? fmt::format(" ({})", node)
+                               : fmt::format(" ({}{} '{}')", node, is_part ? "" : ", port", d.port);
+    }
+    if (!d.code.empty()) text += fmt::format(" [{}]", d.code);
+    text += "\n";
+    show_source(text, d, colors);
+    for (const Diagnostic& note : d.notes) write_text(text, note, colors);
+}
+
+using Writer = rapidjson::Writer<rapidjson::StringBuffer>;
+
+void write_json(Writer& writer, const Diagnostic& d) {
+    const auto string = [&](const char* key, std::string_view value) {
+        writer.Key(key);
+        writer.String(value.data(), static_cast<rapidjson::SizeType>(value.size()));
+    };
+    const auto number = [&](const char* key, int value) {
+        writer.Key(key);
+        writer.Int(value);
+    };
+    writer.StartObject();
+    string("severity", word(d.severity));
+    if (!d.code.empty()) string("code", d.code);
+    string("message", d.message);
+    if (!d.file.empty()) {
+        string("file", d.file);
+    }
+    if (d.line > 0) {
+        number("line", d.line);
+        number("column", d.column);
+        number("endLine", d.end_line);
+        number("endColumn", d.end_column);
+    }
+    if (!d.node.empty()) string("node", d.node);
+    if (!d.port.empty()) string("port", d.port);
+    if (!d.notes.empty()) {
+        writer.Key("notes");
+        writer.StartArray();
+        for (const Diagnostic& note : d.notes) write_json(writer, note);
+        writer.EndArray();
+    }
+    writer.EndObject();
+}
+
+}  // namespace
+
+std::vector<Diagnostic> to_public(const Diagnostics& diagnostics, const SourceMap& sources) {
+    std::vector<Diagnostic> out;
+    // A material's passes share its nodes: what is wrong with one is found as often as it is used, and said once.
+    std::set<std::tuple<Code, std::uint32_t, std::uint32_t, std::string_view>> said;
+    for (const DiagnosticRecord& record : diagnostics.records()) {
+        if (!said.emplace(record.code, record.span.begin, record.span.end, record.message).second) continue;
+        Diagnostic& d = out.emplace_back();
+        d.severity = record.severity == Level::Error ? Severity::Error : Severity::Warning;
+        d.code = info(record.code).name;
+        d.message = record.message;
+        d.node = record.node;
+        d.port = record.port;
+        place(d, record.span, sources);
+        for (const DiagnosticNote& note : record.notes) {
+            if (note.message.empty()) continue;
+            Diagnostic& n = d.notes.emplace_back();
+            n.severity = Severity::Note;
+            n.message = note.message;
+            place(n, note.span, sources);
+        }
+    }
+    // In the order of the text; files in the order of their first complaint.
+    std::vector<std::string> files;
+    for (const Diagnostic& d : out) {
+        if (std::find(files.begin(), files.end(), d.file) == files.end()) files.push_back(d.file);
+    }
+    const auto rank = [&](const Diagnostic& d) {
+        return std::tuple(std::find(files.begin(), files.end(), d.file) - files.begin(), d.line, d.column);
+    };
+    std::stable_sort(out.begin(), out.end(),
+                     [&](const Diagnostic& a, const Diagnostic& b) { return rank(a) < rank(b); });
+    return out;
+}
+
+std::string to_text(const Diagnostic& diagnostic, bool colors) {
+    std::string text;
+    write_text(text, diagnostic, colors);
+    if (!text.empty()) text.pop_back();
+    return text;
+}
+
+Diagnostic diagnostic_at(const ScenePlace& place, std::string code, std::string message) {
+    Diagnostic diagnostic;
+    diagnostic.code = std::move(code);
+    diagnostic.message = std::move(message);
+    diagnostic.file = place.file;
+    diagnostic.line = place.line;
+    diagnostic.column = place.column;
+    diagnostic.end_line = place.end_line;
+    diagnostic.end_column = place.end_column;
+    diagnostic.source_line = place.source_line;
+    return diagnostic;
+}
+
+std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
+    const std::vector<std::string_view> views(known.begin(), known.end());
+    return Diagnostics::suggestion(word, views);
+}
+
+std::string to_json(const Diagnostic& diagnostic) {
+    rapidjson::StringBuffer buffer;
+    Writer writer(buffer);
+    write_json(writer, diagnostic);
+    return {buffer.GetString(), buffer.GetSize()};
+}
+
+}  // namespace patina

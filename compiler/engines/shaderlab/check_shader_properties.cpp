@@ -1,0 +1,241 @@
+// What a ShaderLab file cannot say of a property. Its name is what materials keep its value under: it is never changed,
+// and where Unity has it already the property is refused.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "compiler/engines/shaderlab/shader_file.h"
+#include "compiler/format/words.h"
+#include "compiler/engines/shaderlab/dialect.h"
+
+namespace patina::assemble {
+namespace {
+
+using graph::PropertyType;
+using targets::shaderlab::declarer_of;
+using targets::shaderlab::keyword_of;
+
+// What Unity fills beside a texture, and what its macros declare there.
+std::string beside_texture(const graph::Material& material, std::string_view name) {
+    constexpr std::pair<std::string_view, std::string_view> kBeside[] = {
+        {"", "_ST"}, {"", "_TexelSize"}, {"", "_HDR"}, {"sampler", ""}};
+    for (const graph::MaterialProperty& entry : material.properties) {
+        if (entry.property->type != PropertyType::Texture2D) continue;
+        for (const auto& [before, behind] : kBeside) {
+            if (name == fmt::format("{}{}{}", before, entry.property->name, behind))
+                return fmt::format("what Unity keeps of the texture '{}'", entry.property->name);
+        }
+    }
+    return {};
+}
+
+// Why a property cannot have the name; empty: it can.
+std::string why_taken(const graph::Material& material, std::string_view name) {
+    if (const std::string_view declarer = declarer_of(name); !declarer.empty())
+        return fmt::format("a name that {} declares", declarer);
+    if (targets::is_reserved_word(name)) return "a word of HLSL or GLSL";
+    if (targets::safe_identifier(name) != name) return "a name that GLSL keeps for itself";
+    return beside_texture(material, name);
+}
+
+struct Keyword {
+    const graph::Property* property;
+    std::string name;
+    std::string_view value{};  // of an enum
+    Span where;
+
+    // "of the value 'Wet' of '_Mode'"
+    std::string owner() const {
+        return value.empty() ? fmt::format("of '{}'", property->name)
+                             : fmt::format("of the value '{}' of '{}'", value, property->name);
+    }
+};
+
+// Those of a property that has some.
+std::vector<Keyword> keywords_of(const graph::Property& property) {
+    if (property.values.empty())
+        return {{.property = &property, .name = keyword_of(property.name, {}), .where = property.name_span}};
+    std::vector<Keyword> made;
+    for (std::size_t i = 0; i < property.values.size(); ++i)
+        made.push_back({.property = &property,
+                        .name = keyword_of(property.name, property.values[i]),
+                        .value = property.values[i],
+                        .where = property.value_spans[i]});
+    return made;
+}
+
+class Names {
+public:
+    Names(const graph::Material& material, Diagnostics& diagnostics) : material_(material), diagnostics_(diagnostics) {}
+
+    void check(const graph::Property& property, bool is_keyword) {
+        const std::string why = why_taken(material_, property.name);
+        if (!why.empty()) return static_cast<void>(refuse(property, why));
+        if (!is_keyword) return values_.push_back(&property);
+        for (Keyword& each : keywords_of(property)) {
+            const std::string_view declarer = declarer_of(each.name);
+            const Keyword* other = with_keyword(each.name);
+            if (other) {
+                refuse(each, *other);
+            } else if (!declarer.empty()) {
+                diagnostics_.report(
+                    Code::TakenName, each.where,
+                    fmt::format("the keyword '{}' {} is a name that {} declares", each.name, each.owner(), declarer));
+            } else {
+                keywords_.push_back(std::move(each));
+            }
+        }
+    }
+
+    // A keyword that is on is a macro: no value can have its name.
+    void finish() {
+        for (const graph::Property* each : values_) {
+            if (const Keyword* keyword = with_keyword(each->name))
+                refuse(*each, "the keyword " + keyword->owner()).note(keyword->where, "which is here");
+        }
+    }
+
+private:
+    const Keyword* with_keyword(std::string_view name) const {
+        for (const Keyword& each : keywords_) {
+            if (each.name == name) return &each;
+        }
+        return nullptr;
+    }
+
+    DiagnosticRecord& refuse(const graph::Property& property, const std::string& why) {
+        return diagnostics_.report(
+            Code::TakenName, property.name_span,
+            fmt::format("'{}' is {}: a property cannot have it, and Unity would not know it by another name",
+                        property.name, why));
+    }
+
+    // Two choices would be one.
+    void refuse(const Keyword& keyword, const Keyword& other) {
+        const bool is_same_enum = keyword.property == other.property;
+        DiagnosticRecord& refused = diagnostics_.report(
+            Code::TakenName, keyword.where,
+            fmt::format("the keyword '{}' {} is also that {}", keyword.name, keyword.owner(),
+                        is_same_enum ? fmt::format("of its value '{}'", other.value) : other.owner()));
+        refused.note(other.where, "which is here");
+        if (is_same_enum) refused.note("Unity writes keywords in capitals");
+    }
+
+    const graph::Material& material_;
+    Diagnostics& diagnostics_;
+    std::vector<const graph::Property*> values_;
+    std::vector<Keyword> keywords_;
+};
+
+void check_list(const graph::Property& property, bool is_keyword, Diagnostics& diagnostics) {
+    const std::size_t most = is_keyword ? kMostKeywords : kMostPairs;
+    if (property.type != PropertyType::Enum || property.values.size() <= most) return;
+    DiagnosticRecord& told =
+        diagnostics.report(Code::InspectorLimit, property.name_span, property.name,
+                           fmt::format("it lists {} values at most, and these are {}", most, property.values.size()));
+    if (is_keyword) told.note("the number sets no keyword: a script has to enable the one that is meant");
+}
+
+// Labels and the names of groups, where ShaderLab makes something else of them. Of a group it is told once.
+class Texts {
+public:
+    explicit Texts(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+    void check(const graph::Property& property) {
+        const std::string label = quoted(property.label), header = header_words(property.group);
+        if (label != property.label)
+            diagnostics_.report(Code::InspectorText, property.label_span, fmt::format("\"{}\"", label), "label",
+                                "has no escapes in strings");
+        if (header != property.group && groups_.insert(property.group).second)
+            diagnostics_.report(Code::InspectorText, property.group_span,
+                                header.empty() ? "no header" : fmt::format("\"{}\"", header), "group",
+                                "takes letters, digits and spaces there");
+    }
+
+private:
+    Diagnostics& diagnostics_;
+    std::set<std::string_view> groups_;
+};
+
+}  // namespace
+
+void check_shader_name(const graph::Material& material, Diagnostics& diagnostics) {
+    const graph::Graph& graph = *material.graph->graph;
+    const std::string name = shader_name(graph.name);
+    if (name == graph.name) return;
+    const bool is_given = graph.name_span.begin != graph.name_span.end;
+    diagnostics.report(
+        Code::InspectorText, is_given ? graph.name_span : Span{graph.span.begin, graph.span.begin + 1},
+        fmt::format("\"Patina/{}\"", name), "name",
+        quoted(graph.name) != graph.name ? "has no escapes in strings" : "makes a menu of each part between slashes");
+}
+
+void check_keywords(const graph::Material& material, const Reflection& reflection, Diagnostics& diagnostics) {
+    constexpr std::size_t kMost = 64;
+    const auto is_read = [&](const graph::Property& property) {
+        return std::any_of(reflection.passes.begin(), reflection.passes.end(), [&](const Pass& pass) {
+            return std::find(pass.keywords.begin(), pass.keywords.end(), property.name) != pass.keywords.end();
+        });
+    };
+    std::size_t count = 0;
+    const graph::Property* first = nullptr;  // that is too much
+    for (const graph::MaterialProperty& entry : material.properties) {
+        if (!is_read(*entry.property)) continue;
+        count += keywords_of(*entry.property).size();
+        if (count > kMost && !first) first = entry.property;
+    }
+    if (first) diagnostics.report(Code::KeywordLimit, first->name_span, first->name, count, kMost);
+}
+
+void check_shader_properties(const graph::Material& material, const graph::Lowered& lowered, Diagnostics& diagnostics) {
+    Names names(material, diagnostics);
+    Texts texts(diagnostics);
+    for (std::size_t i = 0; i < material.properties.size(); ++i) {
+        const graph::MaterialProperty& entry = material.properties[i];
+        const graph::Property& property = *entry.property;
+        const graph::PropertyGlobals& globals = lowered.property_globals[i];
+        const ir::GlobalId id = globals.texture ? globals.texture : globals.value;
+        if (!id && !globals.keyword) continue;  // it has been decided
+        const ir::Global* global = id ? &lowered.module.globals[id.index] : nullptr;
+        const bool is_theirs = global && global->in_block() &&
+                               !lowered.module.blocks[global->block].members[global->member].declared_in.empty();
+        if (!is_theirs) names.check(property, !id);
+        check_list(property, !id, diagnostics);
+        texts.check(property);
+        if (entry.is_file)
+            diagnostics.report(Code::NoFileDefault, property.default_span, property.name, default_word(property));
+        if (const std::string words = sampler_words(property); !words.empty())
+            diagnostics.report(Code::NoSampler, property.sampler_span, property.name, words);
+    }
+    names.finish();
+}
+
+void check_samplers(const graph::Material& material, const Reflection& reflection, Diagnostics& diagnostics) {
+    constexpr std::size_t kMost = 16;
+    constexpr std::size_t kUnitys = 4;  // shadow map, reflection probe, lightmap, and its directions or shadow mask
+    const Pass* most = nullptr;
+    for (const Pass& pass : reflection.passes) {
+        if (!most || pass.textures.size() > most->textures.size()) most = &pass;
+    }
+    const bool is_lit = std::any_of(reflection.passes.begin(), reflection.passes.end(),
+                                    [](const Pass& pass) { return pass.each == "light"; });
+    const std::size_t room = is_lit ? kMost - kUnitys : kMost;
+    if (!most || most->textures.size() <= room) return;
+    const std::string& first = most->textures[most->textures.size() > kMost ? kMost : room];
+    for (const graph::MaterialProperty& entry : material.properties) {
+        if (entry.property->name != first) continue;
+        const Span span = entry.property->name_span;
+        if (most->textures.size() > kMost) {
+            diagnostics.report(Code::TooMany, span, most->textures.size(), "textures in one pass", kMost);
+        } else {
+            diagnostics.report(
+                Code::SamplerLimit, span, first,
+                fmt::format("of {} samplers that Direct3D 11 has, shadows, probes and lightmaps need {}, and this pass "
+                            "reads {}",
+                            kMost, kUnitys, most->textures.size()));
+        }
+    }
+}
+
+}  // namespace patina::assemble

@@ -1,0 +1,248 @@
+#include "compiler/engines/shaderlab/shader_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/base/text.h"
+#include "compiler/format/words.h"
+#include "compiler/engines/shaderlab/dialect.h"
+
+namespace patina::assemble {
+namespace {
+
+using Declaration = PassText::Declaration;
+using Kind = targets::Piece::Kind;
+
+struct SurfaceRow {
+    graph::SurfaceKind kind;
+    std::string_view render_type, fallback;
+};
+// A fallback brings the passes that the shader has not got itself: it is for what casts shadows, and no others.
+constexpr SurfaceRow kSurfaces[] = {
+    {graph::SurfaceKind::Opaque, "Opaque", "\"VertexLit\""},
+    {graph::SurfaceKind::Cutout, "TransparentCutout", "\"Legacy Shaders/Transparent/Cutout/VertexLit\""},
+    {graph::SurfaceKind::Fade, "Transparent", "Off"},
+    {graph::SurfaceKind::Transparent, "Transparent", "Off"},
+    {graph::SurfaceKind::Additive, "Transparent", "Off"},
+    {graph::SurfaceKind::Multiply, "Transparent", "Off"},
+};
+
+// --- the text, line by line
+
+class File {
+public:
+    void line(unsigned indent, std::string_view content, ir::OriginId origin = {}) {
+        if (lines_.empty() ? static_cast<bool>(origin) : lines_.back().origin != origin)
+            lines_.push_back({.line = next_, .origin = origin});
+        if (!content.empty()) text_.append(4 * indent, ' ').append(content);
+        text_ += '\n';
+        ++next_;
+    }
+
+    void declaration(unsigned indent, const Declaration& each) {
+        auto origin = each.lines.begin();
+        ir::OriginId now{};
+        int at = 0;
+        for (std::string_view rest = each.text; !rest.empty(); ++at) {
+            const std::size_t end = rest.find('\n');
+            while (origin != each.lines.end() && origin->line <= at) now = (origin++)->origin;
+            line(indent, rest.substr(0, end), now);
+            rest.remove_prefix(std::min(end, rest.size() - 1) + 1);
+        }
+    }
+
+    targets::Printed take() { return {.text = std::move(text_), .lines = std::move(lines_)}; }
+
+private:
+    std::string text_;
+    std::vector<targets::PrintedLine> lines_;
+    int next_ = 1;
+};
+
+std::vector<std::string_view> texts_at(const PassText& pass, std::string_view place) {
+    std::vector<std::string_view> lines;
+    for (const ir::StageText& text : pass.texts) {
+        if (text.place == place) lines.push_back(text.line);
+    }
+    return lines;
+}
+
+// What only newer hardware has, in a pass or in what all of them begin with.
+std::string_view shader_model(const LinkedPass& linked, const PassText& pass,
+                              std::span<const Declaration* const> shared) {
+    // 3.0 has 10 interpolators, 3.5 those of OpenGL ES 3.0 and Direct3D 10; no more than 5.0 has got here.
+    const Handed vectors = handed(linked);
+    if (vectors.numbered + vectors.others > 15) return "5.0";
+    if (vectors.numbered > 10) return "3.5";
+    std::string text;
+    for (const Declaration& each : pass.declarations) text += each.text;
+    for (const Declaration* each : shared) text += each->text;
+    constexpr std::string_view kModern[] = {".Load(", ".GetDimensions(", "uint", "SV_IsFrontFace"};
+    const bool is_modern = std::any_of(std::begin(kModern), std::end(kModern),
+                                       [&](std::string_view word) { return text.find(word) != text.npos; });
+    return is_modern ? "3.5" : "3.0";
+}
+
+class Writing {
+public:
+    explicit Writing(const ShaderFile& file) : in_(file) {
+        passes_ = pass_texts(file.passes);
+        shared_ = shared_declarations(passes_);
+    }
+
+    targets::Printed run() {
+        for (const std::string_view line : split(in_.header, "\n")) out_.line(0, fmt::format("// {}", line));
+        out_.line(0, fmt::format("Shader \"Patina/{}\"", shader_name(in_.reflection.name)));
+        out_.line(0, "{");
+        out_.line(1, "Properties");
+        out_.line(1, "{");
+        for (const std::string& line : shader_properties(in_.material, in_.lowered, in_.reflection)) out_.line(2, line);
+        out_.line(1, "}");
+        out_.line(0, "");
+        common();
+        out_.line(1, "SubShader");
+        out_.line(1, "{");
+        tags();
+        for (std::size_t i = 0; i < passes_.size(); ++i) pass(i);
+        out_.line(1, "}");
+        const bool casts = std::any_of(in_.reflection.passes.begin(), in_.reflection.passes.end(),
+                                       [](const Pass& pass) { return pass.targets.empty(); });
+        out_.line(1, fmt::format("FallBack {}", casts ? surface().fallback : "Off"));
+        out_.line(0, "}");
+        return out_.take();
+    }
+
+private:
+    const SurfaceRow& surface() const {
+        const graph::SurfaceKind kind = in_.material.graph->graph->render.surface;
+        return *std::find_if(std::begin(kSurfaces), std::end(kSurfaces),
+                             [&](const SurfaceRow& row) { return row.kind == kind; });
+    }
+
+    // --- what all passes begin with
+
+    void common() {
+        std::vector<std::string_view> includes;
+        std::string text;
+        for (const PassText& pass : passes_) {
+            for (const std::string_view line : texts_at(pass, "include")) {
+                if (std::find(includes.begin(), includes.end(), line) == includes.end()) includes.push_back(line);
+            }
+            for (const Declaration& each : pass.declarations) text += each.text;
+        }
+        std::sort(includes.begin(), includes.end(), [](std::string_view a, std::string_view b) {
+            return std::pair(a.size(), a) < std::pair(b.size(), b);
+        });
+        out_.line(1, "CGINCLUDE");
+        for (const std::string_view file : includes) out_.line(1, fmt::format("#include \"{}\"", file));
+        gap_after(!includes.empty());
+        Kind before = Kind::Uniform;
+        bool is_first = true;
+        for (const Declaration* each : shared_) {
+            if (each->kind != Kind::Uniform && before == Kind::Uniform) {
+                if (!is_first) out_.line(0, "");
+                needed_pieces(text);
+            }
+            out_.declaration(1, *each);
+            if (each->kind != Kind::Uniform) out_.line(0, "");
+            before = each->kind;
+            is_first = false;
+        }
+        if (before == Kind::Uniform) {
+            gap_after(!is_first);
+            needed_pieces(text);
+        }
+        out_.line(1, "ENDCG");
+        out_.line(0, "");
+    }
+
+    void needed_pieces(const std::string& text) {
+        for (const std::string_view piece : needed_pieces_of(in_.include, text)) {
+            for (const std::string_view line : split(piece, "\n")) out_.line(1, line);
+            out_.line(0, "");
+        }
+    }
+
+    void gap_after(bool wanted) {
+        if (wanted) out_.line(0, "");
+    }
+
+    // --- the shader and its passes
+
+    void tags() {
+        std::string tags = fmt::format("\"RenderType\" = \"{}\" \"Queue\" = \"{}\"", surface().render_type,
+                                       queue_word(shader_queue(in_.material, in_.passes)));
+        if (surface().render_type == "Transparent") tags += " \"IgnoreProjector\" = \"True\"";
+        // What knows the object must not be batched into another one.
+        const bool moves = std::any_of(in_.passes.begin(), in_.passes.end(), [](const LinkedPass& pass) {
+            return !pass.material->graph->graph->vertex.empty();
+        });
+        if (moves || std::any_of(in_.passes.begin(), in_.passes.end(), knows_object))
+            tags += " \"DisableBatching\" = \"True\"";
+        out_.line(2, fmt::format("Tags {{ {} }}", tags));
+        out_.line(2, "LOD 300");
+        std::vector<std::string_view> lines;
+        for (const PassText& pass : passes_) {
+            for (const std::string_view line : texts_at(pass, "grab")) {
+                if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
+            }
+        }
+        for (const std::string_view line : lines) out_.line(2, fmt::format("GrabPass {{ \"{}\" }}", line));
+    }
+
+    void pass(std::size_t index) {
+        const graph::PassDecl& declared = *in_.passes[index].pass->declaration;
+        const PassText& text = passes_[index];
+        out_.line(0, "");
+        out_.line(2, "Pass");
+        out_.line(2, "{");
+        out_.line(3, fmt::format("Name \"{}\"", name_of(in_.passes[index])));
+        std::string tags;
+        for (const auto& [name, value] : declared.tags) {
+            if (name != "Name") tags += fmt::format("\"{}\" = \"{}\" ", name, value);
+        }
+        if (!tags.empty()) out_.line(3, fmt::format("Tags {{ {}}}", tags));
+        for (const std::string& line : shader_state(in_.reflection.passes[index])) out_.line(3, line);
+        out_.line(0, "");
+        out_.line(3, "CGPROGRAM");
+        out_.line(3, fmt::format("#pragma target {}", shader_model(in_.passes[index], text, shared_)));
+        for (const std::string_view line : texts_at(text, "pragma")) out_.line(3, fmt::format("#pragma {}", line));
+        keywords(in_.reflection.passes[index]);
+        out_.line(3, "#pragma vertex vert");
+        out_.line(3, "#pragma fragment frag");
+        for (const Declaration& each : text.declarations) {
+            if (!each.is_own) continue;
+            out_.line(0, "");
+            out_.declaration(3, each);
+        }
+        out_.line(3, "ENDCG");
+        out_.line(2, "}");
+    }
+
+    // A program for each value; a build leaves out those that no material has.
+    void keywords(const Pass& pass) {
+        for (const std::string& name : pass.keywords) {
+            const auto property = std::find_if(in_.reflection.properties.begin(), in_.reflection.properties.end(),
+                                               [&](const Property& p) { return p.name == name; });
+            std::string words;
+            for (const std::string& value : property->values)
+                words += " " + targets::shaderlab::keyword_of(name, value);
+            if (words.empty()) words = " " + targets::shaderlab::keyword_of(name, {});
+            out_.line(3, "#pragma shader_feature_local" + words);
+        }
+    }
+
+    const ShaderFile& in_;
+    std::vector<PassText> passes_;
+    std::vector<const Declaration*> shared_;
+    File out_;
+};
+
+}  // namespace
+
+targets::Printed shader_file(const ShaderFile& file) {
+    return Writing(file).run();
+}
+
+}  // namespace patina::assemble

@@ -1,0 +1,96 @@
+// When the passes of a ShaderLab file are drawn. Unity has one queue for all of them, and draws them in their order.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "compiler/engines/shaderlab/shader_file.h"
+
+namespace patina::assemble {
+namespace {
+
+constexpr int kLastOpaque = 2500;  // up to which Unity draws from the nearest, and before the sky
+
+int number(std::string_view digits) {
+    int value = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    return value;
+}
+
+// The queue that what a stage reads has to wait for.
+int least_queue(const ir::Module& stage) {
+    int least = 0;
+    for (const ir::Function& function : stage.functions) {
+        for (const ir::Inst& inst : function.insts) {
+            if (inst.op != ir::Op::Call) continue;
+            for (const ir::StageText& text : stage.functions[inst.data].texts) {
+                if (text.place == "queue") least = std::max(least, number(text.line));
+            }
+        }
+    }
+    return least;
+}
+
+bool is_kept_by_depth(const Pass& pass) {
+    return pass.depth_test == "less" || pass.depth_test == "lessEqual" || pass.depth_test == "equal";
+}
+
+// What is nearest is seen of it, whenever it is drawn.
+bool is_solid(const Pass& pass) {
+    const bool blends = !pass.targets.empty() && pass.targets.front().blend != Blend{};
+    return !blends && pass.depth_write && is_kept_by_depth(pass) && !pass.stencil.is_used();
+}
+
+// Whether the pass stays where the material itself has left its depth.
+bool is_within(const graph::Material& pass, const graph::Material& material) {
+    const graph::Graph &added = *pass.graph->graph, &own = *material.graph->graph;
+    const auto is_same = [](const graph::PortValue& a, const graph::PortValue& b) {
+        return a.name == b.name && a.value_span.begin == b.value_span.begin;
+    };
+    return own.render.surface == graph::SurfaceKind::Opaque && !own.render.stencil &&
+           (own.render.cull == graph::Cull::Off || own.render.cull == added.render.cull) &&
+           std::equal(own.vertex.begin(), own.vertex.end(), added.vertex.begin(), added.vertex.end(), is_same);
+}
+
+std::string what_differs(int queue, int shader) {
+    if (shader <= kLastOpaque && queue > kLastOpaque)
+        return "the sky, and opaque objects that come later, are drawn over it where no depth keeps them off";
+    if (queue <= kLastOpaque && shader > kLastOpaque) return "opaque objects and the sky are there before it";
+    return fmt::format("what has a queue in between is drawn {} it", queue < shader ? "before" : "after");
+}
+
+}  // namespace
+
+void order_passes(std::vector<LinkedPass>& passes) {
+    const auto queue = [](const LinkedPass& pass) { return queue_of(pass.material->graph->graph->render); };
+    std::stable_sort(passes.begin(), passes.end(),
+                     [&](const LinkedPass& a, const LinkedPass& b) { return queue(a) < queue(b); });
+}
+
+int shader_queue(const graph::Material& material, std::span<const LinkedPass> passes) {
+    int queue = queue_of(material.graph->graph->render);
+    for (const LinkedPass& pass : passes)
+        queue = std::max({queue, least_queue(pass.vertex), least_queue(pass.fragment)});
+    return queue;
+}
+
+void check_queues(const graph::Material& material, std::span<const LinkedPass> passes, const Reflection& reflection,
+                  Diagnostics& diagnostics) {
+    const int shader = shader_queue(material, passes);
+    const bool fills_depth =
+        shader <= kLastOpaque && std::any_of(reflection.passes.begin(), reflection.passes.end(),
+                                             [](const Pass& pass) { return !pass.is_extra && is_solid(pass); });
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        const Pass& pass = reflection.passes[i];
+        const bool crosses = (pass.queue <= kLastOpaque) != (shader <= kLastOpaque);
+        if (!pass.is_extra || pass.queue == shader || (is_solid(pass) && !crosses)) continue;
+        if (fills_depth && pass.queue > shader && is_kept_by_depth(pass) && is_within(*passes[i].material, material))
+            continue;
+        diagnostics
+            .report(Code::QueueLimit, passes[i].material->pass->name_span, pass.name, shader, pass.queue,
+                    what_differs(pass.queue, shader))
+            .note("a material of its own on the same mesh is drawn at its own queue");
+    }
+}
+
+}  // namespace patina::assemble

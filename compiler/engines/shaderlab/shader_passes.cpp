@@ -1,0 +1,170 @@
+// Both stages of a pass as declarations of one program. A name means one thing in it: where the stages differ on what
+// it is, the vertex stage's gets another name.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <utility>
+
+#include "compiler/engines/shaderlab/shader_file.h"
+#include "compiler/engines/shaderlab/dialect.h"
+
+namespace patina::assemble {
+namespace {
+
+using Declaration = PassText::Declaration;
+using Kind = targets::Piece::Kind;
+
+constexpr std::size_t kIndent = 12;  // of a pass's text in the file
+
+bool is_word(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+void add_texts(const std::vector<ir::StageText>& from, std::vector<ir::StageText>& into) {
+    for (const ir::StageText& text : from) {
+        const bool is_there = std::any_of(into.begin(), into.end(), [&](const ir::StageText& other) {
+            return other.place == text.place && other.line == text.line;
+        });
+        if (!is_there) into.push_back(text);
+    }
+}
+
+// What a stage asks for itself, behind what the functions ask for that it calls.
+void add_texts_of(const ir::Module& stage, std::vector<ir::StageText>& into) {
+    for (const ir::Function& function : stage.functions) {
+        for (const ir::Inst& inst : function.insts) {
+            if (inst.op == ir::Op::Call) add_texts(stage.functions[inst.data].texts, into);
+        }
+    }
+    for (const ir::UniformBlock& block : stage.blocks) {
+        for (const ir::BlockMember& member : block.members) {
+            if (!member.declared_in.empty()) add_texts({{.place = "include", .line = member.declared_in}}, into);
+        }
+    }
+}
+
+// Of both stages.
+std::vector<ir::StageText> texts_of(const LinkedPass& pass) {
+    std::vector<ir::StageText> made;
+    add_texts_of(pass.vertex, made);
+    add_texts_of(pass.fragment, made);
+    add_texts(pass.vertex.stage.texts, made);
+    return made;
+}
+
+std::vector<Declaration> declarations(const targets::Printed& printed) {
+    std::vector<Declaration> made;
+    for (const targets::Piece& piece : printed.pieces) {
+        Declaration& next = made.emplace_back();
+        next.kind = piece.kind;
+        next.name = piece.name;
+        next.text = printed.text.substr(piece.begin, piece.end - piece.begin);
+        const int count = static_cast<int>(std::count(next.text.begin(), next.text.end(), '\n'));
+        ir::OriginId before{};
+        for (const targets::PrintedLine& line : printed.lines) {
+            if (line.line <= piece.line) before = line.origin;
+            if (line.line > piece.line && line.line < piece.line + count)
+                next.lines.push_back({.line = line.line - piece.line, .origin = line.origin});
+        }
+        next.lines.insert(next.lines.begin(), {.line = 0, .origin = before});
+    }
+    return made;
+}
+
+// What means something else outside of the pass is called after it.
+void rename(ir::Module& stage, const std::vector<std::string>& taken, std::string_view pass) {
+    const auto rename_if_taken = [&](std::string& name) {
+        if (std::find(taken.begin(), taken.end(), name) != taken.end()) name = fmt::format("{}_{}", name, pass);
+    };
+    for (ir::Function& function : stage.functions) rename_if_taken(function.name);
+    for (ir::Struct& structure : stage.structs) rename_if_taken(structure.name);
+}
+
+std::vector<Declaration> printed(ir::Module stage, const std::vector<ir::StageText>& texts,
+                                 const std::vector<std::string>& taken) {
+    stage.stage.texts = texts;
+    if (std::optional<ir::Module> rewritten = targets::shaderlab::legalize(stage)) stage = std::move(*rewritten);
+    return declarations(
+        targets::shaderlab::print(stage, {.header = {}, .shifts = {}, .taken = taken, .width = 120 - kIndent}));
+}
+
+const Declaration* find(const std::vector<Declaration>& list, const std::string& name) {
+    const auto found = std::find_if(list.begin(), list.end(), [&](const Declaration& d) { return d.name == name; });
+    return found == list.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::string_view name_of(const LinkedPass& pass) {
+    const graph::PassDecl& declared = *pass.pass->declaration;
+    const auto tag =
+        std::find_if(declared.tags.begin(), declared.tags.end(), [](const auto& each) { return each.first == "Name"; });
+    const bool is_added = pass.pass->name != declared.name;
+    return is_added || tag == declared.tags.end() ? std::string_view(pass.pass->name) : std::string_view(tag->second);
+}
+
+bool mentions(std::string_view text, std::string_view name) {
+    const auto is_comment = [&](std::size_t at) {
+        const std::size_t begin = text.rfind('\n', at) + 1;
+        return text.substr(std::min(text.find_first_not_of(' ', begin), text.size())).starts_with("//");
+    };
+    for (std::size_t at = text.find(name); at != text.npos; at = text.find(name, at + 1)) {
+        const std::size_t end = at + name.size();
+        const bool is_whole = (at == 0 || !is_word(text[at - 1])) && (end == text.size() || !is_word(text[end]));
+        if (is_whole && !is_comment(at)) return true;
+    }
+    return false;
+}
+
+Handed handed(const LinkedPass& pass) {
+    Handed made;
+    for (const ir::StageVariable& output : pass.vertex.stage.outputs)
+        made.numbered += output.builtin == ir::Builtin::None && output.spelling.empty() ? 1 : 0;
+    for (const ir::StageText& text : texts_of(pass)) {
+        if (text.place == "first interpolator") ++made.numbered;
+        if (text.place != "interpolators") continue;
+        std::size_t numbers = 0;
+        for (std::size_t at = text.line.find("{}"); at != text.line.npos; at = text.line.find("{}", at + 2)) ++numbers;
+        (numbers == 0 ? made.others : made.numbered) += std::max<std::size_t>(numbers, 1);
+    }
+    return made;
+}
+
+PassText pass_text(const LinkedPass& pass, const std::vector<std::string>& taken_around) {
+    PassText made;
+    made.texts = texts_of(pass);
+    const auto named = [&](ir::Module stage) {
+        rename(stage, taken_around, name_of(pass));
+        return stage;
+    };
+    const std::vector<Declaration> fragment = printed(named(pass.fragment), made.texts, taken_around);
+    std::vector<Declaration> vertex;
+    std::vector<std::string> taken = taken_around;
+    for (bool differ = true; differ;) {
+        differ = false;
+        vertex = printed(named(pass.vertex), made.texts, taken);
+        for (const Declaration& each : vertex) {
+            const Declaration* other = find(fragment, each.name);
+            if (!other || other->text == each.text) continue;
+            taken.push_back(each.name);
+            differ = true;
+        }
+    }
+    for (const Kind kind : {Kind::Uniform, Kind::Struct, Kind::Function}) {
+        for (const auto* stage : std::array{&fragment, &std::as_const(vertex)}) {
+            for (const Declaration& each : *stage) {
+                if (each.kind == kind && !find(made.declarations, each.name)) made.declarations.push_back(each);
+            }
+        }
+    }
+    for (const auto* stage : std::array{&std::as_const(vertex), &fragment}) {
+        for (const Declaration& each : *stage) {
+            if (each.kind == Kind::Entry) made.declarations.push_back(each);
+        }
+    }
+    return made;
+}
+
+}  // namespace patina::assemble

@@ -1,0 +1,216 @@
+// Properties as ShaderLab declares them: how an artist sees and sets them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+
+#include "compiler/engines/shaderlab/shader_file.h"
+#include "compiler/base/text.h"
+#include "compiler/format/words.h"
+#include "compiler/engines/shaderlab/dialect.h"
+
+namespace patina::assemble {
+namespace {
+
+using graph::PropertyType;
+
+bool is_upper(char c) {
+    return std::isupper(static_cast<unsigned char>(c)) != 0;
+}
+bool is_lower(char c) {
+    return std::islower(static_cast<unsigned char>(c)) != 0;
+}
+
+// "_BumpScale" -> "Bump Scale", "_NORMALMAP" -> "Normalmap"; "UV" is an abbreviation.
+std::string readable(std::string_view name) {
+    constexpr std::size_t kShort = 3;
+    const bool is_shouted = std::none_of(name.begin(), name.end(), is_lower);
+    std::string made;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const char c = name[i];
+        const bool begins = i == 0 || name[i - 1] == '_' || (is_upper(c) && is_lower(name[i - 1]));
+        if (c == '_') continue;
+        if (begins && !made.empty()) made += ' ';
+        const std::size_t word = name.find('_', i) == name.npos ? name.size() : name.find('_', i);
+        const std::size_t first = i == 0 ? 0 : name.rfind('_', i) + 1;  // of the word; rfind gives npos: 0
+        const bool is_quiet = is_shouted && !begins && word - first > kShort;
+        const bool is_first = made.empty();
+        made += static_cast<char>(is_quiet   ? std::tolower(static_cast<unsigned char>(c))
+                                  : is_first ? std::toupper(static_cast<unsigned char>(c))
+                                             : c);
+    }
+    return made.empty() ? "Value" : made;
+}
+
+// IEC 61966-2-1, and as many digits as a colour picker could have meant.
+double encoded(double linear) {
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+double rounded(double value) {
+    return std::round(value * 10000) / 10000;
+}
+
+// "textures/rust.png" -> "rust.png"
+std::string_view file_name(std::string_view path) {
+    return path.substr(path.find_last_of("/\\") + 1);
+}
+
+// The shortest decimals that are this float: 0.005, not 5e-3.
+std::string number(double value) {
+    char digits[64];
+    const auto end = std::to_chars(digits, std::end(digits), static_cast<float>(value), std::chars_format::fixed);
+    return {digits, end.ptr};
+}
+
+std::string vector(const std::array<double, 4>& value, std::size_t count) {
+    std::string made;
+    for (std::size_t i = 0; i < 4; ++i) made += (i == 0 ? "" : ", ") + number(i < count ? value[i] : 0);
+    return "(" + made + ")";
+}
+
+std::string texture_word(const graph::MaterialProperty& entry) {
+    if (!entry.is_file && !entry.texture_path.empty()) return entry.texture_path;
+    return std::string(entry.is_file ? default_word(*entry.property) : "white");
+}
+
+struct Declared {
+    std::string attributes, type, value;
+};
+
+std::string range(const graph::Property& property) {
+    return fmt::format("Range({}, {})", number((*property.range)[0]), number((*property.range)[1]));
+}
+
+// An enum with more values than the inspector can list.
+Declared counted(const graph::Property& property, double value) {
+    return {"[IntRange] ", fmt::format("Range(0, {})", property.values.size() - 1), number(value)};
+}
+
+// A property that stands for keywords. Unity makes the names of an enum's itself.
+Declared switched(const graph::MaterialProperty& entry) {
+    const graph::Property& property = *entry.property;
+    if (property.type == PropertyType::Bool)
+        return {fmt::format("[Toggle({})] ", targets::shaderlab::keyword_of(property.name, {})), "Float",
+                number(entry.chosen)};
+    if (property.values.size() > kMostKeywords) return counted(property, entry.chosen);
+    return {fmt::format("[KeywordEnum({})] ", fmt::join(property.values, ", ")), "Float", number(entry.chosen)};
+}
+
+Declared declared(const graph::MaterialProperty& entry, bool is_decoded) {
+    const graph::Property& property = *entry.property;
+    const auto& value = property.value;
+    switch (property.type) {
+        case PropertyType::Float: return {"", property.range ? range(property) : "Float", number(value[0])};
+        case PropertyType::Float2: return {"", "Vector", vector(value, 2)};
+        case PropertyType::Float3: return {"", "Vector", vector(value, 3)};
+        case PropertyType::Float4: return {"", "Vector", vector(value, 4)};
+        case PropertyType::Color: {
+            std::string type(to_string(property.type));  // in ShaderLab with a capital
+            type[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(type[0])));
+            if (!is_decoded) return {"[HDR] ", type, vector(value, 4)};
+            return {"", type,
+                    vector({rounded(encoded(value[0])), rounded(encoded(value[1])), rounded(encoded(value[2])),
+                            rounded(value[3])},
+                           4)};
+        }
+        case PropertyType::Int:
+            if (property.range) return {"[IntRange] ", range(property), number(value[0])};
+            return {"", "Int", number(value[0])};
+        case PropertyType::Bool: return {"[Toggle] ", "Float", number(value[0])};
+        case PropertyType::Enum: {
+            if (property.values.size() > kMostPairs) return counted(property, value[0]);
+            std::string words;
+            for (std::size_t i = 0; i < property.values.size(); ++i)
+                words += fmt::format("{}{}, {}", i == 0 ? "" : ", ", property.values[i], i);
+            return {fmt::format("[Enum({})] ", words), "Float", number(value[0])};
+        }
+        case PropertyType::Texture2D: {
+            std::string attributes = property.tiling ? "" : "[NoScaleOffset] ";
+            if (property.usage == graph::TextureUsage::Normal) attributes += "[Normal] ";
+            return {attributes, "2D", fmt::format("\"{}\" {{}}", texture_word(entry))};
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string quoted(std::string_view text) {
+    std::string made;
+    for (const char c : text) made += c == '"' ? '\'' : static_cast<unsigned char>(c) < 0x20 || c == '\\' ? ' ' : c;
+    return made;
+}
+
+std::string shader_name(std::string_view text) {
+    std::vector<std::string> parts;
+    const std::string whole = quoted(text);
+    for (const std::string_view part : split(whole, "/")) {
+        std::string made = fmt::format("{}", fmt::join(split(part, " "), " "));
+        if (!made.empty()) parts.push_back(std::move(made));
+    }
+    return parts.empty() ? "Unnamed" : fmt::format("{}", fmt::join(parts, "/"));
+}
+
+std::string header_words(std::string_view text) {
+    std::string made;
+    bool is_gap = false;
+    for (const char c : text) {
+        const bool is_kept = std::isalnum(static_cast<unsigned char>(c)) != 0 || static_cast<unsigned char>(c) >= 0x80;
+        if (is_kept && is_gap && !made.empty()) made += ' ';
+        if (is_kept) made += c;
+        is_gap = !is_kept;
+    }
+    return made;
+}
+
+std::string sampler_words(const graph::Property& property) {
+    const graph::SamplerState& sampler = property.sampler;
+    std::vector<std::string> words;
+    if (sampler.wrap == graph::Wrap::Clamp) words.emplace_back("Wrap Mode: Clamp");
+    if (sampler.wrap == graph::Wrap::Mirror) words.emplace_back("Wrap Mode: Mirror");
+    if (sampler.filter == graph::Filter::Nearest) words.emplace_back("Filter Mode: Point");
+    if (sampler.anisotropy > 1) words.push_back(fmt::format("Aniso Level: {}", sampler.anisotropy));
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+std::string_view default_word(const graph::Property& property) {
+    return property.usage == graph::TextureUsage::Normal ? "bump" : "white";
+}
+
+std::vector<std::string> shader_properties(const graph::Material& material, const graph::Lowered& lowered,
+                                           const Reflection& reflection) {
+    std::vector<std::string> lines;
+    std::string group;
+    for (std::size_t i = 0; i < material.properties.size(); ++i) {
+        const graph::MaterialProperty& entry = material.properties[i];
+        const graph::Property& property = *entry.property;
+        const graph::PropertyGlobals& globals = lowered.property_globals[i];
+        const ir::GlobalId id = globals.texture ? globals.texture : globals.value;
+        if (!id && !globals.keyword) continue;  // it has been decided
+        const Declared made = id ? declared(entry, !lowered.module.globals[id.index].decoder.empty()) : switched(entry);
+        if (property.group != group) {
+            const bool is_first = lines.empty();
+            if (!is_first) lines.emplace_back();
+            const std::string words = header_words(property.group);
+            // Without a header it would seem to belong to the group before.
+            if (!words.empty())
+                lines.push_back(fmt::format("[Header({})]", words));
+            else if (!is_first)
+                lines.emplace_back("[Space]");
+            group = property.group;
+        }
+        std::string line = fmt::format("{}{} (\"{}\", {}) = {}", made.attributes, reflection.properties[i].identifier,
+                                       quoted(property.label.empty() ? readable(property.name) : property.label),
+                                       made.type, made.value);
+        std::string asset = entry.is_file ? quoted(file_name(entry.texture_path)) : "";
+        if (const std::string words = sampler_words(property); !words.empty())
+            asset += (asset.empty() ? "" : ", ") + words;
+        if (!asset.empty()) line += "  // " + asset;
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+}  // namespace patina::assemble

@@ -1,0 +1,144 @@
+// What the passes of one file have in common, and the text of the tool that they need.
+#include <algorithm>
+#include <map>
+
+#include "compiler/engines/shaderlab/shader_file.h"
+#include "compiler/base/text.h"
+
+namespace patina::assemble {
+namespace {
+
+using Declaration = PassText::Declaration;
+using Kind = targets::Piece::Kind;
+
+// What a piece of it defines: the words before the first '(' of lines that stand at the margin.
+std::vector<std::string_view> names_of(std::string_view piece) {
+    std::vector<std::string_view> names;
+    for (const std::string_view line : split(piece, "\n")) {
+        const std::size_t open = line.find('(');
+        const bool is_macro = line.starts_with("#define ");
+        const bool is_call = line.ends_with(';');  // of a macro that declares something
+        if (open == line.npos || is_call || line.starts_with("//") || line.starts_with(" ") ||
+            (line.starts_with("#") && !is_macro))
+            continue;
+        const std::string_view before = line.substr(0, open);
+        names.push_back(before.substr(before.rfind(' ') + 1));
+    }
+    return names;
+}
+
+}  // namespace
+
+std::vector<std::string_view> needed_pieces_of(std::string_view include, const std::string& text) {
+    const std::vector<std::string_view> pieces = split(include, "\n\n");
+    std::vector<bool> is_needed(pieces.size());
+    for (bool grows = true; grows;) {
+        grows = false;
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            if (is_needed[i]) continue;
+            for (const std::string_view name : names_of(pieces[i])) {
+                bool is_read = mentions(text, name);
+                for (std::size_t k = 0; k < pieces.size(); ++k)
+                    is_read = is_read || (is_needed[k] && mentions(pieces[k], name));
+                if (!is_read || is_needed[i]) continue;
+                is_needed[i] = grows = true;
+            }
+        }
+    }
+    std::vector<std::string_view> made;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        if (is_needed[i]) made.push_back(pieces[i]);
+    }
+    return made;
+}
+
+namespace {
+
+// What a pass's entry functions take and give may be called alike in all.
+bool is_of_entry(const PassText& pass, const Declaration& each) {
+    if (each.kind == Kind::Entry) return true;
+    const std::string& fragment = pass.declarations.back().text;
+    return each.kind == Kind::Struct && mentions(fragment.substr(0, fragment.find('\n')), each.name);
+}
+
+// By name, the text that the most passes have; of a pass's own things nothing.
+std::map<std::string_view, const Declaration*> most_common(const std::vector<PassText>& passes) {
+    std::map<std::string_view, std::map<std::string_view, int>> counts;
+    std::map<std::string_view, const Declaration*> made;
+    for (const PassText& pass : passes) {
+        for (const Declaration& each : pass.declarations) {
+            if (is_of_entry(pass, each)) continue;
+            const int count = ++counts[each.name][each.text];
+            const Declaration*& best = made[each.name];
+            if (!best || count > counts[each.name][best->text]) best = &each;
+        }
+    }
+    return made;
+}
+
+void mark_own(std::vector<PassText>& passes) {
+    std::map<std::string, int> counts;
+    for (const PassText& pass : passes) {
+        for (const Declaration& each : pass.declarations) ++counts[each.name];
+    }
+    for (PassText& pass : passes) {
+        for (Declaration& each : pass.declarations)
+            each.is_own = is_of_entry(pass, each) || (each.kind != Kind::Uniform && counts[each.name] == 1);
+    }
+}
+
+}  // namespace
+
+std::vector<ir::Origin> origins_of(std::span<const LinkedPass> passes) {
+    std::vector<ir::Origin> all;
+    for (const LinkedPass& pass : passes) {
+        const std::vector<ir::Origin>& own = pass.lowered->module.origins;
+        all.insert(all.end(), own.begin(), own.end());
+    }
+    return all;
+}
+
+std::vector<PassText> pass_texts(std::span<const LinkedPass> linked) {
+    std::vector<PassText> passes;
+    std::vector<std::vector<std::string>> taken(linked.size());
+    for (std::size_t i = 0; i < linked.size(); ++i) passes.push_back(pass_text(linked[i], {}));
+    for (bool differ = true; differ;) {
+        differ = false;
+        const auto common = most_common(passes);
+        for (std::size_t i = 0; i < linked.size(); ++i) {
+            const std::size_t before = taken[i].size();
+            for (const Declaration& each : passes[i].declarations) {
+                if (!is_of_entry(passes[i], each) && common.at(each.name)->text != each.text)
+                    taken[i].push_back(each.name);
+            }
+            differ = differ || taken[i].size() > before;
+        }
+        for (std::size_t i = 0; differ && i < linked.size(); ++i) passes[i] = pass_text(linked[i], taken[i]);
+    }
+    mark_own(passes);
+    std::uint32_t first = 0;
+    for (std::size_t i = 0; i < linked.size(); ++i) {
+        for (Declaration& each : passes[i].declarations) {
+            for (targets::PrintedLine& line : each.lines) {
+                if (line.origin) line.origin.index += first;
+            }
+        }
+        first += static_cast<std::uint32_t>(linked[i].lowered->module.origins.size());
+    }
+    return passes;
+}
+
+std::vector<const Declaration*> shared_declarations(const std::vector<PassText>& passes) {
+    std::vector<const Declaration*> made;
+    for (const PassText& pass : passes) {
+        for (const Declaration& each : pass.declarations) {
+            const auto is_same = [&](const Declaration* other) { return other->name == each.name; };
+            if (!each.is_own && std::none_of(made.begin(), made.end(), is_same)) made.push_back(&each);
+        }
+    }
+    std::stable_sort(made.begin(), made.end(),
+                     [](const Declaration* a, const Declaration* b) { return a->kind < b->kind; });
+    return made;
+}
+
+}  // namespace patina::assemble

@@ -1,0 +1,209 @@
+#include "compiler/format/read_fields.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cfloat>
+#include <climits>
+#include <cmath>
+
+#include "compiler/base/text.h"
+#include "compiler/format/read_graph.h"
+
+namespace patina::graph {
+namespace {
+
+// Nobody reads on after so many errors, and a hostile file has a million.
+constexpr std::size_t kEnough = 100;
+
+}  // namespace
+
+const JsonMember* find_member(const Json& object, std::string_view key) {
+    for (const JsonMember& member : object.members) {
+        if (member.key == key) return &member;
+    }
+    return nullptr;
+}
+
+void report_type(Reading& reading, const Json& json, std::string_view what, std::string_view wanted) {
+    std::string found(describe(json.kind));
+    if (json.kind == Json::Kind::Number) found = shown(reading.sources.text(json.span));
+    if (json.kind == Json::Kind::Bool) found = json.boolean ? "true" : "false";
+    if (json.kind == Json::Kind::Array) found = fmt::format("an array of {}", json.elements.size());
+    const bool is_container = json.kind == Json::Kind::Array || json.kind == Json::Kind::Object;
+    reading.diagnostics.report(Code::WrongJsonType, is_container ? opening(json) : json.span, what, wanted, found);
+}
+
+bool expect(Reading& reading, const Json& json, Json::Kind kind, std::string_view what) {
+    if (json.kind == kind) return true;
+    report_type(reading, json, what, describe(kind));
+    return false;
+}
+
+const std::string* read_string(Reading& reading, const Json& json, std::string_view what) {
+    return expect(reading, json, Json::Kind::String, what) ? &json.string : nullptr;
+}
+
+std::optional<bool> read_bool(Reading& reading, const Json& json, std::string_view what) {
+    if (!expect(reading, json, Json::Kind::Bool, what)) return std::nullopt;
+    return json.boolean;
+}
+
+std::optional<double> read_float(Reading& reading, const Json& json, std::string_view what) {
+    if (!expect(reading, json, Json::Kind::Number, what)) return std::nullopt;
+    if (std::fabs(json.number) <= FLT_MAX) return json.number;
+    reading.diagnostics.report(Code::BadNumber, json.span, shown(reading.sources.text(json.span)), "32-bit float");
+    return std::nullopt;
+}
+
+std::optional<int> read_int(Reading& reading, const Json& json, std::string_view what, int low, int high) {
+    if (json.kind != Json::Kind::Number || json.number != std::trunc(json.number)) {
+        report_type(reading, json, what, "a whole number");
+        return std::nullopt;
+    }
+    if (json.number >= low && json.number <= high) return static_cast<int>(json.number);
+    const std::string text = shown(reading.sources.text(json.span));
+    if (low == INT_MIN && high == INT_MAX) {
+        reading.diagnostics.report(Code::BadNumber, json.span, text, "32-bit int");
+    } else {
+        std::string_view name = what;
+        if (name.starts_with('\'') && name.size() > 2) name = name.substr(1, name.size() - 2);
+        reading.diagnostics.report(Code::OutOfRange, json.span, text, low, high, name);
+    }
+    return std::nullopt;
+}
+
+std::string read_text(Reading& reading, const Json& object, std::string_view key) {
+    const Json* json = object.find(key);
+    if (!json) return {};
+    const std::string* text = read_string(reading, *json, fmt::format("'{}'", key));
+    return text ? *text : std::string();
+}
+
+std::string read_identifier(Reading& reading, const Json& json, std::string_view what) {
+    const std::string* text = read_string(reading, json, what);
+    if (!text) return {};
+    if (!is_identifier(*text)) reading.diagnostics.report(Code::BadIdentifier, inside(json.span), shown(*text));
+    return *text;
+}
+
+void suggest(Reading& reading, DiagnosticRecord& record, std::string_view word,
+             std::span<const std::string_view> words) {
+    if (reading.diagnostics.error_count() > kEnough) return;
+    if (std::string advice = Diagnostics::suggestion(word, words); !advice.empty()) record.note(std::move(advice));
+}
+
+std::string_view meant_by(std::string_view word, std::span<const std::string_view> known) {
+    std::string plain;
+    for (const char c : word) {
+        if (c != '_' && c != '-') plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    for (const Synonym& synonym : kSynonyms) {
+        if (synonym.theirs == plain && std::find(known.begin(), known.end(), synonym.ours) != known.end())
+            return synonym.ours;
+    }
+    return word;
+}
+
+void check_keys(Reading& reading, const Json& object, ObjectKind kind, std::span<const std::string_view> unfit) {
+    static constexpr std::array kFiles = {ObjectKind::Material, ObjectKind::Subgraph, ObjectKind::Lighting,
+                                          ObjectKind::Workflow, ObjectKind::Scene};
+    const bool is_file = std::find(kFiles.begin(), kFiles.end(), kind) != kFiles.end();
+    for (const KeyInfo& key : keys_of(kind)) {
+        if (key.required && !object.find(key.name)) {
+            reading.diagnostics.report(Code::MissingKey, opening(object), describe(kind), key.name);
+        }
+    }
+    std::size_t unknown = 0;
+    for (const JsonMember& member : object.members) {
+        if (find_key(kind, member.key)) continue;
+        if (++unknown > kEnough) return;
+        DiagnosticRecord& record =
+            reading.diagnostics.report(Code::UnknownKey, member.key_span, shown(member.key), describe(kind));
+        const auto owner = std::find_if(kFiles.begin(), kFiles.end(),
+                                        [&](ObjectKind file) { return is_file && find_key(file, member.key); });
+        if (owner != kFiles.end()) {
+            record.note(fmt::format("'{}' belongs to {}", member.key, describe(*owner)));
+            continue;
+        }
+        std::vector<std::string_view> names;
+        for (const KeyInfo& key : keys_of(kind)) {
+            if (std::find(unfit.begin(), unfit.end(), key.name) == unfit.end()) names.push_back(key.name);
+        }
+        suggest(reading, record, member.key, names);
+    }
+}
+
+void refuse_key(Reading& reading, const Json& object, std::string_view key, std::string_view what,
+                std::string_view owner) {
+    const JsonMember* member = find_member(object, key);
+    if (!member) return;
+    reading.diagnostics.report(Code::UnknownKey, member->key_span, key, what)
+        .note(fmt::format("'{}' belongs to {}", key, owner));
+}
+
+void check_range(Reading& reading, Span span, double value, const std::array<double, 2>& range, bool hard,
+                 std::string_view name) {
+    if (value >= range[0] && value <= range[1]) return;
+    reading.diagnostics.report(hard ? Code::OutOfRange : Code::SoftRange, span, shortest(value), shortest(range[0]),
+                               shortest(range[1]), shown(name));
+}
+
+void UniqueNames::add(Reading& reading, const Json& name, std::string_view what) {
+    const auto [first, added] = first_.emplace(name.string, inside(name.span));
+    if (added) return;
+    reading.diagnostics.report(Code::DuplicateId, inside(name.span), what, shown(name.string))
+        .note(first->second, "the first one is here");
+}
+
+namespace {
+
+std::optional<std::array<double, 2>> read_range(Reading& reading, const Json& json) {
+    if (json.kind != Json::Kind::Array || json.elements.size() != 2) {
+        report_type(reading, json, "'range'", "an array of two numbers");
+        return std::nullopt;
+    }
+    const std::optional<double> low = read_float(reading, json.elements[0], "the lower end of 'range'");
+    const std::optional<double> high = read_float(reading, json.elements[1], "the upper end of 'range'");
+    if (!low || !high) return std::nullopt;
+    if (*low <= *high) return std::array{*low, *high};
+    reading.diagnostics.report(Code::WrongJsonType, json.span, "'range'", "two numbers, the lower one first",
+                               fmt::format("[{}, {}]", shortest(*low), shortest(*high)));
+    return std::nullopt;
+}
+
+}  // namespace
+
+void read_limits(Reading& reading, const Json& json, std::optional<std::array<double, 2>>& range, bool& hard) {
+    if (const Json* limits = json.find("range")) range = read_range(reading, *limits);
+    const JsonMember* member = find_member(json, "hard");
+    if (!member) return;
+    hard = read_bool(reading, member->value, "'hard'").value_or(false);
+    if (!json.find("range")) reading.diagnostics.report(Code::MissingKey, member->key_span, "'hard'", "range");
+}
+
+// The name and where it is; registers it among the names that `$` reads.
+void read_name(Reading& reading, const Json& json, std::string_view what, std::string& name, Span& span,
+               UniqueNames& names) {
+    const Json* value = json.find("name");
+    if (!value) return;
+    name = read_identifier(reading, *value, "'name'");
+    span = value->kind == Json::Kind::String ? inside(value->span) : value->span;
+    if (value->kind == Json::Kind::String) names.add(reading, *value, what);
+}
+
+std::vector<PortValue> read_ports(Reading& reading, const Json& object, std::string_view what, std::string_view node) {
+    std::vector<PortValue> ports;
+    if (!expect(reading, object, Json::Kind::Object, what)) return ports;
+    ports.reserve(object.members.size());
+    for (const JsonMember& member : object.members) {
+        reading.diagnostics.set_context(node, member.key);
+        ports.push_back({.name = member.key,
+                         .name_span = member.key_span,
+                         .value_span = member.value.span,
+                         .value = read_value(member.value, reading.sources, reading.ast, reading.diagnostics)});
+    }
+    reading.diagnostics.set_context(node, {});
+    return ports;
+}
+
+}  // namespace patina::graph

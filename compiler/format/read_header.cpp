@@ -1,0 +1,57 @@
+#include <algorithm>
+
+#include "compiler/format/read_fields.h"
+
+namespace patina::graph {
+namespace {
+
+// "a graph", or the one kind that is allowed.
+std::string_view describe(std::span<const ObjectKind> allowed) {
+    return allowed.size() == 1 ? describe(allowed.front()) : "a graph";
+}
+
+bool check_version(Reading& reading, const Json& json, std::string_view what) {
+    const Json* version = json.find("patina");
+    if (!version) {
+        reading.diagnostics.report(Code::MissingKey, opening(json), what, "patina")
+            .note("\"patina\": 1 says that the file is in version 1 of the graph format");
+        return true;  // the rest is read all the same
+    }
+    if (version->kind != Json::Kind::Number) {
+        report_type(reading, *version, "'patina'", "the number 1");
+        return true;
+    }
+    if (version->number == 1) return true;
+    reading.diagnostics.report(Code::UnknownVersion, version->span, shown(reading.sources.text(version->span)));
+    return false;
+}
+
+std::optional<ObjectKind> check_kind(Reading& reading, const Json& json, std::span<const ObjectKind> allowed) {
+    const Json* word = json.find("kind");
+    ObjectKind kind = ObjectKind::Material;
+    if (word) {
+        const std::optional<ObjectKind> known = read_word(reading, *word, "kind", "a kind of graph", kFileKinds);
+        if (!known) return std::nullopt;
+        kind = *known;
+    }
+    if (std::find(allowed.begin(), allowed.end(), kind) != allowed.end()) return kind;
+    DiagnosticRecord& record = reading.diagnostics.report(Code::WrongJsonType, word ? word->span : opening(json),
+                                                          "this file", describe(allowed), describe(kind));
+    if (!word) record.note(fmt::format("\"kind\": \"{}\" is missing", text_of(kFileKinds, allowed.front())));
+    if (kind == ObjectKind::Scene) {
+        record.note(
+            "'patina render' draws a scene, and 'patina check' checks it with its materials; its file is called "
+            "NAME.scene.json");
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<ObjectKind> read_header(Reading& reading, const Json& json, std::span<const ObjectKind> allowed) {
+    const std::string_view what = allowed.front() == ObjectKind::Scene ? describe(ObjectKind::Scene) : "a graph";
+    if (!expect(reading, json, Json::Kind::Object, what) || !check_version(reading, json, what)) return std::nullopt;
+    return check_kind(reading, json, allowed);
+}
+
+}  // namespace patina::graph

@@ -1,0 +1,88 @@
+#include "compiler/format/read_fields.h"
+#include "compiler/format/read_graph.h"
+
+namespace patina::graph {
+namespace {
+
+void read_expression_node(Reading& reading, const Json& json, const Json& expr, Node& node) {
+    node.is_expression = true;
+    node.expr_span = expr.span;
+    if (const JsonMember* in = find_member(json, "in")) {
+        reading.diagnostics.report(Code::UnknownKey, in->key_span, "in", "an expression")
+            .note("an expression reads other nodes by their ids");
+    }
+    const std::string* text = read_string(reading, expr, "'expr'");
+    if (!text) return;
+    if (text->empty()) {
+        reading.diagnostics.report(Code::Syntax, expr.span, "an expression", "an empty string");
+    } else if (text->starts_with('=')) {
+        reading.diagnostics.report(Code::BadCharacter, Span{expr.span.begin + 1, expr.span.begin + 2}, "'='")
+            .note("'expr' is an expression already: leave out the '='");
+    } else {
+        node.expr = read_expression(reading, expr, 0);
+    }
+}
+
+void read_library_node(Reading& reading, const Json& json, const Json& type, Node& node) {
+    if (const std::string* text = read_string(reading, type, "'node'")) node.type = *text;
+    node.type_span = type.kind == Json::Kind::String ? inside(type.span) : type.span;
+    if (const Json* in = json.find("in")) node.inputs = read_ports(reading, *in, "'in'", node.id);
+}
+
+// The id comes first: every later message names the node by it.
+void read_id(Reading& reading, const Json& json, Node& node, UniqueNames& ids) {
+    const Json* id = json.find("id");
+    if (!id) return;
+    node.id = read_identifier(reading, *id, "'id'");
+    node.id_span = id->kind == Json::Kind::String ? inside(id->span) : id->span;
+    reading.diagnostics.set_context(node.id, {});
+    if (id->kind == Json::Kind::String) ids.add(reading, *id, "node");
+}
+
+Node read_node(Reading& reading, const Json& json, UniqueNames& ids) {
+    Node node;
+    node.span = json.span;
+    read_id(reading, json, node, ids);
+    check_keys(reading, json, ObjectKind::Node);
+
+    const JsonMember* type = find_member(json, "node");
+    const JsonMember* expr = find_member(json, "expr");
+    if (type && expr) {
+        reading.diagnostics.report(Code::ConflictingInputs, expr->key_span, "node", "expr");
+    } else if (expr) {
+        read_expression_node(reading, json, expr->value, node);
+    } else if (type) {
+        read_library_node(reading, json, type->value, node);
+    } else {
+        const std::string what = node.id.empty() ? "a node" : fmt::format("the node '{}'", shown(node.id));
+        reading.diagnostics.report(Code::MissingKey, opening(json), what, "node")
+            .note("or the key 'expr', with an expression");
+    }
+
+    if (const Json* stage = json.find("stage")) {
+        node.stage = read_word(reading, *stage, "stage", "a stage", kNodeStages).value_or(NodeStage::OfReaders);
+        node.stage_span = stage->span;
+    }
+    if (const Json* precision = json.find("precision")) {
+        node.precision =
+            read_word(reading, *precision, "precision", "a precision", kPrecisions).value_or(Precision::Inherit);
+    }
+    node.note = read_text(reading, json, "note");
+    return node;
+}
+
+}  // namespace
+
+std::vector<Node> read_nodes(Reading& reading, const Json& array) {
+    std::vector<Node> nodes;
+    if (!expect(reading, array, Json::Kind::Array, "'nodes'")) return nodes;
+    UniqueNames ids;
+    nodes.reserve(array.elements.size());
+    for (const Json& element : array.elements) {
+        if (expect(reading, element, Json::Kind::Object, "a node")) nodes.push_back(read_node(reading, element, ids));
+        reading.diagnostics.set_context({}, {});
+    }
+    return nodes;
+}
+
+}  // namespace patina::graph

@@ -1,0 +1,271 @@
+#include <algorithm>
+#include <climits>
+
+#include "compiler/base/text.h"
+#include "compiler/format/color.h"
+#include "compiler/format/read_fields.h"
+
+namespace patina::graph {
+namespace {
+
+std::size_t component_count(PropertyType type) {
+    switch (type) {
+        case PropertyType::Float2: return 2;
+        case PropertyType::Float3: return 3;
+        case PropertyType::Float4:
+        case PropertyType::Color: return 4;
+        case PropertyType::Float:
+        case PropertyType::Int:
+        case PropertyType::Bool:
+        case PropertyType::Enum:
+        case PropertyType::Texture2D: return 1;
+    }
+    return 1;
+}
+
+// How many components a range is for: alpha, which is coverage, has none.
+std::size_t ranged_count(PropertyType type) {
+    switch (type) {
+        case PropertyType::Float:
+        case PropertyType::Float2:
+        case PropertyType::Float3:
+        case PropertyType::Float4:
+        case PropertyType::Int: return component_count(type);
+        case PropertyType::Color: return 3;
+        case PropertyType::Bool:
+        case PropertyType::Enum:
+        case PropertyType::Texture2D: return 0;
+    }
+    return 0;
+}
+
+// Keys of the format that this type of property has no use for.
+void check_keys_of_type(Reading& reading, const Json& json, const Property& property) {
+    const bool is_texture = property.type == PropertyType::Texture2D;
+    const std::string what = fmt::format("a property of type {}", to_string(property.type));
+    if (!is_texture) {
+        for (const std::string_view key : {"usage", "tiling", "sampler"})
+            refuse_key(reading, json, key, what, "a texture2d");
+    }
+    if (property.type != PropertyType::Enum) refuse_key(reading, json, "values", what, "an enum");
+    if (ranged_count(property.type) == 0) {
+        for (const std::string_view key : {"range", "hard"}) {
+            refuse_key(reading, json, key, what, "float, float2, float3, float4, color and int");
+        }
+    }
+}
+
+// --- defaults
+
+void read_vector_default(Reading& reading, const Json& json, Property& property) {
+    const std::size_t count = component_count(property.type);
+    const bool is_color = property.type == PropertyType::Color;
+    if (json.kind == Json::Kind::Number && !is_color) {  // a scalar splats
+        if (const std::optional<double> value = read_float(reading, json, "'default'")) {
+            std::fill_n(property.value.begin(), count, *value);
+        }
+        return;
+    }
+    const std::size_t given = json.elements.size();
+    if (json.kind != Json::Kind::Array || !(given == count || (is_color && given == 3))) {
+        report_type(
+            reading, json, fmt::format("the default of a {}", to_string(property.type)),
+            is_color ? "\"#rrggbb\" or an array of 3 or 4 numbers" : fmt::format("an array of {} numbers", count));
+        return;
+    }
+    for (std::size_t i = 0; i < given; ++i) {
+        property.value[i] = read_float(reading, json.elements[i], "a component of 'default'").value_or(0);
+    }
+}
+
+void read_color_default(Reading& reading, const Json& json, Property& property) {
+    if (json.kind != Json::Kind::String) return read_vector_default(reading, json, property);
+    if (const std::optional<LinearColor> color = parse_color(json.string)) {
+        property.value = color->value;
+    } else {
+        reading.diagnostics.report(Code::BadColor, inside(json.span), shown(json.string));
+    }
+}
+
+void read_enum_default(Reading& reading, const Json& json, Property& property) {
+    const std::string* text = read_string(reading, json, "the default of an enum");
+    if (!text) return;
+    const auto found = std::find(property.values.begin(), property.values.end(), *text);
+    if (found != property.values.end()) {
+        property.value[0] = static_cast<double>(found - property.values.begin());
+        return;
+    }
+    const std::vector<std::string_view> words(property.values.begin(), property.values.end());
+    suggest(reading,
+            reading.diagnostics.report(Code::UnknownEnumerator, inside(json.span), shown(*text),
+                                       fmt::format("'{}'", shown(property.name))),
+            *text, words);
+}
+
+void read_texture_default(Reading& reading, const Json& json, Property& property) {
+    const std::string* text = read_string(reading, json, "the default of a texture2d");
+    if (!text) return;
+    const bool is_file = text->starts_with("./") || text->starts_with("../") || text->starts_with('/');
+    const bool is_word = std::find(kDefaultTextures.begin(), kDefaultTextures.end(), *text) != kDefaultTextures.end();
+    if (is_file || is_word) {
+        property.texture = *text;
+        return;
+    }
+    DiagnosticRecord& record =
+        reading.diagnostics.report(Code::UnknownWord, inside(json.span), shown(*text), "a default texture");
+    if (text->find_first_of("./\\") != std::string::npos) {
+        record.note("a file name starts with './'");
+    } else {
+        suggest(reading, record, *text, kDefaultTextures);
+    }
+}
+
+void read_default(Reading& reading, const Json& json, Property& property) {
+    property.default_span = json.span;
+    switch (property.type) {
+        case PropertyType::Float:
+            property.value[0] = read_float(reading, json, "the default of a float").value_or(0);
+            return;
+        case PropertyType::Float2:
+        case PropertyType::Float3:
+        case PropertyType::Float4: return read_vector_default(reading, json, property);
+        case PropertyType::Color: return read_color_default(reading, json, property);
+        case PropertyType::Int:
+            property.value[0] = read_int(reading, json, "the default of an int", INT_MIN, INT_MAX).value_or(0);
+            return;
+        case PropertyType::Bool:
+            property.value[0] = read_bool(reading, json, "the default of a bool").value_or(false) ? 1 : 0;
+            return;
+        case PropertyType::Enum: return read_enum_default(reading, json, property);
+        case PropertyType::Texture2D: return read_texture_default(reading, json, property);
+    }
+}
+
+// What stands there until a default is read: nought, a white colour (or the nearest to them within the range), a
+// texture that changes nothing.
+void set_implied_default(Property& property) {
+    if (property.type == PropertyType::Color) property.value = {1, 1, 1, 1};
+    if (property.type == PropertyType::Texture2D) {
+        property.texture = property.usage == TextureUsage::Normal ? "bump" : "white";
+    }
+    if (property.range) {
+        std::fill_n(property.value.begin(), ranged_count(property.type),
+                    std::clamp(property.value[0], (*property.range)[0], (*property.range)[1]));
+    }
+}
+
+void check_default_range(Reading& reading, const Property& property) {
+    if (!property.range || !property.default_span) return;
+    for (std::size_t i = 0; i < ranged_count(property.type); ++i) {
+        const double value = property.value[i];
+        check_range(reading, property.default_span, value, *property.range, property.hard, property.name);
+    }
+}
+
+// --- the other keys
+
+void read_enum_values(Reading& reading, const Json& json, Property& property) {
+    const Json* values = json.find("values");
+    const char* const kExample = "\"values\": [\"Dry\", \"Wet\"]";
+    if (!values) {
+        reading.diagnostics.report(Code::MissingKey, opening(json), "an enum", "values").note(kExample);
+        return;
+    }
+    if (!expect(reading, *values, Json::Kind::Array, "'values'")) return;
+    if (values->elements.empty()) reading.diagnostics.report(Code::EmptyList, values->span, "values").note(kExample);
+    UniqueNames names;
+    for (const Json& value : values->elements) {
+        property.values.push_back(read_identifier(reading, value, "a value of an enum"));
+        property.value_spans.push_back(value.span);
+        if (value.kind == Json::Kind::String) names.add(reading, value, "value");
+    }
+}
+
+void read_sampler(Reading& reading, const Json& json, SamplerState& sampler) {
+    if (!expect(reading, json, Json::Kind::Object, "'sampler'")) return;
+    check_keys(reading, json, ObjectKind::Sampler);
+    if (const Json* wrap = json.find("wrap")) {
+        sampler.wrap = read_word(reading, *wrap, "wrap", "a wrap mode", kWraps).value_or(Wrap::Repeat);
+    }
+    if (const Json* filter = json.find("filter")) {
+        sampler.filter = read_word(reading, *filter, "filter", "a filter", kFilters).value_or(Filter::Linear);
+    }
+    if (const Json* anisotropy = json.find("anisotropy")) {
+        sampler.anisotropy = read_int(reading, *anisotropy, "'anisotropy'", 1, 16).value_or(1);
+    }
+}
+
+void read_texture_keys(Reading& reading, const Json& json, Property& property) {
+    if (const Json* usage = json.find("usage")) {
+        property.usage =
+            read_word(reading, *usage, "usage", "a texture's usage", kTextureUsages).value_or(TextureUsage::Color);
+    }
+    if (const Json* tiling = json.find("tiling")) {
+        property.tiling = read_bool(reading, *tiling, "'tiling'").value_or(false);
+    }
+    if (const Json* sampler = json.find("sampler")) {
+        property.sampler_span = sampler->span;
+        read_sampler(reading, *sampler, property.sampler);
+    }
+}
+
+Property read_property(Reading& reading, const Json& json, UniqueNames& names) {
+    Property property;
+    property.span = json.span;
+    check_keys(reading, json, ObjectKind::Property);
+    read_name(reading, json, "property", property.name, property.name_span, names);
+    if (const Json* binding = json.find("as")) {
+        property.binding = read_word(reading, *binding, "as", "a binding time", kBindings).value_or(Binding::Uniform);
+        property.binding_span = binding->span;
+    }
+    property.label = read_text(reading, json, "label");
+    if (const Json* label = json.find("label")) property.label_span = label->span;
+    property.group = read_text(reading, json, "group");
+    if (const Json* group = json.find("group")) property.group_span = group->span;
+    property.help = read_text(reading, json, "help");
+
+    const Json* type = json.find("type");
+    if (!type) return property;
+    const std::optional<PropertyType> known = read_word(reading, *type, "type", "a property type", kPropertyTypes);
+    if (!known) return property;  // what the other keys must hold depends on it
+    property.type = *known;
+    check_keys_of_type(reading, json, property);
+    const bool is_choice = property.type == PropertyType::Bool || property.type == PropertyType::Enum;
+    if (is_keyword(property.binding) && !is_choice) {
+        reading.diagnostics.report(Code::TypeMismatch, property.binding_span, fmt::format("'{}'", shown(property.name)),
+                                   to_string(property.type), "a bool or an enum");
+    }
+    if (property.binding == Binding::Instance && property.type == PropertyType::Texture2D) {
+        reading.diagnostics.report(Code::TypeMismatch, property.binding_span, fmt::format("'{}'", shown(property.name)),
+                                   to_string(property.type), "a number, a vector, a color, a bool or an enum");
+    }
+    if (property.type == PropertyType::Enum) read_enum_values(reading, json, property);
+    if (property.type == PropertyType::Texture2D) read_texture_keys(reading, json, property);
+    if (ranged_count(property.type) > 0) read_limits(reading, json, property.range, property.hard);
+    set_implied_default(property);
+    const std::size_t errors_before = reading.diagnostics.error_count();
+    if (const Json* value = json.find("default")) read_default(reading, *value, property);
+    if (reading.diagnostics.error_count() == errors_before) check_default_range(reading, property);
+    return property;
+}
+
+}  // namespace
+
+std::string_view to_string(PropertyType type) {
+    return text_of(kPropertyTypes, type);
+}
+
+std::vector<Property> read_properties(Reading& reading, const Json& array, UniqueNames& names) {
+    std::vector<Property> properties;
+    if (!expect(reading, array, Json::Kind::Array, "'properties'")) return properties;
+    for (const Json& element : array.elements) {
+        if (!expect(reading, element, Json::Kind::Object, "a property")) continue;
+        Property property = read_property(reading, element, names);
+        const bool is_second = std::any_of(properties.begin(), properties.end(),
+                                           [&](const Property& first) { return first.name == property.name; });
+        if (!is_second) properties.push_back(std::move(property));  // else it has been reported
+    }
+    return properties;
+}
+
+}  // namespace patina::graph

@@ -1,0 +1,342 @@
+#include "compiler/format/read_scene.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <unordered_map>
+
+#include "compiler/format/read_scene_fields.h"
+
+namespace patina::graph {
+namespace {
+
+// --- what is looked at, and in what surroundings
+
+bool is_same_point(const SceneVector& a, const SceneVector& b) {
+    return std::equal(a.begin(), a.end(), b.begin(),
+                      [](double x, double y) { return static_cast<float>(x) == static_cast<float>(y); });
+}
+
+SceneCamera read_camera(Reading& reading, const Json& json) {
+    SceneCamera camera;
+    if (!expect(reading, json, Json::Kind::Object, "'camera'")) return camera;
+    check_keys(reading, json, ObjectKind::Camera);
+    const std::size_t errors_before = reading.diagnostics.error_count();
+    read_vector(reading, json, "position", -kFarthest, kFarthest, camera.position);
+    read_vector(reading, json, "target", -kFarthest, kFarthest, camera.target);
+    read_number(reading, json, "fov", 1, 170, camera.fov);
+    double height = 0;
+    if (read_number(reading, json, "orthographic", 1e-3, kFarthest, height)) camera.orthographic = height;
+    if (const JsonMember* fov = find_member(json, "fov"); fov && json.find("orthographic")) {
+        reading.diagnostics.report(Code::ConflictingInputs, fov->key_span, "fov", "orthographic")
+            .note(find_member(json, "orthographic")->key_span, "the other one is here");
+    }
+    read_number(reading, json, "near", 1e-4, kFarthest, camera.near_plane);
+    read_number(reading, json, "far", 1e-3, 10 * kFarthest, camera.far_plane);
+    if (reading.diagnostics.error_count() > errors_before) return camera;
+    if (is_same_point(camera.position, camera.target)) {
+        report_impossible(reading, json, json.find("target") ? "target" : "position",
+                          json.find("target") ? "another point than 'position'" : "another point than 'target'");
+    }
+    if (static_cast<float>(camera.near_plane) >= static_cast<float>(camera.far_plane)) {
+        if (json.find("far")) {
+            report_impossible(reading, json, "far", "greater than 'near'");
+        } else {
+            report_impossible(reading, json, "near", fmt::format("less than 'far', which is {}", camera.far_plane));
+        }
+    }
+    return camera;
+}
+
+// Nothing: the studio's.
+std::optional<SceneAmbient> read_ambient(Reading& reading, const Json& json) {
+    if (json.kind == Json::Kind::Object) {
+        SceneAmbient ambient;
+        check_keys(reading, json, ObjectKind::Ambient);
+        const auto read = [&](std::string_view key, std::optional<SceneVector>& target) {
+            if (json.find(key)) read_color(reading, json, key, target.emplace());
+        };
+        read("sky", ambient.sky);
+        read("horizon", ambient.horizon);
+        read("ground", ambient.ground);
+        if (!ambient.sky && !ambient.horizon && !ambient.ground) {
+            reading.diagnostics.report(Code::MissingKey, opening(json), describe(ObjectKind::Ambient), "sky");
+        }
+        return ambient;
+    }
+    if (json.kind == Json::Kind::String && !json.string.starts_with('#')) {
+        enum class Named { Studio, None };
+        constexpr std::array kNamed = {Word<Named>{"studio", Named::Studio}, Word<Named>{"none", Named::None}};
+        const std::optional<Named> named = read_word(reading, json, "ambient", "ambient light", kNamed);
+        if (named == Named::Studio) return std::nullopt;
+        return SceneAmbient{.horizon = SceneVector{}};
+    }
+    const std::optional<std::array<double, 4>> color = read_scene_color(reading, json, "ambient");
+    if (!color) return std::nullopt;
+    return SceneAmbient{.horizon = SceneVector{(*color)[0], (*color)[1], (*color)[2]}};
+}
+
+std::optional<SceneFog> read_fog(Reading& reading, const Json& json) {
+    if (!expect(reading, json, Json::Kind::Object, "'fog'")) return std::nullopt;
+    SceneFog fog;
+    check_keys(reading, json, ObjectKind::Fog);
+    const Json* mode = json.find("mode");
+    const std::optional<SceneFogMode> known =
+        mode ? read_word(reading, *mode, "mode", "a fog mode", kFogModes) : std::nullopt;
+    if (!known) return fog;
+    fog.mode = *known;
+    const std::string what = fmt::format("fog of mode {}", text_of(kFogModes, fog.mode));
+    if (fog.mode == SceneFogMode::Linear) {
+        refuse_key(reading, json, "density", what, "the modes exp and exp2");
+    } else {
+        for (const std::string_view key : {"start", "end"}) refuse_key(reading, json, key, what, "the mode linear");
+    }
+    read_color(reading, json, "color", fog.color);
+    read_number(reading, json, "density", 0, kFarthest, fog.density);
+    read_number(reading, json, "start", -kFarthest, kFarthest, fog.start);
+    read_number(reading, json, "end", -kFarthest, kFarthest, fog.end);
+    if (static_cast<float>(fog.start) >= static_cast<float>(fog.end)) {
+        report_impossible(
+            reading, json, json.find("end") ? "end" : "start",
+            json.find("end") ? "greater than 'start'" : fmt::format("less than 'end', which is {}", fog.end));
+    }
+    return fog;
+}
+
+SceneMixedLighting read_mixed_lighting(Reading& reading, const Json& json) {
+    SceneMixedLighting mixed;
+    if (!expect(reading, json, Json::Kind::Object, "'mixedLighting'")) return mixed;
+    check_keys(reading, json, ObjectKind::MixedLighting);
+    const Json* mode = json.find("mode");
+    const std::optional<SceneMixing> known =
+        mode ? read_word(reading, *mode, "mode", "a mode of mixed lighting", kMixingModes) : std::nullopt;
+    if (!known) return mixed;
+    mixed.mode = *known;
+    if (mixed.mode != SceneMixing::Subtractive) {
+        refuse_key(reading, json, "shadowColor",
+                   fmt::format("mixed lighting of mode {}", text_of(kMixingModes, mixed.mode)), "the mode subtractive");
+    }
+    read_color(reading, json, "shadowColor", mixed.shadow_color);
+    double distance = 0, fade = 0;
+    if (read_number(reading, json, "shadowDistance", 1e-3, kFarthest, distance)) mixed.shadow_distance = distance;
+    if (read_number(reading, json, "shadowFade", 1e-3, kFarthest, fade)) mixed.shadow_fade = fade;
+    if (!mixed.shadow_fade) return mixed;
+    if (!json.find("shadowDistance")) {
+        report_impossible(reading, json, "shadowFade", "beside 'shadowDistance', before which shadows fade");
+    } else if (mixed.shadow_distance && fade > distance) {
+        report_impossible(reading, json, "shadowFade", fmt::format("at most 'shadowDistance', which is {}", distance));
+    }
+    return mixed;
+}
+
+// --- materials
+
+// A value in words; nothing after an error.
+std::optional<std::string> read_set_value(SceneReading& reading, const Json& json, std::string_view what) {
+    switch (json.kind) {
+        case Json::Kind::Bool: return json.boolean ? "true" : "false";
+        case Json::Kind::Number:
+            if (!read_float(reading, json, what)) return std::nullopt;
+            return std::string(reading.sources.text(json.span));
+        case Json::Kind::Array: {
+            if (json.elements.size() < 2 || json.elements.size() > 4) break;
+            std::string words;
+            for (const Json& element : json.elements) {
+                if (!read_float(reading, element, fmt::format("a component of {}", what))) return std::nullopt;
+                words += (words.empty() ? "" : ",") + std::string(reading.sources.text(element.span));
+            }
+            return words;
+        }
+        case Json::Kind::String: {
+            const std::string& text = json.string;
+            if (text.starts_with('#')) {
+                if (parse_color(text)) return text;
+                reading.diagnostics.report(Code::BadColor, inside(json.span), shown(text));
+                return std::nullopt;
+            }
+            if (text.starts_with("./") || text.starts_with("../") || text.starts_with('/')) {
+                return read_file_name(reading, json, what).path;
+            }
+            std::string file = find_file(reading.session, text, reading.path);
+            return file.empty() ? text : file;
+        }
+        case Json::Kind::Null:
+        case Json::Kind::Object: break;
+    }
+    report_type(reading, json, what, "a number, true or false, an array of 2 to 4 numbers or a string");
+    return std::nullopt;
+}
+
+std::vector<SceneValue> read_set(SceneReading& reading, const Json& json) {
+    std::vector<SceneValue> values;
+    const Json* set = json.find("set");
+    if (!set || !expect(reading, *set, Json::Kind::Object, "'set'")) return values;
+    for (const JsonMember& member : set->members) {
+        std::optional<std::string> words =
+            read_set_value(reading, member.value, fmt::format("'{}'", shown(member.key)));
+        if (!words) continue;
+        values.push_back({.property = member.key,
+                          .words = std::move(*words),
+                          .property_place = place_of(reading, member.key_span),
+                          .value_place = place_of(reading, member.value.span)});
+    }
+    return values;
+}
+
+SceneMaterial read_material(SceneReading& reading, const Json& json, UniqueNames& names) {
+    SceneMaterial material;
+    check_keys(reading, json, ObjectKind::SceneMaterial);
+    Span name{};
+    read_name(reading, json, "material", material.name, name, names);
+    material.place = place_of(reading, name ? name : opening(json));
+    if (const Json* graph = json.find("graph")) material.graph = read_file_name(reading, *graph, "'graph'");
+    material.set = read_set(reading, json);
+    return material;
+}
+
+std::vector<SceneMaterial> read_materials(SceneReading& reading, const Json& array) {
+    std::vector<SceneMaterial> materials;
+    if (!expect(reading, array, Json::Kind::Array, "'materials'")) return materials;
+    UniqueNames names;
+    for (const Json& element : array.elements) {
+        if (!expect(reading, element, Json::Kind::Object, "a material")) continue;
+        materials.push_back(read_material(reading, element, names));
+    }
+    return materials;
+}
+
+// --- objects
+
+void read_scale(Reading& reading, const Json& json, SceneVector& scale) {
+    constexpr double kLowest = 1e-3, kLargest = 1e3;
+    double uniform = 1;
+    if (const Json* value = json.find("scale"); value && value->kind != Json::Kind::Number) {
+        if (value->kind == Json::Kind::Array) {
+            read_vector(reading, json, "scale", kLowest, kLargest, scale);
+        } else {
+            report_type(reading, *value, "'scale'", "a number or an array of 3 numbers");
+        }
+    } else if (read_number(reading, json, "scale", kLowest, kLargest, uniform)) {
+        scale = {uniform, uniform, uniform};
+    }
+}
+
+// The scene's materials by name.
+struct Materials {
+    std::unordered_map<std::string_view, std::size_t> indices;
+    std::vector<std::string_view> names;
+};
+
+std::size_t find_material(Reading& reading, const Json& json, const Materials& materials) {
+    const std::string* name = read_string(reading, json, "'material'");
+    if (!name) return 0;
+    if (const auto found = materials.indices.find(*name); found != materials.indices.end()) return found->second;
+    suggest(reading, reading.diagnostics.report(Code::UnknownName, inside(json.span), "material", shown(*name)), *name,
+            materials.names);
+    return 0;
+}
+
+std::vector<SceneInstance> read_instances(SceneReading& reading, const Json& array) {
+    std::vector<SceneInstance> instances;
+    if (!expect(reading, array, Json::Kind::Array, "'instances'")) return instances;
+    if (array.elements.empty()) {
+        reading.diagnostics.report(Code::EmptyList, array.span, "instances")
+            .note("an object without this key is drawn once");
+    }
+    if (array.elements.size() > kMostSceneInstances) {
+        reading.diagnostics.report(Code::TooMany, opening(array), array.elements.size(), "instances",
+                                   kMostSceneInstances);
+        return instances;
+    }
+    for (const Json& element : array.elements) {
+        if (!expect(reading, element, Json::Kind::Object, "an instance")) continue;
+        check_keys(reading, element, ObjectKind::SceneInstance);
+        SceneInstance& instance = instances.emplace_back();
+        read_vector(reading, element, "position", -kFarthest, kFarthest, instance.position);
+        read_vector(reading, element, "rotation", -kFarthest, kFarthest, instance.rotation);
+        read_scale(reading, element, instance.scale);
+        instance.set = read_set(reading, element);
+    }
+    return instances;
+}
+
+SceneObject read_object(SceneReading& reading, const Json& json, const Materials& materials, UniqueNames& names) {
+    SceneObject object;
+    check_keys(reading, json, ObjectKind::SceneObject);
+    if (const Json* id = json.find("id")) {
+        object.id = read_identifier(reading, *id, "'id'");
+        if (id->kind == Json::Kind::String) names.add(reading, *id, "object");
+    }
+    if (const Json* mesh = json.find("mesh")) {
+        object.mesh = read_text(reading, json, "mesh");
+        object.mesh_place = place_of(reading, inside(mesh->span));
+    }
+    if (const Json* segments = json.find("segments")) {
+        object.segments = read_int(reading, *segments, "'segments'", 3, 512);
+    }
+    if (const Json* material = json.find("material")) object.material = find_material(reading, *material, materials);
+    read_vector(reading, json, "position", -kFarthest, kFarthest, object.position);
+    read_vector(reading, json, "rotation", -kFarthest, kFarthest, object.rotation);
+    read_scale(reading, json, object.scale);
+    if (const Json* map = json.find("lightmap")) object.lightmap = read_file_name(reading, *map, "'lightmap'");
+    if (const Json* encoding = json.find("lightmapEncoding")) {
+        if (json.find("lightmap")) {
+            object.lightmap_encoding =
+                read_word(reading, *encoding, "lightmapEncoding", "an encoding of lightmaps", kLightmapEncodings)
+                    .value_or(SceneLightmapEncoding::Hdr);
+        } else {
+            refuse_key(reading, json, "lightmapEncoding", "an object without a lightmap", "one with 'lightmap'");
+        }
+    }
+    if (const Json* mask = json.find("shadowMask")) object.shadow_mask = read_file_name(reading, *mask, "'shadowMask'");
+    if (const Json* instances = json.find("instances")) object.instances = read_instances(reading, *instances);
+    return object;
+}
+
+void read_objects(SceneReading& reading, const Json& array, SceneFile& scene) {
+    if (!expect(reading, array, Json::Kind::Array, "'objects'")) return;
+    Materials materials;
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        if (materials.indices.emplace(scene.materials[i].name, i).second)
+            materials.names.push_back(scene.materials[i].name);
+    }
+    UniqueNames names;
+    for (const Json& element : array.elements) {
+        if (!expect(reading, element, Json::Kind::Object, "an object of a scene")) continue;
+        scene.objects.push_back(read_object(reading, element, materials, names));
+    }
+}
+
+}  // namespace
+
+SceneFile read_scene(Session& session, const Json& json, const std::string& path) {
+    SceneReading reading{{session.sources, session.ast, session.diagnostics}, session, path};
+    SceneFile scene{.path = path, .name = file_stem(path)};
+    constexpr ObjectKind kAllowed[] = {ObjectKind::Scene};
+    if (!read_header(reading, json, kAllowed)) return scene;
+    check_keys(reading, json, ObjectKind::Scene);
+    for (const std::string_view key : {"$schema", "help"}) (void)read_text(reading, json, key);
+    if (std::string name = read_text(reading, json, "name"); !name.empty()) scene.name = std::move(name);
+    if (const Json* camera = json.find("camera")) scene.camera = read_camera(reading, *camera);
+    if (const Json* ambient = json.find("ambient")) scene.ambient = read_ambient(reading, *ambient);
+    if (scene.ambient) scene.environment = SceneEnvironment::None;
+    if (const Json* environment = json.find("environment")) {
+        scene.environment = read_word(reading, *environment, "environment", "an environment", kEnvironments)
+                                .value_or(SceneEnvironment::Studio);
+    }
+    if (const Json* fog = json.find("fog")) scene.fog = read_fog(reading, *fog);
+    if (const Json* mixed = json.find("mixedLighting")) scene.mixed_lighting = read_mixed_lighting(reading, *mixed);
+    if (const Json* color = json.find("background")) {
+        scene.background = read_scene_color(reading, *color, "background", true);
+    }
+    read_number(reading, json, "time", -FLT_MAX, FLT_MAX, scene.time);
+    if (const Json* count = json.find("pixelLightCount")) {
+        scene.pixel_light_count =
+            read_int(reading, *count, "'pixelLightCount'", 0, static_cast<int>(kMostSceneLights)).value_or(0);
+    }
+    if (const Json* lights = json.find("lights")) scene.lights = read_lights(reading, *lights);
+    if (const Json* materials = json.find("materials")) scene.materials = read_materials(reading, *materials);
+    if (const Json* objects = json.find("objects")) read_objects(reading, *objects, scene);
+    return scene;
+}
+
+}  // namespace patina::graph

@@ -1,0 +1,39 @@
+// What the readers of a scene's parts share: numbers within limits, vectors, colours and files. Private to
+// compiler/graph/read_scene*.cpp.
+//
+//   read_number(reading, json, "fov", 1, 170, camera.fov);   // keeps what is there if the key is not
+#pragma once
+
+#include "compiler/format/color.h"
+#include "compiler/format/read_fields.h"
+#include "compiler/resolve/session.h"
+
+namespace patina::graph {
+
+struct SceneReading : Reading {
+    Session& session;
+    const std::string& path;  // of the scene
+};
+
+// How far from the origin, and how large, anything may be: a float still tells a tenth of a metre there.
+inline constexpr double kFarthest = 1e6;
+
+ScenePlace place_of(const Reading& reading, Span span);
+
+// True if the key is there and good; `target` changes only then.
+bool read_number(Reading& reading, const Json& object, std::string_view key, double low, double high, double& target);
+bool read_vector(Reading& reading, const Json& object, std::string_view key, double low, double high,
+                 SceneVector& target);
+// "#rrggbb", a grey, or three linear numbers; where alpha has a meaning a fourth.
+std::optional<std::array<double, 4>> read_scene_color(Reading& reading, const Json& json, std::string_view key,
+                                                      bool with_alpha = false);
+void read_color(Reading& reading, const Json& object, std::string_view key, SceneVector& target);
+// Reports a file that is not there.
+SceneFileName read_file_name(SceneReading& reading, const Json& json, std::string_view what);
+
+void report_impossible(Reading& reading, const Json& object, std::string_view key, std::string_view wanted);
+
+// --- read_scene_lights.cpp
+std::vector<SceneLight> read_lights(SceneReading& reading, const Json& array);
+
+}  // namespace patina::graph

@@ -1,0 +1,212 @@
+#include "compiler/format/schema/schema.h"
+
+#include <cassert>
+
+#include "compiler/format/canonical_form.h"
+#include "compiler/format/keys.h"
+#include "compiler/format/schema/schema_parts.h"
+
+namespace patina::graph {
+namespace {
+
+constexpr std::string_view kAnything = "{}";
+constexpr std::string_view kText = R"({"type":"string"})";
+constexpr std::string_view kBoolean = R"({"type":"boolean"})";
+constexpr std::string_view kIdentifier = R"({"type":"string","pattern":"^[A-Za-z_][A-Za-z0-9_]*$"})";
+constexpr std::string_view kIdentifiers =
+    R"({"type":"array","minItems":1,"uniqueItems":true,"items":{"$ref":"#/$defs/identifier"}})";
+constexpr std::string_view kValues = R"({"type":"object","additionalProperties":{"$ref":"#/$defs/value"}})";
+constexpr std::string_view kNamedValues = R"({"type":"object","propertyNames":{"$ref":"#/$defs/identifier"},)"
+                                          R"("additionalProperties":{"$ref":"#/$defs/value"}})";
+constexpr std::string_view kRange = R"({"type":"array","items":{"type":"number"},"minItems":2,"maxItems":2})";
+constexpr std::string_view kByte = R"({"type":"integer","minimum":0,"maximum":255})";
+constexpr std::string_view kBox =
+    R"({"type":"array","items":{"type":"array","items":{"type":"number"},"minItems":3,"maxItems":3},)"
+    R"("minItems":2,"maxItems":2})";
+
+template <std::size_t N>
+std::string texts_schema(const std::array<std::string_view, N>& words) {
+    std::vector<std::string> texts;
+    for (const std::string_view word : words) texts.push_back(quoted(word));
+    return object({{"enum", list(texts)}});
+}
+
+std::vector<SchemaRow> make_rows(const SchemaInput& input) {
+    using enum ObjectKind;
+    const std::string model =
+        any_of({model_name_schema(input.lighting_models), R"({"type":"string","pattern":"^(\\.\\.?)?/"})"});
+    const auto text = [](std::string_view schema) { return std::string(schema); };
+    std::vector<SchemaRow> rows = scene_rows();
+    const std::vector<SchemaRow> graph_rows = {
+        {Free, "$schema", text(kText)},
+        {Free, "patina", R"({"const":1})"},
+        {Free, "kind", words_schema(kFileKinds)},
+        {Property, "name", text(kIdentifier)},
+        {Input, "name", text(kIdentifier)},
+        {Free, "name", text(kText)},
+        {Free, "help", text(kText)},
+        {Free, "label", text(kText)},
+        {Free, "group", text(kText)},
+        {Free, "note", text(kText)},
+        {Free, "precision", words_schema(kPrecisions)},
+        {Free, "properties", list_of("property")},
+        {Free, "nodes", list_of("node")},
+        {Free, "inputs", list_of("input")},
+        {Free, "meta", text(kAnything)},
+        {Free, "ui", text(kAnything)},
+        {Free, "workflow", model_name_schema(input.workflows)},
+        {Free, "lighting", any_of({model, reference("lightingUse"), reference("lighting")})},
+        {Free, "vertex", text(kValues)},
+        {Lighting, "surface", list_of("input")},
+        {Render, "surface", words_schema(kSurfaceKinds)},
+        {Free, "surface", text(kValues)},
+        {Free, "render", reference("render")},
+        {Free, "passes", list_of("pass")},
+        {ExtraPass, "name", text(kIdentifier)},
+        {Free, "variants",
+         R"({"type":"array","items":{"type":"object","additionalProperties":{"anyOf":[{"type":"boolean"},{"type":"string"}]}}})"},
+        {Free, "outputs", text(kNamedValues)},
+        {Free, "direct", reference("value")},
+        {Free, "indirect", reference("value")},
+        {Free, "final", reference("value")},
+        {Free, "preview", text(kIdentifier)},
+        {Input, "type", texts_schema(kInputTypes)},
+        {Property, "type", words_schema(kPropertyTypes)},
+        {Free, "usage", words_schema(kTextureUsages)},
+        {Free, "values", text(kIdentifiers)},
+        {Property, "default", any_of({texts_schema(kDefaultTextures), reference("value")})},
+        {Free, "default", reference("value")},
+        {Free, "range", text(kRange)},
+        {Free, "hard", text(kBoolean)},
+        {Input, "as", R"({"type":"string","pattern":"^="})"},
+        {Free, "as", words_schema(kBindings)},
+        {Free, "gives", text(kIdentifier)},
+        {Free, "tiling", text(kBoolean)},
+        {Free, "sampler", reference("sampler")},
+        {Free, "id", text(kIdentifier)},
+        {Free, "node", node_name_schema(input.nodes)},
+        {Free, "in", text(kValues)},
+        {Free, "expr", R"({"type":"string","pattern":"^[^=]"})"},
+        {Free, "stage", words_schema(kNodeStages)},
+        {Free, "wrap", words_schema(kWraps)},
+        {Free, "filter", words_schema(kFilters)},
+        {Free, "anisotropy", R"({"type":"integer","minimum":1,"maximum":16})"},
+        {Free, "cull", words_schema(kCulls)},
+        {Free, "depthWrite", text(kBoolean)},
+        {Free, "depthTest", words_schema(kCompares)},
+        {Free, "depthOffset", text(kRange)},
+        {Free, "stencil", reference("stencil")},
+        {Free, "reference", text(kByte)},
+        {Free, "readMask", text(kByte)},
+        {Free, "writeMask", text(kByte)},
+        {Free, "test", words_schema(kCompares)},
+        {Free, "pass", words_schema(kStencilOps)},
+        {Free, "fail", words_schema(kStencilOps)},
+        {Free, "depthFail", words_schema(kStencilOps)},
+        {Free, "queue", R"({"type":"integer","minimum":0,"maximum":5000})"},
+        {Free, "bounds", any_of({R"({"type":"number","minimum":0})", text(kBox)})},
+        {Free, "use", model},
+    };
+    rows.insert(rows.end(), graph_rows.begin(), graph_rows.end());
+    return rows;
+}
+
+const std::string& find_schema(const std::vector<SchemaRow>& rows, ObjectKind kind, std::string_view key) {
+    const SchemaRow* general = nullptr;
+    for (const SchemaRow& row : rows) {
+        if (row.key != key) continue;
+        if (row.kind == kind) return row.schema;
+        if (row.kind == ObjectKind::Free) general = &row;
+    }
+    assert(general && "a key of the format without a schema");
+    return general->schema;
+}
+
+// The schema of a key with the key's help, which editors show.
+std::string with_description(const std::string& schema, std::string_view help) {
+    const std::string description = "\"description\":" + quoted(help);
+    return schema == kAnything ? "{" + description + "}"
+                               : schema.substr(0, schema.size() - 1) + "," + description + "}";
+}
+
+Members object_schema(const std::vector<SchemaRow>& rows, ObjectKind kind) {
+    Members properties;
+    std::vector<std::string> required;
+    for (const KeyInfo& key : keys_of(kind)) {
+        properties.emplace_back(key.name, with_description(find_schema(rows, kind, key.name), key.help));
+        if (key.required) required.push_back(quoted(key.name));
+    }
+    Members schema = {
+        {"type", quoted("object")}, {"properties", object(properties)}, {"additionalProperties", "false"}};
+    if (!required.empty()) schema.emplace_back("required", list(required));
+    return schema;
+}
+
+// A file is told by its "kind"; without one it is a material.
+std::string choose_by_kind() {
+    std::string choice = reference("material");
+    using enum ObjectKind;
+    for (const ObjectKind kind : {Scene, Workflow, Lighting, Subgraph}) {
+        const std::string word(text_of(kFileKinds, kind));
+        const std::string condition = object(
+            {{"properties", object({{"kind", object({{"const", quoted(word)}})}})}, {"required", R"(["kind"])"}});
+        choice = object({{"if", condition}, {"then", reference(word)}, {"else", choice}});
+    }
+    return choice;
+}
+
+Members make_definitions(const SchemaInput& input) {
+    const std::vector<SchemaRow> rows = make_rows(input);
+    Members material = object_schema(rows, ObjectKind::Material);
+    if (!input.workflows.empty())
+        material.emplace_back("allOf", surface_schema(input.workflows, input.lighting_models));
+    Members node = object_schema(rows, ObjectKind::Node);
+    node.emplace_back("oneOf", R"([{"required":["node"]},{"required":["expr"],"not":{"required":["in"]}}])");
+    if (!input.nodes.empty()) node.emplace_back("allOf", node_ports_schema(input.nodes));
+
+    Members definitions = {
+        {"identifier", std::string(kIdentifier)},
+        {"value", value_schema(input.semantics)},
+        {"material", object(material)},
+        {"subgraph", object(object_schema(rows, ObjectKind::Subgraph))},
+        {"lighting", object(object_schema(rows, ObjectKind::Lighting))},
+        {"workflow", object(object_schema(rows, ObjectKind::Workflow))},
+        {"property", object(object_schema(rows, ObjectKind::Property))},
+        {"node", object(node)},
+        {"input", object(object_schema(rows, ObjectKind::Input))},
+        {"sampler", object(object_schema(rows, ObjectKind::Sampler))},
+        {"render", object(object_schema(rows, ObjectKind::Render))},
+        {"stencil", object(object_schema(rows, ObjectKind::Stencil))},
+        {"pass", object(object_schema(rows, ObjectKind::ExtraPass))},
+        {"lightingUse", object(object_schema(rows, ObjectKind::LightingUse))},
+    };
+    using enum ObjectKind;
+    for (const auto& [name, kind] :
+         {std::pair("scene", Scene), std::pair("camera", Camera), std::pair("ambient", Ambient), std::pair("fog", Fog),
+          std::pair("mixedLighting", MixedLighting), std::pair("light", Light), std::pair("shadow", Shadow),
+          std::pair("sceneMaterial", SceneMaterial), std::pair("sceneObject", SceneObject),
+          std::pair("sceneInstance", SceneInstance)}) {
+        definitions.emplace_back(name, object(object_schema(rows, kind)));
+    }
+    add_port_definitions(definitions, input.nodes);
+    return definitions;
+}
+
+}  // namespace
+
+std::string make_schema(const SchemaInput& input) {
+    const std::string text = object({{"$schema", quoted("https://json-schema.org/draft/2020-12/schema")},
+                                     {"title", quoted("Patina graph, version 1")},
+                                     {"type", quoted("object")},
+                                     {"required", R"(["patina"])"},
+                                     {"allOf", list({choose_by_kind()})},
+                                     {"$defs", object(make_definitions(input))}});
+    // Laid out as `fmt` would: the parts above were put together without white space.
+    SourceMap sources;
+    Diagnostics diagnostics;
+    const std::unique_ptr<Json> json = parse_json(sources, sources.add("schema", text), diagnostics);
+    assert(json);
+    return layout_json(*json, sources);
+}
+
+}  // namespace patina::graph

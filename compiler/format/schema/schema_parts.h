@@ -1,0 +1,93 @@
+// JSON as text, put together from parts: enough to write a schema down in the order in which it is read. Private to
+// schema.cpp and schema_library.cpp.
+//
+//   object({{"type", quoted("string")}, {"minLength", "1"}})   ->   {"type":"string","minLength":"1"}
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compiler/json/json_text.h"
+#include "compiler/format/schema/schema.h"
+#include "compiler/format/words.h"
+
+namespace patina::graph {
+
+using Members = std::vector<std::pair<std::string, std::string>>;  // key, JSON text
+
+inline std::string quoted(std::string_view text) {
+    std::string out;
+    append_quoted(out, text);
+    return out;
+}
+
+inline std::string list(const std::vector<std::string>& items) {
+    std::string out = "[";
+    for (const std::string& item : items) out += (out.size() > 1 ? "," : "") + item;
+    return out + "]";
+}
+
+inline std::string object(const Members& members) {
+    std::string out = "{";
+    for (const auto& [key, value] : members) {
+        if (out.size() > 1) out += ',';
+        append_quoted(out, key);
+        out += ':' + value;
+    }
+    return out + "}";
+}
+
+inline std::string reference(std::string_view definition) {
+    return object({{"$ref", quoted("#/$defs/" + std::string(definition))}});
+}
+
+// One of some words, each with a description.
+inline std::string described_word(std::string_view word, std::string_view description) {
+    Members members = {{"const", quoted(word)}};
+    if (!description.empty()) members.emplace_back("description", quoted(description));
+    return object(members);
+}
+
+// What compiles today of a table of words.
+template <class E, std::size_t N>
+std::string words_schema(const std::array<Word<E>, N>& words) {
+    std::vector<std::string> texts;
+    for (const Word<E>& word : words) {
+        texts.push_back(quoted(word.text));
+    }
+    return object({{"enum", list(texts)}});
+}
+
+// What may stand at a key. A row of the kind Free holds for every kind of object that has the key.
+struct SchemaRow {
+    ObjectKind kind;
+    std::string_view key;
+    std::string schema;
+};
+
+inline std::string any_of(const std::vector<std::string>& schemas) {
+    return object({{"anyOf", list(schemas)}});
+}
+
+inline std::string list_of(std::string_view definition) {
+    return object({{"type", quoted("array")}, {"items", reference(definition)}});
+}
+
+// --- schema_scene.cpp: the keys of scenes
+std::vector<SchemaRow> scene_rows();
+
+// --- schema_library.cpp: what depends on the library
+// A value at a port: every form of the value grammar, with the semantics by name.
+std::string value_schema(std::span<const SemanticInfo> semantics);
+// The name of a node, with what it does; or a file.
+std::string node_name_schema(std::span<const NodeInfo> nodes);
+// For each node the ports that its "in" may hold, as an if and a then.
+std::string node_ports_schema(std::span<const NodeInfo> nodes);
+// "$defs" for those: "ports.Lerp": { ... }.
+void add_port_definitions(Members& definitions, std::span<const NodeInfo> nodes);
+std::string model_name_schema(std::span<const ModelInfo> models);
+// For each workflow the surface inputs, as an if and a then.
+std::string surface_schema(std::span<const ModelInfo> workflows, std::span<const ModelInfo> models);
+
+}  // namespace patina::graph

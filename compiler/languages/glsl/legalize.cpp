@@ -1,0 +1,49 @@
+#include "compiler/languages/legalize.h"
+
+#include "compiler/languages/glsl/glsl.h"
+
+namespace patina::targets::glsl {
+
+using namespace ir;
+
+namespace {
+
+// && and || take no vectors; & and | do, of uints.
+bool is_logic_of_vectors(const Module&, const Function& function, Value v) {
+    const Inst& inst = function[v];
+    return (inst.op == Op::And || inst.op == Op::Or) && inst.type.is_vector();
+}
+Value join_bits(Copy& copy, Value v) {
+    Builder& b = copy.to;
+    const Inst& inst = copy.from[v];
+    const Value x = b.convert(operand(copy, v, 0), Scalar::Uint), y = b.convert(operand(copy, v, 1), Scalar::Uint);
+    const Op op = inst.op == Op::And ? Op::BitAnd : Op::BitOr;
+    return b.convert(b.emit(op, inst.type.with_scalar(Scalar::Uint), {x, y}), Scalar::Bool);
+}
+
+// m[i] is a column in GLSL, so a row cannot be assigned.
+bool replaces_row(const Module&, const Function& function, Value v) {
+    return function[v].op == Op::Insert && function[v].type.is_matrix();
+}
+Value rebuild_rows(Copy& copy, Value v) {
+    Builder& b = copy.to;
+    const Inst& inst = copy.from[v];
+    std::vector<Value> rows;
+    for (std::uint32_t i = 0; i < inst.type.rows; ++i) {
+        rows.push_back(i == inst.data ? operand(copy, v, 1) : b.extract(operand(copy, v, 0), i));
+    }
+    return b.construct(inst.type, rows);
+}
+
+constexpr Rule kRules[] = {
+    {is_logic_of_vectors, join_bits},
+    {replaces_row, rebuild_rows},
+};
+
+}  // namespace
+
+std::optional<Module> legalize(const Module& module) {
+    return targets::legalize(module, kRules);
+}
+
+}  // namespace patina::targets::glsl

@@ -1,0 +1,19 @@
+// HLSL in the style of Shader Model 5.1: cbuffers, separate textures and samplers, registers with spaces. Keeps away
+// from what glslang's HLSL front end accepts and gets wrong (fmod, % of floats and ints, component-wise products of
+// matrices).
+#pragma once
+
+#include "compiler/languages/language.h"
+#include "compiler/languages/print.h"
+
+namespace patina::targets::hlsl {
+
+extern const SpellingTable kSpellings;  // spelling.cpp
+// What a dialect may change some of.
+const Language& language();
+std::string semantic(const ir::StageVariable& variable, bool is_target);
+
+std::optional<ir::Module> legalize(const ir::Module& module);
+Printed print(const ir::Module& module, const PrintOptions& options);
+
+}  // namespace patina::targets::hlsl

@@ -1,0 +1,108 @@
+// What the printer must know about a target language: how each operation is spelled (data), and the few things for
+// which data is not enough (functions). The printer decides what is printed and in which order; a language decides how
+// it looks.
+//
+//   {Op::Lerp, Form::Function, "mix", Precedence::Postfix, {}, kThird}     lerp(a, b, t) is mix(a, b, t), and t may be
+//                                                                       a scalar beside vectors
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/ir/ir.h"
+#include "compiler/languages/precedence.h"
+
+namespace patina::targets {
+
+class Body;     // the function that is being printed; body.h
+struct Writer;  // the text so far; writer.h
+
+enum class Form : std::uint8_t {
+    Prefix,     // text operand
+    Infix,      // operand text operand
+    Function,   // text(operands)
+    Shared,     // expressions.cpp knows: leaves, composites, conversions, calls
+    Own,        // Language::expression knows
+    Statement,  // not an expression: statements.cpp prints it
+};
+
+// Which operands may be scalars beside vectors, as a mask of their positions.
+enum ScalarOperands : std::uint8_t { kNone = 0, kFirst = 1, kSecond = 2, kThird = 4, kEither = 8 };
+
+struct Spelling {
+    ir::Op op{};
+    Form form = Form::Statement;
+    std::string_view text = {};
+    Precedence precedence = Precedence::Postfix;
+    std::string_view of_vectors = {};  // function to call where the operands are vectors; empty: the same spelling
+    std::uint8_t scalars = kNone;
+};
+using SpellingTable = std::array<Spelling, ir::kOpCount>;
+
+// Rows of a spelling file, in any order -> a table indexed by Op. Does not compile if an op is missing or there twice.
+template <std::size_t N>
+consteval SpellingTable by_op(const Spelling (&rows)[N]) {
+    static_assert(N == ir::kOpCount, "a spelling table needs one row for each op");
+    SpellingTable table{};
+    std::array<bool, ir::kOpCount> seen{};
+    for (const Spelling& row : rows) {
+        const auto index = static_cast<std::size_t>(row.op);
+        if (seen[index]) throw "an op is spelled twice";
+        seen[index] = true;
+        table[index] = row;
+    }
+    return table;
+}
+
+// How the entry function reads its inputs and writes its outputs.
+struct EntryPoint {
+    std::string signature;                 // "void main()"
+    std::vector<Text> inputs;              // by parameter: "v_uv0", "input.uv0"
+    std::vector<std::string> outputs;      // by member of the result: "out_color", "output.color"
+    std::string before_return, at_return;  // statements around the assignments of the outputs; may be empty
+    std::vector<std::string> names = {};   // that its signature declares
+    std::vector<std::string> begin = {};   // statements before everything else
+    std::vector<std::string> guards = {};  // by output: a condition of the preprocessor, or empty
+    std::vector<std::string> end = {};     // statements before `at_return`
+};
+
+struct Language {
+    std::string_view name;
+    const SpellingTable* spellings = nullptr;
+    std::string_view half_suffix;
+    bool matrices_by_columns = false;  // m[i] is a column, and constructors take columns
+
+    // Numeric and opaque types: "vec3", "float3".
+    std::string (*type_name)(ir::Type type) = nullptr;
+    // The function that reads the bits of one scalar kind as another's.
+    std::string_view (*bitcast)(ir::Scalar to, ir::Scalar from) = nullptr;
+    // A vector whose components all are the scalar.
+    Text (*splat)(ir::Type type, const Text& scalar) = nullptr;
+    // The initial value of an array with these elements.
+    std::string (*array_value)(const std::string& element_type, std::size_t count,
+                               const std::string& elements) = nullptr;
+    std::string_view set_word;                     // what stands before the number of a descriptor set
+    std::string_view constant_array;               // what stands before a constant array's type
+    std::span<const std::string_view> taken = {};  // names that are not reserved, but another text's
+    // How a value of a uniform block is read; null: by its name.
+    std::string (*read)(const Writer& writer, ir::GlobalId global, std::string_view name) = nullptr;
+    // Ops that the table calls Own.
+    Text (*expression)(const Body& body, ir::Value value) = nullptr;
+    // A value that takes statements of its own, printed here. False: it is an expression like any other.
+    bool (*statement)(Body& body, ir::Value value) = nullptr;
+
+    // Declarations.
+    void (*preamble)(Writer& writer) = nullptr;  // version and extensions
+    void (*block)(Writer& writer, const ir::UniformBlock& block) = nullptr;
+    void (*resource)(Writer& writer, ir::GlobalId global) = nullptr;
+    void (*keyword)(Writer& writer, ir::GlobalId global) = nullptr;
+    // What the preprocessor asks to know whether a keyword is on, or has that value. Null: it knows no keywords.
+    std::string (*keyword_test)(const ir::Keyword& keyword, std::optional<std::size_t> value) = nullptr;
+    EntryPoint (*entry_point)(Writer& writer) = nullptr;
+};
+
+}  // namespace patina::targets

@@ -1,0 +1,261 @@
+#include "compiler/languages/legalize.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "compiler/ir/passes/passes.h"
+
+namespace patina::targets {
+
+using namespace ir;
+
+namespace {
+
+const Type& type_of_operand(const Function& function, Value v, std::uint32_t index) {
+    return function[function.args(v)[index]].type;
+}
+
+// --- x mod y has the sign of x. GLSL's mod and glslang's % have the sign of y, for ints too.
+
+bool is_signed_mod(const Module&, const Function& function, Value v) {
+    return function[v].op == Op::Mod && function[v].type.scalar != Scalar::Uint && !function[v].type.is_matrix();
+}
+Value expand_mod(Copy& copy, Value v) {
+    Builder& b = copy.to;
+    const Value x = operand(copy, v, 0), y = operand(copy, v, 1);
+    const Type type = copy.from[v].type;
+    Value quotient = b.emit(Op::Div, type, {x, y});
+    if (type.is_floating()) quotient = b.emit(Op::Trunc, type, {quotient});
+    return b.emit(Op::Sub, type, {x, b.emit(Op::Mul, type, {y, quotient})});
+}
+
+// --- component-wise operations on matrices: * multiplies matrices in GLSL, functions take none
+
+bool is_matrix_op(const Module&, const Function& function, Value v) {
+    const Inst& inst = function[v];
+    const bool is_operator = inst.op == Op::Add || inst.op == Op::Sub || inst.op == Op::Div || inst.op == Op::Neg;
+    return inst.type.is_matrix() && info(inst.op).rule == TypeRule::Same && !is_operator;
+}
+Value split_rows(Copy& copy, Value v) {
+    Builder& b = copy.to;
+    const Inst& inst = copy.from[v];
+    const Type row_type = inst.type.with_width(inst.type.cols);
+    std::vector<Value> rows;
+    for (std::uint32_t i = 0; i < inst.type.rows; ++i) {
+        std::vector<Value> parts;
+        for (std::uint32_t n = 0; n < inst.operand_count; ++n) parts.push_back(b.extract(operand(copy, v, n), i));
+        rows.push_back(b.emit(inst.op, row_type, parts));
+    }
+    return b.construct(inst.type, rows);
+}
+
+// --- an index out of range is clamped; the languages leave it undefined
+
+struct Range {
+    double low, high;
+};
+
+std::optional<Range> range_of(const Module& module, const Function& function, Value v, int depth = 0);
+
+// A loop's index, from its limits.
+std::optional<Range> range_of_loop(const Module& module, const Function& function, Value index, int depth) {
+    for (std::uint32_t i = 0; i < function.insts.size(); ++i) {
+        const Inst& loop = function.insts[i];
+        if (loop.op != Op::For || function.blocks[loop.data].insts.front() != index) continue;
+        const auto begin = range_of(module, function, function.args(loop)[0], depth);
+        const auto end = range_of(module, function, function.args(loop)[1], depth);
+        if (!begin || !end) return {};
+        return Range{begin->low, end->high - 1};
+    }
+    return {};
+}
+
+std::optional<Range> range_of(const Module& module, const Function& function, Value v, int depth) {
+    const Inst& inst = function[v];
+    if (depth > 4 || !inst.type.is_integer() || !inst.type.is_scalar()) return {};
+    constexpr Range kAnything{-4294967296.0, 4294967296.0};
+    const auto of = [&](std::uint32_t i) {
+        return range_of(module, function, function.args(v)[i], depth + 1).value_or(kAnything);
+    };
+    if (inst.op == Op::Constant) {
+        const double number = module.numbers_of(module.constants[inst.data])[0];
+        return Range{number, number};
+    }
+    if (inst.op == Op::LoopIndex) return range_of_loop(module, function, v, depth + 1);
+    if (inst.op == Op::Min) return Range{std::min(of(0).low, of(1).low), std::min(of(0).high, of(1).high)};
+    if (inst.op == Op::Max) return Range{std::max(of(0).low, of(1).low), std::max(of(0).high, of(1).high)};
+    if (inst.op == Op::Clamp) {
+        return Range{std::max(of(0).low, of(1).low), std::min(std::max(of(0).high, of(1).high), of(2).high)};
+    }
+    if (inst.type.scalar == Scalar::Uint) return Range{0, kAnything.high};
+    return {};
+}
+
+bool may_leave_range(const Module& module, const Function& function, Value v) {
+    if (function[v].op != Op::Index) return false;
+    const auto range = range_of(module, function, function.args(v)[1]);
+    return !range || range->low < 0 || range->high > part_count(module, type_of_operand(function, v, 0)) - 1.0;
+}
+Value clamp_index(Copy& copy, Value v) {
+    Builder& b = copy.to;
+    const Value composite = operand(copy, v, 0), index = operand(copy, v, 1);
+    const Type type = b.type(index);
+    const Value last = b.constant(type, {part_count(b.module(), b.type(composite)) - 1.0});
+    const bool is_signed = type.scalar == Scalar::Int;
+    const Value clamped = is_signed ? b.emit(Op::Clamp, type, {index, b.constant(type, {0}), last})
+                                    : b.emit(Op::Min, type, {index, last});
+    return b.emit(Op::Index, copy.from[v].type, {composite, clamped});
+}
+
+// --- SPIR-V differentiates 32-bit floats only
+
+bool is_half_derivative(const Module&, const Function& function, Value v) {
+    const Op op = function[v].op;
+    return (op == Op::Ddx || op == Op::Ddy || op == Op::Fwidth) && function[v].type.scalar == Scalar::Half;
+}
+Value differentiate_as_float(Copy& copy, Value v) {
+    Builder& b = copy.to;
+    const Type type = copy.from[v].type.with_scalar(Scalar::Float);
+    return b.convert(b.emit(copy.from[v].op, type, {b.convert(operand(copy, v, 0), Scalar::Float)}), Scalar::Half);
+}
+
+// --- there are no neighbouring pixels in the vertex stage, so a sample there has level 0
+
+bool samples_in_vertex_stage(const Module& module, const Function& function, Value v) {
+    const Op op = function[v].op;
+    return (op == Op::Sample || op == Op::SampleBias) && module.stage.entry && module.stage.kind == StageKind::Vertex;
+}
+Value sample_at_level(Copy& copy, Value v) {
+    Builder& b = copy.to;
+    const Value level = copy.from[v].op == Op::SampleBias ? operand(copy, v, 3) : b.constant(kFloat, {0});
+    return b.emit(Op::SampleLevel, kFloat4, {operand(copy, v, 0), operand(copy, v, 1), operand(copy, v, 2), level});
+}
+
+// --- functions of vectors that the IR allows on scalars
+
+bool is_scalar_geometry(const Module&, const Function& function, Value v) {
+    const Op op = function[v].op;
+    const bool is_geometry =
+        op == Op::Dot || op == Op::Length || op == Op::Distance || op == Op::Reflect || op == Op::Any || op == Op::All;
+    return is_geometry && type_of_operand(function, v, 0).is_scalar();
+}
+Value scalar_geometry(Copy& copy, Value v) {
+    Builder& b = copy.to;
+    const Op op = copy.from[v].op;
+    const Value x = operand(copy, v, 0);
+    if (op == Op::Any || op == Op::All) return x;
+    const Type type = b.type(x);
+    if (op == Op::Length) return b.emit(Op::Abs, type, {x});
+    const Value y = operand(copy, v, 1);
+    if (op == Op::Dot) return b.emit(Op::Mul, type, {x, y});
+    if (op == Op::Distance) return b.emit(Op::Abs, type, {b.emit(Op::Sub, type, {x, y})});
+    // reflect(x, y) = x - 2 (y . x) y
+    const Value twice = b.emit(Op::Mul, type, {b.constant(type, {2}), b.emit(Op::Mul, type, {y, x})});
+    return b.emit(Op::Sub, type, {x, b.emit(Op::Mul, type, {twice, y})});
+}
+
+// --- a choice between vectors that is made with the pipeline. glslang makes a constant of it, as SPIR-V lets it, and
+// Mesa 22.3 takes the wrong one, by whatever a condition of three equal components is; it chooses between scalars well.
+
+bool is_of_pipeline(const Module& module, const Function& function, Value v, int depth = 0) {
+    const Inst& inst = function[v];
+    if (inst.op == Op::Constant) return true;
+    if (inst.op == Op::Global) return module.globals[inst.data].is_keyword();
+    const auto args = function.args(v);
+    return depth < 16 && !args.empty() && info(inst.op).traits != Structure && inst.op != Op::Call &&
+           std::all_of(args.begin(), args.end(),
+                       [&](Value arg) { return is_of_pipeline(module, function, arg, depth + 1); });
+}
+bool chooses_vector_of_pipeline(const Module& module, const Function& function, Value v) {
+    return !module.keywords.empty() && !module.tests_keywords && function[v].op == Op::Select &&
+           function[v].type.is_vector() && is_of_pipeline(module, function, v);
+}
+Value component(Builder& b, Value vector, std::uint32_t index) {
+    const std::span<const double> numbers = b.constant_of(vector);
+    const Type type = b.type(vector).with_width(1);
+    return numbers.empty() ? b.extract(vector, index) : b.constant(type, {numbers[index]});
+}
+bool repeats(std::span<const double> numbers) {
+    return !numbers.empty() && std::all_of(numbers.begin(), numbers.end(), [&](double n) { return n == numbers[0]; });
+}
+Value choose_components(Copy& copy, Value v) {
+    Builder& b = copy.to;
+    const Type type = copy.from[v].type;
+    const Value condition = operand(copy, v, 0), yes = operand(copy, v, 1), no = operand(copy, v, 2);
+    if (b.type(condition).is_scalar() && repeats(b.constant_of(yes)) && repeats(b.constant_of(no))) {
+        const Value chosen =
+            b.emit(Op::Select, type.with_width(1), {condition, component(b, yes, 0), component(b, no, 0)});
+        return b.splat(chosen, type.width());
+    }
+    std::vector<Value> parts;
+    for (std::uint32_t i = 0; i < type.width(); ++i) {
+        const Value chosen = b.type(condition).is_scalar() ? condition : component(b, condition, i);
+        parts.push_back(b.emit(Op::Select, type.with_width(1), {chosen, component(b, yes, i), component(b, no, i)}));
+    }
+    return b.construct(type, parts);
+}
+
+constexpr Rule kShared[] = {
+    {is_signed_mod, expand_mod},
+    {is_matrix_op, split_rows},
+    {may_leave_range, clamp_index},
+    {is_half_derivative, differentiate_as_float},
+    {samples_in_vertex_stage, sample_at_level},
+    {is_scalar_geometry, scalar_geometry},
+    {chooses_vector_of_pipeline, choose_components},
+};
+
+const Rule* rule_for(std::span<const Rule> rules, const Module& module, const Function& function, Value v) {
+    const auto applies = [&](const Rule& rule) { return rule.applies(module, function, v); };
+    const auto found = std::find_if(rules.begin(), rules.end(), applies);
+    return found == rules.end() ? nullptr : &*found;
+}
+
+bool is_legal_in(const Module& module, const Function& function, std::span<const Rule> rules) {
+    for (std::uint32_t i = 0; i < function.insts.size(); ++i) {
+        if (function.insts[i].op == Op::DiscardIf || rule_for(rules, module, function, {i}) != nullptr) return false;
+    }
+    return true;
+}
+
+// True if anything was rewritten.
+bool legalize_once(Module& module, Function& function, std::span<const Rule> rules) {
+    std::vector<const Rule*> applying(function.insts.size());
+    for (std::uint32_t i = 0; i < applying.size(); ++i) applying[i] = rule_for(rules, module, function, {i});
+    if (std::all_of(applying.begin(), applying.end(), [](const Rule* rule) { return rule == nullptr; })) return false;
+
+    Function made = take_shell(function);
+    Builder builder(module, made, {.fold = false});  // folding would undo some of it
+    Copy copy{.from = function, .to = builder};
+    copy.rewrite = [&](Copy& c, Value v) {
+        if (applying[v.index] == nullptr) return false;
+        c.to.set_origin(c.from[v].origin);
+        const Value value = applying[v.index]->rewrite(c, v);
+        c.to.name(value, c.from[v].name);
+        c.map[v.index] = value;
+        return true;
+    };
+    copy_body(copy);
+    function = std::move(made);
+    return true;
+}
+
+}  // namespace
+
+std::optional<Module> legalize(const Module& module, std::span<const Rule> rules) {
+    std::vector<Rule> all(std::begin(kShared), std::end(kShared));
+    all.insert(all.end(), rules.begin(), rules.end());
+    const bool is_legal = std::all_of(module.functions.begin(), module.functions.end(),
+                                      [&](const Function& function) { return is_legal_in(module, function, all); });
+    if (is_legal) return {};
+
+    // Both languages end a pixel where it is discarded, and its neighbours still need it for their derivatives.
+    Module legal = legalize_discard(module);
+    for (Function& function : legal.functions) {
+        // What a rule makes may need another one, of a smaller type: a matrix's saturate is that of its rows.
+        while (legalize_once(legal, function, all)) continue;
+    }
+    return legal;
+}
+
+}  // namespace patina::targets

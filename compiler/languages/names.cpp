@@ -1,0 +1,89 @@
+#include "compiler/languages/names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "compiler/languages/print.h"
+
+namespace patina::targets {
+namespace {
+
+bool is_letter_or_digit(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
+// Only letters, digits and single underscores, no digit first.
+std::string plain_identifier(std::string_view word) {
+    const auto is_letter = [](char c) { return is_letter_or_digit(c) && !(c >= '0' && c <= '9'); };
+    // Most names are: one look instead of a copy letter by letter.
+    if (!word.empty() && is_letter(word[0]) && std::all_of(word.begin(), word.end(), is_letter_or_digit)) {
+        return std::string(word);
+    }
+    std::string plain;
+    plain.reserve(word.size() + 1);
+    for (char c : word) {
+        const char next = is_letter_or_digit(c) ? c : '_';
+        if (next == '_' && !plain.empty() && plain.back() == '_') continue;
+        plain += next;
+    }
+    if (plain.empty() || plain == "_") return "value";
+    if (plain[0] >= '0' && plain[0] <= '9') plain.insert(plain.begin(), '_');
+    return plain;
+}
+
+}  // namespace
+
+std::string safe_identifier(std::string_view word) {
+    std::string name = plain_identifier(word);
+    if (name.starts_with("gl_")) name.erase(2, 1);
+    if (is_reserved_word(name)) name += '_';
+    return name;
+}
+
+std::string Names::declare(std::string_view wanted) {
+    const auto [entry, is_free] = next_.try_emplace(safe_identifier(wanted), 2);
+    const std::string& base = entry->first;
+    unsigned& number = entry->second;
+    const std::string* name = &base;
+    if (!is_free) {
+        // "k_" and a number would hold two underscores in a row.
+        const char* joint = base.ends_with('_') ? "" : "_";
+        for (bool is_new = false; !is_new;) {
+            const auto made = next_.try_emplace(fmt::format("{}{}{}", base, joint, number++), 2);
+            name = &made.first->first;
+            is_new = made.second;
+        }
+    }
+    scopes_.back().push_back({name, &number});
+    return *name;
+}
+
+// Backwards: a numbered name goes before the one that it was made from.
+void Names::close() {
+    for (auto taken = scopes_.back().rbegin(); taken != scopes_.back().rend(); ++taken) {
+        *taken->number = 2;
+        next_.erase(next_.find(*taken->name));
+    }
+    scopes_.pop_back();
+}
+
+std::string snake_case(std::string_view name) {
+    const auto upper = [&](std::size_t i) {
+        return i < name.size() && std::isupper(static_cast<unsigned char>(name[i]));
+    };
+    const auto lower = [&](std::size_t i) {
+        return i < name.size() && std::islower(static_cast<unsigned char>(name[i]));
+    };
+    std::string snake;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        // A word begins at a capital after a small letter, and at the last capital of a row of them ("GGXTerm").
+        const bool begins = upper(i) && i > 0 && (!upper(i - 1) || lower(i + 1)) && name[i - 1] != '_';
+        if (begins) snake += '_';
+        snake += static_cast<char>(std::tolower(static_cast<unsigned char>(name[i])));
+    }
+    return snake;
+}
+
+}  // namespace patina::targets

@@ -1,0 +1,58 @@
+// Decides, before a function is printed, which of its values become variables, which fold into the expressions that
+// read them, and which values share one variable because they are one variable to a reader: a loop's `sum`, a struct
+// that is filled member by member, `x = x * 2.0`.
+//
+// A value stands in a variable of its own if it is read twice, samples, is differentiated, has a name hint, is read in
+// another block (a loop would compute it again), or would make an expression too wide or too deep.
+//
+//   const Plan& plan = make_plans(module)[function.index];
+//   plan.variable[v.index]  // index into plan.variables, or kNone
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "compiler/languages/print.h"
+
+namespace patina::targets {
+
+struct Variable {
+    ir::Type type;
+    ir::NameId hint;
+    ir::Value like;       // names it where there is no hint: a value that it holds
+    ir::Value result;     // of an If: the Result that it was made for; else none
+    ir::BlockId block;    // where it is declared
+    unsigned writes = 0;  // values that it holds one after the other
+};
+
+struct Plan {
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+
+    std::vector<std::uint32_t> variable;    // by Value; kNone: a leaf, folded, or never read
+    std::vector<ir::Value> same_as;         // by Value: the value whose text stands for it, usually itself
+    std::vector<unsigned> reads;            // by Value; 0: not printed
+    std::vector<bool> stands;               // by Value: has a variable
+    std::vector<std::uint32_t> first_slot;  // by If and For: its first entry in `slots`
+    std::vector<std::uint32_t> slots;       // variables of what If and For yield; kNone: nobody reads it
+    std::vector<Variable> variables;
+    ir::Value outputs;  // entry function: the struct whose members are the stage's outputs, if it is made in the return
+
+    ir::Value resolve(ir::Value v) const { return same_as[v.index]; }
+    bool is_printed(const ir::Function& function, ir::Value v) const;
+};
+
+// Number of values that an If or For yields.
+std::uint32_t slot_count(const ir::Function& function, ir::Value structure);
+// Whether the else block of an If computes nothing, so that its values can be what the variables start with.
+bool has_plain_else(const Plan& plan, const ir::Function& function, ir::Value structure);
+// Calls `visit` with every variable that the value's expression reads, and with those of values folded into it.
+void for_each_read(const Plan& plan, const ir::Function& function, ir::Value value,
+                   const std::function<void(ir::Value)>& visit);
+
+bool is_leaf(ir::Op op);
+// A vector made of one scalar.
+bool is_splat(const ir::Function& function, ir::Value v);
+bool is_aggregate(ir::Type type);
+
+}  // namespace patina::targets

@@ -1,0 +1,463 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/languages/body.h"
+
+namespace patina::targets {
+
+using namespace ir;
+
+namespace {
+
+struct Fallback {
+    Op op;
+    std::string_view name;
+};
+constexpr Fallback kFallbacks[] = {
+    {Op::Add, "sum"},           {Op::Sub, "difference"},    {Op::Mul, "product"},         {Op::MatMul, "product"},
+    {Op::Div, "ratio"},         {Op::Mod, "remainder"},     {Op::Neg, "opposite"},        {Op::Dot, "projection"},
+    {Op::Length, "size"},       {Op::Distance, "size"},     {Op::Normalize, "direction"}, {Op::Cross, "perpendicular"},
+    {Op::Reflect, "reflected"}, {Op::Refract, "refracted"}, {Op::Lerp, "blend"},          {Op::Select, "choice"},
+    {Op::Sample, "texel"},      {Op::SampleBias, "texel"},  {Op::SampleLevel, "texel"},   {Op::SampleGrad, "texel"},
+    {Op::TexelLoad, "texel"},   {Op::TextureSize, "size"},  {Op::Ddx, "slope_x"},         {Op::Ddy, "slope_y"},
+    {Op::Fwidth, "slope"},      {Op::Pow, "power"},         {Op::Exp, "power"},           {Op::Exp2, "power"},
+    {Op::Sqrt, "root"},         {Op::Less, "test"},         {Op::LessEqual, "test"},      {Op::Greater, "test"},
+    {Op::GreaterEqual, "test"}, {Op::Equal, "test"},        {Op::NotEqual, "test"},       {Op::And, "test"},
+    {Op::Or, "test"},           {Op::Not, "test"},          {Op::Index, "element"},       {Op::Saturate, "limited"},
+    {Op::Min, "limited"},       {Op::Max, "limited"},       {Op::Clamp, "limited"},       {Op::Transpose, "transposed"},
+};
+
+// "lighting_surface" -> "ls"
+std::string initials(std::string_view name) {
+    std::string letters;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        if (name[i] != '_' && (i == 0 || name[i - 1] == '_')) letters += name[i];
+    }
+    return letters;
+}
+
+constexpr std::string_view kLoopIndices[] = {"i", "j", "k", "l"};
+
+}  // namespace
+
+std::string_view fallback_name(Op op) {
+    const auto found =
+        std::find_if(std::begin(kFallbacks), std::end(kFallbacks), [&](const Fallback& f) { return f.op == op; });
+    return found == std::end(kFallbacks) ? "value" : found->name;
+}
+
+Body::Body(Writer& writer, FunctionId id, const EntryPoint* entry)
+    : writer_(writer), function_(writer.module[id]), entry_(entry), plan_(writer.plans[id.index]) {
+    names_.resize(plan_.variables.size());
+    find_member_names();
+    commented_.resize(writer.module.origins.size());
+}
+
+std::string Body::signature() {
+    if (entry_) return entry_->signature;
+    std::string list;
+    for (const Param& param : function_.params) {
+        params_.push_back(writer_.names.declare(param.name));
+        list += (list.empty() ? "" : ", ") + writer_.declaration(param.type, params_.back());
+    }
+    const auto index = static_cast<std::size_t>(&function_ - writer_.module.functions.data());
+    return fmt::format("{} {}({})", writer_.type(function_.result), writer_.functions[index], list);
+}
+
+void Body::print_declaration() {
+    writer_.names.open();
+    writer_.line(0, signature() + ";");
+    writer_.names.close();
+}
+
+void Body::print() {
+    writer_.names.open();
+    if (entry_) {
+        for (const std::string& name : entry_->names) writer_.names.declare(name);
+    }
+    writer_.line(0, signature(), function_.origin);
+    writer_.line(0, "{");
+    if (entry_ && !entry_->begin.empty()) {
+        for (const std::string& line : entry_->begin) writer_.line(indent_, line);
+        writer_.gap();
+    }
+    print_block({0});
+    writer_.line(0, "}");
+    writer_.names.close();
+}
+
+// --- names
+
+// What a value is for says more than how it is computed: the part of a struct is called like the member.
+void Body::find_member_names() {
+    member_of_.resize(function_.insts.size());
+    const auto note = [&](Value value, Type structure, std::uint32_t member) {
+        Value named = plan_.resolve(value);
+        if (function_[named].op == Op::Swizzle) named = plan_.resolve(function_.args(function_[named])[0]);
+        member_of_[named.index] = writer_.module.structs[structure.ref].members[member].name;
+    };
+    for (const Inst& inst : function_.insts) {
+        if (inst.type.kind != Kind::Struct) continue;
+        const std::span<const Value> args = function_.args(inst);
+        if (inst.op == Op::Insert) note(args[1], inst.type, inst.data);
+        if (inst.op != Op::Construct) continue;
+        for (std::uint32_t i = 0; i < args.size(); ++i) note(args[i], inst.type, i);
+    }
+}
+
+std::string Body::name_without_hint(Value v) const {
+    const Inst& inst = function_[v];
+    if (inst.type.kind == Kind::Struct) {
+        const std::string name = snake_case(writer_.plain(writer_.module.structs[inst.type.ref].name));
+        return writer_.names.is_free(name) ? name : initials(name);
+    }
+    if (!member_of_[v.index].empty()) return std::string(member_of_[v.index]);
+    if (inst.op == Op::Construct && inst.type.is_matrix()) return "basis";
+    if (inst.op == Op::Call) return snake_case(writer_.plain(writer_.module.functions[inst.data].name));
+    // A step on the way to a node's value is called after the node.
+    const std::string_view id = inst.origin ? std::string_view(writer_.module.origins[inst.origin.index].id) : "";
+    const std::string_view last = id.substr(id.rfind('/') + 1);
+    const std::string_view step = fallback_name(inst.op);
+    return step.starts_with(last) ? std::string(step) : fmt::format("{}_{}", last, step);
+}
+
+std::string Body::target(std::uint32_t id) {
+    if (is_declared(id)) return names_[id];
+    const Variable& variable = plan_.variables[id];
+    const std::string_view hint = writer_.module.name_of(variable.hint);
+    names_[id] = writer_.names.declare(hint.empty() ? name_without_hint(variable.like) : hint);
+    return writer_.declaration(variable.type, names_[id]);
+}
+
+std::string Body::target(Value v) {
+    return target(plan_.variable[v.index]);
+}
+
+// --- lines
+
+// A comment above the first statement of each node, and a gap where one node's statements end.
+void Body::enter(OriginId origin) {
+    const auto is_labelled = [&](OriginId id) { return id && !writer_.module.origins[id.index].label.empty(); };
+    const auto is_node = [&](OriginId id) { return id && !writer_.module.origins[id.index].id.empty(); };
+    if (origin != origin_ && (is_node(origin) || is_node(origin_)) && !at_block_start_) writer_.gap();
+    if (is_labelled(origin) && !commented_[origin.index]) {
+        commented_[origin.index] = true;
+        const Origin& o = writer_.module.origins[origin.index];
+        writer_.comment(indent_,
+                        o.id.empty() ? o.label
+                        : o.is_note  ? fmt::format("{}: {}", o.id, o.label)
+                                     : fmt::format("{} \"{}\"", o.label, o.id),
+                        origin);
+    }
+    origin_ = origin;
+    at_block_start_ = false;
+}
+
+void Body::statement(Value v, std::string_view text) {
+    enter(function_[v].origin);
+    writer_.line(indent_, text, function_[v].origin);
+}
+
+void Body::assign(std::uint32_t variable, Value value, const Text& text, Value from) {
+    statement(from, assignment(variable, value, text));
+}
+
+std::string Body::assignment(std::uint32_t variable, Value value, const Text& text) {
+    const Op op = function_[value].op;
+    const Spelling& spelling = (*writer_.language.spellings)[static_cast<std::size_t>(op)];
+    const bool is_arithmetic = op == Op::Add || op == Op::Sub || op == Op::Mul || op == Op::Div;
+    if (is_arithmetic && is_declared(variable)) {
+        const std::string start = names_[variable] + " " + std::string(spelling.text) + " ";
+        if (plan_.variable[arg(value, 0).index] == variable && text.text.starts_with(start)) {
+            return fmt::format("{} {}= {};", names_[variable], spelling.text, operand(value, 1, true).text);
+        }
+    }
+    std::string made = target(variable);
+    made.reserve(made.size() + text.text.size() + 4);
+    return made.append(" = ").append(text.text).append(";");
+}
+
+void Body::print_block(BlockId block) {
+    for (Value v : function_.blocks[block.index].insts) print_statement(v);
+}
+
+void Body::print_statement(Value v) {
+    if (!plan_.is_printed(function_, v)) return;
+    const Op op = function_[v].op;
+    if (op == Op::If) return print_if(v);
+    if (op == Op::For) return print_for(v);
+    if (op == Op::Return) return print_return(v);
+    if (op == Op::DiscardIf) return statement(v, fmt::format("if ({}) discard;", argument(v, 0)));
+    const bool is_bound_elsewhere = op == Op::LoopIndex || op == Op::LoopCarried || op == Op::Result || op == Op::Yield;
+    if (!is_bound_elsewhere && is_variable(v)) print_assignment(v);
+}
+
+// --- assignments
+
+void Body::print_assignment(Value v) {
+    const Inst& inst = function_[v];
+    if (writer_.language.statement(*this, v) || print_spelled(v)) return;
+    if (inst.op == Op::Construct && inst.type.kind == Kind::Struct) return print_struct(v);
+    if (inst.op == Op::Construct && inst.type.kind == Kind::Array) return print_array(v);
+    if (inst.op == Op::Insert) return print_insert(v);
+    if (inst.op == Op::Select && is_aggregate(inst.type)) return print_select(v);
+    const Text text = formula(v);  // before its own name exists
+    assign(plan_.variable[v.index], v, text, v);
+}
+
+// A foreign function whose call is statements, one a line, that declare its result.
+bool Body::print_spelled(Value v) {
+    if (function_[v].op != Op::Call) return false;
+    const std::string& spelling = module().functions[function_[v].data].spelling;
+    if (spelling.find("{result}") == spelling.npos) return false;
+    const std::uint32_t id = plan_.variable[v.index];
+    const bool is_new = !is_declared(id);
+    if (is_new) target(id);
+    const std::string result = is_new ? names_[id] : declare_helper(name_without_hint(v));
+    const std::string text = spelled(v, spelling, result);
+    for (std::string_view rest = text; !rest.empty();) {
+        const std::size_t end = std::min(rest.find("; "), rest.size() - 1) + 1;
+        statement(v, rest.substr(0, end));
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    if (!is_new) statement(v, fmt::format("{} = {};", names_[id], result));
+    return true;
+}
+
+void Body::print_struct(Value v) {
+    const std::uint32_t id = plan_.variable[v.index];
+    if (!is_declared(id)) statement(v, target(v) + ";");
+    for (std::uint32_t i = 0; i < args(v); ++i) {
+        statement(v, names_[id] + part(function_[v].type, i) + " = " + argument(v, i) + ";");
+    }
+}
+
+void Body::print_array(Value v) {
+    const std::uint32_t id = plan_.variable[v.index];
+    const Array& array = writer_.module.arrays[function_[v].type.ref];
+    if (array.element.is_numeric() && !is_declared(id)) {
+        bool is_constant = plan_.variables[id].writes == 1;
+        for (std::uint32_t i = 0; i < args(v); ++i) is_constant &= function_[arg(v, i)].op == Op::Constant;
+        const Language& language = writer_.language;
+        const std::string value = language.array_value(writer_.type(array.element), array.count, arguments(v));
+        const std::string qualifier = is_constant ? std::string(language.constant_array) + " " : "";
+        return statement(v, fmt::format("{}{} = {};", qualifier, target(v), value));
+    }
+    if (!is_declared(id)) statement(v, target(v) + ";");
+    for (std::uint32_t i = 0; i < args(v); ++i) {
+        statement(v, fmt::format("{}[{}] = {};", names_[id], i, argument(v, i)));
+    }
+}
+
+void Body::print_insert(Value v) {
+    const std::uint32_t id = plan_.variable[v.index];
+    const Value old = arg(v, 0);
+    if (plan_.variable[old.index] != id) {
+        const std::string text = argument(v, 0);
+        statement(v, fmt::format("{} = {};", target(v), text));
+    }
+    statement(v, fmt::format("{}{} = {};", names_[id], part(function_[v].type, function_[v].data), argument(v, 1)));
+}
+
+// HLSL's ?: does not take structs.
+void Body::print_select(Value v) {
+    const std::string condition = argument(v, 0), if_true = argument(v, 1), if_false = argument(v, 2);
+    statement(v, fmt::format("{} = {};", target(v), if_false));
+    statement(v, fmt::format("if ({}) {} = {};", condition, names_[plan_.variable[v.index]], if_true));
+}
+
+// --- control flow
+
+// Both sides stand in one scope, so that what one of them declares keeps its name for itself.
+void Body::print_if_defined(Value v, const std::string& test) {
+    for (std::uint32_t i = 0; i < slot_count(function_, v); ++i) {
+        const std::uint32_t id = slot(v, i);
+        if (id != Plan::kNone && !is_declared(id)) statement(v, target(id) + ";");
+    }
+    const auto side = [&](std::uint32_t block) {
+        at_block_start_ = true;
+        print_block({block});
+        print_yields(function_.blocks[block].insts.back(), v);
+        at_block_start_ = false;
+    };
+    writer_.line(0, "#if " + test, function_[v].origin);
+    side(function_[v].data);
+    Value last = v;
+    for (Value next = only_if_in_else(last); next; next = only_if_in_else(last)) {
+        writer_.line(0, "#elif " + keyword_test(arg(next, 0)), function_[next].origin);
+        side(function_[next].data);
+        last = next;
+    }
+    if (!says_nothing({function_[last].data + 1}, last)) {
+        writer_.line(0, "#else", function_[last].origin);
+        side(function_[last].data + 1);
+    }
+    writer_.line(0, "#endif", function_[v].origin);
+}
+
+// Nothing stands in the side of a branch: its values are what they were before.
+bool Body::says_nothing(BlockId block, Value structure) const {
+    const std::vector<Value>& insts = function_.blocks[block.index].insts;
+    const Value yield = insts.back();
+    for (std::uint32_t i = 0; i < args(yield); ++i) {
+        if (slot(structure, i) != Plan::kNone && plan_.variable[arg(yield, i).index] != slot(structure, i))
+            return false;
+    }
+    return std::none_of(insts.begin(), insts.end(), [&](Value v) {
+        const Op op = function_[v].op;
+        return plan_.is_printed(function_, v) && (op == Op::If || op == Op::For || is_variable(v));
+    });
+}
+
+// The branch that is all there is on the other side of one, where it can be tested and writes the same variables.
+Value Body::only_if_in_else(Value v) const {
+    Value only;
+    const std::vector<Value>& insts = function_.blocks[function_[v].data + 1].insts;
+    for (const Value inside : insts) {
+        const Op op = function_[inside].op;
+        if (!plan_.is_printed(function_, inside) || op == Op::Result || op == Op::Yield) continue;
+        if (op != Op::If && !is_variable(inside)) continue;  // spelled out where it is read
+        if (op != Op::If || only) return {};
+        only = inside;
+    }
+    if (!only || keyword_test(arg(only, 0)).empty()) return {};
+    const Value yield = insts.back();
+    for (std::uint32_t i = 0; i < args(yield); ++i) {
+        if (slot(v, i) != Plan::kNone && plan_.variable[arg(yield, i).index] != slot(v, i)) return {};
+    }
+    return only;
+}
+
+void Body::print_if(Value v) {
+    if (writer_.module.tests_keywords) {
+        const std::string test = keyword_test(arg(v, 0));
+        if (!test.empty()) return print_if_defined(v, test);
+    }
+    const BlockId then_block{function_[v].data}, else_block{function_[v].data + 1};
+    const Value otherwise = function_.blocks[else_block.index].insts.back();
+    const bool is_plain = has_plain_else(plan_, function_, v);
+    const std::string condition = argument(v, 0);
+    for (std::uint32_t i = 0; i < slot_count(function_, v); ++i) {
+        const std::uint32_t id = slot(v, i);
+        if (id == Plan::kNone) continue;
+        if (is_plain && plan_.variable[arg(otherwise, i).index] != id) {
+            const Text text = expression(arg(otherwise, i));
+            assign(id, arg(otherwise, i), text, v);
+        } else if (!is_plain && !is_declared(id)) {
+            statement(v, target(id) + ";");
+        }
+    }
+    statement(v, fmt::format("if ({}) {{", condition));
+    print_branch(then_block, v);
+    if (!is_plain) {
+        writer_.line(indent_, "} else {", function_[v].origin);
+        print_branch(else_block, v);
+    }
+    writer_.line(indent_, "}", function_[v].origin);
+}
+
+void Body::print_branch(BlockId block, Value structure) {
+    writer_.names.open();
+    ++indent_;
+    at_block_start_ = true;
+    print_block(block);
+    print_yields(function_.blocks[block.index].insts.back(), structure);
+    at_block_start_ = false;
+    --indent_;
+    writer_.names.close();
+}
+
+void Body::print_for(Value v) {
+    const Inst& inst = function_[v];
+    for (std::uint32_t i = 0; i < slot_count(function_, v); ++i) {
+        const Value initial = arg(v, 2 + i);
+        if (plan_.variable[initial.index] == slot(v, i)) continue;
+        const Text text = expression(initial);
+        assign(slot(v, i), initial, text, v);
+    }
+    const std::string begin = argument(v, 0), end = at_least(above(Precedence::Relational), expression(arg(v, 1)));
+    writer_.names.open();
+    std::string index;
+    const std::string fallback(kLoopIndices[std::min<std::size_t>(loops_, std::size(kLoopIndices) - 1)]);
+    for (Value inside : function_.blocks[inst.data].insts) {
+        if (function_[inside].op != Op::LoopIndex) continue;
+        const std::string_view hint = writer_.module.name_of(function_[inside].name);
+        index = writer_.names.declare(hint.empty() ? fallback : hint);
+        if (is_variable(inside)) names_[plan_.variable[inside.index]] = index;
+    }
+    if (index.empty()) index = writer_.names.declare(fallback);
+    statement(v, fmt::format("for ({3} {0} = {1}; {0} < {2}; ++{0}) {{", index, begin, end,
+                             writer_.type(function_[arg(v, 0)].type)));
+    ++loops_;
+    print_branch({inst.data}, v);
+    --loops_;
+    writer_.names.close();
+    writer_.line(indent_, "}", inst.origin);
+}
+
+// All variables change at once: each is assigned when no other value still reads it, and a circle is broken by
+// computing one value ahead.
+void Body::print_yields(Value yield, Value structure) {
+    struct Pending {
+        std::uint32_t variable;
+        Value value;
+        std::string ready;  // computed ahead, in this variable
+    };
+    std::vector<Pending> pending;
+    for (std::uint32_t i = 0; i < args(yield); ++i) {
+        const std::uint32_t id = slot(structure, i);
+        const Value value = arg(yield, i);
+        if (id != Plan::kNone && plan_.variable[value.index] != id) pending.push_back({id, value, {}});
+    }
+    const auto reads = [&](const Pending& p, std::uint32_t variable) {
+        if (!p.ready.empty()) return false;
+        if (is_variable(p.value)) return plan_.variable[p.value.index] == variable;
+        bool found = false;
+        for_each_read(plan_, function_, p.value, [&](Value v) { found |= plan_.variable[v.index] == variable; });
+        return found;
+    };
+    const auto origin_of = [&](const Pending& p) { return is_leaf(function_[p.value].op) ? yield : p.value; };
+    while (!pending.empty()) {
+        const auto is_free = [&](const Pending& p) {
+            return std::none_of(pending.begin(), pending.end(),
+                                [&](const Pending& other) { return &other != &p && reads(other, p.variable); });
+        };
+        const auto next = std::find_if(pending.begin(), pending.end(), is_free);
+        if (next == pending.end()) {
+            const auto waiting =
+                std::find_if(pending.begin(), pending.end(), [](const Pending& p) { return p.ready.empty(); });
+            waiting->ready = writer_.names.declare("next_" + names_[waiting->variable]);
+            const std::string target = writer_.declaration(function_[waiting->value].type, waiting->ready);
+            statement(origin_of(*waiting), fmt::format("{} = {};", target, expression(waiting->value).text));
+            continue;
+        }
+        const Text text = next->ready.empty() ? expression(next->value) : Text{next->ready};
+        assign(next->variable, next->value, text, origin_of(*next));
+        pending.erase(next);
+    }
+}
+
+void Body::print_return(Value v) {
+    if (!entry_) {
+        if (args(v) > 0) statement(v, fmt::format("return {};", argument(v, 0)));
+        return;
+    }
+    const Value result = args(v) > 0 ? arg(v, 0) : Value{};
+    if (!entry_->before_return.empty()) statement(v, entry_->before_return);
+    for (std::uint32_t i = 0; result && i < entry_->outputs.size(); ++i) {
+        const bool is_direct = result == plan_.outputs;
+        const Value member = is_direct ? arg(result, i) : result;
+        const std::string text =
+            is_direct ? expression(member).text
+                      : at_least(Precedence::Postfix, expression(result)) + part(function_[result].type, i);
+        const std::string guard = i < entry_->guards.size() ? entry_->guards[i] : std::string();
+        if (!guard.empty()) writer_.line(0, "#if " + guard);
+        statement(v, entry_->outputs[i] + (entry_->outputs[i] == "return" ? " " : " = ") + text + ";");
+        if (!guard.empty()) writer_.line(0, "#endif");
+    }
+    for (const std::string& line : entry_->end) statement(v, line);
+    if (!entry_->at_return.empty()) statement(v, entry_->at_return);
+}
+
+}  // namespace patina::targets

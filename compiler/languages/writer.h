@@ -1,0 +1,66 @@
+// The text of one shader while it grows, and what is true for the whole of it: which functions, types and globals it
+// needs, and what they are called. Function bodies are body.h.
+#pragma once
+
+#include "compiler/languages/language.h"
+#include "compiler/languages/names.h"
+#include "compiler/languages/print.h"
+
+namespace patina::targets {
+
+// What the entry function reaches; indexed like the module's vectors. Nothing else is printed.
+struct Reachable {
+    std::vector<bool> functions, structs, blocks, globals;
+    bool half = false;         // the type is used
+    bool samplerless = false;  // a texture is read without a sampler
+};
+Reachable find_reachable(const ir::Module& module);
+
+struct Writer {
+    Writer(const ir::Module& module, const Language& language, const PrintOptions& options,
+           const std::vector<Plan>& plans)
+        : module(module), language(language), options(options), plans(plans) {}
+
+    const ir::Module& module;
+    const Language& language;
+    const PrintOptions& options;
+    const std::vector<Plan>& plans;  // by function
+    Reachable reachable;
+    Names names;
+    std::vector<std::string> functions, structs, blocks, globals;  // names, indexed like the module's vectors
+    std::vector<std::vector<std::string>> members;                 // of structs
+    std::vector<std::vector<std::string>> block_members;
+
+    std::string text;
+    int next_line = 1;
+    std::vector<PrintedLine> lines;
+    std::vector<Piece> pieces;
+    int paddings = 0;
+
+    // One statement or declaration; broken after commas where it is too wide.
+    void line(unsigned indent, std::string_view content, ir::OriginId origin = {});
+    void comment(unsigned indent, std::string_view content, ir::OriginId origin = {});
+    // An empty line, unless there is one already or nothing above it.
+    void gap();
+
+    std::string type(ir::Type type) const;
+    // "vec3 n", "float k[4]"
+    std::string declaration(ir::Type type, std::string_view name) const;
+    // A name of the text without the prefix that pasted texts have.
+    std::string_view plain(std::string_view name) const;
+    // What a keyword is until somebody sets another value: "true", "2".
+    std::string keyword_value(const ir::Global& global) const;
+    // A descriptor set: "1", "space1", or its name.
+    std::string set(std::uint32_t set) const;
+    // Members of a uniform block, padding included, between braces.
+    void block_body(const ir::UniformBlock& block);
+    // The type that a value has in a uniform block or between stages, where `half` is a float.
+    static ir::Type stored(ir::Type type) {
+        return type.is_numeric() && type.scalar == ir::Scalar::Half ? type.with_scalar(ir::Scalar::Float) : type;
+    }
+};
+
+// The whole shader.
+Printed print(const ir::Module& module, const Language& language, const PrintOptions& options);
+
+}  // namespace patina::targets

@@ -1,0 +1,167 @@
+#include "compiler/link/check_reads.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace patina::assemble {
+namespace {
+
+using nodelang::FunctionDecl;
+
+bool is_per_object(const graph::Stages& stages, const ir::Global& global) {
+    return std::any_of(stages.externs.begin(), stages.externs.end(), [&](const nodelang::VariableDecl* each) {
+        return each->span == global.span && each->attribute("per_object");
+    });
+}
+
+std::set<std::uint32_t> globals_of(const ir::Module& stage) {
+    std::set<std::uint32_t> read;
+    for (const ir::Function& function : stage.functions) {
+        for (const ir::Inst& inst : function.insts) {
+            if (inst.op == ir::Op::Global) read.insert(inst.data);
+        }
+    }
+    return read;
+}
+
+// Of the path, and of what switches bring.
+std::set<std::string_view> drawn_targets(const graph::Stages& stages, const std::string& path) {
+    std::vector<const graph::PassDecl*> passes = stages.passes_of(path);
+    for (const graph::SwitchDecl& each : stages.switches) {
+        if (const graph::PassDecl* brought = stages.pass(each.brings)) passes.push_back(brought);
+    }
+    std::set<std::string_view> names = {"color"};  // the picture is always there
+    for (const graph::PassDecl* each : passes) {
+        names.insert(each->state.depth_target);
+        for (const RenderTarget& target : each->state.targets) names.insert(target.name);
+    }
+    return names;
+}
+
+class Search {
+public:
+    explicit Search(const ir::Module& stage) : stage_(stage), seen_(stage.functions.size()) {}
+
+    // `origin`: of the innermost node on the way.
+    std::optional<Missing> visit(ir::FunctionId function, ir::OriginId origin) {
+        if (seen_[function.index]) return {};
+        seen_[function.index] = true;
+        for (const ir::Inst& inst : stage_[function].insts) {
+            const ir::OriginId here = inst.origin ? inst.origin : origin;
+            if (inst.op == ir::Op::Global && is_missing(stage_.globals[inst.data]))
+                return Missing{stage_.globals[inst.data].name, here ? stage_.origins[here.index] : ir::Origin{}};
+            if (inst.op != ir::Op::Call) continue;
+            if (std::optional<Missing> found = visit({inst.data}, here)) return found;
+        }
+        return {};
+    }
+
+private:
+    static bool is_missing(const ir::Global& global) {
+        return !global.is_foreign() && global.set != graph::kMaterialSet && global.type.kind != ir::Kind::Sampler;
+    }
+
+    const ir::Module& stage_;
+    std::vector<bool> seen_;
+};
+
+}  // namespace
+
+std::optional<Missing> missing_in(const ir::Module& stage) {
+    return Search(stage).visit(stage.stage.entry, {});
+}
+
+namespace {
+
+// What a function or the semantics that it needs come to read.
+class Reads {
+public:
+    Reads(const Linked& linked, std::string_view global)
+        : linked_(linked), global_(global), seen_(linked.functions.size()) {}
+
+    // A place in a graph that reads the value by way of a semantic, such as `@light`.
+    ir::Origin place() {
+        const auto& semantics = linked_.lowered.semantics;
+        for (std::size_t i = 0; i < semantics.size(); ++i) {
+            seen_.assign(seen_.size(), false);
+            if (linked_.readers[i] && semantics[i].recipe && in(semantics[i].recipe))
+                return linked_.lowered.module.origins[linked_.readers[i].index];
+        }
+        return {};
+    }
+
+private:
+    bool in(ir::FunctionId function) {
+        if (!function || seen_[function.index]) return false;
+        seen_[function.index] = true;
+        for (const ir::Inst& inst : linked_.functions[function.index].insts) {
+            if (inst.op == ir::Op::Global && linked_.lowered.module.globals[inst.data].name == global_) return true;
+            if (inst.op == ir::Op::Call && in({inst.data})) return true;
+        }
+        const std::vector<ir::SemanticId>& needs = linked_.needs[function.index];
+        return std::any_of(needs.begin(), needs.end(), [&](ir::SemanticId semantic) {
+            return in(linked_.lowered.semantics[semantic.index].recipe);
+        });
+    }
+
+    const Linked& linked_;
+    std::string_view global_;
+    std::vector<bool> seen_;
+};
+
+}  // namespace
+
+bool has_all(graph::Session& session, const Linked& linked, const LinkedPass& pass) {
+    for (const ir::Module* stage : {&pass.vertex, &pass.fragment}) {
+        std::optional<Missing> missing = missing_in(*stage);
+        if (!missing) continue;
+        const Span graph = pass.material->graph->graph->span;
+        if (!missing->where.span.end) missing->where = Reads(linked, missing->name).place();
+        const bool is_at_node = missing->where.span.begin != missing->where.span.end;
+        const graph::PassDecl& declaration = *pass.pass->declaration;
+        DiagnosticRecord& record = session.diagnostics.report(
+            declaration.is_optional ? Code::PassLeftOut : Code::PassRefused,
+            is_at_node ? missing->where.span : Span{graph.begin, graph.begin + 1}, graph::known_as(declaration),
+            fmt::format("its {} reads '{}', and '{}' has nothing like it there",
+                        stage == &pass.vertex ? "vertex stage" : "fragment stage", missing->name,
+                        to_string(session.options.targets[0])));
+        record.at(missing->where.id);
+        if (declaration.is_optional && !declaration.otherwise.empty()) record.note(std::string(declaration.otherwise));
+        return false;
+    }
+    return true;
+}
+
+void check_reads(graph::Session& session, const graph::Lowered& lowered, std::span<const LinkedPass> passes) {
+    if (!session.pass_file || graph::tool_of(session) || lowered.path != session.path) return;
+    const graph::Stages& stages = *session.stages;
+    const std::set<std::string_view> drawn = drawn_targets(stages, lowered.path);
+    const auto check = [&](const graph::PassDecl& pass, const ir::Module& stage, const FunctionDecl& function) {
+        for (const std::uint32_t read : globals_of(stage)) {
+            const ir::Global& global = lowered.module.globals[read];
+            if (const auto target = lowered.reads.find(read); target != lowered.reads.end()) {
+                if (!drawn.contains(target->second))
+                    session.diagnostics.report(
+                        Code::PassRefused, function.name_span, pass.name,
+                        fmt::format("it reads the target '{}', which no pass of the path draws", target->second));
+            }
+            if (pass.state.draws == "fullscreen" && is_per_object(stages, global))
+                session.diagnostics
+                    .report(Code::PassRefused, function.name_span, pass.name,
+                            fmt::format("it draws the screen and reads '{}', which belongs to an object", global.name))
+                    .note(
+                        "the corners of the screen are position_os, and what is behind a pixel is what depth_texture "
+                        "says");
+        }
+    };
+    for (const LinkedPass& each : passes) {
+        const graph::PassDecl& pass = *each.pass->declaration;
+        if (pass.path != session.path || each.material->pass) continue;
+        check(pass, each.vertex, *pass.vertex);
+        check(pass, each.fragment, *pass.fragment);
+    }
+}
+
+}  // namespace patina::assemble

@@ -1,0 +1,58 @@
+#include "compiler/link/identifiers.h"
+
+#include "compiler/lower/declare.h"
+#include "compiler/languages/names.h"
+
+namespace patina::assemble {
+namespace {
+
+void name_set(ir::Module& module, std::uint32_t set, targets::Names& names) {
+    for (const ir::UniformBlock& block : module.blocks) {
+        for (const ir::Global& global : module.globals) {
+            if (global.set != set || !global.in_block() || &module.blocks[global.block] != &block) continue;
+            std::string& name = module.blocks[global.block].members[global.member].name;
+            name = names.declare(name);
+        }
+    }
+    for (ir::Global& global : module.globals) {
+        if (!global.in_block() && global.set == set) global.name = names.declare(global.name);
+    }
+}
+
+void name_members(ir::Module& module) {
+    for (ir::Global& global : module.globals) {
+        if (global.in_block()) global.name = module.blocks[global.block].members[global.member].name;
+    }
+}
+
+// Whether a property is what the included file declares under that name.
+bool is_property(const ir::Module& module, std::string_view name) {
+    for (const ir::UniformBlock& block : module.blocks) {
+        for (const ir::BlockMember& member : block.members) {
+            if (!member.declared_in.empty() && member.name == name) return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+void name_interface(ir::Module& module) {
+    targets::Names names;
+    bool is_tool = false;  // whose files have neither blocks nor an engine's values of ours
+    for (const ir::Global& global : module.globals) {
+        is_tool = is_tool || global.is_foreign();
+        if (!global.is_foreign() || is_property(module, global.spelling)) continue;
+        names.declare(global.spelling.substr(0, global.spelling.find('.')));
+    }
+    if (is_tool) {
+        name_set(module, graph::kMaterialSet, names);
+        return name_members(module);
+    }
+    for (ir::UniformBlock& block : module.blocks) block.name = names.declare(block.name);
+    name_set(module, graph::kEngineSet, names);  // first: hosts know these by name
+    name_set(module, graph::kMaterialSet, names);
+    name_members(module);
+}
+
+}  // namespace patina::assemble

@@ -1,0 +1,426 @@
+#include "compiler/link/link.h"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+
+#include "compiler/ir/passes/passes.h"
+#include "compiler/ir/rebuild.h"
+
+namespace patina::assemble {
+
+using graph::Source;
+using ir::Op;
+using ir::SemanticId;
+using ir::Type;
+using ir::Value;
+
+namespace {
+
+// --- semantics to parameters
+
+// Gives the instruction new operands; the old ones stay in the pool, unused.
+void set_operands(ir::Function& function, ir::Inst& inst, std::span<const Value> operands) {
+    inst.first_operand = static_cast<std::uint32_t>(function.operands.size());
+    inst.operand_count = static_cast<std::uint32_t>(operands.size());
+    function.operands.insert(function.operands.end(), operands.begin(), operands.end());
+}
+
+// What a function needs: its own semantics and those of the functions that it calls, in order of semantic.
+std::vector<SemanticId> needs_of(const ir::Function& function, const std::vector<std::vector<SemanticId>>& known) {
+    std::vector<SemanticId> needs;
+    for (const ir::Inst& inst : function.insts) {
+        if (inst.op == Op::Semantic) needs.push_back({inst.data});
+        if (inst.op == Op::Call) needs.insert(needs.end(), known[inst.data].begin(), known[inst.data].end());
+    }
+    std::sort(needs.begin(), needs.end());
+    needs.erase(std::unique(needs.begin(), needs.end()), needs.end());
+    return needs;
+}
+
+// The needs of every function. One that a pass replaces needs what its replacement does, too, so that callers hand on
+// the same in every pass; what a stage does not read is pruned.
+std::vector<std::vector<SemanticId>> all_needs(const graph::Lowered& lowered, std::span<const ir::Function> functions) {
+    std::vector<std::vector<SemanticId>> needs(functions.size());
+    for (std::uint32_t i = 0; i < functions.size(); ++i) needs[i] = needs_of(functions[i], needs);
+    const auto join = [&](ir::FunctionId into, ir::FunctionId from) {
+        std::vector<SemanticId> both;
+        std::set_union(needs[into.index].begin(), needs[into.index].end(), needs[from.index].begin(),
+                       needs[from.index].end(), std::back_inserter(both));
+        const bool grows = both.size() > needs[into.index].size();
+        needs[into.index] = std::move(both);
+        return grows;
+    };
+    for (bool grows = true; grows;) {
+        grows = false;
+        for (const graph::LoweredPass& pass : lowered.passes) {
+            for (const auto& [old, made] : pass.replaced) grows |= join(old, made) || join(made, old);
+        }
+        if (!grows) break;
+        for (std::uint32_t i = 0; i < functions.size(); ++i) {
+            for (const ir::Inst& inst : functions[i].insts) {
+                if (inst.op == Op::Call) join({i}, {inst.data});
+            }
+        }
+    }
+    return needs;
+}
+
+void thread_function(const ir::Module& module, ir::Function& function, const std::vector<SemanticId>& own,
+                     const std::vector<std::vector<SemanticId>>& needs) {
+    if (own.empty()) return;
+    // One Param instruction a semantic, at the very front, so that it dominates every use.
+    std::vector<Value> params;
+    for (SemanticId semantic : own) {
+        const ir::Semantic& info = module.semantics[semantic.index];
+        ir::Inst inst{};
+        inst.op = Op::Param;
+        inst.type = info.type;
+        inst.data = static_cast<std::uint32_t>(function.params.size());
+        function.params.push_back({info.name, info.type, info.rate, true});
+        function.insts.push_back(inst);
+        params.push_back({static_cast<std::uint32_t>(function.insts.size() - 1)});
+    }
+    const auto param_of = [&](SemanticId semantic) {
+        const auto at = std::lower_bound(own.begin(), own.end(), semantic) - own.begin();
+        return static_cast<std::uint32_t>(at);
+    };
+    const std::size_t original = function.insts.size() - params.size();
+    for (std::size_t i = 0; i < original; ++i) {
+        ir::Inst& inst = function.insts[i];
+        if (inst.op == Op::Semantic) {
+            inst.data = function.insts[params[param_of({inst.data})].index].data;
+            inst.op = Op::Param;
+        } else if (inst.op == Op::Call && !needs[inst.data].empty()) {
+            const std::span<const Value> before = function.args(inst);
+            std::vector<Value> operands(before.begin(), before.end());
+            for (SemanticId semantic : needs[inst.data]) operands.push_back(params[param_of(semantic)]);
+            set_operands(function, inst, operands);
+        }
+    }
+    std::vector<Value>& body = function.blocks[0].insts;
+    body.insert(body.begin(), params.begin(), params.end());
+}
+
+// --- entry functions
+
+class EntryBuilder {
+public:
+    EntryBuilder(const Linked& linked, const graph::LoweredPass& pass, ir::StageKind stage, ir::BuildOptions options)
+        : linked_(linked),
+          pass_(pass),
+          module_(linked.lowered.module),
+          builder_(module_, entry_, options),
+          imported_(linked.functions.size()) {
+        module_.stage.kind = stage;
+        entry_.name = "main";
+    }
+
+    ir::Builder& builder() { return builder_; }
+    ir::Module& module() { return module_; }
+
+    // Calls a function whose parameters are all semantics. `original`: attributes as the mesh has them.
+    Value call(ir::FunctionId function, bool original = false) {
+        std::vector<Value> arguments;
+        for (SemanticId semantic : linked_.needs[function.index]) arguments.push_back(value(semantic, original));
+        return builder_.call(imported(function), arguments);
+    }
+
+    // A pinned value is one value: of the mesh as it is, for its readers in either stage.
+    Value value(SemanticId semantic, bool original = false) {
+        const graph::SemanticRecipe& recipe = linked_.lowered.semantics[semantic.index];
+        original = original || (recipe.source == Source::Vertex && !recipe.declaration);
+        std::vector<Value>& known = original ? originals_ : values_;
+        known.resize(module_.semantics.size());
+        if (!known[semantic.index]) {
+            const Value made = make(semantic, original);
+            known[semantic.index] = made;
+            if (builder_[made].op != Op::Param && builder_[made].op != Op::Global) {
+                builder_.name(made, module_.intern(module_.semantics[semantic.index].name));
+            }
+        }
+        return known[semantic.index];
+    }
+
+    // Ends the entry: the outputs are the stage's, in order.
+    ir::Module finish(std::string struct_name, std::vector<ir::StageVariable> outputs, std::span<const Value> values) {
+        ir::Struct made{.name = std::move(struct_name), .members = {}};
+        for (const ir::StageVariable& output : outputs) made.members.push_back({output.name, output.type});
+        module_.structs.push_back(std::move(made));
+        entry_.result = Type::structure(static_cast<std::uint32_t>(module_.structs.size() - 1));
+        builder_.ret(builder_.construct(entry_.result, values));
+        module_.stage.outputs = std::move(outputs);
+        module_.functions.push_back(std::move(entry_));
+        module_.stage.entry = {static_cast<std::uint32_t>(module_.functions.size() - 1)};
+        return std::move(module_);
+    }
+
+private:
+    // The stage's copy of a function, with those that it calls before it. What a pass puts in the place of a function
+    // of the seam may call that function.
+    ir::FunctionId imported(ir::FunctionId function) {
+        const bool is_usual = std::find(replacing_.begin(), replacing_.end(), function) != replacing_.end();
+        if (const auto other = is_usual ? std::nullopt : pass_.replacement_of(function, module_.stage.kind)) {
+            replacing_.push_back(function);
+            const ir::FunctionId made = imported(*other);
+            replacing_.pop_back();
+            return made;
+        }
+        if (imported_[function.index]) return imported_[function.index];
+        ir::Function copy = linked_.functions[function.index];
+        // What a pass without targets reads of the surface decides what it needs to be handed.
+        const bool shares = in_vertex_stage() || !pass_.declaration->state.targets.empty();
+        if (linked_.lowered.keeps_functions && shares && !ir::is_elsewhere(copy)) copy.linkage = ir::Linkage::Exported;
+        for (ir::Inst& inst : copy.insts) {
+            if (inst.op == Op::Call) inst.data = imported({inst.data}).index;
+        }
+        module_.functions.push_back(std::move(copy));
+        return imported_[function.index] = {static_cast<std::uint32_t>(module_.functions.size() - 1)};
+    }
+
+    // A pass's own recipe may read what it is a recipe for: then it means the usual one.
+    std::optional<Value> given(SemanticId semantic) {
+        const auto recipe = pass_.recipe_of(semantic, module_.stage.kind);
+        if (!recipe || std::find(giving_.begin(), giving_.end(), semantic) != giving_.end()) return {};
+        giving_.push_back(semantic);
+        const Value made = call(*recipe);
+        giving_.pop_back();
+        return made;
+    }
+
+    bool in_vertex_stage() const { return module_.stage.kind == ir::StageKind::Vertex; }
+
+    Value make(SemanticId semantic, bool original) {
+        if (const std::optional<Value> made = given(semantic)) return *made;
+        const graph::SemanticRecipe& recipe = linked_.lowered.semantics[semantic.index];
+        switch (recipe.source) {
+            case Source::Attribute:
+                if (!in_vertex_stage()) return varying(semantic);
+                // What no object is drawn by, the screen and the volumes of lights, no material moves.
+                if (recipe.override && !original && pass_.declaration->state.draws == "objects")
+                    return call(recipe.override, true);
+                return attribute(semantic);
+            case Source::Builtin: return builtin(semantic);
+            case Source::Vertex: return in_vertex_stage() ? call(recipe.recipe, original) : varying(semantic);
+            case Source::Pixel:
+            case Source::Uniform: return call(recipe.recipe, original);
+            case Source::Extern:
+            case Source::Given: break;  // globals and parameters: never a semantic instruction
+        }
+        return {};
+    }
+
+    Value input(ir::StageVariable variable, ir::Rate rate) {
+        entry_.params.push_back({variable.name, variable.type, rate});
+        module_.stage.inputs.push_back(std::move(variable));
+        return builder_.param(static_cast<std::uint32_t>(entry_.params.size() - 1));
+    }
+
+    Value attribute(SemanticId semantic) {
+        // The mesh's own value is one input, however it is asked for.
+        originals_.resize(module_.semantics.size());
+        if (originals_[semantic.index]) return originals_[semantic.index];
+        if (const std::optional<ir::GlobalId> global = pass_.attribute_of(semantic))
+            return originals_[semantic.index] =
+                       builder_.emit(Op::Global, module_.semantics[semantic.index].type, {}, global->index);
+        const nodelang::Attribute& declared =
+            *linked_.lowered.semantics[semantic.index].declaration->variable->attribute("attribute");
+        const ir::Semantic& info = module_.semantics[semantic.index];
+        const Value made = input({.name = info.name,
+                                  .type = info.type,
+                                  .location = static_cast<std::uint32_t>(declared.args[0]->number),
+                                  .semantic = std::string(nodelang::attribute_text(declared, 1))},
+                                 ir::Rate::Vertex);
+        originals_[semantic.index] = made;
+        return made;
+    }
+
+    Value varying(SemanticId semantic) {
+        const ir::Semantic& info = module_.semantics[semantic.index];
+        return input({.name = info.name, .type = info.type, .semantic = {}}, ir::Rate::Pixel);
+    }
+
+    Value builtin(SemanticId semantic) {
+        static constexpr std::pair<std::string_view, ir::Builtin> kWords[] = {
+            {"front_facing", ir::Builtin::FrontFacing},
+            {"frag_coord", ir::Builtin::FragCoord},
+            {"vertex_index", ir::Builtin::VertexIndex},
+            {"instance_index", ir::Builtin::InstanceIndex}};
+        const auto& declared = *linked_.lowered.semantics[semantic.index].declaration->variable->attribute("builtin");
+        const ir::Semantic& info = module_.semantics[semantic.index];
+        // Known to the vertex stage alone, which hands it on as it is.
+        if (!in_vertex_stage() && nodelang::attribute_text(declared) == "instance_index") return varying(semantic);
+        // Triangles have no back yet: vertices see the front.
+        if (in_vertex_stage() && nodelang::attribute_text(declared) == "front_facing") {
+            return builder_.constant(info.type, {1});
+        }
+        ir::StageVariable variable{.name = info.name, .type = info.type, .semantic = {}};
+        for (const auto& [word, which] : kWords) {
+            if (word == nodelang::attribute_text(declared)) variable.builtin = which;
+        }
+        return input(std::move(variable), ir::Rate::Pixel);
+    }
+
+    const Linked& linked_;
+    const graph::LoweredPass& pass_;
+    std::vector<SemanticId> giving_;
+    std::vector<ir::FunctionId> replacing_;
+    ir::Module module_;
+    ir::Function entry_{};
+    ir::Builder builder_;
+    std::vector<Value> values_, originals_;
+    std::vector<ir::FunctionId> imported_;
+};
+
+// What of the functions an entry may call comes to be read, and nothing else.
+void drop_unread_members(graph::Lowered& lowered) {
+    std::vector<ir::FunctionId> entries, called;
+    const auto add = [&](ir::FunctionId function) {
+        if (function) called.push_back(function);
+    };
+    for (const graph::SemanticRecipe& semantic : lowered.semantics) {
+        add(semantic.recipe);
+        add(semantic.override);
+    }
+    for (const graph::LoweredPass& pass : lowered.passes) {
+        entries.insert(entries.end(), {pass.vertex, pass.fragment});
+        for (const auto& [semantic, recipe] : pass.recipes) add(recipe);
+        for (const auto& [semantic, recipe] : pass.at_vertices) add(recipe);
+        for (const auto& [old, made] : pass.replaced) add(made);
+    }
+    lowered.module = ir::drop_members(std::move(lowered.module), entries, called);
+}
+
+std::vector<ir::OriginId> readers_of(const ir::Module& module) {
+    std::vector<ir::OriginId> readers(module.semantics.size());
+    for (const ir::Function& function : module.functions) {
+        for (const ir::Inst& inst : function.insts) {
+            if (inst.op == Op::Semantic && inst.origin && !readers[inst.data]) readers[inst.data] = inst.origin;
+        }
+    }
+    return readers;
+}
+
+}  // namespace
+
+Linked link(graph::Lowered lowered) {
+    if (lowered.keeps_functions) drop_unread_members(lowered);
+    std::vector<ir::OriginId> readers = readers_of(lowered.module);
+    std::vector<ir::Function> functions = std::move(lowered.module.functions);
+    lowered.module.functions.clear();
+    const std::vector<std::vector<SemanticId>> needs = all_needs(lowered, functions);
+    for (std::uint32_t i = 0; i < functions.size(); ++i) {
+        thread_function(lowered.module, functions[i], needs[i], needs);
+    }
+    return {.lowered = std::move(lowered),
+            .functions = std::move(functions),
+            .needs = needs,
+            .readers = std::move(readers)};
+}
+
+namespace {
+
+std::vector<ir::StageText> texts_of(const graph::PassDecl& pass) {
+    Diagnostics said;  // when its file was read
+    std::vector<ir::StageText> texts = graph::texts_of(pass.vertex->attributes, said);
+    for (ir::StageText& text : graph::texts_of(pass.fragment->attributes, said)) texts.push_back(std::move(text));
+    return texts;
+}
+
+}  // namespace
+
+ir::Module link_fragment(const Linked& linked, const graph::LoweredPass& pass, ir::BuildOptions options) {
+    EntryBuilder entry(linked, pass, ir::StageKind::Fragment, options);
+    const Value result = entry.call(pass.fragment);
+    const Type type = entry.builder().type(result);
+    std::vector<ir::StageVariable> outputs;
+    std::vector<Value> values;
+    const auto add = [&](std::string name, Type of, Value value) {
+        const auto location = static_cast<std::uint32_t>(outputs.size());
+        const auto& guards = pass.declaration->guards;
+        outputs.push_back({.name = std::move(name),
+                           .type = of,
+                           .location = location,
+                           .semantic = "SV_Target" + std::to_string(location),
+                           .guard = location < guards.size() ? std::string(guards[location]) : std::string()});
+        values.push_back(value);
+    };
+    if (type.kind == ir::Kind::Struct) {
+        const std::vector<ir::Member> members = entry.module().structs[type.ref].members;
+        for (std::uint32_t i = 0; i < members.size(); ++i)
+            add(members[i].name, members[i].type, entry.builder().extract(result, i));
+    } else {
+        add("color", type, result);
+    }
+    ir::Module made = entry.finish("Targets", std::move(outputs), values);
+    made.stage.texts = texts_of(*pass.declaration);
+    return made;
+}
+
+ir::Module link_vertex(const Linked& linked, const graph::LoweredPass& pass, ir::Module& fragment,
+                       ir::BuildOptions options) {
+    EntryBuilder entry(linked, pass, ir::StageKind::Vertex, options);
+    std::vector<ir::StageVariable> outputs;
+    std::vector<Value> values;
+    std::uint32_t location = 0;
+    const Value position = entry.call(pass.vertex);
+    for (ir::StageVariable& input : fragment.stage.inputs) {
+        if (input.builtin != ir::Builtin::None) continue;
+        const auto& semantics = linked.lowered.module.semantics;
+        const auto found = std::find_if(semantics.begin(), semantics.end(),
+                                        [&](const ir::Semantic& s) { return s.name == input.name; });
+        input.location = location++;
+        input.semantic = "TEXCOORD" + std::to_string(input.location);
+        outputs.push_back(input);
+        values.push_back(entry.value({static_cast<std::uint32_t>(found - semantics.begin())}));
+    }
+    // A pass may leave the position to the lines at its end.
+    if (entry.builder().type(position).kind != ir::Kind::Struct) {
+        outputs.push_back({.name = "position",
+                           .type = entry.builder().type(position),
+                           .builtin = ir::Builtin::Position,
+                           .semantic = "SV_Position"});
+        values.push_back(position);
+    }
+    // Where included files hold the mesh, they get it back as the material moves it.
+    for (const auto& [semantic, global] : pass.attributes) {
+        if (!linked.lowered.semantics[semantic.index].override) continue;
+        const Value moved = entry.value(semantic);
+        outputs.push_back({.name = "moved_" + linked.lowered.module.semantics[semantic.index].name,
+                           .type = entry.builder().type(moved),
+                           .spelling = linked.lowered.module.globals[global.index].spelling});
+        values.push_back(moved);
+    }
+    ir::Module made = entry.finish("Varyings", std::move(outputs), values);
+    made.stage.texts = texts_of(*pass.declaration);
+    return made;
+}
+
+bool take_constants(ir::Module& fragment, const ir::Module& vertex) {
+    const ir::Function& maker = vertex[vertex.stage.entry];
+    const Value outputs = maker.args(maker.blocks[0].insts.back())[0];
+    if (maker[outputs].op != Op::Construct) return false;
+    std::map<std::uint32_t, std::span<const double>> known;  // by parameter
+    std::size_t varying = 0;
+    for (std::uint32_t i = 0; i < fragment.stage.inputs.size(); ++i) {
+        if (fragment.stage.inputs[i].builtin != ir::Builtin::None) continue;
+        const ir::Inst& made = maker[maker.args(outputs)[varying++]];
+        if (made.op == Op::Constant) known[i] = vertex.numbers_of(vertex.constants[made.data]);
+    }
+    if (known.empty()) return false;
+    ir::Function& entry = fragment.functions[fragment.stage.entry.index];
+    const ir::Function from = std::move(entry);
+    ir::Function made = ir::shell(from);
+    ir::Builder builder(fragment, made, {});
+    ir::Copy copy{.from = from, .to = builder, .rewrite = [&](ir::Copy& c, Value v) {
+                      const auto found = known.find(from[v].data);
+                      if (from[v].op != Op::Param || found == known.end()) return false;
+                      c.map[v.index] = c.to.constant(from[v].type, found->second);
+                      return true;
+                  }};
+    ir::copy_body(copy);
+    fragment.functions[fragment.stage.entry.index] = std::move(made);
+    return true;
+}
+
+}  // namespace patina::assemble

@@ -1,0 +1,471 @@
+#include "compiler/lower/graph_scope.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "compiler/base/text.h"
+
+namespace patina::graph {
+
+using ir::Op;
+using ir::Type;
+using ir::Value;
+using nodelang::Expr;
+using nodelang::Typed;
+
+GraphScope::GraphScope(Lowering& lowering, const CheckedGraph& graph, ir::Builder& builder, bool in_vertex_stage)
+    : lowering_(lowering), graph_(graph), values_(graph.nodes.size()), emitted_(graph.nodes.size(), false) {
+    scope_.builder = &builder;
+    scope_.declarations = &lowering.session.library.declarations;
+    scope_.environment = this;
+    scope_.needs_quad = &needs_quad_;
+    scope_.in_vertex_stage = in_vertex_stage;
+}
+
+std::string GraphScope::id_path(std::string_view id) const {
+    if (!outer_) return std::string(id);
+    return outer_->id_path(outer_->graph_.graph->nodes[outer_node_].id) + "/" + std::string(id);
+}
+
+std::string_view GraphScope::what_graph() const {
+    switch (graph_.graph->kind) {
+        case GraphKind::Material: return "a material";
+        case GraphKind::Subgraph: return "a sub-graph";
+        case GraphKind::Lighting: return "this output of a lighting graph";
+        case GraphKind::Workflow: return "a workflow";
+    }
+    return {};
+}
+
+std::string_view GraphScope::outermost_kind() const {
+    if (outer_) return outer_->outermost_kind();
+    switch (graph_.graph->kind) {
+        case GraphKind::Material:
+        case GraphKind::Subgraph: return "material";
+        case GraphKind::Lighting: return "lighting";
+        case GraphKind::Workflow: return "workflow";
+    }
+    return {};
+}
+
+void GraphScope::watch(ir::Probe::Kind kind, std::string id, std::string_view port, const Typed& value, Span span) {
+    if (lowering_.emitter.options().fold || !value.ok()) return;
+    ir::Probe probe{
+        .kind = kind, .graph = outermost_kind(), .id = std::move(id), .ports = {}, .value = value.value, .span = span};
+    if (value.outputs) {
+        probe.ports = value.outputs->names;
+    } else if (value.type.kind == ir::Kind::Struct) {
+        for (const ir::Member& member : lowering_.out.module.structs[value.type.ref].members) {
+            probe.ports.push_back(member.name);
+        }
+    } else {
+        probe.ports.emplace_back(port.empty() ? "out" : port);
+    }
+    scope_.builder->function().probes.push_back(std::move(probe));
+}
+
+bool GraphScope::uses_half(const Node& node) const {
+    if (node.precision != Precision::Inherit) return node.precision == Precision::Half;
+    return graph_.graph->precision == Precision::Half;
+}
+
+// --- nodes
+
+void GraphScope::announce(const Expr& expr) {
+    const bool is_member = expr.kind == Expr::Kind::Member && expr.args[0]->kind == Expr::Kind::Name;
+    if (is_member || expr.kind == Expr::Kind::Name) {
+        const auto node = graph_.by_id.find(is_member ? expr.args[0]->text : expr.text);
+        if (node != graph_.by_id.end()) read_outputs_[node->second].insert(is_member ? expr.text : std::string_view());
+        return;
+    }
+    for (const Expr* argument : expr.args) announce(*argument);
+}
+
+void GraphScope::emit_nodes(const std::vector<bool>& wanted) {
+    for (std::size_t i = 0; scope_.in_vertex_stage && i < wanted.size(); ++i) {
+        if (!wanted[i]) continue;
+        const Node& node = graph_.graph->nodes[i];
+        if (node.expr) announce(*node.expr);
+        for (const PortValue& port : node.inputs) {
+            if (port.value) announce(*port.value);
+        }
+    }
+    for (std::uint32_t index : graph_.order) {
+        if (wanted[index] && !emitted_[index]) emit_node(index);
+    }
+}
+
+void GraphScope::emit_node(std::uint32_t index) {
+    emitted_[index] = true;
+    const Node& node = graph_.graph->nodes[index];
+    const ResolvedNode& resolved = graph_.nodes[index];
+    if (!resolved.ok) return;
+    at_ = index;
+    if (node.stage == NodeStage::Fragment && scope_.in_vertex_stage) {
+        Diagnostics& diagnostics = lowering_.session.diagnostics;
+        diagnostics.set_context(id_path(node.id), {});
+        tell_reader(diagnostics.report(Code::WrongStage, node.stage_span,
+                                       fmt::format("'{}' is pinned to the fragment stage", node.id)));
+        return;
+    }
+    if (node.stage == NodeStage::Vertex && !scope_.in_vertex_stage) {
+        values_[index] = interpolated(index);
+        watch(ir::Probe::Kind::Node, id_path(node.id), {}, values_[index], node.span);
+        return;
+    }
+    ir::Module& module = lowering_.out.module;
+    ir::Builder& b = *scope_.builder;
+    const std::string path = id_path(node.id);
+    const ir::OriginId outer_origin = b.origin();
+    module.origins.push_back({.label = node.is_expression  ? node.note
+                                       : resolved.function ? std::string(resolved.function->name)
+                                       : resolved.subgraph ? file_stem(resolved.subgraph->graph->path)
+                                                           : node.type,
+                              .is_note = node.is_expression,
+                              .id = path,
+                              .span = node.span});
+    b.set_origin({static_cast<std::uint32_t>(module.origins.size() - 1)});
+    lowering_.session.diagnostics.set_context(path, {});
+    Typed value;
+    if (node.is_expression) {
+        const bool outer_half = std::exchange(scope_.half, uses_half(node));
+        value = lowering_.emitter.expression(*node.expr, scope_);
+        scope_.half = outer_half;
+        const bool is_number = std::exchange(value.literal, false) || node.expr->kind == Expr::Kind::Number;
+        // A whole number in a graph is a number: only the node language itself counts in ints.
+        if (value.ok() && is_number && value.type.is_integer()) {
+            value = lowering_.emitter.convert({.value = value.value, .type = value.type, .literal = true}, ir::kFloat,
+                                              scope_, node.expr_span, "the value");
+        }
+    } else if (resolved.subgraph) {
+        value = subgraph_node(index);
+    } else {
+        value = call_node(node, resolved);
+    }
+    if (value.ok() && !resolved.subgraph) b.name(value.value, module.intern(node.id));
+    values_[index] = value;
+    watch(ir::Probe::Kind::Node, path, {}, value, node.span);
+    // Back in what a sub-graph stands for.
+    lowering_.session.diagnostics.set_context(
+        outer_ ? outer_->id_path(outer_->graph_.graph->nodes[outer_node_].id) : std::string(), {});
+    at_.reset();
+    b.set_origin(outer_origin);
+}
+
+Typed GraphScope::call_node(const Node& node, const ResolvedNode& resolved) {
+    const nodelang::FunctionDecl& function = *resolved.function;
+    std::vector<const Expr*> arguments(function.params.size(), nullptr);
+    for (const PortValue& port : node.inputs) {
+        if (!port.value) return {};
+        for (std::size_t i = 0; i < function.params.size(); ++i) {
+            if (function.params[i].name == port.name) arguments[i] = port.value;
+        }
+    }
+    // Texture coordinates need more than eleven bits: what samples is computed in float.
+    const bool samples = std::any_of(function.params.begin(), function.params.end(),
+                                     [](const nodelang::ParamDecl& p) { return p.type.name == "Texture2D"; });
+    return lowering_.emitter.call(function, *resolved.home, arguments, scope_, node.type_span,
+                                  uses_half(node) && !samples);
+}
+
+void GraphScope::fill_inputs(GraphScope& inner, const Node& node, const Graph& subgraph) {
+    nodelang::Emitter& emitter = lowering_.emitter;
+    for (const Input& input : subgraph.inputs) {
+        const auto port = std::find_if(node.inputs.begin(), node.inputs.end(),
+                                       [&](const PortValue& p) { return p.name == input.name; });
+        const std::string_view type_name = input.type == "color"       ? "float4"
+                                           : input.type == "texture2d" ? "Texture2D"
+                                                                       : std::string_view(input.type);
+        const Type type = emitter.type({.name = type_name, .span = input.type_span}, scope_);
+        if (type.is_error()) continue;
+        const std::string what = fmt::format("the input '{}'", input.name);
+        if (port != node.inputs.end()) {
+            inner.set_input(input.name, value_as(*port, type, what));
+        } else if (input.value) {
+            inner.set_input(input.name, inner.value_as(*input.value, type, what));
+        } else {
+            lowering_.session.diagnostics.report(Code::MissingInput, node.type_span, node.type, input.name);
+            inner.set_input(input.name, {});
+        }
+    }
+}
+
+// Which outputs of a sub-graph node are to be emitted here.
+std::vector<bool> GraphScope::read_of_outputs(std::uint32_t index) const {
+    const std::vector<PortValue>& outputs = graph_.nodes[index].subgraph->graph->outputs;
+    const auto read = read_outputs_.find(index);
+    std::vector<bool> marks(outputs.size(), !scope_.in_vertex_stage || read == read_outputs_.end());
+    if (marks.empty() || marks[0]) return marks;
+    for (std::string_view name : read->second) {
+        const auto output =
+            std::find_if(outputs.begin(), outputs.end(), [&](const PortValue& p) { return p.name == name; });
+        // The bare node, or a swizzle of its only output.
+        if (output == outputs.end()) return std::vector<bool>(outputs.size(), true);
+        marks[static_cast<std::size_t>(output - outputs.begin())] = true;
+    }
+    return marks;
+}
+
+Typed GraphScope::subgraph_node(std::uint32_t index) {
+    const CheckedGraph& subgraph = *graph_.nodes[index].subgraph;
+    GraphScope inner(lowering_, subgraph, *scope_.builder, scope_.in_vertex_stage);
+    inner.outer_ = this;
+    inner.outer_node_ = index;
+    fill_inputs(inner, graph_.graph->nodes[index], *subgraph.graph);
+    const std::vector<bool> read = read_of_outputs(index);
+    std::vector<PortValue> roots;
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        if (!read[i] || !subgraph.graph->outputs[i].value) continue;
+        roots.push_back(subgraph.graph->outputs[i]);
+        inner.announce(*roots.back().value);
+    }
+    inner.emit_nodes(subgraph.reachable(roots));
+    needs_quad_ = needs_quad_ || inner.needs_quad_;
+    std::vector<Value> values;
+    ir::Struct made{.name = file_stem(subgraph.graph->path) + "Outputs", .members = {}};
+    nodelang::Outputs outputs{.names = {}, .has_primary = subgraph.graph->outputs.size() == 1};
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        const PortValue& port = subgraph.graph->outputs[i];
+        if (!port.value) return {};
+        if (!read[i]) {
+            values.push_back(scope_.builder->constant(ir::kFloat, {0}));
+            made.members.push_back({port.name, ir::kFloat});
+            outputs.names.push_back(port.name);
+            continue;
+        }
+        Typed value = lowering_.emitter.primary(inner.value(*port.value), inner.scope_, port.value_span);
+        if (value.literal) value = lowering_.emitter.convert(value, ir::kFloat, scope_, port.value_span, "the output");
+        if (!value.ok()) return {};
+        scope_.builder->name(value.value, lowering_.out.module.intern(port.name));  // if it has none
+        values.push_back(value.value);
+        made.members.push_back({port.name, value.type});
+        outputs.names.push_back(port.name);
+    }
+    ir::Module& module = lowering_.out.module;
+    module.structs.push_back(std::move(made));
+    const Type type = Type::structure(static_cast<std::uint32_t>(module.structs.size() - 1));
+    return {.value = scope_.builder->construct(type, values),
+            .type = type,
+            .outputs = lowering_.emitter.intern(std::move(outputs))};
+}
+
+// --- values
+
+Typed GraphScope::value(const Expr& expr) {
+    return lowering_.emitter.expression(expr, scope_);
+}
+
+Typed GraphScope::value_as(const Expr& expr, Type type, std::string_view what) {
+    return lowering_.emitter.expression_as(expr, type, scope_, what);
+}
+
+// What belongs to no node is the port's.
+Typed GraphScope::value_as(const PortValue& port, Type type, std::string_view what) {
+    if (!port.value) return {};
+    ir::Module& module = lowering_.out.module;
+    ir::Builder& b = *scope_.builder;
+    const ir::OriginId outer = b.origin();
+    if (!outer) {
+        module.origins.push_back({.span = port.value_span});
+        b.set_origin({static_cast<std::uint32_t>(module.origins.size() - 1)});
+    }
+    const Typed value = value_as(*port.value, type, what);
+    b.set_origin(outer);
+    return value;
+}
+
+// --- Environment
+
+Typed GraphScope::name(const Expr& expr, nodelang::Scope&) {
+    const auto found = graph_.by_id.find(expr.text);
+    if (found != graph_.by_id.end()) return values_[found->second];
+    Diagnostics& diagnostics = lowering_.session.diagnostics;
+    DiagnosticRecord& record = diagnostics.report(Code::DanglingLink, expr.span, expr.text);
+    if (diagnostics.is_full()) return {};
+    std::vector<std::string_view> known;
+    for (const Node& node : graph_.graph->nodes) known.push_back(node.id);
+    if (inputs_.contains(expr.text) || lowering_.material.property_index.contains(expr.text)) {
+        record.note(fmt::format("an input or property is read as '${}'", expr.text));
+    } else if (lowering_.session.stages->semantic_index.contains(expr.text)) {
+        record.note(fmt::format("a semantic is read as '@{}'", expr.text));
+    } else {
+        record.note(Diagnostics::suggestion(expr.text, known));
+    }
+    return {};
+}
+
+Typed GraphScope::property(const Expr& expr, nodelang::Scope&) {
+    if (const auto input = inputs_.find(expr.text); input != inputs_.end()) return input->second;
+    for (const PortValue& port : property_values_) {
+        if (port.name == expr.text) return bound_property(port);
+    }
+    const auto& own = graph_.graph->properties;
+    for (const Property& property : own) {
+        const auto variant = lowering_.material.variants.find(&property);
+        if (property.name == expr.text && variant != lowering_.material.variants.end())
+            return keyword(property, known_value(property, variant->second));
+    }
+    const auto declared = std::find_if(own.begin(), own.end(), [&](const Property& p) { return p.name == expr.text; });
+    const bool is_own = graph_.graph->kind == GraphKind::Material || declared != own.end();
+    const auto index = lowering_.material.property_index.find(expr.text);
+    if (is_own && index != lowering_.material.property_index.end()) {
+        const Property& joined = *lowering_.material.properties[index->second].property;
+        const bool is_same =
+            declared == own.end() || (declared->type == joined.type && declared->values == joined.values);
+        return is_same ? material_property(index->second) : stand_in(*declared);
+    }
+    DiagnosticRecord& record = lowering_.session.diagnostics.report(Code::UnknownProperty, expr.span, expr.text);
+    if (lowering_.session.diagnostics.is_full()) return {};
+    std::vector<std::string> written;
+    for (const Property& property : own) written.push_back("$" + property.name);
+    for (const auto& [name, value] : inputs_) written.push_back("$" + std::string(name));
+    const std::vector<std::string_view> known(written.begin(), written.end());
+    record.note(known.empty() ? "the graph has no properties"
+                              : Diagnostics::suggestion("$" + std::string(expr.text), known));
+    return {};
+}
+
+// A lighting graph's property that the material has bound to something of its own: read in the material's scope, but
+// into this function.
+Typed GraphScope::bound_property(const PortValue& port) {
+    const auto& own = graph_.graph->properties;
+    const auto property = std::find_if(own.begin(), own.end(), [&](const Property& p) { return p.name == port.name; });
+    if (property == own.end() || !port.value) return {};
+    GraphScope reader(lowering_, property_scope_->graph_, *scope_.builder, false);
+    reader.emit_nodes(reader.graph_.reachable(std::span(&port, 1)));
+    const Type type = property->type == PropertyType::Texture2D ? lowering_.emitter.texture2d()
+                      : property->type == PropertyType::Bool    ? ir::kBool
+                                                                : property_type(property->type);
+    Typed value = reader.value_as(port, type, fmt::format("the property '{}'", port.name));
+    if (property->type == PropertyType::Enum) {
+        lowering_.enumerators.emplace_back(property->values.begin(), property->values.end());
+        value.enumerators = &lowering_.enumerators.back();
+    }
+    return value;
+}
+
+// A bool, or an enum as an int.
+Typed GraphScope::keyword(const Property& property, Value value) {
+    if (property.type == PropertyType::Bool) return {.value = value, .type = ir::kBool};
+    lowering_.enumerators.emplace_back(property.values.begin(), property.values.end());
+    return {.value = value, .type = ir::kInt, .enumerators = &lowering_.enumerators.back()};
+}
+
+Value GraphScope::known_value(const Property& property, double value) {
+    return scope_.builder->constant(property.type == PropertyType::Bool ? ir::kBool : ir::kInt, {value});
+}
+
+// For one that another graph declares to be something else, which has been reported.
+Typed GraphScope::stand_in(const Property& property) {
+    if (property.type == PropertyType::Texture2D) return {};
+    if (property.type == PropertyType::Bool || property.type == PropertyType::Enum)
+        return keyword(property, known_value(property, property.value[0]));
+    const Type type = property_type(property.type);
+    return {.value = scope_.builder->splat_constant(type, property.value[0]), .type = type};
+}
+
+Typed GraphScope::material_property(std::size_t index) {
+    const PropertyGlobals& globals = lowering_.out.property_globals[index];
+    const Property& property = *lowering_.material.properties[index].property;
+    const double chosen = lowering_.material.properties[index].chosen;
+    ir::Module& module = lowering_.out.module;
+    ir::Builder& b = *scope_.builder;
+    const auto read = [&](ir::GlobalId id) { return b.emit(Op::Global, module.globals[id.index].type, {}, id.index); };
+    if (is_keyword(property.binding))
+        return keyword(property, globals.keyword ? read(globals.keyword) : known_value(property, chosen));
+    if (property.type == PropertyType::Texture2D) {
+        const Value tiling = globals.tiling ? read(globals.tiling) : b.constant(ir::kFloat4, {1, 1, 0, 0});
+        const Value texture = read(globals.texture), sampler = read(globals.sampler);
+        const Value texel_size =
+            globals.texel_size ? read(globals.texel_size) : lowering_.emitter.texel_size(texture, scope_);
+        return lowering_.emitter.make_texture(texture, sampler, texel_size, tiling, scope_);
+    }
+    const Value value = read(globals.value);
+    if (property.type == PropertyType::Bool) {
+        return {.value = b.emit(Op::NotEqual, ir::kBool, {value, b.constant(ir::kInt, {0})}), .type = ir::kBool};
+    }
+    Typed typed{.value = value, .type = b.type(value)};
+    if (property.type == PropertyType::Enum) {
+        lowering_.enumerators.emplace_back(property.values.begin(), property.values.end());
+        typed.enumerators = &lowering_.enumerators.back();
+    }
+    return typed;
+}
+
+namespace {
+
+// Whether a semantic is made of where its pixel lies. Which side is seen does not count: vertices see the front.
+bool reads_pixel(const Stages& stages, const SemanticDecl& semantic) {
+    if (semantic.source == Source::Builtin) return semantic.name != "front_facing";
+    if (!semantic.function) return false;
+    return std::any_of(semantic.function->params.begin(), semantic.function->params.end(), [&](const auto& param) {
+        const nodelang::Expr* read = param.initial;
+        while (read && read->kind == nodelang::Expr::Kind::Member) read = read->args[0];
+        const SemanticDecl* found = read ? stages.semantic(read->text) : nullptr;
+        return found && reads_pixel(stages, *found);
+    });
+}
+
+}  // namespace
+
+Typed GraphScope::semantic(std::string_view name, Span span, nodelang::Scope& scope) {
+    if (const auto given = given_.find(name); given != given_.end()) return given->second;
+    const Stages& stages = *lowering_.session.stages;
+    const auto found = stages.semantic_index.find(name);
+    if (shadow_.ok()) {
+        const auto& members = lowering_.out.module.structs[shadow_.type.ref].members;
+        for (std::uint32_t i = 0; i < members.size(); ++i) {
+            if (members[i].name == name)
+                return {.value = scope.builder->extract(shadow_.value, i), .type = members[i].type};
+        }
+    }
+    if (found == stages.semantic_index.end() || stages.semantics[found->second].is_of_pass) {
+        std::vector<std::string_view> known;
+        for (const SemanticDecl& semantic : stages.semantics) {
+            if (!semantic.is_of_pass) known.push_back(semantic.name);
+        }
+        DiagnosticRecord& record = lowering_.session.diagnostics.report(Code::UnknownSemantic, span, name);
+        const std::string_view near = nearest(name, known);
+        if (!near.empty())
+            record.note(fmt::format("did you mean '@{}'?", near));
+        else
+            record.note("docs/semantics.md lists them");
+        return {};
+    }
+    const SemanticDecl& semantic = stages.semantics[found->second];
+    // A default of a port stands in a file of functions; it is the graph that has left the port open.
+    const nodelang::OpenPort* open = scope.open_port;
+    const auto report = [&](Code code, std::string_view where) -> DiagnosticRecord& {
+        DiagnosticRecord& record = lowering_.session.diagnostics.report(code, open ? open->call : span, name, where);
+        return open ? record.note(fmt::format("'{}' of {} is left open, and reads it", open->port, open->function))
+                    : record;
+    };
+    const bool per_light = graph_.graph->kind == GraphKind::Lighting && name == "light";
+    if (semantic.source == Source::Given || per_light) {
+        report(Code::SemanticNotHere, what_graph())
+            .note(per_light                                   ? "only 'direct' is evaluated for each light"
+                  : graph_.graph->kind == GraphKind::Lighting ? "only 'final' is evaluated after all lights"
+                                                              : "only a lighting graph has it");
+        return {};
+    }
+    if (semantic.source == Source::Extern) return lowering_.emitter.extern_value(*semantic.variable, scope);
+    const Type type = lowering_.out.module.semantics[found->second].type;
+    if (type.is_error()) return {};
+    if (scope_.in_vertex_stage && (semantic.source == Source::Builtin || reads_pixel(stages, semantic))) {
+        DiagnosticRecord& record = report(Code::NoSuchStageValue, "vertex");
+        record.note(
+            "vertices are computed before there are pixels, from the mesh and from what is the same for all of it");
+        tell_reader(record);
+        return {};
+    }
+    return {.value = scope.builder->emit(Op::Semantic, type, {}, found->second), .type = type};
+}
+
+Typed GraphScope::file(const Expr& expr, nodelang::Scope&) {
+    const auto index = lowering_.material.property_index.find(file_texture_name(expr.text));
+    if (index == lowering_.material.property_index.end()) return {};  // not found on disk: reported already
+    return material_property(index->second);
+}
+
+}  // namespace patina::graph

@@ -1,0 +1,131 @@
+// One graph being emitted into one IR function: what its nodes are worth so far, and what $, @ and names mean in it.
+// A sub-graph is a scope inside the scope of the graph that uses it.
+#pragma once
+
+#include <deque>
+#include <set>
+
+#include "compiler/lower/lower.h"
+
+namespace patina::graph {
+
+// A slot that is derived from others (lower_parts.cpp): made when a pass first asks for it.
+struct Part {
+    nodelang::Slot slot{};
+    std::string why_not{};       // it cannot be had
+    ir::Origin where{};          // and this is in the way
+    bool is_zero = false;        // always: the slot does not read what this is linear in
+    bool is_of_missing = false;  // it would be a part of a part that cannot be had, whose reason this is
+};
+
+// Shared by all scopes of one lowering.
+struct Lowering {
+    Session& session;
+    const Material& material;
+    Lowered& out;
+    nodelang::Emitter emitter;
+    std::deque<std::vector<std::string_view>> enumerators;  // of enum properties, by material property
+    // Interpolators already made: id path -> first semantic and what the node's outputs are called.
+    struct Interpolator {
+        std::vector<ir::SemanticId> semantics;
+        const nodelang::Outputs* outputs = nullptr;
+    };
+    std::map<std::string, Interpolator> interpolators;
+    // Who asks for what the vertex stage computes: a node whose interpolator is being made, or an output of "vertex".
+    struct VertexReader {
+        std::string name;  // id path, or the output's
+        Span span;
+        bool is_interpolator = false;
+        const CheckedGraph* graph = nullptr;
+        std::vector<std::uint32_t> reads{};  // the node, or those that the output reads
+    };
+    std::vector<VertexReader> vertex_readers;  // the innermost last
+    std::map<std::string_view, Part> parts;    // slots that are derived from others, as far as they were asked for
+    std::set<std::uint32_t> per_object;        // globals of the object that is drawn
+    ir::FunctionId surface{};                  // what the graph says of it
+
+    bool is_on(std::string_view wanted) const;  // a switch
+    // Of a slot's function; empty: it is another function.
+    std::string_view slot_name(ir::FunctionId function) const;
+    bool is_packing(std::string_view slot) const;  // it stores and restores members, whatever reads them
+};
+
+class GraphScope : public nodelang::Environment {
+public:
+    using Typed = nodelang::Typed;
+
+    GraphScope(Lowering& lowering, const CheckedGraph& graph, ir::Builder& builder, bool in_vertex_stage);
+
+    // --- what the place adds
+    void give(std::string_view semantic, Typed value) { given_[std::string(semantic)] = value; }
+    void set_input(std::string_view name, Typed value) { inputs_[std::string(name)] = value; }
+    // In a lighting graph: semantics that the lighting surface has, too, mean the surface's.
+    void shadow_by(Typed surface) { shadow_ = surface; }
+    // Values that the material gives to a lighting graph's properties, read in the material's own scope.
+    void set_property_values(std::span<const PortValue> values, GraphScope& scope) {
+        property_values_ = values;
+        property_scope_ = &scope;
+    }
+    bool needs_quad() const { return needs_quad_; }
+    // Lets a trace show the value; where values are folded there is none. `port`: empty for all that the value has.
+    void watch(ir::Probe::Kind kind, std::string id, std::string_view port, const Typed& value, Span span);
+
+    // --- emitting
+    // Emits the marked nodes in order.
+    void emit_nodes(const std::vector<bool>& wanted);
+    // In the vertex stage, only those outputs of a sub-graph are emitted that something reads: what a sub-graph samples
+    // for its other outputs could not be computed there. Nodes announce what they read themselves; a port must be
+    // announced.
+    void announce(const nodelang::Expr& expr);
+    // A port's value, converted; nodes that it reads must have been emitted.
+    Typed value_as(const PortValue& port, ir::Type type, std::string_view what);
+    Typed value_as(const nodelang::Expr& expr, ir::Type type, std::string_view what);
+    Typed value(const nodelang::Expr& expr);
+    nodelang::Scope& scope() { return scope_; }
+
+    // --- Environment
+    Typed name(const nodelang::Expr& expr, nodelang::Scope& scope) override;
+    Typed property(const nodelang::Expr& expr, nodelang::Scope& scope) override;
+    Typed semantic(std::string_view name, Span span, nodelang::Scope& scope) override;
+    Typed file(const nodelang::Expr& expr, nodelang::Scope& scope) override;
+    bool hides(std::string_view name) const override { return graph_.by_id.contains(name); }
+    void tell_reader(DiagnosticRecord& record) const override;
+
+private:
+    void emit_node(std::uint32_t index);
+    Typed call_node(const Node& node, const ResolvedNode& resolved);
+    Typed subgraph_node(std::uint32_t index);
+    std::vector<bool> read_of_outputs(std::uint32_t index) const;
+    // Fills a sub-graph scope's inputs from the node that uses it.
+    void fill_inputs(GraphScope& inner, const Node& node, const Graph& subgraph);
+    Typed interpolated(std::uint32_t index);
+    // The same graph in another function of the vertex stage, with only what `node` needs emitted.
+    std::unique_ptr<GraphScope> vertex_twin(ir::Builder& builder, std::deque<std::unique_ptr<GraphScope>>& keep);
+    Typed material_property(std::size_t index);
+    Typed stand_in(const Property& property);
+    Typed bound_property(const PortValue& port);
+    Typed keyword(const Property& property, ir::Value value);
+    ir::Value known_value(const Property& property, double value);
+    bool uses_half(const Node& node) const;
+    std::string id_path(std::string_view id) const;
+    std::string way_from(const Lowering::VertexReader& reader) const;
+    std::string_view what_graph() const;
+    std::string_view outermost_kind() const;
+
+    Lowering& lowering_;
+    const CheckedGraph& graph_;
+    nodelang::Scope scope_;
+    bool needs_quad_ = false;
+    std::vector<Typed> values_;
+    std::vector<bool> emitted_;
+    std::optional<std::uint32_t> at_;                                   // the node that is being emitted
+    std::map<std::uint32_t, std::set<std::string_view>> read_outputs_;  // by sub-graph node; "": the node itself
+    std::map<std::string, Typed, std::less<>> given_, inputs_;
+    Typed shadow_;
+    std::span<const PortValue> property_values_;
+    GraphScope* property_scope_ = nullptr;
+    GraphScope* outer_ = nullptr;
+    std::uint32_t outer_node_ = 0;
+};
+
+}  // namespace patina::graph

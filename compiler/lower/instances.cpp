@@ -1,0 +1,131 @@
+#include "compiler/lower/instances.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace patina::graph {
+namespace {
+
+using ir::Op;
+using ir::Type;
+using ir::Value;
+
+std::uint32_t instance_semantic(const Lowered& lowered) {
+    const auto is_instance = [](const SemanticRecipe& recipe) {
+        const nodelang::VariableDecl* variable = recipe.declaration ? recipe.declaration->variable : nullptr;
+        const nodelang::Attribute* builtin = variable ? variable->attribute("builtin") : nullptr;
+        return builtin && nodelang::attribute_text(*builtin) == "instance_index";
+    };
+    const auto found = std::find_if(lowered.semantics.begin(), lowered.semantics.end(), is_instance);
+    return static_cast<std::uint32_t>(found - lowered.semantics.begin());
+}
+
+std::uint32_t bytes_of_element(const ir::Module& module, Type type) {
+    return (extent(module, type).size + 15) / 16 * 16;
+}
+
+// How many elements of these globals fit in every block that has some.
+std::uint32_t count_of(const std::vector<InstanceSize>& sizes) {
+    std::uint32_t count = kMostBlockBytes;
+    for (const InstanceSize& size : sizes) {
+        if (size.bytes > 0) count = std::min(count, size.room / size.bytes);
+    }
+    return count;
+}
+
+// By block.
+std::vector<InstanceSize> sizes_of(const ir::Module& module, const std::set<std::uint32_t>& globals) {
+    std::vector<InstanceSize> sizes;
+    for (std::uint32_t block = 0; block < module.blocks.size(); ++block) {
+        std::uint32_t alike = 0, each = 0;
+        for (std::uint32_t i = 0; i < module.globals.size(); ++i) {
+            const ir::Global& global = module.globals[i];
+            if (global.block != block) continue;
+            (globals.contains(i) ? each : alike) += bytes_of_element(module, global.type);
+        }
+        sizes.push_back({.bytes = each, .room = kMostBlockBytes - std::min(alike, kMostBlockBytes)});
+    }
+    return sizes;
+}
+
+Type array_of(ir::Module& module, Type element, std::uint32_t count) {
+    const ir::Array wanted{.element = element, .count = count};
+    auto found = std::find(module.arrays.begin(), module.arrays.end(), wanted);
+    if (found == module.arrays.end()) found = module.arrays.insert(found, wanted);
+    return Type::array(static_cast<std::uint32_t>(found - module.arrays.begin()));
+}
+
+void lay_out(ir::Module& module, ir::UniformBlock& block) {
+    const std::vector<ir::BlockMember> members = std::exchange(block.members, {});
+    block.size = 0;
+    for (const ir::BlockMember& member : members) add_member(block, module, member.name, member.type);
+}
+
+// The reads become `array[instance]`; arrays and instance are read once, where the function begins.
+void index_reads(ir::Module& module, ir::Function& function, const std::set<std::uint32_t>& globals,
+                 const std::vector<Type>& elements, std::uint32_t semantic) {
+    std::map<std::uint32_t, Value> arrays;
+    std::vector<Value> first;
+    const auto add = [&](Op op, Type type, std::uint32_t data) {
+        ir::Inst inst{};
+        inst.op = op;
+        inst.type = type;
+        inst.data = data;
+        function.insts.push_back(inst);
+        first.push_back({static_cast<std::uint32_t>(function.insts.size() - 1)});
+        return first.back();
+    };
+    Value instance{};
+    const std::size_t count = function.insts.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t global = function.insts[i].data;
+        if (function.insts[i].op != Op::Global || !globals.contains(global)) continue;
+        if (first.empty()) instance = add(Op::Semantic, module.semantics[semantic].type, semantic);
+        const auto [array, is_new] = arrays.try_emplace(global);
+        if (is_new) array->second = add(Op::Global, module.globals[global].type, global);
+        ir::Inst& read = function.insts[i];
+        const std::string& name = module.globals[global].name;
+        if (!read.name) read.name = module.intern((name.starts_with('_') ? "own" : "own_") + name);
+        read.op = Op::Index;
+        read.type = elements[global];
+        read.data = 0;
+        read.first_operand = static_cast<std::uint32_t>(function.operands.size());
+        read.operand_count = 2;
+        function.operands.push_back(array->second);
+        function.operands.push_back(instance);
+    }
+    if (first.empty()) return;
+    std::vector<Value>& body = function.blocks[0].insts;
+    body.insert(body.begin(), first.begin(), first.end());
+}
+
+}  // namespace
+
+bool is_instanced(const Material& material) {
+    return std::any_of(material.properties.begin(), material.properties.end(),
+                       [](const MaterialProperty& each) { return each.property->binding == Binding::Instance; });
+}
+
+InstanceSize size_of_instance(const Lowered& lowered, const std::set<std::uint32_t>& globals) {
+    const std::vector<InstanceSize> sizes = sizes_of(lowered.module, globals);
+    return *std::max_element(sizes.begin(), sizes.end(),
+                             [](const auto& a, const auto& b) { return a.bytes < b.bytes; });
+}
+
+std::uint32_t make_instanced(Lowered& lowered, const std::set<std::uint32_t>& globals) {
+    ir::Module& module = lowered.module;
+    const std::uint32_t count = count_of(sizes_of(module, globals));
+    if (count == 0) return 0;
+    std::vector<Type> elements;
+    for (const ir::Global& global : module.globals) elements.push_back(global.type);
+    for (const std::uint32_t each : globals) {
+        ir::Global& global = module.globals[each];
+        global.type = module.blocks[global.block].members[global.member].type = array_of(module, global.type, count);
+    }
+    for (ir::UniformBlock& block : module.blocks) lay_out(module, block);
+    const std::uint32_t semantic = instance_semantic(lowered);
+    for (ir::Function& function : module.functions) index_reads(module, function, globals, elements, semantic);
+    return count;
+}
+
+}  // namespace patina::graph

@@ -1,0 +1,121 @@
+// A material without a pass: the functions that an engine calls from shaders of its own. What is [extern] is the
+// engine's: its functions are only declared, and its values come as parameters, like everything that is read of the
+// mesh and the camera.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/lower/lowering.h"
+
+namespace patina::graph {
+namespace {
+
+using ir::Op;
+using ir::Type;
+using ir::Value;
+using nodelang::FunctionDecl;
+
+class Functions {
+public:
+    explicit Functions(Lowering& lowering)
+        : lowering_(lowering), module_(lowering.out.module), environment_(lowering) {}
+
+    void run() {
+        if (!can_be_passed() || !lowering_.surface) return;
+        add(lowering_.surface, "surface", "The surface as the graph describes it, in the words of its workflow.");
+        for (const FunctionDecl* function : lowering_.session.stages->exports) {
+            const ir::FunctionId made =
+                lowering_.emitter.given_function(*function, *lowering_.session.declarations, environment_, false);
+            const nodelang::Attribute& name = *function->attribute("export");
+            if (made) add(made, nodelang::attribute_text(name), nodelang::first_sentence(function->doc));
+        }
+        add_vertex_functions();
+        leave_to_engine();
+        for (ir::Function& function : module_.functions) take_engine_values(function);
+    }
+
+private:
+    void add(ir::FunctionId id, std::string_view name, std::string comment, bool is_vertex = false) {
+        ir::Function& function = module_[id];
+        function.name = name;
+        function.comment = std::move(comment);
+        function.always_inline = false;
+        lowering_.out.functions.push_back({.id = id, .is_vertex = is_vertex});
+    }
+
+    void add_vertex_functions() {
+        for (std::size_t i = 0; i < lowering_.out.semantics.size(); ++i) {
+            const SemanticRecipe& semantic = lowering_.out.semantics[i];
+            const std::string& name = module_.semantics[i].name;
+            if (semantic.override)
+                add(semantic.override, "vertex_" + name, fmt::format("'{}' of the mesh, as the graph moves it.", name),
+                    true);
+            if (semantic.recipe && !semantic.declaration)
+                add(semantic.recipe, "vertex_" + name,
+                    fmt::format(
+                        "What is interpolated and given to the surface as '{}', of the mesh before the graph moves it.",
+                        name),
+                    true);
+        }
+    }
+
+    // A texture can be no member of a parameter.
+    bool can_be_passed() {
+        const auto& inputs = lowering_.material.lighting->graph->inputs;
+        for (const Input& input : inputs) {
+            if (input.type != "texture2d") continue;
+            lowering_.session.diagnostics.report(
+                Code::NotYet, input.type_span,
+                fmt::format("'{}', a texture that is handed to a lighting function as a parameter,", input.name));
+        }
+        return !lowering_.session.diagnostics.has_errors();
+    }
+
+    void leave_to_engine() {
+        for (const FunctionDecl& function : lowering_.session.library.ast.functions) {
+            if (!function.attribute("extern")) continue;
+            for (const nodelang::InstanceInfo& instance : lowering_.emitter.instances_of(function)) {
+                ir::Function made{};
+                made.name = module_[instance.id].name;
+                made.comment = module_[instance.id].comment;
+                made.params = module_[instance.id].params;
+                made.result = module_[instance.id].result;
+                made.linkage = ir::Linkage::External;
+                ir::Builder builder(module_, made);
+                builder.ret(builder.zero(made.result));
+                module_[instance.id] = std::move(made);
+            }
+        }
+    }
+
+    // A member of an engine's block becomes a semantic.
+    void take_engine_values(ir::Function& function) {
+        for (ir::Inst& inst : function.insts) {
+            if (inst.op != Op::Global || !module_.globals[inst.data].in_block()) continue;
+            if (module_.globals[inst.data].set != kEngineSet) continue;
+            inst.op = Op::Semantic;
+            inst.data = semantic_of(module_.globals[inst.data]);
+        }
+    }
+
+    std::uint32_t semantic_of(const ir::Global& global) {
+        const auto found = std::find_if(module_.semantics.begin(), module_.semantics.end(),
+                                        [&](const ir::Semantic& s) { return s.name == global.name; });
+        if (found != module_.semantics.end()) return static_cast<std::uint32_t>(found - module_.semantics.begin());
+        module_.semantics.push_back({.name = global.name, .type = global.type, .rate = ir::Rate::Uniform});
+        lowering_.out.semantics.push_back({.source = Source::Extern});
+        return static_cast<std::uint32_t>(module_.semantics.size() - 1);
+    }
+
+    Lowering& lowering_;
+    ir::Module& module_;
+    LibraryEnvironment environment_;
+};
+
+}  // namespace
+
+void lower_functions(Lowering& lowering) {
+    Functions(lowering).run();
+}
+
+}  // namespace patina::graph

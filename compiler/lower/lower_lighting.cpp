@@ -1,0 +1,112 @@
+// The slots that a lighting graph fills, and those that are parts of them.
+#include <algorithm>
+
+#include "compiler/lower/lowering.h"
+#include "compiler/ir/passes/passes.h"
+
+namespace patina::graph {
+
+using ir::Op;
+using ir::Type;
+using nodelang::FunctionDecl;
+using nodelang::Typed;
+
+namespace {
+
+// Neighbouring pixels see the same lights in the same order, but a derivative in the loop would be computed per light.
+void refuse_derivatives_per_light(Lowering& lowering, const ir::Function& function) {
+    const ir::Module& module = lowering.out.module;
+    std::vector<bool> needs_quad(module.functions.size(), false);
+    const auto looks_around = [&](const ir::Inst& inst) {
+        return ir::has(inst.op, ir::Derivative) || (inst.op == Op::Call && needs_quad[inst.data]);
+    };
+    for (std::size_t i = 0; i < module.functions.size(); ++i) {
+        needs_quad[i] = std::any_of(module.functions[i].insts.begin(), module.functions[i].insts.end(), looks_around);
+    }
+    const std::vector<ir::Rate> rates = ir::rates(module, function);
+    for (std::uint32_t i = 0; i < function.insts.size(); ++i) {
+        const ir::Inst& inst = function.insts[i];
+        if (!looks_around(inst) || rates[i] != ir::Rate::Light) continue;
+        const ir::Origin origin = inst.origin ? module.origins[inst.origin.index] : ir::Origin{};
+        lowering.session.diagnostics
+            .report(Code::DerivativePerLight, origin.span,
+                    inst.op == Op::Call ? module.functions[inst.data].name : std::string(ir::info(inst.op).text))
+            .at(origin.id)
+            .note("sample with an explicit level, or move it before what depends on the light");
+    }
+}
+
+// One output of the lighting graph, as the function that the slot declares.
+ir::FunctionId lower_lighting(Lowering& lowering, const FunctionDecl& slot, const PortValue& output,
+                              GraphScope& material, bool& needs_quad) {
+    ir::Module& module = lowering.out.module;
+    const CheckedGraph& lighting = *lowering.material.lighting;
+    ir::Function function{};
+    function.name = slot.name;
+    function.comment = nodelang::first_sentence(slot.doc);
+    function.always_inline = !lowering.out.keeps_functions;
+    ir::Builder builder(module, function, lowering.emitter.options());
+    GraphScope scope(lowering, lighting, builder, false);
+    scope.set_property_values(lowering.material.lighting_inputs, material);
+    bool per_light = false;
+    for (const nodelang::ParamDecl& param : slot.params) {
+        const bool is_light = std::any_of(param.attributes.begin(), param.attributes.end(),
+                                          [](const nodelang::Attribute& a) { return a.name == "per_light"; });
+        per_light = per_light || is_light;
+        const Type type = lowering.emitter.type(param.type, scope.scope());
+        function.params.push_back({std::string(param.name), type, is_light ? ir::Rate::Light : ir::Rate::Pixel});
+        const Typed value{.value = builder.param(static_cast<std::uint32_t>(function.params.size() - 1)), .type = type};
+        scope.give(param.name, value);
+        if (function.params.size() == 1) {
+            scope.shadow_by(value);
+        } else {
+            scope.watch(ir::Probe::Kind::Given, fmt::format("@{}", param.name), {}, value, output.name_span);
+        }
+    }
+    scope.emit_nodes(lighting.reachable(std::span(&output, 1)));
+    lowering.session.diagnostics.set_context(lowering.material.lighting_name, output.name);
+    function.result = lowering.emitter.type(slot.result, scope.scope());
+    const Typed value = scope.value_as(output, function.result, fmt::format("the output '{}'", output.name));
+    lowering.session.diagnostics.set_context({}, {});
+    if (!value.ok()) return {};
+    scope.watch(ir::Probe::Kind::Output, output.name, {}, value, output.name_span);
+    std::erase_if(function.probes, [&](const ir::Probe& probe) {
+        return probe.kind == ir::Probe::Kind::Given && std::ranges::count(function.operands, probe.value) == 0;
+    });
+    builder.ret(value.value);
+    needs_quad = scope.needs_quad();
+    if (per_light && needs_quad) refuse_derivatives_per_light(lowering, function);
+    return add_function(module, std::move(function));
+}
+
+}  // namespace
+
+void lower_slots(Lowering& lowering) {
+    std::vector<const Input*> members;
+    const ir::FunctionId surface = lowering.surface = lower_surface(lowering, members);
+    const nodelang::Declarations& declarations = *lowering.session.declarations;
+    const nodelang::Scope scope{.declarations = &declarations};
+    // The material's scope, for values that it hands to the lighting graph's properties.
+    ir::Function unused{};
+    ir::Builder unused_builder(lowering.out.module, unused, lowering.emitter.options());
+    GraphScope material(lowering, *lowering.material.graph, unused_builder, false);
+    const CheckedGraph& lighting = *lowering.material.lighting;
+    for (const FunctionDecl* slot : lowering.session.stages->slots) {
+        if (is_part(*slot)) continue;
+        nodelang::Slot made{.function = {}, .result = lowering.emitter.type(slot->result, scope)};
+        const auto output = std::find_if(lighting.graph->outputs.begin(), lighting.graph->outputs.end(),
+                                         [&](const PortValue& p) { return p.name == slot->name; });
+        if (slot->params.empty()) {
+            if (!surface) continue;
+            made.function = lower_setup(lowering, *slot, surface, members);
+        } else if (output != lighting.graph->outputs.end()) {
+            if (!output->value) continue;
+            made.function = lower_lighting(lowering, *slot, *output, material, made.needs_quad);
+        } else if (slot->has_body) {
+            made.function = lowering.emitter.plain_function(*slot, declarations);
+        }
+        if (made.function) lowering.emitter.set_slot(slot->name, made);
+    }
+}
+
+}  // namespace patina::graph

@@ -1,0 +1,277 @@
+// Slots that are made from others when a pass asks for them: the part of a slot that is linear in something, what is
+// left of it without that, and the packing of what a G-buffer has no room for.
+//
+//   [slot] [part("final", "sum.direct")] float3 added(LightingSurface surface, LightSum sum);
+//   [slot] [without("indirect", "EnvironmentRadiance")] float3 indirect_near(LightingSurface surface);
+//   [slot] [pack("direct", "added")] [holds("diffuseColor", "f0")] Extras pack_surface(LightingSurface surface);
+//   [slot] [unpack("pack_surface")] LightingSurface unpack_surface(LightingSurface surface, Extras extras);
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/lower/lowering.h"
+#include "compiler/ir/linear_part.h"
+
+namespace patina::graph {
+namespace {
+
+using ir::Type;
+using ir::Value;
+using nodelang::Attribute;
+using nodelang::FunctionDecl;
+
+const FunctionDecl* find_slot(const Lowering& lowering, std::string_view name) {
+    for (const FunctionDecl* slot : lowering.session.stages->slots) {
+        if (slot->name == name) return slot;
+    }
+    return nullptr;
+}
+
+// The slot's function, which may be a part itself.
+const nodelang::Slot* slot_named(Lowering& lowering, std::string_view name) {
+    const FunctionDecl* slot = find_slot(lowering, name);
+    if (slot && is_part(*slot)) return &part_of(lowering, *slot).slot;
+    return lowering.emitter.find_slot(name);
+}
+
+std::optional<std::uint32_t> member_index(const ir::Module& module, Type structure, std::string_view name) {
+    if (structure.kind != ir::Kind::Struct) return {};
+    const std::vector<ir::Member>& members = module.structs[structure.ref].members;
+    for (std::uint32_t i = 0; i < members.size(); ++i) {
+        if (members[i].name == name) return i;
+    }
+    return {};
+}
+
+// "sum.direct": a member of a parameter of the slot; "EnvironmentRadiance": what this function gives.
+struct Source {
+    std::optional<ir::Seed> seed{};
+    bool is_absent = false;  // the function is never called
+    std::string why_not{};
+};
+Source source_named(Lowering& lowering, const FunctionDecl& of, ir::FunctionId function, std::string_view name) {
+    const ir::Module& module = lowering.out.module;
+    const std::size_t dot = name.find('.');
+    if (dot != name.npos) {
+        for (std::uint32_t i = 0; i < of.params.size(); ++i) {
+            if (of.params[i].name != name.substr(0, dot)) continue;
+            const auto member = member_index(module, module[function].params[i].type, name.substr(dot + 1));
+            if (member) return {.seed = ir::Seed::of_member(i, *member)};
+        }
+        return {.why_not = fmt::format("'{}' has no '{}'", of.name, name)};
+    }
+    const FunctionDecl* callee = lowering.session.declarations->function(name);
+    if (!callee) return {.why_not = fmt::format("there is no function '{}'", name)};
+    const std::vector<nodelang::InstanceInfo> made = lowering.emitter.instances_of(*callee);
+    if (made.empty()) return {.is_absent = true};
+    if (made.size() > 1) return {.why_not = fmt::format("it calls '{}' in two precisions", name)};
+    return {.seed = ir::Seed::of_calls(made.front().id)};
+}
+
+// A part reads nothing of its own struct but the member that it is linear in: the rest is not known where it is used.
+std::string other_member_of(const ir::Module& module, ir::FunctionId function, const ir::Seed& seed) {
+    if (seed.callee) return {};
+    for (const ir::MemberRead& read : ir::members_read(module, function, seed.param)) {
+        if (read.member != seed.member)
+            return module.structs[module[function].params[seed.param].type.ref].members[read.member].name;
+    }
+    return {};
+}
+
+ir::Origin origin_of(const ir::Module& module, ir::OriginId id) {
+    return id ? module.origins[id.index] : ir::Origin{};
+}
+
+// The graph's own slot that a part is taken of, through all parts between.
+std::string_view root_of(const Lowering& lowering, std::string_view of) {
+    for (const FunctionDecl* slot = find_slot(lowering, of); slot; slot = find_slot(lowering, of)) {
+        const Attribute* taken = slot->attribute("part") ? slot->attribute("part") : slot->attribute("without");
+        if (!taken) break;
+        of = nodelang::attribute_text(*taken);
+    }
+    return of;
+}
+
+Part not_linear(const Lowering& lowering, std::string_view of, std::string_view name, const ir::LinearPart& found) {
+    return {.why_not = fmt::format("'{}' is not linear in '{}': {}", root_of(lowering, of), name, found.reason),
+            .where = origin_of(lowering.out.module, found.origin)};
+}
+
+Part linear_slot(Lowering& lowering, const FunctionDecl& slot, const Attribute& attribute) {
+    ir::Module& module = lowering.out.module;
+    const std::string_view of = nodelang::attribute_text(attribute);
+    const nodelang::Slot* whole = slot_named(lowering, of);
+    const FunctionDecl* declared = find_slot(lowering, of);
+    if (declared && is_part(*declared) && !part_of(lowering, *declared).slot.function) {
+        Part missing = part_of(lowering, *declared);
+        missing.is_of_missing = true;
+        return missing;
+    }
+    if (!whole || !whole->function || !declared) return {.why_not = fmt::format("there is no '{}'", of)};
+    const std::string_view name = nodelang::attribute_text(attribute, 1);
+    const Source source = source_named(lowering, *declared, whole->function, name);
+    if (source.is_absent) return {.why_not = fmt::format("'{}' does not call '{}'", of, name)};
+    if (!source.seed) return {.why_not = source.why_not};
+    const bool componentwise = nodelang::attribute_text(attribute, 2) == "componentwise";
+    ir::LinearPart made = ir::linear_part(module, whole->function, *source.seed,
+                                          {.componentwise = componentwise, .build = lowering.emitter.options()});
+    if (!made.function) return not_linear(lowering, of, name, made);
+    made.function->name = slot.name;
+    made.function->comment = nodelang::first_sentence(slot.doc);
+    const ir::FunctionId function = add_function(module, std::move(*made.function));
+    if (const std::string other = componentwise ? "" : other_member_of(module, function, *source.seed); !other.empty())
+        return {.why_not = fmt::format("what '{}' does with '{}' depends on '{}', too", of, name, other)};
+    return {.slot = {.function = function, .result = whole->result, .needs_quad = whole->needs_quad},
+            .is_zero = !made.depends};
+}
+
+Part slot_without(Lowering& lowering, const Attribute& attribute) {
+    ir::Module& module = lowering.out.module;
+    const std::string_view of = nodelang::attribute_text(attribute);
+    const nodelang::Slot* whole = slot_named(lowering, of);
+    const FunctionDecl* declared = find_slot(lowering, of);
+    if (!whole || !whole->function || !declared) return {.why_not = fmt::format("there is no '{}'", of)};
+    const std::string_view name = nodelang::attribute_text(attribute, 1);
+    const Source source = source_named(lowering, *declared, whole->function, name);
+    if (source.is_absent) return {.slot = *whole};
+    if (!source.seed) return {.why_not = source.why_not};
+    const ir::LinearPart taken =
+        ir::linear_part(module, whole->function, *source.seed, {.build = lowering.emitter.options()});
+    if (!taken.function) return not_linear(lowering, of, name, taken);
+    const ir::FunctionId function =
+        add_function(module, ir::without(module, whole->function, *source.seed, lowering.emitter.options()));
+    return {.slot = {.function = function, .result = whole->result, .needs_quad = whole->needs_quad}};
+}
+
+// --- packing
+
+struct Packing {
+    std::vector<std::uint32_t> members;  // of the lighting surface
+    unsigned numbers = 0;                // that they take
+    std::string why_not;
+};
+
+Packing packing_of(Lowering& lowering, const FunctionDecl& slot, Type surface) {
+    const ir::Module& module = lowering.out.module;
+    const std::vector<ir::Member>& members = module.structs[surface.ref].members;
+    std::vector<bool> is_read(members.size(), false);
+    for (std::string_view reader : attribute_words(*slot.attribute("pack"))) {
+        const nodelang::Slot* function = slot_named(lowering, reader);
+        if (!function || !function->function) continue;
+        for (const ir::MemberRead& read : ir::members_read(module, function->function, 0)) is_read[read.member] = true;
+    }
+    const std::vector<std::string_view> held = attribute_words(*slot.attribute("holds"));
+    Packing packing;
+    for (std::uint32_t i = 0; i < members.size(); ++i) {
+        if (!is_read[i] || std::find(held.begin(), held.end(), members[i].name) != held.end()) continue;
+        if (!members[i].type.is_numeric() || members[i].type.is_matrix()) {
+            packing.why_not = fmt::format("'@surface.{}' is no number", members[i].name);
+            continue;
+        }
+        packing.members.push_back(i);
+        packing.numbers += members[i].type.components();
+    }
+    return packing;
+}
+
+// The struct of float4 that a pack slot returns, in numbers.
+unsigned room_in(const ir::Module& module, Type extras) {
+    return 4 * static_cast<unsigned>(module.structs[extras.ref].members.size());
+}
+
+Value as_scalar(ir::Builder& b, Value value, ir::Scalar scalar) {
+    if (b.type(value).scalar == scalar) return value;
+    if (scalar == ir::Scalar::Bool) return b.emit(ir::Op::NotEqual, ir::kBool, {value, b.constant(ir::kFloat, {0})});
+    return b.convert(value, scalar);
+}
+
+ir::Function slot_shell(Lowering& lowering, const FunctionDecl& slot) {
+    const nodelang::Scope scope{.declarations = lowering.session.declarations};
+    ir::Function function{};
+    function.name = slot.name;
+    function.always_inline = true;
+    for (const nodelang::ParamDecl& param : slot.params)
+        function.params.push_back({std::string(param.name), lowering.emitter.type(param.type, scope), ir::Rate::Pixel});
+    function.result = lowering.emitter.type(slot.result, scope);
+    return function;
+}
+
+Part pack_slot(Lowering& lowering, const FunctionDecl& slot) {
+    ir::Module& module = lowering.out.module;
+    ir::Function function = slot_shell(lowering, slot);
+    const Packing packing = packing_of(lowering, slot, function.params[0].type);
+    if (!packing.why_not.empty()) return {.why_not = packing.why_not};
+    const unsigned room = room_in(module, function.result);
+    if (packing.numbers > room)
+        return {.why_not = fmt::format("its lighting reads {} numbers that have no place yet, and there is room for {}",
+                                       packing.numbers, room)};
+    ir::Builder b(module, function, lowering.emitter.options());
+    const Value surface = b.param(0);
+    std::vector<Value> numbers;
+    for (const std::uint32_t member : packing.members) {
+        const Value value = b.extract(surface, member);
+        const unsigned width = b.type(value).components();
+        for (unsigned i = 0; i < width; ++i)
+            numbers.push_back(as_scalar(b, width == 1 ? value : b.extract(value, i), ir::Scalar::Float));
+    }
+    numbers.resize(room, b.constant(ir::kFloat, {0}));
+    std::vector<Value> fours;
+    for (unsigned i = 0; i < room; i += 4) fours.push_back(b.construct(ir::kFloat4, std::span(numbers).subspan(i, 4)));
+    b.ret(b.construct(function.result, fours));
+    const Type result = function.result;
+    return {.slot = {.function = add_function(module, std::move(function)), .result = result}};
+}
+
+Part unpack_slot(Lowering& lowering, const FunctionDecl& slot) {
+    ir::Module& module = lowering.out.module;
+    const FunctionDecl* packer = find_slot(lowering, nodelang::attribute_text(*slot.attribute("unpack")));
+    if (!packer || !packer->attribute("pack")) return {.why_not = "nothing packs what it unpacks"};
+    ir::Function function = slot_shell(lowering, slot);
+    const Packing packing = packing_of(lowering, *packer, function.result);
+    ir::Builder b(module, function, lowering.emitter.options());
+    const Value surface = b.param(0), extras = b.param(1);
+    std::vector<Value> members;
+    const std::vector<ir::Member> declared = module.structs[function.result.ref].members;
+    for (std::uint32_t i = 0; i < declared.size(); ++i) members.push_back(b.extract(surface, i));
+    unsigned next = 0;
+    for (const std::uint32_t member : packing.members) {
+        const Type type = declared[member].type;
+        std::vector<Value> parts;
+        for (unsigned i = 0; i < type.components(); ++i, ++next)
+            parts.push_back(as_scalar(b, b.extract(b.extract(extras, next / 4), next % 4), type.scalar));
+        members[member] = type.is_scalar() ? parts[0] : b.construct(type, parts);
+    }
+    b.ret(b.construct(function.result, members));
+    const Type result = function.result;
+    return {.slot = {.function = add_function(module, std::move(function)), .result = result}};
+}
+
+}  // namespace
+
+bool is_part(const FunctionDecl& slot) {
+    return slot.attribute("part") || slot.attribute("without") || slot.attribute("pack") || slot.attribute("unpack");
+}
+
+const Part& part_of(Lowering& lowering, const FunctionDecl& slot) {
+    const auto known = lowering.parts.find(slot.name);
+    if (known != lowering.parts.end()) return known->second;
+    Part made;
+    if (const Attribute* attribute = slot.attribute("part")) made = linear_slot(lowering, slot, *attribute);
+    if (const Attribute* attribute = slot.attribute("without")) made = slot_without(lowering, *attribute);
+    if (slot.attribute("pack")) made = pack_slot(lowering, slot);
+    if (slot.attribute("unpack")) made = unpack_slot(lowering, slot);
+    return lowering.parts.emplace(slot.name, std::move(made)).first->second;
+}
+
+std::vector<std::string_view> packed_members(Lowering& lowering, std::string_view slot) {
+    std::vector<std::string_view> names;
+    const FunctionDecl* packer = find_slot(lowering, slot);
+    if (!packer || !packer->attribute("pack")) return names;
+    const nodelang::Scope scope{.declarations = lowering.session.declarations};
+    const Type surface = lowering.emitter.type(packer->params[0].type, scope);
+    for (const std::uint32_t member : packing_of(lowering, *packer, surface).members)
+        names.push_back(lowering.out.module.structs[surface.ref].members[member].name);
+    return names;
+}
+
+}  // namespace patina::graph

@@ -1,0 +1,463 @@
+// The passes of the wanted path, lowered: their two functions, their own recipes of semantics, and the functions of the
+// seam that they replace. A material that a path cannot take is lowered for the path's fallback.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/lower/lowering.h"
+#include "compiler/format/words.h"
+
+namespace patina::graph {
+namespace {
+
+using ir::Op;
+using nodelang::Attribute;
+using nodelang::FunctionDecl;
+using nodelang::VariableDecl;
+
+class Passes {
+public:
+    explicit Passes(Lowering& lowering)
+        : lowering_(lowering), stages_(*lowering.session.stages), environment_(lowering) {}
+
+    void run() {
+        nodelang::Emitter& emitter = lowering_.emitter;
+        emitter.set_slot_maker([this](const FunctionDecl& slot, Span at) { return slot_of(slot, at); });
+        emitter.set_static_maker([this](const VariableDecl& variable) { return static_value(variable); });
+        const std::vector<std::string>& wanted = lowering_.session.options.passes;
+        if (lowering_.material.pass) return lower_extra();
+        if (wanted.empty() && lowering_.session.options.path == kAllPaths) {
+            lower_all();
+        } else if (wanted.empty()) {
+            lower_path(lowering_.session.path);
+        } else {
+            lowering_.out.path = lowering_.session.path;
+            for (const std::string& name : wanted)
+                if (!is_extra(name)) named_pass(name);
+        }
+    }
+
+private:
+    // --- which passes
+
+    bool is_extra(std::string_view name) const {
+        const std::vector<ExtraPass>& passes = lowering_.material.graph->graph->passes;
+        return std::any_of(passes.begin(), passes.end(), [&](const ExtraPass& pass) { return pass.name == name; });
+    }
+
+    void lower_extra() {
+        Lowered& out = lowering_.out;
+        out.path = lowering_.session.path;
+        const PassDecl* pass = stages_.pass_for_extra(out.path);
+        const std::string& name = lowering_.material.pass->name;
+        if (const Refusal refusal = pass ? lower_pass(*pass) : Refusal{"no pass says [extra]"})
+            report(Code::PassRefused, refusal, name, refusal.reason);
+        for (LoweredPass& made : out.passes) made.name = name;
+    }
+
+    void named_pass(const std::string& name) {
+        const PassDecl* pass = stages_.pass(name);
+        if (!pass) {
+            std::vector<std::string_view> known;
+            for (const PassDecl& each : stages_.passes) known.push_back(each.name);
+            lowering_.session.diagnostics.report(Code::UnknownPass, {}, name)
+                .note(Diagnostics::suggestion(name, known));
+        } else if (const Refusal refusal = lower_pass(*pass)) {
+            report(Code::PassRefused, refusal, pass->name, refusal.reason);
+        }
+    }
+
+    // Every pass that can draw the material.
+    void lower_all() {
+        lowering_.out.path = kAllPaths;
+        for (const std::string_view path : stages_.paths()) {
+            begin_path();
+            for (const PassDecl* pass : optional_first(stages_.passes_of(path))) {
+                if (!lower_pass(*pass) || pass->is_optional || pass->state.fallback.empty()) continue;
+                lowering_.out.passes.resize(first_of_path_);  // the path is not for this material
+                break;
+            }
+        }
+        in_order_of([&](const LoweredPass& pass) { return pass.declaration - stages_.passes.data(); });
+    }
+
+    // Passes may ask which of the passes that they are drawn with are there; the optional ones are known first.
+    void begin_path() { first_of_path_ = lowering_.out.passes.size(); }
+    static std::vector<const PassDecl*> optional_first(std::vector<const PassDecl*> passes) {
+        std::stable_partition(passes.begin(), passes.end(), [](const PassDecl* pass) { return pass->is_optional; });
+        return passes;
+    }
+    template <class Place>
+    void in_order_of(const Place& place) {
+        std::sort(lowering_.out.passes.begin(), lowering_.out.passes.end(),
+                  [&](const LoweredPass& a, const LoweredPass& b) { return place(a) < place(b); });
+    }
+
+    void lower_path(const std::string& path) {
+        Lowered& out = lowering_.out;
+        out.passes.clear();
+        out.path = path;
+        begin_path();
+        std::vector<const PassDecl*> passes;
+        for (const SwitchDecl& each : stages_.switches) {
+            const PassDecl* brought = each.brings.empty() ? nullptr : stages_.pass(each.brings);
+            const bool is_there = std::find(passes.begin(), passes.end(), brought) != passes.end();
+            if (brought && !is_there && lowering_.is_on(each.variable->name) && brought->path != path)
+                passes.push_back(brought);
+        }
+        const std::size_t own = passes.size();
+        for (const PassDecl* pass : stages_.passes_of(path)) passes.push_back(pass);
+        for (const PassDecl* pass : optional_first(passes)) {
+            const Refusal refusal = lower_pass(*pass);
+            if (refusal.is_news) report_left_out(*pass, refusal);
+            if (!refusal || refusal.is_news || refusal.is_vain || pass->is_optional) continue;
+            const bool is_own = std::find(passes.begin() + std::ptrdiff_t(own), passes.end(), pass) != passes.end();
+            if (is_own && !pass->state.fallback.empty()) {
+                // That a path leaves a kind of surface to another one is its design, and no news.
+                if (has_blend(*pass)) report(Code::PathRefused, refusal, path, pass->state.fallback, refusal.reason);
+                tried_.insert(path);
+                if (!tried_.contains(pass->state.fallback)) return lower_path(pass->state.fallback);
+            }
+            if (has_blend(*pass)) {
+                report(Code::PassRefused, refusal, pass->name, refusal.reason);
+            } else if (is_own) {
+                report_left_out(*pass, refusal);
+            }
+        }
+        in_order_of([&](const LoweredPass& p) { return std::find(passes.begin(), passes.end(), p.declaration); });
+    }
+
+    void report_left_out(const PassDecl& pass, Refusal refusal) {
+        if (lowering_.session.diagnostics.has_errors()) return;
+        if (refusal.advice.empty()) refusal.advice = pass.otherwise;
+        report(Code::PassLeftOut, refusal, known_as(pass), refusal.reason);
+    }
+
+    template <class... Words>
+    void report(Code code, const Refusal& refusal, const Words&... words) {
+        const Span whole = lowering_.material.graph->graph->span;
+        const bool is_graph = refusal.where.span.begin != refusal.where.span.end;
+        DiagnosticRecord& record = lowering_.session.diagnostics.report(
+            code, is_graph ? refusal.where.span : Span{whole.begin, whole.begin + 1}, words...);
+        record.at(refusal.where.id);
+        if (!refusal.advice.empty()) record.note(refusal.advice);
+    }
+
+    static std::string quoted(std::string_view name) {
+        return name.empty() ? "a lighting graph of its own" : fmt::format("'{}'", name);
+    }
+    static std::string list_of(const std::vector<std::string_view>& names) {
+        std::string list;
+        for (std::size_t i = 0; i < names.size(); ++i)
+            list += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + quoted(names[i]);
+        return list;
+    }
+
+    // --- one pass
+
+    std::string_view surface() const { return text_of(kSurfaceKinds, lowering_.material.graph->graph->render.surface); }
+
+    static bool draws_objects(const PassDecl& pass) { return pass.state.draws == "objects"; }
+
+    bool has_blend(const PassDecl& pass) const {
+        return !draws_objects(pass) || blend_of(pass, surface()) || pass.blends.empty();
+    }
+
+    // What another tool draws for others to read, depth alone or all that they light, stands for what is nearest.
+    Refusal refusal_of_depth(const PassDecl& pass) const {
+        const RenderState& render = lowering_.material.graph->graph->render;
+        if (!tool_of(lowering_.session) || !(pass.is_alone || pass.state.targets.empty())) return {};
+        const ir::Origin where{.span = {render.span.begin, render.span.begin + 1}};
+        if (!render.depth_write.value_or(true))
+            return {.reason = "it writes depth, and the material does not", .where = where, .is_news = true};
+        const Compare test = render.depth_test.value_or(Compare::LessEqual);
+        if (test == Compare::Less || test == Compare::LessEqual || test == Compare::Equal) return {};
+        return {.reason = fmt::format("it holds what is nearest, and the material's depth test is '{}'",
+                                      text_of(kCompares, test)),
+                .where = where,
+                .is_news = true};
+    }
+
+    // What no light lights would not look different.
+    Refusal refusal_of_lighting(const PassDecl& pass) const {
+        const Graph& graph = *lowering_.material.graph->graph;
+        const LightingUse& use = graph.lighting;
+        const Span inlined{use.span.begin, use.span.begin + 1};
+        return {.reason = fmt::format("it is for what is lit by {}, and the material is lit by {}",
+                                      list_of(pass.lighting), quoted(lowering_.material.lighting_name)),
+                .where = {.span = !use.present  ? graph.workflow_span
+                                  : use.inlined ? inlined
+                                                : use.span},
+                .is_news = is_drawn_again(pass)};
+    }
+
+    // Whether an object is drawn by another pass of the path, too, once for each light.
+    bool is_drawn_again(const PassDecl& pass) const {
+        if (lowering_.material.pass) return false;
+        const std::vector<const PassDecl*> others = stages_.passes_of(pass.path);
+        return std::any_of(others.begin(), others.end(), [&](const PassDecl* other) {
+            return draws_objects(*other) && other->state.each == "light" && other->state.lights != "shadowed" &&
+                   has_blend(*other) && !vain_part(*other);
+        });
+    }
+
+    // A material's stencil needs the stencil for itself, and one pass that draws the object.
+    Refusal refusal_of_stencil(const PassDecl& pass) const {
+        const std::optional<StencilState>& stencil = lowering_.material.graph->graph->render.stencil;
+        if (!stencil || !draws_objects(pass) || pass.state.targets.empty()) return {};
+        const ir::Origin where{.span = {stencil->span.begin, stencil->span.begin + 1}};
+        const bool is_tool = tool_of(lowering_.session) != nullptr;
+        if (pass.has_stencil) return {.reason = "it uses the stencil itself", .where = where, .is_news = is_tool};
+        if (is_tool && pass.state.each != "light") return {};  // the other one says so
+        if (!stencil->changes() || stencil->test == Compare::Always || !is_drawn_again(pass)) return {};
+        Refusal refusal{.reason = "it draws an object once for each light, and this stencil changes what it tests",
+                        .where = where};
+        if (is_tool)
+            refusal.advice =
+                "with a \"test\" that is \"always\", or a \"pass\", \"fail\" and \"depthFail\" that are "
+                "\"keep\", or with the workflow \"unlit\" there is no such fault";
+        return refusal;
+    }
+
+    // The slot that a pass of another tool needs and that makes nothing.
+    std::optional<std::string_view> vain_part(const PassDecl& pass) const {
+        if (!tool_of(lowering_.session)) return {};
+        for (const std::string_view name : pass.needs) {
+            const auto slot = std::find_if(stages_.slots.begin(), stages_.slots.end(),
+                                           [&](const FunctionDecl* s) { return s->name == name; });
+            if (slot == stages_.slots.end()) continue;
+            const Part* part = is_part(**slot) ? &part_of(lowering_, **slot) : nullptr;
+            if (part ? part->slot.function && part->is_zero : is_always_zero(name)) return name;
+        }
+        return {};
+    }
+
+    Refusal lower_pass(const PassDecl& pass) {
+        if (!pass.vertex || !pass.fragment) return {};  // reported when its file was read
+        if (!has_blend(pass))
+            return {.reason = fmt::format("it does not draw '{}' surfaces", surface()),
+                    .is_vain = vain_part(pass).has_value()};
+        if (const Refusal refusal = refusal_of_stencil(pass)) return refusal;
+        if (const Refusal refusal = refusal_of_depth(pass)) return refusal;
+        const std::string_view model = lowering_.material.lighting_name;
+        const auto& models = pass.lighting;
+        if (!models.empty() && std::find(models.begin(), models.end(), model) == models.end())
+            return refusal_of_lighting(pass);
+        const std::vector<ExtraPass>& added = lowering_.material.graph->graph->passes;
+        if (pass.is_alone && !added.empty())
+            return {.reason = fmt::format("where it is drawn, '{}' is not", added.front().name),
+                    .where = {.span = added.front().name_span},
+                    .is_news = true};
+        for (const std::string_view name : pass.needs) {
+            const auto slot = std::find_if(stages_.slots.begin(), stages_.slots.end(),
+                                           [&](const FunctionDecl* s) { return s->name == name; });
+            if (slot == stages_.slots.end()) return {.reason = fmt::format("it needs '{}', which nothing makes", name)};
+            const Part* part = is_part(**slot) ? &part_of(lowering_, **slot) : nullptr;
+            if (part && !part->slot.function) return {.reason = part->why_not, .where = part->where};
+        }
+        if (const auto vain = vain_part(pass))
+            return {.reason = fmt::format("'{}' is always 0", *vain), .is_vain = true};
+        for (const std::string_view name : pass.excludes) {
+            if (lowering_.is_on(name)) return {.reason = fmt::format("it has no place for '{}'", name)};
+        }
+        const nodelang::Declarations& declarations = *lowering_.session.declarations;
+        nodelang::Emitter& emitter = lowering_.emitter;
+        LoweredPass made{.declaration = &pass, .name = std::string(pass.name)};
+        pass_ = pass.name;
+        emitter.forget_answers();
+        made.vertex = emitter.semantic_function(*pass.vertex, declarations, environment_, true);
+        made.fragment = emitter.semantic_function(*pass.fragment, declarations, environment_, false);
+        if (!made.vertex || !made.fragment) return {};
+        lower_recipes();
+        lower_given(made);
+        lower_recipes();
+        if (lowering_.session.diagnostics.has_errors()) return {};
+        if (may_be_refused(pass)) {
+            if (Refusal refusal = refusal_of(lowering_, made)) return refusal;
+        }
+        lowering_.out.passes.push_back(std::move(made));
+        return {};
+    }
+
+    bool is_always_zero(std::string_view slot) const {
+        const nodelang::Slot* found = lowering_.emitter.find_slot(slot);
+        if (!found || !found->function) return false;
+        const ir::Module& module = lowering_.out.module;
+        const ir::Function& function = module[found->function];
+        const ir::Value result = function.args(function.blocks[0].insts.back())[0];
+        if (function[result].op != Op::Constant) return false;
+        const auto numbers = module.numbers_of(module.constants[function[result].data]);
+        return std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == 0; });
+    }
+
+    // A pass of the library that draws objects has everything to give in the pixel; at the vertices, and where nothing
+    // of the object is left, that has to be found out.
+    bool may_be_refused(const PassDecl& pass) const {
+        return !draws_objects(pass) || !pass.holds.empty() || reads_of_pass_ || lowering_.session.pass_file;
+    }
+
+    void lower_given(LoweredPass& pass) {
+        nodelang::Emitter& emitter = lowering_.emitter;
+        const nodelang::Declarations& declarations = *lowering_.session.declarations;
+        for (const GivenDecl& given : stages_.given) {
+            if (!given.is_for(*pass.declaration)) continue;
+            if (given.variable) {
+                give_attribute(pass, given);
+                continue;
+            }
+            if (const auto found = stages_.semantic_index.find(given.what); found != stages_.semantic_index.end()) {
+                const ir::FunctionId made =
+                    emitter.semantic_function(*given.function, declarations, environment_, false);
+                const bool is_varying = stages_.semantics[found->second].source == Source::Vertex;
+                auto& recipes = given.is_of_file && is_varying ? pass.at_vertices : pass.recipes;
+                if (made) recipes.push_back({{found->second}, made});
+                if (made && given.is_of_file) pass.in_both_stages.push_back(made);
+                continue;
+            }
+            const FunctionDecl* replaced = declarations.function(given.what);
+            if (!replaced) continue;  // reported when its file was read
+            for (const nodelang::InstanceInfo& instance : emitter.instances_of(*replaced)) {
+                const ir::FunctionId made =
+                    emitter.given_function(*given.function, declarations, environment_, instance.half);
+                if (made) replace(pass, given, instance.id, made);
+                if (made && given.is_of_file) pass.in_both_stages.push_back(made);
+            }
+        }
+    }
+
+    // A value of the engine was declared as this one (declare.cpp).
+    void give_attribute(LoweredPass& pass, const GivenDecl& given) {
+        const auto semantic = stages_.semantic_index.find(given.what);
+        const auto global = lowering_.emitter.extern_global(*given.variable);
+        if (semantic == stages_.semantic_index.end() || !global) return;
+        if (stages_.semantics[semantic->second].source == Source::Attribute)
+            pass.attributes.push_back({{semantic->second}, *global});
+    }
+
+    void replace(LoweredPass& pass, const GivenDecl& given, ir::FunctionId old, ir::FunctionId made) {
+        const ir::Module& module = lowering_.out.module;
+        const ir::Function &before = module[old], &now = module[made];
+        const bool fits = before.result == now.result &&
+                          std::equal(before.params.begin(), before.params.end(), now.params.begin(), now.params.end(),
+                                     [](const ir::Param& a, const ir::Param& b) { return a.type == b.type; });
+        if (fits) return pass.replaced.push_back({old, made});
+        lowering_.session.diagnostics.report(
+            Code::BadAttribute, given.function->name_span, "gives",
+            fmt::format("replaces '{}', whose parameters and result it must have; further ones need a semantic as "
+                        "their default",
+                        given.what));
+    }
+
+    // Recipes of every semantic that a function reads, and of those that the recipes read.
+    void lower_recipes() {
+        Lowered& out = lowering_.out;
+        for (; next_ < out.module.functions.size(); ++next_) {
+            for (std::size_t i = 0; i < out.module.functions[next_].insts.size(); ++i) {
+                const ir::Inst inst = out.module.functions[next_].insts[i];
+                if (inst.op != Op::Semantic) continue;
+                SemanticRecipe& recipe = out.semantics[inst.data];
+                if (!recipe.declaration || !recipe.declaration->function || recipe.recipe) continue;
+                reads_of_pass_ = reads_of_pass_ || recipe.declaration->is_of_pass;
+                const unsigned answers = lowering_.emitter.passing_answers();
+                const ir::FunctionId made =
+                    lowering_.emitter.semantic_function(*recipe.declaration->function, *lowering_.session.declarations,
+                                                        environment_, recipe.source == Source::Vertex);
+                if (!made) return;  // a fault in the library or the user's file, reported
+                if (lowering_.emitter.passing_answers() != answers) refuse_answers(*recipe.declaration->function);
+                out.semantics[inst.data].recipe = made;
+            }
+        }
+    }
+
+    // All passes share what a semantic computes.
+    void refuse_answers(const FunctionDecl& recipe) {
+        lowering_.session.diagnostics.report(
+            Code::BadAttribute, recipe.name_span, "semantic",
+            "stands before a function that asks a [static] which passes there are: that differs from path to path");
+    }
+
+    // --- what pass functions ask for
+
+    const nodelang::Slot* slot_of(const FunctionDecl& slot, Span at) {
+        if (!is_part(slot)) return nullptr;
+        const Part& part = part_of(lowering_, slot);
+        if (part.slot.function) return &part.slot;
+        lowering_.session.diagnostics
+            .report(Code::PassRefused, at, pass_, fmt::format("it calls '{}', and {}", slot.name, part.why_not))
+            .note(
+                fmt::format("[needs(\"{0}\")] at the pass says so sooner, and a static(\"slot\", \"{0}\") asks whether "
+                            "the material has it",
+                            slot.name));
+        return nullptr;
+    }
+
+    std::optional<double> static_value(const VariableDecl& variable) {
+        const Attribute* attribute = variable.attribute("static");
+        if (!attribute) return {};
+        const std::string_view key = nodelang::attribute_text(*attribute);
+        if (key != "pass" && key != "slot") return {};
+        bool is_any = false;
+        for (std::size_t i = 1; i < attribute->args.size(); ++i) {
+            const std::string_view name = nodelang::attribute_text(*attribute, i);
+            is_any = (key == "pass" ? is_drawn_with(name) : has_slot(name)) || is_any;
+        }
+        return is_any;
+    }
+
+    bool is_drawn_with(std::string_view pass) {
+        lowering_.emitter.answers_for_now();
+        const auto& passes = lowering_.out.passes;
+        return std::any_of(passes.begin() + std::ptrdiff_t(first_of_path_), passes.end(),
+                           [&](const LoweredPass& p) { return p.declaration->name == pass; });
+    }
+
+    bool has_slot(std::string_view name) {
+        for (const FunctionDecl* slot : stages_.slots) {
+            if (slot->name != name) continue;
+            if (!is_part(*slot)) return lowering_.emitter.find_slot(name) != nullptr;
+            const Part& part = part_of(lowering_, *slot);
+            remark(*slot, part);
+            return part.slot.function && !part.is_zero;
+        }
+        return false;
+    }
+
+    // Says once what a part's absence costs.
+    void remark(const FunctionDecl& slot, const Part& part) {
+        const Attribute* otherwise = slot.attribute("otherwise");
+        if (part.slot.function || part.is_of_missing || !otherwise || !remarked_.insert(slot.name).second) return;
+        report(Code::PathLoses, {.reason = {}, .where = part.where}, lowering_.out.path,
+               nodelang::attribute_text(*otherwise), part.why_not);
+    }
+
+    Lowering& lowering_;
+    const Stages& stages_;
+    LibraryEnvironment environment_;
+    std::string_view pass_;          // that is being lowered
+    std::size_t first_of_path_ = 0;  // of the passes that are drawn with it
+    bool reads_of_pass_ = false;     // some pass has a semantic of its own
+    std::size_t next_ = 0;           // function whose semantics have not been looked at
+    std::set<std::string_view> remarked_;
+    std::set<std::string> tried_;  // paths
+};
+
+}  // namespace
+
+// Where nothing is drawn into what they draw into, there is nothing to see of them.
+bool draws_extra(const Session& session, const Lowered& lowered) {
+    const PassDecl* extra = session.stages->pass_for_extra(session.path);
+    const auto is_shared = [&](const RenderTarget& target) {
+        return std::any_of(extra->state.targets.begin(), extra->state.targets.end(),
+                           [&](const RenderTarget& other) { return other.name == target.name; });
+    };
+    return extra && std::any_of(lowered.passes.begin(), lowered.passes.end(), [&](const LoweredPass& pass) {
+               const std::vector<RenderTarget>& targets = pass.declaration->state.targets;
+               return std::any_of(targets.begin(), targets.end(), is_shared);
+           });
+}
+
+void lower_passes(Lowering& lowering) {
+    Passes(lowering).run();
+}
+
+}  // namespace patina::graph

@@ -1,0 +1,74 @@
+// What the files that make up lower() share. Private to compiler/graph/lower*.cpp.
+#pragma once
+
+#include "compiler/lower/graph_scope.h"
+
+namespace patina::graph {
+
+ir::FunctionId add_function(ir::Module& module, ir::Function function);
+ir::Type input_type(Lowering& lowering, const Input& input);
+
+// surface(): everything that the workflow and the lighting model ask of the graph, in one struct. `members`: what its
+// members stand for.
+ir::FunctionId lower_surface(Lowering& lowering, std::vector<const Input*>& members);
+// lighting_surface(): the workflow's set-up, over the surface.
+ir::FunctionId lower_setup(Lowering& lowering, const nodelang::FunctionDecl& slot, ir::FunctionId surface,
+                           std::span<const Input* const> members);
+// Fills the slots that the material, its workflow and its lighting graph provide.
+void lower_slots(Lowering& lowering);
+
+// A derived slot (lower_parts.cpp).
+const Part& part_of(Lowering& lowering, const nodelang::FunctionDecl& slot);
+bool is_part(const nodelang::FunctionDecl& slot);
+// The members of the lighting surface that a pack slot stores.
+std::vector<std::string_view> packed_members(Lowering& lowering, std::string_view slot);
+
+// The passes of the wanted path, or of its fallback.
+void lower_passes(Lowering& lowering);
+// The functions for an engine's own shaders, instead of passes (lower_functions.cpp).
+void lower_functions(Lowering& lowering);
+// For a target whose files are another tool's: before and after the passes (lower_tool.cpp).
+void mark_for_tool(Lowering& lowering);
+void tell_texts(Lowering& lowering);
+// Why a pass cannot draw this material, found in its functions (take_part.cpp); empty: it can.
+struct Refusal {
+    std::string reason{};
+    ir::Origin where{};
+    std::string advice{};  // may be empty
+    bool is_news = false;  // a warning, also where the pass is optional
+    bool is_vain = false;  // the pass would change nothing: left out without a word
+    explicit operator bool() const { return !reason.empty(); }
+};
+Refusal refusal_of(Lowering& lowering, const LoweredPass& pass);
+
+// A static that depends on what the lighting graph turns out to be.
+inline bool is_of_lighting(std::string_view key) {
+    return key == "slot" || key == "pass";
+}
+
+// What the names in nodes/stage and nodes/passes mean: semantics and nothing else.
+class LibraryEnvironment : public nodelang::Environment {
+public:
+    explicit LibraryEnvironment(Lowering& lowering) : lowering_(lowering) {}
+    nodelang::Typed name(const nodelang::Expr& expr, nodelang::Scope& scope) override {
+        return semantic(expr.text, expr.span, scope);
+    }
+    nodelang::Typed property(const nodelang::Expr&, nodelang::Scope&) override { return {}; }
+    nodelang::Typed file(const nodelang::Expr&, nodelang::Scope&) override { return {}; }
+    nodelang::Typed semantic(std::string_view name, Span span, nodelang::Scope& scope) override {
+        const auto found = lowering_.session.stages->semantic_index.find(name);
+        if (found == lowering_.session.stages->semantic_index.end()) {
+            lowering_.session.diagnostics.report(Code::UnknownSemantic, span, name);
+            return {};
+        }
+        const SemanticDecl& semantic = lowering_.session.stages->semantics[found->second];
+        if (semantic.source == Source::Extern) return lowering_.emitter.extern_value(*semantic.variable, scope);
+        const ir::Type type = lowering_.out.module.semantics[found->second].type;
+        return {.value = scope.builder->emit(ir::Op::Semantic, type, {}, found->second), .type = type};
+    }
+
+private:
+    Lowering& lowering_;
+};
+
+}  // namespace patina::graph

@@ -1,0 +1,178 @@
+// Whether a pass can draw a material: a lighting graph may read what a pass has not got. One check for all paths, over
+// what the lowered functions read; it says which graph node is in the way.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "compiler/lower/lowering.h"
+#include "compiler/ir/linear_part.h"
+
+namespace patina::graph {
+namespace {
+
+using ir::FunctionId;
+using ir::Inst;
+using ir::Op;
+using ir::SemanticId;
+
+// What is known about the place of a function, on the way to it from the pass.
+struct Place {
+    std::string_view slot{};      // that it is a part of; empty: the pass's own
+    std::string_view semantic{};  // that the slot reads, of which this is the recipe
+    bool at_vertex = false;
+    ir::OriginId origin{};  // the innermost node
+    Span span{};            // the innermost function of a pass or recipe
+};
+
+class Walk {
+public:
+    Walk(Lowering& lowering, const LoweredPass& pass)
+        : lowering_(lowering), module_(lowering.out.module), pass_(pass), declaration_(*pass.declaration) {}
+
+    Refusal run() {
+        visit(pass_.vertex, {.at_vertex = true, .span = declaration_.vertex->name_span});
+        visit(pass_.fragment, {.span = declaration_.fragment->name_span});
+        return refusal_;
+    }
+
+private:
+    void refuse(const Place& place, std::string reason) {
+        if (!refusal_)
+            refusal_ = {.reason = std::move(reason),
+                        .where = place.origin ? module_.origins[place.origin.index] : ir::Origin{}};
+    }
+
+    static ir::StageKind stage_of(const Place& place) {
+        return place.at_vertex ? ir::StageKind::Vertex : ir::StageKind::Fragment;
+    }
+
+    void visit(FunctionId function, Place place) {
+        if (const auto other = pass_.replacement_of(function, stage_of(place))) function = *other;
+        if (const std::string_view slot = lowering_.slot_name(function); !slot.empty()) {
+            place.slot = slot;
+            if (!lowering_.is_packing(slot)) check_members(function, place);
+        }
+        if (!seen_.emplace(function.index, !place.slot.empty(), place.at_vertex).second) return;
+        // Visiting may not outlive changes of the module, and makes none.
+        for (const Inst& inst : module_[function].insts) {
+            if (refusal_) return;
+            Place here = place;
+            if (inst.origin && !module_.origins[inst.origin.index].id.empty()) here.origin = inst.origin;
+            if (inst.op == Op::Call) visit({inst.data}, here);
+            if (inst.op == Op::Semantic) semantic({inst.data}, here);
+            if (inst.op == Op::Global) global({inst.data}, here);
+            if (ir::has(inst.op, ir::Derivative) && is_graph(here)) derivative(inst.op, here);
+        }
+    }
+
+    // What reads, in words: a slot without parameters is the surface itself.
+    std::string said(const Place& place) const {
+        for (const nodelang::FunctionDecl* slot : lowering_.session.stages->slots) {
+            if (slot->name == place.slot && slot->params.empty()) return "the surface";
+        }
+        return fmt::format("'{}'", place.slot);
+    }
+
+    void derivative(Op op, const Place& place) {
+        if (place.at_vertex) {
+            if (op == Op::Sample) return;  // of the first level, there
+            refuse(place, fmt::format("{} compares neighbouring pixels, and vertices have none", said(place)));
+        } else if (!draws_objects()) {
+            refuse(place,
+                   fmt::format("{} compares neighbouring pixels, and here they may be of other objects", said(place)));
+        }
+    }
+
+    bool draws_objects() const { return declaration_.state.draws == "objects"; }
+    bool is_graph(const Place& place) const { return !place.slot.empty(); }
+
+    void semantic(SemanticId id, const Place& place) {
+        if (const auto recipe = pass_.recipe_of(id, stage_of(place)))
+            return visit(*recipe, {.at_vertex = place.at_vertex, .span = place.span});
+        const SemanticRecipe& recipe = lowering_.out.semantics[id.index];
+        Place inside = place;
+        if (place.semantic.empty() && is_graph(place)) inside.semantic = module_.semantics[id.index].name;
+        const std::string_view name = inside.semantic.empty() ? module_.semantics[id.index].name : inside.semantic;
+        const bool is_interpolated = recipe.source == Source::Vertex || recipe.source == Source::Attribute;
+        if (is_interpolated && is_graph(place) && !draws_objects())
+            return refuse(place, fmt::format("{} reads '@{}', which it cannot give", said(place), name));
+        const bool is_side = module_.semantics[id.index].type == ir::kBool;  // vertices see the front
+        if (recipe.source == Source::Builtin && is_graph(place) && place.at_vertex && !is_side)
+            return refuse(place, fmt::format("{} reads '@{}', which vertices do not have", said(place), name));
+        if (recipe.source == Source::Builtin && !is_graph(place)) check_builtin(*recipe.declaration, place);
+        if (!recipe.recipe) return;
+        if (recipe.declaration) inside.span = recipe.declaration->function->name_span;
+        inside.at_vertex = place.at_vertex || recipe.source == Source::Vertex;
+        visit(recipe.recipe, inside);
+    }
+
+    // A pass file may ask a stage for what it does not have.
+    void check_builtin(const SemanticDecl& semantic, const Place& place) {
+        const std::string_view word = nodelang::attribute_text(*semantic.variable->attribute("builtin"));
+        const bool is_of_pixel = word == "frag_coord", is_of_vertex = word.ends_with("_index");
+        if (place.at_vertex ? is_of_pixel : is_of_vertex)
+            lowering_.session.diagnostics.report(Code::NoSuchStageValue, place.span, semantic.name,
+                                                 place.at_vertex ? "vertex" : "fragment");
+    }
+
+    void global(ir::GlobalId id, const Place& place) {
+        if (draws_objects() || !is_graph(place) || !lowering_.per_object.contains(id.index)) return;
+        refuse(place, fmt::format("{} reads '{}' of the object, which it cannot give", said(place),
+                                  module_.globals[id.index].name));
+    }
+
+    // Slots take the lighting surface first.
+    void check_members(FunctionId function, const Place& place) {
+        const ir::Function& slot = module_[function];
+        if (declaration_.holds.empty() || slot.params.empty() || slot.params[0].type.kind != ir::Kind::Struct) return;
+        const std::vector<ir::Member> members = module_.structs[slot.params[0].type.ref].members;
+        for (const ir::MemberRead& read : ir::members_read(module_, function, 0)) {
+            const std::string& name = members[read.member].name;
+            if (holds(name)) continue;
+            Place at = place;
+            if (read.origin) at.origin = read.origin;
+            refuse(at, fmt::format("{} reads '@surface.{}', which it cannot give", said(place), name));
+            refusal_.advice = roomier_path();
+            return;
+        }
+    }
+
+    // A path that stores what a lighting graph reads, whatever that is.
+    std::string roomier_path() const {
+        for (const PassDecl& each : lowering_.session.stages->passes) {
+            const bool packs = std::any_of(each.holds.begin(), each.holds.end(),
+                                           [&](std::string_view name) { return lowering_.is_packing(name); });
+            if (packs && each.path != declaration_.path)
+                return fmt::format("--path {} has room for more members of the surface", each.path);
+        }
+        return {};
+    }
+
+    bool holds(std::string_view member) {
+        if (held_.empty()) {
+            for (const std::string_view name : declaration_.holds) {
+                held_.emplace(name);
+                for (const std::string_view packed : packed_members(lowering_, name)) held_.emplace(packed);
+            }
+        }
+        return held_.contains(std::string(member));
+    }
+
+    Lowering& lowering_;
+    const ir::Module& module_;
+    const LoweredPass& pass_;
+    const PassDecl& declaration_;
+    Refusal refusal_;
+    std::set<std::tuple<std::uint32_t, bool, bool>> seen_;
+    std::set<std::string> held_;
+};
+
+}  // namespace
+
+Refusal refusal_of(Lowering& lowering, const LoweredPass& pass) {
+    return Walk(lowering, pass).run();
+}
+
+}  // namespace patina::graph

@@ -1,0 +1,365 @@
+#include "compiler/output/reflect.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "compiler/format/words.h"
+#include "compiler/ir/passes/passes.h"
+
+namespace patina::assemble {
+
+using graph::Property;
+using graph::PropertyType;
+
+namespace {
+
+std::string hlsl_register(char kind, std::uint32_t slot, std::uint32_t set) {
+    return fmt::format("{}{}, space{}", kind, slot, set);
+}
+
+std::uint32_t buffers_of(const ir::Module& module, std::uint32_t set) {
+    return static_cast<std::uint32_t>(std::count_if(module.blocks.begin(), module.blocks.end(),
+                                                    [&](const ir::UniformBlock& b) { return b.set == set; }));
+}
+
+bool is_texture(const ir::Global& global) {
+    return global.type.kind == ir::Kind::Texture2D || global.type.kind == ir::Kind::TextureCube;
+}
+
+std::uint32_t textures_of(const ir::Module& module, std::uint32_t set) {
+    return static_cast<std::uint32_t>(
+        std::count_if(module.globals.begin(), module.globals.end(),
+                      [&](const ir::Global& g) { return g.set == set && is_texture(g); }));
+}
+
+// Of the member, in its block.
+bool is_of_instance(const graph::Lowered& lowered, const ir::UniformBlock& block, std::size_t member) {
+    const ir::Module& module = lowered.module;
+    return std::any_of(lowered.instance_globals.begin(), lowered.instance_globals.end(), [&](std::uint32_t each) {
+        const ir::Global& global = module.globals[each];
+        return &module.blocks[global.block] == &block && global.member == member;
+    });
+}
+
+Block reflect_block(const graph::Lowered& lowered, const ir::UniformBlock& block) {
+    const ir::Module& module = lowered.module;
+    Block made{.name = block.name,
+               .is_material = block.set == graph::kMaterialSet,
+               .set = block.set,
+               .binding = block.slot,
+               .hlsl_register = hlsl_register('b', block.slot, block.set),
+               .size = block.size,
+               .members = {}};
+    for (const ir::BlockMember& member : block.members) {
+        const bool is_array = member.type.kind == ir::Kind::Array;
+        const graph::Extent extent = graph::extent(module, member.type);
+        const ir::Type element = is_array ? module.arrays[member.type.ref].element : member.type;
+        made.members.push_back({.name = member.name,
+                                .type = module.type_name(element),
+                                .offset = member.offset,
+                                .size = extent.size,
+                                .array_count = is_array ? module.arrays[member.type.ref].count : 0,
+                                .array_stride = extent.stride,
+                                .is_of_instance = is_of_instance(lowered, block, made.members.size())});
+    }
+    return made;
+}
+
+// The way from the graph's folder to the file, however the two were named on the command line. Only the words count: no
+// link is followed.
+std::string path_from_graph(const std::string& file, const std::string& graph) {
+    namespace fs = std::filesystem;
+    std::error_code failure;
+    const auto whole = [&](const std::string& path) { return fs::absolute(path, failure).lexically_normal(); };
+    const std::string relative = whole(file).lexically_relative(whole(graph).parent_path()).generic_string();
+    if (failure || relative.empty()) return fs::path(file).generic_string();
+    return relative.find_first_of("./") == relative.npos ? "./" + relative : relative;  // else a default's name
+}
+
+std::string default_texture(const graph::MaterialProperty& entry, const std::string& graph) {
+    if (entry.texture_path.empty()) return "white";
+    return entry.is_file ? path_from_graph(entry.texture_path, graph) : entry.texture_path;
+}
+
+// Where a texture and its sampler are bound, and what the shaders call them.
+Texture bound_texture(const ir::Module& module, const ir::Global& texture, const ir::Global& sampler) {
+    const std::uint32_t buffers = buffers_of(module, texture.set), textures = textures_of(module, texture.set);
+    return {.name = texture.name,
+            .identifier = texture.name,
+            .dimension = texture.type.kind == ir::Kind::TextureCube ? "cube" : "2d",
+            .usage = "data",
+            .default_value = {},
+            .is_material = texture.set == graph::kMaterialSet,
+            .set = texture.set,
+            .binding = buffers + texture.slot,
+            .hlsl_register = hlsl_register('t', texture.slot, texture.set),
+            .sampler_name = sampler.name,
+            .sampler_binding = buffers + textures + sampler.slot,
+            .sampler_register = hlsl_register('s', sampler.slot, sampler.set),
+            .tiling = {},
+            .sampler = {.wrap = "clamp", .filter = "linear", .anisotropy = 1}};
+}
+
+Texture reflect_texture(const ir::Module& module, const graph::MaterialProperty& entry,
+                        const graph::PropertyGlobals& globals, const std::string& graph) {
+    const Property& property = *entry.property;
+    Texture made = bound_texture(module, module.globals[globals.texture.index], module.globals[globals.sampler.index]);
+    made.name = property.name;
+    made.usage = text_of(graph::kTextureUsages, property.usage);
+    made.default_value = default_texture(entry, graph);
+    if (globals.tiling) made.tiling = module.globals[globals.tiling.index].name;
+    made.sampler = {.wrap = std::string(text_of(graph::kWraps, property.sampler.wrap)),
+                    .filter = std::string(text_of(graph::kFilters, property.sampler.filter)),
+                    .anisotropy = property.sampler.anisotropy};
+    return made;
+}
+
+patina::Property reflect_property(const ir::Module& module, const graph::MaterialProperty& entry,
+                                  const graph::PropertyGlobals& globals) {
+    const Property& property = *entry.property;
+    patina::Property made{.name = property.name,
+                          .identifier = property.name,
+                          .type = std::string(graph::to_string(property.type)),
+                          .value = property.value,
+                          .binding = std::string(text_of(graph::kBindings, property.binding)),
+                          .range = property.range,
+                          .hard = property.hard,
+                          .values = property.values,
+                          .label = property.label,
+                          .group = property.group,
+                          .help = property.help,
+                          .block = {},
+                          .offset = 0,
+                          .size = 0};
+    if (graph::is_keyword(property.binding)) made.value = {entry.chosen};
+    if (globals.keyword) {
+        made.identifier = module.globals[globals.keyword.index].name;
+        made.constant_id = module.keywords[module.globals[globals.keyword.index].keyword].constant_id;
+    }
+    if (globals.texture) made.identifier = module.globals[globals.texture.index].name;
+    if (globals.value) {
+        const ir::Global& global = module.globals[globals.value.index];
+        const ir::BlockMember& member = module.blocks[global.block].members[global.member];
+        made.identifier = global.name;
+        made.block = module.blocks[global.block].name;
+        made.offset = member.offset;
+        const bool is_array = member.type.kind == ir::Kind::Array;
+        const graph::Extent extent = graph::extent(module, member.type);
+        made.size = is_array ? graph::extent(module, module.arrays[member.type.ref].element).size : extent.size;
+        made.instance_stride = extent.stride;
+    }
+    return made;
+}
+
+// Globals that a stage still reads after tidying.
+void mark_used(const ir::Module& stage, std::vector<bool>& used) {
+    for (const ir::Function& function : stage.functions) {
+        for (const ir::Inst& inst : function.insts) {
+            if (inst.op == ir::Op::Global) used[inst.data] = true;
+        }
+    }
+}
+
+// What a surface kind means for depth and order where the material says nothing; Unity's queues.
+struct SurfaceRow {
+    graph::SurfaceKind kind;
+    int queue;
+    bool depth_write;
+};
+constexpr SurfaceRow kSurfaceRows[] = {
+    {graph::SurfaceKind::Opaque, 2000, true},    {graph::SurfaceKind::Cutout, 2450, true},
+    {graph::SurfaceKind::Fade, 3000, false},     {graph::SurfaceKind::Transparent, 3000, false},
+    {graph::SurfaceKind::Additive, 3000, false}, {graph::SurfaceKind::Multiply, 3000, false},
+};
+
+const SurfaceRow& row_of(graph::SurfaceKind kind) {
+    return *std::find_if(std::begin(kSurfaceRows), std::end(kSurfaceRows),
+                         [&](const SurfaceRow& row) { return row.kind == kind; });
+}
+
+// A pass that draws for each light what another has drawn before it: where that one left its depth or, of a material
+// that leaves none, by the same test.
+std::string_view depth_test_of_repetition(const graph::RenderState& render, bool writes, std::string_view stated) {
+    const graph::Compare test = render.depth_test.value_or(graph::Compare::LessEqual);
+    using enum graph::Compare;
+    if (!writes || test == Never) return text_of(graph::kCompares, test);
+    return test == Less || test == LessEqual ? stated : text_of(graph::kCompares, Equal);
+}
+
+bool is_repetition(const Pass& pass) {
+    return pass.each == "light" && pass.lights != "shadowed";
+}
+
+// What passes that draw objects in colour do not say themselves. One that is drawn for each light changes no stencil:
+// the pass before it has.
+Stencil reflect_stencil(const graph::StencilState& stencil, bool is_repetition) {
+    Stencil made{.test = std::string(text_of(graph::kCompares, stencil.test)),
+                 .value = stencil.reference,
+                 .read_mask = stencil.read_mask,
+                 .write_mask = stencil.write_mask};
+    if (is_repetition) return made;
+    made.pass = text_of(graph::kStencilOps, stencil.pass);
+    made.fail = text_of(graph::kStencilOps, stencil.fail);
+    made.depth_fail = text_of(graph::kStencilOps, stencil.depth_fail);
+    return made;
+}
+
+void set_object_state(Pass& pass, const graph::PassDecl& declaration, const graph::RenderState& render) {
+    const SurfaceRow& surface = row_of(render.surface);
+    const bool writes = render.depth_write.value_or(surface.depth_write);
+    if (!declaration.has_cull) pass.cull = text_of(graph::kCulls, render.cull);
+    if (!declaration.has_depth) {
+        pass.depth_write = writes;
+        pass.depth_test = text_of(graph::kCompares, render.depth_test.value_or(graph::Compare::LessEqual));
+    } else if (is_repetition(pass)) {
+        pass.depth_test = depth_test_of_repetition(render, writes, pass.depth_test);
+    }
+    if (!declaration.has_depth_bias && render.depth_offset) {
+        pass.depth_slope_bias = (*render.depth_offset)[0];
+        pass.depth_bias = (*render.depth_offset)[1];
+    }
+    if (!declaration.has_stencil && render.stencil && !pass.targets.empty())
+        pass.stencil = reflect_stencil(*render.stencil, is_repetition(pass));
+    pass.queue = queue_of(render);
+}
+
+Pass reflect_pass(const LinkedPass& linked) {
+    const graph::Material& material = *linked.material;
+    const graph::Lowered& lowered = *linked.lowered;
+    const graph::RenderState& render = material.graph->graph->render;
+    const graph::PassDecl& declaration = *linked.pass->declaration;
+    Pass pass = declaration.state;
+    pass.name = linked.pass->name;
+    if (material.pass) {
+        pass.is_extra = true;
+        pass.fallback.clear();
+        pass.moves_vertices = !material.graph->graph->vertex.empty();
+        pass.bounds = render.bounds;
+    }
+    if (pass.draws == "objects") set_object_state(pass, declaration, render);
+    if (const graph::BlendRow* blend = graph::blend_of(declaration, text_of(graph::kSurfaceKinds, render.surface))) {
+        for (RenderTarget& target : pass.targets) target.blend = blend->blend;
+    }
+    for (const ir::StageVariable& input : linked.vertex.stage.inputs) {
+        if (input.builtin != ir::Builtin::None) continue;
+        pass.vertex_inputs.push_back({.name = input.name,
+                                      .type = linked.vertex.type_name(input.type),
+                                      .location = input.location,
+                                      .hlsl_semantic = input.semantic});
+    }
+    std::vector<bool> used(lowered.module.globals.size(), false);
+    for (const ir::Module* stage : {&linked.vertex, &linked.fragment}) {
+        if (!lowered.keeps_functions) {
+            mark_used(*stage, used);
+            continue;
+        }
+        // Functions that passes share compute more than this one reads of them.
+        const ir::FunctionId entry = stage->stage.entry;
+        mark_used(ir::drop_members(*stage, std::span(&entry, 1), {}), used);
+    }
+    for (std::uint32_t block = 0; block < lowered.module.blocks.size(); ++block) {
+        for (std::size_t i = 0; i < used.size(); ++i) {
+            if (!used[i] || lowered.module.globals[i].block != block) continue;
+            pass.blocks.push_back(lowered.module.blocks[block].name);
+            break;
+        }
+    }
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        const ir::Global& global = lowered.module.globals[i];
+        if (used[i] && global.set != graph::kMaterialSet && is_texture(global)) pass.textures.push_back(global.name);
+    }
+    for (std::size_t i = 0; i < material.properties.size(); ++i) {
+        const ir::GlobalId texture = lowered.property_globals[i].texture;
+        if (texture && used[texture.index]) pass.textures.push_back(material.properties[i].property->name);
+        const ir::GlobalId keyword = lowered.property_globals[i].keyword;
+        if (keyword && used[keyword.index]) pass.keywords.push_back(material.properties[i].property->name);
+    }
+    return pass;
+}
+
+// 64-bit FNV-1a of everything that a buffer or a descriptor set depends on.
+std::string layout_hash(const Reflection& reflection) {
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    const auto add = [&](const std::string& text) {
+        for (unsigned char c : text + "\n") hash = (hash ^ c) * 0x100000001b3u;
+    };
+    for (const Block& block : reflection.blocks) {
+        add(fmt::format("{} {} {} {}", block.name, block.set, block.binding, block.size));
+        for (const BlockMember& m : block.members) add(fmt::format("{} {} {} {}", m.name, m.type, m.offset, m.size));
+    }
+    for (const Texture& t : reflection.textures) {
+        add(fmt::format("{} {} {} {} {}", t.name, t.dimension, t.set, t.binding, t.sampler_binding));
+    }
+    return fmt::format("{:016x}", hash);
+}
+
+}  // namespace
+
+int queue_of(const graph::RenderState& render) {
+    return render.queue.value_or(row_of(render.surface).queue);
+}
+
+std::vector<targets::SetShifts> binding_shifts(const ir::Module& module) {
+    std::vector<targets::SetShifts> shifts;
+    for (const std::uint32_t set : {graph::kEngineSet, graph::kMaterialSet, graph::kTargetSet}) {
+        const std::uint32_t buffers = buffers_of(module, set);
+        shifts.push_back(
+            {.set = set, .buffers = 0, .textures = buffers, .samplers = buffers + textures_of(module, set)});
+    }
+    return shifts;
+}
+
+Reflection reflect(const graph::Material& material, const graph::Lowered& lowered, std::span<const LinkedPass> passes) {
+    const graph::Graph& graph = *material.graph->graph;
+    Reflection made;
+    made.name = graph.name;
+    made.workflow = graph.workflow;
+    made.lighting = material.lighting_name;
+    made.surface = text_of(graph::kSurfaceKinds, graph.render.surface);
+    made.moves_vertices = !graph.vertex.empty();
+    made.bounds = graph.render.bounds;
+    made.path = lowered.path;
+    made.most_instances = lowered.instances;
+    for (const auto& [name, value] : lowered.switches) made.switches.push_back({.name = name, .value = value});
+    made.meta = graph.meta;
+    // Functions alone read nothing of the engine's but their parameters.
+    const bool has_engine = lowered.functions.empty();
+    for (const ir::UniformBlock& block : lowered.module.blocks) {
+        if (has_engine || block.set == graph::kMaterialSet) made.blocks.push_back(reflect_block(lowered, block));
+    }
+    for (std::size_t i = 0; i < material.properties.size(); ++i) {
+        const graph::MaterialProperty& entry = material.properties[i];
+        made.properties.push_back(reflect_property(lowered.module, entry, lowered.property_globals[i]));
+        if (entry.property->type == PropertyType::Texture2D) {
+            made.textures.push_back(reflect_texture(lowered.module, entry, lowered.property_globals[i], graph.path));
+        }
+    }
+    for (const LinkedPass& pass : passes) made.passes.push_back(reflect_pass(pass));
+    for (std::size_t i = 0; i < lowered.module.globals.size(); ++i) {
+        const ir::Global& global = lowered.module.globals[i];
+        if (global.set == graph::kMaterialSet || !is_texture(global)) continue;
+        // What no pass reads is bound nowhere.
+        const bool is_read = std::any_of(made.passes.begin(), made.passes.end(), [&](const Pass& pass) {
+            return std::count(pass.textures.begin(), pass.textures.end(), global.name) > 0;
+        });
+        if (!is_read && (global.set == graph::kTargetSet || !has_engine)) continue;
+        made.textures.push_back(bound_texture(lowered.module, global, lowered.module.globals[i + 1]));
+        if (const auto target = lowered.reads.find(static_cast<std::uint32_t>(i)); target != lowered.reads.end()) {
+            made.textures.back().reads = target->second;
+            made.textures.back().sampler.filter = "nearest";
+        }
+    }
+    for (const targets::SetShifts& shift : binding_shifts(lowered.module)) {
+        const bool is_bound = std::any_of(made.textures.begin(), made.textures.end(),
+                                          [&](const Texture& texture) { return texture.set == shift.set; });
+        if (shift.set == graph::kTargetSet && !is_bound) continue;
+        made.hlsl_shifts.push_back(
+            {.set = shift.set, .textures = shift.textures, .samplers = shift.samplers, .buffers = shift.buffers});
+    }
+    made.layout_hash = layout_hash(made);
+    return made;
+}
+
+}  // namespace patina::assemble

@@ -1,0 +1,532 @@
+// What a file of stages declares, checked against what there is, before anything is made of it: names that an attribute
+// gives, types that a stage can hand on, parts that are made from each other. The words that an attribute takes are
+// checked where they are read (pass_state.cpp).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <span>
+
+#include "compiler/base/text.h"
+#include "compiler/paths/stages.h"
+#include "compiler/format/words.h"
+
+namespace patina::graph {
+namespace {
+
+using nodelang::Attribute;
+using nodelang::Expr;
+using nodelang::FunctionDecl;
+using nodelang::ParamDecl;
+using nodelang::StructDecl;
+using nodelang::TypeName;
+using nodelang::VariableDecl;
+using Words = std::span<const std::string_view>;
+
+constexpr std::array<std::string_view, 4> kParts = {"part", "without", "pack", "unpack"};
+constexpr std::array<std::string_view, 4> kStatics = {"surface", "cull", "slot", "pass"};
+// std140 has places for these.
+constexpr std::array<std::string_view, 14> kUniforms = {"float", "float2", "float3",   "float4",  "int",
+                                                        "int2",  "int3",   "int4",     "uint",    "uint2",
+                                                        "uint3", "uint4",  "float3x3", "float4x4"};
+constexpr std::array<std::string_view, 12> kVaryings = {"float", "float2", "float3", "float4", "half", "half2",
+                                                        "half3", "half4",  "int",    "int2",   "int3", "int4"};
+constexpr std::size_t kMaxDepth = 64;  // of semantics that read semantics
+struct BuiltinRow {
+    std::string_view name, type;
+};
+constexpr BuiltinRow kBuiltins[] = {
+    {"front_facing", "bool"}, {"frag_coord", "float4"}, {"vertex_index", "int"}, {"instance_index", "int"}};
+
+bool is_in(Words words, std::string_view word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// The attribute that says how a slot comes about.
+const Attribute* making(const FunctionDecl& slot) {
+    for (const Attribute& attribute : slot.attributes) {
+        if (is_in(kParts, attribute.name)) return &attribute;
+    }
+    return nullptr;
+}
+
+bool is_same(const TypeName& a, const TypeName& b) {
+    return a.name == b.name && !a.array_size == !b.array_size;
+}
+
+class Check {
+public:
+    Check(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const SourceMap& sources,
+          const Stages& stages, Diagnostics& diagnostics)
+        : ast_(ast), declarations_(declarations), sources_(sources), stages_(stages), diagnostics_(diagnostics) {}
+
+    void run() {
+        for (const StructDecl& each : ast_.structs) structure(each);
+        for (const VariableDecl& each : ast_.variables) variable(each);
+        for (const FunctionDecl& each : ast_.functions) function(each);
+        for (const FunctionDecl& each : ast_.functions) {
+            if (each.attribute("semantic")) follow_recipe(each);
+            if (each.attribute("slot")) follow_slot(each, each.name_span);
+        }
+    }
+
+private:
+    void bad(Span span, std::string_view attribute, std::string_view why) {
+        diagnostics_.report(Code::BadAttribute, span, attribute, why);
+    }
+
+    // Reports an argument that is no word of those; no argument is none.
+    void one_of(const Expr& given, Words words, std::string_view what) {
+        if (!is_in(words, given.text))
+            diagnostics_.report(Code::UnknownWord, given.span, given.text, what)
+                .note(Diagnostics::suggestion(given.text, words));
+    }
+
+    bool pass(const Expr& given) {
+        if (stages_.pass(given.text)) return true;
+        std::vector<std::string_view> known;
+        for (const PassDecl& each : stages_.passes) known.push_back(each.name);
+        diagnostics_.report(Code::UnknownPass, given.span, given.text).note(Diagnostics::suggestion(given.text, known));
+        return false;
+    }
+
+    const FunctionDecl* find_slot(std::string_view name) const {
+        const auto found = std::find_if(stages_.slots.begin(), stages_.slots.end(),
+                                        [&](const FunctionDecl* each) { return each->name == name; });
+        return found == stages_.slots.end() ? nullptr : *found;
+    }
+
+    const FunctionDecl* slot(const Expr& given) {
+        if (const FunctionDecl* found = find_slot(given.text)) return found;
+        std::vector<std::string_view> known;
+        for (const FunctionDecl* each : stages_.slots) known.push_back(each->name);
+        diagnostics_.report(Code::UnknownName, given.span, "slot", given.text)
+            .note(Diagnostics::suggestion(given.text, known));
+        return nullptr;
+    }
+
+    // --- structs and variables
+
+    // The graph's functions and the library's know the library's struct.
+    void structure(const StructDecl& decl) {
+        if (!declarations_.parent) return;
+        const StructDecl* older = declarations_.parent->structure(decl.name);
+        if (older && !is_of_pass(sources_, older->span))
+            diagnostics_.report(Code::Redefinition, decl.span, decl.name)
+                .note(older->span, "the library's is here; give this one another name");
+    }
+
+    // Whether it stands in the passes of a target, whose files another tool reads (library.h).
+    bool is_for_tool(Span span) const {
+        return std::string_view(sources_.resolve(span.begin).file).starts_with("nodes/targets/");
+    }
+
+    // [foreign] is text for an included file to make sense of, and the other tool for the rest.
+    void foreign(const Attribute& attribute, Span span) {
+        if (!is_for_tool(span))
+            bad(attribute.span, attribute.name, "stands in the passes of a target, nodes/targets/");
+        else if (attribute.args.size() > 1)
+            bad(attribute.span, "foreign",
+                "reads like this: [foreign] or, with its spelling, [foreign(\"v.vertex.xyz\")]");
+    }
+
+    // What an included file declares, in the place of an attribute or a value of the engine.
+    void gives(const VariableDecl& decl, const Attribute& attribute) {
+        const std::string_view what = nodelang::attribute_text(attribute);
+        const VariableDecl* given = declarations_.variable(what);
+        if (!decl.attribute("foreign") || attribute.args.size() != 1)
+            return bad(attribute.span, "gives",
+                       "reads like this: [foreign(\"_Time.y\")] [gives(\"time\")] float seconds");
+        if (!given || !(given->attribute("attribute") || given->attribute("extern")))
+            return bad(attribute.span, "gives",
+                       fmt::format("names '{}', which is neither an attribute nor a value of the engine", what));
+        if (!is_same(given->type, decl.type))
+            diagnostics_.report(Code::TypeMismatch, decl.type.span, fmt::format("'{}'", decl.name), decl.type.name,
+                                given->type.name);
+    }
+
+    void variable(const VariableDecl& decl) {
+        if (const Attribute* attribute = decl.attribute("foreign")) {
+            foreign(*attribute, decl.span);
+            if (!is_in(kUniforms, decl.type.name) || decl.type.array_size)
+                bad(decl.type.span, "foreign", "stands before floats, ints, float3x3 or float4x4");
+        }
+        if (const Attribute* attribute = decl.attribute("gives")) gives(decl, *attribute);
+        if (const Attribute* attribute = decl.attribute("text")) {
+            texts_of(decl.attributes, diagnostics_);
+            if (!decl.attribute("foreign"))
+                bad(attribute->span, "text", "stands before a [foreign] value or a function");
+        }
+        if (declarations_.parent && !decl.is_const) again(decl);
+        if (is_of_pass(sources_, decl.span)) {
+            for (const std::string_view name : {"attribute", "given", "vertex_output"}) {
+                if (const Attribute* attribute = decl.attribute(name))
+                    bad(attribute->span, name,
+                        "cannot stand in a pass file: what meshes and lighting graphs hold is "
+                        "the library's to say");
+            }
+        }
+        if (const Attribute* attribute = decl.attribute("static")) {
+            is_bool(decl, *attribute);
+            statics(*attribute);
+        }
+        if (const Attribute* attribute = decl.attribute("switch")) {
+            is_bool(decl, *attribute);
+            if (!attribute->args.empty()) pass(*attribute->args[0]);
+        }
+        if (const Attribute* attribute = decl.attribute("builtin")) builtin(decl, *attribute);
+        const Attribute* reads = decl.attribute("reads");
+        if (reads) target(decl, *reads);
+        if (const Attribute* attribute = decl.attribute("extern"); attribute && !reads) uniform(decl, *attribute);
+    }
+
+    // A copy of a library's file says what the library says: the same, then.
+    void again(const VariableDecl& decl) {
+        const VariableDecl* older = declarations_.parent->variable(decl.name);
+        if (!older || older->is_const) return;
+        const auto kind = [](const VariableDecl& each) {
+            return each.attributes.empty() ? std::string_view() : each.attributes[0].name;
+        };
+        if (!is_same(older->type, decl.type) || kind(*older) != kind(decl))
+            diagnostics_.report(Code::Redefinition, decl.span, decl.name)
+                .note(older->span, "the library's is here; a file may repeat it only as it is");
+    }
+
+    void is_bool(const VariableDecl& decl, const Attribute& attribute) {
+        if (decl.type.name != "bool" || decl.type.array_size)
+            bad(decl.type.span, attribute.name, "stands before a bool");
+    }
+
+    void statics(const Attribute& attribute) {
+        if (attribute.args.size() < 2)
+            return bad(attribute.span, "static", "reads like this: [static(\"surface\", \"cutout\")]");
+        const Expr& key = *attribute.args[0];
+        one_of(key, kStatics, "what a [static] can ask for");
+        std::vector<std::string_view> surfaces, culls;
+        for (const auto& word : kSurfaceKinds) surfaces.push_back(word.text);
+        for (const auto& word : kCulls) culls.push_back(word.text);
+        for (std::size_t i = 1; i < attribute.args.size(); ++i) {
+            const Expr& given = *attribute.args[i];
+            if (key.text == "surface") one_of(given, surfaces, "a surface kind");
+            if (key.text == "cull") one_of(given, culls, "a way to cull");
+            if (key.text == "slot") slot(given);
+            if (key.text == "pass") pass(given);
+        }
+    }
+
+    void builtin(const VariableDecl& decl, const Attribute& attribute) {
+        if (attribute.args.size() != 1)
+            return bad(attribute.span, "builtin", "reads like this: [builtin(\"front_facing\")]");
+        std::vector<std::string_view> known;
+        for (const BuiltinRow& row : kBuiltins) known.push_back(row.name);
+        one_of(*attribute.args[0], known, "a value of the rasteriser");
+        for (const BuiltinRow& row : kBuiltins) {
+            if (row.name == attribute.args[0]->text && (row.type != decl.type.name || decl.type.array_size))
+                diagnostics_.report(Code::TypeMismatch, decl.type.span, fmt::format("'{}'", decl.name), decl.type.name,
+                                    row.type);
+        }
+    }
+
+    void target(const VariableDecl& decl, const Attribute& attribute) {
+        if (decl.type.name != "Texture2D" || decl.type.array_size)
+            return bad(decl.type.span, "reads", "stands before a Texture2D");
+        if (attribute.args.size() != 1)
+            return bad(attribute.span, "reads", "takes the name of a target: [reads(\"depth\")]");
+        std::vector<std::string_view> known;
+        for (const PassDecl& each : stages_.passes) {
+            known.push_back(each.state.depth_target);
+            for (const RenderTarget& written : each.state.targets) known.push_back(written.name);
+        }
+        std::sort(known.begin(), known.end());
+        known.erase(std::unique(known.begin(), known.end()), known.end());
+        one_of(*attribute.args[0], known, "a target of a pass");
+    }
+
+    void uniform(const VariableDecl& decl, const Attribute& attribute) {
+        if (decl.type.name == "Texture2D" || decl.type.name == "TextureCube") {
+            if (decl.type.array_size) bad(decl.type.span, "extern", "stands before a texture or a number of a block");
+            return;
+        }
+        if (!is_in(kUniforms, decl.type.name))
+            return bad(decl.type.span, "extern",
+                       "stands before a texture, or before floats, ints, float3x3, float4x4 or arrays of them");
+        const std::string_view block = nodelang::attribute_text(attribute);
+        if (attribute.args.size() != 1)
+            return bad(attribute.span, "extern", "takes the name of a uniform block: [extern(\"Camera\")]");
+        if (!is_identifier(block)) diagnostics_.report(Code::BadIdentifier, attribute.args[0]->span, block);
+        if (block == "Material")
+            bad(attribute.args[0]->span, "extern", "names 'Material', the block of the properties");
+    }
+
+    // --- functions
+
+    void function(const FunctionDecl& decl) {
+        for (const Attribute& attribute : decl.attributes) {
+            if (attribute.name == "pass") pass_name(attribute);
+            if (attribute.name == "gives") gives(decl, attribute);
+            if (attribute.name == "fallback") fallback(decl, attribute);
+            if (attribute.name == "needs") {
+                if (attribute.args.empty()) bad(attribute.span, "needs", "reads like this: [needs(\"added\")]");
+                for (const Expr* given : attribute.args) slot(*given);
+            }
+        }
+        if (const Attribute* attribute = decl.attribute("foreign")) foreign_function(decl, *attribute);
+        texts_of(decl.attributes, diagnostics_);
+        const Attribute* of_object = decl.attribute("per_object");
+        if (of_object && !decl.attribute("foreign"))
+            bad(of_object->span, "per_object", "stands before a value of the engine or a [foreign] function");
+        for (const Attribute& attribute : decl.attributes) {
+            const bool is_tools = attribute.name == "text" || attribute.name == "tag" || attribute.name == "decodes";
+            if (is_tools && !is_for_tool(attribute.span)) foreign(attribute, attribute.span);
+        }
+        if (const Attribute* attribute = decl.attribute("semantic")) recipe(decl, *attribute);
+        if (decl.attribute("pass") && decl.attribute("vertex") && decl.result.name != "float4" &&
+            !(decl.attribute("text") && decl.result.name == "void"))
+            diagnostics_.report(Code::TypeMismatch, decl.result.span, "what a [vertex] function returns",
+                                decl.result.name, "float4");
+        if (const Attribute* attribute = decl.attribute("slot")) part(decl, *attribute);
+    }
+
+    void foreign_function(const FunctionDecl& decl, const Attribute& attribute) {
+        foreign(attribute, decl.name_span);
+        if (decl.has_body) bad(attribute.span, "foreign", "stands before a function without a body");
+        for (const ParamDecl& param : decl.params) {
+            if (param.is_out || param.is_const || param.type.name == "floatN")
+                bad(param.span, "foreign", "stands before a function that takes plain values");
+        }
+    }
+
+    // It becomes a part of file names.
+    void pass_name(const Attribute& attribute) {
+        const std::string_view name = nodelang::attribute_text(attribute);
+        const auto is_plain = [](char c) { return is_identifier(std::string("_") + c) || c == '-'; };
+        if (!name.empty() && !std::all_of(name.begin(), name.end(), is_plain))
+            bad(attribute.span, "pass", "takes a name of letters, digits, - and _");
+    }
+
+    void fallback(const FunctionDecl& decl, const Attribute& attribute) {
+        if (attribute.args.size() != 1) return;  // reported when it was read
+        const std::vector<std::string_view> known = stages_.paths();
+        one_of(*attribute.args[0], known, "a rendering path");
+        for (const Attribute& each : decl.attributes) {
+            const PassDecl* own = each.name == "pass" ? stages_.pass(nodelang::attribute_text(each)) : nullptr;
+            if (own && own->path == attribute.args[0]->text)
+                return bad(attribute.span, "fallback", "names the path that it is for");
+        }
+    }
+
+    void recipe(const FunctionDecl& decl, const Attribute& attribute) {
+        const bool is_varying = nodelang::attribute_text(attribute) == "vertex";
+        if (is_varying ? !is_in(kVaryings, decl.result.name) : decl.result.name == "void")
+            diagnostics_.report(Code::TypeMismatch, decl.result.span, fmt::format("the semantic '{}'", decl.name),
+                                decl.result.name,
+                                is_varying ? "a number or vector, which vertices can hand to pixels," : "a value");
+    }
+
+    void gives(const FunctionDecl& decl, const Attribute& attribute) {
+        if (attribute.args.empty()) return;  // reported when it was read
+        const Expr& what = *attribute.args[0];
+        if (attribute.args.size() == 1 && !is_for_tool(attribute.span))
+            return bad(attribute.span, "gives",
+                       "takes what is given and the passes: [gives(\"position_ws\", \"mine\")]");
+        for (std::size_t i = 1; i < attribute.args.size(); ++i) {
+            const Expr& to = *attribute.args[i];
+            if (!pass(to)) continue;
+            const auto first = std::find_if(stages_.given.begin(), stages_.given.end(), [&](const GivenDecl& each) {
+                return each.what == what.text && is_in(each.passes, to.text);
+            });
+            if (first != stages_.given.end() && first->function != &decl)
+                diagnostics_
+                    .report(Code::BadAttribute, to.span, "gives",
+                            fmt::format("names '{}' a second time for the pass '{}'", what.text, to.text))
+                    .note(first->function->name_span, "the first one is here");
+        }
+        const FunctionDecl* replaced = declarations_.function(what.text);
+        if (const SemanticDecl* semantic = stages_.semantic(what.text)) {
+            const TypeName& type = semantic->function ? semantic->function->result : semantic->variable->type;
+            if (semantic->source == Source::Extern || semantic->source == Source::Given) {
+                bad(what.span, "gives",
+                    fmt::format("names '{}', which is no semantic that a pass computes", what.text));
+            } else if (!is_same(type, decl.result)) {
+                diagnostics_.report(Code::TypeMismatch, decl.result.span, fmt::format("the recipe of '{}'", what.text),
+                                    decl.result.name, type.name);
+            }
+        } else if (!replaced || !(is_for_tool(attribute.span) || replaced->attribute("extern"))) {
+            std::vector<std::string_view> known;
+            for (const SemanticDecl& each : stages_.semantics) known.push_back(each.name);
+            for (const Declarations* scope = &declarations_; scope; scope = scope->parent) {
+                for (const auto& [name, each] : scope->functions) {
+                    if (each->attribute("extern")) known.push_back(name);
+                }
+            }
+            diagnostics_
+                .report(
+                    Code::BadAttribute, what.span, "gives",
+                    fmt::format("names '{}', which is neither a semantic nor a function marked [extern]", what.text))
+                .note(Diagnostics::suggestion(what.text, known));
+        }
+    }
+    using Declarations = nodelang::Declarations;
+
+    // --- slots
+
+    void part(const FunctionDecl& decl, const Attribute& attribute) {
+        const Attribute* made = making(decl);
+        if (!made) {
+            if (is_of_pass(sources_, decl.span))
+                bad(attribute.span, "slot",
+                    "stands beside [part], [without], [pack] or [unpack] in a pass file: nothing else fills it");
+            return;
+        }
+        if (made->name == "pack") return pack(decl, *made);
+        if (made->name == "unpack") return unpack(decl, *made);
+        if (made->args.size() < 2 || made->args.size() > 3)
+            return bad(made->span, made->name,
+                       fmt::format("reads like this: [{}(\"final\", \"sum.direct\")]", made->name));
+        const FunctionDecl* whole = slot(*made->args[0]);
+        if (whole && is_like(decl, *whole, made->span, made->name)) part_source(decl, *made->args[1]);
+    }
+
+    // "sum.direct", or a function. What a lighting surface may have is each lighting model's to say (check_passes.cpp).
+    void part_source(const FunctionDecl& decl, const Expr& given) {
+        const std::size_t dot = given.text.find('.');
+        if (dot == given.text.npos) {
+            if (!declarations_.function(given.text))
+                diagnostics_.report(Code::UnknownName, given.span, "function", given.text)
+                    .note("a member of a parameter reads like this: \"sum.direct\"");
+            return;
+        }
+        const std::string_view name = given.text.substr(0, dot), member = given.text.substr(dot + 1);
+        const auto param = std::find_if(decl.params.begin(), decl.params.end(),
+                                        [&](const ParamDecl& each) { return each.name == name; });
+        std::vector<std::string_view> known;
+        if (param == decl.params.end()) {
+            for (const ParamDecl& each : decl.params) known.push_back(each.name);
+            diagnostics_.report(Code::UnknownName, given.span, "parameter", name)
+                .note(Diagnostics::suggestion(name, known));
+            return;
+        }
+        const StructDecl* structure = declarations_.structure(param->type.name);
+        if (!structure || is_surface(param->type)) return;
+        for (const auto& each : structure->members) known.push_back(each.name);
+        if (!is_in(known, member))
+            diagnostics_.report(Code::UnknownName, given.span, "member", given.text)
+                .note(Diagnostics::suggestion(member, known));
+    }
+
+    bool is_like(const FunctionDecl& decl, const FunctionDecl& whole, Span span, std::string_view attribute) {
+        const auto same = [](const ParamDecl& a, const ParamDecl& b) {
+            return is_same(a.type, b.type) && a.name == b.name;
+        };
+        if (is_same(decl.result, whole.result) &&
+            std::equal(decl.params.begin(), decl.params.end(), whole.params.begin(), whole.params.end(), same))
+            return true;
+        diagnostics_
+            .report(Code::BadAttribute, span, attribute,
+                    fmt::format("makes '{}' of '{}', whose parameters and result it must have", decl.name, whole.name))
+            .note(whole.name_span, "the whole is here");
+        return false;
+    }
+
+    // The struct that every slot takes first.
+    bool is_surface(const TypeName& type) const {
+        return std::any_of(stages_.slots.begin(), stages_.slots.end(), [&](const FunctionDecl* each) {
+            return each->params.empty() && !making(*each) && is_same(each->result, type);
+        });
+    }
+
+    void pack(const FunctionDecl& decl, const Attribute& attribute) {
+        const StructDecl* room = declarations_.structure(decl.result.name);
+        const bool fits = room && !room->members.empty() &&
+                          std::all_of(room->members.begin(), room->members.end(), [](const auto& member) {
+                              return member.type.name == "float4" && !member.type.array_size;
+                          });
+        if (decl.params.size() != 1 || !is_surface(decl.params[0].type) || !fits)
+            return bad(attribute.span, "pack", "makes a struct of float4 out of a lighting surface");
+        if (attribute.args.empty() || !decl.attribute("holds"))
+            return bad(attribute.span, "pack",
+                       "names slots, and stands beside what has a place already: [pack(\"direct\")] [holds(\"f0\")]");
+        for (const Expr* given : attribute.args) slot(*given);
+    }
+
+    void unpack(const FunctionDecl& decl, const Attribute& attribute) {
+        if (attribute.args.size() != 1)
+            return bad(attribute.span, "unpack", "reads like this: [unpack(\"pack_surface\")]");
+        const FunctionDecl* packer = slot(*attribute.args[0]);
+        if (!packer) return;
+        if (!packer->attribute("pack"))
+            return bad(attribute.args[0]->span, "unpack", fmt::format("names '{}', which packs nothing", packer->name));
+        if (decl.params.size() != 2 || !is_surface(decl.params[0].type) || !is_surface(decl.result) ||
+            !is_same(decl.params[1].type, packer->result))
+            bad(attribute.span, "unpack",
+                fmt::format("makes a lighting surface out of one and of what '{}' returns", packer->name));
+    }
+
+    // --- circles
+
+    template <class Decl>
+    bool is_circle(std::vector<const Decl*>& active, const Decl& next, Span span) {
+        const auto first = std::find(active.begin(), active.end(), &next);
+        if (first == active.end()) return false;
+        std::string chain;
+        for (auto each = first; each != active.end(); ++each) chain += fmt::format("{} > ", (*each)->name);
+        diagnostics_.report(Code::Recursion, span, chain + std::string(next.name));
+        return true;
+    }
+
+    // The semantics that a recipe reads are the defaults of its parameters.
+    void follow_recipe(const FunctionDecl& recipe) {
+        if (!followed_.insert(&recipe).second) return;
+        if (active_.size() >= kMaxDepth) {
+            diagnostics_.report(Code::TooDeep, recipe.name_span, kMaxDepth);
+            return;
+        }
+        active_.push_back(&recipe);
+        for (const ParamDecl& param : recipe.params) {
+            if (param.initial) follow_default(*param.initial);
+        }
+        active_.pop_back();
+    }
+
+    void follow_default(const Expr& expr) {
+        for (const Expr* argument : expr.args) follow_default(*argument);
+        if (expr.kind != Expr::Kind::Name && expr.kind != Expr::Kind::Semantic) return;
+        const SemanticDecl* read = stages_.semantic(expr.text);
+        if (!read || !read->function) return;
+        if (!is_circle(active_, *read->function, expr.span)) follow_recipe(*read->function);
+    }
+
+    void follow_slot(const FunctionDecl& slot, Span span) {
+        const Attribute* made = making(slot);
+        if (!made || is_circle(active_, slot, span) || !followed_.insert(&slot).second) return;
+        active_.push_back(&slot);
+        const std::size_t count =
+            made->name == "pack" ? made->args.size() : std::min<std::size_t>(made->args.size(), 1);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (const FunctionDecl* next = find_slot(made->args[i]->text)) follow_slot(*next, made->args[i]->span);
+        }
+        active_.pop_back();
+    }
+
+    const nodelang::Ast& ast_;
+    const nodelang::Declarations& declarations_;
+    const SourceMap& sources_;
+    const Stages& stages_;
+    Diagnostics& diagnostics_;
+    std::vector<const FunctionDecl*> active_;
+    std::set<const FunctionDecl*> followed_;
+};
+
+}  // namespace
+
+bool is_of_pass(const SourceMap& sources, Span span) {
+    return std::string_view(sources.resolve(span.begin).file).ends_with(".pass.hlsl");
+}
+
+void check_stages(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const SourceMap& sources,
+                  const Stages& stages, Diagnostics& diagnostics) {
+    Check(ast, declarations, sources, stages, diagnostics).run();
+}
+
+}  // namespace patina::graph

@@ -1,0 +1,312 @@
+#include "compiler/resolve/check_graph.h"
+
+#include <algorithm>
+
+#include "compiler/base/text.h"
+#include "compiler/json/json.h"
+#include "compiler/format/read_graph.h"
+#include "compiler/nodelang/parse.h"
+
+namespace patina::graph {
+
+using nodelang::Expr;
+
+namespace {
+
+bool is_file(std::string_view type) {
+    return type.starts_with("./") || type.starts_with("../") || type.starts_with("/");
+}
+
+std::vector<std::string_view> input_names(const ResolvedNode& node) {
+    std::vector<std::string_view> names;
+    if (node.function) {
+        for (const nodelang::ParamDecl& param : node.function->params) {
+            const bool hidden = std::any_of(param.attributes.begin(), param.attributes.end(),
+                                            [](const nodelang::Attribute& a) { return a.name == "hidden"; });
+            if (!param.is_out && !hidden) names.push_back(param.name);
+        }
+    } else if (node.subgraph) {
+        for (const Input& input : node.subgraph->graph->inputs) names.push_back(input.name);
+    }
+    return names;
+}
+
+void find_meaning(Session& session, const Graph& graph, const Node& node, const Shown& inside, ResolvedNode& resolved) {
+    resolved.ok = false;
+    if (!node.type_span) return;  // it has no type: reported already
+    if (!is_file(node.type)) {
+        const nodelang::Declarations& library = session.library.declarations;
+        const nodelang::FunctionDecl* function = library.function(node.type);
+        if (!function || !function->attribute("node")) {
+            std::vector<std::string_view> known = library.function_names();
+            std::erase_if(known, [&](std::string_view name) { return !library.function(name)->attribute("node"); });
+            DiagnosticRecord& record = session.diagnostics.report(Code::UnknownNode, node.type_span, node.type);
+            const std::string_view near = nearest(node.type, known);
+            if (!near.empty())
+                record.note(fmt::format("did you mean '{}'?", near));
+            else if (node.type.find_first_of("./\\") != std::string::npos)
+                record.note(fmt::format("a file begins with ./, as './{}'", node.type));
+            else
+                record.note("'patina nodes' lists what exists; a file begins with ./");
+            return;
+        }
+        resolved.function = function;
+        resolved.home = &session.library.declarations;
+        resolved.ok = true;
+        return;
+    }
+    const std::string path = find_file(session, node.type, graph.path);
+    if (path.empty()) {
+        session.diagnostics.report(Code::MissingFile, node.type_span, node.type);
+        return;
+    }
+    if (path.ends_with(".hlsl")) {
+        const NodeFile* file = load_node_file(session, path, node.type_span);
+        if (!file) return;
+        resolved.function = file->node;
+        resolved.home = &file->declarations;
+    } else {
+        resolved.subgraph = load_graph(session, path, GraphKind::Subgraph, node.type_span, inside);
+        if (!resolved.subgraph) return;
+    }
+    resolved.ok = true;
+}
+
+void check_ports(Session& session, const Node& node, const ResolvedNode& resolved) {
+    const std::vector<std::string_view> names = input_names(resolved);
+    for (const PortValue& port : node.inputs) {
+        if (std::find(names.begin(), names.end(), port.name) == names.end()) {
+            session.diagnostics.report(Code::UnknownPort, port.name_span, node.type, "input", port.name)
+                .note(names.empty() ? "it has no inputs" : Diagnostics::suggestion(port.name, names));
+            continue;
+        }
+        if (!port.value) continue;
+        if (resolved.subgraph) {
+            for (const Input& input : resolved.subgraph->graph->inputs) {
+                if (input.name == port.name && input.range) {
+                    check_range(session, *port.value, *input.range, input.hard, port.name);
+                }
+            }
+            continue;
+        }
+        for (const nodelang::ParamDecl& param : resolved.function->params) {
+            if (param.name != port.name) continue;
+            if (const auto range = range_of(param.attributes))
+                check_range(session, *port.value, *range, false, port.name);
+        }
+    }
+}
+
+// Depth-first without recursion: a chain of ten thousand nodes is a graph like any other.
+void sort_nodes(Session& session, CheckedGraph& checked) {
+    enum class Mark : std::uint8_t { New, Open, Done };
+    std::vector<Mark> marks(checked.nodes.size(), Mark::New);
+    std::vector<std::pair<std::uint32_t, std::size_t>> stack;
+    for (std::uint32_t root = 0; root < checked.nodes.size(); ++root) {
+        if (marks[root] != Mark::New) continue;
+        stack.emplace_back(root, 0);
+        marks[root] = Mark::Open;
+        while (!stack.empty()) {
+            auto& [node, next] = stack.back();
+            const std::vector<std::uint32_t>& reads = checked.nodes[node].reads;
+            if (next == reads.size()) {
+                marks[node] = Mark::Done;
+                checked.order.push_back(node);
+                stack.pop_back();
+                continue;
+            }
+            const std::uint32_t read = reads[next++];
+            if (marks[read] == Mark::New) {
+                marks[read] = Mark::Open;
+                stack.emplace_back(read, 0);
+            } else if (marks[read] == Mark::Open) {
+                const auto start =
+                    std::find_if(stack.begin(), stack.end(), [&](const auto& e) { return e.first == read; });
+                // Written as data flows: each node feeds the one before it in the search.
+                const Node& at = checked.graph->nodes[read];
+                std::string circle = at.id;
+                for (auto entry = stack.end(); entry != start;) {
+                    circle += " > " + checked.graph->nodes[(--entry)->first].id;
+                }
+                session.diagnostics.report(Code::Cycle, at.id_span, circle).at(at.id);
+                checked.ok = false;
+            }
+        }
+    }
+}
+
+}  // namespace
+
+const NodeFile* load_node_file(Session& session, const std::string& path, Span where) {
+    if (const auto found = session.node_files.find(path); found != session.node_files.end()) {
+        return found->second.get();
+    }
+    std::unique_ptr<NodeFile>& slot = session.node_files[path];
+    const std::optional<std::uint32_t> base = load_source(session, path, where);
+    if (!base) return nullptr;
+    auto file = std::make_unique<NodeFile>();
+    const std::size_t errors = session.diagnostics.error_count();
+    file->declarations.parent = &session.library.declarations;
+    nodelang::parse_file({.text = session.sources.file_text(*base), .base = *base}, file->ast, session.diagnostics);
+    nodelang::index_declarations(file->ast, file->declarations, session.diagnostics);
+    for (const nodelang::FunctionDecl& f : file->ast.functions) {
+        const nodelang::Attribute* attribute = f.attribute("node");
+        if (!attribute) continue;
+        if (file->node) {
+            session.diagnostics
+                .report(Code::BadAttribute, attribute->span, "node", "is on a second function of the file")
+                .note(file->node->name_span, "the first is here; helpers need no attribute");
+        } else {
+            file->node = &f;
+        }
+    }
+    if (session.diagnostics.error_count() != errors) return nullptr;
+    if (!file->node) {
+        session.diagnostics.report(Code::NoNodeInFile, where, "[node]")
+            .note({*base, *base}, "write [node(\"Category/Title\")] before one");
+        return nullptr;
+    }
+    slot = std::move(file);
+    return slot.get();
+}
+
+void collect_reads(const Expr& expr, const CheckedGraph& graph, std::vector<std::uint32_t>& reads) {
+    if (expr.kind == Expr::Kind::Name) {
+        const auto found = graph.by_id.find(expr.text);
+        if (found != graph.by_id.end()) reads.push_back(found->second);
+    }
+    for (const Expr* argument : expr.args) collect_reads(*argument, graph, reads);
+}
+
+std::vector<bool> CheckedGraph::reachable(std::span<const PortValue> roots) const {
+    std::vector<std::uint32_t> work;
+    for (const PortValue& root : roots) {
+        if (root.value) collect_reads(*root.value, *this, work);
+    }
+    std::vector<bool> seen(nodes.size(), false);
+    while (!work.empty()) {
+        const std::uint32_t node = work.back();
+        work.pop_back();
+        if (seen[node]) continue;
+        seen[node] = true;
+        work.insert(work.end(), nodes[node].reads.begin(), nodes[node].reads.end());
+    }
+    return seen;
+}
+
+std::vector<bool> CheckedGraph::reachable(std::uint32_t node) const {
+    std::vector<std::uint32_t> work{node};
+    std::vector<bool> seen(nodes.size(), false);
+    while (!work.empty()) {
+        const std::uint32_t at = work.back();
+        work.pop_back();
+        if (seen[at]) continue;
+        seen[at] = true;
+        work.insert(work.end(), nodes[at].reads.begin(), nodes[at].reads.end());
+    }
+    return seen;
+}
+
+std::optional<std::array<double, 2>> range_of(std::span<const nodelang::Attribute> attributes) {
+    for (const nodelang::Attribute& attribute : attributes) {
+        if (attribute.name != "range" || attribute.args.size() != 2) continue;
+        std::array<double, 2> range{};
+        for (std::size_t i : {0u, 1u}) {
+            const Expr& bound = *attribute.args[i];
+            range[i] = bound.kind == Expr::Kind::Unary ? -bound.args[0]->number : bound.number;
+        }
+        return range;
+    }
+    return {};
+}
+
+void check_range(Session& session, const Expr& value, std::array<double, 2> range, bool hard, std::string_view name,
+                 std::size_t components) {
+    if (value.kind == Expr::Kind::List || value.kind == Expr::Kind::Color) {
+        for (std::size_t i = 0; i < std::min(components, value.args.size()); ++i)
+            check_range(session, *value.args[i], range, hard, name);
+        return;
+    }
+    const bool negative = value.kind == Expr::Kind::Unary && value.text == "-";
+    const Expr& literal = negative ? *value.args[0] : value;
+    if (literal.kind != Expr::Kind::Number) return;
+    const double number = negative ? -literal.number : literal.number;
+    if (number >= range[0] && number <= range[1]) return;
+    session.diagnostics.report(hard ? Code::OutOfRange : Code::SoftRange, value.span, shortest(number),
+                               shortest(range[0]), shortest(range[1]), name);
+}
+
+Shown Shown::inside(std::string_view node) const {
+    if (!text.starts_with(node) || text.size() == node.size() || text[node.size()] != '/') return {};
+    return {text.substr(node.size() + 1), base + static_cast<std::uint32_t>(node.size() + 1)};
+}
+
+const Expr* parse_shown(Session& session, const Shown& shown) {
+    const Shown head = shown.head();
+    return nodelang::parse_link({.text = head.text, .base = head.base}, session.ast, session.diagnostics);
+}
+
+const CheckedGraph* check_graph(Session& session, std::shared_ptr<const Graph> graph, const Shown& shown) {
+    CheckedGraph& checked = session.checked.emplace_back();
+    checked.graph = graph;
+    checked.nodes.resize(graph->nodes.size());
+    for (std::uint32_t i = 0; i < graph->nodes.size(); ++i) checked.by_id.emplace(graph->nodes[i].id, i);
+    for (std::uint32_t i = 0; i < graph->nodes.size(); ++i) {
+        const Node& node = graph->nodes[i];
+        ResolvedNode& resolved = checked.nodes[i];
+        session.diagnostics.set_context(node.id, {});
+        const Shown inside = shown.inside(node.id);
+        if (node.is_expression) {
+            resolved.ok = node.expr != nullptr;
+            if (node.expr) collect_reads(*node.expr, checked, resolved.reads);
+        } else {
+            find_meaning(session, *graph, node, inside, resolved);
+            if (resolved.ok) check_ports(session, node, resolved);
+            for (const PortValue& port : node.inputs) {
+                if (port.value) collect_reads(*port.value, checked, resolved.reads);
+            }
+        }
+        if (inside && resolved.ok && !resolved.subgraph) {
+            const Span span{inside.base, inside.base + static_cast<std::uint32_t>(inside.text.size())};
+            session.diagnostics.report(Code::DanglingLink, span, inside.text)
+                .note(fmt::format("'{}' is no sub-graph: it has no nodes inside", node.id));
+        }
+        std::sort(resolved.reads.begin(), resolved.reads.end());
+        resolved.reads.erase(std::unique(resolved.reads.begin(), resolved.reads.end()), resolved.reads.end());
+        session.diagnostics.set_context({}, {});
+    }
+    sort_nodes(session, checked);
+    return &checked;
+}
+
+const CheckedGraph* load_graph(Session& session, const std::string& path, GraphKind kind, Span where,
+                               const Shown& shown) {
+    if (const auto found = session.graphs.find(path); !shown && found != session.graphs.end()) return found->second;
+    if (std::find(session.active.begin(), session.active.end(), path) != session.active.end()) {
+        std::string chain;
+        for (const std::string& active : session.active) chain += active + " > ";
+        session.diagnostics.report(Code::RecursiveSubgraph, where, chain + path);
+        return nullptr;
+    }
+    const std::optional<std::uint32_t> base = load_source(session, path, where);
+    if (!base) return nullptr;
+    session.active.push_back(path);
+    const std::size_t errors = session.diagnostics.error_count();
+    const CheckedGraph* checked = nullptr;
+    if (const std::unique_ptr<Json> json = parse_json(session.sources, *base, session.diagnostics)) {
+        if (auto graph = read_graph(*json, path, session.sources, session.ast, session.diagnostics, kind)) {
+            if (shown) {
+                const Expr* value = parse_shown(session, shown);
+                graph->outputs = {{.name = "shown", .name_span = where, .value_span = where, .value = value}};
+            }
+            checked = check_graph(session, graph, shown);
+        }
+    }
+    session.active.pop_back();
+    // A broken sub-graph is reported once; its users say nothing more.
+    if (session.diagnostics.error_count() != errors) checked = nullptr;
+    if (!shown) session.graphs[path] = checked;
+    return checked;
+}
+
+}  // namespace patina::graph

@@ -1,0 +1,87 @@
+// What a material says and its kind of surface does not heed: alpha where nothing is let through, a cut-off where
+// nothing is cut, a stencil that neither asks nor leaves anything. A kind that is opaque by its own word heeds nothing
+// of this on purpose: such a material has the inputs for its sisters of other kinds.
+#include <algorithm>
+
+#include "compiler/resolve/material.h"
+
+namespace patina::graph {
+namespace {
+
+using nodelang::Expr;
+
+bool reads_surface(const Expr& expr, std::string_view member) {
+    if (expr.kind == Expr::Kind::Member && expr.text == member && expr.args[0]->kind == Expr::Kind::Semantic &&
+        expr.args[0]->text == "surface")
+        return true;
+    return std::any_of(expr.args.begin(), expr.args.end(),
+                       [&](const Expr* argument) { return reads_surface(*argument, member); });
+}
+
+bool reads_surface(const Graph& lighting, std::string_view member) {
+    const auto reads = [&](const PortValue& port) { return port.value && reads_surface(*port.value, member); };
+    return std::any_of(lighting.outputs.begin(), lighting.outputs.end(), reads) ||
+           std::any_of(lighting.nodes.begin(), lighting.nodes.end(), [&](const Node& node) {
+               return (node.expr && reads_surface(*node.expr, member)) ||
+                      std::any_of(node.inputs.begin(), node.inputs.end(), reads);
+           });
+}
+
+void warn_of_alpha(Session& session, const RenderState& render, const PortValue& port) {
+    std::string_view why, advice;
+    switch (render.surface) {
+        case SurfaceKind::Opaque:
+            if (render.surface_span) return;
+            why = "the surface is opaque, as 'render' does not say what else";
+            advice = R"(write "render": { "surface": "cutout" }, "fade" or "transparent"; "opaque", if that is meant)";
+            break;
+        case SurfaceKind::Additive:
+            why = "an additive surface adds all of its colour";
+            advice = "multiply the colour by it";
+            break;
+        case SurfaceKind::Multiply:
+            why = "a surface that multiplies does so by all of its colour";
+            advice = "mix the colour with white by it";
+            break;
+        case SurfaceKind::Cutout:
+        case SurfaceKind::Fade:
+        case SurfaceKind::Transparent: return;
+    }
+    session.diagnostics.report(Code::NoEffect, port.name_span, port.name, why).note(std::string(advice));
+}
+
+void warn_of_cut_off(Session& session, const RenderState& render, const PortValue& port) {
+    const bool is_meant = render.surface == SurfaceKind::Opaque && render.surface_span;
+    if (render.surface == SurfaceKind::Cutout || is_meant) return;
+    session.diagnostics.report(Code::NoEffect, port.name_span, port.name, "only a cutout surface is cut");
+}
+
+// `lighting`: what may read the inputs too; null: it is not known. `outer`: whose inputs are not told of again.
+void warn_of(Session& session, const Graph& graph, const Graph* lighting, const Graph* outer) {
+    for (const PortValue& port : graph.surface) {
+        if (outer && std::any_of(outer->surface.begin(), outer->surface.end(),
+                                 [&](const PortValue& other) { return other.value == port.value; }))
+            continue;
+        if (lighting && reads_surface(*lighting, port.name)) continue;
+        if (port.name == "alpha") warn_of_alpha(session, graph.render, port);
+        if (port.name == "alphaClip") warn_of_cut_off(session, graph.render, port);
+    }
+    const std::optional<StencilState>& stencil = graph.render.stencil;
+    const bool is_told = stencil && outer && outer->render.stencil && outer->render.stencil->span == stencil->span;
+    if (stencil && !is_told && stencil->test == Compare::Always && !stencil->changes())
+        session.diagnostics.report(
+            Code::NoEffect, stencil->span, "stencil",
+            "it asks for nothing by 'test', and 'pass', 'fail' and 'depthFail' keep what is there");
+}
+
+}  // namespace
+
+void warn_unheeded(Session& session, const Material& material) {
+    // Functions leave alpha to whoever calls them, and a user's own passes do what they like.
+    if (!session.options.functions.empty() || session.options.path.ends_with(".pass.hlsl")) return;
+    const Graph& graph = *material.graph->graph;
+    warn_of(session, graph, material.lighting ? material.lighting->graph.get() : nullptr, nullptr);
+    for (const ExtraPass& pass : graph.passes) warn_of(session, *pass.graph, nullptr, &graph);
+}
+
+}  // namespace patina::graph

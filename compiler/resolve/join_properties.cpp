@@ -1,0 +1,262 @@
+// How the properties of all graphs become the material's: which are one, and in what order they lie. Names and order of
+// nodes do not count: a graph that is laid out anew keeps its block, its slots and its ids.
+#include <algorithm>
+#include <compare>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "compiler/base/text.h"
+#include "compiler/resolve/material.h"
+#include "compiler/format/words.h"
+
+namespace patina::graph {
+
+using nodelang::Expr;
+
+namespace {
+
+// The file of a texture's default, or the word. Nothing: there is no such file, which has been reported.
+std::optional<std::string> find_texture(Session& session, const Property& property, const std::string& from) {
+    if (!is_texture_file(property)) return property.texture;
+    std::string path = find_file(session, property.texture, from);
+    if (!path.empty()) return path;
+    report_not_found(session, property.texture, from, property.default_span ? property.default_span : property.span);
+    return {};
+}
+
+// What two declarations say of one thing, in words, and where each says so.
+struct Difference {
+    std::string first, second;
+    Span first_at, second_at;
+};
+
+std::string told_range(const Property& property, bool by_hardness) {
+    if (!property.range) return "no range";
+    if (by_hardness) return property.hard ? "a hard range" : "a soft range";
+    return fmt::format("the range {} to {}", shortest((*property.range)[0]), shortest((*property.range)[1]));
+}
+
+std::string told_sampler(const SamplerState& sampler, const SamplerState& other) {
+    if (sampler.wrap != other.wrap) return fmt::format("the wrap mode {}", text_of(kWraps, sampler.wrap));
+    if (sampler.filter != other.filter) return fmt::format("the filter {}", text_of(kFilters, sampler.filter));
+    return fmt::format("an anisotropy of {}", sampler.anisotropy);
+}
+
+std::string told_values_of(const Property& property) {
+    const std::vector<std::string_view> values(property.values.begin(), property.values.end());
+    return fmt::format("the values {}", enumerate(values));
+}
+
+std::string told_default(const Session& session, const Property& property) {
+    if (!property.default_span) return "no default";
+    return fmt::format("the default {}", shown(session.sources.text(property.default_span)));
+}
+
+Difference difference(const Property& first, const Property& second, auto told, Span Property::*at = nullptr) {
+    const auto place = [&](const Property& p) { return at && p.*at ? p.*at : p.name_span; };
+    return {told(first), told(second), place(first), place(second)};
+}
+
+// In what a property is, wherever it is declared.
+std::optional<Difference> differing_kind(const Property& a, const Property& b) {
+    if (a.type != b.type)
+        return difference(a, b, [](auto& p) { return fmt::format("the type {}", to_string(p.type)); });
+    if (a.binding != b.binding) {
+        const auto told = [](auto& p) { return fmt::format("\"as\": \"{}\"", text_of(kBindings, p.binding)); };
+        return difference(a, b, told, &Property::binding_span);
+    }
+    if (a.values != b.values) return difference(a, b, told_values_of);
+    if (a.usage == b.usage) return {};
+    return difference(a, b, [](auto& p) { return fmt::format("the usage {}", text_of(kTextureUsages, p.usage)); });
+}
+
+// In what the material may say of it, for all. A default that neither gives follows from the range.
+std::optional<Difference> differing_choice(const Session& session, const Property& a, const Property& b,
+                                           bool same_default) {
+    if (!same_default && (a.default_span || b.default_span))
+        return difference(
+            a, b, [&](auto& p) { return told_default(session, p); }, &Property::default_span);
+    if (a.range != b.range || a.hard != b.hard)
+        return difference(a, b, [&](auto& p) { return told_range(p, a.range == b.range); });
+    if (a.tiling != b.tiling)
+        return difference(a, b, [](auto& p) { return std::string(p.tiling ? "tiling" : "no tiling"); });
+    if (a.sampler == b.sampler) return {};
+    Difference of{told_sampler(a.sampler, b.sampler), told_sampler(b.sampler, a.sampler), {}, {}};
+    of.first_at = a.sampler_span ? a.sampler_span : a.name_span;
+    of.second_at = b.sampler_span ? b.sampler_span : b.name_span;
+    return of;
+}
+
+MaterialProperty entry_of(Session& session, const Property& property, const JoinOptions& options) {
+    MaterialProperty entry{.property = &property,
+                           .texture_path = find_texture(session, property, options.from).value_or(""),
+                           .is_own = options.is_own || options.said_at,
+                           .is_at_port = options.is_at_port,
+                           .chosen = property.value[0]};
+    entry.is_file = is_texture_file(property) && !entry.texture_path.empty();
+    if (entry.is_file) session.dependencies.push_back(entry.texture_path);
+    return entry;
+}
+
+// What the material gives to its lighting graph is right for the sub-graphs that came before, too.
+void take_over(Session& session, MaterialProperty& entry, const Property& property, const JoinOptions& options) {
+    Property& said = session.file_properties.emplace_back(property);
+    said.label = entry.property->label;
+    said.group = entry.property->group;
+    said.help = entry.property->help;
+    MaterialProperty made = entry_of(session, said, options);
+    if (entry.is_chosen) made.chosen = entry.chosen;
+    made.is_chosen = entry.is_chosen;
+    entry = std::move(made);
+}
+
+// A property of a name that the material has already.
+void share(Session& session, const Material& material, MaterialProperty& entry, const Property& property,
+           const JoinOptions& options) {
+    const Property& first = *entry.property;
+    if (&first == &property) return;
+    const auto report = [&](const Difference& of) -> DiagnosticRecord& {
+        return session.diagnostics
+            .report(Code::ImpossibleValue, of.second_at, property.name, "the same wherever it is declared")
+            .note(of.first_at, fmt::format("here it has {}, there {}", of.first, of.second));
+    };
+    if (const std::optional<Difference> kind = differing_kind(first, property)) {
+        report(*kind);
+        return;
+    }
+    if (options.said_at && !entry.is_own && !entry.is_at_port && !material.pass)
+        return take_over(session, entry, property, options);
+    const bool is_said = options.said_at || options.is_at_port;
+    if (entry.is_own && !is_said) return;  // the material's word is the one
+    bool same_default = first.value == property.value;
+    if (property.type == PropertyType::Texture2D) {
+        const std::optional<std::string> texture = find_texture(session, property, options.from);
+        if (!texture) return;
+        same_default = *texture == entry.texture_path;
+    }
+    const std::optional<Difference> choice = differing_choice(session, first, property, same_default);
+    if (!choice || (options.said_at && same_default)) return;
+    DiagnosticRecord& record = report(*choice);
+    if (material.pass && options.said_at)
+        record.note("a pass shares the material's properties");
+    else if (options.is_at_port || entry.is_at_port)
+        record.note(fmt::format("a file at a port is a property that is named for it: '{}'", property.name));
+    else if (!is_said)
+        record.note(fmt::format("where the material declares '{}', what it says of it holds for all", property.name));
+}
+
+struct Brought {
+    const Property* property;
+    const std::string* from;
+    bool is_at_port = false;
+};
+using AllBrought = std::vector<Brought>;
+
+// By names, which are the interface; by what is shown to artists where those are alike.
+bool comes_before(const AllBrought& a, const AllBrought& b) {
+    const auto compare = [&](auto key) {
+        return std::lexicographical_compare_three_way(
+            a.begin(), a.end(), b.begin(), b.end(),
+            [&](const Brought& x, const Brought& y) { return key(*x.property) <=> key(*y.property); });
+    };
+    const auto by_name = compare([](const Property& p) { return std::tie(p.name); });
+    if (by_name != 0) return by_name < 0;
+    return compare([](const Property& p) { return std::tie(p.label, p.group, p.help); }) < 0;
+}
+
+class Collector {
+public:
+    Collector(Session& session, const Material& material) : session_(session), material_(material) {}
+
+    // Each once: a graph's own, in its order; the files at its ports, by name; then what its sub-graphs bring.
+    const AllBrought& brought_by(const CheckedGraph& checked) {
+        const auto [found, is_new] = known_.try_emplace(&checked);
+        if (!is_new) return found->second;
+        AllBrought all;
+        const Graph& graph = *checked.graph;
+        // Those of the material's lighting graph may have been bound by the material.
+        for (const Property& property : graph.properties) {
+            if (&checked != material_.lighting) all.push_back({&property, &graph.path});
+        }
+        add_files(graph, all);
+        std::set<const CheckedGraph*> seen;
+        std::vector<const AllBrought*> parts;
+        for (const ResolvedNode& node : checked.nodes) {
+            if (node.subgraph && seen.insert(node.subgraph).second) parts.push_back(&brought_by(*node.subgraph));
+        }
+        std::stable_sort(parts.begin(), parts.end(),
+                         [](const AllBrought* x, const AllBrought* y) { return comes_before(*x, *y); });
+        std::set<const Property*> here;
+        for (const Brought& own : all) here.insert(own.property);
+        for (const AllBrought* part : parts) {
+            for (const Brought& each : *part) {
+                if (here.insert(each.property).second) all.push_back(each);
+            }
+        }
+        return known_[&checked] = std::move(all);
+    }
+
+private:
+    void add_files(const Graph& graph, AllBrought& all) {
+        const std::size_t own = all.size();
+        const auto add = [&](const PortValue& port) {
+            if (port.value) add_file(*port.value, graph, all);
+        };
+        for (const Node& node : graph.nodes) {
+            if (node.expr) add_file(*node.expr, graph, all);
+            std::for_each(node.inputs.begin(), node.inputs.end(), add);
+        }
+        for (const auto* ports : {&graph.vertex, &graph.surface, &graph.outputs})
+            std::for_each(ports->begin(), ports->end(), add);
+        std::stable_sort(all.begin() + static_cast<std::ptrdiff_t>(own), all.end(),
+                         [](const Brought& a, const Brought& b) { return a.property->name < b.property->name; });
+    }
+
+    // A file at a port is a texture without a name of its own.
+    void add_file(const Expr& expr, const Graph& graph, AllBrought& all) {
+        if (expr.kind == Expr::Kind::File) {
+            Property& property = session_.file_properties.emplace_back();
+            property.name = file_texture_name(expr.text);
+            property.name_span = property.span = property.default_span = expr.span;
+            property.type = PropertyType::Texture2D;
+            property.texture = std::string(expr.text);
+            all.push_back({&property, &graph.path, true});
+        }
+        for (const Expr* argument : expr.args) add_file(*argument, graph, all);
+    }
+
+    Session& session_;
+    const Material& material_;
+    std::map<const CheckedGraph*, AllBrought> known_;
+};
+
+}  // namespace
+
+bool is_texture_file(const Property& property) {
+    return property.type == PropertyType::Texture2D && property.texture.find_first_of("./") != std::string::npos;
+}
+
+void join_property(Session& session, Material& material, const Property& property, const JoinOptions& options) {
+    const auto [existing, is_new] = material.property_index.emplace(property.name, material.properties.size());
+    if (!is_new) return share(session, material, material.properties[existing->second], property, options);
+    material.properties.push_back(entry_of(session, property, options));
+}
+
+void join_graph(Session& session, Material& material, const CheckedGraph& graph) {
+    const std::size_t own = graph.graph->properties.size();
+    const AllBrought all = Collector(session, material).brought_by(graph);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const bool is_own = &graph == material.graph && i < own;
+        join_property(session, material, *all[i].property,
+                      {.from = *all[i].from, .is_own = is_own, .is_at_port = all[i].is_at_port});
+    }
+}
+
+std::string file_texture_name(std::string_view path) {
+    std::string name = "_";
+    for (char c : file_stem(path)) name += is_identifier(std::string("_") + c) ? c : '_';
+    return name;
+}
+
+}  // namespace patina::graph

@@ -1,0 +1,125 @@
+// Keywords: properties that are known before a shader runs, because it is compiled for their values (variants) or
+// because its pipeline is made for them (specialization constants).
+#include <algorithm>
+
+#include "compiler/base/text.h"
+#include "compiler/resolve/material.h"
+
+namespace patina::graph {
+namespace {
+
+constexpr std::array<std::string_view, 2> kBools = {"false", "true"};
+
+bool is_switch(const Session& session, std::string_view name) {
+    const auto& switches = session.stages->switches;
+    return std::any_of(switches.begin(), switches.end(),
+                       [&](const SwitchDecl& each) { return each.variable->name == name; });
+}
+
+// -D could not tell them apart.
+void check_name(Session& session, const Property& property) {
+    if (!is_keyword(property.binding) || !is_switch(session, property.name)) return;
+    session.diagnostics.report(Code::DuplicateId, property.name_span, "switch", property.name)
+        .note(fmt::format("the first is a part of the rendering paths, which -D {} turns on", property.name));
+}
+
+void choose(Session& session, MaterialProperty& entry, const std::string& word) {
+    const Property& property = *entry.property;
+    if (!is_keyword(property.binding)) {
+        if (is_switch(session, property.name)) return;  // which is meant
+        const bool can_be = property.type == PropertyType::Bool || property.type == PropertyType::Enum;
+        session.diagnostics.report(Code::NotAKeyword, {}, property.name)
+            .note(property.name_span, can_be ? "with \"as\": \"variant\" or \"specialization\" here, it would be"
+                                             : "only a bool or an enum can be bound as a variant or a constant");
+        return;
+    }
+    const std::vector<std::string_view> words = keyword_words(property);
+    if (word.empty() && property.type != PropertyType::Bool) {
+        session.diagnostics.report(Code::ImpossibleValue, {}, property.name, told_values(property))
+            .note(fmt::format("write {}={}", property.name, words[0]))
+            .note(property.name_span, "the property is here");
+        return;
+    }
+    const auto found = std::find(words.begin(), words.end(), word.empty() ? "true" : word);
+    if (found != words.end()) {
+        entry.chosen = static_cast<double>(found - words.begin());
+        entry.is_chosen = true;
+        return;
+    }
+    session.diagnostics.report(Code::UnknownWord, {}, word, fmt::format("a value of '{}'", property.name))
+        .note(Diagnostics::suggestion(word, words))
+        .note(property.name_span, "the property is here");
+}
+
+}  // namespace
+
+void check_listed(Session& session, const Material& material) {
+    for (const ListedVariant& listed : material.graph->graph->variants) {
+        for (const ListedVariant::Value& value : listed.values) {
+            const auto found = material.property_index.find(value.name);
+            const Property* property =
+                found == material.property_index.end() ? nullptr : material.properties[found->second].property;
+            if (!property || property->binding != Binding::Variant) {
+                std::vector<std::string_view> known;
+                for (const MaterialProperty& entry : material.properties) {
+                    if (entry.property->binding == Binding::Variant) known.push_back(entry.property->name);
+                }
+                session.diagnostics.report(Code::UnknownWord, value.name_span, value.name, "a variant of this graph")
+                    .note(known.empty() ? "it has none" : Diagnostics::suggestion(value.name, known));
+                continue;
+            }
+            const bool is_bool = property->type == PropertyType::Bool;
+            if (value.is_bool != is_bool) {
+                session.diagnostics
+                    .report(Code::WrongJsonType, value.value_span, fmt::format("'{}'", property->name),
+                            is_bool ? "true or false" : told_values(*property),
+                            is_bool ? "a string" : std::string_view(value.word))
+                    .note(property->name_span, "the property is here");
+                continue;
+            }
+            const std::vector<std::string_view> words = keyword_words(*property);
+            if (std::find(words.begin(), words.end(), value.word) != words.end()) continue;
+            session.diagnostics
+                .report(Code::UnknownWord, value.value_span, value.word, fmt::format("a value of '{}'", property->name))
+                .note(Diagnostics::suggestion(value.word, words));
+        }
+    }
+}
+
+std::vector<std::string_view> keyword_words(const Property& property) {
+    if (property.type == PropertyType::Bool) return {kBools.begin(), kBools.end()};
+    return {property.values.begin(), property.values.end()};
+}
+
+void choose_keywords(Session& session, Material& material, std::size_t first) {
+    for (std::size_t i = first; i < material.properties.size(); ++i)
+        check_name(session, *material.properties[i].property);
+    for (const auto& [name, word] : session.options.switches) {
+        const auto found = material.property_index.find(name);
+        if (found != material.property_index.end() && found->second >= first)
+            choose(session, material.properties[found->second], word);
+    }
+}
+
+const MaterialProperty* keyword_named(const Material& material, const nodelang::Expr& expr) {
+    if (expr.kind != nodelang::Expr::Kind::Property) return nullptr;
+    const auto found = material.property_index.find(expr.text);
+    if (found == material.property_index.end()) return nullptr;
+    const MaterialProperty& entry = material.properties[found->second];
+    return is_keyword(entry.property->binding) ? &entry : nullptr;
+}
+
+std::string told_values(const Property& property) {
+    if (property.type == PropertyType::Bool) return "a bool";
+    return fmt::format("one of {}", enumerate(keyword_words(property)));
+}
+
+std::vector<std::string_view> keyword_names(const Material& material) {
+    std::vector<std::string_view> names;
+    for (const MaterialProperty& entry : material.properties) {
+        if (is_keyword(entry.property->binding)) names.push_back(entry.property->name);
+    }
+    return names;
+}
+
+}  // namespace patina::graph

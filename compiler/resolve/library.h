@@ -1,0 +1,61 @@
+// The built-in library, loaded once and then only read: declarations of nodes/**, what nodes/stage and nodes/passes
+// state (stages.h), and the workflow and lighting graphs. Knows none of them by name.
+//
+//   const Library library = load_library(nodelang::embedded_files());
+//   library.declarations.function("Lerp");
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+
+#include "compiler/base/diagnostics.h"
+#include "compiler/format/graph.h"
+#include "compiler/paths/stages.h"
+#include "compiler/nodelang/embedded.h"
+#include "compiler/nodelang/library.h"
+
+namespace patina::graph {
+
+// A workflow or a lighting model of the library: read when first asked for, by any thread.
+class LibraryGraph {
+public:
+    LibraryGraph(const SourceMap& sources, std::uint32_t base, std::string path)
+        : sources_(sources), base_(base), path_(std::move(path)) {}
+
+    // Null if it cannot be read.
+    const std::shared_ptr<Graph>& get() const;
+    // What was wrong with it.
+    const Diagnostics& diagnostics() const { return get(), diagnostics_; }
+
+private:
+    const SourceMap& sources_;
+    std::uint32_t base_;
+    std::string path_;
+    mutable std::once_flag once_;
+    mutable nodelang::Ast ast_;
+    mutable Diagnostics diagnostics_;
+    mutable std::shared_ptr<Graph> graph_;
+};
+
+// What a target whose files are another tool's has of its own, nodes/targets/NAME.*: its passes, read when they are
+// asked for, and the text that its includes do not have.
+struct ToolFiles {
+    std::uint32_t passes = 0;  // in the sources
+    std::string_view include;
+};
+
+struct Library {
+    SourceMap sources;
+    nodelang::Ast ast;
+    Diagnostics diagnostics;
+    nodelang::Declarations declarations;
+    Stages stages;
+    std::map<std::string, ToolFiles, std::less<>> tools;  // by target
+    std::map<std::string, LibraryGraph, std::less<>> workflows;
+    std::map<std::string, LibraryGraph, std::less<>> lighting_models;
+};
+
+std::unique_ptr<Library> load_library(std::span<const nodelang::EmbeddedFile> files);
+
+}  // namespace patina::graph

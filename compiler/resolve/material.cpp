@@ -1,0 +1,379 @@
+#include "compiler/resolve/material.h"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include "compiler/base/text.h"
+#include "compiler/nodelang/parse.h"
+
+namespace patina::graph {
+
+using nodelang::Expr;
+
+namespace {
+
+template <class Map>
+std::vector<std::string_view> keys(const Map& map) {
+    std::vector<std::string_view> names;
+    for (const auto& [name, value] : map) names.push_back(name);
+    return names;
+}
+
+const CheckedGraph* find_workflow(Session& session, const Graph& graph) {
+    const auto& workflows = session.library.workflows;
+    if (graph.workflow.empty() && session.diagnostics.has_errors()) return nullptr;  // it is missing: reported already
+    const auto found = workflows.find(graph.workflow);
+    if (found == workflows.end()) {
+        session.diagnostics
+            .report(Code::UnknownWord, graph.workflow_span ? graph.workflow_span : graph.span, graph.workflow,
+                    "a workflow")
+            .note(Diagnostics::suggestion(graph.workflow, keys(workflows)));
+        return nullptr;
+    }
+    return check_graph(session, found->second.get());
+}
+
+const CheckedGraph* find_lighting(Session& session, const Graph& graph, const Graph& workflow, std::string& name) {
+    if (graph.lighting.inlined) {
+        name = graph.lighting.inlined->name;
+        return check_graph(session, graph.lighting.inlined);
+    }
+    const LightingUse& use = graph.lighting.present ? graph.lighting : workflow.lighting;
+    name = use.use;
+    if (use.use.starts_with(".") || use.use.starts_with("/")) {
+        const std::string path = find_file(session, use.use, graph.path);
+        if (path.empty()) {
+            report_not_found(session, use.use, graph.path, use.span);
+            return nullptr;
+        }
+        name = file_stem(path);
+        return load_graph(session, path, GraphKind::Lighting, use.span);
+    }
+    if (use.use.empty() && session.diagnostics.has_errors()) return nullptr;  // reported already
+    const auto& models = session.library.lighting_models;
+    const auto found = models.find(use.use);
+    if (found == models.end()) {
+        session.diagnostics.report(Code::UnknownWord, use.span, use.use, "a lighting model")
+            .note(Diagnostics::suggestion(use.use, keys(models)))
+            .note("a lighting graph of your own is named by its file: \"./toon.lighting.json\"");
+        return nullptr;
+    }
+    return check_graph(session, found->second.get());
+}
+
+// A number, colour or word for a property, as that property's default; false if it is no constant.
+bool set_default(Session& session, Property& property, const Expr& value) {
+    const bool negative = value.kind == Expr::Kind::Unary && value.text == "-";
+    const Expr& literal = negative ? *value.args[0] : value;
+    if (property.type == PropertyType::Enum && value.kind == Expr::Kind::Name) {
+        const auto found = std::find(property.values.begin(), property.values.end(), value.text);
+        if (found == property.values.end()) {
+            std::vector<std::string_view> known(property.values.begin(), property.values.end());
+            session.diagnostics
+                .report(Code::UnknownEnumerator, value.span, value.text, fmt::format("'{}'", property.name))
+                .note(Diagnostics::suggestion(value.text, known));
+        } else {
+            property.value[0] = static_cast<double>(found - property.values.begin());
+        }
+        return true;
+    }
+    if (literal.kind == Expr::Kind::Number || literal.kind == Expr::Kind::Bool) {
+        const bool is_vector = property.type == PropertyType::Float2 || property.type == PropertyType::Float3 ||
+                               property.type == PropertyType::Float4 || property.type == PropertyType::Color;
+        if (property.type == PropertyType::Enum || property.type == PropertyType::Texture2D) return false;
+        property.value.fill(0);
+        for (std::size_t i = 0; i < (is_vector ? 4u : 1u); ++i)
+            property.value[i] = negative ? -literal.number : literal.number;
+        return true;
+    }
+    const std::size_t size = property.type == PropertyType::Float2 ? 2 : property.type == PropertyType::Float3 ? 3 : 4;
+    const bool is_list = value.kind == Expr::Kind::List || value.kind == Expr::Kind::Color;
+    const bool fits =
+        is_list && (value.args.size() == size || (property.type == PropertyType::Color && value.args.size() == 3));
+    if (!fits) return false;
+    property.value[3] = 1;
+    for (std::size_t i = 0; i < value.args.size(); ++i) property.value[i] = value.args[i]->number;
+    return true;
+}
+
+// A lighting graph's property that is known when the graph is compiled: its default, what the material says, or a
+// keyword of the material, which must have the same values.
+void bind_variant(Session& session, Material& material, const Property& property, const PortValue* input) {
+    const Expr* value = input ? input->value : nullptr;
+    if (const MaterialProperty* keyword = value ? keyword_named(material, *value) : nullptr) {
+        if (keyword->property->type == property.type && keyword->property->values == property.values) {
+            material.lighting_inputs.push_back(*input);
+            return;
+        }
+        session.diagnostics
+            .report(Code::TypeMismatch, input->value_span, fmt::format("'{}'", keyword->property->name),
+                    told_values(*keyword->property), told_values(property))
+            .note(keyword->property->name_span, "it is declared here");
+        material.variants[&property] = property.value[0];
+        return;
+    }
+    Property bound = property;
+    const bool is_word = value && value->kind == Expr::Kind::Name && !material.graph->by_id.contains(value->text);
+    if (is_word && property.type == PropertyType::Bool) {
+        session.diagnostics
+            .report(Code::UnknownEnumerator, value->span, value->text, fmt::format("'{}'", property.name))
+            .note(Diagnostics::suggestion(value->text, keyword_words(property)));
+    } else if (value && !set_default(session, bound, *value)) {
+        session.diagnostics.report(Code::NotConstant, input->value_span, fmt::format("'{}'", property.name))
+            .note("a property of the material can be given that is a variant or a specialization constant");
+    }
+    material.variants[&property] = bound.value[0];
+}
+
+// What "lighting": { "in": ... } says: a constant is another default of the lighting graph's property, which can still
+// be set; anything else takes the property's place, and the material then has no such property.
+void bind_lighting_properties(Session& session, Material& material, std::span<const PortValue> inputs) {
+    const std::vector<Property>& own = material.lighting->graph->properties;
+    for (const Property& property : own) {
+        const auto input =
+            std::find_if(inputs.begin(), inputs.end(), [&](const PortValue& p) { return p.name == property.name; });
+        if (property.binding == Binding::Variant) {
+            bind_variant(session, material, property, input == inputs.end() ? nullptr : &*input);
+            continue;
+        }
+        if (input == inputs.end()) {
+            join_property(session, material, property, {.from = material.lighting->graph->path});
+            continue;
+        }
+        if (!input->value) continue;
+        const std::size_t ranged = property.type == PropertyType::Color ? 3 : 4;
+        if (property.range) check_range(session, *input->value, *property.range, property.hard, property.name, ranged);
+        Property bound = property;
+        bound.default_span = input->value_span;
+        const bool is_file = property.type == PropertyType::Texture2D && input->value->kind == Expr::Kind::File;
+        if (is_file) {
+            bound.texture = std::string(input->value->text);
+        }
+        if (is_file || set_default(session, bound, *input->value)) {
+            // A file is named from the graph that names it.
+            const std::string& from = is_file ? material.graph->graph->path : material.lighting->graph->path;
+            session.file_properties.push_back(std::move(bound));
+            join_property(session, material, session.file_properties.back(),
+                          {.from = from, .said_at = input->name_span});
+        } else {
+            material.lighting_inputs.push_back(*input);
+        }
+    }
+    for (const PortValue& port : inputs) {
+        if (std::any_of(own.begin(), own.end(), [&](const Property& p) { return p.name == port.name; })) continue;
+        std::vector<std::string_view> names;
+        for (const Property& property : own) names.push_back(property.name);
+        session.diagnostics.report(Code::UnknownPort, port.name_span, material.lighting_name, "property", port.name)
+            .note(names.empty() ? "it has none" : Diagnostics::suggestion(port.name, names));
+    }
+}
+
+// A lighting graph's variant is no property of the material, which would otherwise have two of one name.
+void check_lighting_variants(Session& session, const Material& material, const LightingUse& use) {
+    for (const Property& property : material.lighting->graph->properties) {
+        const auto found = material.property_index.find(property.name);
+        if (property.binding != Binding::Variant || found == material.property_index.end()) continue;
+        const bool is_given = std::any_of(use.inputs.begin(), use.inputs.end(),
+                                          [&](const PortValue& input) { return input.name == property.name; });
+        if (is_given) continue;
+        const Property& other = *material.properties[found->second].property;
+        DiagnosticRecord& record =
+            session.diagnostics.report(Code::DuplicateId, other.name_span, "property", property.name)
+                .note(property.name_span, "the lighting graph has a variant of this name");
+        if (!use.inlined) {
+            record.note(fmt::format(
+                "\"lighting\": {{ \"use\": \"{}\", \"in\": {{ \"{}\": ... }} }} gives it a value, or a property of the "
+                "material that has the same values",
+                use.use.empty() ? material.lighting_name : use.use, property.name));
+        }
+    }
+}
+
+// Turns the material into one that shows a port, by the workflow that says it can show things.
+bool make_preview(Session& session, Graph& graph, const Shown& shown) {
+    for (const auto& [name, workflow] : session.library.workflows) {
+        if (!workflow.get() || workflow.get()->preview_input.empty()) continue;
+        const Expr* value = parse_shown(session, shown);
+        if (!value) return false;
+        const auto is_node = [&](const Node& node) { return node.id == shown.text; };
+        for (const PortValue& port : graph.surface) {
+            // A surface input shows what it is given.
+            if (port.name != shown.text || !port.value || std::any_of(graph.nodes.begin(), graph.nodes.end(), is_node))
+                continue;
+            value = port.value;
+        }
+        graph.workflow = name;
+        graph.lighting = {};
+        graph.surface.clear();
+        graph.surface.push_back({.name = workflow.get()->preview_input,
+                                 .name_span = value->span,
+                                 .value_span = value->span,
+                                 .value = value});
+        return true;
+    }
+    return false;
+}
+
+void check_surface(Session& session, const Material& material) {
+    const std::vector<const Input*> inputs = material.surface_inputs();
+    const Graph& graph = *material.graph->graph;
+    std::map<std::string_view, const PortValue*> said;
+    for (const PortValue& port : graph.surface) {
+        const auto found =
+            std::find_if(inputs.begin(), inputs.end(), [&](const Input* i) { return i->name == port.name; });
+        if (found == inputs.end()) {
+            std::vector<std::string_view> names;
+            for (const Input* input : inputs) names.push_back(input->name);
+            DiagnosticRecord& record =
+                session.diagnostics.report(Code::UnknownSurfaceInput, port.name_span, graph.workflow, port.name);
+            if (const std::string_view near = nearest(port.name, names); !near.empty()) {
+                record.note(fmt::format("did you mean '{}'?", near));
+            }
+            record.note(fmt::format("its inputs are {}", enumerate(names)));
+            continue;
+        }
+        const std::string_view gives = (*found)->gives.empty() ? (*found)->name : (*found)->gives;
+        const auto [first, is_new] = said.emplace(gives, &port);
+        if (!is_new && first->second->name != port.name) {
+            session.diagnostics.report(Code::ConflictingInputs, port.name_span, port.name, first->second->name)
+                .note(first->second->name_span, "the other one is here");
+        }
+        if (port.value && (*found)->range) {
+            check_range(session, *port.value, *(*found)->range, (*found)->hard, port.name);
+        }
+    }
+}
+
+void check_vertex(Session& session, const Graph& graph) {
+    std::vector<std::string_view> names;
+    for (const SemanticDecl& semantic : session.stages->semantics) {
+        if (semantic.is_vertex_output) names.push_back(semantic.name);
+    }
+    for (const PortValue& port : graph.vertex) {
+        if (std::find(names.begin(), names.end(), port.name) != names.end()) continue;
+        session.diagnostics.report(Code::UnknownPort, port.name_span, "the vertex stage", "output", port.name)
+            .note(Diagnostics::suggestion(port.name, names));
+    }
+}
+
+// Everything behind the graph itself. False after errors that leave nothing to go on with.
+bool resolve_rest(Session& session, Material& material) {
+    const Graph& graph = *material.graph->graph;
+    material.workflow = find_workflow(session, graph);
+    if (!material.workflow) return false;
+    material.lighting = find_lighting(session, graph, *material.workflow->graph, material.lighting_name);
+    if (!material.lighting) return false;
+    const std::size_t known = material.properties.size();
+    join_graph(session, material, *material.graph);
+    check_listed(session, material);
+    choose_keywords(session, material, known);
+    const std::size_t own = material.properties.size();
+    bind_lighting_properties(session, material, graph.lighting.inputs);
+    join_graph(session, material, *material.lighting);
+    choose_keywords(session, material, own);
+    check_lighting_variants(session, material, graph.lighting);
+    check_surface(session, material);
+    check_vertex(session, graph);
+    return true;
+}
+
+}  // namespace
+
+namespace {
+
+// Whether files that are named so are one file where case does not count.
+bool is_same_file(std::string_view a, std::string_view b) {
+    const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+    return std::ranges::equal(a, b, {}, lower, lower);
+}
+
+}  // namespace
+
+void warn_unused(Session& session, const Material& material) {
+    if (material.is_preview) return;
+    const Graph& graph = *material.graph->graph;
+    std::vector<PortValue> roots;
+    const auto add_roots = [&](const Graph& of) {
+        roots.insert(roots.end(), of.surface.begin(), of.surface.end());
+        roots.insert(roots.end(), of.vertex.begin(), of.vertex.end());
+        roots.insert(roots.end(), of.lighting.inputs.begin(), of.lighting.inputs.end());
+    };
+    add_roots(graph);
+    for (const ExtraPass& pass : graph.passes) add_roots(*pass.graph);
+    const std::vector<bool> used = material.graph->reachable(roots);
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        const Node& node = graph.nodes[i];
+        const bool is_part = node.span == graph.span;  // the node stands for the whole file (part.h)
+        if (used[i] || is_part) continue;
+        session.diagnostics.report(Code::UnusedNode, node.id_span, node.id).at(node.id);
+    }
+    warn_unheeded(session, material);
+}
+
+std::vector<const Input*> Material::surface_inputs() const {
+    std::vector<const Input*> inputs;
+    for (const Input& input : workflow->graph->inputs) inputs.push_back(&input);
+    if (lighting) {
+        for (const Input& input : lighting->graph->inputs) inputs.push_back(&input);
+    }
+    return inputs;
+}
+
+std::unique_ptr<Material> resolve_material(Session& session, std::shared_ptr<Graph> graph, std::string_view preview) {
+    auto material = std::make_unique<Material>();
+    material->is_preview = !preview.empty();
+    Shown shown;
+    if (material->is_preview) {
+        shown.base = session.sources.add("--node", std::string(preview));
+        shown.text = session.sources.file_text(shown.base);
+        if (!make_preview(session, *graph, shown)) return nullptr;
+    }
+    material->graph = check_graph(session, graph, shown);
+    if (!resolve_rest(session, *material)) return nullptr;
+    return material;
+}
+
+std::vector<std::unique_ptr<Material>> resolve_passes(Session& session, Material& material) {
+    std::vector<std::unique_ptr<Material>> passes;
+    if (material.is_preview) return passes;
+    for (const ExtraPass& pass : material.graph->graph->passes) {
+        for (const PassDecl& known : session.stages->passes) {
+            if (!is_same_file(known.name, pass.name)) continue;
+            session.diagnostics.report(Code::DuplicateId, pass.name_span, "pass", pass.name)
+                .note(known.name == pass.name
+                          ? fmt::format("the first is one of the path '{}'", known.path)
+                          : fmt::format("the path '{}' has '{}', and files are named by passes: for some file systems "
+                                        "these are one",
+                                        known.path, known.name));
+            break;
+        }
+        for (const ExtraPass& other : material.graph->graph->passes) {
+            if (&other == &pass) break;
+            if (other.name == pass.name || !is_same_file(other.name, pass.name)) continue;
+            session.diagnostics.report(Code::DuplicateId, pass.name_span, "pass", pass.name)
+                .note(other.name_span,
+                      "the first is here; files are named by passes, and for some file systems these "
+                      "are one");
+        }
+        auto made = std::make_unique<Material>();
+        made->pass = &pass;
+        made->properties = material.properties;
+        made->property_index = material.property_index;
+        // Its nodes are the material's, which have been checked.
+        CheckedGraph& checked = session.checked.emplace_back(*material.graph);
+        checked.graph = pass.graph;
+        made->graph = &checked;
+        if (!resolve_rest(session, *made)) continue;
+        material.properties = made->properties;
+        material.property_index = made->property_index;
+        passes.push_back(std::move(made));
+    }
+    for (const std::unique_ptr<Material>& pass : passes) {
+        pass->properties = material.properties;
+        pass->property_index = material.property_index;
+    }
+    return passes;
+}
+
+}  // namespace patina::graph

@@ -1,0 +1,70 @@
+#include "compiler/resolve/part.h"
+
+#include <algorithm>
+
+namespace patina::graph {
+
+using nodelang::Expr;
+
+namespace {
+
+// The first workflow that shows a single value, or the first that does not.
+std::string workflow_name(const Library& library, bool shows_value) {
+    for (const auto& [name, workflow] : library.workflows) {
+        if (workflow.get() && workflow.get()->preview_input.empty() != shows_value) return name;
+    }
+    return {};
+}
+
+// Something to stand at an input that has no default.
+const Expr* any_value(Session& session, Graph& material, const Input& input) {
+    Expr& expr = session.ast.exprs.emplace_back();
+    expr.span = expr.name_span = input.name_span;
+    if (input.type == "bool") {
+        expr.kind = Expr::Kind::Bool;
+    } else if (input.type == "texture2d") {
+        Property& property = material.properties.emplace_back();
+        property.name = "_" + input.name;
+        property.name_span = property.span = input.name_span;
+        property.type = PropertyType::Texture2D;
+        property.texture = "white";
+        expr.kind = Expr::Kind::Property;
+        expr.text = session.ast.texts.emplace_back(property.name);
+    }
+    return &expr;
+}
+
+}  // namespace
+
+std::shared_ptr<Graph> material_around(Session& session, std::shared_ptr<Graph> part) {
+    if (part->kind == GraphKind::Material) return part;
+    auto material = std::make_shared<Graph>();
+    material->path = part->path;
+    material->name = part->name;
+    material->span = part->span;
+    material->workflow = workflow_name(session.library, part->kind == GraphKind::Subgraph);
+    if (part->kind == GraphKind::Lighting) {
+        material->lighting.inlined = part;
+        material->lighting.span = part->span;
+        material->lighting.present = true;
+        return material;
+    }
+    if (part->kind == GraphKind::Workflow) {
+        session.diagnostics.report(Code::UnknownWord, part->span, "workflow", "a graph that can be checked on its own");
+        return nullptr;
+    }
+    Node& node = material->nodes.emplace_back();
+    node.id = "part";
+    node.id_span = node.span = node.type_span = part->span;
+    node.type = "./" + part->path.substr(part->path.find_last_of('/') + 1);
+    for (const Input& input : part->inputs) {
+        if (input.value) continue;
+        node.inputs.push_back({.name = input.name,
+                               .name_span = input.name_span,
+                               .value_span = input.name_span,
+                               .value = any_value(session, *material, input)});
+    }
+    return material;
+}
+
+}  // namespace patina::graph

@@ -1,0 +1,24 @@
+// text -> Json -> Graph -> Material, with the passes that it adds.
+#include "compiler/json/json.h"
+#include "compiler/resolve/material.h"
+#include "compiler/resolve/part.h"
+#include "compiler/format/read_graph.h"
+
+namespace patina::graph {
+
+MaterialFile read_material(Session& session, std::uint32_t base, const std::string& path) {
+    const std::unique_ptr<Json> json = parse_json(session.sources, base, session.diagnostics);
+    if (!json) return {};
+    const bool any_kind = session.options.accept_parts;
+    std::shared_ptr<Graph> graph = read_graph(*json, path, session.sources, session.ast, session.diagnostics,
+                                              any_kind ? std::nullopt : std::optional(GraphKind::Material));
+    if (graph && any_kind) graph = material_around(session, std::move(graph));
+    if (!graph) return {};
+    MaterialFile file{.material = resolve_material(session, std::move(graph), session.options.preview), .passes = {}};
+    if (!file.material) return {};
+    check_surface_members(session, *file.material);
+    file.passes = resolve_passes(session, *file.material);
+    return file;
+}
+
+}  // namespace patina::graph

@@ -1,0 +1,156 @@
+#include "compiler/resolve/session.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "compiler/resolve/check_graph.h"
+#include "compiler/json/json.h"
+#include "compiler/nodelang/parse.h"
+
+namespace patina::graph {
+namespace {
+
+std::optional<std::string> read_text(const std::string& path, std::string& why) {
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) {
+        why = "it is a folder";
+        return {};
+    }
+    std::ifstream file(path, std::ios::binary);
+    if (!file) {
+        why = std::strerror(errno);
+        return {};
+    }
+    std::ostringstream text;
+    text << file.rdbuf();
+    return std::move(text).str();
+}
+
+bool exists(const Session& session, const std::string& path) {
+    if (session.options.loader) return session.options.loader(path).has_value();
+    std::error_code error;
+    return std::filesystem::is_regular_file(path, error);
+}
+
+// The paths that `name` may mean when the file `from` says it, in the order of preference.
+std::vector<std::string> candidates(const Session& session, const std::string& name, const std::string& from) {
+    namespace fs = std::filesystem;
+    if (fs::path(name).is_absolute()) return {name};
+    const auto join = [&](const fs::path& folder) { return (folder / name).lexically_normal().generic_string(); };
+    std::vector<std::string> paths = {join(fs::path(from).parent_path())};
+    for (const std::string& folder : session.options.include_dirs) paths.push_back(join(folder));
+    return paths;
+}
+
+}  // namespace
+
+Session::Session(const Library& the_library, const CompileOptions& the_options)
+    : library(the_library),
+      options(the_options),
+      declarations(&the_library.declarations),
+      stages(&the_library.stages),
+      path(the_options.path),
+      sources(&the_library.sources) {}
+
+std::string find_file(Session& session, const std::string& name, const std::string& from) {
+    for (std::string& path : candidates(session, name, from)) {
+        if (exists(session, path)) return std::move(path);
+    }
+    return {};
+}
+
+void report_not_found(Session& session, const std::string& name, const std::string& from, Span where) {
+    const std::vector<std::string> paths = candidates(session, name, from);
+    std::error_code ignored;
+    const bool is_folder = !session.options.loader && std::any_of(paths.begin(), paths.end(), [&](const auto& path) {
+        return std::filesystem::is_directory(path, ignored);
+    });
+    if (is_folder) {
+        session.diagnostics.report(Code::CannotRead, where, name, "it is a folder");
+    } else {
+        session.diagnostics.report(Code::MissingFile, where, name);
+    }
+}
+
+std::optional<std::uint32_t> load_source(Session& session, const std::string& path, Span where) {
+    std::string why = "there is no such file";
+    std::optional<std::string> text = session.options.loader ? session.options.loader(path) : read_text(path, why);
+    if (!text) {
+        session.diagnostics.report(Code::CannotRead, where, path, why);
+        return {};
+    }
+    if (text->size() > kMaxJsonBytes) {
+        const std::uint32_t base = session.sources.add(path, {});
+        session.diagnostics.report(Code::TooLarge, {base, base}, text->size(), kMaxJsonBytes);
+        return {};
+    }
+    session.dependencies.push_back(path);
+    return session.sources.add(path, std::move(*text));
+}
+
+namespace {
+
+// Passes on top of the library's, in a file that is loaded already.
+void read_passes(Session& session, std::uint32_t base, std::string path) {
+    auto file = std::make_unique<PassFile>();
+    nodelang::parse_file({.text = session.sources.file_text(base), .base = base}, file->ast, session.diagnostics);
+    file->declarations.parent = &session.library.declarations;
+    nodelang::index_declarations(file->ast, file->declarations, session.diagnostics);
+    file->stages = session.library.stages;
+    collect_stages(file->ast, file->declarations, session.sources, file->stages, session.diagnostics);
+    session.path = std::move(path);
+    // The file is the whole path, also where the library has one of its name.
+    for (PassDecl& pass : file->stages.passes) {
+        if (pass.path == session.path && pass.is_older_fragment) pass.path.clear();
+    }
+    if (file->stages.passes_of(session.path).empty() && !session.diagnostics.has_errors())
+        session.diagnostics.report(Code::NoNodeInFile, {base, base}, "[pass]");
+    // What is wrong with the graph shows with the library's passes, too.
+    if (session.diagnostics.has_errors()) return;
+    session.declarations = &file->declarations;
+    session.stages = &file->stages;
+    session.pass_file = std::move(file);
+}
+
+}  // namespace
+
+const ToolFiles* tool_of(const Session& session) {
+    const std::vector<Target>& targets = session.options.targets;
+    if (targets.size() != 1) return nullptr;
+    const auto found = session.library.tools.find(to_string(targets[0]));
+    return found == session.library.tools.end() ? nullptr : &found->second;
+}
+
+void find_path(Session& session) {
+    if (const ToolFiles* tool = tool_of(session))
+        return read_passes(session, tool->passes, std::string(to_string(session.options.targets[0])));
+    const std::string& wanted = session.options.path;
+    if (!wanted.ends_with(".pass.hlsl")) {
+        std::vector<std::string_view> known = session.stages->paths();
+        known.push_back(kAllPaths);
+        if (std::find(known.begin(), known.end(), wanted) != known.end()) return;
+        const bool is_file = wanted.find_first_of("./\\") != wanted.npos;
+        std::string advice =
+            is_file ? "a file with passes is called NAME.pass.hlsl" : Diagnostics::suggestion(wanted, known);
+        const std::string file = wanted + ".pass.hlsl";
+        if (exists(session, file)) advice = fmt::format("did you mean '{}{}'?", is_file ? "" : "./", file);
+        session.diagnostics.report(Code::UnknownWord, {}, wanted, "a rendering path").note(std::move(advice));
+        return;
+    }
+    const std::optional<std::uint32_t> base = load_source(session, wanted, {});
+    if (!base) return;
+    read_passes(session, *base, file_stem(wanted));
+}
+
+std::string file_stem(std::string_view path) {
+    const std::size_t slash = path.find_last_of("/\\");
+    std::string_view name = slash == std::string_view::npos ? path : path.substr(slash + 1);
+    const std::size_t dot = name.find('.', 1);
+    return std::string(name.substr(0, dot));
+}
+
+}  // namespace patina::graph
