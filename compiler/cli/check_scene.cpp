@@ -1,7 +1,7 @@
 // patina check of a scene: what rendering it would say, and no picture.
 #include "compiler/cli/commands.h"
-#include "runtime/render_world.h"
-#include "runtime/world_file.h"
+#include "runtime/render/render_world.h"
+#include "runtime/scene/world_file.h"
 
 namespace patina::cli {
 

@@ -11,7 +11,7 @@
 #include "compiler/cli/json_numbers.h"
 #include "compiler/cli/sweep.h"
 #include "compiler/cli/terms.h"
-#include "runtime/model.h"
+#include "runtime/lighting/model.h"
 
 namespace patina::cli {
 namespace {

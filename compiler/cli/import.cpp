@@ -7,7 +7,7 @@
 
 #include "compiler/cli/commands.h"
 #include "compiler/cli/files.h"
-#include "runtime/merl.h"
+#include "runtime/lighting/merl.h"
 
 namespace patina::cli {
 namespace {

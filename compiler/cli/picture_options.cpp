@@ -1,6 +1,6 @@
 #include "compiler/cli/picture_options.h"
 
-#include "runtime/mesh.h"
+#include "runtime/scene/mesh.h"
 
 namespace patina::cli {
 namespace {

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "compiler/cli/program.h"
-#include "runtime/render_request.h"
+#include "runtime/render/render_request.h"
 
 namespace patina::cli {
 

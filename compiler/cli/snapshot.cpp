@@ -1,5 +1,5 @@
 // patina snapshot: renders of a folder's graphs and scenes, compared with the pictures beside them.
-#include "runtime/snapshot.h"
+#include "runtime/picture/snapshot.h"
 
 #include <fmt/format.h>
 

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "compiler/cli/term_data.h"
-#include "runtime/model.h"
+#include "runtime/lighting/model.h"
 
 namespace patina::cli {
 namespace {

@@ -9,7 +9,7 @@
 #include "compiler/cli/commands.h"
 #include "compiler/cli/json_numbers.h"
 #include "compiler/cli/picture_options.h"
-#include "runtime/image.h"
+#include "runtime/picture/image.h"
 
 namespace patina::cli {
 namespace {

@@ -12,7 +12,7 @@
 #include <numbers>
 
 #include "examples/textures/sets.h"
-#include "runtime/merl.h"
+#include "runtime/lighting/merl.h"
 
 namespace textures {
 namespace {

@@ -10,8 +10,8 @@
 #include <sstream>
 
 #include "patina/validate.h"
-#include "runtime/compare.h"
-#include "runtime/snapshot_file.h"
+#include "runtime/picture/compare.h"
+#include "runtime/picture/snapshot_file.h"
 
 namespace patina::runtime {
 namespace {

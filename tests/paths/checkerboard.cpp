@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "runtime/environment.h"
+#include "runtime/lighting/environment.h"
 
 namespace patina::paths {
 namespace {

@@ -10,7 +10,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 
-#include "runtime/world_file.h"
+#include "runtime/scene/world_file.h"
 
 namespace patina::paths {
 

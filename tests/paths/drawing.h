@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/render_world.h"
+#include "runtime/render/render_world.h"
 
 namespace patina::paths {
 

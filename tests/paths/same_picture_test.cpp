@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "paths/drawing.h"
-#include "runtime/world_file.h"
+#include "runtime/scene/world_file.h"
 
 namespace patina::paths {
 namespace {

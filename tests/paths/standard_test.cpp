@@ -9,7 +9,7 @@
 
 #include "paths/drawing.h"
 #include "patina/variants.h"
-#include "runtime/environment.h"
+#include "runtime/lighting/environment.h"
 
 namespace patina::paths {
 namespace {

@@ -1,6 +1,6 @@
 // Every path through GLSL, through HLSL and on the CPU: three ways to the same small picture.
 #include "paths/drawing.h"
-#include "runtime/compare.h"
+#include "runtime/picture/compare.h"
 
 namespace patina::paths {
 namespace {

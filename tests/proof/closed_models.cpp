@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "runtime/environment.h"
-#include "runtime/split_sum.h"
+#include "runtime/lighting/environment.h"
+#include "runtime/lighting/split_sum.h"
 
 namespace patina::proof {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "proof/closed_models.h"
 #include "proof/hemisphere.h"
-#include "runtime/model.h"
+#include "runtime/lighting/model.h"
 
 namespace patina::proof {
 namespace {

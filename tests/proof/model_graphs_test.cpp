@@ -10,7 +10,7 @@
 
 #include "compiler/nodelang/embedded.h"
 #include "proof/term.h"
-#include "runtime/model.h"
+#include "runtime/lighting/model.h"
 
 namespace patina::proof {
 namespace {

@@ -5,9 +5,9 @@
 #include <fstream>
 
 #include "proof/quadrature.h"
-#include "runtime/compare.h"
-#include "runtime/model.h"
-#include "runtime/render_request.h"
+#include "runtime/picture/compare.h"
+#include "runtime/lighting/model.h"
+#include "runtime/render/render_request.h"
 
 namespace patina::proof {
 namespace {

@@ -1,4 +1,4 @@
-#include "runtime/compare.h"
+#include "runtime/picture/compare.h"
 
 #include <gtest/gtest.h>
 

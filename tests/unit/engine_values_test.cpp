@@ -1,5 +1,5 @@
 // What shaders are told of camera, lights, shadow maps and fog.
-#include "runtime/engine_values.h"
+#include "runtime/values/engine_values.h"
 
 #include <gtest/gtest.h>
 

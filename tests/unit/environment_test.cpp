@@ -1,14 +1,14 @@
 // What an environment becomes: coefficients against integrals in closed form, the cube and its levels against integrals
 // worked out here, and the table of the split sum against the reference values.
-#include "runtime/environment.h"
+#include "runtime/lighting/environment.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "runtime/cube.h"
-#include "runtime/split_sum.h"
+#include "runtime/lighting/cube.h"
+#include "runtime/lighting/split_sum.h"
 #include "tests/support/reference_values.h"
 
 namespace patina::runtime {

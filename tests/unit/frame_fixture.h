@@ -13,8 +13,8 @@
 #include "compiler/ir/builder.h"
 #include "compiler/ir/verify.h"
 #include "patina/validate.h"
-#include "runtime/cpu_render.h"
-#include "runtime/renderer.h"
+#include "runtime/cpu/cpu_render.h"
+#include "runtime/gpu/renderer.h"
 
 namespace patina::runtime {
 

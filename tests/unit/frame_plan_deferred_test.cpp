@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "frame_plan_testing.h"
-#include "runtime/frame_plan.h"
+#include "runtime/frame/frame_plan.h"
 
 namespace patina::runtime {
 namespace {

@@ -1,5 +1,5 @@
 // The order of a frame, and what each of its steps is told: one rendering path after the other.
-#include "runtime/frame_plan.h"
+#include "runtime/frame/frame_plan.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 
 #include "frame_plan_testing.h"
-#include "runtime/light_split.h"
+#include "runtime/frame/light_split.h"
 
 namespace patina::runtime {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <deque>
 
-#include "runtime/frame_plan.h"
+#include "runtime/frame/frame_plan.h"
 
 namespace patina::runtime {
 

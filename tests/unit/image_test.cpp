@@ -1,5 +1,5 @@
 // Pictures, their files and the mip levels made from them.
-#include "runtime/image.h"
+#include "runtime/picture/image.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <fstream>
 #include <limits>
 
-#include "runtime/textures.h"
+#include "runtime/values/textures.h"
 
 namespace patina::runtime {
 namespace {

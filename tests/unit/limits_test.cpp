@@ -1,6 +1,6 @@
 // What is refused before a device is asked for more than it says it has: each limit lowered by one below a small draw's
 // need, and what lavapipe cannot take as it is.
-#include "runtime/limits.h"
+#include "runtime/gpu/limits.h"
 
 #include <gtest/gtest.h>
 

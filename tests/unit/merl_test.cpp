@@ -1,6 +1,6 @@
 // Files of measured BRDFs: how they are laid out, what is refused, and the angles that an entry stands for. What a
 // shader makes of a table is tested in tests/witness.
-#include "runtime/merl.h"
+#include "runtime/lighting/merl.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

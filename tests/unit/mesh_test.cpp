@@ -1,5 +1,5 @@
-// Promises of runtime/mesh.h that shading depends on, checked on every mesh.
-#include "runtime/mesh.h"
+// Promises of runtime/scene/mesh.h that shading depends on, checked on every mesh.
+#include "runtime/scene/mesh.h"
 
 #include <gtest/gtest.h>
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "patina/validate.h"
-#include "runtime/compare.h"
-#include "runtime/material_values.h"
-#include "runtime/renderer.h"
-#include "runtime/textures.h"
+#include "runtime/picture/compare.h"
+#include "runtime/values/material_values.h"
+#include "runtime/gpu/renderer.h"
+#include "runtime/values/textures.h"
 
 namespace patina::runtime {
 namespace {

@@ -1,5 +1,5 @@
 // The CPU rasteriser against closed forms.
-#include "runtime/raster.h"
+#include "runtime/cpu/raster.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What a picture of a material alone is told with: that nothing of it is seen.
-#include "runtime/render_request.h"
+#include "runtime/render/render_request.h"
 
 #include <gtest/gtest.h>
 

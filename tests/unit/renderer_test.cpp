@@ -1,6 +1,6 @@
 // The Vulkan renderer against hand-written shaders and a hand-made reflection, so that a fault of the compiler cannot
 // hide a fault of the runtime. The validation layer is on, and any message fails the test.
-#include "runtime/renderer.h"
+#include "runtime/gpu/renderer.h"
 
 #include <gtest/gtest.h>
 

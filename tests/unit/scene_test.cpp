@@ -1,5 +1,5 @@
 // The studio around a material: ambient light in closed form, cameras, and the words that describe them.
-#include "runtime/scene.h"
+#include "runtime/scene/scene.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <glm/gtc/type_precision.hpp>
 #include <numbers>
 
-#include "runtime/scene_text.h"
+#include "runtime/scene/scene_text.h"
 
 namespace patina::runtime {
 namespace {

@@ -1,5 +1,5 @@
 // Shadow maps hold what casts, stay still, and are where the atlas says; cookies lie as their light looks.
-#include "runtime/shadow_view.h"
+#include "runtime/frame/shadow_view.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
 
-#include "runtime/bounds.h"
+#include "runtime/scene/bounds.h"
 
 namespace patina::runtime {
 namespace {

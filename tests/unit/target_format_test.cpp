@@ -1,5 +1,5 @@
 // What the formats of render targets keep of a number.
-#include "runtime/target_format.h"
+#include "runtime/frame/target_format.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "runtime/render_request.h"
+#include "runtime/render/render_request.h"
 
 namespace patina::runtime {
 namespace {

@@ -1,6 +1,6 @@
 // From a scene file to a world: transforms in closed form, lights, surroundings, pictures, and what is said about
 // meshes and pictures that are not there.
-#include "runtime/world_file.h"
+#include "runtime/scene/world_file.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <fstream>
 #include <set>
 
-#include "runtime/image.h"
+#include "runtime/picture/image.h"
 
 namespace patina::runtime {
 namespace {

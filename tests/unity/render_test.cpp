@@ -7,7 +7,7 @@
 
 #include "paths/drawing.h"
 #include "patina/validate.h"
-#include "runtime/engine_values.h"
+#include "runtime/values/engine_values.h"
 #include "unity/shader_lab.h"
 
 namespace patina::unity {

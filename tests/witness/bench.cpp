@@ -5,8 +5,8 @@
 #include <charconv>
 
 #include "patina/validate.h"
-#include "runtime/cpu_render.h"
-#include "runtime/material_values.h"
+#include "runtime/cpu/cpu_render.h"
+#include "runtime/values/material_values.h"
 
 namespace patina::witness {
 namespace {

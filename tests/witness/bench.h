@@ -16,8 +16,8 @@
 
 #include "patina/interpret.h"
 #include "patina/patina.h"
-#include "runtime/image.h"
-#include "runtime/renderer.h"
+#include "runtime/picture/image.h"
+#include "runtime/gpu/renderer.h"
 
 namespace patina::witness {
 
@@ -45,7 +45,7 @@ struct Inputs {
     std::map<std::string, std::shared_ptr<const TextureData>> textures{};
     float time = 0;
     const runtime::Scene* scene = nullptr;        // what is drawn, size and time included; null: the whole picture
-    std::map<std::string, std::string> values{};  // property -> word, as in runtime/material_values.h
+    std::map<std::string, std::string> values{};  // property -> word, as in runtime/values/material_values.h
 };
 
 // Opens the device with the validation layer on. Whatever fails becomes a failure of the running test.

@@ -1,6 +1,6 @@
 // A measured table on the GPU, through GLSL and HLSL, and on the CPU: every entry is found again, each of the narrow
 // rows at the highlight, either way round; and a table sampled from a known BRDF draws what the BRDF itself draws.
-#include "runtime/merl.h"
+#include "runtime/lighting/merl.h"
 
 #include <gtest/gtest.h>
 

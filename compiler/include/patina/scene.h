@@ -1,6 +1,6 @@
 // A scene (`"kind": "scene"`) as its file says it: camera, lights, surroundings, materials and objects. Its words and
 // numbers are checked and its files found; meshes are only named, and nothing of the files that it names has been read.
-// Plain data; runtime/world_file.h makes a world of it that can be drawn.
+// Plain data; runtime/scene/world_file.h makes a world of it that can be drawn.
 //
 //   patina::SceneResult read = compiler.read_scene("shelf.scene.json");
 //   for (const patina::SceneMaterial& material : read.scene.materials) compiler.compile_file(material.graph.path);
@@ -82,7 +82,7 @@ struct SceneFog {
     double start = 5, end = 50;  // linear
 };
 
-// What real-time shadows do beside baked ones (runtime/scene.h).
+// What real-time shadows do beside baked ones (runtime/scene/scene.h).
 enum class SceneMixing { ShadowMask, DistanceShadowMask, Subtractive };
 
 struct SceneMixedLighting {
@@ -92,7 +92,7 @@ struct SceneMixedLighting {
     std::optional<double> shadow_fade{};      // metres, at most the distance
 };
 
-// How the texels of a lightmap hold light (runtime/world.h).
+// How the texels of a lightmap hold light (runtime/scene/world.h).
 enum class SceneLightmapEncoding { Hdr, Rgbm, DoubleLdr };
 
 // A property of a material's graph and its value in words: "0.2", "1,0,0", "true", "Wet", a file that can be opened.

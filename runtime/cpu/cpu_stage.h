@@ -1,0 +1,35 @@
+// The two stages of a pass on the CPU: what goes into the interpreter and what comes out of it, by name. Not the
+// interpreter itself (patina/interpret.h), and not what becomes of the pixels (cpu_step.h).
+//
+//   Outcome<std::vector<ClipVertex>> vertices = run_vertices(vertex_stage, mesh);
+//   Outcome<std::vector<InputSource>> sources = fragment_sources(vertex_stage, fragment_stage);
+//   gather_inputs(sources.value, triangle, quad, precision, inputs);
+#pragma once
+
+#include <vector>
+
+#include "patina/interpret.h"
+#include "runtime/scene/mesh.h"
+#include "runtime/outcome.h"
+#include "runtime/cpu/raster.h"
+
+namespace patina::runtime {
+
+// In the mesh's order; varyings are the stage's outputs but the position, end to end. `instance`: which one is drawn.
+Outcome<std::vector<ClipVertex>> run_vertices(Interpreter& stage, const Mesh& mesh, std::uint32_t instance = 0);
+// One vertex of a mesh that run_vertices() took.
+std::vector<TracedValue> trace_vertex(Interpreter& stage, const Vertex& vertex);
+
+// Where a fragment input comes from.
+struct InputSource {
+    enum class Kind { Varying, Flat, FrontFacing, FragCoord } kind = Kind::Varying;
+    std::size_t offset = 0;  // in ClipVertex::varyings
+    unsigned components = 1;
+};
+Outcome<std::vector<InputSource>> fragment_sources(const Interpreter& vertex, const Interpreter& fragment);
+
+// Fills `inputs` for the quad of the triangle.
+void gather_inputs(const std::vector<InputSource>& sources, const ScreenTriangle& triangle, const Quad& quad,
+                   Precision precision, QuadInputs& inputs);
+
+}  // namespace patina::runtime

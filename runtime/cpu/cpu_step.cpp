@@ -1,0 +1,218 @@
+#include "runtime/cpu/cpu_step.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/frame/frame_check.h"
+
+namespace patina::runtime {
+namespace {
+
+Interpreter& bound_stage(const CpuStep& step, std::optional<Interpreter>& place, Stage stage) {
+    if (!place) place.emplace(*step.step->stages.program, step.step->pass->name, stage, step.precision);
+    for (const BlockBytes& block : step.step->blocks) place->set_block(block.name, block.bytes);
+    for (const ConstantValue& constant : step.step->constants)
+        place->set_value(constant.name, std::array{double(constant.value)});
+    for (const LoadedTexture& texture : step.textures) place->set_texture(texture.name, texture.data);
+    return *place;
+}
+
+// --- before the pixels
+
+// What Vulkan adds to the depth of each of the triangle's pixels: `depth_bias` times the least difference of depths
+// near the largest of the corners', which for 32-bit floats is 2^(exponent - 23), and `depth_slope_bias` times how
+// much depth changes from pixel to pixel.
+double depth_offset(const Pass& pass, const ScreenTriangle& triangle) {
+    if (pass.depth_bias == 0 && pass.depth_slope_bias == 0) return 0;
+    std::array<double, 3> z{};
+    for (int i = 0; i < 3; i++) z[i] = triangle.corners[i].position.z / triangle.corners[i].position.w;
+    const auto largest = float(std::max({z[0], z[1], z[2]}));
+    const double least_difference = largest > 0 ? std::ldexp(1.0, std::ilogb(largest) - 23) : 0;
+
+    const glm::dvec2 a = triangle.exact[1] - triangle.exact[0], b = triangle.exact[2] - triangle.exact[0];
+    const double dx = ((z[1] - z[0]) * b.y - (z[2] - z[0]) * a.y) / triangle.area,
+                 dy = ((z[2] - z[0]) * a.x - (z[1] - z[0]) * b.x) / triangle.area;
+    return least_difference * pass.depth_bias + std::max(std::abs(dx), std::abs(dy)) * pass.depth_slope_bias;
+}
+
+bool is_drawn(const ScreenTriangle& triangle, VkCullModeFlags cull) {
+    return !(cull & (triangle.is_front ? VK_CULL_MODE_FRONT_BIT : VK_CULL_MODE_BACK_BIT));
+}
+
+std::vector<CpuTriangle> visible_triangles(const FrameStep& step, const FrameArea& area, VkCullModeFlags cull,
+                                           const std::vector<ClipVertex>& vertices) {
+    std::vector<CpuTriangle> visible;
+    const std::vector<std::uint32_t>& indices = step.mesh->indices;
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+        const auto corner = [&](std::size_t k) -> const ClipVertex& { return vertices[indices[i + k]]; };
+        for (ScreenTriangle& t :
+             clip_to_screen(corner(0), corner(1), corner(2), area.width, area.height, {area.x, area.y})) {
+            if (!is_drawn(t, cull)) continue;
+            const double offset = depth_offset(*step.pass, t);
+            visible.push_back({.screen = std::move(t), .index = i / 3, .depth_offset = offset});
+        }
+    }
+    return visible;
+}
+
+PixelBounds intersection(const FrameArea& area, const PixelBounds& window) {
+    return {.left = std::max(area.x, window.left),
+            .top = std::max(area.y, window.top),
+            .right = std::min(area.x + area.width, window.right),
+            .bottom = std::min(area.y + area.height, window.bottom)};
+}
+
+// --- pixels
+
+// How a sample fares in the tests, and what that makes of the stencil.
+struct Tested {
+    bool is_visible = true;
+    const StencilWord* stencil = nullptr;  // null: there is none
+};
+
+Tested test_sample(const CpuStep& step, int x, int y, double depth) {
+    if (!step.depth) return {};
+    const PassState& state = step.state;
+    const auto seen = [&](std::uint8_t value) { return float(value & state.stencil_read_mask); };
+    if (!state.stencil_test->holds(seen(step.step->stencil_reference),
+                                   seen(step.depth->stencil[step.depth->index(x, y)])))
+        return {.is_visible = false, .stencil = state.stencil_fail};
+    if (!state.depth_test->holds(float(depth), step.depth->load(x, y).x))
+        return {.is_visible = false, .stencil = state.stencil_depth_fail};
+    return {.stencil = state.stencil_pass};
+}
+
+void change_stencil(const CpuStep& step, const StencilWord& word, int x, int y) {
+    std::uint8_t& there = step.depth->stencil[step.depth->index(x, y)];
+    const int wanted = word.change(there, step.step->stencil_reference), mask = step.state.stencil_write_mask;
+    there = std::uint8_t((wanted & mask) | (there & ~mask));
+}
+
+float blend_factor(const BlendWord& word, const glm::vec4& source, const glm::vec4& target, int channel) {
+    float operand = 0;
+    switch (word.operand) {
+        case BlendWord::Operand::SourceColor: operand = source[channel]; break;
+        case BlendWord::Operand::SourceAlpha: operand = source.a; break;
+        case BlendWord::Operand::TargetColor: operand = target[channel]; break;
+        case BlendWord::Operand::TargetAlpha: operand = target.a; break;
+    }
+    return word.base + word.slope * operand;
+}
+
+void write_color(CpuTarget& target, const TargetBlend& blend, int x, int y, glm::vec4 source) {
+    if (!blend.is_on()) return target.store(x, y, source);
+    if (target.format->is_normalized) source = glm::clamp(source, 0.0f, 1.0f);
+    const glm::vec4 before = target.load(x, y);
+    glm::vec4 result;
+    for (int c = 0; c < 4; c++) {
+        const bool is_alpha = c == 3;
+        const float from = blend_factor(is_alpha ? *blend.source_alpha : *blend.source, source, before, c),
+                    keep = blend_factor(is_alpha ? *blend.destination_alpha : *blend.destination, source, before, c);
+        // A factor of 0 drops its side even where that is NaN.
+        result[c] = (from == 0 ? 0 : source[c] * from) + (keep == 0 ? 0 : before[c] * keep);
+    }
+    target.store(x, y, result);
+}
+
+// `outputs`: of the fragment stage, one after the other, each for the target of its number.
+void write_pixel(const CpuStep& step, const std::vector<StageValue>& outputs, int x, int y, double depth,
+                 const std::vector<double>& numbers) {
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < step.colors.size(); i++) {
+        glm::vec4 source(0, 0, 0, 1);
+        for (unsigned c = 0; c < std::min(outputs[i].components, 4u); c++) source[int(c)] = float(numbers[at + c]);
+        at += outputs[i].components;
+        write_color(*step.colors[i], step.state.blends[i], x, y, source);
+    }
+    if (!step.depth) return;
+    if (step.step->pass->depth_write) step.depth->store(x, y, glm::vec4(float(depth)));
+}
+
+void shade_quad(const CpuStep& step, Interpreter& fragment, const CpuTriangle& triangle, const Quad& quad,
+                QuadInputs& inputs) {
+    // The stage never writes depth, so testing before it gives the same picture as testing after it.
+    std::array<Tested, 4> tested{};
+    bool is_needed = false;
+    for (int lane = 0; lane < 4; lane++) {
+        if (quad.covered[lane])
+            tested[lane] = test_sample(step, quad.x + lane % 2, quad.y + lane / 2, quad.depth[lane]);
+        const bool marks = tested[lane].stencil && tested[lane].stencil->vulkan != VK_STENCIL_OP_KEEP;
+        is_needed |= quad.covered[lane] && (tested[lane].is_visible || marks);
+    }
+    if (!is_needed) return;
+
+    gather_inputs(step.sources, triangle.screen, quad, step.precision, inputs);
+    const QuadOutputs outputs = fragment.run(inputs);
+    for (int lane = 0; lane < 4; lane++) {
+        if (!quad.covered[lane]) continue;
+        const int x = quad.x + lane % 2, y = quad.y + lane / 2;
+        const bool is_discarded = outputs.discarded[lane], is_visible = tested[lane].is_visible;
+        if (is_visible && step.on_fragment)
+            step.on_fragment({.triangle = &triangle, .quad = quad, .lane = lane, .is_discarded = is_discarded});
+        if (is_discarded) continue;
+        if (tested[lane].stencil) change_stencil(step, *tested[lane].stencil, x, y);
+        if (is_visible) write_pixel(step, fragment.outputs(), x, y, quad.depth[lane], outputs.lanes[lane]);
+    }
+}
+
+}  // namespace
+
+Interpreter& fragment_stage(const CpuStep& step, CpuStages& stages, std::size_t thread) {
+    return bound_stage(step, stages.fragments[thread], Stage::Fragment);
+}
+
+Outcome<CpuStep> make_cpu_step(const Frame& frame, const FrameStep& step, std::vector<CpuTarget>& targets,
+                               CpuStages& stages, Precision precision) {
+    const Pass& pass = *step.pass;
+    if (!step.stages.program) return Failure{"the material was compiled without its program"};
+    Outcome<PassState> state = pass_state(pass);
+    if (!state) return Failure{state.error};
+    const FrameArea area = full_area(step, frame);
+    CpuStep made{.step = &step,
+                 .precision = precision,
+                 .state = std::move(state.value),
+                 .bounds = intersection(area, targets[attachments(step).front()].window)};
+    for (std::size_t target : step.targets) made.colors.push_back(&targets[target]);
+    if (step.depth >= 0) made.depth = &targets[std::size_t(step.depth)];
+    if (step.clears_stencil && made.depth) std::fill(made.depth->stencil.begin(), made.depth->stencil.end(), 0);
+    made.textures.assign(step.textures.begin(), step.textures.end());
+    for (const FrameRead& read : step.reads)  // after the loaded ones: the last of a name counts
+        made.textures.push_back({.name = read.texture, .data = texture_of(targets[read.target])});
+
+    Interpreter& vertex = bound_stage(made, stages.vertex, Stage::Vertex);
+    const Interpreter& fragment = fragment_stage(made, stages, 0);
+    const std::size_t written = fragment.outputs().size(), wanted = pass.targets.size();
+    if (vertex.outputs().empty() || (written == 0 && wanted > 0))
+        return Failure{fmt::format("the program has no stages for the pass '{}'", pass.name)};
+    if (written < wanted)
+        return Failure{
+            fmt::format("the fragment stage of the pass '{}' writes {} of its {} targets", pass.name, written, wanted)};
+    Outcome<std::vector<InputSource>> sources = fragment_sources(vertex, fragment);
+    if (!sources) return Failure{sources.error};
+    made.sources = std::move(sources.value);
+    for (std::uint32_t instance = 0; instance < step.instances; instance++) {
+        Outcome<std::vector<ClipVertex>> vertices = run_vertices(vertex, *step.mesh, instance);
+        if (!vertices) return Failure{vertices.error};
+        for (CpuTriangle& triangle : visible_triangles(step, area, made.state.cull, vertices.value))
+            made.triangles.push_back(std::move(triangle));
+    }
+    return made;
+}
+
+void shade_rows(const CpuStep& step, Interpreter& fragment, int first_row, int row_step) {
+    QuadInputs inputs;
+    for (std::size_t i = 0; i < step.triangles.size(); i++) {
+        const CpuTriangle& triangle = step.triangles[i];
+        if (first_row == 0 && i % 64 == 0 && step.progress) step.progress(double(i) / double(step.triangles.size()));
+        for_each_quad(triangle.screen, step.bounds, first_row, row_step, [&](const Quad& quad) {
+            if (triangle.depth_offset == 0) return shade_quad(step, fragment, triangle, quad, inputs);
+            Quad moved = quad;
+            for (double& depth : moved.depth) depth = std::clamp(depth + triangle.depth_offset, 0.0, 1.0);
+            shade_quad(step, fragment, triangle, moved, inputs);
+        });
+    }
+}
+
+}  // namespace patina::runtime

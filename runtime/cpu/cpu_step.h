@@ -1,0 +1,68 @@
+// One step of a frame on the CPU: the vertex stage and everything up to the pixels, then rows of pixels, which threads
+// share. Stages are kept from step to step, since making one costs more than a small triangle.
+//
+//   CpuStages stages{.fragments = std::vector<std::optional<Interpreter>>(1)};
+//   Outcome<CpuStep> made = make_cpu_step(frame, step, targets, stages, precision);
+//   shade_rows(made.value, fragment_stage(made.value, stages, 0), 0, 1);
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "runtime/cpu/cpu_stage.h"
+#include "runtime/cpu/cpu_target.h"
+#include "runtime/frame/frame.h"
+#include "runtime/frame/state_words.h"
+
+namespace patina::runtime {
+
+// The stages of one pass of one material: the fragment stage once for each thread.
+struct CpuStages {
+    std::optional<Interpreter> vertex;
+    std::vector<std::optional<Interpreter>> fragments;
+};
+using CpuStageCache = std::map<std::pair<const Program*, const Pass*>, CpuStages>;
+
+// A triangle that may be seen.
+struct CpuTriangle {
+    ScreenTriangle screen;
+    std::size_t index = 0;    // among the mesh's
+    double depth_offset = 0;  // by the pass's bias
+};
+
+// A sample that passed the tests of depth and stencil, and what computed it.
+struct CpuFragment {
+    const CpuTriangle* triangle = nullptr;
+    Quad quad;
+    int lane = 0;
+    bool is_discarded = false;
+};
+
+// Everything that the threads share and only read; of the targets, each has rows of its own.
+struct CpuStep {
+    const FrameStep* step = nullptr;
+    Precision precision = Precision::Float;
+    PassState state{};
+    PixelBounds bounds{};
+    std::vector<CpuTarget*> colors{};
+    CpuTarget* depth = nullptr;
+    std::vector<LoadedTexture> textures{};  // loaded ones, and targets as they were when the step began
+    std::vector<InputSource> sources{};
+    std::vector<CpuTriangle> triangles{};
+    std::function<void(double)> progress{};                 // told by whoever has row 0
+    std::function<void(const CpuFragment&)> on_fragment{};  // told of every fragment, if there is one thread only
+};
+
+// Of a frame without a frame_error(). `stages` are those of this pass; the first fragment stage is there afterwards.
+Outcome<CpuStep> make_cpu_step(const Frame& frame, const FrameStep& step, std::vector<CpuTarget>& targets,
+                               CpuStages& stages, Precision precision);
+
+// The fragment stage number `thread`, with the step's blocks and textures.
+Interpreter& fragment_stage(const CpuStep& step, CpuStages& stages, std::size_t thread);
+
+// Rows `first_row`, `first_row` + `row_step` ... of quads from the top of the targets.
+void shade_rows(const CpuStep& step, Interpreter& fragment, int first_row, int row_step);
+
+}  // namespace patina::runtime

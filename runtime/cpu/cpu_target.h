@@ -1,0 +1,39 @@
+// The images that a frame draws into, in memory: bytes of their formats, so that what is written is rounded as a GPU
+// rounds it. Only a window of a target need be there, for those who look at one pixel.
+//
+//   CpuTarget target = make_cpu_target({.format = "rgba8", .width = 4, .height = 4}, {.right = 4, .bottom = 4});
+//   target.store(1, 2, {0.5f, 0, 0, 1});
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "runtime/frame/frame.h"
+#include "runtime/cpu/raster.h"
+#include "runtime/frame/target_format.h"
+
+namespace patina::runtime {
+
+struct CpuTarget {
+    const TargetFormat* format = nullptr;
+    PixelBounds window{};
+    std::vector<std::byte> pixels{};
+    std::vector<std::uint8_t> stencil{};  // of a depth target
+    // How often the frame has drawn into it, and what it was worth as a texture at one such time.
+    unsigned version = 1, seen_version = 0;
+    std::shared_ptr<const TextureData> seen{};
+
+    std::size_t index(int x, int y) const {
+        return std::size_t(y - window.top) * (window.right - window.left) + (x - window.left);
+    }
+    glm::vec4 load(int x, int y) const { return format->load(&pixels[index(x, y) * format->bytes]); }
+    void store(int x, int y, const glm::vec4& value) { format->store(value, &pixels[index(x, y) * format->bytes]); }
+};
+
+CpuTarget make_cpu_target(const FrameTarget& target, const PixelBounds& window);
+
+// The window's pixels as they are now, to be read texel by texel: the same object until something is drawn.
+std::shared_ptr<const TextureData> texture_of(CpuTarget& target);
+Image image_of(const CpuTarget& target);
+
+}  // namespace patina::runtime

@@ -1,0 +1,80 @@
+// A frame as a list: images to draw into, and draws, one after the other. It knows neither scenes nor rendering paths:
+// what is in the list has been decided (frame_plan.h). The GPU (renderer.h) and the CPU (cpu_render.h) draw the same
+// list.
+//
+//   Frame frame{.targets = {{.name = "color", .format = "rgba32f", .width = 64, .height = 64},
+//                           {.name = "depth", .format = "depth", .width = 64, .height = 64, .clear = glm::vec4(1)}},
+//               .steps = {...}};
+//   Outcome<Image> image = renderer.draw(frame);
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <glm/glm.hpp>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "patina/interpret.h"
+#include "patina/reflection.h"
+#include "runtime/values/material_values.h"
+#include "runtime/scene/mesh.h"
+#include "runtime/values/textures.h"
+
+namespace patina::runtime {
+
+// An image that steps draw into. Formats are the reflection's words, and "depth": 32-bit float depth with 8 bits of
+// stencil. It starts out as `clear` (depth: x; stencil: 0).
+struct FrameTarget {
+    std::string name{};
+    std::string format = "rgba32f";
+    int width = 0, height = 0;
+    glm::vec4 clear{0};
+};
+
+// A texture of the step that is a target: as it stands when the step begins, even where the step draws into it.
+struct FrameRead {
+    std::string texture{};  // of the reflection
+    std::size_t target = 0;
+};
+
+// A part of a target, in pixels from the top left; a width of 0 means all of it.
+struct FrameArea {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+
+// The two stages of one pass of one material, in the form that whoever draws can run.
+struct StagePair {
+    std::span<const std::uint32_t> vertex_spirv{}, fragment_spirv{};  // GPU; entry point "main"
+    const Program* program = nullptr;                                 // CPU
+};
+
+struct FrameStep {
+    const Reflection* reflection = nullptr;
+    const Pass* pass = nullptr;  // of `reflection`
+    StagePair stages{};
+    const Mesh* mesh = nullptr;
+    std::uint32_t instances = 1;  // of the mesh, in one draw
+    std::vector<BlockBytes> blocks{};
+    std::vector<ConstantValue> constants{};
+    std::span<const LoadedTexture> textures{};
+    std::vector<FrameRead> reads{};
+    std::vector<std::size_t> targets{};  // one per Pass::targets, indices into Frame::targets
+    int depth = -1;                      // index into Frame::targets; -1: no depth or stencil
+    FrameArea area{};
+    std::uint8_t stencil_reference = 0;
+    bool clears_stencil = false;  // to 0, all of it, before the step draws
+};
+
+struct Frame {
+    std::vector<FrameTarget> targets{};
+    std::vector<FrameStep> steps{};
+    std::size_t shown = 0;  // the target that is the result
+    int samples = 1;        // the result is averaged over so many pixels along each axis
+    // CPU: told now and then which share is done, 0 to 1, on the calling thread.
+    std::function<void(double)> progress{};
+    std::shared_ptr<const void> keep{};  // what steps point to and nobody else holds
+};
+
+}  // namespace patina::runtime

@@ -1,0 +1,22 @@
+// Whether a frame can be drawn by anyone: what its steps draw into and read is there, fits together and is filled.
+// What a certain device cannot take is limits.h.
+//
+//   if (std::string error = frame_error(frame); !error.empty()) return Failure{error};
+#pragma once
+
+#include <string>
+
+#include "runtime/frame/frame.h"
+
+namespace patina::runtime {
+
+// Empty, or what is wrong, in one sentence.
+std::string frame_error(const Frame& frame);
+
+// The area in full: a width of 0 becomes all of the target.
+FrameArea full_area(const FrameStep& step, const Frame& frame);
+
+// The targets that the step draws into, depth last; the first has the size of all.
+std::vector<std::size_t> attachments(const FrameStep& step);
+
+}  // namespace patina::runtime

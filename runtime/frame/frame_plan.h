@@ -1,0 +1,67 @@
+// Turns a world and its compiled materials into a frame: which pass of which material draws what, in which order, with
+// which lights and into which targets. All that it knows of a rendering path is what the passes of the reflection
+// state; it has no names of passes or paths. Files are not its business: materials are compiled and textures loaded
+// before.
+//
+// The order:
+//   1. shadow maps: passes that draw from lights, over all objects that have such a pass
+//   2. passes that materials add with a lower queue than their own, by queue
+//   3. opaque objects of the wanted path: pass by pass in the order of the reflection; in each, objects by queue, then
+//      as the scene has them; full-screen passes and light volumes once for each lighting group (lighting_groups.h)
+//   4. opaque objects of other paths: materials that the wanted path could not take
+//   5. the other passes that materials add, by queue
+//   6. opaque objects that read what they draw into (scene colour or depth)
+//   7. blended objects and passes (queue 2500 or more), by queue, then the farthest first; all passes of one, then the
+//      next
+// A full-screen pass whose pixels no stencil chooses is drawn once in a frame for each shader that it has.
+//
+//   Outcome<Frame> frame = plan_frame(world, materials, {.path = "deferred"});
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/frame/frame.h"
+#include "runtime/outcome.h"
+#include "runtime/scene/world.h"
+
+namespace patina::runtime {
+
+struct DrawnPass {
+    StagePair stages{};
+    std::string_view fragment{};  // the fragment shader's text: equal ones light alike. Empty: SPIR-V or program tells
+};
+
+// A compiled material. It, and all that it points to, must outlive the frame.
+struct DrawnMaterial {
+    const Reflection* reflection = nullptr;
+    std::map<std::string, DrawnPass> passes{};  // by name, each of the reflection
+    MaterialValues values{};
+    std::span<const LoadedTexture> textures{};  // its own, and the environment's where it reads them
+};
+
+struct FrameOptions {
+    std::string path{};                    // the wanted one: Reflection::path. Empty: materials of all paths are alike
+    int shadow_atlas_size = 2048;          // texels along a side; even
+    bool exact = false;                    // every colour target in rgba32f
+    std::string shown_format = "rgba32f";  // of "color"; empty: as the passes say
+    // For each object of the world its textures of the engine ("lightmap_texture", "shadow_mask_texture"); may be
+    // shorter. Missing ones are white, and an object without a lightmap has no baked light.
+    std::span<const std::vector<LoadedTexture>> object_textures{};
+    // For each object of the world the values of its instances; may be shorter. Those that are not there have the
+    // material's.
+    std::span<const std::vector<MaterialValues>> instance_values{};
+};
+
+// `materials`: one for each of the world, in its order. An error names the material and its pass.
+Outcome<Frame> plan_frame(const World& world, std::span<const DrawnMaterial> materials,
+                          const FrameOptions& options = {});
+
+// The path that a material is to be compiled for so that this camera can draw it: its own, or the fallback of a pass
+// that wants another camera. Empty: there is none.
+std::string path_for(const Camera& camera, const Reflection& reflection);
+
+}  // namespace patina::runtime

@@ -1,0 +1,41 @@
+// A frame's steps made ready for the device, and recorded. Making them ready can fail; recording cannot.
+//
+//   Outcome<ReadyFrame> ready = make_ready(gpu, frame, targets, textures);
+//   run_commands(gpu, [&](VkCommandBuffer commands) { record_frame(commands, frame, ready.value, targets); });
+#pragma once
+
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "runtime/gpu/gpu_target.h"
+#include "runtime/gpu/gpu_upload.h"
+#include "runtime/gpu/pipeline.h"
+
+namespace patina::runtime {
+
+// What a step binds: handles of things that ReadyFrame keeps.
+struct ReadyStep {
+    VkPipeline pipeline = VK_NULL_HANDLE;
+    VkPipelineLayout layout = VK_NULL_HANDLE;
+    BoundSets bound;
+};
+
+struct ReadyFrame {
+    FrameData data;
+    SamplerHandle read_sampler;  // targets are read texel by texel
+    std::map<SlotShape, BindingLayout> layouts;
+    // By pass, shaders, layout, formats and constants: two steps with the same ones share the pipeline.
+    using PipelineKey = std::tuple<const Pass*, const std::uint32_t*, const std::uint32_t*, VkPipelineLayout,
+                                   std::vector<VkFormat>, VkFormat, std::vector<ConstantValue>>;
+    std::map<PipelineKey, PipelineHandle> pipelines;
+    std::vector<ReadyStep> steps;
+};
+
+// Of a frame without a frame_error(), into targets that fit it.
+Outcome<ReadyFrame> make_ready(Gpu& gpu, const Frame& frame, std::vector<GpuTarget>& targets, TextureCache& textures);
+
+void record_frame(VkCommandBuffer commands, const Frame& frame, const ReadyFrame& ready,
+                  std::vector<GpuTarget>& targets);
+
+}  // namespace patina::runtime

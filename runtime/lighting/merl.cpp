@@ -1,0 +1,110 @@
+#include "runtime/lighting/merl.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
+namespace patina::runtime {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "tables are read as they lie in the file");
+
+constexpr double kPi = std::numbers::pi;
+// What the database's numbers are multiplied by.
+constexpr std::array<double, 3> kScale = {1.0 / 1500, 1.15 / 1500, 1.66 / 1500};
+constexpr int kMostAngles = 1024;
+
+std::string shown_counts(std::array<std::int32_t, 3> counts) {
+    return std::to_string(counts[0]) + " x " + std::to_string(counts[1]) + " x " + std::to_string(counts[2]);
+}
+
+}  // namespace
+
+Outcome<MerlTable> read_merl(const std::string& path) {
+    std::error_code failure;
+    const std::uintmax_t size = std::filesystem::file_size(path, failure);
+    std::ifstream file(path, std::ios::binary);
+    if (failure || !file)
+        return Failure{"cannot read '" + path + "': " + (failure ? failure.message() : "no such file")};
+    std::array<std::int32_t, 3> counts{};
+    if (size < sizeof counts || !file.read(reinterpret_cast<char*>(counts.data()), sizeof counts))
+        return Failure{"'" + path + "' is no MERL table: it has " + std::to_string(size) + " bytes"};
+    const bool is_table = counts[0] == counts[1] &&
+                          std::all_of(counts.begin(), counts.end(), [](int n) { return n > 0 && n <= kMostAngles; });
+    if (!is_table)
+        return Failure{"'" + path + "' is no MERL table: its counts of angles are " + shown_counts(counts) +
+                       ", and a table has 90 x 90 x 180"};
+    MerlTable table{.half = counts[0], .difference = counts[1], .azimuth = counts[2]};
+    const std::uintmax_t needed = sizeof counts + 3 * table.entries() * sizeof(double);
+    if (size != needed)
+        return Failure{"'" + path + "' is " + (size < needed ? "cut off" : "too long") + ": a table of " +
+                       shown_counts(counts) + " angles has " + std::to_string(needed) + " bytes, and it has " +
+                       std::to_string(size)};
+    for (std::size_t c = 0; c < 3; c++) {
+        std::vector<double>& channel = table.channels[c];
+        channel.resize(table.entries());
+        file.read(reinterpret_cast<char*>(channel.data()), std::streamsize(channel.size() * sizeof(double)));
+        if (!file) return Failure{"cannot read '" + path + "'"};
+        for (double& value : channel) {
+            // Beyond that a texture of floats holds nothing; what was measured is below a million.
+            if (!(std::abs(value) < 1e30)) return Failure{"'" + path + "' holds a value that is no reflectance"};
+            value *= kScale[c];
+        }
+    }
+    return table;
+}
+
+std::string write_merl(const std::string& path, const MerlTable& table) {
+    std::ofstream file(path, std::ios::binary | std::ios::trunc);
+    const std::array<std::int32_t, 3> counts = {table.half, table.difference, table.azimuth};
+    file.write(reinterpret_cast<const char*>(counts.data()), sizeof counts);
+    for (std::size_t c = 0; c < 3; c++) {
+        std::vector<double> scaled = table.channels[c];
+        for (double& value : scaled) value /= kScale[c];
+        file.write(reinterpret_cast<const char*>(scaled.data()), std::streamsize(scaled.size() * sizeof(double)));
+    }
+    file.flush();
+    return file ? "" : "cannot write '" + path + "'";
+}
+
+DirectionPair directions_of(const MerlTable& table, int half, int difference, int azimuth) {
+    const double root = (half + 0.5) / table.half;
+    const double theta_half = root * root * kPi / 2;
+    const double theta = (difference + 0.5) / table.difference * kPi / 2, phi = (azimuth + 0.5) / table.azimuth * kPi;
+    // The difference vector around z, turned with z to the half vector in the x-z plane.
+    const double x = std::sin(theta) * std::cos(phi), y = std::sin(theta) * std::sin(phi), z = std::cos(theta);
+    const double s = std::sin(theta_half), c = std::cos(theta_half);
+    DirectionPair pair{.light = {x * c + z * s, y, -x * s + z * c}};
+    const double along = pair.light[0] * s + pair.light[2] * c;
+    pair.view = {2 * along * s - pair.light[0], -pair.light[1], 2 * along * c - pair.light[2]};
+    return pair;
+}
+
+MerlTable sampled_table(const BrdfFunction& brdf, int half, int difference, int azimuth) {
+    MerlTable table{.half = half, .difference = difference, .azimuth = azimuth};
+    for (std::vector<double>& channel : table.channels) channel.reserve(table.entries());
+    for (int h = 0; h < half; h++) {
+        for (int d = 0; d < difference; d++) {
+            for (int a = 0; a < azimuth; a++) {
+                const std::array<double, 3> value = brdf(directions_of(table, h, d, a));
+                for (std::size_t c = 0; c < 3; c++) table.channels[c].push_back(value[c]);
+            }
+        }
+    }
+    return table;
+}
+
+Image as_texture(const MerlTable& table) {
+    Image image = make_image(table.azimuth, table.half * table.difference);
+    for (std::size_t i = 0; i < table.entries(); i++) {
+        for (std::size_t c = 0; c < 3; c++) image.pixels[4 * i + c] = float(std::max(table.channels[c][i], 0.0) * kPi);
+    }
+    return image;
+}
+
+}  // namespace patina::runtime

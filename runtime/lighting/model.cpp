@@ -1,0 +1,224 @@
+#include "runtime/lighting/model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "runtime/lighting/environment.h"
+#include "runtime/lighting/split_sum.h"
+
+namespace patina::runtime {
+namespace {
+
+// A word of the command line as a JSON value: a number, a list of numbers, true, false, or a string.
+std::string as_json(const std::string& word) {
+    if (const std::optional<std::vector<double>> numbers = read_numbers(word)) {
+        std::string text;
+        for (double number : *numbers) text += fmt::format("{}{}", text.empty() ? "" : ", ", number);
+        return numbers->size() == 1 ? text : "[" + text + "]";
+    }
+    if (word == "true" || word == "false") return word;
+    std::string text = "\"";
+    for (char c : word) {
+        if (c == '"' || c == '\\') text += '\\';
+        text += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+    return text + "\"";
+}
+
+std::string model_name(const std::string& model) {
+    const bool is_file = model.ends_with(".json") && !model.starts_with(".") && !model.starts_with("/");
+    return is_file ? "./" + model : model;
+}
+
+using Words = std::vector<std::pair<std::string, std::string>>;
+
+std::string as_members(const Words& words) {
+    std::string text;
+    for (const auto& [name, word] : words)
+        text += (text.empty() ? "\n    " : ",\n    ") + as_json(name) + ": " + as_json(word);
+    return text;
+}
+
+// The smallest material that asks the question.
+Result compile(const Compiler& compiler, const ModelChoice& choice, const Words& surface, const Words& properties) {
+    const std::string material = "{\n  \"patina\": 1,\n  \"workflow\": " + as_json(choice.workflow) +
+                                 ",\n  \"lighting\": { \"use\": " + as_json(model_name(choice.model)) + ", \"in\": {" +
+                                 as_members(properties) + "} },\n  \"surface\": {" + as_members(surface) + "}\n}\n";
+    CompileOptions options;
+    options.targets = {};
+    options.passes = {"forward"};
+    options.keep_programs = true;
+    return compiler.compile_text("--model", material, options);
+}
+
+// What the surface does not have may be a property of the lighting graph; if that has none of the name either, the
+// surface's complaint tells more.
+Result compile(const Compiler& compiler, const ModelChoice& choice) {
+    Result first = compile(compiler, choice, choice.values, {});
+    Words surface, properties;
+    for (const auto& value : choice.values) {
+        const bool is_unknown =
+            std::any_of(first.diagnostics.begin(), first.diagnostics.end(), [&](const Diagnostic& d) {
+                return d.code == "unknown-surface-input" &&
+                       d.message.find("'" + value.first + "'") != std::string::npos;
+            });
+        (is_unknown ? properties : surface).push_back(value);
+    }
+    if (properties.empty()) return first;
+    Result second = compile(compiler, choice, surface, properties);
+    const bool is_unknown = std::any_of(second.diagnostics.begin(), second.diagnostics.end(),
+                                        [](const Diagnostic& d) { return d.code == "unknown-port"; });
+    return is_unknown ? first : second;
+}
+
+std::shared_ptr<const TextureData> even_cube(float value) {
+    TextureData data{.levels = {{.width = 1, .height = 1, .texels = std::vector<float>(24, value)}},
+                     .sampler = {.wrap = "clamp", .filter = "linear", .anisotropy = 1},
+                     .faces = 6};
+    return std::make_shared<const TextureData>(std::move(data));
+}
+
+std::shared_ptr<const TextureData> one_texel(std::array<float, 4> texel) {
+    TextureData data{.levels = {{.width = 1, .height = 1, .texels = {texel.begin(), texel.end()}}}, .sampler = {}};
+    return std::make_shared<const TextureData>(std::move(data));
+}
+
+// As textures.h has it: what a texture of the usage "color" holds is decoded.
+std::array<float, 4> texel_of(const Texture& texture) {
+    const float half = texture.usage == "color" ? 0.21404114f : 0.5f;  // ((0.5 + 0.055) / 1.055)^2.4
+    if (texture.default_value == "black") return {0, 0, 0, 1};
+    if (texture.default_value == "gray") return {half, half, half, 1};
+    if (texture.default_value == "bump") return {half, half, 1, 1};
+    return {1, 1, 1, 1};
+}
+
+}  // namespace
+
+std::optional<std::vector<double>> read_numbers(const std::string& word) {
+    std::vector<double> numbers;
+    const char* at = word.data();
+    const char* end = at + word.size();
+    while (at != end) {
+        if (std::isspace(static_cast<unsigned char>(*at)) || *at == ',' || *at == '[' || *at == ']') {
+            ++at;
+            continue;
+        }
+        double value = 0;
+        const auto [next, failure] = std::from_chars(at + (*at == '+' ? 1 : 0), end, value);
+        if (failure != std::errc() || !std::isfinite(value)) return {};
+        numbers.push_back(value);
+        at = next;
+    }
+    if (numbers.empty()) return {};
+    return numbers;
+}
+
+std::map<std::string, Triple*> named_inputs(ModelPoint& point, ModelLight& light) {
+    return {{"n", &point.n},
+            {"l", &point.l},
+            {"v", &point.v},
+            {"t", &point.t},
+            {"light", &light.light},
+            {"ambient", &light.ambient},
+            {"environment", &light.environment}};
+}
+
+struct Model::Impl {
+    std::vector<Diagnostic> diagnostics;
+    std::shared_ptr<const Program> program;
+    std::optional<Interpreter> stage;
+    std::shared_ptr<const TextureData> dark = even_cube(0), bright = even_cube(1);
+    bool reads_environment = false;
+
+    Triple run(const ModelPoint& point, const ModelLight& light, bool with_environment);
+};
+
+Model::Model(const Compiler& compiler, const ModelChoice& choice, Precision precision)
+    : impl_(std::make_unique<Impl>()) {
+    Result compiled = compile(compiler, choice);
+    impl_->diagnostics = std::move(compiled.diagnostics);
+    if (!compiled.ok) return;
+    impl_->program = std::move(compiled.program);
+    Interpreter& stage = impl_->stage.emplace(*impl_->program, "forward", Stage::Fragment, precision);
+    for (const Property& property : compiled.reflection.properties) {
+        stage.set_value(property.identifier, property.value);
+    }
+    for (const Texture& texture : compiled.reflection.textures) {
+        if (texture.is_material) stage.set_texture(texture.identifier, one_texel(texel_of(texture)));
+    }
+    for (const Pass& pass : compiled.reflection.passes) {
+        const auto reads = [&](std::string_view name) {
+            return std::find(pass.textures.begin(), pass.textures.end(), name) != pass.textures.end();
+        };
+        if (reads("split_sum_table")) stage.set_texture("split_sum_table", split_sum_table());
+        impl_->reads_environment = impl_->reads_environment || reads("environment_map");
+    }
+    stage.set_value("light_count", std::array{1.0});
+    stage.set_value("camera_forward_ws", std::array{0.0, 0.0, -1.0});
+}
+
+Model::~Model() = default;
+Model::Model(Model&&) noexcept = default;
+
+bool Model::ok() const {
+    return impl_->stage.has_value();
+}
+
+const std::vector<Diagnostic>& Model::diagnostics() const {
+    return impl_->diagnostics;
+}
+
+// The point is the world's origin; the camera stands where v points to.
+Triple Model::Impl::run(const ModelPoint& given, const ModelLight& light, bool with_environment) {
+    const auto four = [](const Triple& t) { return std::array{t[0], t[1], t[2], 0.0}; };
+    // Only the way that they point counts; the squares of very long and very short ones would not fit.
+    ModelPoint point = given;
+    for (Triple* direction : {&point.n, &point.l, &point.v, &point.t}) {
+        const double largest =
+            std::max({std::abs((*direction)[0]), std::abs((*direction)[1]), std::abs((*direction)[2])});
+        if (largest > 0 && (largest > 1e6 || largest < 1e-6))
+            for (double& component : *direction) component /= largest;
+    }
+    stage->set_value("camera_position_ws", point.v);
+    stage->set_value("light_position", four(point.l));  // w = 0: a direction
+    stage->set_value("light_color", four(light.light));
+    stage->set_value("light_axis", std::array{0.0, 0.0, -1.0, 0.0});
+    stage->set_value("light_cone", std::array{-1.0, -2.0, 0.0, 0.0});
+    const double mean = std::sqrt(4 * std::acos(-1.0));
+    stage->set_value("ambient_sh",
+                     std::array{light.ambient[0] * mean, light.ambient[1] * mean, light.ambient[2] * mean});
+    if (reads_environment) stage->set_texture("environment_map", with_environment ? bright : dark);
+
+    QuadInputs quad;
+    for (std::vector<double>& lane : quad.lanes) {
+        for (const StageValue& input : stage->inputs()) {
+            std::array<double, 4> value{};
+            if (input.name == "vertex_normal_ws") value = four(point.n);
+            if (input.name == "vertex_tangent_ws") value = {point.t[0], point.t[1], point.t[2], 1};
+            if (input.name == "front_facing") value[0] = 1;
+            lane.insert(lane.end(), value.begin(), value.begin() + input.components);
+        }
+    }
+    const QuadOutputs outputs = stage->run(quad);
+    return {outputs.lanes[0][0], outputs.lanes[0][1], outputs.lanes[0][2]};
+}
+
+Triple Model::direct(const ModelPoint& point) {
+    return color(point, {});
+}
+
+Triple Model::color(const ModelPoint& point, const ModelLight& light) {
+    Triple sum = impl_->run(point, light, false);
+    if (light.environment == Triple{} || !impl_->reads_environment) return sum;
+    // Texels hold floats: what an environment of 1 adds is scaled afterwards.
+    const Triple lit = impl_->run(point, light, true);
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += (lit[c] - sum[c]) * light.environment[c];
+    return sum;
+}
+
+}  // namespace patina::runtime

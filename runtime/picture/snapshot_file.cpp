@@ -1,0 +1,321 @@
+#include "runtime/picture/snapshot_file.h"
+
+#include <fmt/format.h>
+#include <rapidjson/error/en.h>
+#include <rapidjson/reader.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <vector>
+
+namespace patina::runtime {
+namespace {
+
+constexpr std::uintmax_t kLargestFile = 1 << 20;  // bytes
+constexpr std::string_view kEnding = ".snapshot.json";
+
+// A part of the text, in bytes.
+struct Place {
+    std::size_t begin = 0, end = 0;
+};
+
+// What is wrong, for a diagnostic. No message: nothing.
+struct Problem {
+    std::string message{};
+    const char* code = "bad-snapshot";
+    std::string hint{};
+
+    explicit operator bool() const { return !message.empty(); }
+};
+
+// One value of the file, with the keys that lead to it: "mesh", "set/_Roughness". Elements of an array are entries with
+// the same path, and an empty array is one entry of its own.
+struct Entry {
+    enum class Kind { Text, Number, Bool, EmptyArray } kind = Kind::Text;
+    std::string path;
+    std::string text;  // a string's content, a number as written, true or false
+    Place key{};       // that it stands at
+    bool in_array = false;
+};
+
+// Flattens the file as the parser walks it.
+struct Flattener : rapidjson::BaseReaderHandler<rapidjson::UTF8<>, Flattener> {
+    struct Level {
+        std::string prefix;  // of the paths within: "" or "set/"
+        bool is_array = false;
+    };
+    const rapidjson::StringStream& stream;
+    std::vector<Level> levels{};
+    std::vector<Entry> entries{};
+    std::string path{};
+    Place key{};
+    std::set<std::string> seen{};
+    Problem problem{};  // stops the parser, at `key`
+
+    explicit Flattener(const rapidjson::StringStream& from) : stream(from) {}
+
+    bool fail(std::string why, const char* code = Problem{}.code) {
+        problem = {.message = std::move(why), .code = code};
+        return false;
+    }
+    bool add(Entry::Kind kind, std::string value) {
+        if (levels.empty()) return fail("a snapshot is an object: { \"patina\": 1, ... }");
+        entries.push_back(
+            {.kind = kind, .path = path, .text = std::move(value), .key = key, .in_array = levels.back().is_array});
+        return true;
+    }
+
+    bool Null() { return fail("null means nothing here: leave the key out"); }
+    bool Bool(bool value) { return add(Entry::Kind::Bool, value ? "true" : "false"); }
+    bool RawNumber(const char* digits, rapidjson::SizeType length, bool) {
+        return add(Entry::Kind::Number, std::string(digits, length));
+    }
+    bool String(const char* characters, rapidjson::SizeType length, bool) {
+        return add(Entry::Kind::Text, std::string(characters, length));
+    }
+    bool Key(const char* characters, rapidjson::SizeType length, bool) {
+        // The opening quote: the reader parses strings in a copy of the stream.
+        key = {.begin = stream.Tell(), .end = stream.Tell() + length + 2};
+        path = levels.back().prefix + std::string(characters, length);
+        return seen.insert(path).second || fail("the key '" + path + "' is here twice", "duplicate-key");
+    }
+    bool StartObject() {
+        if (levels.size() >= 2 || (!levels.empty() && levels.back().is_array))
+            return fail("an object cannot stand here");
+        levels.push_back({.prefix = levels.empty() ? "" : path + "/"});
+        return true;
+    }
+    bool EndObject(rapidjson::SizeType) {
+        levels.pop_back();
+        return true;
+    }
+    bool StartArray() {
+        if (levels.empty() || levels.back().is_array) return fail("an array cannot stand here");
+        levels.push_back({.prefix = levels.back().prefix, .is_array = true});
+        return true;
+    }
+    bool EndArray(rapidjson::SizeType count) {
+        levels.pop_back();
+        return count > 0 || add(Entry::Kind::EmptyArray, "");
+    }
+};
+
+Diagnostic located(const Problem& problem, const std::string& path, std::string_view text, Place place) {
+    Diagnostic diagnostic;
+    diagnostic.code = problem.code;
+    diagnostic.message = problem.message;
+    diagnostic.file = path;
+    std::string_view before = text.substr(0, place.begin);
+    const std::size_t line_begin = before.rfind('\n') + 1;  // npos + 1 is 0
+    const std::size_t line_end = std::min(text.find('\n', place.begin), text.size());
+    diagnostic.line = diagnostic.end_line = int(std::count(before.begin(), before.end(), '\n')) + 1;
+    diagnostic.column = int(place.begin - line_begin) + 1;
+    diagnostic.end_column = int(std::min(place.end, line_end) - line_begin) + 1;
+    constexpr std::size_t kMaxLine = 1u << 16;  // as in the compiler's own diagnostics
+    if (line_end - line_begin <= kMaxLine) diagnostic.source_line = text.substr(line_begin, line_end - line_begin);
+    if (!problem.hint.empty()) {
+        Diagnostic& note = diagnostic.notes.emplace_back();
+        note.severity = Severity::Note;
+        note.message = problem.hint;
+    }
+    return diagnostic;
+}
+
+Diagnostic unreadable(const std::string& path, const std::string& why) {
+    Diagnostic diagnostic;
+    diagnostic.code = "cannot-read";
+    diagnostic.message = "cannot read '" + path + "': " + why;
+    diagnostic.file = path;
+    return diagnostic;
+}
+
+// RapidJSON's own words, as a part of a sentence.
+std::string json_reason(rapidjson::ParseErrorCode code) {
+    std::string text = rapidjson::GetParseError_En(code);
+    if (text.ends_with('.')) text.pop_back();
+    return text;
+}
+
+// --- what the keys mean
+
+struct TextKey {
+    std::string_view path;
+    std::string RenderRequest::*member;
+};
+constexpr TextKey kTextKeys[] = {
+    {"graph", &RenderRequest::graph},     {"mesh", &RenderRequest::mesh},    {"camera", &RenderRequest::camera},
+    {"ambient", &RenderRequest::ambient}, {"node", &RenderRequest::preview}, {"via", &RenderRequest::via},
+    {"path", &RenderRequest::path},
+};
+struct WholeKey {
+    std::string_view path;
+    int RenderRequest::*member;
+    int highest;
+};
+constexpr WholeKey kWholeKeys[] = {{"size", &RenderRequest::size, 4096}, {"samples", &RenderRequest::samples, 16}};
+struct ToleranceKey {
+    std::string_view path;
+    double Tolerance::*member;
+};
+constexpr ToleranceKey kToleranceKeys[] = {{"tolerance/pixel", &Tolerance::pixel},
+                                           {"tolerance/share", &Tolerance::share},
+                                           {"tolerance/average", &Tolerance::average}};
+
+template <class Table>
+auto* find_key(const Table& table, std::string_view path) {
+    auto found = std::find_if(std::begin(table), std::end(table), [&](const auto& key) { return key.path == path; });
+    return found == std::end(table) ? nullptr : found;
+}
+
+Problem unknown_key(const std::string& path) {
+    std::vector<std::string> known = {"patina", "time", "lights", "set", "tolerance"};
+    for (const TextKey& key : kTextKeys) known.emplace_back(key.path);
+    for (const WholeKey& key : kWholeKeys) known.emplace_back(key.path);
+    const std::size_t slash = path.find('/');
+    if (path.starts_with("tolerance/")) {
+        known.clear();
+        for (const ToleranceKey& key : kToleranceKeys) known.emplace_back(key.path.substr(slash + 1));
+    }
+    const std::string key = path.starts_with("tolerance/") ? path.substr(slash + 1) : path;
+    return {.message = fmt::format("unknown key '{}' in {}", key, key == path ? "a snapshot" : "a tolerance"),
+            .code = "unknown-key",
+            .hint = suggestion(key, known)};
+}
+
+bool read_number(const Entry& entry, double& value) {
+    const char* end = entry.text.data() + entry.text.size();
+    auto [next, error] = std::from_chars(entry.text.data(), end, value);
+    return entry.kind == Entry::Kind::Number && error == std::errc{} && next == end && std::isfinite(value);
+}
+
+// A property's value, in the words of the command line; the numbers of an array are joined with commas.
+Problem add_override(const Entry& entry, const std::filesystem::path& folder, RenderRequest& request) {
+    if (entry.kind == Entry::Kind::EmptyArray) return {"an empty array is no value"};
+    if (entry.in_array && entry.kind != Entry::Kind::Number) return {"an array here holds numbers only"};
+    std::string name = entry.path.substr(std::string_view("set/").size());
+    std::string value = entry.text;
+    std::error_code ignored;
+    if (entry.kind == Entry::Kind::Text && std::filesystem::is_regular_file(folder / value, ignored))
+        value = (folder / value).string();
+    std::string& target = request.overrides[name];
+    target += (target.empty() ? "" : ",") + value;
+    return {};
+}
+
+Problem wrong_unless(bool good, std::string message) {
+    return good ? Problem{} : Problem{std::move(message)};
+}
+
+Problem apply(const Entry& entry, const std::filesystem::path& folder, SnapshotFile& file) {
+    RenderRequest& request = file.request;
+    if (entry.path == "lights") {
+        if (entry.kind == Entry::Kind::EmptyArray) request.lights = {"none"};
+        if (entry.kind == Entry::Kind::Text) request.lights.push_back(entry.text);
+        bool good = entry.kind == Entry::Kind::EmptyArray || entry.kind == Entry::Kind::Text;
+        return wrong_unless(good, "a light is a text, like \"point position=1,2,0 range=5\"");
+    }
+    if (entry.path.starts_with("set/")) return add_override(entry, folder, request);
+    if (entry.in_array || entry.kind == Entry::Kind::EmptyArray) return {"an array cannot stand here"};
+    if (entry.path == "$schema") return {};
+
+    if (const TextKey* key = find_key(kTextKeys, entry.path)) {
+        if (entry.kind == Entry::Kind::Bool) return {"'" + entry.path + "' must be a text"};
+        request.*key->member = entry.text;
+        return {};
+    }
+    double value = 0;
+    bool is_number = read_number(entry, value);
+    if (entry.path == "patina") return wrong_unless(is_number && value == 1, "this reads version 1: \"patina\": 1");
+    if (entry.path == "time") {
+        request.time = value;
+        return wrong_unless(is_number && is_time(value), "'time' must be a number of seconds that a float can hold");
+    }
+    if (const WholeKey* key = find_key(kWholeKeys, entry.path)) {
+        if (!is_number || value != std::floor(value) || value < 1 || value > key->highest)
+            return {fmt::format("'{}' must be a whole number from 1 to {}", key->path, key->highest)};
+        request.*key->member = int(value);
+        return {};
+    }
+    if (const ToleranceKey* key = find_key(kToleranceKeys, entry.path)) {
+        if (!is_number || value < 0 || value > 1) return {fmt::format("'{}' must be between 0 and 1", key->path)};
+        file.tolerance.*key->member = value;
+        return {};
+    }
+    return unknown_key(entry.path);
+}
+
+// NAME.graph.json; a scene where there is no such graph.
+std::string default_graph(const std::filesystem::path& folder, const std::string& stem) {
+    std::error_code ignored;
+    const std::string graph = stem + ".graph.json", scene = stem + ".scene.json";
+    const auto is_there = [&](const std::string& name) { return std::filesystem::exists(folder / name, ignored); };
+    return !is_there(graph) && is_there(scene) ? scene : graph;
+}
+
+// The text, or why there is none.
+Outcome<std::string> read_text(const std::string& path) {
+    std::error_code error;
+    std::uintmax_t size = std::filesystem::file_size(path, error);
+    if (error) return Failure{error.message()};
+    if (size > kLargestFile) return Failure{fmt::format("it has {} bytes, too many for a snapshot", size)};
+    std::ifstream file(path, std::ios::binary);
+    std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    if (!file.good() && !file.eof()) return Failure{"its bytes do not come"};
+    return text;
+}
+
+}  // namespace
+
+ReadSnapshot read_snapshot(const std::string& path) {
+    Outcome<std::string> text = read_text(path);
+    if (!text) return {.file = {}, .error = unreadable(path, text.error)};
+    const auto wrong = [&](const Problem& problem, Place place) {
+        return ReadSnapshot{.file = {}, .error = located(problem, path, text.value, place)};
+    };
+    rapidjson::StringStream stream(text.value.c_str());
+    Flattener flat(stream);
+    // Iterative, so that nesting cannot overflow the stack.
+    constexpr unsigned kFlags = rapidjson::kParseIterativeFlag | rapidjson::kParseCommentsFlag |
+                                rapidjson::kParseTrailingCommasFlag | rapidjson::kParseNumbersAsStringsFlag |
+                                rapidjson::kParseValidateEncodingFlag;
+    rapidjson::Reader reader;
+    rapidjson::ParseResult parsed = reader.Parse<kFlags>(stream, flat);
+    if (flat.problem) return wrong(flat.problem, flat.key);
+    if (!parsed)
+        return wrong({.message = "broken JSON: " + json_reason(parsed.Code()), .code = "bad-json"},
+                     {.begin = parsed.Offset(), .end = parsed.Offset()});
+
+    std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    SnapshotFile file{.request = {.size = 128, .samples = 2}};
+    for (const Entry& entry : flat.entries)
+        if (Problem problem = apply(entry, folder, file)) return wrong(problem, entry.key);
+    if (!flat.seen.contains("patina"))
+        return wrong({.message = "the key \"patina\": 1 is missing", .code = "missing-key"}, {});
+
+    std::string stem = std::filesystem::path(path).filename().string();
+    if (stem.ends_with(kEnding)) stem.resize(stem.size() - kEnding.size());
+    RenderRequest& request = file.request;
+    if (request.graph.empty()) request.graph = default_graph(folder, stem);
+    request.graph = (folder / request.graph).string();
+    if (request.path.ends_with(".hlsl")) request.path = (folder / request.path).string();
+    ReadSnapshot read{.file = std::move(file), .error = {}};
+    read.path_place.file = path;
+    for (const Entry& entry : flat.entries) {
+        if (entry.path != "path") continue;
+        const Diagnostic at = located({}, path, text.value, entry.key);
+        read.path_place = {.file = path,
+                           .line = at.line,
+                           .column = at.column,
+                           .end_line = at.end_line,
+                           .end_column = at.end_column,
+                           .source_line = at.source_line};
+    }
+    return read;
+}
+
+}  // namespace patina::runtime

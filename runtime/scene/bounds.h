@@ -1,0 +1,31 @@
+// Spheres that hold objects: all that lights, shadow maps and the order of drawing need to know of a shape.
+//
+//   Sphere sphere = world_bounds(*object.mesh, object.object_to_world);
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "patina/reflection.h"
+#include "runtime/scene/mesh.h"
+
+namespace patina::runtime {
+
+struct Sphere {
+    glm::vec3 center{0};  // world space, metres
+    float radius = 0;
+};
+
+// Points that span all of what is drawn, in object space: the mesh's vertices or, where a material says how far it
+// moves them, the corners of that box. No vertices: the origin.
+std::vector<glm::vec3> bounding_points(const Mesh& mesh, const std::optional<Bounds>& bounds = {});
+
+// Holds all of these points; centred on the middle of their box, so it need not be the smallest.
+Sphere world_bounds(const Mesh& mesh, const glm::mat4& object_to_world, const std::optional<Bounds>& bounds = {});
+
+// Holds all of them, centred on the middle of their box. None: a point at the origin.
+Sphere bounds_of(std::span<const Sphere> spheres);
+
+}  // namespace patina::runtime

@@ -1,0 +1,70 @@
+#include "runtime/scene/scene.h"
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+#include <numbers>
+
+namespace patina::runtime {
+std::vector<Light> default_lights() {
+    return {
+        {.direction = {-0.6f, 0.8f, 0.8f}, .color = glm::vec3(0.95f, 0.92f, 0.88f)},
+        {.direction = {0.9f, 0.1f, 0.5f}, .color = glm::vec3(0.10f, 0.12f, 0.16f)},
+        {.direction = {0.5f, 0.5f, -0.8f}, .color = glm::vec3(0.35f)},
+    };
+}
+
+Camera default_camera(std::string_view mesh) {
+    // A cube shows three faces and a torus its roundness; the others are met head-on, so that pictures compare easily.
+    glm::vec3 towards_camera(0, 0, 1);
+    if (mesh == "cube") towards_camera = {0.65f, 0.55f, 1};
+    if (mesh == "torus") towards_camera = {0.25f, 0.45f, 1};
+    std::optional<Mesh> made = make_mesh(mesh);
+    float radius = made ? bounding_radius(*made) : 1;
+    // A square that faces the camera is framed by its sides: a circle around it would leave room to spare.
+    if (mesh == "plane") radius /= std::numbers::sqrt2_v<float>;
+
+    Camera camera;
+    float margin = 1.12f;
+    camera.position = glm::normalize(towards_camera) * (margin * radius / std::sin(glm::radians(camera.fov) / 2));
+    return camera;
+}
+
+bool is_time(double seconds) {
+    return std::abs(seconds) <= double(std::numeric_limits<float>::max());  // false for NaN
+}
+
+Scene default_scene(std::string_view mesh) {
+    return {.mesh = make_mesh(mesh).value_or(Mesh{}),
+            .camera = default_camera(mesh),
+            .lights = default_lights(),
+            .ambient = studio_environment()->ambient(),
+            .environment = studio_environment()};
+}
+
+Scene fullscreen_scene(int width, int height) {
+    return {.mesh = make_fullscreen(),
+            .camera = {.clip_space = true},
+            .width = width,
+            .height = height,
+            .background = glm::vec4(0)};
+}
+
+glm::mat4 world_to_view(const Camera& camera) {
+    if (camera.clip_space) return glm::mat4(1);
+    glm::vec3 forward = camera.target - camera.position;
+    // Straight up or down, "up" is the way that was forward.
+    bool vertical = forward.x == 0 && forward.z == 0;
+    return glm::lookAtRH(camera.position, camera.target, vertical ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0));
+}
+
+glm::mat4 view_to_clip(const Camera& camera, float aspect) {
+    if (camera.clip_space) return glm::mat4(1);
+    if (camera.orthographic_height) {
+        float half = *camera.orthographic_height / 2;
+        return glm::orthoRH_ZO(-half * aspect, half * aspect, -half, half, camera.near_plane, camera.far_plane);
+    }
+    return glm::perspectiveRH_ZO(glm::radians(camera.fov), aspect, camera.near_plane, camera.far_plane);
+}
+
+}  // namespace patina::runtime

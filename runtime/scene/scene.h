@@ -1,0 +1,112 @@
+// What a material is looked at with: mesh, camera, lights, ambient light, time and the size of the picture. Plain data
+// with good defaults; it knows no material. scene_text.h reads its parts from the words of the command line.
+//
+//   Scene scene = default_scene("sphere");
+//   scene.lights = {{.color = glm::vec3(2)}};
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "patina/interpret.h"
+#include "runtime/lighting/environment.h"
+#include "runtime/scene/mesh.h"
+
+namespace patina::runtime {
+
+struct Camera {
+    glm::vec3 position{0, 0, 4};
+    glm::vec3 target{0};
+    float fov = 30;                              // degrees, vertical
+    std::optional<float> orthographic_height{};  // world units; set: parallel projection
+    bool clip_space = false;                     // positions are clip space already; all matrices are identity
+    float near_plane = 0.05f, far_plane = 100;
+};
+
+enum class LightKind { Directional, Point, Spot };
+
+// What a rendering path that cannot compute every light per pixel does with this one.
+enum class LightImportance { Auto, Important, NotImportant };
+
+struct LightShadow {
+    bool casts = false;
+    float strength = 1;        // 0 to 1: how dark
+    float bias = 0.05f;        // metres along the light's direction
+    float normal_bias = 0.4f;  // texels of the shadow map that a surface is shrunk by, along its normal
+};
+
+struct Light {
+    LightKind kind = LightKind::Directional;
+    glm::vec3 position{0, 2, 2};        // point and spot
+    glm::vec3 direction{-0.5, 0.7, 1};  // directional: towards the light. Spot: where it points. Any length but 0
+    glm::vec3 color{1};                 // linear, times intensity; E / pi: what a white Lambert surface sends out
+    float range = 10;                   // metres; no light beyond
+    float inner_angle = 20, outer_angle = 30;  // degrees from a spot's axis: full light within, none outside
+    LightImportance importance = LightImportance::Auto;
+    LightShadow shadow{};
+    std::shared_ptr<const TextureData> cookie{};  // what the light shines through: its red; null: nothing
+    float cookie_size = 10;  // metres that a directional light's cookie spans; a spot's fills its cone
+};
+
+enum class FogMode { None, Linear, Exponential, ExponentialSquared };
+
+struct Fog {
+    FogMode mode = FogMode::None;
+    glm::vec3 color{0.5f};      // linear
+    float density = 0.05f;      // exponential: per metre
+    float start = 5, end = 50;  // linear: metres
+};
+
+// What shadows and lightmaps that were baked do beside the shadows of moving objects.
+enum class LightMixing {
+    ShadowMask,          // the darker of both
+    DistanceShadowMask,  // baked shadows where real-time ones have faded
+    Subtractive          // lightmaps hold the main light, too
+};
+
+struct MixedLighting {
+    LightMixing mode = LightMixing::ShadowMask;
+    glm::vec3 shadow_color{0};               // subtractive: linear; no shadow darkens a lightmap below it
+    std::optional<float> shadow_distance{};  // metres along the camera's axis; no real-time shadow beyond
+    std::optional<float> shadow_fade{};      // metres before it over which they fade; nothing: a fifth of it
+};
+
+inline constexpr std::size_t kMostLights = 16;
+
+// A number of seconds that a shader's float can hold.
+bool is_time(double seconds);
+
+struct Scene {
+    Mesh mesh{};
+    glm::mat4 object_to_world{1};
+    Camera camera{};
+    std::vector<Light> lights{};                       // at most kMostLights
+    SphericalHarmonics ambient{};                      // what is around, for diffuse light
+    std::shared_ptr<const Environment> environment{};  // the same for mirrors; null: what `ambient` says
+    Fog fog{};
+    MixedLighting mixed_lighting{};
+    float time = 0;  // seconds
+    int width = 512, height = 512;
+    int samples = 1;                                // per pixel along each axis: 4 averages 16
+    glm::vec4 background{0.03f, 0.03f, 0.032f, 1};  // linear
+};
+
+// The studio that `patina render` uses: a key light from the upper left front, a weak cool fill, a rim, the studio
+// environment, and a camera that frames the mesh. An unknown mesh name gives a scene without triangles: ask
+// mesh_names() first.
+Scene default_scene(std::string_view mesh);
+std::vector<Light> default_lights();
+Camera default_camera(std::string_view mesh);
+
+// Width by height pixels of one quad, straight from clip space, unlit, one sample a pixel, on transparent black.
+Scene fullscreen_scene(int width, int height);
+
+glm::mat4 world_to_view(const Camera& camera);
+// Right-handed view space, clip space with y up and depth 0 (near) to 1 (far).
+glm::mat4 view_to_clip(const Camera& camera, float aspect);
+
+}  // namespace patina::runtime

@@ -1,0 +1,59 @@
+// Several objects, each with a material, seen together: what a scene file (patina/scene.h) says, with its meshes made
+// and its numbers turned into matrices. Which shaders draw it, and in which order, is frame_plan.h.
+//
+//   World world{.view = default_scene(""), .materials = {{.name = "rust", .graph = "rust.graph.json"}},
+//               .objects = {{.name = "ball", .mesh = sphere, .material = 0}}};
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "patina/scene.h"
+#include "runtime/scene/scene.h"
+
+namespace patina::runtime {
+
+struct WorldMaterial {
+    std::string name{};
+    std::string graph{};                             // a file
+    std::map<std::string, std::string> overrides{};  // property -> its value in words, as material_values() takes them
+    ScenePlace place{};                              // where a scene file says so; its file is empty if none does
+    std::vector<SceneValue> set{};                   // the overrides as it says them, with their places
+};
+
+// How the texels of a lightmap hold light. Pictures of 8 bits a channel are decoded from sRGB first.
+enum class LightmapEncoding {
+    Hdr,       // as it is
+    Rgbm,      // with a factor in alpha; up to 5 in gamma space
+    DoubleLdr  // half of it; up to 2 in gamma space
+};
+
+// One of an object's places. A material with properties of instances draws all of an object's in one draw.
+struct WorldInstance {
+    glm::mat4 object_to_world{1};
+    std::map<std::string, std::string> overrides{};  // of properties that each instance has, as WorldMaterial's
+    std::vector<SceneValue> set{};                   // the same with their places
+};
+
+struct WorldObject {
+    std::string name{};
+    std::shared_ptr<const Mesh> mesh{};
+    glm::mat4 object_to_world{1};
+    std::vector<WorldInstance> instances{};  // none: one at `object_to_world`, which else is not used
+    std::size_t material = 0;                // index into World::materials
+    std::string lightmap{};  // a file: baked light, looked up by the mesh's second texture coordinates; empty: none
+    LightmapEncoding lightmap_encoding = LightmapEncoding::Hdr;
+    std::string shadow_mask{};  // a file: baked shadow of each of four lights; empty: none
+    ScenePlace lightmap_place{}, shadow_mask_place{};
+};
+
+struct World {
+    Scene view{};  // camera, lights, surroundings, fog, time, size; its mesh and its object_to_world are unused
+    std::vector<WorldMaterial> materials{};
+    std::vector<WorldObject> objects{};
+    int pixel_light_count = 4;  // per pixel where a path splits lights (light_split.h), the main one among them
+};
+
+}  // namespace patina::runtime

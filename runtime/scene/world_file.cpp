@@ -1,0 +1,260 @@
+#include "runtime/scene/world_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
+#include <utility>
+
+#include "runtime/scene/scene_text.h"
+#include "runtime/values/textures.h"
+#include "runtime/scene/view.h"
+
+namespace patina::runtime {
+namespace {
+
+glm::vec3 vector(const SceneVector& v) {
+    return {float(v[0]), float(v[1]), float(v[2])};
+}
+
+std::optional<glm::vec3> vector(const std::optional<SceneVector>& v) {
+    return v ? std::optional(vector(*v)) : std::nullopt;
+}
+
+std::optional<float> number(std::optional<double> value) {
+    return value ? std::optional(float(*value)) : std::nullopt;
+}
+
+// --- the view
+
+Camera make_camera(const SceneCamera& camera) {
+    return {.position = vector(camera.position),
+            .target = vector(camera.target),
+            .fov = float(camera.fov),
+            .orthographic_height = number(camera.orthographic),
+            .near_plane = float(camera.near_plane),
+            .far_plane = float(camera.far_plane)};
+}
+
+LightKind kind_of(SceneLightType type) {
+    switch (type) {
+        case SceneLightType::Directional: return LightKind::Directional;
+        case SceneLightType::Point: return LightKind::Point;
+        case SceneLightType::Spot: return LightKind::Spot;
+    }
+    return LightKind::Directional;
+}
+
+LightImportance importance_of(SceneRenderMode mode) {
+    switch (mode) {
+        case SceneRenderMode::Auto: return LightImportance::Auto;
+        case SceneRenderMode::Important: return LightImportance::Important;
+        case SceneRenderMode::NotImportant: return LightImportance::NotImportant;
+    }
+    return LightImportance::Auto;
+}
+
+FogMode mode_of(SceneFogMode mode) {
+    switch (mode) {
+        case SceneFogMode::Linear: return FogMode::Linear;
+        case SceneFogMode::Exponential: return FogMode::Exponential;
+        case SceneFogMode::ExponentialSquared: return FogMode::ExponentialSquared;
+    }
+    return FogMode::None;
+}
+
+LightMixing mixing_of(SceneMixing mode) {
+    switch (mode) {
+        case SceneMixing::ShadowMask: return LightMixing::ShadowMask;
+        case SceneMixing::DistanceShadowMask: return LightMixing::DistanceShadowMask;
+        case SceneMixing::Subtractive: return LightMixing::Subtractive;
+    }
+    return LightMixing::ShadowMask;
+}
+
+LightmapEncoding encoding_of(SceneLightmapEncoding encoding) {
+    switch (encoding) {
+        case SceneLightmapEncoding::Hdr: return LightmapEncoding::Hdr;
+        case SceneLightmapEncoding::Rgbm: return LightmapEncoding::Rgbm;
+        case SceneLightmapEncoding::DoubleLdr: return LightmapEncoding::DoubleLdr;
+    }
+    return LightmapEncoding::Hdr;
+}
+
+// The file's own numbers, as a mask is: nothing is decoded. A directional light repeats it, a spot light ends with it.
+Outcome<std::shared_ptr<const TextureData>> load_cookie(const SceneLight& light) {
+    Outcome<Image> image = load_image(light.cookie.path);
+    if (!image) return Failure{std::move(image.error)};
+    TextureData data{.levels = mip_chain(image.value), .sampler = {}};
+    data.sampler.wrap = light.type == SceneLightType::Directional ? "repeat" : "clamp";
+    return std::make_shared<const TextureData>(std::move(data));
+}
+
+Diagnostic cut_shadow(const SceneLight& light, float outer) {
+    Diagnostic diagnostic = diagnostic_at(
+        light.place, "cut-shadow",
+        fmt::format(
+            "the shadow of this spot ends {} degrees from its axis, which is all that a shadow map holds; beyond, "
+            "up to its 'outer' of {}, everything is lit",
+            kWidestSpot, outer));
+    diagnostic.severity = Severity::Warning;
+    return diagnostic;
+}
+
+Light make_light(const SceneLight& light, WorldFile& file) {
+    // However short or long: its largest component becomes 1 first, which the square of a length can take.
+    const glm::dvec3 given(light.direction[0], light.direction[1], light.direction[2]);
+    const glm::dvec3 sizes = glm::abs(given);
+    const glm::dvec3 direction = given / std::max({sizes.x, sizes.y, sizes.z});
+    Light made{.kind = kind_of(light.type),
+               .position = vector(light.position),
+               .direction = glm::vec3(glm::normalize(direction)),
+               .color = vector(light.color) * float(light.intensity),
+               .range = float(light.range),
+               .importance = importance_of(light.render_mode),
+               .cookie_size = float(light.cookie_size)};
+    if (light.type == SceneLightType::Spot) set_cone(made, number(light.inner), number(light.outer));
+    if (light.shadow) {
+        made.shadow = {.casts = true,
+                       .strength = float(light.shadow->strength),
+                       .bias = float(light.shadow->bias),
+                       .normal_bias = float(light.shadow->normal_bias)};
+        if (made.kind == LightKind::Spot && made.outer_angle > kWidestSpot)
+            file.diagnostics.push_back(cut_shadow(light, made.outer_angle));
+    }
+    if (light.cookie.path.empty()) return made;
+    Outcome<std::shared_ptr<const TextureData>> cookie = load_cookie(light);
+    if (cookie) {
+        made.cookie = std::move(cookie.value);
+        file.dependencies.push_back(light.cookie.path);
+    } else {
+        file.diagnostics.push_back(diagnostic_at(light.cookie.place, "bad-texture", cookie.error));
+    }
+    return made;
+}
+
+void set_surroundings(Scene& view, const SceneFile& scene) {
+    view.ambient = scene.ambient ? ambient_of(vector(scene.ambient->sky), vector(scene.ambient->horizon),
+                                              vector(scene.ambient->ground))
+                                 : studio_environment()->ambient();
+    if (scene.environment == SceneEnvironment::Studio) view.environment = studio_environment();
+    if (scene.fog) {
+        view.fog = {.mode = mode_of(scene.fog->mode),
+                    .color = vector(scene.fog->color),
+                    .density = float(scene.fog->density),
+                    .start = float(scene.fog->start),
+                    .end = float(scene.fog->end)};
+    }
+    view.mixed_lighting = {.mode = mixing_of(scene.mixed_lighting.mode),
+                           .shadow_color = vector(scene.mixed_lighting.shadow_color),
+                           .shadow_distance = number(scene.mixed_lighting.shadow_distance),
+                           .shadow_fade = number(scene.mixed_lighting.shadow_fade)};
+    if (scene.background) {
+        const std::array<double, 4>& color = *scene.background;
+        view.background = {float(color[0]), float(color[1]), float(color[2]), float(color[3])};
+    }
+}
+
+// --- objects
+
+template <class Placed>
+glm::dmat4 make_transform(const Placed& object) {
+    const auto turned = [](glm::dmat4 matrix, double degrees, glm::dvec3 axis) {
+        return glm::rotate(matrix, glm::radians(degrees), axis);
+    };
+    const auto exact = [](const SceneVector& v) { return glm::dvec3(v[0], v[1], v[2]); };
+    // Read from the bottom: scaled, turned about z, x and y, moved.
+    glm::dmat4 matrix = glm::translate(glm::dmat4(1), exact(object.position));
+    matrix = turned(matrix, object.rotation[1], {0, 1, 0});
+    matrix = turned(matrix, object.rotation[0], {1, 0, 0});
+    matrix = turned(matrix, object.rotation[2], {0, 0, 1});
+    return glm::scale(matrix, exact(object.scale));
+}
+
+std::vector<WorldInstance> make_instances(const SceneObject& object) {
+    std::vector<WorldInstance> instances;
+    const glm::dmat4 place = make_transform(object);
+    for (const SceneInstance& instance : object.instances) {
+        WorldInstance& made = instances.emplace_back();
+        made.object_to_world = glm::mat4(place * make_transform(instance));
+        made.set = instance.set;
+        for (const SceneValue& value : instance.set) made.overrides[value.property] = value.words;
+    }
+    return instances;
+}
+
+// One mesh for all objects that are alike.
+class Meshes {
+public:
+    // Null if there is no such mesh.
+    std::shared_ptr<const Mesh> get(const std::string& name, int segments) {
+        const auto [found, is_new] = made_.try_emplace({name, segments});
+        if (is_new) {
+            std::optional<Mesh> mesh = make_mesh(name, segments);
+            if (mesh) found->second = std::make_shared<const Mesh>(std::move(*mesh));
+        }
+        return found->second;
+    }
+
+private:
+    std::map<std::pair<std::string, int>, std::shared_ptr<const Mesh>> made_;
+};
+
+Diagnostic unknown_mesh(const SceneObject& object) {
+    Diagnostic diagnostic = diagnostic_at(object.mesh_place, "unknown-name", "there is no mesh '" + object.mesh + "'");
+    Diagnostic& note = diagnostic.notes.emplace_back();
+    note.severity = Severity::Note;
+    note.message = suggestion(object.mesh, {mesh_names().begin(), mesh_names().end()});
+    return diagnostic;
+}
+
+}  // namespace
+
+WorldFile make_world(const SceneFile& scene) {
+    WorldFile file;
+    World& world = file.world;
+    world.view.camera = make_camera(scene.camera);
+    for (const SceneLight& light : scene.lights) world.view.lights.push_back(make_light(light, file));
+    set_surroundings(world.view, scene);
+    world.view.time = float(scene.time);
+    world.pixel_light_count = scene.pixel_light_count;
+    for (const SceneMaterial& material : scene.materials) {
+        WorldMaterial& made = world.materials.emplace_back();
+        made.name = material.name;
+        made.graph = material.graph.path;
+        made.place = material.place;
+        made.set = material.set;
+        for (const SceneValue& value : material.set) made.overrides[value.property] = value.words;
+    }
+    Meshes meshes;
+    for (const SceneObject& object : scene.objects) {
+        std::shared_ptr<const Mesh> mesh = meshes.get(object.mesh, object.segments.value_or(0));
+        if (!mesh) file.diagnostics.push_back(unknown_mesh(object));
+        world.objects.push_back({.name = object.id,
+                                 .mesh = std::move(mesh),
+                                 .object_to_world = glm::mat4(make_transform(object)),
+                                 .instances = make_instances(object),
+                                 .material = object.material,
+                                 .lightmap = object.lightmap.path,
+                                 .lightmap_encoding = encoding_of(object.lightmap_encoding),
+                                 .shadow_mask = object.shadow_mask.path,
+                                 .lightmap_place = object.lightmap.place,
+                                 .shadow_mask_place = object.shadow_mask.place});
+    }
+    file.ok = std::none_of(file.diagnostics.begin(), file.diagnostics.end(),
+                           [](const Diagnostic& diagnostic) { return diagnostic.severity == Severity::Error; });
+    return file;
+}
+
+WorldFile read_world(const Compiler& compiler, const std::string& path, const CompileOptions& options) {
+    SceneResult read = compiler.read_scene(path, options);
+    if (!read.ok) {
+        return {.diagnostics = std::move(read.diagnostics), .dependencies = std::move(read.dependencies)};
+    }
+    WorldFile file = make_world(read.scene);
+    file.diagnostics.insert(file.diagnostics.begin(), read.diagnostics.begin(), read.diagnostics.end());
+    file.dependencies.insert(file.dependencies.begin(), read.dependencies.begin(), read.dependencies.end());
+    return file;
+}
+
+}  // namespace patina::runtime

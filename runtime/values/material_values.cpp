@@ -1,0 +1,299 @@
+#include "runtime/values/material_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <optional>
+
+#include "patina/patina.h"
+#include "runtime/values/engine_values.h"
+#include "runtime/scene/scene_text.h"
+
+namespace patina::runtime {
+namespace {
+
+using Numbers = std::array<double, 4>;
+
+template <class Range, class Name>
+std::string list(const Range& range, Name name) {
+    std::string text;
+    for (const auto& item : range) text += (text.empty() ? "" : ", ") + name(item);
+    return text.empty() ? "none" : text;
+}
+
+int components(const std::string& type) {
+    if (type == "float2") return 2;
+    if (type == "float3") return 3;
+    if (type == "float4" || type == "color") return 4;
+    return 1;
+}
+
+// The forms that its value can have.
+std::string forms(const Property& property, Spelling spelling) {
+    const int count = components(property.type);
+    if (spelling == Spelling::Json) {
+        if (property.type == "int") return "a whole number";
+        if (property.type == "color") return "\"#rrggbb\", a number or an array of 3 or 4 numbers";
+        return count == 1 ? "a number" : fmt::format("a number or an array of {} numbers", count);
+    }
+    if (property.type == "color") return "#rrggbb, or three or four numbers with commas";
+    return count == 1 ? "one number" : std::to_string(count) + " numbers with commas";
+}
+
+Outcome<Numbers> parse_vector(const Property& property, const std::string& text, Spelling spelling) {
+    int wanted = components(property.type);
+    Failure wrong{property.name + " must be " + forms(property, spelling) + ", not '" + text + "'"};
+
+    if (text.starts_with('#')) {
+        if (wanted < 3) return wrong;
+        Outcome<glm::vec4> color = parse_hex_color(text);
+        if (!color) return Failure{property.name + ": " + color.error};
+        return Numbers{color.value.x, color.value.y, color.value.z, color.value.w};
+    }
+    int count = 0;
+    Outcome<glm::vec4> value = parse_numbers(text, count);
+    if (!value) return wrong;
+    bool is_opaque_color = property.type == "color" && count == 3;
+    if (count != wanted && count != 1 && !is_opaque_color) return wrong;
+    if (count == 1 && wanted > 1) value.value = glm::vec4(value.value.x);  // a scalar splats, as in a graph
+    if (property.type == "color" && count != 4) value.value.w = 1;
+    return Numbers{value.value.x, value.value.y, value.value.z, value.value.w};
+}
+
+Outcome<Numbers> parse_value(const Property& property, const std::string& text, Spelling spelling) {
+    if (property.type == "bool") {
+        if (text == "true") return Numbers{1};
+        if (text == "false") return Numbers{0};
+        return Failure{property.name + " must be true or false, not '" + text + "'"};
+    }
+    if (property.type == "enum") {
+        auto found = std::find(property.values.begin(), property.values.end(), text);
+        if (found != property.values.end()) return Numbers{double(found - property.values.begin())};
+        return Failure{property.name + " must be one of " + list(property.values, [](const auto& v) { return v; }) +
+                       ", not '" + text + "'"};
+    }
+    Outcome<Numbers> value = parse_vector(property, text, spelling);
+    if (value && property.type == "int" && value.value[0] != std::floor(value.value[0]))
+        return Failure{property.name + " must be a whole number, not '" + text + "'"};
+    return value;
+}
+
+// The first number that the property's range leaves out, and that range: "1.5 is outside the range 0 to 1 of '_Wear'".
+// Empty: none.
+std::string outside_range(const Property& property, const Numbers& value) {
+    if (!property.range) return "";
+    const auto [lowest, highest] = *property.range;
+    // Alpha, which is coverage, has no range.
+    for (int i = 0; i < (property.type == "color" ? 3 : components(property.type)); i++) {
+        // The words were read as floats, and the ends of the range are compared as such.
+        if (float(value[i]) >= float(lowest) && float(value[i]) <= float(highest)) continue;
+        return fmt::format("{} is outside the {}range {} to {} of '{}'", float(value[i]), property.hard ? "" : "usual ",
+                           lowest, highest, property.name);
+    }
+    return "";
+}
+
+std::string no_property(const Reflection& reflection, const std::string& name) {
+    const std::string hint = suggestion(name, property_names(reflection));
+    return "the material has no property '" + name + "'" + (hint.empty() ? "" : "; " + hint);
+}
+
+// The texture whose tiling this word names ("_MainTex_ST"), or null. Only a texture that was declared with a tiling has
+// one.
+const Texture* tiled_texture(const Reflection& reflection, const std::string& word) {
+    for (const Texture& texture : reflection.textures)
+        if (!texture.tiling.empty() && word == texture.name + "_ST") return &texture;
+    return nullptr;
+}
+
+// How a member is stored: vectors one after the other, `stride` bytes apart, of `rows` 32-bit numbers each.
+struct Storage {
+    bool is_float = true;
+    unsigned rows = 1;
+    unsigned vectors = 1;  // columns of a matrix, times elements of an array
+    unsigned stride = 0;
+};
+
+Storage storage(const BlockMember& member) {
+    Storage result;
+    std::size_t digits = member.type.find_first_of("0123456789");
+    std::string base = member.type.substr(0, digits);
+    result.is_float = base == "float" || base == "half";
+    unsigned columns = 1;
+    if (digits != std::string::npos) {
+        result.rows = unsigned(member.type[digits] - '0');
+        // "float3x4" has three rows and four columns, and std140 keeps a column in 16 bytes.
+        if (digits + 2 < member.type.size()) columns = unsigned(member.type[digits + 2] - '0');
+    }
+    result.stride = columns > 1 ? 16 : member.array_stride;
+    result.vectors = columns * std::max(member.array_count, 1u);
+    return result;
+}
+
+// `numbers` hold `per_vector` of them for each vector of the member; both are cut to what the other has.
+void write(std::vector<std::byte>& bytes, const BlockMember& member, std::span<const double> numbers,
+           unsigned per_vector) {
+    Storage shape = storage(member);
+    for (unsigned v = 0; v < shape.vectors; v++) {
+        for (unsigned r = 0; r < std::min(shape.rows, per_vector); r++) {
+            std::size_t index = std::size_t(v) * per_vector + r;
+            std::size_t offset = member.offset + std::size_t(v) * shape.stride + 4 * r;
+            if (index >= numbers.size() || offset + 4 > bytes.size()) return;
+            if (shape.is_float) {
+                auto value = float(numbers[index]);
+                std::memcpy(&bytes[offset], &value, sizeof value);
+            } else {
+                auto value = std::int32_t(numbers[index]);
+                std::memcpy(&bytes[offset], &value, sizeof value);
+            }
+        }
+    }
+}
+
+// What the graph's own block holds at a member: a property, or a texture's tiling or size.
+std::optional<Numbers> material_number(const BlockMember& member, const std::string& block,
+                                       const Reflection& reflection, const MaterialValues& values) {
+    for (const Property& property : reflection.properties) {
+        if (property.type == "texture2d" || property.block != block || property.offset != member.offset) continue;
+        auto found = values.numbers.find(property.name);
+        return found == values.numbers.end() ? property.value : found->second;
+    }
+    for (const Texture& texture : reflection.textures) {
+        if (member.name != texture.tiling) continue;
+        auto found = values.tilings.find(texture.name);
+        return found == values.tilings.end() ? Numbers{1, 1, 0, 0} : found->second;
+    }
+    return std::nullopt;
+}
+
+// What the instances have at a member of a block, one after the other.
+EngineValue instance_numbers(const BlockMember& member, const std::string& block, const Reflection& reflection,
+                             const MaterialValues& values, std::span<const SeenInstance> instances,
+                             const std::map<std::string, EngineValue>& engine) {
+    EngineValue all{.per_vector = 4, .numbers = {}};
+    for (const SeenInstance& instance : instances) {
+        if (const std::optional<Numbers> own =
+                material_number(member, block, reflection, instance.values ? *instance.values : values)) {
+            all.numbers.insert(all.numbers.end(), own->begin(), own->end());
+            continue;
+        }
+        const std::map<std::string, EngineValue> placed = object_values(instance.object_to_world);
+        for (const std::map<std::string, EngineValue>* from : {&placed, &engine}) {
+            const auto found = from->find(member.name);
+            if (found == from->end()) continue;
+            all.per_vector = found->second.per_vector;
+            all.numbers.insert(all.numbers.end(), found->second.numbers.begin(), found->second.numbers.end());
+            break;
+        }
+    }
+    return all;
+}
+
+std::vector<BlockBytes> fill_with(const Reflection& reflection, const MaterialValues& values,
+                                  std::span<const SeenInstance> instances,
+                                  const std::map<std::string, EngineValue>& engine) {
+    std::vector<BlockBytes> result;
+    for (const Block& block : reflection.blocks) {
+        BlockBytes filled{.name = block.name, .bytes = std::vector<std::byte>(block.size)};
+        for (const BlockMember& member : block.members) {
+            if (member.is_of_instance) {
+                const EngineValue all = instance_numbers(member, block.name, reflection, values, instances, engine);
+                write(filled.bytes, member, all.numbers, all.per_vector);
+            } else if (block.is_material) {
+                std::optional<Numbers> numbers = material_number(member, block.name, reflection, values);
+                if (numbers) write(filled.bytes, member, *numbers, 4);
+            } else if (auto found = engine.find(member.name); found != engine.end()) {
+                write(filled.bytes, member, found->second.numbers, found->second.per_vector);
+            }
+        }
+        result.push_back(std::move(filled));
+    }
+    return result;
+}
+
+}  // namespace
+
+std::vector<std::string> property_names(const Reflection& reflection) {
+    std::vector<std::string> names;
+    for (const Property& property : reflection.properties) names.push_back(property.name);
+    for (const Texture& texture : reflection.textures)
+        if (!texture.tiling.empty()) names.push_back(texture.name + "_ST");
+    return names;
+}
+
+Outcome<MaterialValues> material_values(const Reflection& reflection, const std::map<std::string, std::string>& words,
+                                        Spelling spelling) {
+    MaterialValues result;
+    for (const Property& property : reflection.properties)
+        if (property.type != "texture2d") result.numbers[property.name] = property.value;
+
+    for (const auto& [name, text] : words) {
+        if (const Texture* texture = tiled_texture(reflection, name)) {
+            int count = 0;
+            Outcome<glm::vec4> value = parse_numbers(text, count);
+            if (!value || count != 4)
+                return Failure{name + " must be scale x, scale y, offset x, offset y, like " +
+                               (spelling == Spelling::Json ? "[2, 2, 0, 0]" : "2,2,0,0") + ", not '" + text + "'"};
+            result.tilings[texture->name] = {value.value.x, value.value.y, value.value.z, value.value.w};
+            continue;
+        }
+        auto found = std::find_if(reflection.properties.begin(), reflection.properties.end(),
+                                  [&](const Property& property) { return property.name == name; });
+        if (found == reflection.properties.end()) return Failure{no_property(reflection, name)};
+        if (found->type == "texture2d") {
+            result.textures[name] = text;
+            continue;
+        }
+        Outcome<Numbers> value = parse_value(*found, text, spelling);
+        if (!value) return Failure{value.error};
+        if (std::string outside = outside_range(*found, value.value); !outside.empty()) {
+            if (found->hard) return Failure{outside};
+            result.warnings.push_back(outside);
+        }
+        result.numbers[name] = value.value;
+    }
+    return result;
+}
+
+std::vector<std::pair<std::string, std::string>> keywords_of(const Reflection& reflection,
+                                                             const std::map<std::string, std::string>& words,
+                                                             Spelling spelling) {
+    std::vector<std::pair<std::string, std::string>> wanted;
+    for (const Property& property : reflection.properties) {
+        const bool is_variant = property.binding == "variant";
+        const auto word = words.find(property.name);
+        if ((!is_variant && !property.constant_id) || word == words.end()) continue;
+        const Outcome<Numbers> value = parse_value(property, word->second, spelling);
+        const bool is_other = value && is_variant && value.value[0] != property.value[0];
+        if (is_other || (!value && spelling == Spelling::Words)) wanted.push_back(*word);
+    }
+    return wanted;
+}
+
+std::vector<ConstantValue> constants_of(const Reflection& reflection, const MaterialValues& values) {
+    std::vector<ConstantValue> constants;
+    for (const Property& property : reflection.properties) {
+        if (!property.constant_id) continue;
+        const auto found = values.numbers.find(property.name);
+        const double value = found == values.numbers.end() ? property.value[0] : found->second[0];
+        constants.push_back(
+            {.id = *property.constant_id, .value = static_cast<std::uint32_t>(value), .name = property.identifier});
+    }
+    return constants;
+}
+
+std::vector<BlockBytes> fill_blocks(const Reflection& reflection, const MaterialValues& values, const Scene& scene) {
+    const SeenInstance alone{.object_to_world = scene.object_to_world};
+    return fill_with(reflection, values, std::span(&alone, 1), engine_values(scene));
+}
+
+std::vector<BlockBytes> fill_blocks(const Reflection& reflection, const MaterialValues& values,
+                                    const EngineScene& seen) {
+    const SeenInstance alone{.object_to_world = seen.object_to_world};
+    return fill_with(reflection, values, seen.instances.empty() ? std::span(&alone, 1) : std::span(seen.instances),
+                     engine_values(seen));
+}
+
+}  // namespace patina::runtime

@@ -1,0 +1,67 @@
+// Gives a material's properties their values: the defaults of the reflection, changed by the user's words. And fills
+// the uniform blocks, its own and the engine's, through the reflection alone: members are found by name and written at
+// their offsets. Shared by the GPU and the CPU renderer, so both see the same bytes.
+//
+//   Outcome<MaterialValues> values = material_values(reflection, {{"_Roughness", "0.2"}, {"_MainTex", "rust.png"}});
+//   std::vector<BlockBytes> blocks = fill_blocks(reflection, values.value, scene);
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "patina/reflection.h"
+#include "runtime/outcome.h"
+#include "runtime/scene/scene.h"
+
+namespace patina::runtime {
+
+struct EngineScene;  // engine_values.h
+
+struct MaterialValues {
+    std::map<std::string, std::array<double, 4>> numbers;  // every property that is not a texture
+    std::map<std::string, std::string> textures;  // those that were named: white | black | gray | bump | a file
+    std::map<std::string, std::array<double, 4>> tilings;  // texture -> scale x, y, offset x, y
+    std::vector<std::string> warnings;                     // values outside the usual range
+};
+
+// Words: "0.2", "1,0,0" (linear), "#ff8800", "true", "Wet" (an enumerator), a file name, or "NAME_ST" = "2,2,0,0" for a
+// texture's tiling. A bad one, or one outside a hard range, is an error that lists what there is.
+// Complaints name the forms that a value can have as the user writes them: "1,0,0" on a command line, [1, 0, 0] in
+// JSON.
+enum class Spelling { Words, Json };
+Outcome<MaterialValues> material_values(const Reflection& reflection, const std::map<std::string, std::string>& words,
+                                        Spelling spelling = Spelling::Words);
+// Of everything that can be given a value, tilings too.
+std::vector<std::string> property_names(const Reflection& reflection);
+
+// The keywords that the compiler must be told of, as CompileOptions::switches: variants that the material was compiled
+// with other values of; and, of words from a command line, those that are no value of their variant or constant, of
+// which the compiler says so at its declaration.
+std::vector<std::pair<std::string, std::string>> keywords_of(const Reflection& reflection,
+                                                             const std::map<std::string, std::string>& words,
+                                                             Spelling spelling = Spelling::Words);
+
+// Of the specialization constant `id`: a bool as 0 or 1, an enum as its index.
+struct ConstantValue {
+    std::uint32_t id = 0;
+    std::uint32_t value = 0;
+    std::string name{};  // in the shaders
+    friend auto operator<=>(const ConstantValue&, const ConstantValue&) = default;
+};
+std::vector<ConstantValue> constants_of(const Reflection& reflection, const MaterialValues& values);
+
+struct BlockBytes {
+    std::string name;
+    std::vector<std::byte> bytes;
+};
+
+// One entry for each block of the reflection, in its order. Members that nobody has a value for stay zero.
+std::vector<BlockBytes> fill_blocks(const Reflection& reflection, const MaterialValues& values, const Scene& scene);
+std::vector<BlockBytes> fill_blocks(const Reflection& reflection, const MaterialValues& values,
+                                    const EngineScene& seen);
+
+}  // namespace patina::runtime

@@ -1,0 +1,139 @@
+#include "runtime/values/textures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <mutex>
+
+#include "runtime/lighting/split_sum.h"
+
+namespace patina::runtime {
+namespace {
+
+// Averages runs of `from` samples down to `to`: sample i covers from i * from / to to (i + 1) * from / to, and parts of
+// a source sample count as such. `stride` is the distance of neighbours in floats.
+void shrink_line(const float* source, int from, float* target, int to, std::size_t stride, std::size_t target_stride) {
+    for (int i = 0; i < to; i++) {
+        double begin = double(i) * from / to, end = double(i + 1) * from / to;
+        std::array<double, 4> sum{};
+        for (int k = int(begin); k < from && k < end; k++) {
+            double weight = std::min(end, k + 1.0) - std::max(begin, double(k));
+            for (int c = 0; c < 4; c++) sum[c] += source[k * stride + c] * weight;
+        }
+        for (int c = 0; c < 4; c++) target[i * target_stride + c] = float(sum[c] / (end - begin));
+    }
+}
+
+TextureLevel half_size(const TextureLevel& level) {
+    int width = std::max(level.width / 2, 1), height = std::max(level.height / 2, 1);
+    std::size_t row = 4 * std::size_t(level.width), half_row = 4 * std::size_t(width);
+    std::vector<float> narrow(half_row * level.height);
+    for (int y = 0; y < level.height; y++)
+        shrink_line(&level.texels[y * row], level.width, &narrow[y * half_row], width, 4, 4);
+
+    TextureLevel result{.width = width, .height = height, .texels = std::vector<float>(half_row * height)};
+    for (int x = 0; x < width; x++)
+        shrink_line(&narrow[4 * x], level.height, &result.texels[4 * x], height, half_row, half_row);
+    return result;
+}
+
+Outcome<LoadedTexture> load_texture(const Texture& texture, const std::string& source, bool exact) {
+    if (texture.dimension != "2d")
+        return Failure{"the texture '" + texture.name + "' is a " + texture.dimension +
+                       " texture; only 2d ones can be drawn"};
+    Image image = default_texture(source);
+    const bool is_named = !image.pixels.empty();
+    if (!is_named) {
+        Outcome<Image> loaded = load_image(source);
+        if (!loaded) return Failure{"texture '" + texture.name + "': " + loaded.error};
+        image = std::move(loaded.value);
+    }
+    bool is_color = texture.usage == "color";
+    bool fits_8_bits = image.bits <= 8;
+    // Pictures with more bits are taken as linear already.
+    if (is_color && (fits_8_bits || is_named)) decode_srgb(image);
+
+    TextureData data{.levels = mip_chain(image), .sampler = texture.sampler};
+    TexelFormat format = exact || !fits_8_bits ? TexelFormat::Float32
+                         : is_color            ? TexelFormat::Srgb8
+                                               : TexelFormat::Unorm8;
+    return LoadedTexture{
+        .name = texture.name, .data = std::make_shared<const TextureData>(std::move(data)), .format = format};
+}
+
+// The default as a name or as a file that can be opened.
+std::string default_source(const Texture& texture, const std::string& graph_folder) {
+    if (!default_texture(texture.default_value).pixels.empty()) return texture.default_value;
+    return (std::filesystem::path(graph_folder) / texture.default_value).lexically_normal().generic_string();
+}
+
+// Blurring takes half a second, and all materials of a scene ask for the same map: the last one is kept.
+std::shared_ptr<const TextureData> map_of(const SphericalHarmonics& ambient) {
+    struct Kept {
+        std::mutex mutex;
+        SphericalHarmonics ambient;
+        std::shared_ptr<const TextureData> map;
+    };
+    static Kept kept;
+    const std::lock_guard lock(kept.mutex);
+    if (!kept.map || kept.ambient.coefficients != ambient.coefficients) {
+        kept.ambient = ambient;
+        kept.map = Environment(ambient).map();
+    }
+    return kept.map;
+}
+
+std::shared_ptr<const TextureData> engine_texture(const std::string& name, const Scene& scene) {
+    if (name == "split_sum_table") return split_sum_table();
+    if (name != "environment_map") return nullptr;
+    return scene.environment ? scene.environment->map() : map_of(scene.ambient);
+}
+
+}  // namespace
+
+std::vector<TextureLevel> mip_chain(const Image& linear) {
+    std::vector<TextureLevel> levels = {{.width = linear.width, .height = linear.height, .texels = linear.pixels}};
+    while (levels.back().width > 1 || levels.back().height > 1) levels.push_back(half_size(levels.back()));
+    return levels;
+}
+
+Image default_texture(const std::string& name) {
+    Image image;
+    if (name == "white") image = make_image(1, 1, 1, 1, 1);
+    if (name == "black") image = make_image(1, 1, 0, 0, 0);
+    if (name == "gray") image = make_image(1, 1, 0.5f, 0.5f, 0.5f);
+    if (name == "bump") image = make_image(1, 1, 0.5f, 0.5f, 1);
+    return image;
+}
+
+void add_engine_textures(std::vector<LoadedTexture>& textures, const Reflection& reflection, const Scene& scene) {
+    for (const Texture& texture : reflection.textures) {
+        if (texture.is_material) continue;
+        bool is_read = std::any_of(reflection.passes.begin(), reflection.passes.end(), [&](const Pass& pass) {
+            return std::count(pass.textures.begin(), pass.textures.end(), texture.name) > 0;
+        });
+        std::shared_ptr<const TextureData> data = is_read ? engine_texture(texture.name, scene) : nullptr;
+        if (data) textures.push_back({.name = texture.name, .data = std::move(data)});
+    }
+}
+
+LoadedTextures load_textures(const Reflection& reflection, const std::string& graph_folder,
+                             const std::map<std::string, std::string>& files, bool exact) {
+    LoadedTextures result;
+    for (const Texture& texture : reflection.textures) {
+        if (!texture.is_material) continue;
+        auto chosen = files.find(texture.name);
+        Outcome<LoadedTexture> loaded = load_texture(
+            texture, chosen == files.end() ? default_source(texture, graph_folder) : chosen->second, exact);
+        if (loaded) {
+            result.textures.push_back(std::move(loaded.value));
+        } else {
+            result.errors.push_back(loaded.error);
+            result.failed.push_back(texture.name);
+        }
+    }
+    return result;
+}
+
+}  // namespace patina::runtime

@@ -1,0 +1,55 @@
+// Textures as both renderers take them: mip levels of linear texels, made from a file or a named default, plus the
+// format that a GPU should store them in. Mip levels are box-filtered in linear light.
+//
+//   LoadedTextures loaded = load_textures(reflection, "graphs", {{"_MainTex", "rust.png"}}, false);
+//   if (loaded.errors.empty()) use(loaded.textures);
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "patina/interpret.h"
+#include "patina/reflection.h"
+#include "runtime/picture/image.h"
+#include "runtime/outcome.h"
+#include "runtime/scene/scene.h"
+
+namespace patina::runtime {
+
+enum class TexelFormat {
+    Srgb8,   // colour from an 8-bit file: R8G8B8A8_SRGB
+    Unorm8,  // data from an 8-bit file: R8G8B8A8_UNORM
+    Float32  // everything else, and everything in a comparison of witnesses
+};
+
+struct LoadedTexture {
+    std::string name{};  // Texture::name
+    std::shared_ptr<const TextureData> data{};
+    TexelFormat format = TexelFormat::Float32;
+};
+
+// Linear image -> all levels down to 1 x 1. A level is half the one before, rounded down; each texel averages the area
+// that it covers, so odd sizes keep the mean too.
+std::vector<TextureLevel> mip_chain(const Image& linear);
+
+// white | black | gray (0.5) | bump (0.5, 0.5, 1): one texel as a file would hold it, so a colour texture decodes it.
+// No such name: an empty image.
+Image default_texture(const std::string& name);
+
+struct LoadedTextures {
+    std::vector<LoadedTexture> textures{};  // one for each of the material that could be loaded, in its order
+    std::vector<std::string> errors{};      // one for each that could not, with its name
+    std::vector<std::string> failed{};      // the names of those, in the same order
+};
+
+// What the scene gives to a material that reads it: its environment and the table of the split sum.
+void add_engine_textures(std::vector<LoadedTexture>& textures, const Reflection& reflection, const Scene& scene);
+
+// The reflection's own defaults are files below `graph_folder`. `files` maps texture names to a default's name or a
+// file, as one opens it, and wins over them.
+LoadedTextures load_textures(const Reflection& reflection, const std::string& graph_folder,
+                             const std::map<std::string, std::string>& files, bool exact);
+
+}  // namespace patina::runtime

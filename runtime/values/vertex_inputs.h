@@ -1,0 +1,37 @@
+// Which part of a preview mesh's vertex each vertex input of a shader reads, by the input's name. One table for the
+// GPU's pipeline and the CPU's rasteriser.
+//
+//   const VertexSource* source = vertex_source("tangent_os");   // 4 floats at offsetof(Vertex, tangent)
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "runtime/scene/mesh.h"
+
+namespace patina::runtime {
+
+struct VertexSource {
+    std::string_view name;
+    std::size_t offset = 0;  // in Vertex
+    unsigned components = 0;
+};
+
+// uv1 to uv3 read uv0: the preview meshes have one set. Null: no mesh has such an input.
+inline const VertexSource* vertex_source(std::string_view name) {
+    static constexpr VertexSource kSources[] = {
+        {"position_os", offsetof(Vertex, position), 3},
+        {"normal_os", offsetof(Vertex, normal), 3},
+        {"tangent_os", offsetof(Vertex, tangent), 4},
+        {"vertex_color", offsetof(Vertex, color), 4},
+        {"uv0", offsetof(Vertex, uv0), 2},
+        {"uv1", offsetof(Vertex, uv0), 2},
+        {"uv2", offsetof(Vertex, uv0), 2},
+        {"uv3", offsetof(Vertex, uv0), 2},
+    };
+    for (const VertexSource& source : kSources)
+        if (source.name == name) return &source;
+    return nullptr;
+}
+
+}  // namespace patina::runtime
