@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "compiler/cli/commands.h"
+#include "compiler/cli/commands/commands.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // The subcommands of `patina` that need Vulkan and OpenImageIO, and the check of scenes; `patina` becomes this program
 // when they are asked for.
-#include "compiler/cli/commands.h"
+#include "compiler/cli/commands/commands.h"
 
 int main(int argc, char** argv) {
     using namespace patina::cli;

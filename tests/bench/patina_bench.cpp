@@ -8,8 +8,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "compiler/cli/model_cost.h"
-#include "compiler/cli/spirv_size.h"
+#include "compiler/cli/pages/model_cost.h"
+#include "compiler/cli/pages/spirv_size.h"
 #include "patina/patina.h"
 #include "patina/validate.h"
 #include "tests/bench/figures.h"

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/cli/terms.h"
+#include "compiler/cli/eval/terms.h"
 
 namespace patina::reference {
 

@@ -1,4 +1,4 @@
-// The mapping from lighting terms to nodes (tests/data/terms.json) as graphs: what `patina eval --term` computes with
+// The mapping from lighting terms to nodes (compiler/cli/eval/terms.json) as graphs: what `patina eval --term` computes with
 // numbers, said once more with links, so that a GPU can compute it too. Used by terms_test.cpp.
 //
 //   TermGraph graph = term_graph(compiler, row, {1, 3});

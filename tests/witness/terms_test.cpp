@@ -17,7 +17,7 @@ using namespace reference;
 constexpr std::size_t kModelRows = 26;  // of kRows
 
 const Json& term_of(const Json& row) {
-    return read_json("tests/data/terms.json")[row["term"].GetString()];
+    return read_json("compiler/cli/eval/terms.json")[row["term"].GetString()];
 }
 
 // Rows that one graph computes.

@@ -7,10 +7,10 @@
 #include <optional>
 #include <set>
 
-#include "compiler/cli/commands.h"
-#include "compiler/cli/json_numbers.h"
-#include "compiler/cli/sweep.h"
-#include "compiler/cli/terms.h"
+#include "compiler/cli/commands/commands.h"
+#include "compiler/cli/eval/json_numbers.h"
+#include "compiler/cli/eval/sweep.h"
+#include "compiler/cli/eval/terms.h"
 #include "runtime/lighting/model.h"
 
 namespace patina::cli {
@@ -188,7 +188,7 @@ void add_eval(Program& program) {
     command.add_option("--workflow", arguments->workflow, "What the surface of --model is described by")->needs(model);
     command
         .add_option("--term", arguments->term,
-                    "A term of the lighting reference, by its name and inputs there (tests/data/terms.json)")
+                    "A term of the lighting reference, by its name and inputs there (compiler/cli/eval/terms.json)")
         ->excludes(model);
     command.add_flag("--float", arguments->single, "Compute in 32-bit float, as a GPU does; default: double");
     command.add_flag("--json", arguments->json, "Print every output by name with all digits");

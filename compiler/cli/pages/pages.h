@@ -1,7 +1,7 @@
 // What the pages of the reference say: one for each node, one for each lighting model.
 #pragma once
 
-#include "compiler/cli/page.h"
+#include "compiler/cli/pages/page.h"
 
 namespace patina::cli {
 

@@ -1,5 +1,5 @@
 // patina check of a scene: what rendering it would say, and no picture.
-#include "compiler/cli/commands.h"
+#include "compiler/cli/commands/commands.h"
 #include "runtime/render/render_world.h"
 #include "runtime/scene/world_file.h"
 

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "compiler/cli/commands.h"
+#include "compiler/cli/commands/commands.h"
 #include "compiler/cli/files.h"
 #include "compiler/cli/picture_options.h"
 

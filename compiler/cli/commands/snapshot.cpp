@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "compiler/cli/commands.h"
+#include "compiler/cli/commands/commands.h"
 
 namespace patina::cli {
 namespace {

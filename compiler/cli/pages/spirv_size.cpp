@@ -1,4 +1,4 @@
-#include "compiler/cli/spirv_size.h"
+#include "compiler/cli/pages/spirv_size.h"
 
 #include <algorithm>
 #include <map>

@@ -1,10 +1,10 @@
-#include "compiler/cli/model_cost.h"
+#include "compiler/cli/pages/model_cost.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "compiler/cli/spirv_size.h"
+#include "compiler/cli/pages/spirv_size.h"
 #include "patina/validate.h"
 
 namespace patina::cli {

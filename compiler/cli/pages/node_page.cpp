@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "compiler/base/text.h"
-#include "compiler/cli/pages.h"
+#include "compiler/cli/pages/pages.h"
 
 namespace patina::cli {
 namespace {

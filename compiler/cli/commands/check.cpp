@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "compiler/base/text.h"
-#include "compiler/cli/commands.h"
+#include "compiler/cli/commands/commands.h"
 #include "patina/validate.h"
 
 namespace patina::cli {

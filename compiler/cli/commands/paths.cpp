@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "compiler/base/text.h"
-#include "compiler/cli/commands.h"
-#include "compiler/cli/library_json.h"
-#include "compiler/cli/page.h"
+#include "compiler/cli/commands/commands.h"
+#include "compiler/cli/pages/library_json.h"
+#include "compiler/cli/pages/page.h"
 
 namespace patina::cli {
 namespace {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "compiler/cli/commands.h"
+#include "compiler/cli/commands/commands.h"
 #include "compiler/cli/files.h"
 
 namespace patina::cli {

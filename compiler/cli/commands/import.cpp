@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "compiler/cli/commands.h"
+#include "compiler/cli/commands/commands.h"
 #include "compiler/cli/files.h"
 #include "runtime/lighting/merl.h"
 

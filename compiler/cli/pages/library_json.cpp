@@ -1,9 +1,9 @@
-#include "compiler/cli/library_json.h"
+#include "compiler/cli/pages/library_json.h"
 
 #include <rapidjson/prettywriter.h>
 #include <rapidjson/stringbuffer.h>
 
-#include "compiler/cli/pages.h"
+#include "compiler/cli/pages/pages.h"
 
 namespace patina::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "compiler/cli/terms.h"
+#include "compiler/cli/eval/terms.h"
 
 #include <fmt/format.h>
 #include <rapidjson/document.h>
@@ -9,7 +9,7 @@
 #include <map>
 #include <optional>
 
-#include "compiler/cli/term_data.h"
+#include "compiler/cli/eval/term_data.h"
 #include "runtime/lighting/model.h"
 
 namespace patina::cli {

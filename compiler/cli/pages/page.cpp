@@ -1,4 +1,4 @@
-#include "compiler/cli/page.h"
+#include "compiler/cli/pages/page.h"
 
 #include <fmt/format.h>
 

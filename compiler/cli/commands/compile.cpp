@@ -6,9 +6,9 @@
 #include <memory>
 
 #include "compiler/base/text.h"
-#include "compiler/cli/commands.h"
+#include "compiler/cli/commands/commands.h"
 #include "compiler/cli/files.h"
-#include "compiler/cli/variants.h"
+#include "compiler/cli/commands/compile_variants.h"
 #include "patina/validate.h"
 
 namespace patina::cli {

@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "compiler/base/text.h"
-#include "compiler/cli/commands.h"
-#include "compiler/cli/json_numbers.h"
+#include "compiler/cli/commands/commands.h"
+#include "compiler/cli/eval/json_numbers.h"
 #include "compiler/cli/picture_options.h"
 #include "runtime/picture/image.h"
 

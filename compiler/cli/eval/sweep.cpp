@@ -1,4 +1,4 @@
-#include "compiler/cli/sweep.h"
+#include "compiler/cli/eval/sweep.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "compiler/base/text.h"
-#include "compiler/cli/json_numbers.h"
+#include "compiler/cli/eval/json_numbers.h"
 
 namespace patina::cli {
 namespace {

@@ -2,9 +2,9 @@
 #include <memory>
 
 #include "compiler/base/text.h"
-#include "compiler/cli/commands.h"
-#include "compiler/cli/library_json.h"
-#include "compiler/cli/pages.h"
+#include "compiler/cli/commands/commands.h"
+#include "compiler/cli/pages/library_json.h"
+#include "compiler/cli/pages/pages.h"
 
 namespace patina::cli {
 namespace {

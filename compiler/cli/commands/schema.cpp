@@ -1,7 +1,7 @@
 // patina schema: the JSON Schema of the graph format, from the node library.
 #include <memory>
 
-#include "compiler/cli/commands.h"
+#include "compiler/cli/commands/commands.h"
 #include "compiler/cli/files.h"
 
 namespace patina::cli {

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "compiler/base/text.h"
-#include "compiler/cli/model_cost.h"
-#include "compiler/cli/pages.h"
+#include "compiler/cli/pages/model_cost.h"
+#include "compiler/cli/pages/pages.h"
 
 namespace patina::cli {
 namespace {

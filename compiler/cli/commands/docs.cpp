@@ -7,10 +7,10 @@
 #include <map>
 #include <memory>
 
-#include "compiler/cli/commands.h"
+#include "compiler/cli/commands/commands.h"
 #include "compiler/cli/files.h"
-#include "compiler/cli/model_cost.h"
-#include "compiler/cli/pages.h"
+#include "compiler/cli/pages/model_cost.h"
+#include "compiler/cli/pages/pages.h"
 
 namespace patina::cli {
 namespace {
