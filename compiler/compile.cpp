@@ -8,17 +8,17 @@
 #include <algorithm>
 #include <functional>
 
-#include "compiler/output/canonical_hash.h"
+#include "compiler/api/compiler_impl.h"
+#include "compiler/api/dumps.h"
+#include "compiler/api/report.h"
+#include "compiler/engines/shaderlab/shader_file.h"
+#include "compiler/ir/verify.h"
 #include "compiler/link/check_reads.h"
 #include "compiler/link/identifiers.h"
-#include "compiler/output/reflect.h"
-#include "compiler/engines/shaderlab/shader_file.h"
-#include "compiler/api/dumps.h"
-#include "compiler/api/compiler_impl.h"
-#include "compiler/ir/verify.h"
 #include "compiler/link/link_pass.h"
+#include "compiler/output/canonical_hash.h"
 #include "compiler/output/print_shaders.h"
-#include "compiler/api/report.h"
+#include "compiler/output/reflect.h"
 
 namespace patina {
 namespace {

@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/base/text.h"
+#include "compiler/api/compiler_impl.h"
 #include "compiler/api/describe.h"
 #include "compiler/api/evaluate.h"
-#include "compiler/resolve/check_graph.h"
+#include "compiler/api/report.h"
+#include "compiler/base/text.h"
 #include "compiler/format/canonical_form.h"
-#include "compiler/json/json.h"
 #include "compiler/format/read_graph.h"
 #include "compiler/format/read_scene.h"
 #include "compiler/format/schema/schema.h"
-#include "compiler/api/compiler_impl.h"
+#include "compiler/json/json.h"
 #include "compiler/nodelang/parse.h"
-#include "compiler/api/report.h"
+#include "compiler/resolve/check_graph.h"
 
 namespace patina {
 namespace {

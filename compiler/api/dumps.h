@@ -3,8 +3,8 @@
 //   dump_graph(result, session, material);
 #pragma once
 
-#include "compiler/resolve/material.h"
 #include "compiler/ir/ir.h"
+#include "compiler/resolve/material.h"
 #include "patina/patina.h"
 
 namespace patina {

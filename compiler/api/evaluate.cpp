@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "compiler/api/describe.h"
-#include "compiler/lower/declare.h"
 #include "compiler/interpret/interpret.h"
+#include "compiler/lower/declare.h"
 #include "compiler/nodelang/parse.h"
 
 namespace patina {

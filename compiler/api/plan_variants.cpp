@@ -6,10 +6,10 @@
 #include <cmath>
 #include <set>
 
-#include "compiler/base/text.h"
-#include "compiler/resolve/material.h"
 #include "compiler/api/compiler_impl.h"
 #include "compiler/api/report.h"
+#include "compiler/base/text.h"
+#include "compiler/resolve/material.h"
 #include "patina/variants.h"
 
 namespace patina {

@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "compiler/output/canonical_hash.h"
 #include "compiler/api/compiler_impl.h"
+#include "compiler/output/canonical_hash.h"
 
 namespace patina {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "compiler/json/json_text.h"
 #include "compiler/format/keys.h"
+#include "compiler/json/json_text.h"
 
 namespace patina::graph {
 namespace {

@@ -12,9 +12,9 @@
 
 #include "compiler/base/diagnostics.h"
 #include "compiler/format/graph.h"
-#include "compiler/json/json.h"
 #include "compiler/format/keys.h"
 #include "compiler/format/words.h"
+#include "compiler/json/json.h"
 
 namespace patina::graph {
 

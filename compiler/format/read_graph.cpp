@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "compiler/base/text.h"
-#include "compiler/json/json_text.h"
 #include "compiler/format/read_fields.h"
+#include "compiler/json/json_text.h"
 
 namespace patina::graph {
 namespace {

@@ -3,9 +3,9 @@
 #include <bit>
 #include <cstring>
 
-#include "compiler/link/program.h"
 #include "compiler/interpret/machine.h"
 #include "compiler/interpret/trace.h"
+#include "compiler/link/program.h"
 #include "patina/interpret.h"
 
 namespace patina {

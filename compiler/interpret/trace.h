@@ -1,8 +1,8 @@
 // What a watcher saw in the machine's memory -> values with the names that the graphs give them.
 #pragma once
 
-#include "compiler/link/program.h"
 #include "compiler/interpret/machine.h"
+#include "compiler/link/program.h"
 
 namespace patina::interpret {
 

@@ -1,7 +1,7 @@
 #include "compiler/link/identifiers.h"
 
-#include "compiler/lower/declare.h"
 #include "compiler/languages/names.h"
+#include "compiler/lower/declare.h"
 
 namespace patina::assemble {
 namespace {

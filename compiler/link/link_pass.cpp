@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "compiler/link/check_reads.h"
-#include "compiler/link/pinned_inputs.h"
-#include "compiler/engines/shaderlab/shader_file.h"
 #include "compiler/api/dumps.h"
+#include "compiler/engines/shaderlab/shader_file.h"
 #include "compiler/ir/passes/passes.h"
 #include "compiler/ir/verify.h"
+#include "compiler/link/check_reads.h"
+#include "compiler/link/pinned_inputs.h"
 
 namespace patina {
 

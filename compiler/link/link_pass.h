@@ -6,8 +6,8 @@
 
 #include "compiler/link/link.h"
 #include "compiler/link/program.h"
-#include "compiler/output/reflect.h"
 #include "compiler/lower/lower.h"
+#include "compiler/output/reflect.h"
 
 namespace patina {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "compiler/output/canonical_hash.h"
 #include "compiler/ir/rebuild.h"
+#include "compiler/output/canonical_hash.h"
 
 namespace patina::assemble {
 namespace {

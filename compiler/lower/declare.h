@@ -6,9 +6,9 @@
 #include <set>
 #include <span>
 
-#include "compiler/resolve/material.h"
 #include "compiler/ir/ir.h"
 #include "compiler/nodelang/emit.h"
+#include "compiler/resolve/material.h"
 
 namespace patina::graph {
 

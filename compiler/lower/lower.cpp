@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "compiler/format/words.h"
 #include "compiler/lower/instances.h"
 #include "compiler/lower/lowering.h"
-#include "compiler/format/words.h"
 
 namespace patina::graph {
 

@@ -1,8 +1,8 @@
 // The slots that a lighting graph fills, and those that are parts of them.
 #include <algorithm>
 
-#include "compiler/lower/lowering.h"
 #include "compiler/ir/passes/passes.h"
+#include "compiler/lower/lowering.h"
 
 namespace patina::graph {
 

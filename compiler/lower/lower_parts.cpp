@@ -9,8 +9,8 @@
 
 #include <algorithm>
 
-#include "compiler/lower/lowering.h"
 #include "compiler/ir/linear_part.h"
+#include "compiler/lower/lowering.h"
 
 namespace patina::graph {
 namespace {

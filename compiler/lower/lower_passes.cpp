@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "compiler/lower/lowering.h"
 #include "compiler/format/words.h"
+#include "compiler/lower/lowering.h"
 
 namespace patina::graph {
 namespace {

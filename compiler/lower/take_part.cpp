@@ -6,8 +6,8 @@
 #include <set>
 #include <tuple>
 
-#include "compiler/lower/lowering.h"
 #include "compiler/ir/linear_part.h"
+#include "compiler/lower/lowering.h"
 
 namespace patina::graph {
 namespace {

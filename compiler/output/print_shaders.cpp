@@ -1,15 +1,15 @@
 #include "compiler/output/print_shaders.h"
 
-#include "compiler/output/canonical_hash.h"
-#include "compiler/link/functions.h"
-#include "compiler/link/identifiers.h"
-#include "compiler/output/reflect.h"
-#include "compiler/engines/shaderlab/shader_file.h"
-#include "compiler/base/text.h"
 #include "compiler/api/dumps.h"
+#include "compiler/base/text.h"
+#include "compiler/engines/shaderlab/shader_file.h"
 #include "compiler/format/words.h"
 #include "compiler/ir/verify.h"
 #include "compiler/languages/plan.h"
+#include "compiler/link/functions.h"
+#include "compiler/link/identifiers.h"
+#include "compiler/output/canonical_hash.h"
+#include "compiler/output/reflect.h"
 
 namespace patina {
 

@@ -2,8 +2,8 @@
 // all passes; each with its line map. What the texts say is compiler/targets'.
 #pragma once
 
-#include "compiler/output/reflect.h"
 #include "compiler/lower/lower.h"
+#include "compiler/output/reflect.h"
 
 namespace patina {
 

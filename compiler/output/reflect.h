@@ -2,8 +2,8 @@
 // stages. Layout and bindings are the same whatever passes and targets were asked for.
 #pragma once
 
-#include "compiler/link/link.h"
 #include "compiler/languages/print.h"
+#include "compiler/link/link.h"
 #include "patina/reflection.h"
 
 namespace patina::assemble {

@@ -9,8 +9,8 @@
 #include <span>
 
 #include "compiler/base/text.h"
-#include "compiler/paths/stages.h"
 #include "compiler/format/words.h"
+#include "compiler/paths/stages.h"
 
 namespace patina::graph {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "compiler/base/text.h"
-#include "compiler/json/json.h"
 #include "compiler/format/read_graph.h"
+#include "compiler/json/json.h"
 #include "compiler/nodelang/parse.h"
 
 namespace patina::graph {

@@ -7,8 +7,8 @@
 #include <tuple>
 
 #include "compiler/base/text.h"
-#include "compiler/resolve/material.h"
 #include "compiler/format/words.h"
+#include "compiler/resolve/material.h"
 
 namespace patina::graph {
 

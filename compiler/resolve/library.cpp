@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "compiler/json/json.h"
 #include "compiler/format/read_graph.h"
+#include "compiler/json/json.h"
 #include "compiler/nodelang/parse.h"
 
 namespace patina::graph {

@@ -11,9 +11,9 @@
 
 #include "compiler/base/diagnostics.h"
 #include "compiler/format/graph.h"
-#include "compiler/paths/stages.h"
 #include "compiler/nodelang/embedded.h"
 #include "compiler/nodelang/library.h"
+#include "compiler/paths/stages.h"
 
 namespace patina::graph {
 

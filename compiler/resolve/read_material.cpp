@@ -1,8 +1,8 @@
 // text -> Json -> Graph -> Material, with the passes that it adds.
+#include "compiler/format/read_graph.h"
 #include "compiler/json/json.h"
 #include "compiler/resolve/material.h"
 #include "compiler/resolve/part.h"
-#include "compiler/format/read_graph.h"
 
 namespace patina::graph {
 

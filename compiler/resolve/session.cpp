@@ -7,9 +7,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "compiler/resolve/check_graph.h"
 #include "compiler/json/json.h"
 #include "compiler/nodelang/parse.h"
+#include "compiler/resolve/check_graph.h"
 
 namespace patina::graph {
 namespace {

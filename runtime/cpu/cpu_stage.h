@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "patina/interpret.h"
-#include "runtime/scene/mesh.h"
-#include "runtime/outcome.h"
 #include "runtime/cpu/raster.h"
+#include "runtime/outcome.h"
+#include "runtime/scene/mesh.h"
 
 namespace patina::runtime {
 

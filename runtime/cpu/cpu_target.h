@@ -8,8 +8,8 @@
 #include <memory>
 #include <vector>
 
-#include "runtime/frame/frame.h"
 #include "runtime/cpu/raster.h"
+#include "runtime/frame/frame.h"
 #include "runtime/frame/target_format.h"
 
 namespace patina::runtime {

@@ -18,8 +18,8 @@
 
 #include "patina/interpret.h"
 #include "patina/reflection.h"
-#include "runtime/values/material_values.h"
 #include "runtime/scene/mesh.h"
+#include "runtime/values/material_values.h"
 #include "runtime/values/textures.h"
 
 namespace patina::runtime {

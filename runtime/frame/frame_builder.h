@@ -11,8 +11,8 @@
 #include <memory>
 #include <optional>
 
-#include "runtime/values/engine_values.h"
 #include "runtime/frame/frame_plan.h"
+#include "runtime/values/engine_values.h"
 
 namespace patina::runtime {
 

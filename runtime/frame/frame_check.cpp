@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "runtime/picture/image.h"
 #include "runtime/frame/target_format.h"
+#include "runtime/picture/image.h"
 
 namespace patina::runtime {
 namespace {

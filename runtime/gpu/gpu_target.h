@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "runtime/frame/frame.h"
+#include "runtime/frame/target_format.h"
 #include "runtime/gpu/gpu.h"
 #include "runtime/outcome.h"
-#include "runtime/frame/target_format.h"
 
 namespace patina::runtime {
 

@@ -9,8 +9,8 @@
 #include <map>
 #include <memory>
 
-#include "runtime/gpu/bindings.h"
 #include "runtime/frame/frame.h"
+#include "runtime/gpu/bindings.h"
 #include "runtime/gpu/gpu.h"
 
 namespace patina::runtime {

@@ -9,8 +9,8 @@
 
 #include "patina/reflection.h"
 #include "runtime/gpu/gpu.h"
-#include "runtime/values/material_values.h"
 #include "runtime/outcome.h"
+#include "runtime/values/material_values.h"
 
 namespace patina::runtime {
 

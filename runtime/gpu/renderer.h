@@ -21,9 +21,9 @@
 #include <string>
 #include <vector>
 
-#include "runtime/gpu/device.h"
 #include "runtime/frame/draw.h"
 #include "runtime/frame/frame.h"
+#include "runtime/gpu/device.h"
 #include "runtime/picture/image.h"
 
 namespace patina::runtime {

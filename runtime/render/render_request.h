@@ -14,8 +14,8 @@
 
 #include "patina/patina.h"
 #include "runtime/cpu/cpu_render.h"
-#include "runtime/picture/image.h"
 #include "runtime/gpu/renderer.h"
+#include "runtime/picture/image.h"
 
 namespace patina::runtime {
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "runtime/scene/scene_text.h"
-#include "runtime/values/textures.h"
 #include "runtime/scene/view.h"
+#include "runtime/values/textures.h"
 
 namespace patina::runtime {
 namespace {

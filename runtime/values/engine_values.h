@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "runtime/scene/scene.h"
 #include "runtime/frame/shadow_view.h"
+#include "runtime/scene/scene.h"
 #include "runtime/scene/view.h"
 
 namespace patina::runtime {

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "patina/patina.h"
-#include "runtime/values/engine_values.h"
 #include "runtime/scene/scene_text.h"
+#include "runtime/values/engine_values.h"
 
 namespace patina::runtime {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "patina/interpret.h"
 #include "patina/reflection.h"
-#include "runtime/picture/image.h"
 #include "runtime/outcome.h"
+#include "runtime/picture/image.h"
 #include "runtime/scene/scene.h"
 
 namespace patina::runtime {

@@ -13,12 +13,12 @@
 #include <fstream>
 #include <set>
 
-#include "compiler/link/identifiers.h"
-#include "compiler/link/link.h"
 #include "compiler/ir/dump.h"
 #include "compiler/ir/passes/dependence.h"
 #include "compiler/ir/passes/passes.h"
 #include "compiler/languages/plan.h"
+#include "compiler/link/identifiers.h"
+#include "compiler/link/link.h"
 #include "patina/patina.h"
 #include "proof/lowered.h"
 #include "proof/term.h"

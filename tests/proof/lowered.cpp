@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "compiler/json/json.h"
 #include "compiler/format/read_graph.h"
+#include "compiler/json/json.h"
 #include "proof/term.h"
 
 namespace patina::proof {

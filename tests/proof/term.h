@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "compiler/resolve/library.h"
 #include "compiler/interpret/machine.h"
+#include "compiler/resolve/library.h"
 
 namespace patina::proof {
 

@@ -5,8 +5,8 @@
 #include <fstream>
 
 #include "proof/quadrature.h"
-#include "runtime/picture/compare.h"
 #include "runtime/lighting/model.h"
+#include "runtime/picture/compare.h"
 #include "runtime/render/render_request.h"
 
 namespace patina::proof {

@@ -16,8 +16,8 @@
 
 #include "patina/interpret.h"
 #include "patina/patina.h"
-#include "runtime/picture/image.h"
 #include "runtime/gpu/renderer.h"
+#include "runtime/picture/image.h"
 
 namespace patina::witness {
 

@@ -1,5 +1,5 @@
-// The mapping from lighting terms to nodes (compiler/cli/eval/terms.json) as graphs: what `patina eval --term` computes with
-// numbers, said once more with links, so that a GPU can compute it too. Used by terms_test.cpp.
+// The mapping from lighting terms to nodes (compiler/cli/eval/terms.json) as graphs: what `patina eval --term` computes
+// with numbers, said once more with links, so that a GPU can compute it too. Used by terms_test.cpp.
 //
 //   TermGraph graph = term_graph(compiler, row, {1, 3});
 //   bench.compile(graph.text);   // texel (x, y) of its data: input y of row x; pixel (x, y): part y of what comes out

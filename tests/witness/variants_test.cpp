@@ -17,9 +17,9 @@
 
 #include "patina/validate.h"
 #include "random_graph.h"
-#include "runtime/picture/compare.h"
 #include "runtime/cpu/cpu_render.h"
 #include "runtime/gpu/renderer.h"
+#include "runtime/picture/compare.h"
 
 namespace patina {
 namespace {

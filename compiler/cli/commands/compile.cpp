@@ -7,8 +7,8 @@
 
 #include "compiler/base/text.h"
 #include "compiler/cli/commands/commands.h"
-#include "compiler/cli/files.h"
 #include "compiler/cli/commands/compile_variants.h"
+#include "compiler/cli/files.h"
 #include "patina/validate.h"
 
 namespace patina::cli {

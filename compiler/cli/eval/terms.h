@@ -1,5 +1,6 @@
 // The lighting terms of the reference values by the names and inputs that they have there, worked out by nodes and
-// lighting models: `patina eval --term`. Which node and port stands for which term is data, compiler/cli/eval/terms.json:
+// lighting models: `patina eval --term`. Which node and port stands for which term is data,
+// compiler/cli/eval/terms.json:
 //
 //   "D_GGX": { "node": "DistributionGGX", "in": { "ndoth": "NoH", "alpha": "sqrt(a2)" } }
 //

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <set>
 
+#include "compiler/engines/shaderlab/dialect.h"
 #include "compiler/engines/shaderlab/shader_file.h"
 #include "compiler/format/words.h"
-#include "compiler/engines/shaderlab/dialect.h"
 
 namespace patina::assemble {
 namespace {

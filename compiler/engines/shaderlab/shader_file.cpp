@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "compiler/base/text.h"
-#include "compiler/format/words.h"
 #include "compiler/engines/shaderlab/dialect.h"
+#include "compiler/format/words.h"
 
 namespace patina::assemble {
 namespace {

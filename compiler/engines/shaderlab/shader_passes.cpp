@@ -7,8 +7,8 @@
 #include <cctype>
 #include <utility>
 
-#include "compiler/engines/shaderlab/shader_file.h"
 #include "compiler/engines/shaderlab/dialect.h"
+#include "compiler/engines/shaderlab/shader_file.h"
 
 namespace patina::assemble {
 namespace {

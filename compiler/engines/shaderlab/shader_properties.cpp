@@ -6,10 +6,10 @@
 #include <charconv>
 #include <cmath>
 
-#include "compiler/engines/shaderlab/shader_file.h"
 #include "compiler/base/text.h"
-#include "compiler/format/words.h"
 #include "compiler/engines/shaderlab/dialect.h"
+#include "compiler/engines/shaderlab/shader_file.h"
+#include "compiler/format/words.h"
 
 namespace patina::assemble {
 namespace {

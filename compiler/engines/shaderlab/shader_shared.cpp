@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <map>
 
-#include "compiler/engines/shaderlab/shader_file.h"
 #include "compiler/base/text.h"
+#include "compiler/engines/shaderlab/shader_file.h"
 
 namespace patina::assemble {
 namespace {

@@ -4,8 +4,8 @@
 #include <cctype>
 #include <cstdlib>
 
-#include "compiler/engines/shaderlab/shader_file.h"
 #include "compiler/base/text.h"
+#include "compiler/engines/shaderlab/shader_file.h"
 
 namespace patina::assemble {
 namespace {

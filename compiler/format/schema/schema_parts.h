@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/json/json_text.h"
 #include "compiler/format/schema/schema.h"
 #include "compiler/format/words.h"
+#include "compiler/json/json_text.h"
 
 namespace patina::graph {
 

@@ -7,7 +7,7 @@
 #include "compiler/interpret/interpret.h"
 #include "compiler/ir/dump.h"
 #include "compiler/ir/passes/passes.h"
-#include "tests/unit/ir_testing.h"
+#include "tests/unit/ir/ir_testing.h"
 
 namespace patina::ir {
 namespace {

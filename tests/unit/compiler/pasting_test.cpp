@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "patina/validate.h"
+#include "runtime/gpu/renderer.h"
 #include "runtime/picture/compare.h"
 #include "runtime/values/material_values.h"
-#include "runtime/gpu/renderer.h"
 #include "runtime/values/textures.h"
 
 namespace patina::runtime {

@@ -2,7 +2,7 @@
 // reads.
 #include <cmath>
 
-#include "tests/unit/ir_linear_testing.h"
+#include "tests/unit/ir/ir_linear_testing.h"
 
 namespace patina::ir {
 namespace {

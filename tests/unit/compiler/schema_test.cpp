@@ -9,8 +9,8 @@
 #include <regex>
 #include <sstream>
 
-#include "compiler/json/json_text.h"
 #include "compiler/format/keys.h"
+#include "compiler/json/json_text.h"
 
 namespace patina::graph {
 namespace {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <random>
 
-#include "tests/unit/ir_linear_testing.h"
+#include "tests/unit/ir/ir_linear_testing.h"
 
 namespace patina::ir {
 namespace {

@@ -1,11 +1,10 @@
 // The canonical text: what it looks like, that it is a fixed point, and that it says the same as before.
-#include "compiler/format/canonical_form.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
+#include "compiler/format/canonical_form.h"
 #include "compiler/json/json_text.h"
 
 namespace patina::graph {

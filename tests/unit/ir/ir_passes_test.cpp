@@ -1,7 +1,7 @@
 // The passes: what each does to small functions. That they keep the meaning of larger ones: ir_passes_meaning_test.cpp.
 #include "compiler/ir/dump.h"
 #include "compiler/ir/passes/passes.h"
-#include "tests/unit/ir_testing.h"
+#include "tests/unit/ir/ir_testing.h"
 
 namespace patina::ir {
 namespace {

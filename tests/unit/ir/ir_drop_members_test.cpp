@@ -1,7 +1,7 @@
 // drop_members: which members go, and what goes with them. That what is read stays the same:
 // ir_passes_meaning_test.cpp.
 #include "compiler/ir/passes/passes.h"
-#include "tests/unit/ir_testing.h"
+#include "tests/unit/ir/ir_testing.h"
 
 namespace patina::ir {
 namespace {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <functional>
 
-#include "tests/unit/ir_linear_testing.h"
+#include "tests/unit/ir/ir_linear_testing.h"
 
 namespace patina::ir {
 namespace {

@@ -6,9 +6,9 @@
 #include <cstring>
 #include <functional>
 
-#include "compiler/link/program.h"
 #include "compiler/ir/builder.h"
 #include "compiler/ir/verify.h"
+#include "compiler/link/program.h"
 #include "patina/interpret.h"
 
 using namespace patina;

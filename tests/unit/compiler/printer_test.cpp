@@ -1,7 +1,7 @@
 // What the printers write for expressions, literals and statements. That it compiles is validate_test's matter.
 #include <limits>
 
-#include "tests/unit/printer_fixture.h"
+#include "tests/unit/compiler/printer_fixture.h"
 
 namespace patina::targets {
 namespace {

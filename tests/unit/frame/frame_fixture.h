@@ -9,9 +9,9 @@
 #include <deque>
 #include <span>
 
-#include "compiler/link/program.h"
 #include "compiler/ir/builder.h"
 #include "compiler/ir/verify.h"
+#include "compiler/link/program.h"
 #include "patina/validate.h"
 #include "runtime/cpu/cpu_render.h"
 #include "runtime/gpu/renderer.h"

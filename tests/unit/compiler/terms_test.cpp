@@ -1,6 +1,6 @@
 // Every value of the lighting reference (tests/data/brdf-values.json) through the node or model that
-// compiler/cli/eval/terms.json names: in double, where closed forms hold to 1e-9 and integrals to 1e-3, and in float to the
-// row's own tolerance.
+// compiler/cli/eval/terms.json names: in double, where closed forms hold to 1e-9 and integrals to 1e-3, and in float to
+// the row's own tolerance.
 #include "compiler/cli/eval/terms.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Whole shaders: what a language lacks, declarations, comments, the line map, long graphs.
 #include <algorithm>
 
-#include "tests/unit/printer_fixture.h"
+#include "tests/unit/compiler/printer_fixture.h"
 
 namespace patina::targets {
 namespace {
