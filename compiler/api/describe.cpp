@@ -21,7 +21,7 @@ std::string_view trim(std::string_view text) {
 std::string default_text(const Expr& expr, const EvaluationContext& context) {
     const Expr* root = &expr;
     while (root->kind == Expr::Kind::Member) root = root->args[0];
-    const bool by_name = root->kind == Expr::Kind::Name && context.library.stages.semantic_index.contains(root->text);
+    const bool by_name = root->kind == Expr::Kind::Name && context.library.paths.semantic_index.contains(root->text);
     std::string text(context.sources.text(expr.span));
     return by_name ? "@" + text : text;
 }
@@ -132,7 +132,7 @@ NodeInfo describe_node(const nodelang::FunctionDecl& function, const EvaluationC
 
 std::vector<SemanticInfo> describe_semantics(const graph::Library& library) {
     std::vector<SemanticInfo> all;
-    for (const graph::SemanticDecl& semantic : library.stages.semantics) {
+    for (const graph::SemanticDecl& semantic : library.paths.semantics) {
         if (semantic.is_of_pass) continue;  // no graph can read it
         const std::string_view type = semantic.function ? semantic.function->result.name : semantic.variable->type.name;
         const std::string_view doc = semantic.function ? semantic.function->doc : semantic.variable->doc;

@@ -29,9 +29,9 @@ PassInfo describe_pass(const graph::PassDecl& declaration) {
 
 std::vector<PathInfo> describe_paths(const graph::Library& library) {
     std::vector<PathInfo> paths;
-    for (const std::string_view name : library.stages.paths()) {
+    for (const std::string_view name : library.paths.names()) {
         PathInfo path{.name = std::string(name), .doc = {}, .source = {}, .file = {}, .passes = {}};
-        for (const graph::PassDecl* pass : library.stages.passes_of(name)) {
+        for (const graph::PassDecl* pass : library.paths.passes_of(name)) {
             if (path.passes.empty()) {
                 Doc doc = read_doc(opening_comment(library.sources.text_before(pass->fragment->span.begin)));
                 path.doc = std::move(doc.text);

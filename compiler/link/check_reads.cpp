@@ -10,9 +10,9 @@ namespace {
 
 using nodelang::FunctionDecl;
 
-bool is_per_object(const graph::Stages& stages, const ir::Global& global) {
-    return std::any_of(stages.externs.begin(), stages.externs.end(), [&](const nodelang::VariableDecl* each) {
-        return each->span == global.span && each->attribute("per_object");
+bool is_per_object(const graph::PathDeclarations& paths, const ir::Global& global) {
+    return std::any_of(paths.externs.begin(), paths.externs.end(), [&](const graph::ExternDecl& each) {
+        return each.variable->span == global.span && each.is_per_object;
     });
 }
 
@@ -27,10 +27,10 @@ std::set<std::uint32_t> globals_of(const ir::Module& stage) {
 }
 
 // Of the path, and of what switches bring.
-std::set<std::string_view> drawn_targets(const graph::Stages& stages, const std::string& path) {
-    std::vector<const graph::PassDecl*> passes = stages.passes_of(path);
-    for (const graph::SwitchDecl& each : stages.switches) {
-        if (const graph::PassDecl* brought = stages.pass(each.brings)) passes.push_back(brought);
+std::set<std::string_view> drawn_targets(const graph::PathDeclarations& paths, const std::string& path) {
+    std::vector<const graph::PassDecl*> passes = paths.passes_of(path);
+    for (const graph::SwitchDecl& each : paths.switches) {
+        if (const graph::PassDecl* brought = paths.pass(each.brings)) passes.push_back(brought);
     }
     std::set<std::string_view> names = {"color"};  // the picture is always there
     for (const graph::PassDecl* each : passes) {
@@ -136,8 +136,8 @@ bool has_all(graph::Session& session, const Linked& linked, const LinkedPass& pa
 
 void check_reads(graph::Session& session, const graph::Lowered& lowered, std::span<const LinkedPass> passes) {
     if (!session.pass_file || graph::tool_of(session) || lowered.path != session.path) return;
-    const graph::Stages& stages = *session.stages;
-    const std::set<std::string_view> drawn = drawn_targets(stages, lowered.path);
+    const graph::PathDeclarations& paths = *session.paths;
+    const std::set<std::string_view> drawn = drawn_targets(paths, lowered.path);
     const auto check = [&](const graph::PassDecl& pass, const ir::Module& stage, const FunctionDecl& function) {
         for (const std::uint32_t read : globals_of(stage)) {
             const ir::Global& global = lowered.module.globals[read];
@@ -147,7 +147,7 @@ void check_reads(graph::Session& session, const graph::Lowered& lowered, std::sp
                         Code::PassRefused, function.name_span, pass.name,
                         fmt::format("it reads the target '{}', which no pass of the path draws", target->second));
             }
-            if (pass.state.draws == "fullscreen" && is_per_object(stages, global))
+            if (pass.state.draws == "fullscreen" && is_per_object(paths, global))
                 session.diagnostics
                     .report(Code::PassRefused, function.name_span, pass.name,
                             fmt::format("it draws the screen and reads '{}', which belongs to an object", global.name))

@@ -241,24 +241,13 @@ private:
     }
 
     Value builtin(SemanticId semantic) {
-        static constexpr std::pair<std::string_view, ir::Builtin> kWords[] = {
-            {"front_facing", ir::Builtin::FrontFacing},
-            {"frag_coord", ir::Builtin::FragCoord},
-            {"vertex_index", ir::Builtin::VertexIndex},
-            {"instance_index", ir::Builtin::InstanceIndex}};
-        const auto& declared = *linked_.lowered.semantics[semantic.index].declaration->variable->attribute("builtin");
+        const ir::Builtin which = linked_.lowered.semantics[semantic.index].declaration->builtin;
         const ir::Semantic& info = module_.semantics[semantic.index];
         // Known to the vertex stage alone, which hands it on as it is.
-        if (!in_vertex_stage() && nodelang::attribute_text(declared) == "instance_index") return varying(semantic);
+        if (!in_vertex_stage() && which == ir::Builtin::InstanceIndex) return varying(semantic);
         // Triangles have no back yet: vertices see the front.
-        if (in_vertex_stage() && nodelang::attribute_text(declared) == "front_facing") {
-            return builder_.constant(info.type, {1});
-        }
-        ir::StageVariable variable{.name = info.name, .type = info.type, .semantic = {}};
-        for (const auto& [word, which] : kWords) {
-            if (word == nodelang::attribute_text(declared)) variable.builtin = which;
-        }
-        return input(std::move(variable), ir::Rate::Pixel);
+        if (in_vertex_stage() && which == ir::Builtin::FrontFacing) return builder_.constant(info.type, {1});
+        return input({.name = info.name, .type = info.type, .builtin = which, .semantic = {}}, ir::Rate::Pixel);
     }
 
     const Linked& linked_;
@@ -321,9 +310,8 @@ Linked link(graph::Lowered lowered) {
 namespace {
 
 std::vector<ir::StageText> texts_of(const graph::PassDecl& pass) {
-    Diagnostics said;  // when its file was read
-    std::vector<ir::StageText> texts = graph::texts_of(pass.vertex->attributes, said);
-    for (ir::StageText& text : graph::texts_of(pass.fragment->attributes, said)) texts.push_back(std::move(text));
+    std::vector<ir::StageText> texts = pass.vertex_texts;
+    texts.insert(texts.end(), pass.fragment_texts.begin(), pass.fragment_texts.end());
     return texts;
 }
 

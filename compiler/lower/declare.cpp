@@ -37,11 +37,9 @@ std::optional<ir::Kind> texture_kind(std::string_view type) {
 }
 
 // Not bound to a switch or a path, or to one that is on.
-bool is_wanted(const nodelang::VariableDecl& variable, std::span<const std::string_view> on) {
-    const nodelang::Attribute* with = variable.attribute("with");
-    if (!with) return true;
-    const std::vector<std::string_view> words = attribute_words(*with);
-    return std::find_first_of(words.begin(), words.end(), on.begin(), on.end()) != words.end();
+bool is_wanted(const ExternDecl& value, std::span<const std::string_view> on) {
+    return value.with.empty() ||
+           std::find_first_of(value.with.begin(), value.with.end(), on.begin(), on.end()) != value.with.end();
 }
 
 // Bools stay bools: no uniform block holds them.
@@ -103,54 +101,55 @@ void add_member(ir::UniformBlock& block, const ir::Module& module, std::string n
 namespace {
 
 // What included files declare, and in whose place it stands.
-void declare_foreign(const Stages& stages, const nodelang::Declarations& declarations, nodelang::Emitter& emitter) {
+void declare_foreign(const PathDeclarations& paths, const nodelang::Declarations& declarations,
+                     nodelang::Emitter& emitter) {
     const nodelang::Scope scope{.declarations = &declarations};
-    for (const nodelang::VariableDecl* variable : stages.foreign) {
-        const std::string_view spelling = nodelang::attribute_text(*variable->attribute("foreign"));
-        emitter.module().globals.push_back({.name = std::string(variable->name),
-                                            .type = emitter.type(variable->type, scope),
+    for (const ForeignDecl& foreign : paths.foreign) {
+        const nodelang::VariableDecl& variable = *foreign.variable;
+        emitter.module().globals.push_back({.name = std::string(variable.name),
+                                            .type = emitter.type(variable.type, scope),
                                             .set = kForeignSet,
-                                            .span = variable->span,
-                                            .spelling = std::string(spelling.empty() ? variable->name : spelling)});
-        emitter.set_extern(variable, {static_cast<std::uint32_t>(emitter.module().globals.size() - 1)});
+                                            .span = variable.span,
+                                            .spelling = std::string(foreign.spelling)});
+        emitter.set_extern(&variable, {static_cast<std::uint32_t>(emitter.module().globals.size() - 1)});
     }
-    for (const GivenDecl& given : stages.given) {
+    for (const GivenDecl& given : paths.given) {
         const nodelang::VariableDecl* replaced = given.variable ? declarations.variable(given.what) : nullptr;
-        if (!replaced || !replaced->attribute("extern")) continue;
+        const ExternDecl* value = replaced ? paths.extern_of(replaced) : nullptr;
+        if (!value) continue;
         emitter.share_extern(replaced, given.variable);
-        if (replaced->attribute("per_object"))
+        if (value->is_per_object)
             emitter.module().globals[emitter.extern_global(*given.variable)->index].is_of_object = true;
     }
 }
 
 }  // namespace
 
-EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations& declarations,
+EngineGlobals declare_engine(const PathDeclarations& paths, const nodelang::Declarations& declarations,
                              nodelang::Emitter& emitter, std::span<const std::string_view> on) {
     EngineGlobals made;
     ir::Module& module = emitter.module();
     const nodelang::Scope scope{.declarations = &declarations};
     std::uint32_t textures = 0, targets = 0;
-    std::vector<const nodelang::VariableDecl*> externs = stages.externs;
-    std::erase_if(externs, [&](const nodelang::VariableDecl* each) { return !is_wanted(*each, on); });
-    std::stable_partition(externs.begin(), externs.end(),
-                          [](const nodelang::VariableDecl* each) { return !each->attribute("with"); });
-    for (const nodelang::VariableDecl* each : externs) {
-        const nodelang::VariableDecl& variable = *each;
-        const nodelang::Attribute* attribute = variable.attribute("extern");
+    std::vector<const ExternDecl*> externs;
+    for (const ExternDecl& each : paths.externs) {
+        if (is_wanted(each, on)) externs.push_back(&each);
+    }
+    std::stable_partition(externs.begin(), externs.end(), [](const ExternDecl* each) { return each->with.empty(); });
+    for (const ExternDecl* each : externs) {
+        const nodelang::VariableDecl& variable = *each->variable;
         if (const std::optional<ir::Kind> kind = texture_kind(variable.type.name)) {
             const std::string texture(variable.name);
-            const std::uint32_t set = attribute ? kEngineSet : kTargetSet;
-            std::uint32_t& slot = attribute ? textures : targets;
+            const std::uint32_t set = each->is_target() ? kTargetSet : kEngineSet;
+            std::uint32_t& slot = each->is_target() ? targets : textures;
             const ir::GlobalId global = add_resource(module, texture, *kind, set, slot, variable.span);
             emitter.set_extern(&variable, global);
-            if (const nodelang::Attribute* reads = variable.attribute("reads"))
-                made.reads[global.index] = nodelang::attribute_text(*reads);
+            if (each->is_target()) made.reads[global.index] = each->reads;
             add_resource(module, texture + "_sampler", ir::Kind::Sampler, set, slot, variable.span);
             ++slot;
             continue;
         }
-        const std::string_view name = nodelang::attribute_text(*attribute);
+        const std::string_view name = each->block;
         auto block = std::find_if(module.blocks.begin(), module.blocks.end(),
                                   [&](const ir::UniformBlock& b) { return b.name == name; });
         if (block == module.blocks.end()) {
@@ -165,10 +164,10 @@ EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations&
         const auto index = static_cast<std::uint32_t>(block - module.blocks.begin());
         const ir::GlobalId global = add_block_global(module, index, std::string(variable.name), type, variable.span);
         emitter.set_extern(&variable, global);
-        if (variable.attribute("per_object")) made.per_object.insert(global.index);
+        if (each->is_per_object) made.per_object.insert(global.index);
     }
-    declare_foreign(stages, declarations, emitter);
-    for (const nodelang::VariableDecl* older : stages.repeated) {
+    declare_foreign(paths, declarations, emitter);
+    for (const nodelang::VariableDecl* older : paths.repeated) {
         const nodelang::VariableDecl* newer = declarations.variable(older->name);
         if (newer) emitter.share_extern(older, newer);
     }

@@ -287,7 +287,7 @@ Typed GraphScope::name(const Expr& expr, nodelang::Scope&) {
     for (const Node& node : graph_.graph->nodes) known.push_back(node.id);
     if (inputs_.contains(expr.text) || lowering_.material.property_index.contains(expr.text)) {
         record.note(fmt::format("an input or property is read as '${}'", expr.text));
-    } else if (lowering_.session.stages->semantic_index.contains(expr.text)) {
+    } else if (lowering_.session.paths->semantic_index.contains(expr.text)) {
         record.note(fmt::format("a semantic is read as '@{}'", expr.text));
     } else {
         record.note(Diagnostics::suggestion(expr.text, known));
@@ -396,14 +396,14 @@ Typed GraphScope::material_property(std::size_t index) {
 namespace {
 
 // Whether a semantic is made of where its pixel lies. Which side is seen does not count: vertices see the front.
-bool reads_pixel(const Stages& stages, const SemanticDecl& semantic) {
+bool reads_pixel(const PathDeclarations& paths, const SemanticDecl& semantic) {
     if (semantic.source == Source::Builtin) return semantic.name != "front_facing";
     if (!semantic.function) return false;
     return std::any_of(semantic.function->params.begin(), semantic.function->params.end(), [&](const auto& param) {
         const nodelang::Expr* read = param.initial;
         while (read && read->kind == nodelang::Expr::Kind::Member) read = read->args[0];
-        const SemanticDecl* found = read ? stages.semantic(read->text) : nullptr;
-        return found && reads_pixel(stages, *found);
+        const SemanticDecl* found = read ? paths.semantic(read->text) : nullptr;
+        return found && reads_pixel(paths, *found);
     });
 }
 
@@ -411,8 +411,8 @@ bool reads_pixel(const Stages& stages, const SemanticDecl& semantic) {
 
 Typed GraphScope::semantic(std::string_view name, Span span, nodelang::Scope& scope) {
     if (const auto given = given_.find(name); given != given_.end()) return given->second;
-    const Stages& stages = *lowering_.session.stages;
-    const auto found = stages.semantic_index.find(name);
+    const PathDeclarations& paths = *lowering_.session.paths;
+    const auto found = paths.semantic_index.find(name);
     if (shadow_.ok()) {
         const auto& members = lowering_.out.module.structs[shadow_.type.ref].members;
         for (std::uint32_t i = 0; i < members.size(); ++i) {
@@ -420,9 +420,9 @@ Typed GraphScope::semantic(std::string_view name, Span span, nodelang::Scope& sc
                 return {.value = scope.builder->extract(shadow_.value, i), .type = members[i].type};
         }
     }
-    if (found == stages.semantic_index.end() || stages.semantics[found->second].is_of_pass) {
+    if (found == paths.semantic_index.end() || paths.semantics[found->second].is_of_pass) {
         std::vector<std::string_view> known;
-        for (const SemanticDecl& semantic : stages.semantics) {
+        for (const SemanticDecl& semantic : paths.semantics) {
             if (!semantic.is_of_pass) known.push_back(semantic.name);
         }
         DiagnosticRecord& record = lowering_.session.diagnostics.report(Code::UnknownSemantic, span, name);
@@ -433,7 +433,7 @@ Typed GraphScope::semantic(std::string_view name, Span span, nodelang::Scope& sc
             record.note("docs/semantics.md lists them");
         return {};
     }
-    const SemanticDecl& semantic = stages.semantics[found->second];
+    const SemanticDecl& semantic = paths.semantics[found->second];
     // A default of a port stands in a file of functions; it is the graph that has left the port open.
     const nodelang::OpenPort* open = scope.open_port;
     const auto report = [&](Code code, std::string_view where) -> DiagnosticRecord& {
@@ -452,7 +452,7 @@ Typed GraphScope::semantic(std::string_view name, Span span, nodelang::Scope& sc
     if (semantic.source == Source::Extern) return lowering_.emitter.extern_value(*semantic.variable, scope);
     const Type type = lowering_.out.module.semantics[found->second].type;
     if (type.is_error()) return {};
-    if (scope_.in_vertex_stage && (semantic.source == Source::Builtin || reads_pixel(stages, semantic))) {
+    if (scope_.in_vertex_stage && (semantic.source == Source::Builtin || reads_pixel(paths, semantic))) {
         DiagnosticRecord& record = report(Code::NoSuchStageValue, "vertex");
         record.note(
             "vertices are computed before there are pixels, from the mesh and from what is the same for all of it");

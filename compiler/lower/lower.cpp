@@ -32,26 +32,27 @@ ir::Rate rate_of(Source source) {
 
 void declare_statics(Lowering& lowering) {
     const RenderState& render = lowering.material.graph->graph->render;
-    const auto word_of = [&](std::string_view key) -> std::string_view {
-        if (key == "surface") return text_of(kSurfaceKinds, render.surface);
-        if (key == "cull") return text_of(kCulls, render.cull);
-        return {};
-    };
-    for (const nodelang::VariableDecl* variable : lowering.session.stages->statics) {
-        const nodelang::Attribute* attribute = variable->attribute("static");
-        if (is_of_lighting(nodelang::attribute_text(*attribute))) continue;  // known later (lower_passes.cpp)
-        const std::string_view word = word_of(nodelang::attribute_text(*attribute));
-        bool matches = false;
-        for (std::size_t i = 1; i < attribute->args.size(); ++i) {
-            matches = matches || nodelang::attribute_text(*attribute, i) == word;
+    const auto is_true = [&](const StaticDecl& asked, std::string_view word) {
+        switch (asked.about) {
+            case StaticDecl::About::Surface: return word == text_of(kSurfaceKinds, render.surface);
+            case StaticDecl::About::Cull: return word == text_of(kCulls, render.cull);
+            case StaticDecl::About::Clip: return false;
+            case StaticDecl::About::Slot:
+            case StaticDecl::About::Pass: break;
         }
-        lowering.emitter.set_static(variable, matches ? 1 : 0);
+        return false;
+    };
+    for (const StaticDecl& asked : lowering.session.paths->statics) {
+        if (asked.is_of_passes()) continue;  // known later (lower_passes.cpp)
+        const bool is_any = std::any_of(asked.words.begin(), asked.words.end(),
+                                        [&](std::string_view word) { return is_true(asked, word); });
+        lowering.emitter.set_static(asked.variable, is_any ? 1 : 0);
     }
 }
 
 void declare_semantics(Lowering& lowering) {
     const nodelang::Scope scope{.declarations = lowering.session.declarations};
-    for (const SemanticDecl& semantic : lowering.session.stages->semantics) {
+    for (const SemanticDecl& semantic : lowering.session.paths->semantics) {
         const Type type =
             lowering.emitter.type(semantic.function ? semantic.function->result : semantic.variable->type, scope);
         lowering.out.module.semantics.push_back(
@@ -61,15 +62,15 @@ void declare_semantics(Lowering& lowering) {
 }
 
 // The function without parameters that a pass calls for the surface that is to be lit.
-const FunctionDecl* surface_slot(const Stages& stages) {
-    const auto found = std::find_if(stages.slots.begin(), stages.slots.end(),
-                                    [](const FunctionDecl* slot) { return slot->params.empty(); });
-    return found == stages.slots.end() ? nullptr : *found;
+const FunctionDecl* surface_slot(const PathDeclarations& paths) {
+    const auto found = std::find_if(paths.slots.begin(), paths.slots.end(),
+                                    [](const SlotDecl& slot) { return slot.function->params.empty(); });
+    return found == paths.slots.end() ? nullptr : found->function;
 }
 
 // A lighting model's own inputs become members of the lighting surface.
 void extend_lighting_surface(Lowering& lowering) {
-    const FunctionDecl* slot = surface_slot(*lowering.session.stages);
+    const FunctionDecl* slot = surface_slot(*lowering.session.paths);
     const nodelang::StructDecl* surface = slot ? lowering.session.declarations->structure(slot->result.name) : nullptr;
     if (!surface) return;
     std::vector<ir::Member> members;
@@ -91,8 +92,8 @@ void lower_vertex_outputs(Lowering& lowering) {
     const CheckedGraph& graph = *lowering.material.graph;
     ir::Module& module = lowering.out.module;
     for (const PortValue& port : graph.graph->vertex) {
-        const auto semantic = lowering.session.stages->semantic_index.find(port.name);
-        if (semantic == lowering.session.stages->semantic_index.end()) continue;
+        const auto semantic = lowering.session.paths->semantic_index.find(port.name);
+        if (semantic == lowering.session.paths->semantic_index.end()) continue;
         ir::Function function{};
         function.name = "vertex_" + port.name;
         ir::Builder builder(module, function, lowering.emitter.options());
@@ -139,7 +140,7 @@ void declare_switches(Lowering& lowering) {
     Session& session = lowering.session;
     const bool has_passes = session.options.functions.empty() && !tool_of(session);
     std::vector<std::string_view> known;
-    for (const SwitchDecl& each : session.stages->switches) {
+    for (const SwitchDecl& each : session.paths->switches) {
         known.push_back(each.variable->name);
         lowering.out.switches.emplace_back(each.variable->name, false);
     }
@@ -171,10 +172,11 @@ void declare_switches(Lowering& lowering) {
             lowering.out.switches[static_cast<std::size_t>(found - known.begin())].second = value != "false";
         }
     }
-    for (const SwitchDecl& each : session.stages->switches)
+    for (const SwitchDecl& each : session.paths->switches)
         lowering.emitter.set_static(each.variable, lowering.is_on(each.variable->name) ? 1 : 0);
-    for (const nodelang::VariableDecl* older : session.stages->repeated) {
-        if (older->attribute("switch")) lowering.emitter.set_static(older, lowering.is_on(older->name) ? 1 : 0);
+    for (const nodelang::VariableDecl* older : session.paths->repeated) {
+        if (session.library.paths.switch_of(older))
+            lowering.emitter.set_static(older, lowering.is_on(older->name) ? 1 : 0);
     }
 }
 
@@ -193,7 +195,7 @@ void report_large_instance(Session& session, const Material& material, const Low
 std::vector<std::string_view> what_is_on(const Lowering& lowering) {
     const Session& session = lowering.session;
     std::vector<std::string_view> on = {session.path};
-    if (session.path == kAllPaths) on = session.stages->paths();
+    if (session.path == kAllPaths) on = session.paths->names();
     for (const auto& [name, value] : lowering.out.switches)
         if (value) on.push_back(name);
     return on;
@@ -264,9 +266,8 @@ std::string_view Lowering::slot_name(ir::FunctionId function) const {
 }
 
 bool Lowering::is_packing(std::string_view slot) const {
-    return std::any_of(session.stages->slots.begin(), session.stages->slots.end(), [&](const FunctionDecl* each) {
-        return each->name == slot && (each->attribute("pack") || each->attribute("unpack"));
-    });
+    const SlotDecl* found = session.paths->slot(slot);
+    return found && (found->making == SlotDecl::Making::Pack || found->making == SlotDecl::Making::Unpack);
 }
 
 ir::FunctionId add_function(ir::Module& module, ir::Function function) {
@@ -296,7 +297,7 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
                       .surface = {}};
     declare_switches(lowering);
     const std::vector<std::string_view> on = what_is_on(lowering);
-    EngineGlobals engine = declare_engine(*session.stages, *session.declarations, lowering.emitter, on);
+    EngineGlobals engine = declare_engine(*session.paths, *session.declarations, lowering.emitter, on);
     lowering.per_object = std::move(engine.per_object);
     out.reads = std::move(engine.reads);
     const bool instanced = is_instanced(material) && session.options.functions.empty() && !tool_of(session);

@@ -23,11 +23,10 @@ public:
     void run() {
         if (!can_be_passed() || !lowering_.surface) return;
         add(lowering_.surface, "surface", "The surface as the graph describes it, in the words of its workflow.");
-        for (const FunctionDecl* function : lowering_.session.stages->exports) {
+        for (const ExportDecl& each : lowering_.session.paths->exports) {
             const ir::FunctionId made =
-                lowering_.emitter.given_function(*function, *lowering_.session.declarations, environment_, false);
-            const nodelang::Attribute& name = *function->attribute("export");
-            if (made) add(made, nodelang::attribute_text(name), nodelang::first_sentence(function->doc));
+                lowering_.emitter.given_function(*each.function, *lowering_.session.declarations, environment_, false);
+            if (made) add(made, each.name, nodelang::first_sentence(each.function->doc));
         }
         add_vertex_functions();
         leave_to_engine();
@@ -72,9 +71,8 @@ private:
     }
 
     void leave_to_engine() {
-        for (const FunctionDecl& function : lowering_.session.library.ast.functions) {
-            if (!function.attribute("extern")) continue;
-            for (const nodelang::InstanceInfo& instance : lowering_.emitter.instances_of(function)) {
+        for (const FunctionDecl* function : lowering_.session.library.paths.extern_functions) {
+            for (const nodelang::InstanceInfo& instance : lowering_.emitter.instances_of(*function)) {
                 ir::Function made{};
                 made.name = module_[instance.id].name;
                 made.comment = module_[instance.id].comment;

@@ -37,8 +37,9 @@ void refuse_derivatives_per_light(Lowering& lowering, const ir::Function& functi
 }
 
 // One output of the lighting graph, as the function that the slot declares.
-ir::FunctionId lower_lighting(Lowering& lowering, const FunctionDecl& slot, const PortValue& output,
+ir::FunctionId lower_lighting(Lowering& lowering, const SlotDecl& declared, const PortValue& output,
                               GraphScope& material, bool& needs_quad) {
+    const FunctionDecl& slot = *declared.function;
     ir::Module& module = lowering.out.module;
     const CheckedGraph& lighting = *lowering.material.lighting;
     ir::Function function{};
@@ -48,11 +49,8 @@ ir::FunctionId lower_lighting(Lowering& lowering, const FunctionDecl& slot, cons
     ir::Builder builder(module, function, lowering.emitter.options());
     GraphScope scope(lowering, lighting, builder, false);
     scope.set_property_values(lowering.material.lighting_inputs, material);
-    bool per_light = false;
     for (const nodelang::ParamDecl& param : slot.params) {
-        const bool is_light = std::any_of(param.attributes.begin(), param.attributes.end(),
-                                          [](const nodelang::Attribute& a) { return a.name == "per_light"; });
-        per_light = per_light || is_light;
+        const bool is_light = declared.light_param == function.params.size();
         const Type type = lowering.emitter.type(param.type, scope.scope());
         function.params.push_back({std::string(param.name), type, is_light ? ir::Rate::Light : ir::Rate::Pixel});
         const Typed value{.value = builder.param(static_cast<std::uint32_t>(function.params.size() - 1)), .type = type};
@@ -75,7 +73,7 @@ ir::FunctionId lower_lighting(Lowering& lowering, const FunctionDecl& slot, cons
     });
     builder.ret(value.value);
     needs_quad = scope.needs_quad();
-    if (per_light && needs_quad) refuse_derivatives_per_light(lowering, function);
+    if (declared.light_param && needs_quad) refuse_derivatives_per_light(lowering, function);
     return add_function(module, std::move(function));
 }
 
@@ -91,8 +89,9 @@ void lower_slots(Lowering& lowering) {
     ir::Builder unused_builder(lowering.out.module, unused, lowering.emitter.options());
     GraphScope material(lowering, *lowering.material.graph, unused_builder, false);
     const CheckedGraph& lighting = *lowering.material.lighting;
-    for (const FunctionDecl* slot : lowering.session.stages->slots) {
-        if (is_part(*slot)) continue;
+    for (const SlotDecl& declared : lowering.session.paths->slots) {
+        if (declared.is_derived()) continue;
+        const FunctionDecl* slot = declared.function;
         nodelang::Slot made{.function = {}, .result = lowering.emitter.type(slot->result, scope)};
         const auto output = std::find_if(lighting.graph->outputs.begin(), lighting.graph->outputs.end(),
                                          [&](const PortValue& p) { return p.name == slot->name; });
@@ -101,7 +100,7 @@ void lower_slots(Lowering& lowering) {
             made.function = lower_setup(lowering, *slot, surface, members);
         } else if (output != lighting.graph->outputs.end()) {
             if (!output->value) continue;
-            made.function = lower_lighting(lowering, *slot, *output, material, made.needs_quad);
+            made.function = lower_lighting(lowering, declared, *output, material, made.needs_quad);
         } else if (slot->has_body) {
             made.function = lowering.emitter.plain_function(*slot, declarations);
         }

@@ -17,20 +17,18 @@ namespace {
 
 using ir::Type;
 using ir::Value;
-using nodelang::Attribute;
 using nodelang::FunctionDecl;
 
-const FunctionDecl* find_slot(const Lowering& lowering, std::string_view name) {
-    for (const FunctionDecl* slot : lowering.session.stages->slots) {
-        if (slot->name == name) return slot;
-    }
-    return nullptr;
+using Making = SlotDecl::Making;
+
+const SlotDecl* find_slot(const Lowering& lowering, std::string_view name) {
+    return lowering.session.paths->slot(name);
 }
 
 // The slot's function, which may be a part itself.
 const nodelang::Slot* slot_named(Lowering& lowering, std::string_view name) {
-    const FunctionDecl* slot = find_slot(lowering, name);
-    if (slot && is_part(*slot)) return &part_of(lowering, *slot).slot;
+    const SlotDecl* slot = find_slot(lowering, name);
+    if (slot && slot->is_derived()) return &part_of(lowering, *slot).slot;
     return lowering.emitter.find_slot(name);
 }
 
@@ -84,10 +82,9 @@ ir::Origin origin_of(const ir::Module& module, ir::OriginId id) {
 
 // The graph's own slot that a part is taken of, through all parts between.
 std::string_view root_of(const Lowering& lowering, std::string_view of) {
-    for (const FunctionDecl* slot = find_slot(lowering, of); slot; slot = find_slot(lowering, of)) {
-        const Attribute* taken = slot->attribute("part") ? slot->attribute("part") : slot->attribute("without");
-        if (!taken) break;
-        of = nodelang::attribute_text(*taken);
+    for (const SlotDecl* slot = find_slot(lowering, of); slot; slot = find_slot(lowering, of)) {
+        if (slot->making != Making::Part && slot->making != Making::Without) break;
+        of = slot->of;
     }
     return of;
 }
@@ -97,27 +94,27 @@ Part not_linear(const Lowering& lowering, std::string_view of, std::string_view 
             .where = origin_of(lowering.out.module, found.origin)};
 }
 
-Part linear_slot(Lowering& lowering, const FunctionDecl& slot, const Attribute& attribute) {
+Part linear_slot(Lowering& lowering, const SlotDecl& slot) {
     ir::Module& module = lowering.out.module;
-    const std::string_view of = nodelang::attribute_text(attribute);
+    const std::string_view of = slot.of;
     const nodelang::Slot* whole = slot_named(lowering, of);
-    const FunctionDecl* declared = find_slot(lowering, of);
-    if (declared && is_part(*declared) && !part_of(lowering, *declared).slot.function) {
+    const SlotDecl* declared = find_slot(lowering, of);
+    if (declared && declared->is_derived() && !part_of(lowering, *declared).slot.function) {
         Part missing = part_of(lowering, *declared);
         missing.is_of_missing = true;
         return missing;
     }
     if (!whole || !whole->function || !declared) return {.why_not = fmt::format("there is no '{}'", of)};
-    const std::string_view name = nodelang::attribute_text(attribute, 1);
-    const Source source = source_named(lowering, *declared, whole->function, name);
+    const std::string_view name = slot.source;
+    const Source source = source_named(lowering, *declared->function, whole->function, name);
     if (source.is_absent) return {.why_not = fmt::format("'{}' does not call '{}'", of, name)};
     if (!source.seed) return {.why_not = source.why_not};
-    const bool componentwise = nodelang::attribute_text(attribute, 2) == "componentwise";
+    const bool componentwise = slot.is_componentwise;
     ir::LinearPart made = ir::linear_part(module, whole->function, *source.seed,
                                           {.componentwise = componentwise, .build = lowering.emitter.options()});
     if (!made.function) return not_linear(lowering, of, name, made);
-    made.function->name = slot.name;
-    made.function->comment = nodelang::first_sentence(slot.doc);
+    made.function->name = slot.name();
+    made.function->comment = nodelang::first_sentence(slot.function->doc);
     const ir::FunctionId function = add_function(module, std::move(*made.function));
     if (const std::string other = componentwise ? "" : other_member_of(module, function, *source.seed); !other.empty())
         return {.why_not = fmt::format("what '{}' does with '{}' depends on '{}', too", of, name, other)};
@@ -125,14 +122,14 @@ Part linear_slot(Lowering& lowering, const FunctionDecl& slot, const Attribute& 
             .is_zero = !made.depends};
 }
 
-Part slot_without(Lowering& lowering, const Attribute& attribute) {
+Part slot_without(Lowering& lowering, const SlotDecl& slot) {
     ir::Module& module = lowering.out.module;
-    const std::string_view of = nodelang::attribute_text(attribute);
+    const std::string_view of = slot.of;
     const nodelang::Slot* whole = slot_named(lowering, of);
-    const FunctionDecl* declared = find_slot(lowering, of);
+    const SlotDecl* declared = find_slot(lowering, of);
     if (!whole || !whole->function || !declared) return {.why_not = fmt::format("there is no '{}'", of)};
-    const std::string_view name = nodelang::attribute_text(attribute, 1);
-    const Source source = source_named(lowering, *declared, whole->function, name);
+    const std::string_view name = slot.source;
+    const Source source = source_named(lowering, *declared->function, whole->function, name);
     if (source.is_absent) return {.slot = *whole};
     if (!source.seed) return {.why_not = source.why_not};
     const ir::LinearPart taken =
@@ -151,19 +148,19 @@ struct Packing {
     std::string why_not;
 };
 
-Packing packing_of(Lowering& lowering, const FunctionDecl& slot, Type surface) {
+Packing packing_of(Lowering& lowering, const SlotDecl& slot, Type surface) {
     const ir::Module& module = lowering.out.module;
     const std::vector<ir::Member>& members = module.structs[surface.ref].members;
     std::vector<bool> is_read(members.size(), false);
-    for (std::string_view reader : attribute_words(*slot.attribute("pack"))) {
+    for (const std::string_view reader : slot.readers) {
         const nodelang::Slot* function = slot_named(lowering, reader);
         if (!function || !function->function) continue;
         for (const ir::MemberRead& read : ir::members_read(module, function->function, 0)) is_read[read.member] = true;
     }
-    const std::vector<std::string_view> held = attribute_words(*slot.attribute("holds"));
     Packing packing;
     for (std::uint32_t i = 0; i < members.size(); ++i) {
-        if (!is_read[i] || std::find(held.begin(), held.end(), members[i].name) != held.end()) continue;
+        if (!is_read[i] || std::find(slot.holds.begin(), slot.holds.end(), members[i].name) != slot.holds.end())
+            continue;
         if (!members[i].type.is_numeric() || members[i].type.is_matrix()) {
             packing.why_not = fmt::format("'@surface.{}' is no number", members[i].name);
             continue;
@@ -196,9 +193,9 @@ ir::Function slot_shell(Lowering& lowering, const FunctionDecl& slot) {
     return function;
 }
 
-Part pack_slot(Lowering& lowering, const FunctionDecl& slot) {
+Part pack_slot(Lowering& lowering, const SlotDecl& slot) {
     ir::Module& module = lowering.out.module;
-    ir::Function function = slot_shell(lowering, slot);
+    ir::Function function = slot_shell(lowering, *slot.function);
     const Packing packing = packing_of(lowering, slot, function.params[0].type);
     if (!packing.why_not.empty()) return {.why_not = packing.why_not};
     const unsigned room = room_in(module, function.result);
@@ -222,11 +219,11 @@ Part pack_slot(Lowering& lowering, const FunctionDecl& slot) {
     return {.slot = {.function = add_function(module, std::move(function)), .result = result}};
 }
 
-Part unpack_slot(Lowering& lowering, const FunctionDecl& slot) {
+Part unpack_slot(Lowering& lowering, const SlotDecl& slot) {
     ir::Module& module = lowering.out.module;
-    const FunctionDecl* packer = find_slot(lowering, nodelang::attribute_text(*slot.attribute("unpack")));
-    if (!packer || !packer->attribute("pack")) return {.why_not = "nothing packs what it unpacks"};
-    ir::Function function = slot_shell(lowering, slot);
+    const SlotDecl* packer = find_slot(lowering, slot.of);
+    if (!packer || !packer->packs()) return {.why_not = "nothing packs what it unpacks"};
+    ir::Function function = slot_shell(lowering, *slot.function);
     const Packing packing = packing_of(lowering, *packer, function.result);
     ir::Builder b(module, function, lowering.emitter.options());
     const Value surface = b.param(0), extras = b.param(1);
@@ -248,27 +245,26 @@ Part unpack_slot(Lowering& lowering, const FunctionDecl& slot) {
 
 }  // namespace
 
-bool is_part(const FunctionDecl& slot) {
-    return slot.attribute("part") || slot.attribute("without") || slot.attribute("pack") || slot.attribute("unpack");
-}
-
-const Part& part_of(Lowering& lowering, const FunctionDecl& slot) {
-    const auto known = lowering.parts.find(slot.name);
+const Part& part_of(Lowering& lowering, const SlotDecl& slot) {
+    const auto known = lowering.parts.find(slot.name());
     if (known != lowering.parts.end()) return known->second;
     Part made;
-    if (const Attribute* attribute = slot.attribute("part")) made = linear_slot(lowering, slot, *attribute);
-    if (const Attribute* attribute = slot.attribute("without")) made = slot_without(lowering, *attribute);
-    if (slot.attribute("pack")) made = pack_slot(lowering, slot);
-    if (slot.attribute("unpack")) made = unpack_slot(lowering, slot);
-    return lowering.parts.emplace(slot.name, std::move(made)).first->second;
+    switch (slot.making) {
+        case Making::Graph: break;
+        case Making::Part: made = linear_slot(lowering, slot); break;
+        case Making::Without: made = slot_without(lowering, slot); break;
+        case Making::Pack: made = pack_slot(lowering, slot); break;
+        case Making::Unpack: made = unpack_slot(lowering, slot); break;
+    }
+    return lowering.parts.emplace(slot.name(), std::move(made)).first->second;
 }
 
 std::vector<std::string_view> packed_members(Lowering& lowering, std::string_view slot) {
     std::vector<std::string_view> names;
-    const FunctionDecl* packer = find_slot(lowering, slot);
-    if (!packer || !packer->attribute("pack")) return names;
+    const SlotDecl* packer = find_slot(lowering, slot);
+    if (!packer || !packer->packs()) return names;
     const nodelang::Scope scope{.declarations = lowering.session.declarations};
-    const Type surface = lowering.emitter.type(packer->params[0].type, scope);
+    const Type surface = lowering.emitter.type(packer->function->params[0].type, scope);
     for (const std::uint32_t member : packing_of(lowering, *packer, surface).members)
         names.push_back(lowering.out.module.structs[surface.ref].members[member].name);
     return names;

@@ -11,14 +11,13 @@ namespace patina::graph {
 namespace {
 
 using ir::Op;
-using nodelang::Attribute;
 using nodelang::FunctionDecl;
 using nodelang::VariableDecl;
 
 class Passes {
 public:
     explicit Passes(Lowering& lowering)
-        : lowering_(lowering), stages_(*lowering.session.stages), environment_(lowering) {}
+        : lowering_(lowering), paths_(*lowering.session.paths), environment_(lowering) {}
 
     void run() {
         nodelang::Emitter& emitter = lowering_.emitter;
@@ -48,7 +47,7 @@ private:
     void lower_extra() {
         Lowered& out = lowering_.out;
         out.path = lowering_.session.path;
-        const PassDecl* pass = stages_.pass_for_extra(out.path);
+        const PassDecl* pass = paths_.pass_for_extra(out.path);
         const std::string& name = lowering_.material.pass->name;
         if (const Refusal refusal = pass ? lower_pass(*pass) : Refusal{"no pass says [extra]"})
             report(Code::PassRefused, refusal, name, refusal.reason);
@@ -56,10 +55,10 @@ private:
     }
 
     void named_pass(const std::string& name) {
-        const PassDecl* pass = stages_.pass(name);
+        const PassDecl* pass = paths_.pass(name);
         if (!pass) {
             std::vector<std::string_view> known;
-            for (const PassDecl& each : stages_.passes) known.push_back(each.name);
+            for (const PassDecl& each : paths_.passes) known.push_back(each.name);
             lowering_.session.diagnostics.report(Code::UnknownPass, {}, name)
                 .note(Diagnostics::suggestion(name, known));
         } else if (const Refusal refusal = lower_pass(*pass)) {
@@ -70,15 +69,15 @@ private:
     // Every pass that can draw the material.
     void lower_all() {
         lowering_.out.path = kAllPaths;
-        for (const std::string_view path : stages_.paths()) {
+        for (const std::string_view path : paths_.names()) {
             begin_path();
-            for (const PassDecl* pass : optional_first(stages_.passes_of(path))) {
+            for (const PassDecl* pass : optional_first(paths_.passes_of(path))) {
                 if (!lower_pass(*pass) || pass->is_optional || pass->state.fallback.empty()) continue;
                 lowering_.out.passes.resize(first_of_path_);  // the path is not for this material
                 break;
             }
         }
-        in_order_of([&](const LoweredPass& pass) { return pass.declaration - stages_.passes.data(); });
+        in_order_of([&](const LoweredPass& pass) { return pass.declaration - paths_.passes.data(); });
     }
 
     // Passes may ask which of the passes that they are drawn with are there; the optional ones are known first.
@@ -99,14 +98,14 @@ private:
         out.path = path;
         begin_path();
         std::vector<const PassDecl*> passes;
-        for (const SwitchDecl& each : stages_.switches) {
-            const PassDecl* brought = each.brings.empty() ? nullptr : stages_.pass(each.brings);
+        for (const SwitchDecl& each : paths_.switches) {
+            const PassDecl* brought = each.brings.empty() ? nullptr : paths_.pass(each.brings);
             const bool is_there = std::find(passes.begin(), passes.end(), brought) != passes.end();
             if (brought && !is_there && lowering_.is_on(each.variable->name) && brought->path != path)
                 passes.push_back(brought);
         }
         const std::size_t own = passes.size();
-        for (const PassDecl* pass : stages_.passes_of(path)) passes.push_back(pass);
+        for (const PassDecl* pass : paths_.passes_of(path)) passes.push_back(pass);
         for (const PassDecl* pass : optional_first(passes)) {
             const Refusal refusal = lower_pass(*pass);
             if (refusal.is_news) report_left_out(*pass, refusal);
@@ -194,7 +193,7 @@ private:
     // Whether an object is drawn by another pass of the path, too, once for each light.
     bool is_drawn_again(const PassDecl& pass) const {
         if (lowering_.material.pass) return false;
-        const std::vector<const PassDecl*> others = stages_.passes_of(pass.path);
+        const std::vector<const PassDecl*> others = paths_.passes_of(pass.path);
         return std::any_of(others.begin(), others.end(), [&](const PassDecl* other) {
             return draws_objects(*other) && other->state.each == "light" && other->state.lights != "shadowed" &&
                    has_blend(*other) && !vain_part(*other);
@@ -223,10 +222,9 @@ private:
     std::optional<std::string_view> vain_part(const PassDecl& pass) const {
         if (!tool_of(lowering_.session)) return {};
         for (const std::string_view name : pass.needs) {
-            const auto slot = std::find_if(stages_.slots.begin(), stages_.slots.end(),
-                                           [&](const FunctionDecl* s) { return s->name == name; });
-            if (slot == stages_.slots.end()) continue;
-            const Part* part = is_part(**slot) ? &part_of(lowering_, **slot) : nullptr;
+            const SlotDecl* slot = paths_.slot(name);
+            if (!slot) continue;
+            const Part* part = slot->is_derived() ? &part_of(lowering_, *slot) : nullptr;
             if (part ? part->slot.function && part->is_zero : is_always_zero(name)) return name;
         }
         return {};
@@ -249,10 +247,9 @@ private:
                     .where = {.span = added.front().name_span},
                     .is_news = true};
         for (const std::string_view name : pass.needs) {
-            const auto slot = std::find_if(stages_.slots.begin(), stages_.slots.end(),
-                                           [&](const FunctionDecl* s) { return s->name == name; });
-            if (slot == stages_.slots.end()) return {.reason = fmt::format("it needs '{}', which nothing makes", name)};
-            const Part* part = is_part(**slot) ? &part_of(lowering_, **slot) : nullptr;
+            const SlotDecl* slot = paths_.slot(name);
+            if (!slot) return {.reason = fmt::format("it needs '{}', which nothing makes", name)};
+            const Part* part = slot->is_derived() ? &part_of(lowering_, *slot) : nullptr;
             if (part && !part->slot.function) return {.reason = part->why_not, .where = part->where};
         }
         if (const auto vain = vain_part(pass))
@@ -299,16 +296,16 @@ private:
     void lower_given(LoweredPass& pass) {
         nodelang::Emitter& emitter = lowering_.emitter;
         const nodelang::Declarations& declarations = *lowering_.session.declarations;
-        for (const GivenDecl& given : stages_.given) {
+        for (const GivenDecl& given : paths_.given) {
             if (!given.is_for(*pass.declaration)) continue;
             if (given.variable) {
                 give_attribute(pass, given);
                 continue;
             }
-            if (const auto found = stages_.semantic_index.find(given.what); found != stages_.semantic_index.end()) {
+            if (const auto found = paths_.semantic_index.find(given.what); found != paths_.semantic_index.end()) {
                 const ir::FunctionId made =
                     emitter.semantic_function(*given.function, declarations, environment_, false);
-                const bool is_varying = stages_.semantics[found->second].source == Source::Vertex;
+                const bool is_varying = paths_.semantics[found->second].source == Source::Vertex;
                 auto& recipes = given.is_of_file && is_varying ? pass.at_vertices : pass.recipes;
                 if (made) recipes.push_back({{found->second}, made});
                 if (made && given.is_of_file) pass.in_both_stages.push_back(made);
@@ -327,10 +324,10 @@ private:
 
     // A value of the engine was declared as this one (declare.cpp).
     void give_attribute(LoweredPass& pass, const GivenDecl& given) {
-        const auto semantic = stages_.semantic_index.find(given.what);
+        const auto semantic = paths_.semantic_index.find(given.what);
         const auto global = lowering_.emitter.extern_global(*given.variable);
-        if (semantic == stages_.semantic_index.end() || !global) return;
-        if (stages_.semantics[semantic->second].source == Source::Attribute)
+        if (semantic == paths_.semantic_index.end() || !global) return;
+        if (paths_.semantics[semantic->second].source == Source::Attribute)
             pass.attributes.push_back({{semantic->second}, *global});
     }
 
@@ -379,8 +376,9 @@ private:
     // --- what pass functions ask for
 
     const nodelang::Slot* slot_of(const FunctionDecl& slot, Span at) {
-        if (!is_part(slot)) return nullptr;
-        const Part& part = part_of(lowering_, slot);
+        const SlotDecl* declared = paths_.slot(slot.name);
+        if (!declared || !declared->is_derived()) return nullptr;
+        const Part& part = part_of(lowering_, *declared);
         if (part.slot.function) return &part.slot;
         lowering_.session.diagnostics
             .report(Code::PassRefused, at, pass_, fmt::format("it calls '{}', and {}", slot.name, part.why_not))
@@ -392,15 +390,12 @@ private:
     }
 
     std::optional<double> static_value(const VariableDecl& variable) {
-        const Attribute* attribute = variable.attribute("static");
-        if (!attribute) return {};
-        const std::string_view key = nodelang::attribute_text(*attribute);
-        if (key != "pass" && key != "slot") return {};
+        const auto asked = std::find_if(paths_.statics.begin(), paths_.statics.end(),
+                                        [&](const StaticDecl& each) { return each.variable == &variable; });
+        if (asked == paths_.statics.end() || !asked->is_of_passes()) return {};
         bool is_any = false;
-        for (std::size_t i = 1; i < attribute->args.size(); ++i) {
-            const std::string_view name = nodelang::attribute_text(*attribute, i);
-            is_any = (key == "pass" ? is_drawn_with(name) : has_slot(name)) || is_any;
-        }
+        for (const std::string_view name : asked->words)
+            is_any = (asked->about == StaticDecl::About::Pass ? is_drawn_with(name) : has_slot(name)) || is_any;
         return is_any;
     }
 
@@ -412,26 +407,23 @@ private:
     }
 
     bool has_slot(std::string_view name) {
-        for (const FunctionDecl* slot : stages_.slots) {
-            if (slot->name != name) continue;
-            if (!is_part(*slot)) return lowering_.emitter.find_slot(name) != nullptr;
-            const Part& part = part_of(lowering_, *slot);
-            remark(*slot, part);
-            return part.slot.function && !part.is_zero;
-        }
-        return false;
+        const SlotDecl* slot = paths_.slot(name);
+        if (!slot) return false;
+        if (!slot->is_derived()) return lowering_.emitter.find_slot(name) != nullptr;
+        const Part& part = part_of(lowering_, *slot);
+        remark(*slot, part);
+        return part.slot.function && !part.is_zero;
     }
 
     // Says once what a part's absence costs.
-    void remark(const FunctionDecl& slot, const Part& part) {
-        const Attribute* otherwise = slot.attribute("otherwise");
-        if (part.slot.function || part.is_of_missing || !otherwise || !remarked_.insert(slot.name).second) return;
-        report(Code::PathLoses, {.reason = {}, .where = part.where}, lowering_.out.path,
-               nodelang::attribute_text(*otherwise), part.why_not);
+    void remark(const SlotDecl& slot, const Part& part) {
+        if (part.slot.function || part.is_of_missing || slot.otherwise.empty()) return;
+        if (!remarked_.insert(slot.name()).second) return;
+        report(Code::PathLoses, {.reason = {}, .where = part.where}, lowering_.out.path, slot.otherwise, part.why_not);
     }
 
     Lowering& lowering_;
-    const Stages& stages_;
+    const PathDeclarations& paths_;
     LibraryEnvironment environment_;
     std::string_view pass_;          // that is being lowered
     std::size_t first_of_path_ = 0;  // of the passes that are drawn with it
@@ -445,7 +437,7 @@ private:
 
 // Where nothing is drawn into what they draw into, there is nothing to see of them.
 bool draws_extra(const Session& session, const Lowered& lowered) {
-    const PassDecl* extra = session.stages->pass_for_extra(session.path);
+    const PassDecl* extra = session.paths->pass_for_extra(session.path);
     const auto is_shared = [&](const RenderTarget& target) {
         return std::any_of(extra->state.targets.begin(), extra->state.targets.end(),
                            [&](const RenderTarget& other) { return other.name == target.name; });

@@ -110,23 +110,21 @@ std::string_view usage_of(const CheckedGraph& graph, const Property& property) {
 
 // The tool's file that declares a value of materials under this name and with this type; empty: none does.
 std::string declared_in(const Lowering& lowering, const Property& property) {
-    const auto& foreign = lowering.session.stages->foreign;
-    const auto found = std::find_if(foreign.begin(), foreign.end(), [&](const nodelang::VariableDecl* each) {
-        return each->name == property.name && each->attribute("text");
+    const auto& foreign = lowering.session.paths->foreign;
+    const auto found = std::find_if(foreign.begin(), foreign.end(), [&](const ForeignDecl& each) {
+        return each.variable->name == property.name && !each.include.empty();
     });
     if (found == foreign.end() || property.type != PropertyType::Color || property.binding == Binding::Instance)
         return {};
-    Diagnostics said;  // when the file was read
-    return texts_of((*found)->attributes, said).front().line;
+    return found->include;
 }
 
 // [decodes("normal", "f", "g")]: where f follows, g does both.
-void decode_by(const nodelang::FunctionDecl& decoder, ir::Global& global) {
-    global.decoder = decoder.name;
-    const std::vector<std::string_view> pair = attribute_words(*decoder.attribute("decodes"), 1);
-    if (pair.size() < 2) return;
-    global.follower = pair[0];
-    global.at_once = pair[1];
+void decode_by(const DecoderDecl& decoder, ir::Global& global) {
+    global.decoder = decoder.function->name;
+    if (decoder.at_once.empty()) return;
+    global.follower = decoder.follower;
+    global.at_once = decoder.at_once;
 }
 
 // Beside each texture the tool fills (1/width, 1/height, width, height).
@@ -140,7 +138,7 @@ ir::GlobalId add_texel_size(ir::Module& module, const ir::Global& texture) {
 
 void mark_for_tool(Lowering& lowering) {
     Lowered& out = lowering.out;
-    const auto& decoders = lowering.session.stages->decoders;
+    const auto& decoders = lowering.session.paths->decoders;
     for (std::size_t i = 0; i < lowering.material.properties.size(); ++i) {
         const Property& property = *lowering.material.properties[i].property;
         PropertyGlobals& globals = out.property_globals[i];
@@ -149,7 +147,7 @@ void mark_for_tool(Lowering& lowering) {
             globals.texel_size = add_texel_size(out.module, ir::Global(out.module.globals[globals.texture.index]));
         ir::Global& global = out.module.globals[(globals.texture ? globals.texture : globals.value).index];
         const auto decoder = decoders.find(usage_of(*lowering.material.graph, property));
-        if (decoder != decoders.end()) decode_by(*decoder->second, global);
+        if (decoder != decoders.end()) decode_by(decoder->second, global);
         if (!global.in_block()) continue;
         ir::BlockMember& member = out.module.blocks[global.block].members[global.member];
         member.stored_as = stored_as(property);
@@ -159,17 +157,14 @@ void mark_for_tool(Lowering& lowering) {
 }
 
 void tell_texts(Lowering& lowering) {
-    Diagnostics said;  // when the file was read
-    for (const nodelang::FunctionDecl& function : lowering.session.pass_file->ast.functions) {
-        if (!function.attribute("foreign")) continue;
-        for (const nodelang::InstanceInfo& instance : lowering.emitter.instances_of(function))
-            lowering.out.module[instance.id].texts = texts_of(function.attributes, said);
+    for (const ForeignFunctionDecl& foreign : lowering.session.paths->foreign_functions) {
+        for (const nodelang::InstanceInfo& instance : lowering.emitter.instances_of(*foreign.function))
+            lowering.out.module[instance.id].texts = foreign.texts;
     }
     // What a decoder asks for is asked for where its follower is called.
-    for (const auto& [usage, decoder] : lowering.session.stages->decoders) {
-        const std::vector<std::string_view> pair = attribute_words(*decoder->attribute("decodes"), 1);
+    for (const auto& [usage, decoder] : lowering.session.paths->decoders) {
         for (ir::Function& function : lowering.out.module.functions) {
-            if (!pair.empty() && function.name == pair[0]) function.texts = texts_of(decoder->attributes, said);
+            if (!decoder.follower.empty() && function.name == decoder.follower) function.texts = decoder.texts;
         }
     }
 }

@@ -18,8 +18,7 @@ ir::FunctionId lower_setup(Lowering& lowering, const nodelang::FunctionDecl& slo
 void lower_slots(Lowering& lowering);
 
 // A derived slot (lower_parts.cpp).
-const Part& part_of(Lowering& lowering, const nodelang::FunctionDecl& slot);
-bool is_part(const nodelang::FunctionDecl& slot);
+const Part& part_of(Lowering& lowering, const SlotDecl& slot);
 // The members of the lighting surface that a pack slot stores.
 std::vector<std::string_view> packed_members(Lowering& lowering, std::string_view slot);
 
@@ -41,11 +40,6 @@ struct Refusal {
 };
 Refusal refusal_of(Lowering& lowering, const LoweredPass& pass);
 
-// A static that depends on what the lighting graph turns out to be.
-inline bool is_of_lighting(std::string_view key) {
-    return key == "slot" || key == "pass";
-}
-
 // What the names in nodes/stage and nodes/passes mean: semantics and nothing else.
 class LibraryEnvironment : public nodelang::Environment {
 public:
@@ -56,12 +50,12 @@ public:
     nodelang::Typed property(const nodelang::Expr&, nodelang::Scope&) override { return {}; }
     nodelang::Typed file(const nodelang::Expr&, nodelang::Scope&) override { return {}; }
     nodelang::Typed semantic(std::string_view name, Span span, nodelang::Scope& scope) override {
-        const auto found = lowering_.session.stages->semantic_index.find(name);
-        if (found == lowering_.session.stages->semantic_index.end()) {
+        const auto found = lowering_.session.paths->semantic_index.find(name);
+        if (found == lowering_.session.paths->semantic_index.end()) {
             lowering_.session.diagnostics.report(Code::UnknownSemantic, span, name);
             return {};
         }
-        const SemanticDecl& semantic = lowering_.session.stages->semantics[found->second];
+        const SemanticDecl& semantic = lowering_.session.paths->semantics[found->second];
         if (semantic.source == Source::Extern) return lowering_.emitter.extern_value(*semantic.variable, scope);
         const ir::Type type = lowering_.out.module.semantics[found->second].type;
         return {.value = scope.builder->emit(ir::Op::Semantic, type, {}, found->second), .type = type};

@@ -69,9 +69,8 @@ private:
 
     // What reads, in words: a slot without parameters is the surface itself.
     std::string said(const Place& place) const {
-        for (const nodelang::FunctionDecl* slot : lowering_.session.stages->slots) {
-            if (slot->name == place.slot && slot->params.empty()) return "the surface";
-        }
+        const SlotDecl* slot = lowering_.session.paths->slot(place.slot);
+        if (slot && slot->function->params.empty()) return "the surface";
         return fmt::format("'{}'", place.slot);
     }
 
@@ -110,8 +109,9 @@ private:
 
     // A pass file may ask a stage for what it does not have.
     void check_builtin(const SemanticDecl& semantic, const Place& place) {
-        const std::string_view word = nodelang::attribute_text(*semantic.variable->attribute("builtin"));
-        const bool is_of_pixel = word == "frag_coord", is_of_vertex = word.ends_with("_index");
+        const bool is_of_pixel = semantic.builtin == ir::Builtin::FragCoord;
+        const bool is_of_vertex =
+            semantic.builtin == ir::Builtin::VertexIndex || semantic.builtin == ir::Builtin::InstanceIndex;
         if (place.at_vertex ? is_of_pixel : is_of_vertex)
             lowering_.session.diagnostics.report(Code::NoSuchStageValue, place.span, semantic.name,
                                                  place.at_vertex ? "vertex" : "fragment");
@@ -141,7 +141,7 @@ private:
 
     // A path that stores what a lighting graph reads, whatever that is.
     std::string roomier_path() const {
-        for (const PassDecl& each : lowering_.session.stages->passes) {
+        for (const PassDecl& each : lowering_.session.paths->passes) {
             const bool packs = std::any_of(each.holds.begin(), each.holds.end(),
                                            [&](std::string_view name) { return lowering_.is_packing(name); });
             if (packs && each.path != declaration_.path)

@@ -1,12 +1,11 @@
 // What the passes of a file state, held against each other: a state that no renderer can give, targets that differ from
-// pass to pass, members of a surface that nobody has. Each is told where the file says it.
+// pass to pass. Each mistake is reported where the file makes it.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 
-#include "compiler/base/text.h"
-#include "compiler/resolve/material.h"
+#include "compiler/paths/reading.h"
 
 namespace patina::graph {
 namespace {
@@ -35,13 +34,13 @@ struct Use {
 
 class Check {
 public:
-    Check(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const Stages& stages,
+    Check(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const PathDeclarations& paths,
           Diagnostics& diagnostics)
-        : ast_(ast), declarations_(declarations), stages_(stages), diagnostics_(diagnostics) {}
+        : ast_(ast), declarations_(declarations), paths_(paths), diagnostics_(diagnostics) {}
 
     void run() {
-        for (const std::string_view path : stages_.paths()) {
-            const std::vector<const PassDecl*> passes = stages_.passes_of(path);
+        for (const std::string_view path : paths_.names()) {
+            const std::vector<const PassDecl*> passes = paths_.passes_of(path);
             if (std::none_of(passes.begin(), passes.end(), [&](const PassDecl* p) { return is_own(*p); })) continue;
             for (const PassDecl* each : passes) {
                 if (is_own(*each) && seen_.insert(each->fragment).second) state(*each);
@@ -107,13 +106,13 @@ private:
     // What switches bring, and what materials fall back to: the same frame holds their targets.
     std::vector<const PassDecl*> drawn_along(const std::vector<const PassDecl*>& passes) const {
         std::vector<const PassDecl*> others;
-        for (const SwitchDecl& each : stages_.switches) {
-            if (const PassDecl* brought = stages_.pass(each.brings)) others.push_back(brought);
+        for (const SwitchDecl& each : paths_.switches) {
+            if (const PassDecl* brought = paths_.pass(each.brings)) others.push_back(brought);
         }
         std::set<std::string_view> fallbacks;
         for (const PassDecl* each : passes) {
             if (!each->state.fallback.empty() && fallbacks.insert(each->state.fallback).second) {
-                for (const PassDecl* other : stages_.passes_of(each->state.fallback)) others.push_back(other);
+                for (const PassDecl* other : paths_.passes_of(each->state.fallback)) others.push_back(other);
             }
         }
         std::erase_if(others, [&](const PassDecl* other) {
@@ -167,75 +166,16 @@ private:
 
     const nodelang::Ast& ast_;
     const nodelang::Declarations& declarations_;
-    const Stages& stages_;
+    const PathDeclarations& paths_;
     Diagnostics& diagnostics_;
     std::set<const FunctionDecl*> seen_;
 };
 
-// The struct that the slots take first.
-const StructDecl* lighting_surface(const Session& session) {
-    for (const FunctionDecl* slot : session.stages->slots) {
-        if (slot->params.empty()) return session.declarations->structure(slot->result.name);
-    }
-    return nullptr;
-}
-
-// Whether anything finds out if a material has this slot.
-bool is_asked_for(const Stages& stages, std::string_view slot) {
-    const auto needs = [&](const PassDecl& pass) {
-        return std::find(pass.needs.begin(), pass.needs.end(), slot) != pass.needs.end();
-    };
-    const auto asks = [&](const nodelang::VariableDecl* variable) {
-        const std::vector<std::string_view> words = attribute_words(*variable->attribute("static"));
-        return !words.empty() && words[0] == "slot" && std::find(words.begin() + 1, words.end(), slot) != words.end();
-    };
-    return std::any_of(stages.passes.begin(), stages.passes.end(), needs) ||
-           std::any_of(stages.statics.begin(), stages.statics.end(), asks);
-}
-
 }  // namespace
 
-void check_passes(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const Stages& stages,
+void check_passes(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const PathDeclarations& paths,
                   Diagnostics& diagnostics) {
-    Check(ast, declarations, stages, diagnostics).run();
-}
-
-void check_surface_members(Session& session, const Material& material) {
-    const StructDecl* surface = session.pass_file ? lighting_surface(session) : nullptr;
-    if (!surface) return;
-    std::vector<std::string_view> known;
-    for (const auto& member : surface->members) known.push_back(member.name);
-    if (material.lighting) {
-        for (const Input& input : material.lighting->graph->inputs) known.push_back(input.name);
-    }
-    std::vector<std::string_view> held = known;
-    for (const FunctionDecl* slot : session.stages->slots) held.push_back(slot->name);
-    // Another lighting model may declare what this one does not, where a pass goes without: then only a word that is
-    // near a known one is a mistake.
-    const auto check = [&](const Expr& given, std::string_view word, const std::vector<std::string_view>& words,
-                           bool may_be_absent) {
-        if (std::find(words.begin(), words.end(), word) != words.end()) return;
-        const std::string_view near = nearest(word, words);
-        if (!near.empty() || !may_be_absent)
-            session.diagnostics.report(Code::UnknownName, given.span, "member", given.text)
-                .note(near.empty() ? Diagnostics::suggestion(word, words) : fmt::format("did you mean '{}'?", near));
-    };
-    for (const FunctionDecl& function : session.pass_file->ast.functions) {
-        for (const Attribute& attribute : function.attributes) {
-            if (attribute.name == "holds") {
-                for (const Expr* given : attribute.args) check(*given, given->text, held, true);
-            }
-            const bool is_part = attribute.name == "part" || attribute.name == "without";
-            if (!is_part || attribute.args.size() < 2) continue;
-            const Expr& given = *attribute.args[1];
-            const std::size_t dot = given.text.find('.');
-            for (const nodelang::ParamDecl& param : function.params) {
-                if (dot != given.text.npos && param.name == given.text.substr(0, dot) &&
-                    param.type.name == surface->name)
-                    check(given, given.text.substr(dot + 1), known, is_asked_for(*session.stages, function.name));
-            }
-        }
-    }
+    Check(ast, declarations, paths, diagnostics).run();
 }
 
 }  // namespace patina::graph

@@ -9,7 +9,7 @@
 
 #include "compiler/base/text.h"
 #include "compiler/format/words.h"
-#include "compiler/paths/stages.h"
+#include "compiler/paths/reading.h"
 
 namespace patina::graph {
 namespace {

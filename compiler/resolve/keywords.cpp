@@ -11,7 +11,7 @@ namespace {
 constexpr std::array<std::string_view, 2> kBools = {"false", "true"};
 
 bool is_switch(const Session& session, std::string_view name) {
-    const auto& switches = session.stages->switches;
+    const auto& switches = session.paths->switches;
     return std::any_of(switches.begin(), switches.end(),
                        [&](const SwitchDecl& each) { return each.variable->name == name; });
 }

@@ -54,7 +54,7 @@ std::unique_ptr<Library> load_library(std::span<const nodelang::EmbeddedFile> fi
         }
     }
     nodelang::index_declarations(library->ast, library->declarations, library->diagnostics);
-    collect_stages(library->ast, library->declarations, library->sources, library->stages, library->diagnostics);
+    collect(library->ast, library->declarations, library->sources, library->paths, library->diagnostics);
     for (const auto& [base, path] : graphs) add_graph(*library, base, path);
     return library;
 }

@@ -1,5 +1,5 @@
 // The built-in library, loaded once and then only read: declarations of nodes/**, what nodes/stage and nodes/passes
-// state (stages.h), and the workflow and lighting graphs. Knows none of them by name.
+// state (paths/declarations.h), and the workflow and lighting graphs. Knows none of them by name.
 //
 //   const Library library = load_library(nodelang::embedded_files());
 //   library.declarations.function("Lerp");
@@ -13,7 +13,7 @@
 #include "compiler/format/graph.h"
 #include "compiler/nodelang/embedded.h"
 #include "compiler/nodelang/library.h"
-#include "compiler/paths/stages.h"
+#include "compiler/paths/declarations.h"
 
 namespace patina::graph {
 
@@ -50,7 +50,7 @@ struct Library {
     nodelang::Ast ast;
     Diagnostics diagnostics;
     nodelang::Declarations declarations;
-    Stages stages;
+    PathDeclarations paths;
     std::map<std::string, ToolFiles, std::less<>> tools;  // by target
     std::map<std::string, LibraryGraph, std::less<>> workflows;
     std::map<std::string, LibraryGraph, std::less<>> lighting_models;

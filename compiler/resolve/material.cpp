@@ -247,7 +247,7 @@ void check_surface(Session& session, const Material& material) {
 
 void check_vertex(Session& session, const Graph& graph) {
     std::vector<std::string_view> names;
-    for (const SemanticDecl& semantic : session.stages->semantics) {
+    for (const SemanticDecl& semantic : session.paths->semantics) {
         if (semantic.is_vertex_output) names.push_back(semantic.name);
     }
     for (const PortValue& port : graph.vertex) {
@@ -338,7 +338,7 @@ std::vector<std::unique_ptr<Material>> resolve_passes(Session& session, Material
     std::vector<std::unique_ptr<Material>> passes;
     if (material.is_preview) return passes;
     for (const ExtraPass& pass : material.graph->graph->passes) {
-        for (const PassDecl& known : session.stages->passes) {
+        for (const PassDecl& known : session.paths->passes) {
             if (!is_same_file(known.name, pass.name)) continue;
             session.diagnostics.report(Code::DuplicateId, pass.name_span, "pass", pass.name)
                 .note(known.name == pass.name

@@ -78,10 +78,6 @@ std::vector<std::string_view> keyword_words(const Property& property);
 // Names of all keywords.
 std::vector<std::string_view> keyword_names(const Material& material);
 
-// Whether what a user's pass file says of the lighting surface's members holds, the lighting model's own among them
-// (check_passes.cpp).
-void check_surface_members(Session& session, const Material& material);
-
 // Warns of nodes that neither the material nor a pass of it reads, and of what its kind of surface does not heed
 // (check_render.cpp); once there are no errors, which may be the reason.
 void warn_unused(Session& session, const Material& material);

@@ -16,7 +16,14 @@ MaterialFile read_material(Session& session, std::uint32_t base, const std::stri
     if (!graph) return {};
     MaterialFile file{.material = resolve_material(session, std::move(graph), session.options.preview), .passes = {}};
     if (!file.material) return {};
-    check_surface_members(session, *file.material);
+    if (session.pass_file) {
+        std::vector<std::string_view> inputs;
+        if (const CheckedGraph* lighting = file.material->lighting) {
+            for (const Input& input : lighting->graph->inputs) inputs.push_back(input.name);
+        }
+        const PassFile& passes = *session.pass_file;
+        check_members(passes.ast, passes.declarations, passes.paths, inputs, session.diagnostics);
+    }
     file.passes = resolve_passes(session, *file.material);
     return file;
 }

@@ -52,7 +52,7 @@ Session::Session(const Library& the_library, const CompileOptions& the_options)
     : library(the_library),
       options(the_options),
       declarations(&the_library.declarations),
-      stages(&the_library.stages),
+      paths(&the_library.paths),
       path(the_options.path),
       sources(&the_library.sources) {}
 
@@ -100,19 +100,19 @@ void read_passes(Session& session, std::uint32_t base, std::string path) {
     nodelang::parse_file({.text = session.sources.file_text(base), .base = base}, file->ast, session.diagnostics);
     file->declarations.parent = &session.library.declarations;
     nodelang::index_declarations(file->ast, file->declarations, session.diagnostics);
-    file->stages = session.library.stages;
-    collect_stages(file->ast, file->declarations, session.sources, file->stages, session.diagnostics);
+    file->paths = session.library.paths;
+    collect(file->ast, file->declarations, session.sources, file->paths, session.diagnostics);
     session.path = std::move(path);
     // The file is the whole path, also where the library has one of its name.
-    for (PassDecl& pass : file->stages.passes) {
+    for (PassDecl& pass : file->paths.passes) {
         if (pass.path == session.path && pass.is_older_fragment) pass.path.clear();
     }
-    if (file->stages.passes_of(session.path).empty() && !session.diagnostics.has_errors())
+    if (file->paths.passes_of(session.path).empty() && !session.diagnostics.has_errors())
         session.diagnostics.report(Code::NoNodeInFile, {base, base}, "[pass]");
     // What is wrong with the graph shows with the library's passes, too.
     if (session.diagnostics.has_errors()) return;
     session.declarations = &file->declarations;
-    session.stages = &file->stages;
+    session.paths = &file->paths;
     session.pass_file = std::move(file);
 }
 
@@ -130,7 +130,7 @@ void find_path(Session& session) {
         return read_passes(session, tool->passes, std::string(to_string(session.options.targets[0])));
     const std::string& wanted = session.options.path;
     if (!wanted.ends_with(".pass.hlsl")) {
-        std::vector<std::string_view> known = session.stages->paths();
+        std::vector<std::string_view> known = session.paths->names();
         known.push_back(kAllPaths);
         if (std::find(known.begin(), known.end(), wanted) != known.end()) return;
         const bool is_file = wanted.find_first_of("./\\") != wanted.npos;

@@ -25,7 +25,7 @@ inline constexpr std::string_view kAllPaths = "all";
 struct PassFile {
     nodelang::Ast ast;
     nodelang::Declarations declarations;
-    Stages stages;  // the library's, and what the file adds
+    PathDeclarations paths;  // the library's, and what the file adds
 };
 
 struct Session {
@@ -35,7 +35,7 @@ struct Session {
     const CompileOptions& options;
     // Of the library, unless the wanted path is a file.
     const nodelang::Declarations* declarations;
-    const Stages* stages;
+    const PathDeclarations* paths;
     std::string path;  // the name of the wanted path
     std::unique_ptr<PassFile> pass_file;
     SourceMap sources;

@@ -10,7 +10,7 @@
 
 #include "compiler/base/text.h"
 #include "compiler/format/words.h"
-#include "compiler/paths/stages.h"
+#include "compiler/paths/reading.h"
 
 namespace patina::graph {
 namespace {
@@ -25,7 +25,12 @@ using nodelang::VariableDecl;
 using Words = std::span<const std::string_view>;
 
 constexpr std::array<std::string_view, 4> kParts = {"part", "without", "pack", "unpack"};
-constexpr std::array<std::string_view, 4> kStatics = {"surface", "cull", "slot", "pass"};
+constexpr StaticWord kStatics[] = {{"surface", StaticDecl::About::Surface},
+                                   {"cull", StaticDecl::About::Cull},
+                                   {"slot", StaticDecl::About::Slot},
+                                   {"pass", StaticDecl::About::Pass},
+                                   {"clip", StaticDecl::About::Clip}};
+constexpr std::array<std::string_view, 2> kClips = {"reversed", "yDown"};
 // std140 has places for these.
 constexpr std::array<std::string_view, 14> kUniforms = {"float", "float2", "float3",   "float4",  "int",
                                                         "int2",  "int3",   "int4",     "uint",    "uint2",
@@ -33,11 +38,17 @@ constexpr std::array<std::string_view, 14> kUniforms = {"float", "float2", "floa
 constexpr std::array<std::string_view, 12> kVaryings = {"float", "float2", "float3", "float4", "half", "half2",
                                                         "half3", "half4",  "int",    "int2",   "int3", "int4"};
 constexpr std::size_t kMaxDepth = 64;  // of semantics that read semantics
-struct BuiltinRow {
-    std::string_view name, type;
-};
-constexpr BuiltinRow kBuiltins[] = {
-    {"front_facing", "bool"}, {"frag_coord", "float4"}, {"vertex_index", "int"}, {"instance_index", "int"}};
+constexpr BuiltinWord kBuiltins[] = {{"front_facing", "bool", ir::Builtin::FrontFacing},
+                                     {"frag_coord", "float4", ir::Builtin::FragCoord},
+                                     {"vertex_index", "int", ir::Builtin::VertexIndex},
+                                     {"instance_index", "int", ir::Builtin::InstanceIndex}};
+
+template <class Row, std::size_t N>
+std::vector<std::string_view> texts(std::span<const Row, N> rows) {
+    std::vector<std::string_view> made;
+    for (const Row& row : rows) made.push_back(row.text);
+    return made;
+}
 
 bool is_in(Words words, std::string_view word) {
     return std::find(words.begin(), words.end(), word) != words.end();
@@ -58,8 +69,8 @@ bool is_same(const TypeName& a, const TypeName& b) {
 class Check {
 public:
     Check(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const SourceMap& sources,
-          const Stages& stages, Diagnostics& diagnostics)
-        : ast_(ast), declarations_(declarations), sources_(sources), stages_(stages), diagnostics_(diagnostics) {}
+          const PathDeclarations& paths, Diagnostics& diagnostics)
+        : ast_(ast), declarations_(declarations), sources_(sources), paths_(paths), diagnostics_(diagnostics) {}
 
     void run() {
         for (const StructDecl& each : ast_.structs) structure(each);
@@ -84,23 +95,22 @@ private:
     }
 
     bool pass(const Expr& given) {
-        if (stages_.pass(given.text)) return true;
+        if (paths_.pass(given.text)) return true;
         std::vector<std::string_view> known;
-        for (const PassDecl& each : stages_.passes) known.push_back(each.name);
+        for (const PassDecl& each : paths_.passes) known.push_back(each.name);
         diagnostics_.report(Code::UnknownPass, given.span, given.text).note(Diagnostics::suggestion(given.text, known));
         return false;
     }
 
     const FunctionDecl* find_slot(std::string_view name) const {
-        const auto found = std::find_if(stages_.slots.begin(), stages_.slots.end(),
-                                        [&](const FunctionDecl* each) { return each->name == name; });
-        return found == stages_.slots.end() ? nullptr : *found;
+        const SlotDecl* found = paths_.slot(name);
+        return found ? found->function : nullptr;
     }
 
     const FunctionDecl* slot(const Expr& given) {
         if (const FunctionDecl* found = find_slot(given.text)) return found;
         std::vector<std::string_view> known;
-        for (const FunctionDecl* each : stages_.slots) known.push_back(each->name);
+        for (const SlotDecl& each : paths_.slots) known.push_back(each.name());
         diagnostics_.report(Code::UnknownName, given.span, "slot", given.text)
             .note(Diagnostics::suggestion(given.text, known));
         return nullptr;
@@ -202,27 +212,25 @@ private:
         if (attribute.args.size() < 2)
             return bad(attribute.span, "static", "reads like this: [static(\"surface\", \"cutout\")]");
         const Expr& key = *attribute.args[0];
-        one_of(key, kStatics, "what a [static] can ask for");
-        std::vector<std::string_view> surfaces, culls;
-        for (const auto& word : kSurfaceKinds) surfaces.push_back(word.text);
-        for (const auto& word : kCulls) culls.push_back(word.text);
+        one_of(key, texts(static_words()), "what a [static] can ask for");
+        const std::vector<std::string_view> surfaces = texts(std::span(kSurfaceKinds)),
+                                            culls = texts(std::span(kCulls));
         for (std::size_t i = 1; i < attribute.args.size(); ++i) {
             const Expr& given = *attribute.args[i];
             if (key.text == "surface") one_of(given, surfaces, "a surface kind");
             if (key.text == "cull") one_of(given, culls, "a way to cull");
             if (key.text == "slot") slot(given);
             if (key.text == "pass") pass(given);
+            if (key.text == "clip") one_of(given, kClips, "a convention of clip space");
         }
     }
 
     void builtin(const VariableDecl& decl, const Attribute& attribute) {
         if (attribute.args.size() != 1)
             return bad(attribute.span, "builtin", "reads like this: [builtin(\"front_facing\")]");
-        std::vector<std::string_view> known;
-        for (const BuiltinRow& row : kBuiltins) known.push_back(row.name);
-        one_of(*attribute.args[0], known, "a value of the rasteriser");
-        for (const BuiltinRow& row : kBuiltins) {
-            if (row.name == attribute.args[0]->text && (row.type != decl.type.name || decl.type.array_size))
+        one_of(*attribute.args[0], texts(builtin_words()), "a value of the rasteriser");
+        for (const BuiltinWord& row : kBuiltins) {
+            if (row.text == attribute.args[0]->text && (row.type != decl.type.name || decl.type.array_size))
                 diagnostics_.report(Code::TypeMismatch, decl.type.span, fmt::format("'{}'", decl.name), decl.type.name,
                                     row.type);
         }
@@ -234,7 +242,7 @@ private:
         if (attribute.args.size() != 1)
             return bad(attribute.span, "reads", "takes the name of a target: [reads(\"depth\")]");
         std::vector<std::string_view> known;
-        for (const PassDecl& each : stages_.passes) {
+        for (const PassDecl& each : paths_.passes) {
             known.push_back(each.state.depth_target);
             for (const RenderTarget& written : each.state.targets) known.push_back(written.name);
         }
@@ -307,10 +315,10 @@ private:
 
     void fallback(const FunctionDecl& decl, const Attribute& attribute) {
         if (attribute.args.size() != 1) return;  // reported when it was read
-        const std::vector<std::string_view> known = stages_.paths();
+        const std::vector<std::string_view> known = paths_.names();
         one_of(*attribute.args[0], known, "a rendering path");
         for (const Attribute& each : decl.attributes) {
-            const PassDecl* own = each.name == "pass" ? stages_.pass(nodelang::attribute_text(each)) : nullptr;
+            const PassDecl* own = each.name == "pass" ? paths_.pass(nodelang::attribute_text(each)) : nullptr;
             if (own && own->path == attribute.args[0]->text)
                 return bad(attribute.span, "fallback", "names the path that it is for");
         }
@@ -333,17 +341,17 @@ private:
         for (std::size_t i = 1; i < attribute.args.size(); ++i) {
             const Expr& to = *attribute.args[i];
             if (!pass(to)) continue;
-            const auto first = std::find_if(stages_.given.begin(), stages_.given.end(), [&](const GivenDecl& each) {
+            const auto first = std::find_if(paths_.given.begin(), paths_.given.end(), [&](const GivenDecl& each) {
                 return each.what == what.text && is_in(each.passes, to.text);
             });
-            if (first != stages_.given.end() && first->function != &decl)
+            if (first != paths_.given.end() && first->function != &decl)
                 diagnostics_
                     .report(Code::BadAttribute, to.span, "gives",
                             fmt::format("names '{}' a second time for the pass '{}'", what.text, to.text))
                     .note(first->function->name_span, "the first one is here");
         }
         const FunctionDecl* replaced = declarations_.function(what.text);
-        if (const SemanticDecl* semantic = stages_.semantic(what.text)) {
+        if (const SemanticDecl* semantic = paths_.semantic(what.text)) {
             const TypeName& type = semantic->function ? semantic->function->result : semantic->variable->type;
             if (semantic->source == Source::Extern || semantic->source == Source::Given) {
                 bad(what.span, "gives",
@@ -354,7 +362,7 @@ private:
             }
         } else if (!replaced || !(is_for_tool(attribute.span) || replaced->attribute("extern"))) {
             std::vector<std::string_view> known;
-            for (const SemanticDecl& each : stages_.semantics) known.push_back(each.name);
+            for (const SemanticDecl& each : paths_.semantics) known.push_back(each.name);
             for (const Declarations* scope = &declarations_; scope; scope = scope->parent) {
                 for (const auto& [name, each] : scope->functions) {
                     if (each->attribute("extern")) known.push_back(name);
@@ -431,8 +439,8 @@ private:
 
     // The struct that every slot takes first.
     bool is_surface(const TypeName& type) const {
-        return std::any_of(stages_.slots.begin(), stages_.slots.end(), [&](const FunctionDecl* each) {
-            return each->params.empty() && !making(*each) && is_same(each->result, type);
+        return std::any_of(paths_.slots.begin(), paths_.slots.end(), [&](const SlotDecl& each) {
+            return each.function->params.empty() && !each.is_derived() && is_same(each.function->result, type);
         });
     }
 
@@ -492,7 +500,7 @@ private:
     void follow_default(const Expr& expr) {
         for (const Expr* argument : expr.args) follow_default(*argument);
         if (expr.kind != Expr::Kind::Name && expr.kind != Expr::Kind::Semantic) return;
-        const SemanticDecl* read = stages_.semantic(expr.text);
+        const SemanticDecl* read = paths_.semantic(expr.text);
         if (!read || !read->function) return;
         if (!is_circle(active_, *read->function, expr.span)) follow_recipe(*read->function);
     }
@@ -512,7 +520,7 @@ private:
     const nodelang::Ast& ast_;
     const nodelang::Declarations& declarations_;
     const SourceMap& sources_;
-    const Stages& stages_;
+    const PathDeclarations& paths_;
     Diagnostics& diagnostics_;
     std::vector<const FunctionDecl*> active_;
     std::set<const FunctionDecl*> followed_;
@@ -524,9 +532,17 @@ bool is_of_pass(const SourceMap& sources, Span span) {
     return std::string_view(sources.resolve(span.begin).file).ends_with(".pass.hlsl");
 }
 
-void check_stages(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const SourceMap& sources,
-                  const Stages& stages, Diagnostics& diagnostics) {
-    Check(ast, declarations, sources, stages, diagnostics).run();
+std::span<const StaticWord> static_words() {
+    return kStatics;
+}
+
+std::span<const BuiltinWord> builtin_words() {
+    return kBuiltins;
+}
+
+void check_declarations(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const SourceMap& sources,
+                        const PathDeclarations& paths, Diagnostics& diagnostics) {
+    Check(ast, declarations, sources, paths, diagnostics).run();
 }
 
 }  // namespace patina::graph
