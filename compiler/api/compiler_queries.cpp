@@ -104,15 +104,6 @@ std::string_view version() {
     return "0.1.0";
 }
 
-std::string_view to_string(Target target) {
-    switch (target) {
-        case Target::Glsl: return "glsl";
-        case Target::Hlsl: return "hlsl";
-        case Target::Unity: return "unity";
-    }
-    return {};
-}
-
 std::string_view to_string(Stage stage) {
     switch (stage) {
         case Stage::Vertex: return "vertex";
@@ -139,6 +130,7 @@ void Compiler::Impl::describe() const {
         });
         semantics = describe_semantics(*library);
         paths = describe_paths(*library);
+        engines = describe_engines(*library);
         for (const auto& [name, graph] : library->workflows) {
             if (graph.get()) workflows.push_back(describe_model(*graph.get(), name, library->sources));
         }
@@ -159,6 +151,7 @@ std::vector<Diagnostic> Compiler::library_diagnostics() const {
     for (const nodelang::FunctionDecl& function : library.ast.functions) {
         if (const Diagnostics* errors = nodelang::body_errors(function)) add(*errors);
     }
+    for (const auto& [name, engine] : library.engines) add(engine.diagnostics());
     for (const auto* graphs : {&library.workflows, &library.lighting_models}) {
         for (const auto& [name, graph] : *graphs) add(graph.diagnostics());
     }
@@ -188,6 +181,20 @@ const std::vector<ModelInfo>& Compiler::lighting_models() const {
 const std::vector<PathInfo>& Compiler::paths() const {
     impl_->describe();
     return impl_->paths;
+}
+const std::vector<EngineInfo>& Compiler::engines() const {
+    impl_->describe();
+    return impl_->engines;
+}
+std::vector<Target> Compiler::targets(std::string_view word) const {
+    std::vector<Target> made;
+    for (const EngineInfo& engine : engines()) {
+        for (const std::string& language : engine.languages) {
+            if (word == engine.name || (engine.is_default && word == language))
+                made.push_back({.engine = engine.is_default ? std::string() : engine.name, .language = language});
+        }
+    }
+    return made;
 }
 
 bool passed(const NodeTest& test) {

@@ -22,6 +22,7 @@ Doc read_doc(std::string_view comment);
 NodeInfo describe_node(const nodelang::FunctionDecl& function, const EvaluationContext& context);
 std::vector<SemanticInfo> describe_semantics(const graph::Library& library);
 std::vector<PathInfo> describe_paths(const graph::Library& library);
+std::vector<EngineInfo> describe_engines(const graph::Library& library);
 ModelInfo describe_model(const graph::Graph& graph, const std::string& name, const SourceMap& sources);
 
 }  // namespace patina

@@ -46,4 +46,22 @@ std::vector<PathInfo> describe_paths(const graph::Library& library) {
     return paths;
 }
 
+std::vector<EngineInfo> describe_engines(const graph::Library& library) {
+    std::vector<EngineInfo> made;
+    for (const auto& [name, each] : library.engines) {
+        const engines::Engine& engine = each.get();
+        made.push_back({.name = engine.name,
+                        .title = engine.title,
+                        .doc = engine.help,
+                        .file = engine.is_one_file() ? engine.file : "stages",
+                        .languages = engine.languages,
+                        .is_default = name == library.default_engine,
+                        .has_own_passes = engine.has_own_passes(),
+                        .is_one_file = engine.is_one_file(),
+                        .folder = "nodes/engines/" + engine.name});
+    }
+    std::stable_partition(made.begin(), made.end(), [](const EngineInfo& engine) { return engine.is_default; });
+    return made;
+}
+
 }  // namespace patina

@@ -1,33 +1,14 @@
 #include "compiler/api/dumps.h"
 
-#include <algorithm>
+#include <fmt/format.h>
 
-#include "compiler/ir/dump.h"
+#include "compiler/link/dumps.h"
 
 namespace patina {
-namespace {
-
-bool wants_dump(const CompileOptions& options, std::string_view stage) {
-    return std::find(options.dump.begin(), options.dump.end(), stage) != options.dump.end();
-}
-
-}  // namespace
-
-void dump_stage(Result& result, const CompileOptions& options, std::string_view name, const std::string& label,
-                const ir::Module& module) {
-    if (wants_dump(options, name)) result.dumps.push_back({.stage = label, .text = ir::dump(module)});
-}
-
-void dump_rates(Result& result, const CompileOptions& options, const std::string& label, const ir::Module& module) {
-    if (!wants_dump(options, "rates")) return;
-    std::string text;
-    for (const ir::Function& function : module.functions) text += ir::dump(module, function, true) + "\n";
-    result.dumps.push_back({.stage = label, .text = std::move(text)});
-}
 
 // What the graph says, resolved: each node after those that it reads.
 void dump_graph(Result& result, const graph::Session& session, const graph::Material& material) {
-    if (!wants_dump(session.options, "graph")) return;
+    if (!assemble::wants_dump(session.options, "graph")) return;
     const graph::CheckedGraph& checked = *material.graph;
     const graph::Graph& graph = *checked.graph;
     std::string text = fmt::format("{}: {}, lit by {}\n", graph.name, graph.workflow, material.lighting_name);

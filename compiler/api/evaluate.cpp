@@ -66,7 +66,8 @@ struct Bench {
         : emitter(module, diagnostics, {.fold = false}),
           builder(module, function, {.fold = false}),
           environment(diagnostics, context.names) {
-        graph::declare_engine(context.library.paths, context.library.declarations, emitter);
+        graph::declare_engine(*context.library.engine({}), context.library.paths, context.library.declarations,
+                              emitter);
         function.name = "evaluate";
         scope.builder = &builder;
         scope.declarations = &context.declarations;
@@ -267,7 +268,7 @@ Evaluation evaluate_expression(const EvaluationContext& context, const Expr& exp
 void check_functions(const EvaluationContext& context, const nodelang::Ast& ast, Diagnostics& diagnostics) {
     ir::Module module;
     nodelang::Emitter emitter(module, diagnostics, {.fold = true});
-    graph::declare_engine(context.library.paths, context.library.declarations, emitter);
+    graph::declare_engine(*context.library.engine({}), context.library.paths, context.library.declarations, emitter);
     for (const nodelang::FunctionDecl& function : ast.functions) {
         emitter.check_function(function, context.declarations);
     }

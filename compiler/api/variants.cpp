@@ -6,8 +6,9 @@
 #include <map>
 #include <set>
 
+#include "compiler/api/compile_targets.h"
 #include "compiler/api/compiler_impl.h"
-#include "compiler/output/canonical_hash.h"
+#include "compiler/link/canonical_hash.h"
 
 namespace patina {
 namespace {
@@ -77,8 +78,8 @@ VariantSet Compiler::compile_variants(const std::string& path, const VariantPlan
     Gathering gathering(*this, path, made);
     // Files that hold all combinations are written once.
     CompileOptions whole = options;
-    std::erase_if(whole.targets, [&](Target target) { return !impl_->is_tool(target); });
-    std::erase_if(options.targets, [&](Target target) { return impl_->is_tool(target); });
+    std::erase_if(whole.targets, [&](const Target& target) { return !holds_variants(*impl_->library, target); });
+    std::erase_if(options.targets, [&](const Target& target) { return holds_variants(*impl_->library, target); });
     const auto fixed = options.switches;
     std::map<std::string, std::size_t> known;
     for (std::size_t i = 0; i < plan.count && !options.targets.empty(); ++i) {

@@ -265,6 +265,63 @@ constexpr std::array kSceneInstance = {
     KeyInfo{"set", "values of properties that each instance has"},
 };
 
+// --- nodes/engines/NAME/engine.json
+
+constexpr std::array kEngine = {
+    kVersion,
+    KeyInfo{"name", "what people call the engine", ObjectKind::Free, true},
+    KeyInfo{"help", "what comes out for it, in a sentence", ObjectKind::Free, true},
+    KeyInfo{"languages", "languages that its shaders can be written in", ObjectKind::Free, true},
+    KeyInfo{"file", "the format of the file that holds all passes; otherwise each stage is a file"},
+    KeyInfo{"passes", "the file of its own rendering path; otherwise it draws the library's paths"},
+    KeyInfo{"include", "a file with text that its files may need a part of"},
+    KeyInfo{"variants", "chosen: the shaders hold one combination; keywords: they hold all"},
+    KeyInfo{"instances", "arrays: uniform blocks hold them; engine: the engine's own text does"},
+    KeyInfo{"sets", "descriptor sets and bindings, by owner", ObjectKind::EngineSets, true},
+    KeyInfo{"blocks", "what uniform blocks are called here, by the library's names"},
+    KeyInfo{"vertexInputs", "what its meshes have", ObjectKind::EngineVertexInput},
+    KeyInfo{"clip", "the conventions of clip space", ObjectKind::EngineClip, true},
+    KeyInfo{"matrices", "how matrices lie in uniform blocks: columns or rows", ObjectKind::Free, true},
+    KeyInfo{"storage", "how it keeps values of materials, by type"},
+    KeyInfo{"textureSizes", "what the size of a texture is called, behind the texture's name"},
+    KeyInfo{"samplers", "what samplers are called after: ofProperties or ofTextures"},
+    KeyInfo{"limits", "what shaders must not exceed", ObjectKind::EngineLimits, true},
+    KeyInfo{"names", "names that are taken", ObjectKind::EngineNames},
+};
+constexpr std::array kEngineSets = {
+    KeyInfo{"engine", "values of camera, frame, object and lights", ObjectKind::EngineSet, true},
+    KeyInfo{"material", "properties of the material", ObjectKind::EngineSet, true},
+    KeyInfo{"targets", "targets of other passes", ObjectKind::EngineSet, true},
+};
+constexpr std::array kEngineSet = {
+    KeyInfo{"set", "the descriptor set", ObjectKind::Free, true},
+    KeyInfo{"buffers", "binding of the first uniform block; 0 otherwise"},
+    KeyInfo{"textures", "binding of the first texture; otherwise they follow the buffers"},
+    KeyInfo{"samplers", "binding of the first sampler; otherwise they follow the textures"},
+};
+constexpr std::array kEngineVertexInput = {
+    KeyInfo{"semantic", "of the library: positionOS", ObjectKind::Free, true},
+    KeyInfo{"hlsl", "its HLSL semantic: POSITION", ObjectKind::Free, true},
+    KeyInfo{"location", "its location; otherwise those that a pass reads are numbered in order"},
+};
+constexpr std::array kEngineClip = {
+    KeyInfo{"y", "up or down", ObjectKind::Free, true},
+    KeyInfo{"depth", "nearToFar: 0 to 1; reversed: 1 to 0", ObjectKind::Free, true},
+};
+constexpr std::array kEngineLimits = {
+    KeyInfo{"varyings", "vectors from the vertex stage to the fragment stage", ObjectKind::Free, true},
+    KeyInfo{"varyingsNote", "what of the engine's own takes some of them"},
+    KeyInfo{"blockBytes", "bytes of a uniform block", ObjectKind::Free, true},
+};
+constexpr std::array kEngineNames = {
+    KeyInfo{"owner", "who declares the taken names, in words", ObjectKind::Free, true},
+    KeyInfo{"taken", "names that the engine's text declares"},
+    KeyInfo{"prefixes", "all names that begin so are the engine's"},
+    KeyInfo{"own", "names that the written file declares"},
+    KeyInfo{"ownNearProperties", "names that only properties must not have"},
+    KeyInfo{"instead", "what functions of the library are called here"},
+};
+
 }  // namespace
 
 std::span<const KeyInfo> keys_of(ObjectKind kind) {
@@ -292,6 +349,13 @@ std::span<const KeyInfo> keys_of(ObjectKind kind) {
         case ObjectKind::SceneMaterial: return kSceneMaterial;
         case ObjectKind::SceneObject: return kSceneObject;
         case ObjectKind::SceneInstance: return kSceneInstance;
+        case ObjectKind::Engine: return kEngine;
+        case ObjectKind::EngineSets: return kEngineSets;
+        case ObjectKind::EngineSet: return kEngineSet;
+        case ObjectKind::EngineVertexInput: return kEngineVertexInput;
+        case ObjectKind::EngineClip: return kEngineClip;
+        case ObjectKind::EngineLimits: return kEngineLimits;
+        case ObjectKind::EngineNames: return kEngineNames;
     }
     return {};
 }
@@ -328,6 +392,13 @@ std::string_view describe(ObjectKind kind) {
         case ObjectKind::SceneMaterial: return "a material of a scene";
         case ObjectKind::SceneObject: return "an object of a scene";
         case ObjectKind::SceneInstance: return "an instance of an object";
+        case ObjectKind::Engine: return "an engine";
+        case ObjectKind::EngineSets: return "the descriptor sets";
+        case ObjectKind::EngineSet: return "a descriptor set";
+        case ObjectKind::EngineVertexInput: return "a vertex input";
+        case ObjectKind::EngineClip: return "clip space";
+        case ObjectKind::EngineLimits: return "the limits";
+        case ObjectKind::EngineNames: return "the names";
     }
     return {};
 }

@@ -35,7 +35,14 @@ enum class ObjectKind {
     Shadow,
     SceneMaterial,
     SceneObject,
-    SceneInstance
+    SceneInstance,
+    Engine,
+    EngineSets,
+    EngineSet,
+    EngineVertexInput,
+    EngineClip,
+    EngineLimits,
+    EngineNames
 };
 
 struct KeyInfo {

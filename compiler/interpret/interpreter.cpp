@@ -144,7 +144,7 @@ void Interpreter::set_value(std::string_view name, std::span<const double> compo
     }
 }
 
-// A texture brings its sampler's state: the sampler of the same slot is bound with it.
+// A texture brings its sampler's state: the sampler behind it is bound with it.
 void Interpreter::set_texture(std::string_view name, std::shared_ptr<const TextureData> texture) {
     if (!impl_->module) return;
     const std::vector<ir::Global>& globals = impl_->module->globals;
@@ -154,11 +154,10 @@ void Interpreter::set_texture(std::string_view name, std::shared_ptr<const Textu
     };
     const auto found = std::find_if(globals.begin(), globals.end(), is_texture);
     if (found == globals.end()) return;
-    for (std::uint32_t i = 0; i < globals.size(); ++i) {
-        const bool is_its_sampler =
-            globals[i].type.kind == ir::Kind::Sampler && globals[i].set == found->set && globals[i].slot == found->slot;
-        if (&globals[i] == &*found || is_its_sampler) interpret::set_texture(impl_->machine, ir::GlobalId{i}, texture);
-    }
+    const auto index = static_cast<std::uint32_t>(found - globals.begin());
+    interpret::set_texture(impl_->machine, ir::GlobalId{index}, texture);
+    if (index + 1 < globals.size() && globals[index + 1].type.kind == ir::Kind::Sampler)
+        interpret::set_texture(impl_->machine, ir::GlobalId{index + 1}, texture);
 }
 
 std::vector<TracedValue> Interpreter::trace(const QuadInputs& quad, unsigned lane) {

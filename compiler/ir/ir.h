@@ -156,6 +156,21 @@ struct Keyword {
     std::vector<std::string> values{};           // of an enum: its words
 };
 
+// Who gives a global its value.
+enum class Group : std::uint8_t {
+    Engine,    // values of camera, frame, object and lights
+    Material,  // properties
+    Targets,   // what other passes have drawn
+    Included,  // an included file declares it: it is bound nowhere
+};
+
+// Where a global is bound: by Vulkan's numbers, and by HLSL's register, which counts from 0 for each kind of a set. An
+// engine decides it (lower/place.h).
+struct Place {
+    std::uint32_t set = 0, binding = 0, slot = 0;
+    friend bool operator==(const Place&, const Place&) = default;
+};
+
 // Where a global lives. The printers place it, the runtime and the interpreter fill it.
 struct Global {
     std::string name{};
@@ -165,8 +180,8 @@ struct Global {
     std::uint32_t block = 0xffffffffu;
     std::uint32_t member = 0;
     std::uint32_t keyword = 0xffffffffu;  // of Module::keywords
-    std::uint32_t slot = 0;               // texture or sampler: number of its binding (t0.., s0..) within the set
-    std::uint32_t set = 0;                // texture or sampler: descriptor set
+    Group group = Group::Engine;
+    Place place{};  // of a texture or sampler
     Span span{};
     std::string spelling{};  // not empty: an included file declares it, and it is written so
     std::string decoder{};   // a foreign function that whatever is read goes through; may be empty
@@ -190,8 +205,9 @@ struct BlockMember {
 };
 struct UniformBlock {
     std::string name{};
-    std::uint32_t set = 0;
-    std::uint32_t slot = 0;  // b0.. within the set
+    Group group = Group::Engine;
+    Place place{};
+    bool matrices_by_rows = false;
     std::uint32_t size = 0;  // bytes, a multiple of 16
     std::vector<BlockMember> members{};
 };

@@ -85,9 +85,9 @@ struct Language {
     // The initial value of an array with these elements.
     std::string (*array_value)(const std::string& element_type, std::size_t count,
                                const std::string& elements) = nullptr;
-    std::string_view set_word;                     // what stands before the number of a descriptor set
-    std::string_view constant_array;               // what stands before a constant array's type
-    std::span<const std::string_view> taken = {};  // names that are not reserved, but another text's
+    std::string_view set_word;   // what stands before the number of a descriptor set
+    std::string_view row_major;  // what stands before a matrix of a block that holds its rows; empty: the block says so
+    std::string_view constant_array;  // what stands before a constant array's type
     // How a value of a uniform block is read; null: by its name.
     std::string (*read)(const Writer& writer, ir::GlobalId global, std::string_view name) = nullptr;
     // Ops that the table calls Own.

@@ -8,21 +8,21 @@
 namespace patina::targets {
 namespace {
 
-constexpr TargetInfo kTargets[] = {
+constexpr LanguageInfo kLanguages[] = {
     {.name = "glsl", .extension = "glsl", .legalize = glsl::legalize, .print = glsl::print},
     {.name = "hlsl", .extension = "hlsl", .legalize = hlsl::legalize, .print = hlsl::print},
 };
 
 }  // namespace
 
-std::span<const TargetInfo> all_targets() {
-    return kTargets;
+std::span<const LanguageInfo> all_languages() {
+    return kLanguages;
 }
 
-const TargetInfo* find_target(std::string_view name) {
-    const auto found =
-        std::find_if(std::begin(kTargets), std::end(kTargets), [&](const TargetInfo& t) { return t.name == name; });
-    return found == std::end(kTargets) ? nullptr : found;
+const LanguageInfo* find_language(std::string_view name) {
+    const auto found = std::find_if(std::begin(kLanguages), std::end(kLanguages),
+                                    [&](const LanguageInfo& t) { return t.name == name; });
+    return found == std::end(kLanguages) ? nullptr : found;
 }
 
 }  // namespace patina::targets

@@ -29,11 +29,6 @@ struct Printed {
     std::vector<Piece> pieces{};     // in order
 };
 
-// Binding numbers of a set: HLSL registers count from 0 per kind, Vulkan bindings are one row. binding = slot + shift.
-struct SetShifts {
-    std::uint32_t set = 0, buffers = 0, textures = 0, samplers = 0;
-};
-
 // By function: which values become variables (plan.h). The same for all languages, so that a stage that several of them
 // can say as it is has them made once.
 struct Plan;
@@ -50,14 +45,13 @@ struct Pasting {
 
 struct PrintOptions {
     std::string header;                        // lines for a comment at the top, without comment marks
-    std::vector<SetShifts> shifts;             // GLSL writes slot + shift; HLSL writes registers
     const std::vector<Plan>* plans = nullptr;  // of this module; null: made for this printing
     std::optional<Pasting> pasting = {};       // none: a whole shader
     std::vector<std::string> taken = {};       // names that the text around it has
     std::size_t width = 120;                   // columns that lines are broken at
 };
 
-struct TargetInfo {
+struct LanguageInfo {
     std::string_view name;       // "glsl"
     std::string_view extension;  // "glsl"
     // The stage with what the language cannot say rewritten; none if it can say all of it as it is.
@@ -65,8 +59,8 @@ struct TargetInfo {
     Printed (*print)(const ir::Module& module, const PrintOptions& options);
 };
 
-std::span<const TargetInfo> all_targets();
-const TargetInfo* find_target(std::string_view name);
+std::span<const LanguageInfo> all_languages();
+const LanguageInfo* find_language(std::string_view name);
 
 // True if the word cannot be an identifier in every target language: keywords, reserved words, intrinsics.
 bool is_reserved_word(std::string_view word);

@@ -41,7 +41,6 @@ void name_globals(Writer& w) {
     w.globals.resize(m.globals.size());
     w.functions.resize(m.functions.size());
     for (const std::string& name : w.options.taken) w.names.declare(name);
-    for (const std::string_view name : w.language.taken) w.names.declare(name);
     for (std::size_t i = 0; i < m.functions.size(); ++i) {
         if (m.functions[i].linkage != Linkage::Foreign || !w.reachable.functions[i]) continue;
         w.functions[i] = m.functions[i].name;

@@ -181,9 +181,9 @@ std::string Writer::keyword_value(const Global& global) const {
     return std::to_string(static_cast<int>(value));
 }
 
-std::string Writer::set(std::uint32_t set) const {
-    if (options.pasting && options.pasting->set == set) return options.pasting->set_name();
-    return fmt::format("{}{}", language.set_word, set);
+std::string Writer::set(Group group, const Place& place) const {
+    if (options.pasting && group == Group::Material) return options.pasting->set_name();
+    return fmt::format("{}{}", language.set_word, place.set);
 }
 
 void Writer::block_body(const UniformBlock& block) {
@@ -195,7 +195,11 @@ void Writer::block_body(const UniformBlock& block) {
                 fmt::format("{}pad{}", options.pasting ? options.pasting->prefix : "_", paddings++);
             line(1, declaration(kFloat, names.declare(name)) + ";");
         }
-        line(1, declaration(stored(block.members[i].type), block_members[index][i]) + ";");
+        Type element = block.members[i].type;
+        while (element.kind == Kind::Array) element = module.arrays[element.ref].element;
+        const bool by_rows = block.matrices_by_rows && element.is_matrix();
+        line(1, fmt::format("{}{};", by_rows ? language.row_major : "",
+                            declaration(stored(block.members[i].type), block_members[index][i])));
     }
 }
 

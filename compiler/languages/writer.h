@@ -51,7 +51,7 @@ struct Writer {
     // What a keyword is until somebody sets another value: "true", "2".
     std::string keyword_value(const ir::Global& global) const;
     // A descriptor set: "1", "space1", or its name.
-    std::string set(std::uint32_t set) const;
+    std::string set(ir::Group group, const ir::Place& place) const;
     // Members of a uniform block, padding included, between braces.
     void block_body(const ir::UniformBlock& block);
     // The type that a value has in a uniform block or between stages, where `half` is a float.

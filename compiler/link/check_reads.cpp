@@ -60,7 +60,7 @@ public:
 
 private:
     static bool is_missing(const ir::Global& global) {
-        return !global.is_foreign() && global.set != graph::kMaterialSet && global.type.kind != ir::Kind::Sampler;
+        return !global.is_foreign() && global.group != ir::Group::Material && global.type.kind != ir::Kind::Sampler;
     }
 
     const ir::Module& stage_;
@@ -126,7 +126,7 @@ bool has_all(graph::Session& session, const Linked& linked, const LinkedPass& pa
             is_at_node ? missing->where.span : Span{graph.begin, graph.begin + 1}, graph::known_as(declaration),
             fmt::format("its {} reads '{}', and '{}' has nothing like it there",
                         stage == &pass.vertex ? "vertex stage" : "fragment stage", missing->name,
-                        to_string(session.options.targets[0])));
+                        session.options.targets[0].name()));
         record.at(missing->where.id);
         if (declaration.is_optional && !declaration.otherwise.empty()) record.note(std::string(declaration.otherwise));
         return false;
@@ -135,7 +135,7 @@ bool has_all(graph::Session& session, const Linked& linked, const LinkedPass& pa
 }
 
 void check_reads(graph::Session& session, const graph::Lowered& lowered, std::span<const LinkedPass> passes) {
-    if (!session.pass_file || graph::tool_of(session) || lowered.path != session.path) return;
+    if (!session.pass_file || session.engine.has_own_passes() || lowered.path != session.path) return;
     const graph::PathDeclarations& paths = *session.paths;
     const std::set<std::string_view> drawn = drawn_targets(paths, lowered.path);
     const auto check = [&](const graph::PassDecl& pass, const ir::Module& stage, const FunctionDecl& function) {

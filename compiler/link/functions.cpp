@@ -61,12 +61,12 @@ void tell_about(ir::Function& function, const graph::Lowered& lowered) {
 
 void prefix_interface(ir::Module& module, std::string_view prefix) {
     for (ir::UniformBlock& block : module.blocks) {
-        if (block.set != graph::kMaterialSet) continue;
+        if (block.group != ir::Group::Material) continue;
         block.name = prefixed(prefix, block.name);
         for (ir::BlockMember& member : block.members) member.name = prefixed(prefix, member.name);
     }
     for (ir::Global& global : module.globals) {
-        if (global.set == graph::kMaterialSet) global.name = prefixed(prefix, global.name);
+        if (global.group == ir::Group::Material) global.name = prefixed(prefix, global.name);
     }
 }
 

@@ -6,16 +6,16 @@
 namespace patina::assemble {
 namespace {
 
-void name_set(ir::Module& module, std::uint32_t set, targets::Names& names) {
+void name_group(ir::Module& module, ir::Group group, targets::Names& names) {
     for (const ir::UniformBlock& block : module.blocks) {
         for (const ir::Global& global : module.globals) {
-            if (global.set != set || !global.in_block() || &module.blocks[global.block] != &block) continue;
+            if (global.group != group || !global.in_block() || &module.blocks[global.block] != &block) continue;
             std::string& name = module.blocks[global.block].members[global.member].name;
             name = names.declare(name);
         }
     }
     for (ir::Global& global : module.globals) {
-        if (!global.in_block() && global.set == set) global.name = names.declare(global.name);
+        if (!global.in_block() && global.group == group) global.name = names.declare(global.name);
     }
 }
 
@@ -39,19 +39,19 @@ bool is_property(const ir::Module& module, std::string_view name) {
 
 void name_interface(ir::Module& module) {
     targets::Names names;
-    bool is_tool = false;  // whose files have neither blocks nor an engine's values of ours
+    bool is_included = false;  // included files hold the engine's values, and the text has no blocks
     for (const ir::Global& global : module.globals) {
-        is_tool = is_tool || global.is_foreign();
+        is_included = is_included || global.is_foreign();
         if (!global.is_foreign() || is_property(module, global.spelling)) continue;
         names.declare(global.spelling.substr(0, global.spelling.find('.')));
     }
-    if (is_tool) {
-        name_set(module, graph::kMaterialSet, names);
+    if (is_included) {
+        name_group(module, ir::Group::Material, names);
         return name_members(module);
     }
     for (ir::UniformBlock& block : module.blocks) block.name = names.declare(block.name);
-    name_set(module, graph::kEngineSet, names);  // first: hosts know these by name
-    name_set(module, graph::kMaterialSet, names);
+    name_group(module, ir::Group::Engine, names);  // first: hosts know these by name
+    name_group(module, ir::Group::Material, names);
     name_members(module);
 }
 

@@ -104,6 +104,8 @@ void thread_function(const ir::Module& module, ir::Function& function, const std
 
 // --- entry functions
 
+constexpr std::uint32_t kNumberedLater = 0xffffffffu;  // a location
+
 class EntryBuilder {
 public:
     EntryBuilder(const Linked& linked, const graph::LoweredPass& pass, ir::StageKind stage, ir::BuildOptions options)
@@ -223,13 +225,12 @@ private:
         if (const std::optional<ir::GlobalId> global = pass_.attribute_of(semantic))
             return originals_[semantic.index] =
                        builder_.emit(Op::Global, module_.semantics[semantic.index].type, {}, global->index);
-        const nodelang::Attribute& declared =
-            *linked_.lowered.semantics[semantic.index].declaration->variable->attribute("attribute");
+        const graph::SemanticRecipe& recipe = linked_.lowered.semantics[semantic.index];
         const ir::Semantic& info = module_.semantics[semantic.index];
         const Value made = input({.name = info.name,
                                   .type = info.type,
-                                  .location = static_cast<std::uint32_t>(declared.args[0]->number),
-                                  .semantic = std::string(nodelang::attribute_text(declared, 1))},
+                                  .location = recipe.location.value_or(kNumberedLater),
+                                  .semantic = std::string(recipe.hlsl)},
                                  ir::Rate::Vertex);
         originals_[semantic.index] = made;
         return made;

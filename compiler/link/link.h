@@ -19,6 +19,14 @@ struct Linked {
 };
 Linked link(graph::Lowered lowered);
 
+// A pass of a material as its two stages.
+struct LinkedPass {
+    const graph::LoweredPass* pass = nullptr;
+    const graph::Material* material = nullptr;  // another one for each pass that a material adds
+    const graph::Lowered* lowered = nullptr;
+    ir::Module vertex{}, fragment{};
+};
+
 ir::Module link_fragment(const Linked& linked, const graph::LoweredPass& pass, ir::BuildOptions options);
 // `fragment`: the finished fragment stage; its inputs that are no builtins are what the vertex stage hands over, and
 // are given their locations here.

@@ -2,29 +2,25 @@
 
 #include <algorithm>
 
-#include "compiler/api/dumps.h"
-#include "compiler/engines/shaderlab/shader_file.h"
 #include "compiler/ir/passes/passes.h"
 #include "compiler/ir/verify.h"
 #include "compiler/link/check_reads.h"
+#include "compiler/link/dumps.h"
 #include "compiler/link/pinned_inputs.h"
 
-namespace patina {
-
-using assemble::LinkedPass;
-
+namespace patina::assemble {
 namespace {
 
-// Vertex inputs get the locations 0, 1, 2...: an HLSL compiler counts them so, and cannot be told otherwise.
-void number_inputs(ir::Module& stage) {
+// Where the engine does not number its vertex inputs, they get the locations 0, 1, 2...: an HLSL compiler counts them
+// so, and has no word to say otherwise.
+void number_inputs(ir::Module& stage, const engines::Engine& engine) {
     std::uint32_t location = 0;
     for (ir::StageVariable& input : stage.stage.inputs) {
-        if (input.builtin == ir::Builtin::None) input.location = location++;
+        if (input.builtin != ir::Builtin::None) continue;
+        const engines::VertexInput* known = engine.vertex_input(input.name);
+        input.location = known && known->location ? *known->location : location++;
     }
 }
-
-// Direct3D hands 32 vectors from vertices to pixels, the position among them.
-constexpr std::size_t kMostVaryings = 31;
 
 // The sources are gone when a program runs.
 void add_places(Program& program, const ir::Module& stage, const SourceMap& sources) {
@@ -36,74 +32,133 @@ void add_places(Program& program, const ir::Module& stage, const SourceMap& sour
     }
 }
 
+// The fragment stage is finished first: the vertex stage computes what is left of its inputs. An input that is a
+// constant is dropped, and so is the second of two that are equal; both stages are tidied again then. The order of the
+// inputs comes last, when it is known what each is.
+LinkedPass link_tidied(const graph::Material& material, const Linked& linked, const graph::LoweredPass& pass,
+                       const graph::Session& session, Result& result) {
+    const CompileOptions& options = session.options;
+    const ir::BuildOptions build{.fold = true};
+    LinkedPass made{.pass = &pass, .material = &material, .lowered = &linked.lowered};
+    made.fragment = link_fragment(linked, pass, build);
+    ir::check_if_verifying(made.fragment, "linked fragment");
+    dump_stage(result, options, "linked", pass.name + ".fragment.linked", made.fragment);
+    made.fragment = ir::tidy(std::move(made.fragment));
+    // Shared functions may compute members for other passes from values that this pass lacks.
+    if (linked.lowered.keeps_functions && missing_in(made.fragment)) {
+        const ir::FunctionId entry = made.fragment.stage.entry;
+        made.fragment = ir::tidy(ir::drop_members(std::move(made.fragment), std::span(&entry, 1), {}));
+    }
+    made.vertex = link_vertex(linked, pass, made.fragment, build);
+    ir::check_if_verifying(made.vertex, "linked vertex");
+    dump_stage(result, options, "linked", pass.name + ".vertex.linked", made.vertex);
+    made.vertex = ir::tidy(std::move(made.vertex));
+    const auto link_again = [&] { made.vertex = ir::tidy(link_vertex(linked, pass, made.fragment, build)); };
+    const bool takes = take_constants(made.fragment, made.vertex);
+    if (share_pinned(linked, made.fragment, made.vertex) || takes) {
+        made.fragment = ir::tidy(ir::settle_params(std::move(made.fragment)));
+        link_again();
+    }
+    if (order_pinned(linked, made.fragment, made.vertex)) link_again();
+    number_inputs(made.vertex, session.engine);
+    dump_stage(result, options, "tidy", pass.name + ".vertex.tidy", made.vertex);
+    dump_stage(result, options, "tidy", pass.name + ".fragment.tidy", made.fragment);
+    dump_rates(result, options, pass.name + ".fragment.rates", made.fragment);
+    return made;
+}
+
+// As lowering has made it.
+LinkedPass link_plainly(const graph::Material& material, const Linked& linked, const graph::LoweredPass& pass) {
+    const ir::BuildOptions build{.fold = false};
+    LinkedPass made{.pass = &pass, .material = &material, .lowered = &linked.lowered};
+    made.fragment = link_fragment(linked, pass, build);
+    made.vertex = link_vertex(linked, pass, made.fragment, build);
+    return made;
+}
+
+void check(const LinkedPass& pass) {
+    ir::check_if_verifying(pass.vertex, "vertex");
+    ir::check_if_verifying(pass.fragment, "fragment");
+}
+
+void add_texts(const std::vector<ir::StageText>& from, std::vector<ir::StageText>& into) {
+    for (const ir::StageText& text : from) {
+        const bool is_there = std::any_of(into.begin(), into.end(), [&](const ir::StageText& other) {
+            return other.place == text.place && other.line == text.line;
+        });
+        if (!is_there) into.push_back(text);
+    }
+}
+
+// What the functions want that a stage calls, and the files that declare its values.
+void add_texts_of(const ir::Module& stage, std::vector<ir::StageText>& into) {
+    for (const ir::Function& function : stage.functions) {
+        for (const ir::Inst& inst : function.insts) {
+            if (inst.op == ir::Op::Call) add_texts(stage.functions[inst.data].texts, into);
+        }
+    }
+    for (const ir::UniformBlock& block : stage.blocks) {
+        for (const ir::BlockMember& member : block.members) {
+            if (!member.declared_in.empty()) add_texts({{.place = "include", .line = member.declared_in}}, into);
+        }
+    }
+}
+
 }  // namespace
 
-// The two stages of a pass. The fragment stage is finished first: the vertex stage computes what is left of its inputs.
-// Those that turn out to be constants are none, and leave less of both stages, as one of two that are equal does. Their
-// order comes last, when it is known what each is.
-LinkedPass link_pass(const graph::Material& material, const assemble::Linked& linked, const graph::LoweredPass& pass,
-                     bool optimise, Result& result, const CompileOptions& options) {
-    const std::string& name = pass.name;
-    const ir::BuildOptions build{.fold = optimise};
-    LinkedPass made{.pass = &pass, .material = &material, .lowered = &linked.lowered};
-    made.fragment = assemble::link_fragment(linked, pass, build);
-    if (optimise) {
-        ir::check_if_verifying(made.fragment, "linked fragment");
-        dump_stage(result, options, "linked", name + ".fragment.linked", made.fragment);
-        made.fragment = ir::tidy(std::move(made.fragment));
-        // What others read of functions that passes share may be what this one has not got.
-        if (linked.lowered.keeps_functions && assemble::missing_in(made.fragment)) {
-            const ir::FunctionId entry = made.fragment.stage.entry;
-            made.fragment = ir::tidy(ir::drop_members(std::move(made.fragment), std::span(&entry, 1), {}));
-        }
+LinkedPass link_pass(const graph::Material& material, const Linked& linked, const graph::LoweredPass& pass,
+                     const graph::Session& session, Result& result) {
+    LinkedPass made = link_tidied(material, linked, pass, session, result);
+    check(made);
+    return made;
+}
+
+std::vector<ir::StageText> texts_of(const LinkedPass& pass) {
+    std::vector<ir::StageText> made;
+    add_texts_of(pass.vertex, made);
+    add_texts_of(pass.fragment, made);
+    add_texts(pass.vertex.stage.texts, made);
+    return made;
+}
+
+Varyings varyings_of(const LinkedPass& pass) {
+    Varyings made;
+    for (const ir::StageVariable& output : pass.vertex.stage.outputs)
+        made.numbered += output.builtin == ir::Builtin::None && output.spelling.empty() ? 1 : 0;
+    for (const ir::StageText& text : texts_of(pass)) {
+        if (text.place == "first interpolator") ++made.numbered;
+        if (text.place != "interpolators") continue;
+        std::size_t numbers = 0;
+        for (std::size_t at = text.line.find("{}"); at != text.line.npos; at = text.line.find("{}", at + 2)) ++numbers;
+        (numbers == 0 ? made.others : made.numbered) += std::max<std::size_t>(numbers, 1);
     }
-    made.vertex = assemble::link_vertex(linked, pass, made.fragment, build);
-    if (optimise) {
-        ir::check_if_verifying(made.vertex, "linked vertex");
-        dump_stage(result, options, "linked", name + ".vertex.linked", made.vertex);
-        made.vertex = ir::tidy(std::move(made.vertex));
-        const auto link_again = [&] {
-            made.vertex = ir::tidy(assemble::link_vertex(linked, pass, made.fragment, build));
-        };
-        const bool takes = assemble::take_constants(made.fragment, made.vertex);
-        if (assemble::share_pinned(linked, made.fragment, made.vertex) || takes) {
-            made.fragment = ir::tidy(ir::settle_params(std::move(made.fragment)));
-            link_again();
-        }
-        if (assemble::order_pinned(linked, made.fragment, made.vertex)) link_again();
-        number_inputs(made.vertex);
-        dump_stage(result, options, "tidy", name + ".vertex.tidy", made.vertex);
-        dump_stage(result, options, "tidy", name + ".fragment.tidy", made.fragment);
-        dump_rates(result, options, name + ".fragment.rates", made.fragment);
-    }
-    ir::check_if_verifying(made.vertex, "vertex");
-    ir::check_if_verifying(made.fragment, "fragment");
     return made;
 }
 
 void check_varyings(const LinkedPass& pass, graph::Session& session) {
-    const assemble::Handed vectors = assemble::handed(pass);
+    const Varyings vectors = varyings_of(pass);
     const std::size_t count = vectors.numbered + vectors.others;
-    if (count <= kMostVaryings) return;
+    const engines::Engine& engine = session.engine;
+    if (count <= engine.most_varyings) return;
     const Span graph = pass.material->graph->graph->span;
-    DiagnosticRecord& told = session.diagnostics.report(Code::TooMany, {graph.begin, graph.begin + 1}, count,
-                                                        "values from vertices to pixels", kMostVaryings);
-    told.note(
+    DiagnosticRecord& report = session.diagnostics.report(Code::TooMany, {graph.begin, graph.begin + 1}, count,
+                                                          "values from vertices to pixels", engine.most_varyings);
+    report.note(
         fmt::format("in the pass '{}'; nodes with \"stage\": \"vertex\", what they read of the mesh and what the "
                     "surface reads of it take one each",
                     pass.pass->name));
-    if (graph::tool_of(session)) told.note("so do light, fog, instances and stereo rendering in Unity");
+    if (!engine.varyings_note.empty()) report.note(engine.varyings_note);
 }
 
 std::shared_ptr<const Program> keep_program(graph::Session& session, const Materials& materials) {
     auto program = std::make_shared<Program>();
-    Result unused;
     for (const graph::Material* material : materials) {
         graph::Lowered lowered = graph::lower(session, *material, {.fold = false});
         if (session.diagnostics.has_errors()) return nullptr;
-        const assemble::Linked linked = assemble::link(std::move(lowered));
+        const Linked linked = link(std::move(lowered));
         for (const graph::LoweredPass& pass : linked.lowered.passes) {
-            LinkedPass made = link_pass(*material, linked, pass, false, unused, session.options);
+            LinkedPass made = link_plainly(*material, linked, pass);
+            check(made);
             add_places(*program, made.vertex, session.sources);
             add_places(*program, made.fragment, session.sources);
             program->stages.push_back({.pass = pass.name, .stage = Stage::Vertex, .module = std::move(made.vertex)});
@@ -114,4 +169,4 @@ std::shared_ptr<const Program> keep_program(graph::Session& session, const Mater
     return program;
 }
 
-}  // namespace patina
+}  // namespace patina::assemble

@@ -1,27 +1,33 @@
-// A pass of a lowered material as its two stages: linked, tidied and numbered; and, for the CPU reference, the same
-// without any of the folding.
+// A pass of a lowered material as its two stages: linked, tidied and numbered. And the same without any folding, for
+// the CPU reference.
 //
-//   LinkedPass pass = link_pass(material, linked, linked.lowered.passes[0], true, result, options);
+//   LinkedPass pass = link_pass(material, linked, linked.lowered.passes[0], session, result);
 #pragma once
 
 #include "compiler/link/link.h"
 #include "compiler/link/program.h"
-#include "compiler/lower/lower.h"
-#include "compiler/output/reflect.h"
 
-namespace patina {
+namespace patina::assemble {
 
-// The material itself, and passes that it adds.
+// The material itself, and the passes that it adds.
 using Materials = std::vector<const graph::Material*>;
 
-// `result` and `options`: where the dumps go, and which.
-assemble::LinkedPass link_pass(const graph::Material& material, const assemble::Linked& linked,
-                               const graph::LoweredPass& pass, bool optimise, Result& result,
-                               const CompileOptions& options);
-// Reports a pass that hands more from vertices to pixels than there is room for.
-void check_varyings(const assemble::LinkedPass& pass, graph::Session& session);
+// `result`: gets the dumps.
+LinkedPass link_pass(const graph::Material& material, const Linked& linked, const graph::LoweredPass& pass,
+                     const graph::Session& session, Result& result);
+
+// What a pass hands from the vertex stage to the fragment stage besides the position, in vectors: those with a number,
+// and those that the engine's text adds without one.
+struct Varyings {
+    std::size_t numbered = 0, others = 0;
+};
+Varyings varyings_of(const LinkedPass& pass);
+// Reports a pass that hands over more than the engine has room for.
+void check_varyings(const LinkedPass& pass, graph::Session& session);
+// What the pass's functions and the pass itself want in the engine's file: of both stages, each line once.
+std::vector<ir::StageText> texts_of(const LinkedPass& pass);
 
 // The interpreter's stages: lowered and linked without folding, and never tidied. Null after errors.
 std::shared_ptr<const Program> keep_program(graph::Session& session, const Materials& materials);
 
-}  // namespace patina
+}  // namespace patina::assemble

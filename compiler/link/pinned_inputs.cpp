@@ -4,7 +4,7 @@
 #include <map>
 
 #include "compiler/ir/rebuild.h"
-#include "compiler/output/canonical_hash.h"
+#include "compiler/link/canonical_hash.h"
 
 namespace patina::assemble {
 namespace {

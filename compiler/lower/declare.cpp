@@ -18,15 +18,13 @@ ir::GlobalId add_block_global(ir::Module& module, std::uint32_t block, const std
                               .type = type,
                               .block = block,
                               .member = static_cast<std::uint32_t>(module.blocks[block].members.size() - 1),
-                              .slot = 0,
-                              .set = module.blocks[block].set,
+                              .group = module.blocks[block].group,
                               .span = span});
     return {static_cast<std::uint32_t>(module.globals.size() - 1)};
 }
 
-ir::GlobalId add_resource(ir::Module& module, std::string name, ir::Kind kind, std::uint32_t set, std::uint32_t slot,
-                          Span span) {
-    module.globals.push_back({.name = std::move(name), .type = Type::of(kind), .slot = slot, .set = set, .span = span});
+ir::GlobalId add_resource(ir::Module& module, std::string name, ir::Kind kind, ir::Group group, Span span) {
+    module.globals.push_back({.name = std::move(name), .type = Type::of(kind), .group = group, .span = span});
     return {static_cast<std::uint32_t>(module.globals.size() - 1)};
 }
 
@@ -48,7 +46,7 @@ ir::GlobalId add_keyword(ir::Module& module, const MaterialProperty& entry) {
     module.globals.push_back({.name = property.name,
                               .type = property.type == PropertyType::Bool ? ir::kBool : ir::kInt,
                               .keyword = static_cast<std::uint32_t>(module.keywords.size()),
-                              .set = kMaterialSet,
+                              .group = ir::Group::Material,
                               .span = property.span});
     module.keywords.push_back({.property = property.name, .value = entry.chosen, .values = property.values});
     return {static_cast<std::uint32_t>(module.globals.size() - 1)};
@@ -108,7 +106,7 @@ void declare_foreign(const PathDeclarations& paths, const nodelang::Declarations
         const nodelang::VariableDecl& variable = *foreign.variable;
         emitter.module().globals.push_back({.name = std::string(variable.name),
                                             .type = emitter.type(variable.type, scope),
-                                            .set = kForeignSet,
+                                            .group = ir::Group::Included,
                                             .span = variable.span,
                                             .spelling = std::string(foreign.spelling)});
         emitter.set_extern(&variable, {static_cast<std::uint32_t>(emitter.module().globals.size() - 1)});
@@ -125,12 +123,12 @@ void declare_foreign(const PathDeclarations& paths, const nodelang::Declarations
 
 }  // namespace
 
-EngineGlobals declare_engine(const PathDeclarations& paths, const nodelang::Declarations& declarations,
-                             nodelang::Emitter& emitter, std::span<const std::string_view> on) {
+EngineGlobals declare_engine(const engines::Engine& engine, const PathDeclarations& paths,
+                             const nodelang::Declarations& declarations, nodelang::Emitter& emitter,
+                             std::span<const std::string_view> on) {
     EngineGlobals made;
     ir::Module& module = emitter.module();
     const nodelang::Scope scope{.declarations = &declarations};
-    std::uint32_t textures = 0, targets = 0;
     std::vector<const ExternDecl*> externs;
     for (const ExternDecl& each : paths.externs) {
         if (is_wanted(each, on)) externs.push_back(&each);
@@ -140,24 +138,18 @@ EngineGlobals declare_engine(const PathDeclarations& paths, const nodelang::Decl
         const nodelang::VariableDecl& variable = *each->variable;
         if (const std::optional<ir::Kind> kind = texture_kind(variable.type.name)) {
             const std::string texture(variable.name);
-            const std::uint32_t set = each->is_target() ? kTargetSet : kEngineSet;
-            std::uint32_t& slot = each->is_target() ? targets : textures;
-            const ir::GlobalId global = add_resource(module, texture, *kind, set, slot, variable.span);
+            const ir::Group group = each->is_target() ? ir::Group::Targets : ir::Group::Engine;
+            const ir::GlobalId global = add_resource(module, texture, *kind, group, variable.span);
             emitter.set_extern(&variable, global);
             if (each->is_target()) made.reads[global.index] = each->reads;
-            add_resource(module, texture + "_sampler", ir::Kind::Sampler, set, slot, variable.span);
-            ++slot;
+            add_resource(module, texture + "_sampler", ir::Kind::Sampler, group, variable.span);
             continue;
         }
-        const std::string_view name = each->block;
+        const std::string_view name = engine.block_name(each->block);
         auto block = std::find_if(module.blocks.begin(), module.blocks.end(),
                                   [&](const ir::UniformBlock& b) { return b.name == name; });
         if (block == module.blocks.end()) {
-            module.blocks.push_back({.name = std::string(name),
-                                     .set = kEngineSet,
-                                     .slot = static_cast<std::uint32_t>(module.blocks.size()),
-                                     .size = 0,
-                                     .members = {}});
+            module.blocks.push_back({.name = std::string(name), .members = {}});
             block = module.blocks.end() - 1;
         }
         const Type type = emitter.type(variable.type, scope);
@@ -174,13 +166,14 @@ EngineGlobals declare_engine(const PathDeclarations& paths, const nodelang::Decl
     return made;
 }
 
-std::vector<PropertyGlobals> declare_material(const Material& material, ir::Module& module, bool keep_variants,
+std::vector<PropertyGlobals> declare_material(const engines::Engine& engine, const Material& material,
+                                              ir::Module& module, bool keep_variants,
                                               std::optional<std::uint32_t> instances) {
     std::vector<PropertyGlobals> globals;
     std::uint32_t constant_id = 0;
-    module.blocks.push_back({.name = "Material", .set = kMaterialSet, .slot = 0, .size = 0, .members = {}});
+    module.blocks.push_back(
+        {.name = std::string(engine.block_name("material")), .group = ir::Group::Material, .members = {}});
     const auto block = static_cast<std::uint32_t>(module.blocks.size() - 1);
-    std::uint32_t slot = 0;
     for (const MaterialProperty& entry : material.properties) {
         const Property& property = *entry.property;
         PropertyGlobals& made = globals.emplace_back();
@@ -194,17 +187,16 @@ std::vector<PropertyGlobals> declare_material(const Material& material, ir::Modu
             const bool is_of_instance = instances && property.binding == Binding::Instance;
             made.value = add_block_global(module, is_of_instance ? *instances : block, property.name,
                                           property_type(property.type), property.span);
-            // Whatever block it is in, the name is the artist's.
-            module.globals[made.value.index].set = kMaterialSet;
+            // Its name is the artist's, whatever block it is in.
+            module.globals[made.value.index].group = ir::Group::Material;
             continue;
         }
-        made.texture = add_resource(module, property.name, ir::Kind::Texture2D, kMaterialSet, slot, property.span);
+        made.texture = add_resource(module, property.name, ir::Kind::Texture2D, ir::Group::Material, property.span);
         made.sampler =
-            add_resource(module, "sampler" + property.name, ir::Kind::Sampler, kMaterialSet, slot, property.span);
+            add_resource(module, "sampler" + property.name, ir::Kind::Sampler, ir::Group::Material, property.span);
         if (property.tiling) {
             made.tiling = add_block_global(module, block, property.name + "_ST", ir::kFloat4, property.span);
         }
-        ++slot;
     }
     // A material without numeric properties has no block.
     if (module.blocks[block].members.empty()) module.blocks.pop_back();

@@ -12,17 +12,12 @@
 
 namespace patina::graph {
 
-inline constexpr std::uint32_t kEngineSet = 0;
-inline constexpr std::uint32_t kMaterialSet = 1;
-inline constexpr std::uint32_t kTargetSet = 2;   // targets of other passes
-inline constexpr std::uint32_t kForeignSet = 3;  // in no set: what included files declare
-
 struct PropertyGlobals {
     ir::GlobalId value;    // numeric properties
     ir::GlobalId texture;  // texture properties
     ir::GlobalId sampler;
     ir::GlobalId tiling;      // float4 scale and offset, when the property has "tiling"
-    ir::GlobalId texel_size;  // float4, where another tool fills it beside the texture (lower_tool.cpp)
+    ir::GlobalId texel_size;  // float4, where the engine fills it beside the texture (keep_values.cpp)
     // A keyword: its global; or none, and it is a constant, where texts are made for one value of it.
     ir::GlobalId keyword;
 };
@@ -37,11 +32,13 @@ struct EngineGlobals {
     std::set<std::uint32_t> per_object;          // of the object that is drawn
     std::map<std::uint32_t, std::string> reads;  // textures that are targets of other passes
 };
-EngineGlobals declare_engine(const PathDeclarations& paths, const nodelang::Declarations& declarations,
-                             nodelang::Emitter& emitter, std::span<const std::string_view> on = {});
+EngineGlobals declare_engine(const engines::Engine& engine, const PathDeclarations& paths,
+                             const nodelang::Declarations& declarations, nodelang::Emitter& emitter,
+                             std::span<const std::string_view> on = {});
 // One entry per Material::properties. `keep_variants`: those that nobody has chosen a value for are globals too, and
 // not constants. `instances`: the block of the properties that each instance has; nothing: the material's.
-std::vector<PropertyGlobals> declare_material(const Material& material, ir::Module& module, bool keep_variants,
+std::vector<PropertyGlobals> declare_material(const engines::Engine& engine, const Material& material,
+                                              ir::Module& module, bool keep_variants,
                                               std::optional<std::uint32_t> instances = {});
 
 // Appends a member at the next offset that both layouts accept.

@@ -32,11 +32,13 @@ ir::Rate rate_of(Source source) {
 
 void declare_statics(Lowering& lowering) {
     const RenderState& render = lowering.material.graph->graph->render;
+    const engines::Engine& engine = lowering.session.engine;
     const auto is_true = [&](const StaticDecl& asked, std::string_view word) {
         switch (asked.about) {
             case StaticDecl::About::Surface: return word == text_of(kSurfaceKinds, render.surface);
             case StaticDecl::About::Cull: return word == text_of(kCulls, render.cull);
-            case StaticDecl::About::Clip: return false;
+            case StaticDecl::About::Clip:
+                return word == "reversed" ? engine.is_depth_reversed : word == "yDown" && engine.is_y_down;
             case StaticDecl::About::Slot:
             case StaticDecl::About::Pass: break;
         }
@@ -57,7 +59,13 @@ void declare_semantics(Lowering& lowering) {
             lowering.emitter.type(semantic.function ? semantic.function->result : semantic.variable->type, scope);
         lowering.out.module.semantics.push_back(
             {.name = std::string(semantic.name), .type = type, .rate = rate_of(semantic.source)});
-        lowering.out.semantics.push_back({.source = semantic.source, .declaration = &semantic});
+        SemanticRecipe& recipe = lowering.out.semantics.emplace_back();
+        recipe.source = semantic.source;
+        recipe.declaration = &semantic;
+        if (const engines::VertexInput* input = lowering.session.engine.vertex_input(semantic.name)) {
+            recipe.location = input->location;
+            recipe.hlsl = input->hlsl;
+        }
     }
 }
 
@@ -138,7 +146,7 @@ const Property* variant_of_lighting(const Material& material, std::string_view n
 // The switches as the caller wants them.
 void declare_switches(Lowering& lowering) {
     Session& session = lowering.session;
-    const bool has_passes = session.options.functions.empty() && !tool_of(session);
+    const bool has_passes = session.options.functions.empty() && !session.engine.has_own_passes();
     std::vector<std::string_view> known;
     for (const SwitchDecl& each : session.paths->switches) {
         known.push_back(each.variable->name);
@@ -161,8 +169,9 @@ void declare_switches(Lowering& lowering) {
                                         name));
                 continue;
             }
-            record.note(is_switch       ? fmt::format("it is a part of the rendering paths, and {} of none",
-                                                tool_of(session) ? "this target's file is" : "functions are")
+            record.note(is_switch
+                            ? fmt::format("it is a part of the rendering paths, and {} of none",
+                                          session.engine.has_own_passes() ? "this target's file is" : "functions are")
                         : words.empty() ? "it has none"
                                         : Diagnostics::suggestion(name, words));
         } else if (!value.empty() && value != "true" && value != "false") {
@@ -297,22 +306,24 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
                       .surface = {}};
     declare_switches(lowering);
     const std::vector<std::string_view> on = what_is_on(lowering);
-    EngineGlobals engine = declare_engine(*session.paths, *session.declarations, lowering.emitter, on);
-    lowering.per_object = std::move(engine.per_object);
-    out.reads = std::move(engine.reads);
-    const bool instanced = is_instanced(material) && session.options.functions.empty() && !tool_of(session);
+    const engines::Engine& engine = session.engine;
+    EngineGlobals declared = declare_engine(engine, *session.paths, *session.declarations, lowering.emitter, on);
+    lowering.per_object = std::move(declared.per_object);
+    out.reads = std::move(declared.reads);
+    const bool instanced =
+        is_instanced(material) && session.options.functions.empty() && engine.instances == engines::Instances::Arrays;
     out.property_globals = declare_material(
-        material, out.module, session.options.keep_variants,
+        engine, material, out.module, session.options.keep_variants,
         instanced ? std::optional(out.module.globals[*lowering.per_object.begin()].block) : std::nullopt);
     for (std::size_t i = 0; instanced && i < material.properties.size(); ++i) {
         if (material.properties[i].property->binding == Binding::Instance)
             lowering.per_object.insert(out.property_globals[i].value.index);
     }
-    if (tool_of(session)) {
-        // A pass that it adds has nothing to share unless it is lit, and then reads as the others.
-        out.keeps_functions = !material.pass || !material.lighting->graph->nodes.empty();
-        mark_for_tool(lowering);
-    }
+    // A pass that a material adds has nothing to share unless it is lit, and then reads as the others.
+    out.keeps_functions = engine.is_one_file() && (!material.pass || !material.lighting->graph->nodes.empty());
+    keep_values(lowering);
+    out.shifts = place_globals(out.module, engine);
+    out.target_set = engine.places_of(ir::Group::Targets).set;
     declare_statics(lowering);
     extend_lighting_surface(lowering);
     declare_semantics(lowering);
@@ -321,7 +332,7 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     if (session.diagnostics.has_errors()) return out;
     if (session.options.functions.empty()) {
         lower_passes(lowering);
-        if (tool_of(session)) tell_texts(lowering);
+        give_texts(lowering);
     } else {
         lower_functions(lowering);
     }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "compiler/lower/declare.h"
+#include "compiler/lower/place.h"
 
 namespace patina::graph {
 
@@ -11,6 +12,8 @@ namespace patina::graph {
 struct SemanticRecipe {
     Source source = Source::Pixel;
     ir::FunctionId recipe{};                    // Vertex, Pixel, Uniform: a function whose body reads other semantics
+    std::optional<std::uint32_t> location{};    // Attribute: of the vertex input; none: it is numbered later
+    std::string_view hlsl{};                    // Attribute: its HLSL semantic
     ir::FunctionId override{};                  // what the material's "vertex" block writes instead of the attribute
     const SemanticDecl* declaration = nullptr;  // null: an interpolator of the graph
 };
@@ -32,7 +35,7 @@ struct LoweredPass {
 };
 // How a pass blends surfaces of a kind; null: it does not draw them.
 const BlendRow* blend_of(const PassDecl& pass, std::string_view surface);
-// A tool's users know a pass by its tag, "ShadowCaster".
+// Where an engine picks passes by their tags, its users know a pass by its tag: "ShadowCaster".
 std::string_view known_as(const PassDecl& pass);
 
 // A function for an engine's own shaders.
@@ -52,6 +55,8 @@ struct Lowered {
     std::vector<PropertyGlobals> property_globals;  // one per Material::properties
     std::uint32_t instances = 0;                    // that one draw can hold; 0: it draws one object (instances.h)
     std::set<std::uint32_t> instance_globals;       // which are arrays of as many
+    std::vector<SetShifts> shifts;                  // by set: HLSL registers to bindings
+    std::uint32_t target_set = 0;                   // of what other passes have drawn
     bool keeps_functions = false;  // passes that show the surface leave functions as they are, to share their text
 };
 

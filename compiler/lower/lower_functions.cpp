@@ -90,7 +90,7 @@ private:
     void take_engine_values(ir::Function& function) {
         for (ir::Inst& inst : function.insts) {
             if (inst.op != Op::Global || !module_.globals[inst.data].in_block()) continue;
-            if (module_.globals[inst.data].set != kEngineSet) continue;
+            if (module_.globals[inst.data].group != ir::Group::Engine) continue;
             inst.op = Op::Semantic;
             inst.data = semantic_of(module_.globals[inst.data]);
         }

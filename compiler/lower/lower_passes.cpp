@@ -162,10 +162,10 @@ private:
         return !draws_objects(pass) || blend_of(pass, surface()) || pass.blends.empty();
     }
 
-    // What another tool draws for others to read, depth alone or all that they light, stands for what is nearest.
+    // Where the engine reads what a pass leaves, depth alone or all that it lights, the pass holds what is nearest.
     Refusal refusal_of_depth(const PassDecl& pass) const {
         const RenderState& render = lowering_.material.graph->graph->render;
-        if (!tool_of(lowering_.session) || !(pass.is_alone || pass.state.targets.empty())) return {};
+        if (!has_own_passes() || !(pass.is_alone || pass.state.targets.empty())) return {};
         const ir::Origin where{.span = {render.span.begin, render.span.begin + 1}};
         if (!render.depth_write.value_or(true))
             return {.reason = "it writes depth, and the material does not", .where = where, .is_news = true};
@@ -205,22 +205,25 @@ private:
         const std::optional<StencilState>& stencil = lowering_.material.graph->graph->render.stencil;
         if (!stencil || !draws_objects(pass) || pass.state.targets.empty()) return {};
         const ir::Origin where{.span = {stencil->span.begin, stencil->span.begin + 1}};
-        const bool is_tool = tool_of(lowering_.session) != nullptr;
-        if (pass.has_stencil) return {.reason = "it uses the stencil itself", .where = where, .is_news = is_tool};
-        if (is_tool && pass.state.each != "light") return {};  // the other one says so
+        if (pass.has_stencil)
+            return {.reason = "it uses the stencil itself", .where = where, .is_news = has_own_passes()};
+        if (has_own_passes() && pass.state.each != "light") return {};  // the other one says so
         if (!stencil->changes() || stencil->test == Compare::Always || !is_drawn_again(pass)) return {};
         Refusal refusal{.reason = "it draws an object once for each light, and this stencil changes what it tests",
                         .where = where};
-        if (is_tool)
+        if (has_own_passes())
             refusal.advice =
                 "with a \"test\" that is \"always\", or a \"pass\", \"fail\" and \"depthFail\" that are "
                 "\"keep\", or with the workflow \"unlit\" there is no such fault";
         return refusal;
     }
 
-    // The slot that a pass of another tool needs and that makes nothing.
+    // Whether the engine draws passes of its own, as it knows them by their tags: no frame of ours decides.
+    bool has_own_passes() const { return lowering_.session.engine.has_own_passes(); }
+
+    // The slot that a pass of the engine's own needs, and that is always 0.
     std::optional<std::string_view> vain_part(const PassDecl& pass) const {
-        if (!tool_of(lowering_.session)) return {};
+        if (!has_own_passes()) return {};
         for (const std::string_view name : pass.needs) {
             const SlotDecl* slot = paths_.slot(name);
             if (!slot) continue;

@@ -26,9 +26,10 @@ std::vector<std::string_view> packed_members(Lowering& lowering, std::string_vie
 void lower_passes(Lowering& lowering);
 // The functions for an engine's own shaders, instead of passes (lower_functions.cpp).
 void lower_functions(Lowering& lowering);
-// For a target whose files are another tool's: before and after the passes (lower_tool.cpp).
-void mark_for_tool(Lowering& lowering);
-void tell_texts(Lowering& lowering);
+// How the engine keeps the values of properties (keep_values.cpp), and the lines of its file that a stage needs which
+// calls its functions.
+void keep_values(Lowering& lowering);
+void give_texts(Lowering& lowering);
 // Why a pass cannot draw this material, found in its functions (take_part.cpp); empty: it can.
 struct Refusal {
     std::string reason{};

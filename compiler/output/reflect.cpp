@@ -7,31 +7,23 @@
 
 #include "compiler/format/words.h"
 #include "compiler/ir/passes/passes.h"
+#include "compiler/link/canonical_hash.h"
 
-namespace patina::assemble {
+namespace patina::output {
+
+using assemble::LinkedPass;
 
 using graph::Property;
 using graph::PropertyType;
 
 namespace {
 
-std::string hlsl_register(char kind, std::uint32_t slot, std::uint32_t set) {
-    return fmt::format("{}{}, space{}", kind, slot, set);
-}
-
-std::uint32_t buffers_of(const ir::Module& module, std::uint32_t set) {
-    return static_cast<std::uint32_t>(std::count_if(module.blocks.begin(), module.blocks.end(),
-                                                    [&](const ir::UniformBlock& b) { return b.set == set; }));
+std::string hlsl_register(char kind, const ir::Place& place) {
+    return fmt::format("{}{}, space{}", kind, place.slot, place.set);
 }
 
 bool is_texture(const ir::Global& global) {
     return global.type.kind == ir::Kind::Texture2D || global.type.kind == ir::Kind::TextureCube;
-}
-
-std::uint32_t textures_of(const ir::Module& module, std::uint32_t set) {
-    return static_cast<std::uint32_t>(
-        std::count_if(module.globals.begin(), module.globals.end(),
-                      [&](const ir::Global& g) { return g.set == set && is_texture(g); }));
 }
 
 // Of the member, in its block.
@@ -46,10 +38,10 @@ bool is_of_instance(const graph::Lowered& lowered, const ir::UniformBlock& block
 Block reflect_block(const graph::Lowered& lowered, const ir::UniformBlock& block) {
     const ir::Module& module = lowered.module;
     Block made{.name = block.name,
-               .is_material = block.set == graph::kMaterialSet,
-               .set = block.set,
-               .binding = block.slot,
-               .hlsl_register = hlsl_register('b', block.slot, block.set),
+               .is_material = block.group == ir::Group::Material,
+               .set = block.place.set,
+               .binding = block.place.binding,
+               .hlsl_register = hlsl_register('b', block.place),
                .size = block.size,
                .members = {}};
     for (const ir::BlockMember& member : block.members) {
@@ -84,20 +76,19 @@ std::string default_texture(const graph::MaterialProperty& entry, const std::str
 }
 
 // Where a texture and its sampler are bound, and what the shaders call them.
-Texture bound_texture(const ir::Module& module, const ir::Global& texture, const ir::Global& sampler) {
-    const std::uint32_t buffers = buffers_of(module, texture.set), textures = textures_of(module, texture.set);
+Texture bound_texture(const ir::Global& texture, const ir::Global& sampler) {
     return {.name = texture.name,
             .identifier = texture.name,
             .dimension = texture.type.kind == ir::Kind::TextureCube ? "cube" : "2d",
             .usage = "data",
             .default_value = {},
-            .is_material = texture.set == graph::kMaterialSet,
-            .set = texture.set,
-            .binding = buffers + texture.slot,
-            .hlsl_register = hlsl_register('t', texture.slot, texture.set),
+            .is_material = texture.group == ir::Group::Material,
+            .set = texture.place.set,
+            .binding = texture.place.binding,
+            .hlsl_register = hlsl_register('t', texture.place),
             .sampler_name = sampler.name,
-            .sampler_binding = buffers + textures + sampler.slot,
-            .sampler_register = hlsl_register('s', sampler.slot, sampler.set),
+            .sampler_binding = sampler.place.binding,
+            .sampler_register = hlsl_register('s', sampler.place),
             .tiling = {},
             .sampler = {.wrap = "clamp", .filter = "linear", .anisotropy = 1}};
 }
@@ -105,7 +96,7 @@ Texture bound_texture(const ir::Module& module, const ir::Global& texture, const
 Texture reflect_texture(const ir::Module& module, const graph::MaterialProperty& entry,
                         const graph::PropertyGlobals& globals, const std::string& graph) {
     const Property& property = *entry.property;
-    Texture made = bound_texture(module, module.globals[globals.texture.index], module.globals[globals.sampler.index]);
+    Texture made = bound_texture(module.globals[globals.texture.index], module.globals[globals.sampler.index]);
     made.name = property.name;
     made.usage = text_of(graph::kTextureUsages, property.usage);
     made.default_value = default_texture(entry, graph);
@@ -268,7 +259,7 @@ Pass reflect_pass(const LinkedPass& linked) {
     }
     for (std::size_t i = 0; i < used.size(); ++i) {
         const ir::Global& global = lowered.module.globals[i];
-        if (used[i] && global.set != graph::kMaterialSet && is_texture(global)) pass.textures.push_back(global.name);
+        if (used[i] && global.group != ir::Group::Material && is_texture(global)) pass.textures.push_back(global.name);
     }
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
         const ir::GlobalId texture = lowered.property_globals[i].texture;
@@ -301,17 +292,15 @@ int queue_of(const graph::RenderState& render) {
     return render.queue.value_or(row_of(render.surface).queue);
 }
 
-std::vector<targets::SetShifts> binding_shifts(const ir::Module& module) {
-    std::vector<targets::SetShifts> shifts;
-    for (const std::uint32_t set : {graph::kEngineSet, graph::kMaterialSet, graph::kTargetSet}) {
-        const std::uint32_t buffers = buffers_of(module, set);
-        shifts.push_back(
-            {.set = set, .buffers = 0, .textures = buffers, .samplers = buffers + textures_of(module, set)});
-    }
-    return shifts;
+// Whether anything that the reflection lists is bound in the set.
+bool is_bound(const Reflection& reflection, std::uint32_t set) {
+    const auto is_there = [&](const auto& each) { return each.set == set; };
+    return std::any_of(reflection.blocks.begin(), reflection.blocks.end(), is_there) ||
+           std::any_of(reflection.textures.begin(), reflection.textures.end(), is_there);
 }
 
-Reflection reflect(const graph::Material& material, const graph::Lowered& lowered, std::span<const LinkedPass> passes) {
+Reflection reflect(const graph::Material& material, const graph::Lowered& lowered, std::span<const LinkedPass> passes,
+                   bool with_hashes) {
     const graph::Graph& graph = *material.graph->graph;
     Reflection made;
     made.name = graph.name;
@@ -327,7 +316,7 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
     // Functions alone read nothing of the engine's but their parameters.
     const bool has_engine = lowered.functions.empty();
     for (const ir::UniformBlock& block : lowered.module.blocks) {
-        if (has_engine || block.set == graph::kMaterialSet) made.blocks.push_back(reflect_block(lowered, block));
+        if (has_engine || block.group == ir::Group::Material) made.blocks.push_back(reflect_block(lowered, block));
     }
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
         const graph::MaterialProperty& entry = material.properties[i];
@@ -336,25 +325,26 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
             made.textures.push_back(reflect_texture(lowered.module, entry, lowered.property_globals[i], graph.path));
         }
     }
-    for (const LinkedPass& pass : passes) made.passes.push_back(reflect_pass(pass));
+    for (const LinkedPass& pass : passes) {
+        made.passes.push_back(reflect_pass(pass));
+        if (with_hashes) made.passes.back().hash = assemble::hash_pass(pass.vertex, pass.fragment).text();
+    }
     for (std::size_t i = 0; i < lowered.module.globals.size(); ++i) {
         const ir::Global& global = lowered.module.globals[i];
-        if (global.set == graph::kMaterialSet || !is_texture(global)) continue;
+        if (global.group == ir::Group::Material || !is_texture(global)) continue;
         // What no pass reads is bound nowhere.
         const bool is_read = std::any_of(made.passes.begin(), made.passes.end(), [&](const Pass& pass) {
             return std::count(pass.textures.begin(), pass.textures.end(), global.name) > 0;
         });
-        if (!is_read && (global.set == graph::kTargetSet || !has_engine)) continue;
-        made.textures.push_back(bound_texture(lowered.module, global, lowered.module.globals[i + 1]));
+        if (!is_read && (global.group == ir::Group::Targets || !has_engine)) continue;
+        made.textures.push_back(bound_texture(global, lowered.module.globals[i + 1]));
         if (const auto target = lowered.reads.find(static_cast<std::uint32_t>(i)); target != lowered.reads.end()) {
             made.textures.back().reads = target->second;
             made.textures.back().sampler.filter = "nearest";
         }
     }
-    for (const targets::SetShifts& shift : binding_shifts(lowered.module)) {
-        const bool is_bound = std::any_of(made.textures.begin(), made.textures.end(),
-                                          [&](const Texture& texture) { return texture.set == shift.set; });
-        if (shift.set == graph::kTargetSet && !is_bound) continue;
+    for (const graph::SetShifts& shift : lowered.shifts) {
+        if (shift.set == lowered.target_set && !is_bound(made, shift.set)) continue;
         made.hlsl_shifts.push_back(
             {.set = shift.set, .textures = shift.textures, .samplers = shift.samplers, .buffers = shift.buffers});
     }
@@ -362,4 +352,4 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
     return made;
 }
 
-}  // namespace patina::assemble
+}  // namespace patina::output

@@ -127,15 +127,15 @@ private:
                 .note(older->span, "the library's is here; give this one another name");
     }
 
-    // Whether it stands in the passes of a target, whose files another tool reads (library.h).
-    bool is_for_tool(Span span) const {
-        return std::string_view(sources_.resolve(span.begin).file).starts_with("nodes/targets/");
+    // Whether it stands in the passes of an engine, which reads the text that they give (engines/engine.h).
+    bool is_of_engine(Span span) const {
+        return std::string_view(sources_.resolve(span.begin).file).starts_with("nodes/engines/");
     }
 
-    // [foreign] is text for an included file to make sense of, and the other tool for the rest.
+    // [foreign] is text for an included file to make sense of, and the engine for the rest.
     void foreign(const Attribute& attribute, Span span) {
-        if (!is_for_tool(span))
-            bad(attribute.span, attribute.name, "stands in the passes of a target, nodes/targets/");
+        if (!is_of_engine(span))
+            bad(attribute.span, attribute.name, "stands in the passes of an engine, nodes/engines/");
         else if (attribute.args.size() > 1)
             bad(attribute.span, "foreign",
                 "reads like this: [foreign] or, with its spelling, [foreign(\"v.vertex.xyz\")]");
@@ -285,8 +285,8 @@ private:
         if (of_object && !decl.attribute("foreign"))
             bad(of_object->span, "per_object", "stands before a value of the engine or a [foreign] function");
         for (const Attribute& attribute : decl.attributes) {
-            const bool is_tools = attribute.name == "text" || attribute.name == "tag" || attribute.name == "decodes";
-            if (is_tools && !is_for_tool(attribute.span)) foreign(attribute, attribute.span);
+            const bool is_engines = attribute.name == "text" || attribute.name == "tag" || attribute.name == "decodes";
+            if (is_engines && !is_of_engine(attribute.span)) foreign(attribute, attribute.span);
         }
         if (const Attribute* attribute = decl.attribute("semantic")) recipe(decl, *attribute);
         if (decl.attribute("pass") && decl.attribute("vertex") && decl.result.name != "float4" &&
@@ -335,7 +335,7 @@ private:
     void gives(const FunctionDecl& decl, const Attribute& attribute) {
         if (attribute.args.empty()) return;  // reported when it was read
         const Expr& what = *attribute.args[0];
-        if (attribute.args.size() == 1 && !is_for_tool(attribute.span))
+        if (attribute.args.size() == 1 && !is_of_engine(attribute.span))
             return bad(attribute.span, "gives",
                        "takes what is given and the passes: [gives(\"position_ws\", \"mine\")]");
         for (std::size_t i = 1; i < attribute.args.size(); ++i) {
@@ -360,7 +360,7 @@ private:
                 diagnostics_.report(Code::TypeMismatch, decl.result.span, fmt::format("the recipe of '{}'", what.text),
                                     decl.result.name, type.name);
             }
-        } else if (!replaced || !(is_for_tool(attribute.span) || replaced->attribute("extern"))) {
+        } else if (!replaced || !(is_of_engine(attribute.span) || replaced->attribute("extern"))) {
             std::vector<std::string_view> known;
             for (const SemanticDecl& each : paths_.semantics) known.push_back(each.name);
             for (const Declarations* scope = &declarations_; scope; scope = scope->parent) {

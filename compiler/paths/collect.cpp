@@ -331,6 +331,10 @@ const SlotDecl* PathDeclarations::slot(std::string_view name) const {
     return found == slots.end() ? nullptr : &*found;
 }
 
+bool PathDeclarations::is_hdr(std::string_view member) const {
+    return is_in(hdr_members, member);
+}
+
 const SwitchDecl* PathDeclarations::switch_of(const VariableDecl* variable) const {
     const auto found = std::find_if(switches.begin(), switches.end(),
                                     [&](const SwitchDecl& each) { return each.variable == variable; });
@@ -353,6 +357,11 @@ void collect(const nodelang::Ast& ast, const nodelang::Declarations& declaration
              PathDeclarations& paths, Diagnostics& diagnostics) {
     make_way(ast, paths);
     Collector collector(declarations, sources, paths, diagnostics);
+    for (const nodelang::StructDecl& structure : ast.structs) {
+        for (const nodelang::MemberDecl& member : structure.members) {
+            if (member.attribute("hdr")) paths.hdr_members.push_back(member.name);
+        }
+    }
     for (const VariableDecl& variable : ast.variables) collector.variable(variable);
     for (const FunctionDecl& function : ast.functions) collector.function(function);
     check_conditions(ast, paths, diagnostics);

@@ -182,6 +182,7 @@ struct PathDeclarations {
     std::vector<const nodelang::VariableDecl*> repeated;
     std::vector<SlotDecl> slots;
     std::vector<ExportDecl> exports;
+    std::vector<std::string_view> hdr_members;  // [hdr] members of structs: light, which may be brighter than white
 
     const PassDecl* pass(std::string_view name) const;
     // Those of a path, in the order of its file.
@@ -191,6 +192,7 @@ struct PathDeclarations {
     const PassDecl* pass_for_extra(std::string_view path) const;
     const SemanticDecl* semantic(std::string_view name) const;
     const SlotDecl* slot(std::string_view name) const;
+    bool is_hdr(std::string_view member) const;
     const SwitchDecl* switch_of(const nodelang::VariableDecl* variable) const;
     // Null: the variable is none.
     const ExternDecl* extern_of(const nodelang::VariableDecl* variable) const;

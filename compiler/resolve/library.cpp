@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/engines/read_engine.h"
 #include "compiler/format/read_graph.h"
 #include "compiler/json/json.h"
 #include "compiler/nodelang/parse.h"
@@ -17,16 +18,20 @@ void add_graph(Library& library, std::uint32_t base, std::string_view path) {
                        std::string(path));
 }
 
-constexpr std::string_view kTools = "nodes/targets/";
+constexpr std::string_view kEngines = "nodes/engines/";
 
-void add_tool_file(Library& library, std::uint32_t base, std::string_view path) {
-    const std::string_view name = path.substr(kTools.size());
-    ToolFiles& tool = library.tools[std::string(name.substr(0, name.find('.')))];
-    if (name.ends_with(".pass.hlsl")) {
-        tool.passes = base;
-    } else {
-        tool.include = library.sources.file_text(base);
+// "nodes/engines/vulkan/engine.json" is a file of an engine, and what stands beside the folders says which one is the
+// default.
+void add_engine_file(Library& library, std::uint32_t base, std::string_view path) {
+    const std::string_view name = path.substr(kEngines.size());
+    if (const std::size_t slash = name.find('/'); slash != name.npos) {
+        const std::string folder(name.substr(0, slash));
+        const auto [engine, is_new] = library.engines.try_emplace(folder, library.sources, folder);
+        engine->second.add_file(name.substr(slash + 1), base);
+        return;
     }
+    const std::unique_ptr<Json> json = parse_json(library.sources, base, library.diagnostics);
+    if (const Json* word = json ? json->find("default") : nullptr) library.default_engine = word->string;
 }
 
 }  // namespace
@@ -39,13 +44,30 @@ const std::shared_ptr<Graph>& LibraryGraph::get() const {
     return graph_;
 }
 
+const engines::Engine& LibraryEngine::get() const {
+    std::call_once(once_, [this] {
+        const auto find = [&](std::string_view name) -> std::optional<std::uint32_t> {
+            const auto found = files_.find(name);
+            return found == files_.end() ? std::nullopt : std::optional(found->second);
+        };
+        if (const std::optional<std::uint32_t> base = find("engine.json"))
+            engine_ = engines::read_engine(sources_, *base, name_, find, diagnostics_);
+    });
+    return engine_;
+}
+
+const engines::Engine* Library::engine(std::string_view name) const {
+    const auto found = engines.find(name.empty() ? std::string_view(default_engine) : name);
+    return found == engines.end() ? nullptr : &found->second.get();
+}
+
 std::unique_ptr<Library> load_library(std::span<const nodelang::EmbeddedFile> files) {
     auto library = std::make_unique<Library>();
     std::vector<std::pair<std::uint32_t, std::string_view>> graphs;
     for (const nodelang::EmbeddedFile& file : files) {
         const std::uint32_t base = library->sources.add(std::string(file.path), std::string(file.text));
-        if (file.path.starts_with(kTools)) {
-            add_tool_file(*library, base, file.path);
+        if (file.path.starts_with(kEngines)) {
+            add_engine_file(*library, base, file.path);
         } else if (file.path.ends_with(".json")) {
             graphs.emplace_back(base, file.path);
         } else {

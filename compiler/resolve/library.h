@@ -10,6 +10,7 @@
 #include <mutex>
 
 #include "compiler/base/diagnostics.h"
+#include "compiler/engines/engine.h"
 #include "compiler/format/graph.h"
 #include "compiler/nodelang/embedded.h"
 #include "compiler/nodelang/library.h"
@@ -38,11 +39,23 @@ private:
     mutable std::shared_ptr<Graph> graph_;
 };
 
-// What a target whose files are another tool's has of its own, nodes/targets/NAME.*: its passes, read when they are
-// asked for, and the text that its includes do not have.
-struct ToolFiles {
-    std::uint32_t passes = 0;  // in the sources
-    std::string_view include;
+// An engine of the library: read when first asked for, by any thread.
+class LibraryEngine {
+public:
+    LibraryEngine(const SourceMap& sources, std::string name) : sources_(sources), name_(std::move(name)) {}
+
+    void add_file(std::string_view name, std::uint32_t base) { files_.emplace(name, base); }
+    const engines::Engine& get() const;
+    // What was wrong with it.
+    const Diagnostics& diagnostics() const { return get(), diagnostics_; }
+
+private:
+    const SourceMap& sources_;
+    std::string name_;
+    std::map<std::string, std::uint32_t, std::less<>> files_;  // of its folder, in the sources
+    mutable std::once_flag once_;
+    mutable Diagnostics diagnostics_;
+    mutable engines::Engine engine_;
 };
 
 struct Library {
@@ -51,9 +64,13 @@ struct Library {
     Diagnostics diagnostics;
     nodelang::Declarations declarations;
     PathDeclarations paths;
-    std::map<std::string, ToolFiles, std::less<>> tools;  // by target
+    std::map<std::string, LibraryEngine, std::less<>> engines;
+    std::string default_engine;
     std::map<std::string, LibraryGraph, std::less<>> workflows;
     std::map<std::string, LibraryGraph, std::less<>> lighting_models;
+
+    // Null: there is none of this name. No name: the default one.
+    const engines::Engine* engine(std::string_view name) const;
 };
 
 std::unique_ptr<Library> load_library(std::span<const nodelang::EmbeddedFile> files);

@@ -48,9 +48,21 @@ std::vector<std::string> candidates(const Session& session, const std::string& n
 
 }  // namespace
 
+namespace {
+
+// Targets are grouped by engine before (api/compile_targets.cpp); what asks for none is for the default one.
+const engines::Engine& engine_of(const Library& library, const CompileOptions& options) {
+    const std::vector<Target>& targets = options.targets;
+    const engines::Engine* engine = library.engine(targets.empty() ? std::string() : targets.front().engine);
+    return engine ? *engine : *library.engine({});
+}
+
+}  // namespace
+
 Session::Session(const Library& the_library, const CompileOptions& the_options)
     : library(the_library),
       options(the_options),
+      engine(engine_of(the_library, the_options)),
       declarations(&the_library.declarations),
       paths(&the_library.paths),
       path(the_options.path),
@@ -118,16 +130,8 @@ void read_passes(Session& session, std::uint32_t base, std::string path) {
 
 }  // namespace
 
-const ToolFiles* tool_of(const Session& session) {
-    const std::vector<Target>& targets = session.options.targets;
-    if (targets.size() != 1) return nullptr;
-    const auto found = session.library.tools.find(to_string(targets[0]));
-    return found == session.library.tools.end() ? nullptr : &found->second;
-}
-
 void find_path(Session& session) {
-    if (const ToolFiles* tool = tool_of(session))
-        return read_passes(session, tool->passes, std::string(to_string(session.options.targets[0])));
+    if (session.engine.has_own_passes()) return read_passes(session, *session.engine.passes, session.engine.name);
     const std::string& wanted = session.options.path;
     if (!wanted.ends_with(".pass.hlsl")) {
         std::vector<std::string_view> known = session.paths->names();

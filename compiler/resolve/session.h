@@ -33,6 +33,7 @@ struct Session {
 
     const Library& library;
     const CompileOptions& options;
+    const engines::Engine& engine;  // of all targets that are asked for
     // Of the library, unless the wanted path is a file.
     const nodelang::Declarations* declarations;
     const PathDeclarations* paths;
@@ -55,8 +56,6 @@ std::string find_file(Session& session, const std::string& name, const std::stri
 void report_not_found(Session& session, const std::string& name, const std::string& from, Span where);
 // Loads a file's text into the source map and notes the dependency. Reports CannotRead at `where`.
 std::optional<std::uint32_t> load_source(Session& session, const std::string& path, Span where);
-// The files of the one target that is asked for, if it has passes of its own; else null.
-const ToolFiles* tool_of(const Session& session);
 // Makes the wanted path known: one of the library, or of a file, which is read. Reports what is wrong with it.
 void find_path(Session& session);
 // "dir/x.graph.json" -> "x"

@@ -29,14 +29,47 @@ void shift_bindings(glslang::TShader& shader, const std::vector<Reflection::Shif
     }
 }
 
-std::string_view language_of(const Shader& shader) {
-    return shader.target == Target::Hlsl ? "HLSL" : "GLSL";
+// A language that glslang reads.
+struct FrontEnd {
+    std::string_view language, title;
+    glslang::EShSource source;
+    int messages;                    // of EShMessages, for this language
+    std::string_view before, after;  // what makes a shader of functions
+    bool has_registers;              // bindings are registers, and are shifted
+};
+constexpr FrontEnd kFrontEnds[] = {
+    {.language = "glsl",
+     .title = "GLSL",
+     .source = glslang::EShSourceGlsl,
+     .messages = EShMsgDefault,
+     .before = "#version 450\n"
+               "#extension GL_EXT_shader_explicit_arithmetic_types_float16 : enable\n"
+               "#extension GL_EXT_samplerless_texture_functions : enable\n",
+     .after = "\nvoid main() {}\n",
+     .has_registers = false},
+    {.language = "hlsl",
+     .title = "HLSL",
+     .source = glslang::EShSourceHlsl,
+     .messages = EShMsgReadHlsl | EShMsgHlslLegalization,
+     .before = {},
+     .after = "\nvoid main() {}\n",
+     .has_registers = true},
+};
+
+// Null: nothing here reads the language.
+const FrontEnd* front_end(const Shader& shader) {
+    const auto* const found = std::find_if(std::begin(kFrontEnds), std::end(kFrontEnds), [&](const FrontEnd& each) {
+        return each.language == shader.target.language;
+    });
+    return found == std::end(kFrontEnds) ? nullptr : found;
 }
 
 Diagnostic diagnostic(const Shader& shader, std::string_view message) {
     Diagnostic d;
     d.code = "downstream-error";
-    d.message = fmt::format("the generated {} does not compile: {}", language_of(shader), message);
+    const FrontEnd* language = front_end(shader);
+    d.message = fmt::format("the generated {} does not compile: {}",
+                            language ? language->title : std::string_view(shader.target.language), message);
     return d;
 }
 
@@ -116,24 +149,16 @@ void add_messages(Validated& result, const Shader& shader, std::string_view log)
     if (result.diagnostics.size() == before) result.diagnostics.push_back(diagnostic(shader, trimmed(log)));
 }
 
-constexpr std::string_view kAroundGlsl =
-    "#version 450\n"
-    "#extension GL_EXT_shader_explicit_arithmetic_types_float16 : enable\n"
-    "#extension GL_EXT_samplerless_texture_functions : enable\n";
-constexpr std::string_view kEmptyMain = "\nvoid main() {}\n";
-
-bool compile(const Shader& shader, HlslSamplers samplers, Validated& result) {
+bool compile(const Shader& shader, const FrontEnd& language, HlslSamplers samplers, Validated& result) {
     const EShLanguage stage = shader.stage == Stage::Vertex ? EShLangVertex : EShLangFragment;
-    const bool is_hlsl = shader.target == Target::Hlsl;
-    auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
-    if (is_hlsl) messages = static_cast<EShMessages>(messages | EShMsgReadHlsl | EShMsgHlslLegalization);
-    const bool is_combined = is_hlsl && samplers == HlslSamplers::Combined;
+    auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules | language.messages);
+    const bool is_combined = language.has_registers && samplers == HlslSamplers::Combined;
     if (is_combined) messages = static_cast<EShMessages>(messages | EShMsgHlslDX9Compatible);
 
     glslang::TShader unit(stage);
     // Functions stand in the smallest shader.
-    const std::string_view before = shader.has_main || is_hlsl ? "" : kAroundGlsl;
-    const std::string_view after = shader.has_main ? "" : kEmptyMain;
+    const std::string_view before = shader.has_main ? "" : language.before;
+    const std::string_view after = shader.has_main ? "" : language.after;
     std::vector<const char*> texts;
     std::vector<int> lengths;
     for (const std::string_view text : {before, std::string_view(shader.text), after}) {
@@ -144,10 +169,10 @@ bool compile(const Shader& shader, HlslSamplers samplers, Validated& result) {
     unit.setStringsWithLengths(texts.data(), lengths.data(), static_cast<int>(texts.size()));
     unit.setEntryPoint("main");
     unit.setSourceEntryPoint("main");
-    unit.setEnvInput(is_hlsl ? glslang::EShSourceHlsl : glslang::EShSourceGlsl, stage, glslang::EShClientVulkan, 100);
+    unit.setEnvInput(language.source, stage, glslang::EShClientVulkan, 100);
     unit.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_3);
     unit.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_6);
-    if (is_hlsl) shift_bindings(unit, shader.hlsl_shifts);
+    if (language.has_registers) shift_bindings(unit, shader.hlsl_shifts);
     if (is_combined) unit.setAutoMapBindings(true);
 
     glslang::TProgram program;
@@ -190,7 +215,11 @@ bool check_spirv(const Shader& shader, Validated& result) {
 Validated validate(const Shader& shader, HlslSamplers samplers) {
     initialise_glslang();
     Validated result;
-    result.ok = compile(shader, samplers, result) && check_spirv(shader, result);
+    const FrontEnd* language = front_end(shader);
+    if (language)
+        result.ok = compile(shader, *language, samplers, result) && check_spirv(shader, result);
+    else
+        result.diagnostics.push_back(diagnostic(shader, "no front end here reads this language"));
     return result;
 }
 

@@ -2,17 +2,17 @@
 // Right-handed world, y up; normals are unit; tangent_os.w is the handedness of the bitangent, 1 or -1.
 
 /// Vertex position in object space; in the fragment stage after displacement.
-[attribute(0, "POSITION")] [vertex_output] float3 position_os;
+[attribute] [vertex_output] float3 position_os;
 /// Vertex normal in object space, unit.
-[attribute(1, "NORMAL")] [vertex_output] float3 normal_os;
+[attribute] [vertex_output] float3 normal_os;
 /// Vertex tangent in object space, unit; w is the handedness of the bitangent, 1 or -1.
-[attribute(2, "TANGENT")] [vertex_output] float4 tangent_os;
+[attribute] [vertex_output] float4 tangent_os;
 /// First texture coordinates; v grows downwards, as texels are stored.
-[attribute(3, "TEXCOORD0")] float2 uv0;
+[attribute] float2 uv0;
 /// Second texture coordinates.
-[attribute(4, "TEXCOORD1")] float2 uv1;
+[attribute] float2 uv1;
 /// Vertex colour, linear.
-[attribute(5, "COLOR")] float4 vertex_color;
+[attribute] float4 vertex_color;
 
 /// True on the side of a triangle whose vertices run counter-clockwise.
 [builtin("front_facing")] bool front_facing;

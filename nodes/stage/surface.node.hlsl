@@ -11,7 +11,7 @@ struct LightingSurface {
     float roughness;              ///< perceptual roughness, 0 to 1
     float3 normal_ws;             ///< shaded normal in world space, unit
     float occlusion;              ///< ambient occlusion: 1 open, 0 closed
-    float3 emission;              ///< radiance that the surface sends out by itself
+    [hdr] float3 emission;        ///< radiance that the surface sends out by itself
     float alpha;                  ///< coverage
     float alphaClip;              ///< a cutout surface is cut where alpha is below it
 };

@@ -75,7 +75,7 @@ TEST_P(Page, HoldsExamplesThatWork) {
                 last_shaders += shader.text;
             }
             CompileOptions unity;
-            unity.targets = {Target::Unity};
+            unity.targets = {{"unity", "hlsl"}};
             const Result file = compiler.compile_file(path, unity);
             last_file = file.ok ? file.shaders.front().text : std::string();
         } else if (block.name.ends_with(".scene.json")) {

@@ -260,7 +260,7 @@ TEST(Domain, EveryNodeIsFiniteAndInItsRangeOnTheGpu) {
         for (const Output& output : outputs_of(*form.function)) {
             const auto material = bench.compile(graph_of(form, output));
             if (!material) continue;
-            for (const Target target : {Target::Glsl, Target::Hlsl}) {
+            for (const Target& target : {Target::Glsl, Target::Hlsl}) {
                 const runtime::Image image = bench.draw(*material, target, inputs);
                 if (image.pixels.empty()) continue;
                 ++draws;

@@ -155,7 +155,7 @@ int expect_nothing_left_in_loops(Stages stages, const std::string& name, std::st
         for (const std::string& line : search.run()) ADD_FAILURE() << name << ", pass " << pass << ": " << line;
         // Nor does what a language needs besides put anything there.
         for (const char* target : {"glsl", "hlsl"}) {
-            const std::optional<Module> rewritten = targets::find_target(target)->legalize(tidied);
+            const std::optional<Module> rewritten = targets::find_language(target)->legalize(tidied);
             if (!rewritten) continue;
             for (const std::string& line : Search(*rewritten).run())
                 ADD_FAILURE() << name << ", pass " << pass << ", " << target << ": " << line;

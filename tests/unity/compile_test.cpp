@@ -119,7 +119,7 @@ class UnityExample : public testing::TestWithParam<std::string> {};
 
 TEST_P(UnityExample, CompilesInEveryVariant) {
     CompileOptions options;
-    options.targets = {Target::Hlsl, Target::Unity};
+    options.targets = {Target::Hlsl, {"unity", "hlsl"}};
     const Result result = compiler().compile_file(GetParam(), options);
     for (const Diagnostic& d : result.diagnostics) {
         if (d.code != "pass-left-out" && d.code != "no-file-default" && d.code != "no-sampler")

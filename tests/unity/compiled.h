@@ -11,6 +11,8 @@
 
 namespace patina::unity {
 
+inline const Target kUnity{"unity", "hlsl"};
+
 inline const Compiler& compiler() {
     static const Compiler kCompiler;
     return kCompiler;
@@ -18,7 +20,7 @@ inline const Compiler& compiler() {
 
 inline Result for_unity(const std::string& graph) {
     CompileOptions options;
-    options.targets = {Target::Unity};
+    options.targets = {kUnity};
     Result result = compiler().compile_file(graph, options);
     EXPECT_TRUE(result.ok) << graph;
     return result;
@@ -26,7 +28,7 @@ inline Result for_unity(const std::string& graph) {
 
 inline Result of_text(const std::string& text) {
     CompileOptions options;
-    options.targets = {Target::Unity};
+    options.targets = {kUnity};
     return compiler().compile_text("t.graph.json", text, options);
 }
 

@@ -398,7 +398,7 @@ TEST(UnitySwitches, ArePropertiesAlone) {
     const std::string graph = material(R"("properties": [ { "name": "_WORN", "type": "bool", "as": "variant" } ],
       "surface": { "metallic": "= $_WORN ? 1 : 0" })");
     CompileOptions options;
-    options.targets = {Target::Unity};
+    options.targets = {kUnity};
     options.switches = {{"_WORN", "true"}};
     const Result worn = compiler().compile_text("t.graph.json", graph, options);
     ASSERT_TRUE(worn.ok);
@@ -410,7 +410,7 @@ TEST(UnitySwitches, ArePropertiesAlone) {
     EXPECT_EQ(first_error(refused).code, "unknown-word");
     EXPECT_EQ(first_error(refused).message, "'shadows' is not a keyword of the graph");
 
-    options.targets = {Target::Glsl, Target::Unity};
+    options.targets = {Target::Glsl, kUnity};
     const Result both = compiler().compile_text("t.graph.json", graph, options);
     ASSERT_TRUE(both.ok);
     EXPECT_EQ(both.shaders.back().text, worn.shaders.front().text);
@@ -418,7 +418,7 @@ TEST(UnitySwitches, ArePropertiesAlone) {
 
 TEST(UnityFunctions, AreRefused) {
     CompileOptions options;
-    options.targets = {Target::Unity};
+    options.targets = {kUnity};
     options.functions = "Rust_";
     const Result result = compiler().compile_text("t.graph.json", material("\"surface\": {}"), options);
     EXPECT_FALSE(result.ok);

@@ -68,7 +68,7 @@ struct Material {
              std::vector<std::pair<std::string, std::string>> switches, const std::string& path = "forward") {
         CompileOptions options;
         options.path = path;
-        options.targets = {Target::Hlsl, Target::Unity};
+        options.targets = {Target::Hlsl, {"unity", "hlsl"}};
         options.switches = std::move(switches);
         result = compiler().compile_file(graph, options);
         EXPECT_TRUE(result.ok) << graph;

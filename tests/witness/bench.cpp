@@ -132,7 +132,7 @@ std::optional<Material> Bench::compile(const std::string& text, const std::map<s
         return {};
     }
     if (only_cpu) return material;
-    for (const Target target : {Target::Glsl, Target::Hlsl}) {
+    for (const Target& target : {Target::Glsl, Target::Hlsl}) {
         material.vertex[target] = spirv(material.result, Stage::Vertex, target);
         material.fragment[target] = spirv(material.result, Stage::Fragment, target);
         if (material.vertex[target].empty() || material.fragment[target].empty()) return {};

@@ -85,7 +85,7 @@ TEST_F(CubesTest, EveryDirectionAndLevelReadsTheSameTexels) {
     // Neighbouring texels differ by up to 1, and a place on a face of 64 is known to 64 * 2^-24.
     constexpr float kTolerance = 1e-5f;
     EXPECT_GT(*std::max_element(cpu.pixels.begin(), cpu.pixels.end()), 0.9f);
-    for (const Target target : {Target::Glsl, Target::Hlsl}) {
+    for (const Target& target : {Target::Glsl, Target::Hlsl}) {
         const Image gpu = bench->draw(*material, target, inputs);
         ASSERT_EQ(gpu.pixels.size(), cpu.pixels.size());
         for (int y = 0; y < kSize; ++y) {
@@ -93,7 +93,7 @@ TEST_F(CubesTest, EveryDirectionAndLevelReadsTheSameTexels) {
                 const auto place = places.at(x, y);
                 for (std::size_t c = 0; c < 3; ++c)
                     ASSERT_NEAR(gpu.at(x, y)[c], cpu.at(x, y)[c], kTolerance)
-                        << to_string(target) << ": direction " << place[0] << ", " << place[1] << ", " << place[2]
+                        << target.name() << ": direction " << place[0] << ", " << place[1] << ", " << place[2]
                         << ", roughness " << place[3];
             }
         }
@@ -120,12 +120,12 @@ TEST_F(CubesTest, SpheresOfMetal) {
             const Inputs inputs{.scene = &scene, .values = {{"_Roughness", roughness}}};
             const Image cpu = bench->run(*material, Precision::Float, inputs);
             EXPECT_GT(*std::max_element(cpu.pixels.begin(), cpu.pixels.end() - 4), is_noise ? 0.4f : 0.3f);
-            for (const Target target : {Target::Glsl, Target::Hlsl}) {
+            for (const Target& target : {Target::Glsl, Target::Hlsl}) {
                 const Image gpu = bench->draw(*material, target, inputs);
                 ASSERT_EQ(gpu.pixels.size(), cpu.pixels.size());
                 for (std::size_t i = 0; i < gpu.pixels.size(); ++i)
                     ASSERT_NEAR(gpu.pixels[i], cpu.pixels[i], kTolerance)
-                        << to_string(target) << " at " << i / 4 % kSize << ", " << i / 4 / kSize;
+                        << target.name() << " at " << i / 4 % kSize << ", " << i / 4 / kSize;
             }
         }
     }

@@ -167,7 +167,7 @@ TEST_F(LibraryTest, OnTheGpuThroughGlslAndHlsl) {
             if (!material) continue;
             const Image arguments = arguments_of(batch);
             const Inputs inputs{.width = arguments.width, .data = texture_of(arguments)};
-            for (const Target target : {Target::Glsl, Target::Hlsl}) {
+            for (const Target& target : {Target::Glsl, Target::Hlsl}) {
                 const Image image = bench->draw(*material, target, inputs);
                 if (image.pixels.empty()) continue;
                 for (int x = 0; x < image.width; ++x) {

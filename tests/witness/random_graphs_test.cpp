@@ -70,7 +70,7 @@ protected:
             }
             twins.push_back(bench->run(*twin, Precision::Double, inputs));
         }
-        for (const Target target : {Target::Glsl, Target::Hlsl}) {
+        for (const Target& target : {Target::Glsl, Target::Hlsl}) {
             const Image image = bench->draw(*material, target, inputs);
             ASSERT_EQ(image.pixels.size(), exact.pixels.size());
             for (std::size_t i = 0; i < image.pixels.size(); ++i) {
@@ -100,7 +100,7 @@ protected:
     static void report(unsigned seed, const RandomGraph& graph, Target target, std::size_t i, const Image& image,
                        const Image& exact, double allowed) {
         ADD_FAILURE() << "seed " << seed << ": pixel (" << i / 4 % kSide << ", " << i / 4 / kSide << "), channel "
-                      << "rgba"[i % 4] << ": " << to_string(target) << " says " << image.pixels[i] << ", the CPU "
+                      << "rgba"[i % 4] << ": " << target.name() << " says " << image.pixels[i] << ", the CPU "
                       << exact.pixels[i] << ", tolerance " << allowed << "\n"
                       << text_of(graph);
     }

@@ -113,7 +113,7 @@ TEST_F(TermsTest, NodesAndExpressions) {
         const Inputs inputs{.width = static_cast<int>(batch.rows.size()),
                             .height = static_cast<int>(batch.widths.size()),
                             .data = texture_of(texels_of(batch))};
-        for (const Target target : {Target::Glsl, Target::Hlsl}) {
+        for (const Target& target : {Target::Glsl, Target::Hlsl}) {
             const Image image = bench->draw(*material, target, inputs);
             if (image.pixels.empty()) continue;
             for (int x = 0; x < image.width; ++x) {
@@ -216,7 +216,7 @@ TEST_F(TermsTest, Models) {
             std::string& word = look.values["_" + name];
             for (const double number : numbers) word += (word.empty() ? "" : ",") + literal(number);
         }
-        for (const Target target : {Target::Glsl, Target::Hlsl}) {
+        for (const Target& target : {Target::Glsl, Target::Hlsl}) {
             const Image image = bench->draw(materials.at(text), target, look);
             if (image.pixels.empty()) continue;
             names.push_back({"out", {image.pixels.begin(), image.pixels.begin() + 3}});

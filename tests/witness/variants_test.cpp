@@ -149,7 +149,7 @@ TEST(Variants, AreDrawnByTheShaderThatTheyShare) {
     const VariantPlan plan = planned(VariantsWanted::All);
     const VariantSet set = compiler().compile_variants("sixteen.graph.json", plan, options_for(kSixteen));
     ASSERT_TRUE(set.ok);
-    for (const Target target : {Target::Glsl, Target::Hlsl}) {
+    for (const Target& target : {Target::Glsl, Target::Hlsl}) {
         std::vector<Image> shared;
         for (const VariantProgram& program : set.programs) shared.push_back(drawn(program.result, target));
         for (std::size_t i = 0; i < plan.count; ++i) {
@@ -216,7 +216,7 @@ TEST(Variants, ThatAreFixedDoNotMultiply) {
 TEST(Variants, OfUnityAreInOneFile) {
     CompileOptions options = options_for(kSixteen);
     options.switches = {{"_A", "true"}, {"shadows", ""}};
-    options.targets = {Target::Glsl, Target::Unity};
+    options.targets = {Target::Glsl, {"unity", "hlsl"}};
     const VariantPlan plan =
         compiler().plan_variants("sixteen.graph.json", VariantsWanted::All, options, kVariantLimit);
     const VariantSet both = compiler().compile_variants("sixteen.graph.json", plan, options);
@@ -224,14 +224,14 @@ TEST(Variants, OfUnityAreInOneFile) {
     EXPECT_EQ(both.programs.size(), 2u);
     std::set<std::string> files;
     for (const VariantProgram& program : both.programs) {
-        ASSERT_EQ(program.result.shaders.back().target, Target::Unity);
+        ASSERT_EQ(program.result.shaders.back().target.engine, "unity");
         files.insert(program.result.shaders.back().text);
     }
     ASSERT_EQ(files.size(), 1u);
     EXPECT_EQ(files.begin()->find("(_A)"), std::string::npos) << *files.begin();
     EXPECT_NE(files.begin()->find("#pragma shader_feature_local _B\n"), std::string::npos) << *files.begin();
 
-    options.targets = {Target::Unity};
+    options.targets = {{"unity", "hlsl"}};
     options.switches = {{"_A", "true"}};
     const VariantSet alone = compiler().compile_variants("sixteen.graph.json", plan, options);
     ASSERT_EQ(alone.programs.size(), 1u);
@@ -634,7 +634,7 @@ TEST(Interpolators, HaveAnOrderThatNodesDoNotChange) {
     for (const std::string& text : texts) {
         const Result result = compiled(text);
         EXPECT_EQ(stage_hashes(result), stage_hashes(first)) << text;
-        for (const Target target : {Target::Glsl, Target::Hlsl}) {
+        for (const Target& target : {Target::Glsl, Target::Hlsl}) {
             const Image image = drawn(result, target);
             ASSERT_EQ(image.pixels.size(), cpu.pixels.size());
             for (std::size_t i = 0; i < image.pixels.size(); ++i) EXPECT_NEAR(image.pixels[i], cpu.pixels[i], 1e-5);

@@ -14,6 +14,8 @@
 namespace patina::cli {
 namespace {
 
+constexpr std::string_view kSpirv = "spirv";
+
 struct Arguments {
     std::vector<std::string> graphs;
     std::vector<std::string> targets = {"glsl", "hlsl"};
@@ -27,17 +29,42 @@ struct Arguments {
     bool depfile = false;
 
     bool wants(std::string_view target) const { return std::ranges::find(targets, target) != targets.end(); }
+    // Whose files are written. SPIR-V is made from GLSL, which may not be among them.
+    std::vector<Target> written;
     // --dump alone is for looking, not for writing.
     bool writes() const { return dump.empty() || !folder.empty(); }
 };
 
+bool contains(const std::vector<Target>& targets, const Target& target) {
+    return std::find(targets.begin(), targets.end(), target) != targets.end();
+}
+
+// Reads the words of -t. What is wrong with one; empty: nothing.
+std::string read_targets(Arguments& arguments, const Compiler& compiler) {
+    std::vector<std::string> known;
+    for (const EngineInfo& engine : compiler.engines()) {
+        if (engine.is_default) known.insert(known.begin(), engine.languages.begin(), engine.languages.end());
+        known.push_back(engine.name);
+    }
+    known.emplace_back(kSpirv);
+    for (const std::string& word : arguments.targets) {
+        if (std::string wrong = one_of("a target", known)(word); !wrong.empty()) return wrong;
+    }
+    // In the order of the engines and their languages, whatever the order of the words.
+    for (const EngineInfo& engine : compiler.engines()) {
+        for (const Target& target : compiler.targets(engine.name)) {
+            const std::string_view word = engine.is_default ? target.language : engine.name;
+            if (arguments.wants(word) || arguments.wants(engine.name)) arguments.written.push_back(target);
+        }
+    }
+    return {};
+}
+
 CompileOptions options_of(const Arguments& arguments) {
     CompileOptions options;
-    options.targets.clear();
-    // SPIR-V is made from the GLSL.
-    if (arguments.wants("glsl") || arguments.wants("spirv")) options.targets.push_back(Target::Glsl);
-    if (arguments.wants("hlsl")) options.targets.push_back(Target::Hlsl);
-    if (arguments.wants("unity")) options.targets.push_back(Target::Unity);
+    options.targets = arguments.written;
+    if (arguments.wants(kSpirv) && !contains(options.targets, Target::Glsl))
+        options.targets.insert(options.targets.begin(), Target::Glsl);
     options.include_dirs = arguments.include_dirs;
     options.dump = arguments.dump;
     options.path = arguments.path.path;
@@ -46,15 +73,19 @@ CompileOptions options_of(const Arguments& arguments) {
     return options;
 }
 
-// What was asked for and Unity's files do not have; empty: nothing.
-std::string not_for_unity(const Arguments& arguments) {
-    if (!arguments.wants("unity")) return {};
-    if (!arguments.functions.empty()) return "functions are written as glsl and hlsl: Unity's files hold whole passes";
-    if (arguments.targets.size() > 1) return {};
-    if (arguments.validate)
-        return "nothing here proves ShaderLab, only Unity does; --validate is for glsl, hlsl and spirv";
-    const bool is_plain = arguments.path.path == PathOptions{}.path;
-    return is_plain ? "" : "Unity's files have passes of their own: --path is for glsl, hlsl and spirv";
+// What was asked for and a wanted engine's files do not have; empty: nothing.
+std::string not_for_engine(const Arguments& arguments, const Compiler& compiler) {
+    for (const EngineInfo& engine : compiler.engines()) {
+        if (!arguments.wants(engine.name)) continue;
+        if (engine.is_one_file && !arguments.functions.empty())
+            return fmt::format("--functions cannot be written for {}, whose file holds whole passes", engine.title);
+        if (arguments.targets.size() > 1) continue;
+        if (engine.is_one_file && arguments.validate)
+            return fmt::format("--validate cannot prove a file of {}; it proves glsl, hlsl and spirv", engine.title);
+        if (engine.has_own_passes && arguments.path.path != PathOptions{}.path)
+            return fmt::format("--path has no effect for {}, which has passes of its own", engine.title);
+    }
+    return {};
 }
 
 std::string as_bytes(const std::vector<std::uint32_t>& words) {
@@ -68,40 +99,31 @@ std::string spirv_name(const Shader& shader) {
 
 // Adds the shader's files; false if another compiler refuses it, which has been reported.
 bool add_shader(const Console& console, const Arguments& arguments, const Shader& shader, OutputFiles& files) {
-    if (arguments.wants(to_string(shader.target))) {
+    if (contains(arguments.written, shader.target)) {
         files.add(join_path(arguments.folder, shader.file_name), shader.text);
     }
-    const bool wants_spirv = arguments.wants("spirv") && shader.target == Target::Glsl;
-    if ((!arguments.validate && !wants_spirv) || shader.target == Target::Unity) return true;
+    const bool wants_spirv = arguments.wants(kSpirv) && shader.target == Target::Glsl;
+    const bool is_stage = shader.has_main || !arguments.functions.empty();
+    if ((!arguments.validate && !wants_spirv) || !is_stage) return true;
     const Validated validated = validate(shader);
     report(console, validated.diagnostics);
     if (wants_spirv) files.add(join_path(arguments.folder, spirv_name(shader)), as_bytes(validated.spirv));
     return validated.ok;
 }
 
-// What a ShaderLab file calls its shader; empty: it is none.
-std::string_view shader_name(const Shader& shader) {
-    constexpr std::string_view kBefore = "\nShader \"";
-    const std::size_t at = shader.text.find(kBefore);
-    if (shader.target != Target::Unity || at == shader.text.npos) return {};
-    const std::size_t begin = at + kBefore.size();
-    return std::string_view(shader.text).substr(begin, shader.text.find('"', begin) - begin);
-}
-
-// Of Unity's files: which graph has made the shader.
+// Which graph has made the shader that an engine lists under a name.
 using ShaderNames = std::map<std::string, std::string, std::less<>>;
 
-// In Unity's list of shaders two of one name are one; false if there are such, which has been told.
+// In an engine's list of shaders, two of one name are one. False if there are such, which has been reported.
 bool has_own_names(const Console& console, const std::string& graph, std::span<const Shader> shaders,
                    ShaderNames& shader_names) {
     for (const Shader& shader : shaders) {
-        const std::string_view name = shader_name(shader);
-        if (name.empty()) continue;
-        const auto [found, is_new] = shader_names.emplace(name, graph);
+        if (shader.listed_as.empty()) continue;
+        const auto [found, is_new] = shader_names.emplace(shader.listed_as, graph);
         if (is_new || found->second == graph) continue;
         complain(console, "taken-name",
                  fmt::format("'{}' and '{}' would both write the shader \"{}\": give one of them another \"name\"",
-                             found->second, graph, name));
+                             found->second, graph, shader.listed_as));
         return false;
     }
     return true;
@@ -162,15 +184,15 @@ void add_compile(Program& program) {
         program, "compile", "Compile graphs to shaders",
         {"patina compile rust.graph.json -o out", "patina compile *.graph.json -t glsl --validate -o out",
          "patina compile rust.graph.json -t spirv -o out --depfile",
-         "patina compile rust.graph.json -t unity -o Assets/Shaders",
+         "patina compile rust.graph.json -t unity -o Assets/Shaders   # 'patina engines' lists what there is",
          "patina compile rust.graph.json --path deferred -D shadows -o out",
          "patina compile rust.graph.json -D _Mode=Wet -o out", "patina compile rust.graph.json --variants all -o out",
          "patina compile rust.graph.json --functions Rust_ -o out", "patina compile rust.graph.json --dump tidy"});
     auto arguments = std::make_shared<Arguments>();
     command.add_option("GRAPH", arguments->graphs, "Material graphs (JSON)")->required()->type_name(" ");
     add_words_option(command, "-t,--target", arguments->targets,
-                     "glsl, hlsl, spirv, unity, with commas between (glsl,hlsl)",
-                     one_of("a target", {"glsl", "hlsl", "spirv", "unity"}))
+                     "glsl, hlsl, spirv, or an engine, with commas between (glsl,hlsl)",
+                     [](const std::string&) { return std::string(); })
         ->type_name("TARGETS");
     command.add_option("-o,--output", arguments->folder, "Folder to write to, made if missing (.)")->type_name("DIR");
     command.add_flag("--validate", arguments->validate, "Prove the shaders with glslang and spirv-val");
@@ -214,11 +236,15 @@ void add_compile(Program& program) {
             complain(console, "usage", "functions have no main, and without one there is no SPIR-V");
             return Exit::Usage;
         }
-        if (const std::string why = not_for_unity(*arguments); !why.empty()) {
+        const Compiler compiler;
+        if (const std::string why = read_targets(*arguments, compiler); !why.empty()) {
+            complain(console, "usage", "--target: " + why);
+            return Exit::Usage;
+        }
+        if (const std::string why = not_for_engine(*arguments, compiler); !why.empty()) {
             complain(console, "usage", why);
             return Exit::Usage;
         }
-        const Compiler compiler;
         ShaderNames shader_names;
         Exit exit = Exit::Ok;
         for (std::size_t i = 0; i < arguments->graphs.size(); ++i) {

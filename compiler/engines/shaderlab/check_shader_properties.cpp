@@ -13,7 +13,6 @@ namespace patina::assemble {
 namespace {
 
 using graph::PropertyType;
-using targets::shaderlab::declarer_of;
 using targets::shaderlab::keyword_of;
 
 // What Unity fills beside a texture, and what its macros declare there.
@@ -31,8 +30,8 @@ std::string beside_texture(const graph::Material& material, std::string_view nam
 }
 
 // Why a property cannot have the name; empty: it can.
-std::string why_taken(const graph::Material& material, std::string_view name) {
-    if (const std::string_view declarer = declarer_of(name); !declarer.empty())
+std::string why_taken(const graph::Material& material, const engines::Engine& engine, std::string_view name) {
+    if (const std::string_view declarer = engine.declarer_of(name); !declarer.empty())
         return fmt::format("a name that {} declares", declarer);
     if (targets::is_reserved_word(name)) return "a word of HLSL or GLSL";
     if (targets::safe_identifier(name) != name) return "a name that GLSL keeps for itself";
@@ -67,14 +66,15 @@ std::vector<Keyword> keywords_of(const graph::Property& property) {
 
 class Names {
 public:
-    Names(const graph::Material& material, Diagnostics& diagnostics) : material_(material), diagnostics_(diagnostics) {}
+    Names(const graph::Material& material, const engines::Engine& engine, Diagnostics& diagnostics)
+        : material_(material), engine_(engine), diagnostics_(diagnostics) {}
 
     void check(const graph::Property& property, bool is_keyword) {
-        const std::string why = why_taken(material_, property.name);
+        const std::string why = why_taken(material_, engine_, property.name);
         if (!why.empty()) return static_cast<void>(refuse(property, why));
         if (!is_keyword) return values_.push_back(&property);
         for (Keyword& each : keywords_of(property)) {
-            const std::string_view declarer = declarer_of(each.name);
+            const std::string_view declarer = engine_.declarer_of(each.name);
             const Keyword* other = with_keyword(each.name);
             if (other) {
                 refuse(each, *other);
@@ -123,6 +123,7 @@ private:
     }
 
     const graph::Material& material_;
+    const engines::Engine& engine_;
     Diagnostics& diagnostics_;
     std::vector<const graph::Property*> values_;
     std::vector<Keyword> keywords_;
@@ -167,7 +168,7 @@ void check_shader_name(const graph::Material& material, Diagnostics& diagnostics
     const bool is_given = graph.name_span.begin != graph.name_span.end;
     diagnostics.report(
         Code::InspectorText, is_given ? graph.name_span : Span{graph.span.begin, graph.span.begin + 1},
-        fmt::format("\"Patina/{}\"", name), "name",
+        fmt::format("\"{}\"", listed_name(graph.name)), "name",
         quoted(graph.name) != graph.name ? "has no escapes in strings" : "makes a menu of each part between slashes");
 }
 
@@ -185,11 +186,14 @@ void check_keywords(const graph::Material& material, const Reflection& reflectio
         count += keywords_of(*entry.property).size();
         if (count > kMost && !first) first = entry.property;
     }
-    if (first) diagnostics.report(Code::KeywordLimit, first->name_span, first->name, count, kMost);
+    if (first)
+        diagnostics.report(Code::KeywordLimit, first->name_span, first->name,
+                           fmt::format("Unity before 2021.2 takes {} of a shader's own, and these are {}", kMost, count));
 }
 
-void check_shader_properties(const graph::Material& material, const graph::Lowered& lowered, Diagnostics& diagnostics) {
-    Names names(material, diagnostics);
+void check_shader_properties(const graph::Material& material, const graph::Lowered& lowered,
+                             const engines::Engine& engine, Diagnostics& diagnostics) {
+    Names names(material, engine, diagnostics);
     Texts texts(diagnostics);
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
         const graph::MaterialProperty& entry = material.properties[i];

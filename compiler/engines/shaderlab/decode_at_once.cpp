@@ -48,8 +48,15 @@ std::uint32_t foreign_function(Module& module, const Function& like, const std::
     Function made = like;
     made.name = name;
     made.linkage = Linkage::Foreign;
-    module.functions.push_back(std::move(made));
-    return static_cast<std::uint32_t>(module.functions.size() - 1);
+    // A callee stands before its callers: it comes first, and all others move up.
+    for (Function& function : module.functions) {
+        for (Inst& inst : function.insts) {
+            if (inst.op == Op::Call) ++inst.data;
+        }
+    }
+    ++module.stage.entry.index;
+    module.functions.insert(module.functions.begin(), std::move(made));
+    return 0;
 }
 
 }  // namespace
@@ -58,14 +65,16 @@ Module decode_at_once(Module module) {
     for (std::uint32_t texture = 0; texture < module.globals.size(); ++texture) {
         if (module.globals[texture].at_once.empty()) continue;
         std::vector<Calls> calls;
+        std::size_t moved = 0;  // functions that have been added in front
         for (const Function& function : module.functions) calls.push_back(calls_of(module, function, texture));
         if (!std::all_of(calls.begin(), calls.end(), [](const Calls& each) { return each.is_all; })) continue;
         for (std::size_t f = 0; f < calls.size(); ++f) {
             for (const std::uint32_t call : calls[f].insts) {
-                const Function& follower = module.functions[module.functions[f].insts[call].data];
-                const std::uint32_t both =
-                    foreign_function(module, Function(follower), module.globals[texture].at_once);
-                module.functions[f].insts[call].data = both;
+                const Function follower = module.functions[module.functions[f + moved].insts[call].data];
+                const std::size_t before = module.functions.size();
+                const std::uint32_t both = foreign_function(module, follower, module.globals[texture].at_once);
+                moved += module.functions.size() - before;
+                module.functions[f + moved].insts[call].data = both;
             }
         }
         module.globals[texture].decoder.clear();

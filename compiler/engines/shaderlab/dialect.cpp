@@ -278,7 +278,6 @@ EntryPoint entry_point(Writer& w) {
 Language make_language() {
     Language made = hlsl::language();
     made.name = "shaderlab";
-    made.taken = taken_names();
     made.read = read;
     made.expression = expression;
     made.block = block;
@@ -302,13 +301,12 @@ std::string keyword_of(std::string_view property, std::string_view value) {
     return made == property ? made : made + "_ON";
 }
 
-std::optional<Module> legalize(const Module& module) {
-    Module made = module;
-    made.tests_keywords = !module.keywords.empty();
+Module legalize(Module made, const engines::Engine& engine) {
+    made.tests_keywords = !made.keywords.empty();
     if (std::optional<Module> legal = hlsl::legalize(made)) made = std::move(*legal);
     made = decode_at_once(std::move(made));
     for (Function& function : made.functions) {
-        if (function.linkage != Linkage::Foreign) function.name = synonym(function.name);
+        if (function.linkage != Linkage::Foreign) function.name = engine.function_name(function.name);
     }
     if (made.keywords.empty()) return made;
     made = branch_on_keywords(std::move(made));

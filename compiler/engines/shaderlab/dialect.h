@@ -3,12 +3,13 @@
 // stage's text is made here; the file around it is engines/shaderlab/shader_file.h.
 #pragma once
 
+#include "compiler/engines/engine.h"
 #include "compiler/languages/language.h"
 #include "compiler/languages/print.h"
 
 namespace patina::targets::shaderlab {
 
-std::optional<ir::Module> legalize(const ir::Module& module);
+ir::Module legalize(ir::Module module, const engines::Engine& engine);
 Printed print(const ir::Module& module, const PrintOptions& options);
 
 // Where all that is read of a texture goes on to its decoder's follower, a foreign function does both
@@ -18,13 +19,5 @@ ir::Module decode_at_once(ir::Module module);
 // The keyword of a bool property, or of an enum property's value: "_DETAIL", "_MODE_WET". A property whose name is in
 // capitals is its own keyword; another gets "_ON" behind it, as Unity's Toggle does.
 std::string keyword_of(std::string_view property, std::string_view value);
-
-// Names of Unity's includes that a shader of this library might want to declare, and those of their macros' locals.
-std::span<const std::string_view> taken_names();
-// What declares a name that a property might have, in words: one of those, or what begins as all names of Unity do, is
-// "one of Unity's includes" or "the file itself". Empty: nothing does.
-std::string_view declarer_of(std::string_view name);
-// What a function of the library is called here: its name, or another word for it where Unity has that name.
-std::string_view synonym(std::string_view function);
 
 }  // namespace patina::targets::shaderlab

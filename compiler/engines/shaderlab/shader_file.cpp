@@ -72,7 +72,7 @@ std::vector<std::string_view> texts_at(const PassText& pass, std::string_view pl
 std::string_view shader_model(const LinkedPass& linked, const PassText& pass,
                               std::span<const Declaration* const> shared) {
     // 3.0 has 10 interpolators, 3.5 those of OpenGL ES 3.0 and Direct3D 10; no more than 5.0 has got here.
-    const Handed vectors = handed(linked);
+    const Varyings vectors = varyings_of(linked);
     if (vectors.numbered + vectors.others > 15) return "5.0";
     if (vectors.numbered > 10) return "3.5";
     std::string text;
@@ -87,13 +87,13 @@ std::string_view shader_model(const LinkedPass& linked, const PassText& pass,
 class Writing {
 public:
     explicit Writing(const ShaderFile& file) : in_(file) {
-        passes_ = pass_texts(file.passes);
+        passes_ = pass_texts(file.passes, file.engine);
         shared_ = shared_declarations(passes_);
     }
 
     targets::Printed run() {
         for (const std::string_view line : split(in_.header, "\n")) out_.line(0, fmt::format("// {}", line));
-        out_.line(0, fmt::format("Shader \"Patina/{}\"", shader_name(in_.reflection.name)));
+        out_.line(0, fmt::format("Shader \"{}\"", listed_name(in_.reflection.name)));
         out_.line(0, "{");
         out_.line(1, "Properties");
         out_.line(1, "{");
@@ -158,7 +158,7 @@ private:
     }
 
     void needed_pieces(const std::string& text) {
-        for (const std::string_view piece : needed_pieces_of(in_.include, text)) {
+        for (const std::string_view piece : needed_pieces_of(in_.engine.include, text)) {
             for (const std::string_view line : split(piece, "\n")) out_.line(1, line);
             out_.line(0, "");
         }

@@ -1,9 +1,11 @@
 // A whole ShaderLab file for Unity's built-in render pipeline: the properties, the passes with their state, and what
 // the passes have in common once at the top. The stages are linked as for any other language.
 //
-//   targets::Printed file = shader_file({material, linked.lowered, passes, reflection, include, header});
+//   targets::Printed file = shader_file({material, linked.lowered, passes, reflection, engine, header});
 #pragma once
 
+#include "compiler/languages/print.h"
+#include "compiler/link/link_pass.h"
 #include "compiler/output/reflect.h"
 
 namespace patina::assemble {
@@ -13,8 +15,8 @@ struct ShaderFile {
     const graph::Lowered& lowered;
     std::span<const LinkedPass> passes;
     const Reflection& reflection;
-    std::string_view include;  // text that the shader may need a part of (graph::ToolFiles)
-    std::string header;        // of the comment at the top
+    const engines::Engine& engine;
+    std::string header;  // of the comment at the top
 };
 
 targets::Printed shader_file(const ShaderFile& file);
@@ -27,6 +29,8 @@ std::vector<std::string> shader_properties(const graph::Material& material, cons
                                            const Reflection& reflection);
 // What can stand between quotes: ShaderLab knows no escapes there.
 std::string quoted(std::string_view text);
+// What Unity lists the shader as: "Patina/Rust".
+std::string listed_name(std::string_view name);
 // What a shader can be called: as between quotes, but each part between slashes, which Unity makes menus of, has
 // no space at its ends and single ones in it, and is not empty.
 std::string shader_name(std::string_view text);
@@ -44,7 +48,8 @@ constexpr std::size_t kMostKeywords = 9, kMostPairs = 7;
 // Tells what the shader is called, where that is not the graph's name.
 void check_shader_name(const graph::Material& material, Diagnostics& diagnostics);
 // Refuses names that Unity's includes declare, and tells what of a property a ShaderLab file cannot say.
-void check_shader_properties(const graph::Material& material, const graph::Lowered& lowered, Diagnostics& diagnostics);
+void check_shader_properties(const graph::Material& material, const graph::Lowered& lowered,
+                             const engines::Engine& engine, Diagnostics& diagnostics);
 // Unity before 2021.2 allows so many keywords that are a shader's own.
 void check_keywords(const graph::Material& material, const Reflection& reflection, Diagnostics& diagnostics);
 // Each texture has its sampler, of which Direct3D 11 has 16 in a stage.
@@ -83,14 +88,7 @@ struct PassText {
     std::vector<ir::StageText> texts;       // what both stages and the foreign functions that they call ask for
 };
 // `taken`: names that mean something else outside of the pass.
-PassText pass_text(const LinkedPass& pass, const std::vector<std::string>& taken);
-
-// What a pass hands from vertices to pixels beside the position, in vectors: those that are numbered, and those that
-// say of which instance and which eye a vertex is, which shader model 3.0 has not got.
-struct Handed {
-    std::size_t numbered = 0, others = 0;
-};
-Handed handed(const LinkedPass& pass);
+PassText pass_text(const LinkedPass& pass, const engines::Engine& engine, const std::vector<std::string>& taken);
 
 // What the file calls the pass.
 std::string_view name_of(const LinkedPass& pass);
@@ -100,10 +98,10 @@ bool mentions(std::string_view text, std::string_view name);
 
 // --- shader_shared.cpp
 // The passes, in which a name means the same wherever it is not the pass's own.
-std::vector<PassText> pass_texts(std::span<const LinkedPass> linked);
+std::vector<PassText> pass_texts(std::span<const LinkedPass> linked, const engines::Engine& engine);
 // What is not a pass's own, each once, in an order in which everything stands behind what it reads.
 std::vector<const PassText::Declaration*> shared_declarations(const std::vector<PassText>& passes);
-// The pieces of the tool's text that the passes' text comes to mention, in their order.
+// The pieces of the include that the passes' text mentions, in their order.
 std::vector<std::string_view> needed_pieces_of(std::string_view include, const std::string& text);
 
 }  // namespace patina::assemble

@@ -62,13 +62,13 @@ std::string what_differs(int queue, int shader) {
 }  // namespace
 
 void order_passes(std::vector<LinkedPass>& passes) {
-    const auto queue = [](const LinkedPass& pass) { return queue_of(pass.material->graph->graph->render); };
+    const auto queue = [](const LinkedPass& pass) { return output::queue_of(pass.material->graph->graph->render); };
     std::stable_sort(passes.begin(), passes.end(),
                      [&](const LinkedPass& a, const LinkedPass& b) { return queue(a) < queue(b); });
 }
 
 int shader_queue(const graph::Material& material, std::span<const LinkedPass> passes) {
-    int queue = queue_of(material.graph->graph->render);
+    int queue = output::queue_of(material.graph->graph->render);
     for (const LinkedPass& pass : passes)
         queue = std::max({queue, least_queue(pass.vertex), least_queue(pass.fragment)});
     return queue;
@@ -89,7 +89,8 @@ void check_queues(const graph::Material& material, std::span<const LinkedPass> p
         diagnostics
             .report(Code::QueueLimit, passes[i].material->pass->name_span, pass.name, shader, pass.queue,
                     what_differs(pass.queue, shader))
-            .note("a material of its own on the same mesh is drawn at its own queue");
+            .note("Unity has one queue for all passes of a shader; a material of its own on the same mesh is drawn at its "
+                  "own queue");
     }
 }
 

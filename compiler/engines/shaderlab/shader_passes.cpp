@@ -9,6 +9,7 @@
 
 #include "compiler/engines/shaderlab/dialect.h"
 #include "compiler/engines/shaderlab/shader_file.h"
+#include "compiler/ir/verify.h"
 
 namespace patina::assemble {
 namespace {
@@ -20,38 +21,6 @@ constexpr std::size_t kIndent = 12;  // of a pass's text in the file
 
 bool is_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
-void add_texts(const std::vector<ir::StageText>& from, std::vector<ir::StageText>& into) {
-    for (const ir::StageText& text : from) {
-        const bool is_there = std::any_of(into.begin(), into.end(), [&](const ir::StageText& other) {
-            return other.place == text.place && other.line == text.line;
-        });
-        if (!is_there) into.push_back(text);
-    }
-}
-
-// What a stage asks for itself, behind what the functions ask for that it calls.
-void add_texts_of(const ir::Module& stage, std::vector<ir::StageText>& into) {
-    for (const ir::Function& function : stage.functions) {
-        for (const ir::Inst& inst : function.insts) {
-            if (inst.op == ir::Op::Call) add_texts(stage.functions[inst.data].texts, into);
-        }
-    }
-    for (const ir::UniformBlock& block : stage.blocks) {
-        for (const ir::BlockMember& member : block.members) {
-            if (!member.declared_in.empty()) add_texts({{.place = "include", .line = member.declared_in}}, into);
-        }
-    }
-}
-
-// Of both stages.
-std::vector<ir::StageText> texts_of(const LinkedPass& pass) {
-    std::vector<ir::StageText> made;
-    add_texts_of(pass.vertex, made);
-    add_texts_of(pass.fragment, made);
-    add_texts(pass.vertex.stage.texts, made);
-    return made;
 }
 
 std::vector<Declaration> declarations(const targets::Printed& printed) {
@@ -83,11 +52,15 @@ void rename(ir::Module& stage, const std::vector<std::string>& taken, std::strin
 }
 
 std::vector<Declaration> printed(ir::Module stage, const std::vector<ir::StageText>& texts,
-                                 const std::vector<std::string>& taken) {
+                                 const engines::Engine& engine, const std::vector<std::string>& taken) {
     stage.stage.texts = texts;
-    if (std::optional<ir::Module> rewritten = targets::shaderlab::legalize(stage)) stage = std::move(*rewritten);
+    stage = targets::shaderlab::legalize(std::move(stage), engine);
+    ir::check_if_verifying(stage, "legalized");
+    std::vector<std::string> names = taken;
+    names.insert(names.end(), engine.names.taken.begin(), engine.names.taken.end());
+    names.insert(names.end(), engine.names.own.begin(), engine.names.own.end());
     return declarations(
-        targets::shaderlab::print(stage, {.header = {}, .shifts = {}, .taken = taken, .width = 120 - kIndent}));
+        targets::shaderlab::print(stage, {.header = {}, .taken = std::move(names), .width = 120 - kIndent}));
 }
 
 const Declaration* find(const std::vector<Declaration>& list, const std::string& name) {
@@ -118,33 +91,20 @@ bool mentions(std::string_view text, std::string_view name) {
     return false;
 }
 
-Handed handed(const LinkedPass& pass) {
-    Handed made;
-    for (const ir::StageVariable& output : pass.vertex.stage.outputs)
-        made.numbered += output.builtin == ir::Builtin::None && output.spelling.empty() ? 1 : 0;
-    for (const ir::StageText& text : texts_of(pass)) {
-        if (text.place == "first interpolator") ++made.numbered;
-        if (text.place != "interpolators") continue;
-        std::size_t numbers = 0;
-        for (std::size_t at = text.line.find("{}"); at != text.line.npos; at = text.line.find("{}", at + 2)) ++numbers;
-        (numbers == 0 ? made.others : made.numbered) += std::max<std::size_t>(numbers, 1);
-    }
-    return made;
-}
-
-PassText pass_text(const LinkedPass& pass, const std::vector<std::string>& taken_around) {
+PassText pass_text(const LinkedPass& pass, const engines::Engine& engine,
+                   const std::vector<std::string>& taken_around) {
     PassText made;
     made.texts = texts_of(pass);
     const auto named = [&](ir::Module stage) {
         rename(stage, taken_around, name_of(pass));
         return stage;
     };
-    const std::vector<Declaration> fragment = printed(named(pass.fragment), made.texts, taken_around);
+    const std::vector<Declaration> fragment = printed(named(pass.fragment), made.texts, engine, taken_around);
     std::vector<Declaration> vertex;
     std::vector<std::string> taken = taken_around;
     for (bool differ = true; differ;) {
         differ = false;
-        vertex = printed(named(pass.vertex), made.texts, taken);
+        vertex = printed(named(pass.vertex), made.texts, engine, taken);
         for (const Declaration& each : vertex) {
             const Declaration* other = find(fragment, each.name);
             if (!other || other->text == each.text) continue;

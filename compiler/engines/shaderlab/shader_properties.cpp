@@ -143,6 +143,10 @@ std::string quoted(std::string_view text) {
     return made;
 }
 
+std::string listed_name(std::string_view name) {
+    return "Patina/" + shader_name(name);
+}
+
 std::string shader_name(std::string_view text) {
     std::vector<std::string> parts;
     const std::string whole = quoted(text);

@@ -1,4 +1,4 @@
-// What the passes of one file have in common, and the text of the tool that they need.
+// What the passes of one file have in common, and the text of the include that they need.
 #include <algorithm>
 #include <map>
 
@@ -98,10 +98,10 @@ std::vector<ir::Origin> origins_of(std::span<const LinkedPass> passes) {
     return all;
 }
 
-std::vector<PassText> pass_texts(std::span<const LinkedPass> linked) {
+std::vector<PassText> pass_texts(std::span<const LinkedPass> linked, const engines::Engine& engine) {
     std::vector<PassText> passes;
     std::vector<std::vector<std::string>> taken(linked.size());
-    for (std::size_t i = 0; i < linked.size(); ++i) passes.push_back(pass_text(linked[i], {}));
+    for (std::size_t i = 0; i < linked.size(); ++i) passes.push_back(pass_text(linked[i], engine, {}));
     for (bool differ = true; differ;) {
         differ = false;
         const auto common = most_common(passes);
@@ -113,7 +113,7 @@ std::vector<PassText> pass_texts(std::span<const LinkedPass> linked) {
             }
             differ = differ || taken[i].size() > before;
         }
-        for (std::size_t i = 0; differ && i < linked.size(); ++i) passes[i] = pass_text(linked[i], taken[i]);
+        for (std::size_t i = 0; differ && i < linked.size(); ++i) passes[i] = pass_text(linked[i], engine, taken[i]);
     }
     mark_own(passes);
     std::uint32_t first = 0;

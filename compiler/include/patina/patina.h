@@ -46,12 +46,37 @@ Diagnostic diagnostic_at(const ScenePlace& place, std::string code, std::string 
 // "did you mean 'Lerp'?", or what there is when that is little, or nothing. For words that a tool itself reads.
 std::string suggestion(std::string_view word, const std::vector<std::string>& known);
 
-// GLSL 450 for Vulkan; HLSL in Shader Model 5.1 style; one ShaderLab file a material, with all of its passes, for
-// Unity's built-in render pipeline.
-enum class Target { Glsl, Hlsl, Unity };
+// A language, as an engine takes it. The engine says where values come from and what holds a shader; the language says
+// how a stage is spelled. `patina engines` and Compiler::engines() list what there is.
+struct Target {
+    std::string engine;    // empty: the default engine
+    std::string language;  // "glsl"
+
+    // The word for it: the language, or an engine that is not the default one.
+    const std::string& name() const { return engine.empty() ? language : engine; }
+    friend bool operator==(const Target&, const Target&) = default;
+
+    static const Target Glsl, Hlsl;  // of the default engine
+};
+inline const Target Target::Glsl{{}, "glsl"};
+inline const Target Target::Hlsl{{}, "hlsl"};
+
 enum class Stage { Vertex, Fragment };
-std::string_view to_string(Target target);  // "glsl", "hlsl", "unity"
-std::string_view to_string(Stage stage);    // "vertex", "fragment"
+std::string_view to_string(Stage stage);  // "vertex", "fragment"
+
+// An engine of the library.
+struct EngineInfo {
+    std::string name;   // as a target names it: "vulkan"
+    std::string title;  // "Vulkan"
+    std::string doc;    // what comes out for it, in a sentence
+    std::string
+        file;  // how stages become files: "stages" for one each, else the format of the file that holds them all
+    std::vector<std::string> languages;
+    bool is_default = false;
+    bool has_own_passes = false;  // it draws its own rendering path, and none of the library's
+    bool is_one_file = false;     // one file holds all passes of a material
+    std::string folder;           // where it is defined: "nodes/engines/vulkan"
+};
 
 // A line of emitted text -> the place in the sources that it came from.
 struct LineOrigin {
@@ -63,14 +88,16 @@ struct LineOrigin {
 };
 
 struct Shader {
-    std::string pass;  // "forward"; of a file for Unity: empty
+    std::string pass;  // "forward"; of a file that holds all passes: empty
     Stage stage = Stage::Vertex;
     Target target = Target::Glsl;
     std::string file_name;                        // "rust.forward.frag.glsl"
     std::string text;                             // entry point: main; of functions: none
     std::vector<LineOrigin> line_map;             // ascending by line
     std::vector<Reflection::Shifts> hlsl_shifts;  // what glslang must add to HLSL registers
-    bool has_main = true;                         // false: functions, or a file with passes, that is no stage
+    // The name by which the engine lists the file, in which each name must be there once; empty: it lists none.
+    std::string listed_as{};
+    bool has_main = true;  // false: functions, or a file with passes, that is no stage
     // CompileOptions::hashes: of what the stage computes, whatever things are called in the graph. Stages of one graph
     // with the same hash can stand for each other.
     std::string hash{};
@@ -81,7 +108,7 @@ using Loader = std::function<std::optional<std::string>(const std::string& path)
 
 struct CompileOptions {
     std::vector<Target> targets = {Target::Glsl, Target::Hlsl};
-    // (Unity's files have passes of their own: for them `path`, `passes` and the passes' switches do not count.)
+    // (For an engine that has passes of its own, `path`, `passes` and the passes' switches do not count.)
     // A rendering path of the library, or a file that holds one: "deferred", "./mine.pass.hlsl". A material that the
     // path cannot take is compiled for the path's fallback, with a warning; the reflection says for which.
     std::string path = "forward";
@@ -284,7 +311,11 @@ public:
     const std::vector<SemanticInfo>& semantics() const;
     const std::vector<ModelInfo>& workflows() const;
     const std::vector<ModelInfo>& lighting_models() const;
-    const std::vector<PathInfo>& paths() const;  // by name
+    const std::vector<PathInfo>& paths() const;      // by name
+    const std::vector<EngineInfo>& engines() const;  // the default one first, then by name
+    // What a word means as a target: a language of the default engine ("glsl"), or an engine with all of its languages
+    // ("unity"). Empty: it means none.
+    std::vector<Target> targets(std::string_view word) const;
     std::vector<NodeTest> tests(std::string_view node) const;
 
     // Reads a node file, describes its node and runs its test lines on the CPU.

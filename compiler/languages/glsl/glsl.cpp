@@ -129,28 +129,18 @@ void preamble(Writer& w) {
     if (w.reachable.samplerless) w.line(0, "#extension GL_EXT_samplerless_texture_functions : require");
 }
 
-SetShifts shifts_of(const Writer& w, std::uint32_t set) {
-    for (const SetShifts& shifts : w.options.shifts) {
-        if (shifts.set == set) return shifts;
-    }
-    return {};
-}
-
 void block(Writer& w, const UniformBlock& block) {
-    const std::uint32_t binding = block.slot + shifts_of(w, block.set).buffers;
     const auto index = static_cast<std::size_t>(&block - w.module.blocks.data());
-    w.line(0, fmt::format("layout(set = {}, binding = {}, std140) uniform {}", w.set(block.set), binding,
-                          w.blocks[index]));
+    w.line(0, fmt::format("layout(set = {}, binding = {}, std140{}) uniform {}", w.set(block.group, block.place),
+                          block.place.binding, block.matrices_by_rows ? ", row_major" : "", w.blocks[index]));
     w.block_body(block);
     w.line(0, "};");
 }
 
 void resource(Writer& w, GlobalId id) {
     const Global& global = w.module.globals[id.index];
-    const SetShifts shifts = shifts_of(w, global.set);
-    const std::uint32_t shift = global.type.kind == Kind::Sampler ? shifts.samplers : shifts.textures;
-    w.line(0, fmt::format("layout(set = {}, binding = {}) uniform {};", w.set(global.set), global.slot + shift,
-                          w.declaration(global.type, w.globals[id.index])));
+    w.line(0, fmt::format("layout(set = {}, binding = {}) uniform {};", w.set(global.group, global.place),
+                          global.place.binding, w.declaration(global.type, w.globals[id.index])));
 }
 
 void keyword(Writer& w, GlobalId id) {
@@ -215,6 +205,7 @@ constexpr Language kLanguage = {
     .splat = splat,
     .array_value = array_value,
     .set_word = "",
+    .row_major = "",
     .constant_array = "const",
     .expression = expression,
     .statement = statement,

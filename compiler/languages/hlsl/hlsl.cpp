@@ -85,7 +85,8 @@ void preamble(Writer&) {}
 
 void block(Writer& w, const UniformBlock& block) {
     const auto index = static_cast<std::size_t>(&block - w.module.blocks.data());
-    w.line(0, fmt::format("cbuffer {} : register(b{}, {})", w.blocks[index], block.slot, w.set(block.set)));
+    w.line(0, fmt::format("cbuffer {} : register(b{}, {})", w.blocks[index], block.place.slot,
+                          w.set(block.group, block.place)));
     w.block_body(block);
     w.line(0, "};");
 }
@@ -93,7 +94,8 @@ void block(Writer& w, const UniformBlock& block) {
 void resource(Writer& w, GlobalId id) {
     const Global& global = w.module.globals[id.index];
     w.line(0, fmt::format("{} : register({}{}, {});", w.declaration(global.type, w.globals[id.index]),
-                          global.type.kind == Kind::Sampler ? 's' : 't', global.slot, w.set(global.set)));
+                          global.type.kind == Kind::Sampler ? 's' : 't', global.place.slot,
+                          w.set(global.group, global.place)));
 }
 
 // Vulkan's: Direct3D has no constants that a pipeline sets.
@@ -179,6 +181,7 @@ constexpr Language kLanguage = {
     .splat = splat,
     .array_value = array_value,
     .set_word = "space",
+    .row_major = "row_major ",
     .constant_array = "static const",
     .expression = expression,
     .statement = statement,

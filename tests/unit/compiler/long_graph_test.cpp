@@ -29,7 +29,7 @@ TEST_P(LongGraph, PrintsOneStatementForEachNode) {
     const Result small = compiler.compile_text("long.graph.json", long_graph(GetParam(), 100));
     const Result large = compiler.compile_text("long.graph.json", long_graph(GetParam(), 10'000));
     ASSERT_TRUE(small.ok && large.ok);
-    for (const Target target : {Target::Glsl, Target::Hlsl}) {
+    for (const Target& target : {Target::Glsl, Target::Hlsl}) {
         const std::string& text = fragment(large, target).text;
         // A comment, a statement and a gap.
         EXPECT_EQ(lines_of(text) - lines_of(fragment(small, target).text), 3 * 9'900);

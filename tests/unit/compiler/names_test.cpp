@@ -91,10 +91,10 @@ TEST(Names, SnakeCase) {
 }
 
 TEST(Names, TargetsAreFoundByName) {
-    ASSERT_NE(find_target("glsl"), nullptr);
-    EXPECT_EQ(find_target("hlsl")->name, "hlsl");
-    EXPECT_EQ(find_target("wgsl"), nullptr);
-    EXPECT_EQ(all_targets().size(), 2u);
+    ASSERT_NE(find_language("glsl"), nullptr);
+    EXPECT_EQ(find_language("hlsl")->name, "hlsl");
+    EXPECT_EQ(find_language("wgsl"), nullptr);
+    EXPECT_EQ(all_languages().size(), 2u);
 }
 
 }  // namespace

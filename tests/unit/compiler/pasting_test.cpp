@@ -367,12 +367,12 @@ TEST_F(Pasting, GivesThePictureOfTheForwardPass) {
     Image pictures[2];
     for (std::size_t used : {0, 1}) {
         const Image& expected = pictures[used] = forward(materials[used]);
-        for (const Target target : {Target::Glsl, Target::Hlsl}) {
+        for (const Target& target : {Target::Glsl, Target::Hlsl}) {
             const Image received = draw(reflection(materials[used]), spirv(shader(used, Stage::Vertex, target)),
                                         spirv(shader(used, Stage::Fragment, target)));
             const Comparison difference = compare(expected, received, 1.0 / 255);
             EXPECT_TRUE(difference.same_size);
-            EXPECT_EQ(difference.share, 0) << materials[used].prefix << to_string(target) << ", " << difference.largest
+            EXPECT_EQ(difference.share, 0) << materials[used].prefix << target.name() << ", " << difference.largest
                                            << " at " << difference.worst_x << ", " << difference.worst_y;
         }
     }

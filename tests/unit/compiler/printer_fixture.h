@@ -34,7 +34,7 @@ struct Fixture {
     }
     Value number(double value) { return b->constant(kFloat, {value}); }
     GlobalId global(std::string name, Type type) {
-        module.globals.push_back({.name = std::move(name), .type = type, .slot = 0, .set = 1, .span = {}});
+        module.globals.push_back({.name = std::move(name), .type = type, .place = {.set = 1}, .span = {}});
         return {static_cast<std::uint32_t>(module.globals.size() - 1)};
     }
     Value read(GlobalId id) { return b->emit(Op::Global, module.globals[id.index].type, {}, id.index); }
@@ -46,7 +46,7 @@ struct Fixture {
         EXPECT_EQ(verify(module), "");
     }
     std::string print(std::string_view target, const PrintOptions& options = {}) {
-        const TargetInfo* info = find_target(target);
+        const LanguageInfo* info = find_language(target);
         const Module legal = info->legalize(module).value_or(module);
         EXPECT_EQ(verify(legal), "");
         return info->print(legal, options).text;

@@ -52,26 +52,25 @@ TEST(Legalize, VertexStagesSampleLevelZero) {
 TEST(Shaders, BindingsOfBothLanguages) {
     Fixture f({kFloat2});
     f.module.blocks.push_back({.name = "Material",
-                               .set = 1,
-                               .slot = 0,
+                               .place = {.set = 1},
                                .size = 32,
                                .members = {{.name = "_Roughness", .type = kFloat, .offset = 0},
                                            {.name = "_Tint", .type = kFloat4, .offset = 16, .padding = 3}}});
-    f.module.blocks.push_back(
-        {.name = "Unread", .set = 0, .slot = 0, .size = 16, .members = {{.name = "time", .type = kFloat}}});
+    f.module.blocks.push_back({.name = "Unread", .size = 16, .members = {{.name = "time", .type = kFloat}}});
     f.module.globals.push_back({.name = "_Tint", .type = kFloat4, .block = 0, .member = 1, .span = {}});
     const Value tint = f.read({0});
     const GlobalId texture = f.global("_MainTex", Type::of(Kind::Texture2D)),
                    sampler = f.global("sampler_MainTex", Type::of(Kind::Sampler));
+    f.module.globals[texture.index].place.binding = 1;
+    f.module.globals[sampler.index].place.binding = 9;
     f.global("_Unread", Type::of(Kind::Texture2D));
     const Value texel =
         f.named(f.b->emit(Op::Sample, kFloat4, {f.read(texture), f.read(sampler), f.b->param(0)}), "albedo");
     f.make_stage(f.b->emit(Op::Mul, {texel, tint}),
                  {{.name = "uv0", .type = kFloat2, .location = 0, .semantic = "TEXCOORD0"}});
 
-    EXPECT_EQ(
-        f.print("glsl", {.header = "made by hand", .shifts = {{.set = 1, .buffers = 0, .textures = 1, .samplers = 9}}}),
-        R"(// made by hand
+    EXPECT_EQ(f.print("glsl", {.header = "made by hand"}),
+              R"(// made by hand
 #version 450
 
 layout(set = 1, binding = 0, std140) uniform Material
@@ -95,7 +94,7 @@ void main()
     out_color = albedo * _Tint;
 }
 )");
-    EXPECT_EQ(f.print("hlsl", {.header = "made by hand", .shifts = {}}),
+    EXPECT_EQ(f.print("hlsl", {.header = "made by hand"}),
               R"(// made by hand
 
 cbuffer Material : register(b0, space1)
@@ -148,8 +147,7 @@ TEST(Shaders, StageInputsAreDeclaredByLocation) {
 TEST(Shaders, LocalsDoNotHideGlobals) {
     Fixture f({kFloat});
     f.module.globals.push_back({.name = "tint", .type = kFloat, .block = 0, .member = 0, .span = {}});
-    f.module.blocks.push_back(
-        {.name = "Material", .set = 0, .slot = 0, .size = 16, .members = {{.name = "tint", .type = kFloat}}});
+    f.module.blocks.push_back({.name = "Material", .size = 16, .members = {{.name = "tint", .type = kFloat}}});
     const Value local = f.named(f.b->emit(Op::Sin, {f.b->param(0)}), "tint");
     EXPECT_EQ(f.glsl(f.b->emit(Op::Mul, {local, f.read({0})})), "float tint_2 = sin(a);\nreturn tint_2 * tint;\n");
 }
@@ -164,7 +162,7 @@ TEST(Shaders, CommentsNameNodesAndLinesKnowThem) {
     f.b->set_origin({});
     f.function.comment = "One line.";
     f.finish(f.b->emit(Op::Mul, {sharp, sharp}));
-    const Printed printed = find_target("glsl")->print(f.module, {});
+    const Printed printed = find_language("glsl")->print(f.module, {});
     EXPECT_EQ(printed.text,
               "#version 450\n"
               "\n"

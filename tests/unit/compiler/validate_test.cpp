@@ -18,10 +18,10 @@ namespace patina {
 namespace {
 
 using namespace ir;
-using targets::find_target;
+using targets::find_language;
 
 Shader print(const Module& module, Target target) {
-    const targets::TargetInfo* info = find_target(to_string(target));
+    const targets::LanguageInfo* info = find_language(target.language);
     const Module legal = info->legalize(module).value_or(module);
     EXPECT_TRUE(verify(legal).empty()) << verify(legal);
     Shader shader;
@@ -30,16 +30,13 @@ Shader print(const Module& module, Target target) {
     shader.target = target;
     shader.file_name = fmt::format("test.{}", info->extension);
     shader.hlsl_shifts = {{.set = 0, .textures = 1, .samplers = 5, .buffers = 0}};
-    shader.text = info->print(legal, {.header = "",
-                                      .shifts = {{.set = 0, .buffers = 0, .textures = 1, .samplers = 5}},
-                                      .plans = nullptr})
-                      .text;
+    shader.text = info->print(legal, {.header = "", .plans = nullptr}).text;
     return shader;
 }
 
 void expect_valid(const Module& module, const std::string& what) {
     ASSERT_TRUE(verify(module).empty()) << what << "\n" << verify(module);
-    for (const Target target : {Target::Glsl, Target::Hlsl}) {
+    for (const Target& target : {Target::Glsl, Target::Hlsl}) {
         const Shader shader = print(module, target);
         const Validated result = validate(shader);
         EXPECT_TRUE(result.ok) << what << "\n" << result.log << "\n" << shader.text;
@@ -58,11 +55,12 @@ struct StageFixture {
         function.name = "main";
         function.params = {{"v", kFloat4}, {"uv", kFloat2}};
         module.structs.push_back({"Outputs", {{"color", kFloat4}}});
-        module.globals.push_back({.name = "_Map", .type = Type::of(Kind::Texture2D), .slot = 0, .set = 0, .span = {}});
         module.globals.push_back(
-            {.name = "_Sky", .type = Type::of(Kind::TextureCube), .slot = 1, .set = 0, .span = {}});
+            {.name = "_Map", .type = Type::of(Kind::Texture2D), .place = {.binding = 1, .slot = 0}, .span = {}});
         module.globals.push_back(
-            {.name = "sampler_Map", .type = Type::of(Kind::Sampler), .slot = 0, .set = 0, .span = {}});
+            {.name = "_Sky", .type = Type::of(Kind::TextureCube), .place = {.binding = 2, .slot = 1}, .span = {}});
+        module.globals.push_back(
+            {.name = "sampler_Map", .type = Type::of(Kind::Sampler), .place = {.binding = 5, .slot = 0}, .span = {}});
     }
     Value global(std::uint32_t index) { return b.emit(Op::Global, module.globals[index].type, {}, index); }
 
@@ -295,7 +293,7 @@ TEST(Validate, BuiltinsAndGaps) {
     f.module.stage.inputs.push_back({.name = "id", .type = kInt, .location = 6, .semantic = "TEXCOORD6"});
     expect_valid(f.module, "builtins");
     // Both languages must ask for the same locations, because one vertex stage may feed either.
-    for (const Target target : {Target::Glsl, Target::Hlsl}) {
+    for (const Target& target : {Target::Glsl, Target::Hlsl}) {
         const std::string text = disassemble(validate(print(f.module, target)).spirv);
         for (const char* location : {"Location 4", "Location 6"})
             EXPECT_NE(text.find(location), std::string::npos) << text;
@@ -306,8 +304,6 @@ TEST(Validate, BlocksHaveOneLayoutInBothLanguages) {
     StageFixture f;
     const Type array = f.module.array_of(kFloat4, 3), matrix = Type::matrix(Scalar::Float, 4, 4);
     f.module.blocks.push_back({.name = "Material",
-                               .set = 0,
-                               .slot = 0,
                                .size = 176,
                                .members = {{.name = "a", .type = kFloat, .offset = 0},
                                            {.name = "b", .type = kFloat2, .offset = 8, .padding = 1},
@@ -326,7 +322,7 @@ TEST(Validate, BlocksHaveOneLayoutInBothLanguages) {
     }
     f.finish(values);
     expect_valid(f.module, "blocks");
-    for (const Target target : {Target::Glsl, Target::Hlsl}) {
+    for (const Target& target : {Target::Glsl, Target::Hlsl}) {
         const std::string text = disassemble(validate(print(f.module, target)).spirv);
         for (const int offset : {0, 8, 16, 32, 44, 48, 96, 160}) {
             EXPECT_NE(text.find(fmt::format("Offset {}\n", offset)), std::string::npos) << offset << "\n" << text;
@@ -356,7 +352,7 @@ Shader broken(Target target) {
 }
 
 TEST(Validate, MessagesLeadBackToTheGraph) {
-    for (const Target target : {Target::Glsl, Target::Hlsl}) {
+    for (const Target& target : {Target::Glsl, Target::Hlsl}) {
         const Validated result = validate(broken(target));
         EXPECT_FALSE(result.ok);
         EXPECT_TRUE(result.spirv.empty());
@@ -378,7 +374,7 @@ TEST(Validate, MessagesLeadBackToTheGraph) {
 }
 
 TEST(Validate, RubbishIsRefused) {
-    for (const Target target : {Target::Glsl, Target::Hlsl}) {
+    for (const Target& target : {Target::Glsl, Target::Hlsl}) {
         for (const std::string& text :
              {std::string(), std::string("\0\xff{", 3), std::string(5000, '('), std::string("ERROR: :")}) {
             Shader shader = broken(target);

@@ -84,11 +84,11 @@ inline ir::Module fragment_module(unsigned outputs, bool reads) {
         module.stage.inputs = {
             {.name = "at", .type = kFloat4, .builtin = Builtin::FragCoord, .semantic = "SV_Position"}};
         module.globals = {
-            {.name = "earlier", .type = Type::of(Kind::Texture2D), .slot = 0, .set = 2, .span = {}},
-            {.name = "sampler_earlier", .type = Type::of(Kind::Sampler), .slot = 0, .set = 2, .span = {}}};
+            {.name = "earlier", .type = Type::of(Kind::Texture2D), .place = {.set = 2}, .span = {}},
+            {.name = "sampler_earlier", .type = Type::of(Kind::Sampler), .place = {.set = 2}, .span = {}}};
     }
     const auto first = std::uint32_t(module.globals.size());
-    UniformBlock block{.name = "Colors", .set = 1, .size = 128, .members = {}};
+    UniformBlock block{.name = "Colors", .place = {.set = 1}, .size = 128, .members = {}};
     for (std::uint32_t i = 0; i < 8; i++) {
         block.members.push_back({.name = "m", .type = kFloat4, .offset = 16 * i});
         module.globals.push_back({.name = "m", .type = kFloat4, .block = 0, .member = i, .span = {}});

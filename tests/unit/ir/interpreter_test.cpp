@@ -35,8 +35,8 @@ struct FragmentStage {
             {.name = "uv0", .type = kFloat2, .semantic = "TEXCOORD0"},
             {.name = "at", .type = kFloat4, .builtin = Builtin::FragCoord, .semantic = "SV_Position"}};
         module.globals = {
-            {.name = "_MainTex", .type = Type::of(Kind::Texture2D), .slot = 2, .set = 1, .span = {}},
-            {.name = "sampler_MainTex", .type = Type::of(Kind::Sampler), .slot = 2, .set = 1, .span = {}}};
+            {.name = "_MainTex", .type = Type::of(Kind::Texture2D), .place = {.set = 1, .slot = 2}, .span = {}},
+            {.name = "sampler_MainTex", .type = Type::of(Kind::Sampler), .place = {.set = 1, .slot = 2}, .span = {}}};
         uv = b.param(0);
         frag_coord = b.param(1);
     }
@@ -329,9 +329,9 @@ TEST(InterpreterTexture, WhatIsNotBoundIsWhite) {
 TEST(InterpreterTexture, AnyTextureMayBeReadByAnySampler) {
     FragmentStage stage;
     stage.module.globals.push_back(
-        {.name = "_Mask", .type = Type::of(Kind::Texture2D), .slot = 3, .set = 1, .span = {}});
+        {.name = "_Mask", .type = Type::of(Kind::Texture2D), .place = {.set = 1, .slot = 3}, .span = {}});
     stage.module.globals.push_back(
-        {.name = "sampler_Mask", .type = Type::of(Kind::Sampler), .slot = 3, .set = 1, .span = {}});
+        {.name = "sampler_Mask", .type = Type::of(Kind::Sampler), .place = {.set = 1, .slot = 3}, .span = {}});
     Builder& b = stage.b;
     const Value mask_sampler = b.emit(Op::Global, Type::of(Kind::Sampler), {}, 3);
     const auto read = [&](Value sampler) {

@@ -1,6 +1,5 @@
-// What a target whose files are another tool's wants to know beside the passes: how the tool keeps the values of
-// properties, what decodes them, what it fills beside textures, and the lines that a stage needs which calls a foreign
-// function.
+// How an engine keeps the values of properties: as which type, what decodes them, and what it fills for each texture.
+// And the lines of its file that a stage needs which calls one of its functions.
 #include <algorithm>
 
 #include "compiler/lower/lowering.h"
@@ -73,42 +72,29 @@ bool reaches(const CheckedGraph& graph, std::span<const PortValue> ports, std::s
     return false;
 }
 
-constexpr std::string_view kEmission = "emission";
-
-// A colour that may be brighter than white: one whose range ends above, or that is so by default, or that nothing but
-// the emission reads.
-bool is_hdr(const CheckedGraph& graph, const Property& property) {
+// A colour that may be brighter than white: one whose range ends above, or whose default is, or one that only light
+// reads which the surface sends out ([hdr] members of the lighting surface).
+bool is_hdr(const PathDeclarations& paths, const CheckedGraph& graph, const Property& property) {
     if (property.range && (*property.range)[1] > 1) return true;
     if (std::any_of(property.value.begin(), property.value.begin() + 3, [](double v) { return v > 1; })) return true;
-    std::vector<PortValue> emission, others = graph.graph->vertex;
-    for (const PortValue& port : graph.graph->surface) (port.name == kEmission ? emission : others).push_back(port);
-    return reaches(graph, emission, property.name) && !reaches(graph, others, property.name);
+    std::vector<PortValue> light, others = graph.graph->vertex;
+    for (const PortValue& port : graph.graph->surface) (paths.is_hdr(port.name) ? light : others).push_back(port);
+    return reaches(graph, light, property.name) && !reaches(graph, others, property.name);
 }
 
-// The word for its type; half where that is precise enough for what artists set.
-std::string stored_as(const Property& property) {
-    switch (property.type) {
-        case PropertyType::Color: return "half4";
-        case PropertyType::Int:
-        case PropertyType::Bool:
-        case PropertyType::Enum: return "float";
-        case PropertyType::Float:
-            return property.range && (*property.range)[0] >= -1 && (*property.range)[1] <= 1 ? "half" : "float";
-        case PropertyType::Float2:
-        case PropertyType::Float3:
-        case PropertyType::Float4: return "float4";
-        case PropertyType::Texture2D: return {};
-    }
-    return {};
+std::string_view stored_as(const engines::Engine& engine, const Property& property) {
+    const bool is_within_one = property.type == PropertyType::Float && property.range && (*property.range)[0] >= -1 &&
+                               (*property.range)[1] <= 1;
+    return engine.stored_as(is_within_one ? "floatWithinOne" : to_string(property.type));
 }
 
-std::string_view usage_of(const CheckedGraph& graph, const Property& property) {
-    if (property.type == PropertyType::Color) return is_hdr(graph, property) ? "" : "color";
+std::string_view usage_of(const PathDeclarations& paths, const CheckedGraph& graph, const Property& property) {
+    if (property.type == PropertyType::Color) return is_hdr(paths, graph, property) ? "" : "color";
     if (property.type != PropertyType::Texture2D) return {};
     return property.usage == TextureUsage::Normal ? "normal" : property.usage == TextureUsage::Color ? "color" : "";
 }
 
-// The tool's file that declares a value of materials under this name and with this type; empty: none does.
+// The included file that declares a value of materials under this name and with this type; empty: none does.
 std::string declared_in(const Lowering& lowering, const Property& property) {
     const auto& foreign = lowering.session.paths->foreign;
     const auto found = std::find_if(foreign.begin(), foreign.end(), [&](const ForeignDecl& each) {
@@ -127,36 +113,38 @@ void decode_by(const DecoderDecl& decoder, ir::Global& global) {
     global.at_once = decoder.at_once;
 }
 
-// Beside each texture the tool fills (1/width, 1/height, width, height).
-ir::GlobalId add_texel_size(ir::Module& module, const ir::Global& texture) {
+// (1/width, 1/height, width, height).
+ir::GlobalId add_texture_size(ir::Module& module, const ir::Global& texture, const std::string& ending) {
     module.globals.push_back(
-        {.name = texture.name + "_TexelSize", .type = ir::kFloat4, .set = texture.set, .span = texture.span});
+        {.name = texture.name + ending, .type = ir::kFloat4, .group = texture.group, .span = texture.span});
     return {static_cast<std::uint32_t>(module.globals.size() - 1)};
 }
 
 }  // namespace
 
-void mark_for_tool(Lowering& lowering) {
+void keep_values(Lowering& lowering) {
     Lowered& out = lowering.out;
+    const engines::Engine& engine = lowering.session.engine;
     const auto& decoders = lowering.session.paths->decoders;
     for (std::size_t i = 0; i < lowering.material.properties.size(); ++i) {
         const Property& property = *lowering.material.properties[i].property;
         PropertyGlobals& globals = out.property_globals[i];
         if (!globals.texture && !globals.value) continue;  // it has a keyword
-        if (globals.texture)
-            globals.texel_size = add_texel_size(out.module, ir::Global(out.module.globals[globals.texture.index]));
+        if (globals.texture && !engine.texture_sizes.empty())
+            globals.texel_size = add_texture_size(out.module, ir::Global(out.module.globals[globals.texture.index]),
+                                                  engine.texture_sizes);
         ir::Global& global = out.module.globals[(globals.texture ? globals.texture : globals.value).index];
-        const auto decoder = decoders.find(usage_of(*lowering.material.graph, property));
+        const auto decoder = decoders.find(usage_of(*lowering.session.paths, *lowering.material.graph, property));
         if (decoder != decoders.end()) decode_by(decoder->second, global);
         if (!global.in_block()) continue;
         ir::BlockMember& member = out.module.blocks[global.block].members[global.member];
-        member.stored_as = stored_as(property);
-        member.is_of_instance = property.binding == Binding::Instance;
+        member.stored_as = stored_as(engine, property);
+        member.is_of_instance = engine.instances == engines::Instances::Engine && property.binding == Binding::Instance;
         member.declared_in = declared_in(lowering, property);
     }
 }
 
-void tell_texts(Lowering& lowering) {
+void give_texts(Lowering& lowering) {
     for (const ForeignFunctionDecl& foreign : lowering.session.paths->foreign_functions) {
         for (const nodelang::InstanceInfo& instance : lowering.emitter.instances_of(*foreign.function))
             lowering.out.module[instance.id].texts = foreign.texts;

@@ -1,4 +1,4 @@
-#include "compiler/output/canonical_hash.h"
+#include "compiler/link/canonical_hash.h"
 
 #include <fmt/format.h>
 
@@ -101,7 +101,11 @@ private:
 
     CanonicalHash global(const ir::Global& global) const {
         Hash hash("global");
-        hash.add(global.name).add(type(global.type)).add(global.set).add(global.slot);
+        hash.add(global.name)
+            .add(type(global.type))
+            .add(static_cast<std::uint32_t>(global.group))
+            .add(global.place.set)
+            .add(global.place.slot);
         if (global.in_block()) {
             const ir::UniformBlock& block = module_.blocks[global.block];
             hash.add(block.name).add(block.members[global.member].offset);

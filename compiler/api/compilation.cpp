@@ -1,0 +1,132 @@
+#include "compiler/api/compilation.h"
+
+#include <algorithm>
+
+#include "compiler/api/dumps.h"
+#include "compiler/ir/verify.h"
+#include "compiler/link/check_reads.h"
+#include "compiler/link/dumps.h"
+
+namespace patina {
+namespace {
+
+bool may_go_on(const Compilation& c) {
+    return !c.session.diagnostics.has_errors();
+}
+
+// The extra passes that were requested and can be drawn.
+void choose_passes(Compilation& c) {
+    graph::Session& session = c.session;
+    const std::vector<std::string>& wanted = session.options.passes;
+    for (const std::unique_ptr<graph::Material>& each : c.file.passes) {
+        const graph::ExtraPass& pass = *each->pass;
+        const bool is_named = std::find(wanted.begin(), wanted.end(), pass.name) != wanted.end();
+        if (!session.options.functions.empty()) {
+            session.diagnostics.report(Code::PassLeftOut, pass.name_span, pass.name,
+                                       "the functions are those of the material itself");
+        } else if (wanted.empty() ? graph::draws_extra(session, c.lowered.front()) : is_named) {
+            c.materials.push_back(each.get());
+        }
+    }
+}
+
+output::Compiled compiled(const Compilation& c) {
+    return {.session = c.session,
+            .material = *c.materials.front(),
+            .lowered = c.linked.front().lowered,
+            .passes = c.passes,
+            .linked = c.linked.front(),
+            .name = graph::file_stem(c.path)};
+}
+
+}  // namespace
+
+bool accept(Compilation& c) {
+    c.writer = &engines::writer_of(c.session);
+    return c.writer->accepts(c.session);
+}
+
+bool find_path(Compilation& c) {
+    if (c.session.options.functions.empty()) graph::find_path(c.session);
+    return true;  // what is wrong with the graph shows with the library's passes, too
+}
+
+bool read_material(Compilation& c) {
+    c.file = graph::read_material(c.session, c.source, c.path);
+    if (!c.file.material) return false;
+    c.materials = {c.file.material.get()};
+    dump_graph(c.result, c.session, *c.file.material);
+    return true;  // lowering checks types, also after errors, to report as many as there are
+}
+
+bool lower_material(Compilation& c) {
+    c.lowered.push_back(graph::lower(c.session, *c.materials.front(), {.fold = true}));
+    if (!may_go_on(c)) return false;
+    graph::warn_unused(c.session, *c.materials.front());
+    ir::check_if_verifying(c.lowered.front().module, "lowered");
+    assemble::dump_stage(c.result, c.session.options, "ir", "ir", c.lowered.front().module);
+    return true;
+}
+
+bool lower_passes(Compilation& c) {
+    choose_passes(c);
+    for (std::size_t i = 1; i < c.materials.size(); ++i)
+        c.lowered.push_back(graph::lower(c.session, *c.materials[i], {.fold = true}));
+    return may_go_on(c);
+}
+
+bool link_materials(Compilation& c) {
+    for (graph::Lowered& lowered : c.lowered) {
+        c.writer->name(c.session, lowered);
+        c.linked.push_back(assemble::link(std::move(lowered)));
+    }
+    return true;
+}
+
+bool link_stages(Compilation& c) {
+    for (std::size_t i = 0; i < c.materials.size(); ++i) {
+        for (const graph::LoweredPass& pass : c.linked[i].lowered.passes) {
+            assemble::LinkedPass made = assemble::link_pass(*c.materials[i], c.linked[i], pass, c.session, c.result);
+            if (c.writer->takes(c.session, c.linked[i], made)) {
+                assemble::check_varyings(made, c.session);
+                c.passes.push_back(std::move(made));
+            }
+            if (!may_go_on(c)) return false;
+        }
+    }
+    return true;
+}
+
+bool check_stages(Compilation& c) {
+    assemble::check_reads(c.session, c.linked.front().lowered, c.passes);
+    return may_go_on(c);
+}
+
+bool order_passes(Compilation& c) {
+    c.writer->order(c.passes);
+    return true;
+}
+
+bool reflect(Compilation& c) {
+    c.result.reflection = output::reflect(*c.materials.front(), c.linked.front().lowered, c.passes,
+                                          c.session.options.hashes);
+    return true;
+}
+
+bool check_files(Compilation& c) {
+    c.writer->check(compiled(c), c.result.reflection);
+    return true;
+}
+
+bool write_files(Compilation& c) {
+    c.writer->write(compiled(c), c.result);
+    return true;
+}
+
+bool keep_programs(Compilation& c) {
+    if (c.session.options.keep_programs && c.session.options.functions.empty())
+        c.result.program = assemble::keep_program(c.session, c.materials);
+    return true;
+}
+
+}  // namespace patina

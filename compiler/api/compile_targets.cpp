@@ -1,0 +1,111 @@
+#include "compiler/api/compile_targets.h"
+
+#include <algorithm>
+
+#include "compiler/api/report.h"
+
+namespace patina {
+namespace {
+
+void join(Result& into, Result from) {
+    into.ok = into.ok && from.ok;
+    const auto is_new = [&](const Diagnostic& d) {
+        const std::string text = to_json(d);
+        return std::none_of(into.diagnostics.begin(), into.diagnostics.end(),
+                            [&](const Diagnostic& other) { return to_json(other) == text; });
+    };
+    for (Diagnostic& d : from.diagnostics)
+        if (is_new(d)) into.diagnostics.push_back(std::move(d));
+    for (Shader& shader : from.shaders) into.shaders.push_back(std::move(shader));
+    for (std::string& file : from.dependencies)
+        if (std::find(into.dependencies.begin(), into.dependencies.end(), file) == into.dependencies.end())
+            into.dependencies.push_back(std::move(file));
+    for (Dump& dump : from.dumps) into.dumps.push_back(std::move(dump));
+    if (!into.ok) into.shaders.clear();
+}
+
+struct EngineTargets {
+    const engines::Engine* engine = nullptr;
+    std::vector<Target> targets;
+};
+
+// By engine, in the order in which the engines are first named; those with passes of their own last.
+std::vector<EngineTargets> by_engine(const graph::Library& library, const std::vector<Target>& targets) {
+    std::vector<EngineTargets> made;
+    for (const Target& target : targets) {
+        const engines::Engine* engine = library.engine(target.engine);
+        auto found = std::find_if(made.begin(), made.end(), [&](const auto& each) { return each.engine == engine; });
+        if (found == made.end()) found = made.insert(found, {.engine = engine, .targets = {}});
+        found->targets.push_back(target);
+    }
+    std::stable_partition(made.begin(), made.end(),
+                          [](const EngineTargets& each) { return !each.engine || !each.engine->has_own_passes(); });
+    return made;
+}
+
+// A target that no engine of the library takes.
+std::optional<Diagnostic> unknown_target(const graph::Library& library, const Target& target) {
+    const engines::Engine* engine = library.engine(target.engine);
+    const auto& languages = engine ? engine->languages : std::vector<std::string>{};
+    if (engine && std::find(languages.begin(), languages.end(), target.language) != languages.end()) return {};
+    Diagnostics diagnostics;
+    DiagnosticRecord& record = diagnostics.report(Code::UnknownWord, {}, engine ? target.language : target.engine,
+                                                  engine ? "a language of this engine" : "an engine");
+    std::vector<std::string_view> known(languages.begin(), languages.end());
+    if (!engine) {
+        for (const auto& [name, each] : library.engines) known.push_back(name);
+    }
+    record.note(Diagnostics::suggestion(engine ? target.language : target.engine, known));
+    return to_public(diagnostics, library.sources).front();
+}
+
+}  // namespace
+
+void without_switches(std::vector<std::pair<std::string, std::string>>& given, const Reflection& of_path) {
+    std::erase_if(given, [&](const auto& each) {
+        return std::any_of(of_path.switches.begin(), of_path.switches.end(),
+                           [&](const Switch& s) { return s.name == each.first; });
+    });
+}
+
+bool holds_variants(const graph::Library& library, const Target& target) {
+    const engines::Engine* engine = library.engine(target.engine);
+    return engine && engine->variants == engines::Variants::Keywords;
+}
+
+Result compile_targets(const graph::Library& library, const CompileOptions& options, const CompileForEngine& compile) {
+    for (const Target& target : options.targets) {
+        std::optional<Diagnostic> unknown = unknown_target(library, target);
+        if (!unknown) continue;
+        Result refused;
+        refused.diagnostics.push_back(std::move(*unknown));
+        return refused;
+    }
+    std::optional<Result> result;
+    std::vector<EngineTargets> engines = by_engine(library, options.targets);
+    // Programs are of the library's paths.
+    const bool has_usual = !engines.empty() && !engines.front().engine->has_own_passes();
+    if (engines.empty() || (options.keep_programs && !has_usual)) {
+        CompileOptions usual = options;
+        usual.targets.clear();
+        result = compile(usual);
+    }
+    for (EngineTargets& each : engines) {
+        CompileOptions own = options;
+        own.targets = std::move(each.targets);
+        own.keep_programs = options.keep_programs && !result;
+        if (each.engine->has_own_passes()) {
+            own.keep_programs = false;
+            own.passes.clear();
+        }
+        if (each.engine->variants == engines::Variants::Keywords) own.keep_variants = true;
+        if (result && each.engine->has_own_passes()) without_switches(own.switches, result->reflection);
+        if (result)
+            join(*result, compile(own));
+        else
+            result = compile(own);
+    }
+    return std::move(*result);
+}
+
+}  // namespace patina

@@ -1,0 +1,170 @@
+#include "compiler/engines/read_engine.h"
+
+#include <algorithm>
+
+#include "compiler/format/read_fields.h"
+
+namespace patina::engines {
+namespace {
+
+using graph::Json;
+using graph::Word;
+
+constexpr std::array kVariants = {Word<Variants>{"chosen", Variants::Chosen},
+                                  Word<Variants>{"keywords", Variants::Keywords}};
+constexpr std::array kInstances = {Word<Instances>{"arrays", Instances::Arrays},
+                                   Word<Instances>{"engine", Instances::Engine}};
+constexpr std::array kSamplers = {Word<bool>{"ofProperties", false}, Word<bool>{"ofTextures", true}};
+constexpr std::array kDirections = {Word<bool>{"up", false}, Word<bool>{"down", true}};
+constexpr std::array kDepths = {Word<bool>{"nearToFar", false}, Word<bool>{"reversed", true}};
+constexpr std::array kMatrices = {Word<bool>{"columns", false}, Word<bool>{"rows", true}};
+constexpr std::array kGroups = {Word<ir::Group>{"engine", ir::Group::Engine},
+                                Word<ir::Group>{"material", ir::Group::Material},
+                                Word<ir::Group>{"targets", ir::Group::Targets}};
+constexpr int kMostNumber = 1 << 20;  // of sets, bindings and locations
+
+class Reader {
+public:
+    Reader(graph::Reading& reading, const FindFile& find_file, Engine& engine)
+        : reading_(reading), find_file_(find_file), engine_(engine) {}
+
+    void engine(const Json& json) {
+        using enum graph::ObjectKind;
+        check_keys(reading_, json, Engine);
+        engine_.title = text(json, "name");
+        engine_.help = text(json, "help");
+        engine_.languages = texts(json, "languages");
+        engine_.file = text(json, "file");
+        if (const Json* name = json.find("passes")) engine_.passes = file(*name);
+        if (const Json* name = json.find("include")) {
+            if (const std::optional<std::uint32_t> base = file(*name))
+                engine_.include = reading_.sources.file_text(*base);
+        }
+        word(json, "variants", "what becomes of variants", kVariants, engine_.variants);
+        word(json, "instances", "who holds instances", kInstances, engine_.instances);
+        if (const Json* sets = object(json, "sets", EngineSets)) read_sets(*sets);
+        engine_.blocks = map(json, "blocks");
+        if (const Json* inputs = json.find("vertexInputs")) vertex_inputs(*inputs);
+        if (const Json* clip = object(json, "clip", EngineClip)) {
+            word(*clip, "y", "a direction of y", kDirections, engine_.is_y_down);
+            word(*clip, "depth", "an order of depth", kDepths, engine_.is_depth_reversed);
+        }
+        word(json, "matrices", "an order of matrices", kMatrices, engine_.matrices_by_rows);
+        engine_.storage = map(json, "storage");
+        engine_.texture_sizes = text(json, "textureSizes");
+        word(json, "samplers", "a way to name samplers", kSamplers, engine_.samplers_follow_textures);
+        if (const Json* limits = object(json, "limits", EngineLimits)) {
+            number(*limits, "varyings", engine_.most_varyings);
+            number(*limits, "blockBytes", engine_.most_block_bytes);
+            engine_.varyings_note = text(*limits, "varyingsNote");
+        }
+        if (const Json* names = object(json, "names", EngineNames)) read_names(*names);
+    }
+
+private:
+    std::string text(const Json& json, std::string_view key) { return read_text(reading_, json, key); }
+
+    template <class E, std::size_t N>
+    void word(const Json& json, std::string_view key, std::string_view what, const std::array<Word<E>, N>& words,
+              E& into) {
+        if (const Json* value = json.find(key)) into = read_word(reading_, *value, key, what, words).value_or(into);
+    }
+
+    template <class Number>
+    void number(const Json& json, std::string_view key, Number& into) {
+        const Json* value = json.find(key);
+        if (!value) return;
+        const auto read = read_int(reading_, *value, fmt::format("'{}'", key), 0, kMostNumber);
+        if (read) into = static_cast<std::uint32_t>(*read);
+    }
+
+    const Json* object(const Json& json, std::string_view key, graph::ObjectKind kind) {
+        const Json* value = json.find(key);
+        if (!value || !expect(reading_, *value, Json::Kind::Object, fmt::format("'{}'", key))) return nullptr;
+        check_keys(reading_, *value, kind);
+        return value;
+    }
+
+    std::vector<std::string> texts(const Json& json, std::string_view key) {
+        std::vector<std::string> made;
+        const Json* value = json.find(key);
+        if (!value || !expect(reading_, *value, Json::Kind::Array, fmt::format("'{}'", key))) return made;
+        for (const Json& each : value->elements) {
+            if (const std::string* word = read_string(reading_, each, fmt::format("an element of '{}'", key)))
+                made.push_back(*word);
+        }
+        return made;
+    }
+
+    std::map<std::string, std::string, std::less<>> map(const Json& json, std::string_view key) {
+        std::map<std::string, std::string, std::less<>> made;
+        const Json* value = json.find(key);
+        if (!value || !expect(reading_, *value, Json::Kind::Object, fmt::format("'{}'", key))) return made;
+        for (const graph::JsonMember& each : value->members) {
+            if (const std::string* word = read_string(reading_, each.value, fmt::format("'{}'", each.key)))
+                made.emplace(each.key, *word);
+        }
+        return made;
+    }
+
+    std::optional<std::uint32_t> file(const Json& json) {
+        const std::string* name = read_string(reading_, json, "the name of a file");
+        if (!name) return {};
+        const std::optional<std::uint32_t> base = find_file_(*name);
+        if (!base) reading_.diagnostics.report(Code::MissingFile, json.span, *name);
+        return base;
+    }
+
+    void read_sets(const Json& json) {
+        for (const Word<ir::Group>& group : kGroups) {
+            const Json* value = object(json, group.text, graph::ObjectKind::EngineSet);
+            if (!value) continue;
+            Places& places = engine_.places[static_cast<std::size_t>(group.value)];
+            number(*value, "set", places.set);
+            number(*value, "buffers", places.buffers);
+            number(*value, "textures", places.textures);
+            number(*value, "samplers", places.samplers);
+        }
+    }
+
+    void vertex_inputs(const Json& json) {
+        if (!expect(reading_, json, Json::Kind::Array, "'vertexInputs'")) return;
+        for (const Json& each : json.elements) {
+            if (!expect(reading_, each, Json::Kind::Object, "a vertex input")) continue;
+            check_keys(reading_, each, graph::ObjectKind::EngineVertexInput);
+            VertexInput& made = engine_.vertex_inputs.emplace_back();
+            made.semantic = text(each, "semantic");
+            made.hlsl = text(each, "hlsl");
+            number(each, "location", made.location);
+        }
+    }
+
+    void read_names(const Json& json) {
+        engine_.names = {.owner = text(json, "owner"),
+                         .taken = texts(json, "taken"),
+                         .prefixes = texts(json, "prefixes"),
+                         .own = texts(json, "own"),
+                         .own_near_properties = texts(json, "ownNearProperties"),
+                         .instead = map(json, "instead")};
+    }
+
+    graph::Reading& reading_;
+    const FindFile& find_file_;
+    Engine& engine_;
+};
+
+}  // namespace
+
+Engine read_engine(const SourceMap& sources, std::uint32_t base, std::string folder, const FindFile& find_file,
+                   Diagnostics& diagnostics) {
+    Engine engine;
+    engine.name = std::move(folder);
+    const std::unique_ptr<Json> json = graph::parse_json(sources, base, diagnostics);
+    if (!json) return engine;
+    nodelang::Ast unused;
+    graph::Reading reading{.sources = sources, .ast = unused, .diagnostics = diagnostics};
+    if (expect(reading, *json, Json::Kind::Object, "an engine")) Reader(reading, find_file, engine).engine(*json);
+    return engine;
+}
+
+}  // namespace patina::engines

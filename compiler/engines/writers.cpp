@@ -1,0 +1,24 @@
+#include "compiler/engines/writers.h"
+
+#include <algorithm>
+
+#include "compiler/engines/shaderlab/shaderlab.h"
+#include "compiler/output/print_shaders.h"
+
+namespace patina::engines {
+namespace {
+
+// Formats of files that hold all passes of a material, as engine.json names them.
+constexpr const output::Writer* kFormats[] = {&shaderlab::kWriter};
+
+}  // namespace
+
+const output::Writer& writer_of(const graph::Session& session) {
+    if (!session.options.functions.empty()) return output::kFunctions;
+    const auto* const found = std::find_if(std::begin(kFormats), std::end(kFormats), [&](const output::Writer* each) {
+        return each->format == session.engine.file;
+    });
+    return found == std::end(kFormats) ? output::kStageFiles : **found;
+}
+
+}  // namespace patina::engines

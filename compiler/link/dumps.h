@@ -1,0 +1,15 @@
+// What `patina compile --dump` shows of modules, each only if it is asked for.
+#pragma once
+
+#include "compiler/ir/ir.h"
+#include "patina/patina.h"
+
+namespace patina::assemble {
+
+bool wants_dump(const CompileOptions& options, std::string_view stage);
+// `name` is the word of --dump, `label` says which module it is.
+void dump_stage(Result& result, const CompileOptions& options, std::string_view name, const std::string& label,
+                const ir::Module& module);
+void dump_rates(Result& result, const CompileOptions& options, const std::string& label, const ir::Module& module);
+
+}  // namespace patina::assemble
