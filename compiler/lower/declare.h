@@ -6,8 +6,8 @@
 #include <set>
 #include <span>
 
+#include "compiler/emit/emit.h"
 #include "compiler/ir/ir.h"
-#include "compiler/nodelang/emit.h"
 #include "compiler/resolve/material.h"
 
 namespace patina::graph {

@@ -1,7 +1,7 @@
 // A function on its own: each of its forms is emitted, so that an error is found where nothing calls it.
 #include <algorithm>
 
-#include "compiler/nodelang/emit.h"
+#include "compiler/emit/emit.h"
 
 namespace patina::nodelang {
 

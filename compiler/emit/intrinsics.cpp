@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "compiler/base/text.h"
+#include "compiler/emit/emit.h"
 #include "compiler/ir/fold.h"
-#include "compiler/nodelang/emit.h"
 
 namespace patina::nodelang {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "compiler/base/text.h"
-#include "compiler/nodelang/emit.h"
+#include "compiler/emit/emit.h"
 
 namespace patina::nodelang {
 

@@ -1,12 +1,12 @@
 // Calls of declared functions and slots, and what happens at a function's border: defaults, constant arguments, the
-// width of floatN. What is built in is emit_intrinsic.cpp.
+// width of floatN. What is built in is intrinsics.cpp.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "compiler/base/text.h"
+#include "compiler/emit/emit.h"
 #include "compiler/ir/fold.h"
-#include "compiler/nodelang/emit.h"
 #include "compiler/nodelang/parse.h"
 
 namespace patina::nodelang {

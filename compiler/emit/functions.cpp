@@ -4,7 +4,7 @@
 #include <bit>
 #include <cctype>
 
-#include "compiler/nodelang/emit.h"
+#include "compiler/emit/emit.h"
 #include "compiler/nodelang/parse.h"
 
 namespace patina::nodelang {

@@ -1,10 +1,9 @@
 // The emitter's types: names of the language -> IR types, structs, and the texture bundle.
-#include "compiler/nodelang/emit.h"
-
 #include <algorithm>
 #include <array>
 
 #include "compiler/base/text.h"
+#include "compiler/emit/emit.h"
 
 namespace patina::nodelang {
 

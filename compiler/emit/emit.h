@@ -202,7 +202,7 @@ private:
         std::vector<double> choices{};   // of a const parameter whose `value` is known later: by value, what it chooses
     };
 
-    // expressions (emit_expression.cpp)
+    // expressions (expression.cpp)
     Typed number(const Expr& expr, Scope& scope);
     Typed list(const Expr& expr, Scope& scope);
     Typed name(const Expr& expr, Scope& scope);
@@ -211,7 +211,7 @@ private:
     Typed swizzle(Typed object, std::string_view letters, Scope& scope);
     Typed at_border(Typed value, const Scope& scope);
 
-    // operators (emit_operator.cpp)
+    // operators (operators.cpp)
     Typed unary(const Expr& expr, Scope& scope);
     Typed binary(const Expr& expr, Scope& scope);
     Typed ternary(const Expr& expr, Scope& scope);
@@ -219,7 +219,7 @@ private:
     Typed literal_as(Typed value, ir::Scalar scalar, Scope& scope, Span span);
     bool unify(std::span<Typed> operands, Scope& scope, Span span, std::string_view op);
 
-    // calls (emit_call.cpp, emit_intrinsic.cpp)
+    // calls (calls.cpp, intrinsics.cpp)
     Typed call_expression(const Expr& expr, Scope& scope);
     Typed method(const Expr& expr, Scope& scope);
     Typed constructor(ir::Type type, const Expr& expr, Scope& scope);
@@ -243,7 +243,7 @@ private:
     // `samples`: because it samples a texture; else because it is a derivative.
     void need_quad(Scope& scope, Span span, std::string_view what, bool samples);
 
-    // functions and statements (emit_function.cpp, emit_statement.cpp)
+    // functions and statements (functions.cpp, statements.cpp)
     const Instance& instantiate(const FunctionDecl& function, const Declarations& home,
                                 std::span<const Argument> arguments, unsigned width, bool half, Span call_span);
     Instance emit_function(const FunctionDecl& function, const Declarations& home, std::span<const Argument> arguments,
