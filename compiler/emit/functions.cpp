@@ -1,13 +1,15 @@
-// Function bodies: one IR function per combination of width, precision and constant arguments.
+#include "compiler/emit/functions.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cctype>
 
-#include "compiler/emit/emit.h"
+#include "compiler/emit/constant_value.h"
+#include "compiler/emit/statements.h"
+#include "compiler/emit/types.h"
 #include "compiler/nodelang/parse.h"
 
-namespace patina::nodelang {
+namespace patina::emit {
 
 using ir::Type;
 using ir::Value;
@@ -17,75 +19,14 @@ namespace {
 // Sub-graphs and functions may be written deep, but not endlessly so.
 constexpr std::size_t kMaxCallDepth = 64;
 
-// A body that was read only now must be as sound as one that was read with its file.
-const Statements& body_of(const FunctionDecl& function, Diagnostics& diagnostics) {
-    const Diagnostics* errors = body_errors(function);
-    if (errors && errors->has_errors())
-        diagnostics.report(Code::Internal, function.name_span, fmt::format("the body of '{}' is wrong", function.name));
-    return nodelang::body_of(function);
-}
-
-}  // namespace
-
-// A line at a time: a sentence ends with a full stop at the end of one.
-std::string first_sentence(std::string_view doc) {
-    std::string sentence;
-    while (!doc.empty() && !sentence.ends_with('.')) {
-        std::string_view line = doc.substr(0, doc.find('\n'));
-        doc.remove_prefix(std::min(line.size() + 1, doc.size()));
-        if (const std::size_t marker = line.find("///"); marker != std::string_view::npos)
-            line.remove_prefix(marker + 3);
-        if (sentence.empty()) line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
-        sentence += line;
-    }
-    return sentence;
-}
-
-const Emitter::Instance& Emitter::instantiate(const FunctionDecl& function, const Declarations& home,
-                                              std::span<const Argument> arguments, unsigned width, bool half,
-                                              Span call_span) {
-    InstanceKey key{.function = &function, .width = width, .half = half, .constants = {}};
-    std::string name(function.name);
-    for (std::size_t i = 0; i < function.params.size(); ++i) {
-        const ParamDecl& param = function.params[i];
-        if (!param.is_const) continue;
-        key.constants.push_back(std::bit_cast<std::uint64_t>(*arguments[i].constant));
-        if (const EnumDecl* enumeration = home.enumeration(param.type.name)) {
-            name += enumeration->values[static_cast<std::size_t>(*arguments[i].constant)];
-        }
-    }
-    if (half && !function.attribute("foreign")) name += "_half";  // that is known by one name
-    if (const auto found = instances_.find(key); found != instances_.end()) {
-        if (found->second.is_passing) answers_for_now();
-        return found->second;
-    }
-    if (std::find(active_.begin(), active_.end(), &function) != active_.end() || active_.size() >= kMaxCallDepth) {
-        std::string chain;
-        for (const FunctionDecl* caller : active_) chain += fmt::format("{} > ", caller->name);
-        diagnostics_.report(Code::Recursion, call_span, chain + std::string(function.name));
-        return instances_[key] = {.id = {}, .result = Type::error()};
-    }
-    active_.push_back(&function);
-    const unsigned answers = passing_answers_;
-    Instance made = emit_function(function, home, arguments, width, half, std::move(name));
-    made.is_passing = passing_answers_ != answers;
-    active_.pop_back();
-    return instances_[key] = made;
-}
-
-void Emitter::forget_answers() {
-    std::erase_if(instances_, [](const auto& entry) { return entry.second.is_passing; });
-}
-
-Emitter::Instance Emitter::emit_function(const FunctionDecl& function, const Declarations& home,
-                                         std::span<const Argument> arguments, unsigned width, bool half,
-                                         std::string name) {
+Instance emit_function(Emitter& emitter, const FunctionDecl& function, const Declarations& home,
+                       std::span<const Argument> arguments, unsigned width, bool half, std::string name) {
     Instance instance;
-    const std::size_t errors = diagnostics_.error_count();
+    const std::size_t errors = emitter.diagnostics.error_count();
     ir::Function made{};
     made.name = std::move(name);
-    made.comment = first_sentence(function.doc);
-    ir::Builder builder(module_, made, options_);
+    made.comment = nodelang::first_sentence(function.doc);
+    ir::Builder builder(emitter.module, made, emitter.options);
     Scope scope{.builder = &builder,
                 .declarations = &home,
                 .generic_width = width,
@@ -96,14 +37,14 @@ Emitter::Instance Emitter::emit_function(const FunctionDecl& function, const Dec
     made.params.reserve(function.params.size());
     Outputs outputs{.names = {}, .has_primary = function.result.name != "void"};
     std::vector<ir::Member> members;
-    const Type primary_type = type(function.result, scope);
+    const Type primary_type = type(emitter, function.result, scope);
     if (outputs.has_primary) {
         outputs.names.push_back("out");
         members.push_back({"value", primary_type});
     }
     for (std::size_t i = 0; i < function.params.size(); ++i) {
         const ParamDecl& param = function.params[i];
-        const Type param_type = type(param.type, scope);
+        const Type param_type = type(emitter, param.type, scope);
         if (param_type.is_error()) return {.id = {}, .result = Type::error()};
         Local local{.name = param.name, .value = {}, .is_const = param.is_const, .constant = {}};
         if (param.is_out) {
@@ -125,9 +66,9 @@ Emitter::Instance Emitter::emit_function(const FunctionDecl& function, const Dec
     if (members.size() == 1 && outputs.has_primary) {
         instance.result = primary_type;
     } else {
-        module_.structs.push_back({.name = made.name + "Result", .members = std::move(members)});
-        instance.result = Type::structure(static_cast<std::uint32_t>(module_.structs.size() - 1));
-        instance.outputs = intern(std::move(outputs));
+        emitter.module.structs.push_back({.name = made.name + "Result", .members = std::move(members)});
+        instance.result = Type::structure(static_cast<std::uint32_t>(emitter.module.structs.size() - 1));
+        instance.outputs = keep(emitter, std::move(outputs));
     }
     scope.result = instance.result;
     made.result = instance.result;
@@ -136,59 +77,39 @@ Emitter::Instance Emitter::emit_function(const FunctionDecl& function, const Dec
         made.spelling = attribute_text(*foreign);
         made.is_of_object = function.attribute("per_object") != nullptr;
         builder.ret(builder.zero(made.result));
-        module_.functions.push_back(std::move(made));
-        instance.id = {static_cast<std::uint32_t>(module_.functions.size() - 1)};
+        emitter.module.functions.push_back(std::move(made));
+        instance.id = {static_cast<std::uint32_t>(emitter.module.functions.size() - 1)};
         return instance;
     }
     Value returned;
-    const bool returns = statements(body_of(function, diagnostics_), 0, scope, returned);
-    if (diagnostics_.error_count() != errors) return {.id = {}, .result = Type::error()};
+    const bool returns = statements(emitter, sound_body_of(emitter, function), 0, scope, returned);
+    if (emitter.diagnostics.error_count() != errors) return {.id = {}, .result = Type::error()};
     instance.rounds = scope.rounds;
     if (!returns) {
         if (function.result.name != "void") {
-            diagnostics_.report(Code::MissingReturn, function.name_span, function.name);
+            emitter.diagnostics.report(Code::MissingReturn, function.name_span, function.name);
             return {.id = {}, .result = Type::error()};
         }
-        returned = return_value(nullptr, scope);
+        returned = return_value(emitter, nullptr, scope);
     }
     builder.ret(returned);
-    module_.functions.push_back(std::move(made));
-    instance.id = {static_cast<std::uint32_t>(module_.functions.size() - 1)};
+    emitter.module.functions.push_back(std::move(made));
+    instance.id = {static_cast<std::uint32_t>(emitter.module.functions.size() - 1)};
     return instance;
 }
 
-ir::FunctionId Emitter::plain_function(const FunctionDecl& function, const Declarations& home) {
-    const std::vector<Argument> arguments(function.params.size());
-    const Instance made = emit_function(function, home, arguments, 0, false, std::string(function.name));
-    if (made.id) module_[made.id].always_inline = true;
-    return made.id;
-}
-
-ir::FunctionId Emitter::semantic_function(const FunctionDecl& function, const Declarations& home,
-                                          Environment& environment, bool in_vertex_stage, bool* needs_quad) {
-    Scope scope{.declarations = &home, .function = &function};
-    scope.in_vertex_stage = in_vertex_stage;
-    return outer_function(function, home, environment, std::move(scope), false, needs_quad);
-}
-
-ir::FunctionId Emitter::given_function(const FunctionDecl& function, const Declarations& home, Environment& environment,
-                                       bool half) {
-    return outer_function(function, home, environment, {.declarations = &home, .half = half, .function = &function},
-                          true, nullptr);
-}
-
 // A function that can read semantics: they are the defaults of its parameters.
-ir::FunctionId Emitter::outer_function(const FunctionDecl& function, const Declarations& home, Environment& environment,
-                                       Scope scope, bool may_take, bool* needs_quad) {
+ir::FunctionId outer_function(Emitter& emitter, const FunctionDecl& function, const Declarations& home,
+                              Environment& environment, Scope scope, bool may_take, bool* needs_quad) {
     ir::Function made{};
     made.name = function.name;
     made.always_inline = true;
-    ir::Builder builder(module_, made, options_);
+    ir::Builder builder(emitter.module, made, emitter.options);
     bool quad = false;
     scope.builder = &builder;
     scope.needs_quad = &quad;
     for (const ParamDecl& param : function.params) {
-        const Type param_type = type(param.type, scope);
+        const Type param_type = type(emitter, param.type, scope);
         if (!param.initial && may_take) {
             made.params.push_back({std::string(param.name), param_type, ir::Rate::Pixel});
             const Value value = builder.param(static_cast<std::uint32_t>(made.params.size() - 1));
@@ -197,7 +118,7 @@ ir::FunctionId Emitter::outer_function(const FunctionDecl& function, const Decla
             continue;
         }
         if (!param.initial) {
-            diagnostics_.report(Code::MissingInput, param.span, function.name, param.name)
+            emitter.diagnostics.report(Code::MissingInput, param.span, function.name, param.name)
                 .note(
                     "nothing calls it with arguments: the default of a parameter is a semantic that it reads, "
                     "'float3 position = position_ws'");
@@ -205,51 +126,104 @@ ir::FunctionId Emitter::outer_function(const FunctionDecl& function, const Decla
         }
         Scope outside{.builder = &builder, .declarations = &home, .environment = &environment};
         outside.in_vertex_stage = scope.in_vertex_stage;
-        const Typed value = convert(default_value(*param.initial, home, outside, param_type), param_type, outside,
-                                    param.initial->span, "the default");
+        const Typed value = convert(emitter, default_value(emitter, *param.initial, home, outside, param_type),
+                                    param_type, outside, param.initial->span, "the default");
         if (!value.ok()) return {};
         scope.locals.push_back({.name = param.name, .value = value, .is_const = false, .constant = {}});
-        if (param.is_const) scope.locals.back().constant = constant_value(*param.initial, outside);
+        if (param.is_const) scope.locals.back().constant = constant_value(emitter.known, *param.initial, outside);
     }
     const bool is_void = function.result.name == "void";
-    if (is_void) module_.structs.push_back({.name = made.name + "Result", .members = {}});
-    made.result = scope.result = is_void ? Type::structure(static_cast<std::uint32_t>(module_.structs.size() - 1))
-                                         : type(function.result, scope);
+    if (is_void) emitter.module.structs.push_back({.name = made.name + "Result", .members = {}});
+    made.result = scope.result = is_void
+                                     ? Type::structure(static_cast<std::uint32_t>(emitter.module.structs.size() - 1))
+                                     : type(emitter, function.result, scope);
     Value returned;
-    const std::size_t errors = diagnostics_.error_count();
-    active_.push_back(&function);
-    const bool returns = statements(body_of(function, diagnostics_), 0, scope, returned);
-    active_.pop_back();
-    if (diagnostics_.error_count() != errors) return {};
+    const std::size_t errors = emitter.diagnostics.error_count();
+    emitter.active.push_back(&function);
+    const bool returns = statements(emitter, sound_body_of(emitter, function), 0, scope, returned);
+    emitter.active.pop_back();
+    if (emitter.diagnostics.error_count() != errors) return {};
     if (!returns && !is_void) {
-        diagnostics_.report(Code::MissingReturn, function.name_span, function.name);
+        emitter.diagnostics.report(Code::MissingReturn, function.name_span, function.name);
         return {};
     }
-    if (!returns) returned = return_value(nullptr, scope);
+    if (!returns) returned = return_value(emitter, nullptr, scope);
     builder.ret(returned);
     if (needs_quad) *needs_quad = quad;
-    module_.functions.push_back(std::move(made));
-    return {static_cast<std::uint32_t>(module_.functions.size() - 1)};
+    emitter.module.functions.push_back(std::move(made));
+    return {static_cast<std::uint32_t>(emitter.module.functions.size() - 1)};
 }
 
-std::vector<InstanceInfo> Emitter::instances_of(const FunctionDecl& function) const {
-    std::vector<InstanceInfo> made;
-    for (const auto& [key, instance] : instances_) {
-        if (key.function == &function && instance.id) made.push_back({.id = instance.id, .half = key.half});
+// The author's name, and after it the words that were chosen for drop-downs and the precision.
+std::string instance_name(const FunctionDecl& function, const Declarations& home, std::span<const Argument> arguments,
+                          bool half) {
+    std::string name(function.name);
+    for (std::size_t i = 0; i < function.params.size(); ++i) {
+        const ParamDecl& param = function.params[i];
+        const EnumDecl* enumeration = param.is_const ? home.enumeration(param.type.name) : nullptr;
+        if (enumeration) name += enumeration->values[static_cast<std::size_t>(*arguments[i].constant)];
     }
-    return made;
+    // A foreign function is known by one name.
+    if (half && !function.attribute("foreign")) name += "_half";
+    return name;
 }
 
-const Slot* Emitter::find_slot(std::string_view name) const {
-    const auto found = slots_.find(std::string(name));
-    return found == slots_.end() ? nullptr : &found->second;
-}
+}  // namespace
 
-std::string_view Emitter::slot_name(ir::FunctionId function) const {
-    for (const auto& [name, slot] : slots_) {
-        if (slot.function == function) return name;
+const Statements& sound_body_of(Emitter& emitter, const FunctionDecl& function) {
+    const Diagnostics* errors = nodelang::body_errors(function);
+    if (errors && errors->has_errors()) {
+        emitter.diagnostics.report(Code::Internal, function.name_span,
+                                   fmt::format("the body of '{}' is wrong", function.name));
     }
-    return {};
+    return nodelang::body_of(function);
 }
 
-}  // namespace patina::nodelang
+const Instance& instantiate(Emitter& emitter, const FunctionDecl& function, const Declarations& home,
+                            std::span<const Argument> arguments, unsigned width, bool half, Span call_span) {
+    InstanceKey key{.function = &function, .width = width, .half = half};
+    for (std::size_t i = 0; i < function.params.size(); ++i) {
+        if (function.params[i].is_const) key.constants.push_back(std::bit_cast<std::uint64_t>(*arguments[i].constant));
+    }
+    if (const Instance* made = emitter.instances.find(key)) return *made;
+    if (std::find(emitter.active.begin(), emitter.active.end(), &function) != emitter.active.end() ||
+        emitter.active.size() >= kMaxCallDepth) {
+        std::string chain;
+        for (const FunctionDecl* caller : emitter.active) chain += fmt::format("{} > ", caller->name);
+        emitter.diagnostics.report(Code::Recursion, call_span, chain + std::string(function.name));
+        return emitter.instances.add(key, {.id = {}, .result = Type::error()});
+    }
+    emitter.active.push_back(&function);
+    const unsigned answers = emitter.instances.passing_answers();
+    Instance made =
+        emit_function(emitter, function, home, arguments, width, half, instance_name(function, home, arguments, half));
+    made.is_passing = emitter.instances.passing_answers() != answers;
+    emitter.active.pop_back();
+    return emitter.instances.add(key, made);
+}
+
+ir::FunctionId plain_function(Emitter& emitter, const FunctionDecl& function, const Declarations& home) {
+    const std::vector<Argument> arguments(function.params.size());
+    const Instance made = emit_function(emitter, function, home, arguments, 0, false, std::string(function.name));
+    if (made.id) emitter.module[made.id].always_inline = true;
+    return made.id;
+}
+
+ir::FunctionId semantic_function(Emitter& emitter, const FunctionDecl& function, const Declarations& home,
+                                 Environment& environment, bool in_vertex_stage, bool* needs_quad) {
+    Scope scope{.declarations = &home, .function = &function};
+    scope.in_vertex_stage = in_vertex_stage;
+    return outer_function(emitter, function, home, environment, std::move(scope), false, needs_quad);
+}
+
+ir::FunctionId given_function(Emitter& emitter, const FunctionDecl& function, const Declarations& home,
+                              Environment& environment, bool half) {
+    return outer_function(emitter, function, home, environment,
+                          {.declarations = &home, .half = half, .function = &function}, true, nullptr);
+}
+
+const Outputs* keep(Emitter& emitter, Outputs outputs) {
+    return &emitter.outputs.emplace_back(std::move(outputs));
+}
+
+}  // namespace patina::emit

@@ -1,17 +1,18 @@
-// Operators: what joins two operands, and to which type.
+// Operators: which operands each one takes, and the type of the result.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "compiler/base/text.h"
-#include "compiler/emit/emit.h"
+#include "compiler/emit/constant_value.h"
+#include "compiler/emit/conversion.h"
+#include "compiler/emit/operations.h"
 
-namespace patina::nodelang {
+namespace patina::emit {
 
 using ir::Op;
 using ir::Scalar;
 using ir::Type;
-using ir::Value;
 
 namespace {
 
@@ -41,102 +42,31 @@ constexpr BinaryOperator kBinaryOperators[] = {
     {">>", Op::ShiftRight, BinaryOperator::On::Integers},
 };
 
+// One side of == whose other side is an enum: a bare word is one of its values.
+Typed enum_operand(Emitter& emitter, const Expr& expr, const std::vector<std::string_view>& enumerators, Scope& scope) {
+    if (expr.kind == Expr::Kind::Name) {
+        const auto found = std::find(enumerators.begin(), enumerators.end(), expr.text);
+        if (found == enumerators.end()) {
+            emitter.diagnostics.report(Code::UnknownEnumerator, expr.span, expr.text, "this enumeration")
+                .note(Diagnostics::suggestion(expr.text, enumerators));
+            return {};
+        }
+        return {.value = scope.builder->constant(ir::kInt, {static_cast<double>(found - enumerators.begin())}),
+                .type = ir::kInt};
+    }
+    return primary(emitter, expression(emitter, expr, scope), scope, expr.span);
+}
+
 }  // namespace
 
-bool joins(Scalar a, Scalar b) {
-    return a == b || (a == Scalar::Half && b == Scalar::Float) || (a == Scalar::Float && b == Scalar::Half);
-}
-
-std::string_view swizzle_prefix(unsigned width) {
-    return std::string_view("xyzw").substr(0, width);
-}
-
-Typed Emitter::literal_as(Typed value, Scalar scalar, Scope& scope, Span span) {
-    const std::span<const double> number = scope.builder->constant_of(value.value);
-    const Type type = value.type.with_scalar(scalar);
-    if (scalar == Scalar::Half && !number.empty() && std::abs(number[0]) >= kHalfLimit) {
-        diagnostics_.report(Code::BadNumber, span, shortest(number[0]), "16-bit half");
-    }
-    if (number.empty()) return {.value = scope.builder->convert(value.value, scalar), .type = type, .literal = true};
-    return {.value = scope.builder->constant(type, number), .type = type, .literal = true};
-}
-
-// Brings operands to one type: literals adapt, half joins float, scalars splat. Reports what cannot be joined.
-bool Emitter::unify(std::span<Typed> operands, Scope& scope, Span span, std::string_view op) {
-    for (const Typed& operand : operands) {
-        if (!operand.ok()) return false;
-        if (!operand.type.is_numeric()) {
-            diagnostics_.report(Code::BadOperand, span, op, module_.type_name(operand.type));
-            return false;
-        }
-    }
-    const auto firm = std::find_if(operands.begin(), operands.end(), [](const Typed& t) { return !t.literal; });
-    Scalar scalar = firm != operands.end() ? firm->type.scalar : operands[0].type.scalar;
-    bool any_matrix = false;
-    for (const Typed& operand : operands) {
-        const bool is_real = joins(operand.type.scalar, Scalar::Float);
-        if (is_real && !joins(scalar, Scalar::Float) && firm == operands.end()) scalar = operand.type.scalar;
-        if (operand.type.scalar == Scalar::Float && joins(scalar, Scalar::Float) && !operand.literal) {
-            scalar = Scalar::Float;
-        }
-        // A fraction cannot become an int: let the clash below name the types.
-        any_matrix = any_matrix || operand.type.is_matrix();
-    }
-    unsigned width = 1;
-    for (Typed& operand : operands) {
-        if (operand.literal && operand.type.scalar != scalar && scalar != Scalar::Bool) {
-            const std::span<const double> number = scope.builder->constant_of(operand.value);
-            const bool whole = !number.empty() && number[0] == std::floor(number[0]);
-            if (operand.type.scalar == Scalar::Int || scalar == Scalar::Half || scalar == Scalar::Float ||
-                (whole && operand.type.scalar == Scalar::Int)) {
-                operand = literal_as(operand, scalar, scope, span);
-            }
-        }
-        width = std::max(width, operand.type.is_matrix() ? 1 : operand.type.width());
-    }
-    for (Typed& operand : operands) {
-        const bool same_kind = joins(operand.type.scalar, scalar);
-        const bool same_shape =
-            any_matrix ? operand.type == operands[0].type : operand.type.is_scalar() || operand.type.width() == width;
-        if (same_kind && same_shape) {
-            if (operand.type.scalar != scalar) {
-                operand.value = scope.builder->convert(operand.value, scalar);
-                operand.type = operand.type.with_scalar(scalar);
-            }
-            if (operand.type.is_scalar() && width > 1) {
-                operand.value = scope.builder->splat(operand.value, width);
-                operand.type = operand.type.with_width(width);
-            }
-            continue;
-        }
-        const Typed& other = &operand == &operands[0] ? operands[1] : operands[0];
-        DiagnosticRecord& record =
-            diagnostics_.report(Code::BadOperands, span, op, module_.type_name(operands[0].type),
-                                module_.type_name((&operand == &operands[0] ? other : operand).type));
-        if (!same_kind && operand.type.is_bool() != other.type.is_bool()) {
-            record.note("write '... ? 1 : 0' to make a number of a bool");
-        } else if (!same_kind && operand.type.is_integer() != other.type.is_integer()) {
-            record.note("write float(...) around the whole number, or int(...) around the other");
-        } else if (!same_shape && !any_matrix) {
-            unsigned narrow = width;
-            for (const Typed& t : operands) {
-                if (!t.type.is_scalar()) narrow = std::min(narrow, t.type.width());
-            }
-            record.note(fmt::format("write .{} on the wider one", swizzle_prefix(narrow)));
-        }
-        return false;
-    }
-    return true;
-}
-
-Typed Emitter::unary(const Expr& expr, Scope& scope) {
-    Typed operand = primary(expression(*expr.args[0], scope), scope, expr.args[0]->span);
+Typed unary(Emitter& emitter, const Expr& expr, Scope& scope) {
+    Typed operand = primary(emitter, expression(emitter, *expr.args[0], scope), scope, expr.args[0]->span);
     if (!operand.ok() || expr.text == "+") return operand;
     const bool good = expr.text == "!"   ? operand.type.is_bool()
                       : expr.text == "~" ? operand.type.is_integer()
                                          : operand.type.is_numeric() && !operand.type.is_bool();
     if (!good) {
-        diagnostics_.report(Code::BadOperand, expr.name_span, expr.text, module_.type_name(operand.type));
+        emitter.diagnostics.report(Code::BadOperand, expr.name_span, expr.text, emitter.module.type_name(operand.type));
         return {};
     }
     if (operand.literal && expr.text == "-") {
@@ -147,22 +77,7 @@ Typed Emitter::unary(const Expr& expr, Scope& scope) {
     return {.value = scope.builder->emit(op, operand.type, {operand.value}), .type = operand.type};
 }
 
-// One side of == whose other side is an enum: a bare word is one of its values.
-Typed Emitter::enum_operand(const Expr& expr, const std::vector<std::string_view>& enumerators, Scope& scope) {
-    if (expr.kind == Expr::Kind::Name) {
-        const auto found = std::find(enumerators.begin(), enumerators.end(), expr.text);
-        if (found == enumerators.end()) {
-            diagnostics_.report(Code::UnknownEnumerator, expr.span, expr.text, "this enumeration")
-                .note(Diagnostics::suggestion(expr.text, enumerators));
-            return {};
-        }
-        return {.value = scope.builder->constant(ir::kInt, {static_cast<double>(found - enumerators.begin())}),
-                .type = ir::kInt};
-    }
-    return primary(expression(expr, scope), scope, expr.span);
-}
-
-Typed Emitter::binary(const Expr& expr, Scope& scope) {
+Typed binary(Emitter& emitter, const Expr& expr, Scope& scope) {
     const auto row = std::find_if(std::begin(kBinaryOperators), std::end(kBinaryOperators),
                                   [&](const BinaryOperator& o) { return o.text == expr.text; });
     std::array<Typed, 2> sides;
@@ -176,19 +91,21 @@ Typed Emitter::binary(const Expr& expr, Scope& scope) {
                                 [&](const Local& l) { return l.name == e.text && l.value.enumerators; }));
         };
         const std::size_t lead = !is_enum_local(*expr.args[0]) && is_enum_local(*expr.args[1]) ? 1 : 0;
-        sides[lead] = primary(expression(*expr.args[lead], scope), scope, expr.args[lead]->span);
+        sides[lead] = primary(emitter, expression(emitter, *expr.args[lead], scope), scope, expr.args[lead]->span);
         const Expr& other = *expr.args[1 - lead];
-        sides[1 - lead] = sides[lead].enumerators ? enum_operand(other, *sides[lead].enumerators, scope)
-                                                  : primary(expression(other, scope), scope, other.span);
+        sides[1 - lead] = sides[lead].enumerators
+                              ? enum_operand(emitter, other, *sides[lead].enumerators, scope)
+                              : primary(emitter, expression(emitter, other, scope), scope, other.span);
         const auto *a = sides[0].enumerators, *b = sides[1].enumerators;
         if (a && b && *a != *b) {
-            diagnostics_.report(Code::TypeMismatch, expr.args[1]->span, "the right side",
-                                fmt::format("one of {}", enumerate(*b)), fmt::format("one of {}", enumerate(*a)));
+            emitter.diagnostics.report(Code::TypeMismatch, expr.args[1]->span, "the right side",
+                                       fmt::format("one of {}", enumerate(*b)),
+                                       fmt::format("one of {}", enumerate(*a)));
             return {};
         }
     } else {
         for (std::size_t i : {0u, 1u}) {
-            sides[i] = primary(expression(*expr.args[i], scope), scope, expr.args[i]->span);
+            sides[i] = primary(emitter, expression(emitter, *expr.args[i], scope), scope, expr.args[i]->span);
         }
     }
     const bool literal = sides[0].literal && sides[1].literal;
@@ -196,31 +113,33 @@ Typed Emitter::binary(const Expr& expr, Scope& scope) {
     if (literal && row->op == Op::Div) {
         for (Typed& side : sides) {
             if (side.type.is_integer())
-                side = literal_as(side, scope.half ? Scalar::Half : Scalar::Float, scope, expr.span);
+                side = literal_as(emitter, side, scope.half ? Scalar::Half : Scalar::Float, scope, expr.span);
         }
     }
-    if (!unify(sides, scope, expr.name_span, expr.text)) return {};
+    if (!unify(emitter, sides, scope, expr.name_span, expr.text)) return {};
     const Type type = sides[0].type;
     const bool good = row->on == BinaryOperator::On::Bools      ? type.is_bool()
                       : row->on == BinaryOperator::On::Integers ? type.is_integer()
                       : equality                                ? true
                                                                 : !type.is_bool();
     if (!good || (type.is_matrix() && row->op != Op::Add && row->op != Op::Sub)) {
-        DiagnosticRecord& record = diagnostics_.report(Code::BadOperands, expr.name_span, expr.text,
-                                                       module_.type_name(type), module_.type_name(type));
+        DiagnosticRecord& record =
+            emitter.diagnostics.report(Code::BadOperands, expr.name_span, expr.text, emitter.module.type_name(type),
+                                       emitter.module.type_name(type));
         if (type.is_matrix()) record.note("matrices are multiplied by mul(a, b)");
         if (type.is_bool()) record.note("write 'condition ? 1 : 0' to make a number of a bool");
         return {};
     }
     if (row->op == Op::Div && scope.builder->is_constant(sides[1].value, 0)) {
-        diagnostics_.report(Code::DivisionByZero, expr.args[1]->span);
+        emitter.diagnostics.report(Code::DivisionByZero, expr.args[1]->span);
     } else {
-        warn_unless_finite(row->op, type, std::array{sides[0].value, sides[1].value}, scope, expr.span, expr.text);
+        warn_unless_finite(emitter, row->op, type, std::array{sides[0].value, sides[1].value}, scope, expr.span,
+                           expr.text);
     }
     const bool compares = ir::info(row->op).rule == ir::TypeRule::Compare;
     // Arithmetic of literals is a literal: it still becomes whatever number is needed.
     if (literal && !compares) {
-        if (const std::optional<double> known = constant_value(expr, scope)) {
+        if (const std::optional<double> known = constant_value(emitter.known, expr, scope)) {
             return {.value = scope.builder->constant(type, {*known}), .type = type, .literal = true};
         }
     }
@@ -228,14 +147,14 @@ Typed Emitter::binary(const Expr& expr, Scope& scope) {
     return {.value = scope.builder->emit(row->op, result, {sides[0].value, sides[1].value}), .type = result};
 }
 
-Typed Emitter::ternary(const Expr& expr, Scope& scope) {
-    if (const std::optional<double> known = constant_value(*expr.args[0], scope)) {
-        return expression(*expr.args[*known != 0 ? 1 : 2], scope);
+Typed ternary(Emitter& emitter, const Expr& expr, Scope& scope) {
+    if (const std::optional<double> known = constant_value(emitter.known, *expr.args[0], scope)) {
+        return expression(emitter, *expr.args[*known != 0 ? 1 : 2], scope);
     }
-    const Typed condition = primary(expression(*expr.args[0], scope), scope, expr.args[0]->span);
+    const Typed condition = primary(emitter, expression(emitter, *expr.args[0], scope), scope, expr.args[0]->span);
     std::array<Typed, 2> branches;
     for (std::size_t i : {0u, 1u}) {
-        branches[i] = primary(expression(*expr.args[i + 1], scope), scope, expr.args[i + 1]->span);
+        branches[i] = primary(emitter, expression(emitter, *expr.args[i + 1], scope), scope, expr.args[i + 1]->span);
     }
     if (!condition.ok()) return {};
     if (branches[0].ok() && branches[0].type == branches[1].type && branches[0].type.kind == ir::Kind::Struct) {
@@ -243,21 +162,21 @@ Typed Emitter::ternary(const Expr& expr, Scope& scope) {
                                              {condition.value, branches[0].value, branches[1].value}),
                 .type = branches[0].type};
     }
-    if (!unify(branches, scope, expr.span, "?:")) return {};
+    if (!unify(emitter, branches, scope, expr.span, "?:")) return {};
     Type type = branches[0].type;
     if (!condition.type.is_bool() || (condition.type.is_vector() && condition.type.width() != type.width())) {
-        diagnostics_.report(Code::TypeMismatch, expr.args[0]->span, "the condition", module_.type_name(condition.type),
-                            "bool");
+        emitter.diagnostics.report(Code::TypeMismatch, expr.args[0]->span, "the condition",
+                                   emitter.module.type_name(condition.type), "bool");
         return {};
     }
     // Two whole literals have no context to adapt to; a select between them is a float, as a branch of a graph means.
     if (branches[0].literal && type.is_integer()) {
         for (Typed& branch : branches)
-            branch = literal_as(branch, scope.half ? Scalar::Half : Scalar::Float, scope, expr.span);
+            branch = literal_as(emitter, branch, scope.half ? Scalar::Half : Scalar::Float, scope, expr.span);
         type = branches[0].type;
     }
     return {.value = scope.builder->emit(Op::Select, type, {condition.value, branches[0].value, branches[1].value}),
             .type = type};
 }
 
-}  // namespace patina::nodelang
+}  // namespace patina::emit

@@ -103,33 +103,33 @@ void add_member(ir::UniformBlock& block, const ir::Module& module, std::string n
 namespace {
 
 // What included files declare, and in whose place it stands.
-void declare_foreign(const Stages& stages, const nodelang::Declarations& declarations, nodelang::Emitter& emitter) {
-    const nodelang::Scope scope{.declarations = &declarations};
+void declare_foreign(const Stages& stages, const nodelang::Declarations& declarations, emit::Emitter& emitter) {
+    const emit::Scope scope{.declarations = &declarations};
     for (const nodelang::VariableDecl* variable : stages.foreign) {
         const std::string_view spelling = nodelang::attribute_text(*variable->attribute("foreign"));
-        emitter.module().globals.push_back({.name = std::string(variable->name),
-                                            .type = emitter.type(variable->type, scope),
-                                            .set = kForeignSet,
-                                            .span = variable->span,
-                                            .spelling = std::string(spelling.empty() ? variable->name : spelling)});
-        emitter.set_extern(variable, {static_cast<std::uint32_t>(emitter.module().globals.size() - 1)});
+        emitter.module.globals.push_back({.name = std::string(variable->name),
+                                          .type = emit::type(emitter, variable->type, scope),
+                                          .set = kForeignSet,
+                                          .span = variable->span,
+                                          .spelling = std::string(spelling.empty() ? variable->name : spelling)});
+        emitter.known.externs[variable] = {static_cast<std::uint32_t>(emitter.module.globals.size() - 1)};
     }
     for (const GivenDecl& given : stages.given) {
         const nodelang::VariableDecl* replaced = given.variable ? declarations.variable(given.what) : nullptr;
         if (!replaced || !replaced->attribute("extern")) continue;
-        emitter.share_extern(replaced, given.variable);
+        emit::share_extern(emitter.known, *replaced, *given.variable);
         if (replaced->attribute("per_object"))
-            emitter.module().globals[emitter.extern_global(*given.variable)->index].is_of_object = true;
+            emitter.module.globals[emit::find_extern(emitter.known, *given.variable)->index].is_of_object = true;
     }
 }
 
 }  // namespace
 
-EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations& declarations,
-                             nodelang::Emitter& emitter, std::span<const std::string_view> on) {
+EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations& declarations, emit::Emitter& emitter,
+                             std::span<const std::string_view> on) {
     EngineGlobals made;
-    ir::Module& module = emitter.module();
-    const nodelang::Scope scope{.declarations = &declarations};
+    ir::Module& module = emitter.module;
+    const emit::Scope scope{.declarations = &declarations};
     std::uint32_t textures = 0, targets = 0;
     std::vector<const nodelang::VariableDecl*> externs = stages.externs;
     std::erase_if(externs, [&](const nodelang::VariableDecl* each) { return !is_wanted(*each, on); });
@@ -143,7 +143,7 @@ EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations&
             const std::uint32_t set = attribute ? kEngineSet : kTargetSet;
             std::uint32_t& slot = attribute ? textures : targets;
             const ir::GlobalId global = add_resource(module, texture, *kind, set, slot, variable.span);
-            emitter.set_extern(&variable, global);
+            emitter.known.externs[&variable] = global;
             if (const nodelang::Attribute* reads = variable.attribute("reads"))
                 made.reads[global.index] = nodelang::attribute_text(*reads);
             add_resource(module, texture + "_sampler", ir::Kind::Sampler, set, slot, variable.span);
@@ -161,16 +161,16 @@ EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations&
                                      .members = {}});
             block = module.blocks.end() - 1;
         }
-        const Type type = emitter.type(variable.type, scope);
+        const Type type = emit::type(emitter, variable.type, scope);
         const auto index = static_cast<std::uint32_t>(block - module.blocks.begin());
         const ir::GlobalId global = add_block_global(module, index, std::string(variable.name), type, variable.span);
-        emitter.set_extern(&variable, global);
+        emitter.known.externs[&variable] = global;
         if (variable.attribute("per_object")) made.per_object.insert(global.index);
     }
     declare_foreign(stages, declarations, emitter);
     for (const nodelang::VariableDecl* older : stages.repeated) {
         const nodelang::VariableDecl* newer = declarations.variable(older->name);
-        if (newer) emitter.share_extern(older, newer);
+        if (newer) emit::share_extern(emitter.known, *older, *newer);
     }
     return made;
 }

@@ -37,8 +37,8 @@ struct EngineGlobals {
     std::set<std::uint32_t> per_object;          // of the object that is drawn
     std::map<std::uint32_t, std::string> reads;  // textures that are targets of other passes
 };
-EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations& declarations,
-                             nodelang::Emitter& emitter, std::span<const std::string_view> on = {});
+EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations& declarations, emit::Emitter& emitter,
+                             std::span<const std::string_view> on = {});
 // One entry per Material::properties. `keep_variants`: those that nobody has chosen a value for are globals too, and
 // not constants. `instances`: the block of the properties that each instance has; nothing: the material's.
 std::vector<PropertyGlobals> declare_material(const Material& material, ir::Module& module, bool keep_variants,

@@ -11,7 +11,7 @@ namespace patina::graph {
 
 // A slot that is derived from others (lower_parts.cpp): made when a pass first asks for it.
 struct Part {
-    nodelang::Slot slot{};
+    emit::Slot slot{};
     std::string why_not{};       // it cannot be had
     ir::Origin where{};          // and this is in the way
     bool is_zero = false;        // always: the slot does not read what this is linear in
@@ -23,12 +23,12 @@ struct Lowering {
     Session& session;
     const Material& material;
     Lowered& out;
-    nodelang::Emitter emitter;
+    emit::Emitter emitter;
     std::deque<std::vector<std::string_view>> enumerators;  // of enum properties, by material property
     // Interpolators already made: id path -> first semantic and what the node's outputs are called.
     struct Interpolator {
         std::vector<ir::SemanticId> semantics;
-        const nodelang::Outputs* outputs = nullptr;
+        const emit::Outputs* outputs = nullptr;
     };
     std::map<std::string, Interpolator> interpolators;
     // Who asks for what the vertex stage computes: a node whose interpolator is being made, or an output of "vertex".
@@ -50,9 +50,9 @@ struct Lowering {
     bool is_packing(std::string_view slot) const;  // it stores and restores members, whatever reads them
 };
 
-class GraphScope : public nodelang::Environment {
+class GraphScope : public emit::Environment {
 public:
-    using Typed = nodelang::Typed;
+    using Typed = emit::Typed;
 
     GraphScope(Lowering& lowering, const CheckedGraph& graph, ir::Builder& builder, bool in_vertex_stage);
 
@@ -81,13 +81,13 @@ public:
     Typed value_as(const PortValue& port, ir::Type type, std::string_view what);
     Typed value_as(const nodelang::Expr& expr, ir::Type type, std::string_view what);
     Typed value(const nodelang::Expr& expr);
-    nodelang::Scope& scope() { return scope_; }
+    emit::Scope& scope() { return scope_; }
 
     // --- Environment
-    Typed name(const nodelang::Expr& expr, nodelang::Scope& scope) override;
-    Typed property(const nodelang::Expr& expr, nodelang::Scope& scope) override;
-    Typed semantic(std::string_view name, Span span, nodelang::Scope& scope) override;
-    Typed file(const nodelang::Expr& expr, nodelang::Scope& scope) override;
+    Typed name(const nodelang::Expr& expr, emit::Scope& scope) override;
+    Typed property(const nodelang::Expr& expr, emit::Scope& scope) override;
+    Typed semantic(std::string_view name, Span span, emit::Scope& scope) override;
+    Typed file(const nodelang::Expr& expr, emit::Scope& scope) override;
     bool hides(std::string_view name) const override { return graph_.by_id.contains(name); }
     void tell_reader(DiagnosticRecord& record) const override;
 
@@ -114,7 +114,7 @@ private:
 
     Lowering& lowering_;
     const CheckedGraph& graph_;
-    nodelang::Scope scope_;
+    emit::Scope scope_;
     bool needs_quad_ = false;
     std::vector<Typed> values_;
     std::vector<bool> emitted_;

@@ -24,8 +24,8 @@ public:
         if (!can_be_passed() || !lowering_.surface) return;
         add(lowering_.surface, "surface", "The surface as the graph describes it, in the words of its workflow.");
         for (const FunctionDecl* function : lowering_.session.stages->exports) {
-            const ir::FunctionId made =
-                lowering_.emitter.given_function(*function, *lowering_.session.declarations, environment_, false);
+            const ir::FunctionId made = emit::given_function(lowering_.emitter, *function,
+                                                             *lowering_.session.declarations, environment_, false);
             const nodelang::Attribute& name = *function->attribute("export");
             if (made) add(made, nodelang::attribute_text(name), nodelang::first_sentence(function->doc));
         }
@@ -74,7 +74,7 @@ private:
     void leave_to_engine() {
         for (const FunctionDecl& function : lowering_.session.library.ast.functions) {
             if (!function.attribute("extern")) continue;
-            for (const nodelang::InstanceInfo& instance : lowering_.emitter.instances_of(function)) {
+            for (const emit::InstanceInfo& instance : lowering_.emitter.instances.of(function)) {
                 ir::Function made{};
                 made.name = module_[instance.id].name;
                 made.comment = module_[instance.id].comment;

@@ -162,7 +162,7 @@ void tell_texts(Lowering& lowering) {
     Diagnostics said;  // when the file was read
     for (const nodelang::FunctionDecl& function : lowering.session.pass_file->ast.functions) {
         if (!function.attribute("foreign")) continue;
-        for (const nodelang::InstanceInfo& instance : lowering.emitter.instances_of(function))
+        for (const emit::InstanceInfo& instance : lowering.emitter.instances.of(function))
             lowering.out.module[instance.id].texts = texts_of(function.attributes, said);
     }
     // What a decoder asks for is asked for where its follower is called.

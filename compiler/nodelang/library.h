@@ -35,4 +35,7 @@ void index_declarations(const Ast& ast, Declarations& into, Diagnostics& diagnos
 // The text of attribute argument `index` (a string or a bare word), or empty.
 std::string_view attribute_text(const Attribute& attribute, std::size_t index = 0);
 
+// The first sentence of a declaration's comment, without the slashes and on one line.
+std::string first_sentence(std::string_view doc);
+
 }  // namespace patina::nodelang
