@@ -49,6 +49,18 @@ foreach(folder IN ITEMS base json ir nodelang emit paths format resolve lower la
   endforeach()
 endforeach()
 
+# A pass does not edit instructions in place (compiler/ir/ir.h): none of its files has a reference to an instruction, or
+# to the instructions of a block, that it may write through.
+file(GLOB files ${ROOT}/compiler/ir/passes/*.h ${ROOT}/compiler/ir/passes/*.cpp)
+foreach(file IN LISTS files)
+  file(STRINGS ${file} edits REGEX "(^|[( ])Inst& |vector<(Value|Inst)>& [a-z_]+ = .*insts;|insts\\.(insert|erase|push_back)|insts\\[[a-z_.]+\\]\\.[a-z_]+ = ")
+  list(FILTER edits EXCLUDE REGEX "const (Inst|std::vector<(Value|Inst)>)&")
+  file(RELATIVE_PATH name ${ROOT} ${file})
+  foreach(edit IN LISTS edits)
+    string(APPEND breaches "${name} edits a function in place: ${edit}\n")
+  endforeach()
+endforeach()
+
 # The runtime uses the public headers only.
 file(GLOB_RECURSE files ${ROOT}/runtime/*.h ${ROOT}/runtime/*.cpp)
 foreach(file IN LISTS files)
