@@ -11,7 +11,7 @@ using ir::Type;
 
 namespace {
 
-// In a parameter's default a bare name is a semantic.
+// In the default of a parameter, a name alone is a semantic.
 class DefaultEnvironment : public Environment {
 public:
     explicit DefaultEnvironment(Environment& outer) : outer_(outer) {}
@@ -27,7 +27,7 @@ private:
     Environment& outer_;
 };
 
-// A property at a port that is chosen from a list: each of its values must be one of the port's.
+// A property is the value of a drop-down port: each value of the property must be one of the port's.
 Argument choosing_argument(Emitter& emitter, const ParamDecl& param, const EnumDecl* enumeration, const Expr& expr,
                            Scope& scope) {
     const Typed value = expression(emitter, expr, scope);
@@ -66,7 +66,7 @@ Argument const_argument(Emitter& emitter, const ParamDecl& param, const Declarat
         if (expr.kind == Expr::Kind::Name && found != enumeration->values.end()) {
             return {.value = {}, .constant = static_cast<double>(found - enumeration->values.begin())};
         }
-        // A const parameter of the same enumeration may be handed on.
+        // A const parameter of the calling function may be the argument.
         for (const Local& local : scope.locals) {
             if (expr.kind == Expr::Kind::Name && local.name == expr.text && local.constant) {
                 return {.value = {}, .constant = local.constant};
@@ -134,7 +134,7 @@ bool gather_arguments(Emitter& emitter, const FunctionDecl& function, const Decl
     return good;
 }
 
-// floatN: the widest vector, but float3 where a float4 and a float3 meet.
+// The width of the widest vector; but 3 if there is a float4 and a float3.
 unsigned deduce_width(const FunctionDecl& function, std::span<const Argument> arguments) {
     unsigned widest = 1, narrowest = 4;
     bool generic = false;

@@ -15,7 +15,7 @@ using ir::Value;
 
 namespace {
 
-// Puts a value where the target says, rebuilding the aggregates on the way to the variable.
+// Assigns to a variable or to a part of it; the composites between the part and the variable are made anew.
 bool store(Emitter& emitter, const Expr& target, Typed value, Scope& scope) {
     ir::Builder& b = *scope.builder;
     if (target.kind == Expr::Kind::Name) {
@@ -37,7 +37,7 @@ bool store(Emitter& emitter, const Expr& target, Typed value, Scope& scope) {
             emitter.diagnostics.report(Code::NotAssignable, target.span, fmt::format("'{}'", target.text))
                 .note("it is a constant");
         } else {
-            (void)expression(emitter, target, scope);  // there is no such variable: says so
+            (void)expression(emitter, target, scope);  // reports that there is no such variable
         }
         return false;
     }

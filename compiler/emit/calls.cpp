@@ -23,7 +23,7 @@ bool takes_texture(const FunctionDecl& function) {
                        [](const ParamDecl& param) { return param.type.name.starts_with("Texture"); });
 }
 
-// choices[chooser], part by part where they have parts.
+// choices[chooser]; structs are chosen member by member.
 Typed choose(Emitter& emitter, Value chooser, std::span<const Typed> choices, Scope& scope) {
     ir::Builder& b = *scope.builder;
     const bool is_bool = b.type(chooser) == ir::kBool;
@@ -51,8 +51,8 @@ Typed choose(Emitter& emitter, Value chooser, std::span<const Typed> choices, Sc
     return result;
 }
 
-// The body in the place of the call: what a pass is made of should read as one text. Such functions have one result and
-// no const parameters.
+// Emits the body in the place of the call, for functions marked [inline], so that a pass reads as one text. Such
+// functions have one result and no const parameters.
 Typed spelled_out(Emitter& emitter, const FunctionDecl& function, std::span<const Value> arguments, const Scope& border,
                   Scope& scope, Span span) {
     if (std::find(emitter.active.begin(), emitter.active.end(), &function) != emitter.active.end()) {
@@ -83,7 +83,8 @@ Typed spelled_out(Emitter& emitter, const FunctionDecl& function, std::span<cons
     return {.value = returned, .type = inner.result};
 }
 
-// A const parameter whose value is known only later is a call for each of its values, and a choice between them.
+// If the value of a const parameter is known only when the shader runs, emits a call for each value and chooses between
+// the results.
 Typed call_gathered(Emitter& emitter, const FunctionDecl& function, const Declarations& home,
                     std::span<const Expr* const> arguments, std::vector<Argument>& gathered, Scope& scope, Span span,
                     bool half) {

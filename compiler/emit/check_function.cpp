@@ -1,4 +1,4 @@
-// A function on its own: each of its forms is emitted, so that an error is found where nothing calls it.
+// Checks a function that nothing may call: emits each of its forms, and so reports its errors.
 #include <algorithm>
 
 #include "compiler/emit/arguments.h"
@@ -14,7 +14,7 @@ void check_function(Emitter& emitter, const FunctionDecl& function, const Declar
     const std::size_t errors = emitter.diagnostics.error_count();
     const auto emit = [&] {
         for (unsigned width = 1; width <= (is_generic ? 4u : 1u); ++width) {
-            // One form with an error is enough: the others have the same.
+            // After the first form with an error stop: the others have the same error.
             if (emitter.diagnostics.error_count() != errors) return;
             instantiate(emitter, function, home, arguments, width, false, function.name_span);
         }
@@ -27,7 +27,7 @@ void check_function(Emitter& emitter, const FunctionDecl& function, const Declar
         if (!arguments[i].constant) arguments[i].constant = 0;
     }
     emit();
-    // The branches of a drop-down's other values, one drop-down at a time.
+    // The other values of each drop-down decide other branches. One drop-down is changed at a time.
     for (std::size_t i = 0; i < function.params.size(); ++i) {
         const EnumDecl* enumeration = home.enumeration(function.params[i].type.name);
         if (!function.params[i].is_const || !enumeration) continue;

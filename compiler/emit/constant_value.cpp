@@ -32,7 +32,7 @@ std::optional<double> constant_value(const Known& known, const Expr& expr, const
             return of(*condition != 0 ? 1 : 2);
         }
         case Expr::Kind::Binary: {
-            // An enumeration's value against a word: the word is looked up in that enumeration.
+            // A drop-down is compared with a word: the word is looked up in its enumeration.
             if (expr.text == "==" || expr.text == "!=") {
                 for (std::size_t side : {0u, 1u}) {
                     if (expr.args[side]->kind != Expr::Kind::Name) continue;
@@ -49,7 +49,7 @@ std::optional<double> constant_value(const Known& known, const Expr& expr, const
                 }
             }
             const std::optional<double> a = of(0), b = of(1);
-            // One side may decide alone.
+            // One side may decide the result alone.
             if (expr.text == "&&" && ((a && *a == 0) || (b && *b == 0))) return 0;
             if (expr.text == "||" && ((a && *a != 0) || (b && *b != 0))) return 1;
             if (!a || !b) return {};

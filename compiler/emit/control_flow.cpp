@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMaxIterations = 4096;  // of one loop
 constexpr double kMaxRounds = 1u << 22;  // of all loops of a function, nested ones multiplied
-// What follows a branch that returns is nested in its else.
+// The statements after a branch that returns are nested in its else.
 constexpr std::size_t kMaxBranches = 200;
 
 bool contains_return(const Statements& list) {
@@ -23,7 +23,7 @@ bool contains_return(const Statements& list) {
     });
 }
 
-// Names that the statements assign to, wherever they are declared.
+// The names of all variables that the statements assign to.
 void collect_assigned(const Statements& list, std::vector<std::string_view>& names) {
     for (const Stmt* s : list) {
         if (s->kind == Stmt::Kind::Assign) {
@@ -47,8 +47,8 @@ void restore(std::vector<Local>& locals, std::span<const Value> values) {
     for (std::size_t i = 0; i < values.size(); ++i) locals[i].value.value = values[i];
 }
 
-// The index begins at a constant, and the limit is a constant, or min(anything, a constant): a shader cannot run for
-// ever.
+// How often the loop runs at most. The first index must be a constant, and the limit a constant or min(anything, a
+// constant), so that no shader runs for ever.
 std::optional<double> rounds_of(Emitter& emitter, const Stmt& loop, const Scope& scope) {
     const Expr& limit = *loop.limit;
     std::optional<double> cap = constant_value(emitter.known, limit, scope);
@@ -76,7 +76,7 @@ std::optional<double> rounds_of(Emitter& emitter, const Stmt& loop, const Scope&
 
 bool if_statement(Emitter& emitter, const Stmt& stmt, const Statements& list, std::size_t next, Scope& scope,
                   Value& returned) {
-    // A branch that is known now costs nothing: the other one is not even checked for derivatives.
+    // If the condition is known, only the branch that runs is emitted, and the other one is not checked.
     if (const std::optional<double> known = constant_value(emitter.known, *stmt.value, scope)) {
         const std::size_t outer = scope.locals.size();
         if (statements(emitter, *known != 0 ? stmt.body : stmt.alternative, 0, scope, returned)) return true;
@@ -143,7 +143,7 @@ bool if_statement(Emitter& emitter, const Stmt& stmt, const Statements& list, st
     return false;
 }
 
-// Loops in loops multiply, in called functions too: together they must end in a reasonable time.
+// Rounds of nested loops multiply, in called functions too, and all of them must end in a reasonable time.
 void count_rounds(Emitter& emitter, double rounds, Scope& scope, Span span) {
     const bool was_fine = scope.rounds <= kMaxRounds;
     scope.rounds += scope.rounds_around * rounds;

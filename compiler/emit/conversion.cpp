@@ -20,7 +20,6 @@ std::string_view swizzle_prefix(unsigned width) {
     return std::string_view("xyzw").substr(0, width);
 }
 
-// What a graph's expression reads has the precision of the node that reads it, whoever made it.
 Typed at_border(Typed value, const Scope& scope) {
     if (!scope.environment || !value.ok() || value.outputs || value.literal || !value.type.is_numeric()) return value;
     const Scalar wanted = scope.half ? Scalar::Half : Scalar::Float;
@@ -75,7 +74,7 @@ Typed convert(Emitter& emitter, Typed value, Type wanted, Scope& scope, Span spa
 
 Typed expression_as(Emitter& emitter, const Expr& expr, Type wanted, Scope& scope, std::string_view what) {
     Typed value = primary(emitter, expression(emitter, expr, scope), scope, expr.span);
-    // "#ff8800" where a float4 is wanted: a colour without alpha is opaque.
+    // A colour without alpha, "#ff8800", is opaque where a float4 is wanted.
     if (expr.kind == Expr::Kind::Color && value.ok() && value.type.width() == 3 && wanted == ir::kFloat4) {
         const Value opaque = scope.builder->constant(ir::kFloat, {1});
         value = {.value = scope.builder->construct(ir::kFloat4, std::array{value.value, opaque}), .type = ir::kFloat4};
@@ -83,7 +82,6 @@ Typed expression_as(Emitter& emitter, const Expr& expr, Type wanted, Scope& scop
     return convert(emitter, value, wanted, scope, expr.span, what);
 }
 
-// Brings operands to one type: literals adapt, half joins float, scalars splat. Reports what cannot be joined.
 bool unify(Emitter& emitter, std::span<Typed> operands, Scope& scope, Span span, std::string_view op) {
     for (const Typed& operand : operands) {
         if (!operand.ok()) return false;
@@ -101,7 +99,7 @@ bool unify(Emitter& emitter, std::span<Typed> operands, Scope& scope, Span span,
         if (operand.type.scalar == Scalar::Float && joins(scalar, Scalar::Float) && !operand.literal) {
             scalar = Scalar::Float;
         }
-        // A fraction cannot become an int: let the clash below name the types.
+        // A fraction cannot become an int: the message below names the types.
         any_matrix = any_matrix || operand.type.is_matrix();
     }
     unsigned width = 1;

@@ -1,4 +1,4 @@
-// expression(): which kind of expression is emitted by whom, and the kinds that are leaves: literals and names.
+// expression() hands each kind of expression to the function that emits it. Literals and names are emitted here.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,7 +29,7 @@ Typed number_literal(Emitter& emitter, const Expr& expr, Scope& scope) {
                          : type.scalar == Scalar::Half ? kHalfLimit
                                                        : kFloatLimit;
     if (!std::isfinite(expr.number) || std::abs(expr.number) >= limit) {
-        // A whole number beyond int's range still makes a good float literal.
+        // A whole number beyond the range of int is a float literal.
         if (type == ir::kInt && std::abs(expr.number) < kFloatLimit) {
             return {.value = scope.builder->constant(ir::kFloat, {expr.number}), .type = ir::kFloat, .literal = true};
         }
@@ -41,7 +41,7 @@ Typed number_literal(Emitter& emitter, const Expr& expr, Scope& scope) {
     return {.value = scope.builder->constant(type, {expr.number}), .type = type, .literal = literal};
 }
 
-// A JSON array or colour: a vector of two to four floats. ({...} for arrays is read where the array is declared.)
+// A JSON array or a colour is a vector of two to four floats. (The {...} of an array is read in declare().)
 Typed vector_of_list(Emitter& emitter, const Expr& expr, Scope& scope) {
     std::vector<double> components;
     bool good = expr.args.size() >= 2 && expr.args.size() <= 4;

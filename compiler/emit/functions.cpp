@@ -16,7 +16,7 @@ using ir::Value;
 
 namespace {
 
-// Sub-graphs and functions may be written deep, but not endlessly so.
+// How deep functions may call one another.
 constexpr std::size_t kMaxCallDepth = 64;
 
 Instance emit_function(Emitter& emitter, const FunctionDecl& function, const Declarations& home,
@@ -98,7 +98,7 @@ Instance emit_function(Emitter& emitter, const FunctionDecl& function, const Dec
     return instance;
 }
 
-// A function that can read semantics: they are the defaults of its parameters.
+// A function whose parameters have semantics as their defaults.
 ir::FunctionId outer_function(Emitter& emitter, const FunctionDecl& function, const Declarations& home,
                               Environment& environment, Scope scope, bool may_take, bool* needs_quad) {
     ir::Function made{};

@@ -121,7 +121,6 @@ void need_quad(Emitter& emitter, Scope& scope, Span span, std::string_view what,
     if (scope.needs_quad) *scope.needs_quad = true;
 }
 
-// The builder leaves what is NaN or infinite to the GPU; the author is told.
 void warn_unless_finite(Emitter& emitter, Op op, Type type, std::span<const Value> values, const Scope& scope,
                         Span span, std::string_view what) {
     const auto is_constant = [&](Value value) { return !scope.builder->constant_of(value).empty(); };
@@ -174,7 +173,7 @@ Typed intrinsic(Emitter& emitter, std::string_view name, const Expr& expr, Scope
         return {.value = b.emit(Op::Bitcast, type, {operands[0].value}), .type = type};
     }
     if (row->takes == Takes::Product) {
-        // Half joins float as float.
+        // A half operand becomes float if the other one is float.
         for (std::size_t i : {0u, 1u}) {
             Typed& half = operands[i];
             if (half.type.scalar != Scalar::Half || operands[1 - i].type.scalar != Scalar::Float) continue;
@@ -203,7 +202,7 @@ Typed intrinsic(Emitter& emitter, std::string_view name, const Expr& expr, Scope
         if (operands[0].type.is_scalar()) return operands[0];
         return {.value = b.emit(row->op, ir::kBool, {operands[0].value}), .type = ir::kBool};
     }
-    // Whole literals are floats here, unless they meet an integer.
+    // Whole literals are floats here, unless another operand is an integer.
     const bool integers =
         row->takes == Takes::Numbers &&
         std::any_of(operands.begin(), operands.end(), [](const Typed& t) { return t.type.is_integer() && !t.literal; });
@@ -217,7 +216,7 @@ Typed intrinsic(Emitter& emitter, std::string_view name, const Expr& expr, Scope
     const std::size_t joined = row->takes == Takes::Unlike ? 2 : operands.size();
     if (joined > 1 && !unify(emitter, std::span(operands).subspan(0, joined), scope, expr.span, name)) return {};
     const Type type = operands[0].type;
-    // A vector of one component: what floatN may come to.
+    // A vector of one component, which floatN may be.
     if (row->takes == Takes::Vectors && type.is_scalar() && ir::info(row->op).rule == ir::TypeRule::Scalar) {
         const Value first = operands[0].value;
         if (row->op == Op::Dot) return {.value = b.emit(Op::Mul, type, {first, operands[1].value}), .type = type};
@@ -262,7 +261,7 @@ Typed constructor(Emitter& emitter, Type wanted, const Expr& expr, Scope& scope)
     }
     const unsigned needed = wanted.components();
     if (wanted.is_matrix()) {
-        // Rows, as in HLSL: one vector a row, or every component.
+        // As in HLSL: one vector for each row, or every component row by row.
         std::vector<Value> rows;
         if (parts.size() == wanted.rows && count == needed) {
             rows = parts;

@@ -42,7 +42,7 @@ constexpr BinaryOperator kBinaryOperators[] = {
     {">>", Op::ShiftRight, BinaryOperator::On::Integers},
 };
 
-// One side of == whose other side is an enum: a bare word is one of its values.
+// One side of == if the other side is an enum: a name alone is one of the enum's values.
 Typed enum_operand(Emitter& emitter, const Expr& expr, const std::vector<std::string_view>& enumerators, Scope& scope) {
     if (expr.kind == Expr::Kind::Name) {
         const auto found = std::find(enumerators.begin(), enumerators.end(), expr.text);
@@ -82,7 +82,7 @@ Typed binary(Emitter& emitter, const Expr& expr, Scope& scope) {
                                   [&](const BinaryOperator& o) { return o.text == expr.text; });
     std::array<Typed, 2> sides;
     const bool equality = row->op == Op::Equal || row->op == Op::NotEqual;
-    // The left side first, unless only the right one says which enumeration is meant.
+    // The left side is emitted first, unless only the right one says which enumeration is meant.
     if (equality) {
         const auto is_enum_local = [&](const Expr& e) {
             return e.kind == Expr::Kind::Property ||
@@ -109,7 +109,7 @@ Typed binary(Emitter& emitter, const Expr& expr, Scope& scope) {
         }
     }
     const bool literal = sides[0].literal && sides[1].literal;
-    // Whole literals divide exactly: 1 / 2 is a half, as an artist means it.
+    // Whole literals are divided as floats: 1 / 2 is 0.5, as an artist means it.
     if (literal && row->op == Op::Div) {
         for (Typed& side : sides) {
             if (side.type.is_integer())
@@ -137,7 +137,7 @@ Typed binary(Emitter& emitter, const Expr& expr, Scope& scope) {
                            expr.text);
     }
     const bool compares = ir::info(row->op).rule == ir::TypeRule::Compare;
-    // Arithmetic of literals is a literal: it still becomes whatever number is needed.
+    // Arithmetic of literals is a literal, which takes the type of number that its context needs.
     if (literal && !compares) {
         if (const std::optional<double> known = constant_value(emitter.known, expr, scope)) {
             return {.value = scope.builder->constant(type, {*known}), .type = type, .literal = true};
@@ -169,7 +169,8 @@ Typed ternary(Emitter& emitter, const Expr& expr, Scope& scope) {
                                    emitter.module.type_name(condition.type), "bool");
         return {};
     }
-    // Two whole literals have no context to adapt to; a select between them is a float, as a branch of a graph means.
+    // Two whole literals have no context to adapt to. A choice between them is a float, as the author of a graph means
+    // it.
     if (branches[0].literal && type.is_integer()) {
         for (Typed& branch : branches)
             branch = literal_as(emitter, branch, scope.half ? Scalar::Half : Scalar::Float, scope, expr.span);

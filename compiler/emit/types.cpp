@@ -80,7 +80,7 @@ Type type(Emitter& emitter, const TypeName& name, const Scope& scope) {
 Type structure(Emitter& emitter, const StructDecl& decl, const Declarations& home) {
     std::map<const StructDecl*, Type>& structs = emitter.structures.made;
     if (const auto found = structs.find(&decl); found != structs.end()) return found->second;
-    structs[&decl] = Type::error();  // a struct that holds itself
+    structs[&decl] = Type::error();  // found again if the struct contains itself
     const Scope scope{.declarations = &home};
     ir::Struct made{.name = std::string(decl.name), .members = {}};
     for (const MemberDecl& member : decl.members) {

@@ -1,5 +1,6 @@
-// Index of declarations by name: the built-in library (nodes/**), or a user's .node.hlsl file on top of it. Owns
-// nothing but the maps; the declarations live in an Ast. Reports names that are declared twice.
+// The index of declarations by name: of the built-in library (nodes/**), or of a user's .node.hlsl file, which has the
+// library as its parent. It owns the maps only; the declarations live in an Ast. Names that are declared twice are
+// reported.
 //
 //   Declarations library;  index_declarations(ast, library, diagnostics);
 //   const FunctionDecl* ggx = library.function("DistributionGGX");
