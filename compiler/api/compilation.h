@@ -1,8 +1,8 @@
-// The room `api` serves the public classes (patina/*.h): it turns what they are asked into calls of the other rooms, and
-// what these make into public values. It compiles nothing itself.
+// The room `api` serves the public classes (patina/*.h): it turns what they are asked into calls of the other rooms,
+// and what these make into public values. It compiles nothing itself.
 //
-// A Compilation is what the stages of compile.cpp hand to each other. Each stage is a function here, whose body is little
-// more than a call of the room that does the work.
+// A Compilation is what the stages of compile.cpp hand to each other. Each stage is a function here, whose body is
+// little more than a call of the room that does the work.
 #pragma once
 
 #include "compiler/engines/writers.h"

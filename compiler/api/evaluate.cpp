@@ -11,16 +11,16 @@
 
 namespace patina {
 
+using emit::Typed;
 using nodelang::Expr;
-using nodelang::Typed;
 
 namespace {
 
 // Outside a graph there is no mesh and no camera: a port that would read them must be given.
-class NoGraph : public nodelang::Environment {
+class NoGraph : public emit::Environment {
 public:
     NoGraph(Diagnostics& diagnostics, std::span<const NamedValue> names) : diagnostics_(diagnostics), names_(names) {}
-    Typed name(const Expr& expr, nodelang::Scope& scope) override {
+    Typed name(const Expr& expr, emit::Scope& scope) override {
         for (const NamedValue& named : names_) {
             if (named.name != expr.text || named.values.empty() || named.values.size() > 4) continue;
             std::vector<ir::Value> parts;
@@ -31,16 +31,16 @@ public:
         diagnostics_.report(Code::UnknownName, expr.span, "value", expr.text);
         return {};
     }
-    Typed property(const Expr& expr, nodelang::Scope&) override {
+    Typed property(const Expr& expr, emit::Scope&) override {
         diagnostics_.report(Code::UnknownProperty, expr.span, expr.text);
         return {};
     }
-    Typed semantic(std::string_view name, Span span, nodelang::Scope&) override {
+    Typed semantic(std::string_view name, Span span, emit::Scope&) override {
         diagnostics_.report(Code::SemanticNotHere, span, name, "an evaluation of one node")
             .note("give every port a value that would read the mesh, the camera or a light");
         return {};
     }
-    Typed file(const Expr& expr, nodelang::Scope&) override {
+    Typed file(const Expr& expr, emit::Scope&) override {
         diagnostics_.report(Code::SemanticNotHere, expr.span, expr.text, "an evaluation of one node");
         return {};
     }
@@ -56,14 +56,14 @@ private:
 
 struct Bench {
     ir::Module module;
-    nodelang::Emitter emitter;
+    emit::Emitter emitter;
     ir::Function function{};
     ir::Builder builder;
     NoGraph environment;
-    nodelang::Scope scope;
+    emit::Scope scope;
 
     Bench(const EvaluationContext& context, Diagnostics& diagnostics)
-        : emitter(module, diagnostics, {.fold = false}),
+        : emitter{.module = module, .diagnostics = diagnostics, .options = {.fold = false}},
           builder(module, function, {.fold = false}),
           environment(diagnostics, context.names) {
         graph::declare_engine(*context.library.engine({}), context.library.paths, context.library.declarations,
@@ -152,8 +152,9 @@ Evaluation evaluated(Bench& bench, const Typed& value, Precision precision, Diag
 std::optional<std::vector<double>> constant(const EvaluationContext& context, const Expr& expr,
                                             std::optional<ir::Type> type, Diagnostics& diagnostics) {
     Bench bench(context, diagnostics);
-    Typed value = bench.emitter.primary(bench.emitter.expression(expr, bench.scope), bench.scope, expr.span);
-    if (type) value = bench.emitter.convert(value, *type, bench.scope, expr.span, "the value");
+    Typed value =
+        emit::primary(bench.emitter, emit::expression(bench.emitter, expr, bench.scope), bench.scope, expr.span);
+    if (type) value = emit::convert(bench.emitter, value, *type, bench.scope, expr.span, "the value");
     if (!value.ok()) return {};
     return bench.run(value, Precision::Double);
 }
@@ -168,11 +169,12 @@ std::optional<NodeTest::Argument> read_argument(const EvaluationContext& context
         return argument;
     }
     Bench bench(context, diagnostics);
-    const Typed value = bench.emitter.primary(bench.emitter.expression(expr, bench.scope), bench.scope, expr.span);
+    const Typed value =
+        emit::primary(bench.emitter, emit::expression(bench.emitter, expr, bench.scope), bench.scope, expr.span);
     if (!value.ok()) return {};
     ir::Type type = value.type;
     if (param.type.name != "floatN") {
-        type = bench.emitter.type(param.type, bench.scope);
+        type = emit::type(bench.emitter, param.type, bench.scope);
     } else if (type.scalar != ir::Scalar::Float) {
         type = type.with_scalar(ir::Scalar::Float);
     }
@@ -254,23 +256,24 @@ Evaluation evaluate_call(const EvaluationContext& context, const nodelang::Funct
                          std::span<const Expr* const> arguments, Precision precision, Diagnostics& diagnostics,
                          Span span) {
     Bench bench(context, diagnostics);
-    return evaluated(bench, bench.emitter.call(function, context.declarations, arguments, bench.scope, span, false),
+    return evaluated(bench,
+                     emit::call(bench.emitter, function, context.declarations, arguments, bench.scope, span, false),
                      precision, diagnostics);
 }
 
 Evaluation evaluate_expression(const EvaluationContext& context, const Expr& expr, Precision precision,
                                Diagnostics& diagnostics) {
     Bench bench(context, diagnostics);
-    const Typed value = bench.emitter.expression(expr, bench.scope);
-    return evaluated(bench, bench.emitter.primary(value, bench.scope, expr.span), precision, diagnostics);
+    const Typed value = emit::expression(bench.emitter, expr, bench.scope);
+    return evaluated(bench, emit::primary(bench.emitter, value, bench.scope, expr.span), precision, diagnostics);
 }
 
 void check_functions(const EvaluationContext& context, const nodelang::Ast& ast, Diagnostics& diagnostics) {
     ir::Module module;
-    nodelang::Emitter emitter(module, diagnostics, {.fold = true});
+    emit::Emitter emitter{.module = module, .diagnostics = diagnostics, .options = {.fold = true}};
     graph::declare_engine(*context.library.engine({}), context.library.paths, context.library.declarations, emitter);
     for (const nodelang::FunctionDecl& function : ast.functions) {
-        emitter.check_function(function, context.declarations);
+        emit::check_function(emitter, function, context.declarations);
     }
 }
 

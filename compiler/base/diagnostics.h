@@ -1,6 +1,6 @@
-// The list of complaints that a compilation gathers. Each has a code from diagnostics.def, the narrowest wrong range of
-// the source, and notes that say what to do. Reporting never throws and never stops the stage; a stage that cannot go
-// on returns early and its caller asks `has_errors()`.
+// The list of errors and warnings that a compilation reports. Each has a code from diagnostics.def, the narrowest wrong
+// range of the source, and notes that say what to do. Reporting never throws and never stops a stage: a stage that
+// cannot go on returns early, and its caller asks `has_errors()`.
 //
 //   diagnostics.report(Code::UnknownNode, span, "Lrep").note(other_span, "did you mean 'Lerp'?");
 #pragma once
@@ -34,7 +34,7 @@ const CodeInfo& info(Code code);
 std::span<const CodeInfo> all_codes();
 
 struct DiagnosticNote {
-    Span span;  // may be nowhere: then the note is about the diagnostic's own place
+    Span span;  // nowhere if the note is about the place of the diagnostic itself
     std::string message;
 };
 
@@ -69,12 +69,12 @@ public:
     static std::string suggestion(std::string_view word, std::span<const std::string_view> candidates);
 
     bool has_errors() const { return errors_ > 0; }
-    // So many have been reported that further ones are only counted: looking for what they might mean is idle.
+    // True if so many have been reported that further ones are only counted. Then there is no need to look for notes.
     bool is_full() const;
     std::size_t error_count() const { return errors_; }
     const std::vector<DiagnosticRecord>& records() const { return records_; }
 
-    // While a context is set, new records carry its node and port unless they name their own.
+    // While a context is set, a new record gets its node and port, unless it names its own.
     void set_context(std::string_view node, std::string_view port) {
         node_ = node;
         port_ = port;

@@ -8,7 +8,8 @@ SourceMap::SourceMap(const SourceMap* base) : base_(base), next_(base ? base->ne
 
 std::uint32_t SourceMap::add(std::string path, std::string text) {
     const std::uint32_t begin = next_;
-    next_ += static_cast<std::uint32_t>(text.size()) + 1;  // one past the end, so an "at end of file" span has a home
+    next_ += static_cast<std::uint32_t>(text.size()) +
+             1;  // one past the end, so that the end of a file has an offset of its own
     File& file = files_.emplace_back(File{begin, std::move(path), std::move(text), {0}});
     file.lines.reserve(1 + static_cast<std::size_t>(std::count(file.text.begin(), file.text.end(), '\n')));
     for (std::size_t at = file.text.find('\n'); at != std::string::npos; at = file.text.find('\n', at + 1)) {

@@ -1,6 +1,6 @@
-// Where text came from. A location is one small integer: files are laid end to end in one address space, and line and
-// column are worked out on demand. A SourceMap may extend another (a compilation extends the node library's map), so
-// spans of both can stand in one diagnostic.
+// Where text came from. A location is one integer: the files lie end to end in one range of offsets, and line and
+// column are computed when they are asked for. A SourceMap may extend another one, as a compilation extends the map of
+// the node library, so that one diagnostic can have spans of both.
 //
 //   SourceMap map;
 //   std::uint32_t base = map.add("rust.graph.json", text);
@@ -48,7 +48,7 @@ public:
     std::string_view text(Span span) const;
     // The path of the file that holds the offset; empty if none does.
     std::string_view file(std::uint32_t offset) const;
-    // The text of the offset's file that stands before it.
+    // The text of the file before the offset.
     std::string_view text_before(std::uint32_t offset) const;
     // The whole text of the file whose first byte is `begin`.
     std::string_view file_text(std::uint32_t begin) const;

@@ -55,7 +55,7 @@ bool is_identifier(std::string_view text) {
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates) {
     if (word.size() > 256) return {};
     std::string_view best;
-    // Never a word of which every letter would have to change.
+    // A word of which every letter would have to change is no suggestion.
     std::size_t best_distance = std::min(std::max<std::size_t>(1, word.size() / 3) + 1, word.size());
     for (std::string_view candidate : candidates) {
         if (candidate.size() > word.size() + best_distance || word.size() > candidate.size() + best_distance) continue;
@@ -66,7 +66,7 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
         }
     }
     if (!best.empty() && word.starts_with(best)) {
-        // The word goes on where the best one ends: one that goes on like it is what was meant.
+        // The word is longer than the best candidate. One that shares more of the word's beginning is what was meant.
         const auto common = [&](std::string_view candidate) {
             return std::mismatch(word.begin(), word.end(), candidate.begin(), candidate.end()).first - word.begin();
         };

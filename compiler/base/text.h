@@ -1,5 +1,5 @@
-// Small questions about text that several stages ask: is it an identifier, which known word did the user mean, how is a
-// number written so that it reads back the same. Not a string library.
+// What several stages need to know about text: whether it is an identifier, which known word the user meant, how a
+// number is written so that it reads back the same. Not a string library.
 #pragma once
 
 #include <span>
@@ -12,8 +12,7 @@ namespace patina {
 // [A-Za-z_][A-Za-z0-9_]*
 bool is_identifier(std::string_view text);
 
-// The candidate nearest to `word` by edit distance (case differences cost nothing extra beyond one), or empty if none
-// is near enough to be worth saying.
+// The candidate nearest to `word` by edit distance, or empty if none is near enough to suggest it. Case is ignored.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 
 // Shortest text that reads back as the same value: "0.5", "1", "1e-05". Locale-independent.

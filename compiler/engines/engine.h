@@ -1,7 +1,7 @@
 // The room `engines` says where values come from and what holds a shader. An engine is a folder of data,
-// nodes/engines/NAME/: engine.json (read here), its passes and its include. What can be data is data; only the format of
-// a whole file is C++, a writer in a folder of this room (writers.h). Nothing here knows an engine by name, but for the
-// writers' folders; no other room does.
+// nodes/engines/NAME/: engine.json (read here), its passes and its include. What can be data is data; only the format
+// of a whole file is C++, a writer in a folder of this room (writers.h). Nothing here knows an engine by name, but for
+// the writers' folders; no other room does.
 //
 //   const Engine* engine = library.engine("vulkan");
 //   engine->places_of(ir::Group::Material).set   // 1
@@ -39,10 +39,10 @@ enum class Variants { Chosen, Keywords };
 enum class Instances { Arrays, Engine };
 
 struct Names {
-    std::string owner;                           // of `taken` and `prefixes`, in words: "one of Unity's includes"
-    std::vector<std::string> taken;              // names that the engine's text declares
-    std::vector<std::string> prefixes;           // all names that begin so are the engine's
-    std::vector<std::string> own;                // names that the written file declares itself
+    std::string owner;                             // of `taken` and `prefixes`, in words: "one of Unity's includes"
+    std::vector<std::string> taken;                // names that the engine's text declares
+    std::vector<std::string> prefixes;             // all names that begin so are the engine's
+    std::vector<std::string> own;                  // names that the written file declares itself
     std::vector<std::string> own_near_properties;  // names that only properties must not have
     std::map<std::string, std::string, std::less<>> instead;  // what functions of the library are called here
 };
@@ -51,27 +51,27 @@ struct Engine {
     std::string name;   // of its folder: "vulkan"
     std::string title;  // "Vulkan"
     std::string help;
-    std::vector<std::string> languages;    // that its shaders can be written in
-    std::string file;                      // format of the file that holds all passes (writers.h); empty: a file a stage
-    std::optional<std::uint32_t> passes;   // its own rendering path, in the library's sources; none: the library's paths
-    std::string_view include;              // text that its files may need a part of
+    std::vector<std::string> languages;   // that its shaders can be written in
+    std::string file;                     // format of the file that holds all passes (writers.h); empty: a file a stage
+    std::optional<std::uint32_t> passes;  // its own rendering path, in the library's sources; none: the library's paths
+    std::string_view include;             // text that its files may need a part of
     Variants variants = Variants::Chosen;
     Instances instances = Instances::Arrays;
 
-    std::array<Places, 3> places;                          // by ir::Group; what is included has none
+    std::array<Places, 3> places;                            // by ir::Group; what is included has none
     std::map<std::string, std::string, std::less<>> blocks;  // the library's name of a block -> the engine's
     std::vector<VertexInput> vertex_inputs;
 
-    bool is_y_down = false;           // clip space: y grows downwards
-    bool is_depth_reversed = false;   // clip space: z is 1 at the near plane and 0 at the far one
-    bool matrices_by_rows = false;    // how a matrix lies in a uniform block
+    bool is_y_down = false;          // clip space: y grows downwards
+    bool is_depth_reversed = false;  // clip space: z is 1 at the near plane and 0 at the far one
+    bool matrices_by_rows = false;   // how a matrix lies in a uniform block
 
     // How the engine keeps the values of a material, by type; empty: as the shader reads them.
     std::map<std::string, std::string, std::less<>> storage;
-    std::string texture_sizes;                // what a texture's size is called behind its name; empty: there is none
-    bool samplers_follow_textures = false;    // a sampler is called after what its texture is called in the shader
-    std::uint32_t most_varyings = 0;          // vectors from the vertex stage to the fragment stage
-    std::string varyings_note;                // what of the engine's own takes some; may be empty
+    std::string texture_sizes;              // what a texture's size is called behind its name; empty: there is none
+    bool samplers_follow_textures = false;  // a sampler is called after what its texture is called in the shader
+    std::uint32_t most_varyings = 0;        // vectors from the vertex stage to the fragment stage
+    std::string varyings_note;              // what of the engine's own takes some; may be empty
     std::uint32_t most_block_bytes = 0;
     Names names;
 

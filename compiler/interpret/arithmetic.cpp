@@ -117,7 +117,7 @@ constexpr Meaning kReals[] = {
     real(Op::Degrees, [](auto x) { return x * decltype(x)(180 / std::numbers::pi); }),
     real(Op::Min, minimum),
     real(Op::Max, maximum),
-    // GPUs compute exp2(y log2 x), which no negative x has.
+    // GPUs compute exp2(y log2 x), which is NaN for a negative x.
     real(Op::Pow, [](auto x, auto y) { return x < 0 ? decltype(x)(NAN) : std::pow(x, y); }),
     real(Op::Atan2, [](auto y, auto x) { return std::atan2(y, x); }),
     real(Op::Step, [](auto edge, auto x) { return x >= edge; }),
@@ -128,8 +128,8 @@ constexpr Meaning kReals[] = {
     real(Op::IsInf, [](auto x) { return std::isinf(x); }),
 };
 
-// --- int and uint, in 64 bits; the result is wrapped to 32. What is not here, integers share with floats: every one of
-// them is exact in a double.
+// --- int and uint, computed in 64 bits; the result is wrapped to 32. Other ops of integers use the functions of
+// floats: every integer is exact in a double.
 
 using Wide = std::int64_t;
 constexpr auto wide_product = [](Wide x, Wide y) {

@@ -42,7 +42,7 @@ void run_branch(Machine& machine, const Branch& branch, Mask active) {
     for (std::size_t side : {0u, 1u}) {
         if (sides[side] == 0) continue;
         run_block(machine, branch.blocks[side], sides[side]);
-        // What the other side does not need may be overwritten: moving all lanes is cheaper than some.
+        // All lanes are moved, because that is cheaper than to move some; the other side does not need the old values.
         move(machine, branch.yields[side], sides[1 - side] == 0 ? kAllLanes : sides[side]);
     }
 }
@@ -59,7 +59,7 @@ void watch(Machine& machine, std::uint32_t which, Mask active) {
     for (Slot i = 0; i < watched.count; ++i) seen.values.push_back(machine.at(watched.slot + i)[watcher->lane]);
 }
 
-// Each lane has its own bounds; the block runs until all are done, and a lane that is done keeps what it carried.
+// Each lane has bounds of its own. The block runs until all lanes are done; a lane that is done keeps its values.
 void run_loop(Machine& machine, const Loop& loop, Mask active) {
     move(machine, loop.initial, kAllLanes);
     std::copy_n(machine.at(loop.begin), kLanes, machine.at(loop.index));
@@ -96,7 +96,7 @@ void run_step(Machine& machine, const Step& step, Mask active) {
             return;
         }
         case Step::Kind::Discard: {
-            // A discarded lane goes on as a helper: its neighbours need it for their derivatives.
+            // A discarded lane goes on as a helper, because its neighbours need it for their derivatives.
             const double* condition = machine.at(step.from[0]);
             machine.discarded |= active & lanes_where([&](unsigned lane) { return condition[lane] != 0; });
             return;

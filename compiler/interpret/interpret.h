@@ -1,5 +1,6 @@
-// Executes IR on four lanes (a 2x2 quad). What an op does is a row of a table; no function here is named for a node.
-// The public face is patina/interpret.h; this is what it, doc tests and `eval` are built on.
+// This room executes IR on four lanes (a 2x2 quad of pixels), to check what GPUs compute. It has arithmetic of its own,
+// shares no code with the compiler's folding, and knows no node by name: what an op does is a row of a table.
+// patina/interpret.h is its public face; that, the doc tests and `eval` call what is declared here.
 #pragma once
 
 #include <array>
@@ -11,14 +12,15 @@
 
 namespace patina::interpret {
 
-// What globals hold. Uniforms are doubles by component; matrices row by row; arrays element by element.
+// The values of globals. A uniform is a list of doubles: its components, a matrix row by row, an array element by
+// element.
 struct Resources {
     std::vector<std::vector<double>> uniforms;                 // by Module::globals index
     std::vector<std::shared_ptr<const TextureData>> textures;  // by Module::globals index
 };
 
-// A composite value of one lane, flattened: components, rows, members and elements end to end. Opaque members take one
-// slot that holds the global's index.
+// A value of one lane as a list: the components of its rows, members and elements end to end. An opaque member is one
+// number, the index of its global.
 using Flat = std::vector<double>;
 
 struct QuadResult {
@@ -26,12 +28,12 @@ struct QuadResult {
     std::array<bool, 4> discarded{};
 };
 
-// Runs `function` with one flattened argument list per lane. In Float precision every operation on a float is rounded
-// to 32 bits; half operations are rounded to 16 bits in both.
+// Runs `function` with one list of arguments for each lane. In Float precision, the result of every float operation is
+// rounded to 32 bits; half operations are rounded to 16 bits in both precisions.
 QuadResult run(const ir::Module& module, ir::FunctionId function, const std::array<std::vector<Flat>, 4>& arguments,
                const Resources& resources, Precision precision);
 
-// Slots that a value of this type takes in a Flat.
+// How many numbers a value of this type has in a Flat.
 std::size_t flat_size(const ir::Module& module, ir::Type type);
 
 }  // namespace patina::interpret

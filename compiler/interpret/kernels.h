@@ -1,6 +1,6 @@
 // What each op computes, as functions over four lanes: component by component (arithmetic.cpp), over vectors and
-// matrices (vectors.cpp), and textures (sampling.cpp). In Float precision a float op computes in float, step by step,
-// as a GPU does; half ops compute in double and are rounded once, by the caller.
+// matrices (vectors.cpp), and of textures (sampling.cpp). In Float precision a float op computes in float at each step,
+// as a GPU does. A half op computes in double, and the caller rounds the result once.
 //
 //   Kernel add = arithmetic_kernel(Op::Add, Scalar::Float, Precision::Float);
 #pragma once
@@ -9,13 +9,13 @@
 
 namespace patina::interpret {
 
-// Null if the op is not component by component. `scalar`: of the operands.
+// Null if the op does not work component by component. `scalar`: of the operands.
 Kernel arithmetic_kernel(ir::Op op, ir::Scalar scalar, Precision precision);
 // Convert and Bitcast. `from` is never the same as `to`.
 Kernel conversion_kernel(ir::Scalar from, ir::Scalar to, Precision precision);
 Kernel bitcast_kernel(ir::Scalar from, ir::Scalar to);
-// Select (shapes[0]: of the condition), Index (data: number of parts), and the ops over vectors, matrices and
-// neighbouring pixels.
+// The kernels of Select (shapes[0] is the condition's), of Index (data is the number of parts), and of the ops over
+// vectors, matrices and neighbouring pixels.
 Kernel vector_kernel(ir::Op op, ir::Scalar scalar, Precision precision);
 // `texture`: Texture2D or TextureCube.
 Kernel sampling_kernel(ir::Op op, ir::Kind texture);

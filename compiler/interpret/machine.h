@@ -1,6 +1,6 @@
-// A function of the IR made ready to run: every value has a fixed place in one memory, and blocks are lists of steps
-// that read and write places. Functions do not recurse, so each has one frame for good. Nothing is allocated while it
-// runs. Taking a part of a value, a parameter or a result is no step: it has the place of what it is a part of.
+// A function of the IR, made ready to run. Every value has a fixed place in one memory, and a block is a list of steps
+// that read and write places. Functions do not recurse, so each has one frame, and nothing is allocated while the
+// machine runs. To take a part of a value is no step: the part has a place inside of the whole.
 //
 //   Machine machine = make_machine(module, entry, Precision::Float);
 //   machine.argument(0, 0) = 0.5;   // component 0, lane 0
@@ -18,17 +18,17 @@
 namespace patina::interpret {
 
 inline constexpr unsigned kLanes = 4;
-// One bit a lane.
+// One bit for each lane.
 using Mask = unsigned;
 inline constexpr Mask kAllLanes = (1u << kLanes) - 1;
 
-// Number of a component in the memory; its four lanes stand side by side.
+// The number of a component in the memory; its four lanes lie side by side.
 using Slot = std::uint32_t;
 inline constexpr Slot kNowhere = 0xffffffffu;
 
 struct Step;
 struct Machine;
-// Computes all four lanes; what a lane that is switched off gets is never looked at.
+// Computes all four lanes; the result of a lane that is switched off is never read.
 using Kernel = void (*)(const Step&, Machine&);
 
 struct Shape {
@@ -45,7 +45,8 @@ struct Step {
     Slot to = kNowhere;
     std::uint32_t count = 0;  // components of the result
     std::array<Slot, 5> from{};
-    std::uint32_t data = 0;  // Branch, Loop, Call, Watch: which; an op's kernel says what else
+    std::uint32_t data =
+        0;  // of Branch, Loop, Call and Watch: the index of what it runs; of an op: what its kernel says
 };
 
 struct Move {
@@ -68,7 +69,7 @@ struct Loop {
     bool is_over_lights = false;
     std::vector<Move> initial{};
     std::vector<Move> next{};
-    // Where a carried value becomes another carried value, all of them go through a place in between.
+    // If a carried value becomes another carried value, all of them are first moved to a second place.
     std::vector<Move> staged{};
 };
 
@@ -78,17 +79,17 @@ struct CallSite {
     Move result{};
 };
 
-// A probe of a function, and where its value lies whenever the function returns.
+// A probe of a function, and where its value is when the function returns.
 struct Watched {
     std::uint32_t function = 0;
     std::uint32_t probe = 0;  // into Function::probes
     Slot slot = kNowhere;
     std::uint32_t count = 0;  // components
 };
-// What was seen there in one lane.
+// The value that was there in one lane.
 struct Sighting {
     std::uint32_t watched = 0;
-    int light = -1;  // inside a loop over lights: which
+    int light = -1;  // the number of the light, inside a loop over lights
     std::vector<double> values{};
 };
 struct Watcher {
@@ -111,14 +112,14 @@ struct Machine {
 
     std::vector<double> memory{};
     std::vector<std::shared_ptr<const TextureData>> textures{};  // by Module::globals; null: not bound
-    bool is_quad = true;  // the lanes are neighbouring pixels; false: of no relation, as vertices are
+    bool is_quad = true;  // the lanes are neighbouring pixels; false: they are unrelated, like vertices
     Mask discarded = 0;
-    Watcher* watcher = nullptr;  // null: no one watches
+    Watcher* watcher = nullptr;  // null: there is none
     int light = -1;
 
     double* at(Slot slot) { return memory.data() + std::size_t{slot} * kLanes; }
     const double* at(Slot slot) const { return memory.data() + std::size_t{slot} * kLanes; }
-    // In Float precision a double is rounded to what the parameter can hold.
+    // In Float precision the number is rounded to what the parameter's type can hold.
     void set_argument(std::size_t component, unsigned lane, double value);
     double result(std::size_t component, unsigned lane) const {
         return at(output.from + static_cast<Slot>(component))[lane];
@@ -129,7 +130,7 @@ Machine make_machine(const ir::Module& module, ir::FunctionId entry, Precision p
 
 // Components of a uniform, as in Resources::uniforms; missing ones are 0.
 void set_uniform(Machine& machine, const ir::Module& module, ir::GlobalId global, std::span<const double> components);
-// A texture that has no texels is as good as none.
+// A texture without texels counts as not bound.
 void set_texture(Machine& machine, ir::GlobalId global, std::shared_ptr<const TextureData> texture);
 
 void execute(Machine& machine);

@@ -1,4 +1,5 @@
-// Lays a function and those that it calls out in memory, and turns their instructions into steps.
+// Gives the values of a function, and of those that it calls, their places in memory, and turns instructions into
+// steps.
 #include <algorithm>
 
 #include "compiler/interpret/interpret.h"
@@ -65,7 +66,7 @@ private:
     void copy(Slot to, Slot from, std::size_t count);
     void compute(Value value, Kernel kernel);
 
-    // Ops that are more, or less, than a kernel.
+    // Ops that are not just one kernel.
     struct Row {
         Op op;
         void (Planner::*plan)(Value);
@@ -171,7 +172,7 @@ void Planner::plan_block(ir::BlockId block) {
     block_ = outer;
 }
 
-// --- instructions. Those that only name something that has a place already make no step.
+// --- instructions. One makes no step if its value already has a place.
 
 const Planner::Row Planner::kRows[] = {
     {Op::Constant, &Planner::constant},
@@ -278,7 +279,7 @@ void Planner::param(Value value) {
     slot(value) = first;
 }
 
-// A linked stage has none; what has not been linked reads zeros.
+// A linked stage has no semantics; in a function that is not linked they are zero.
 void Planner::semantic(Value value) {
     slot(value) = reserve(size(inst(value).type));
 }
@@ -303,7 +304,7 @@ void Planner::construct(Value value) {
     const Inst& i = inst(value);
     const std::span<const Value> args = function_->args(i);
     const std::size_t count = size(i.type);
-    // Parts that lie end to end already are the whole.
+    // If the parts already lie end to end, their place is the place of the whole.
     std::size_t laid = 0;
     bool is_whole = !args.empty();
     for (Value arg : args) {
@@ -414,7 +415,7 @@ void Planner::loop(Value value) {
     open_loops_.pop_back();
 
     made.next = moves(yielded(ir::BlockId{i.data}), carried);
-    // A value that carries itself on stays where it is.
+    // A value that the loop does not change stays where it is.
     std::erase_if(made.next, [](const Move& move) { return move.from == move.to; });
     const bool is_crossed = std::any_of(made.next.begin(), made.next.end(), [&](const Move& move) {
         return move.from >= carried && move.from < carried + count;
@@ -450,7 +451,7 @@ void Planner::result(Value value) {
 // The If or For moves the operands.
 void Planner::yield(Value) {}
 
-// Every value of the frame is still there.
+// A probe can be read when the function returns: all values of the frame are still there.
 void Planner::watch() {
     const auto function = static_cast<std::uint32_t>(function_ - module_.functions.data());
     for (std::uint32_t p = 0; p < function_->probes.size(); ++p) {

@@ -14,7 +14,7 @@ namespace {
 using ir::Op;
 
 using Texel = std::array<double, 4>;
-// What no texture is bound to reads white, so that a factor stays what it is.
+// A global without a texture reads white, so that a factor changes nothing.
 constexpr Texel kUnbound = {1, 1, 1, 1};
 constexpr Texel kNothing = {0, 0, 0, 0};
 
@@ -29,7 +29,7 @@ struct Reader {
     double last_level() const { return static_cast<double>(texture.levels.size() - 1); }
 };
 
-// The index of a texel, from one that may be anywhere, infinity and NaN included.
+// The index of a texel for any coordinate, infinity and NaN included.
 std::size_t wrapped(double index, int size, Wrap wrap) {
     if (!std::isfinite(index)) return 0;
     double inside = index;
@@ -84,7 +84,7 @@ struct OnFace {
 };
 using Direction = std::array<double, 3>;
 
-// Of two that are as long, z wins over y, and y over x.
+// If two components are equally long, z wins over y, and y over x.
 std::size_t face_of(const Direction& d) {
     const double x = std::abs(d[0]), y = std::abs(d[1]), z = std::abs(d[2]);
     if (z >= x && z >= y) return d[2] >= 0 ? 4 : 5;
@@ -123,14 +123,14 @@ Direction through(const OnFace& place) {
     }
 }
 
-// A texel of a face, or of its neighbour where it lies beyond one edge. Beyond two there is none.
+// A texel of a face, or of the neighbouring face if it lies beyond one edge. Beyond two edges there is none.
 const float* cube_texel(const TextureLevel& level, std::size_t face, double x, double y) {
     const double size = level.width;
     const auto inside = [&](double i) { return i >= 0 && i < size; };
     const auto index = [&](double i) { return static_cast<std::size_t>(std::clamp(i, 0.0, size - 1)); };
     if (inside(x) && inside(y)) return texel_at(level, index(x), index(y), face);
     if (!inside(x) && !inside(y)) return nullptr;
-    // A hair beyond the edge, where the place along it is still the same.
+    // Just beyond the edge, where the position along the edge is still the same.
     const auto centre = [&](double i) { return i < 0 ? -1e-6 : i >= size ? 1 + 1e-6 : (i + 0.5) / size; };
     const OnFace beyond = on_face(through({.face = face, .u = centre(x), .v = centre(y)}));
     return texel_at(level, index(std::floor(beyond.u * size)), index(std::floor(beyond.v * size)), beyond.face);
@@ -233,7 +233,7 @@ void store(const Step& step, Machine& machine, unsigned lane, const Texel& texel
     }
 }
 
-// A sampler's state comes with the texture data that is bound to it, else with the texture's own.
+// The state is that of the texture data that is bound to the sampler; if there is none, that of the texture.
 Reader make_reader(const Step& step, const Machine& machine, const TextureData& texture, unsigned lane) {
     const TextureData* state = bound(step, machine, 1, lane);
     const Sampler& sampler = state ? state->sampler : texture.sampler;
@@ -332,7 +332,7 @@ const TextureLevel* level_at(const TextureData* texture, double level) {
     return exists ? &texture->levels[static_cast<std::size_t>(level)] : nullptr;
 }
 
-// Outside the texture there is nothing: zero, as robust image access and Direct3D define it.
+// Zero outside of the texture, as robust image access and Direct3D define it.
 void load_kernel(const Step& step, Machine& machine) {
     for (unsigned lane = 0; lane < kLanes; ++lane) {
         const TextureLevel* level = level_at(bound(step, machine, 0, lane), operand(step, machine, 2, 0, lane));

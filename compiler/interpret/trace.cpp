@@ -61,7 +61,7 @@ private:
         row.type = module_.type_name(type);
         row.values.assign(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(size));
         rest = rest.subspan(size);
-        // A texture has no value. A node that two outputs of its graph read is computed for both, and is one node.
+        // A texture has no value. If two outputs of a graph read a node, it is computed twice, and shown once.
         if (type.is_opaque() || !shown_.emplace(row.graph, row.node, port, row.light).second) return;
         rows_.push_back(row);
     }

@@ -1,4 +1,4 @@
-// What a watcher saw in the machine's memory -> values with the names that the graphs give them.
+// Turns what a Watcher has read of the machine's memory into values with the names that they have in the graphs.
 #pragma once
 
 #include "compiler/interpret/machine.h"

@@ -11,7 +11,7 @@
 namespace patina::ir {
 namespace {
 
-// Calls are looked into one by one: functions that call one another twice would double at each step.
+// How many activations there may be: each call has one, and functions that call others twice double them at each level.
 constexpr std::size_t kBudget = 1u << 18;
 constexpr int kMaxDepth = 32;
 constexpr std::uint32_t kSeedBits = 6;
@@ -106,8 +106,8 @@ private:
         }
     }
 
-    // What a loop carries depends on what it yields, which is seen only after its body: repeated until nothing is
-    // added.
+    // What a loop carries depends on what its body yields at the end, so the body is repeated until nothing is added.
+    // Dependences only grow, so this ends.
     void loop(Frame& frame, const Inst& inst) {
         const auto args = frame.function.args(inst);
         const std::vector<Value>& body = frame.function.blocks[inst.data].insts;
@@ -172,7 +172,7 @@ private:
         made.on[component] |= Dependence::kBroken;
     }
 
-    // Every component depends, crookedly, on all that these operands do.
+    // Every component depends on all that these operands depend on, and is not affine in it.
     Dependence broken(const Frame& frame, const Inst& inst, std::size_t count, std::span<const Value> args,
                       Blame::What what) {
         Dependence made{};

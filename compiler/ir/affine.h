@@ -1,5 +1,5 @@
-// Which values of a function depend on a seed (linear_part.h), component by component, and whether they are affine in
-// it. An analysis only: linear_part() makes instructions of it.
+// Which values of a function depend on a seed x (linear_part.h), component by component, and whether they are affine in
+// x. This is an analysis; linear_part() uses it to make instructions.
 #pragma once
 
 #include <map>
@@ -9,7 +9,7 @@
 
 namespace patina::ir {
 
-// Why a value is of no use: the instruction that is to blame.
+// Why a value is not affine: the instruction that makes it so.
 struct Blame {
     enum class What : std::uint8_t { NotLinear, Product, Condition, SeedArguments, TooLong, Mixes };
     What what = What::NotLinear;
@@ -22,8 +22,8 @@ inline constexpr std::uint32_t kNoBlame = 0xffffffffu;
 
 // How a value depends on x. Components are counted end to end: of vectors, rows, members and elements.
 struct Dependence {
-    static constexpr std::uint8_t kBroken = 0x80;  // beside the components: not affine
-    static constexpr std::uint8_t kOffset = 0x40;  // beside the components: has a part that does not depend on x
+    static constexpr std::uint8_t kBroken = 0x80;  // a flag: not affine
+    static constexpr std::uint8_t kOffset = 0x40;  // a flag: has a part that does not depend on x
     // One byte for each component: bit i is component i of x (of one with more than six components: any of i, i + 6,
     // ...). Empty: none depends on x, and each is its offset. A zero byte: nothing but zero.
     std::vector<std::uint8_t> on{};
@@ -49,14 +49,14 @@ struct Affine {
 
 Affine affine_in(const Module& module, FunctionId function, const Seed& seed);
 
-// By function: 1 if it is the seed's callee or calls it, itself or through others.
+// By function: 1 if it is the seed's callee, or calls it directly or through others.
 std::vector<std::uint8_t> reaching(const Module& module, FunctionId callee);
 
-// Number of components of a value, and the first one that belongs to a part of it.
+// The number of components of a type, and the index of the first component of a part.
 std::uint32_t component_count(const Module& module, Type type);
 std::uint32_t first_component(const Module& module, Type composite, std::uint32_t part);
 
-// Ops that are linear in all that they are given.
+// True for ops that are linear in all of their operands.
 bool is_linear(Op op);
 
 }  // namespace patina::ir

@@ -23,7 +23,7 @@ std::uint32_t hash_of(Type type) {
     return mix(mix(0x5bd1e995u, shape), type.ref);
 }
 
-// Operands in their order, but the two of a commuting op in the order of their making.
+// Operands are hashed in their order, but those of a commuting op by their index, so that a + b and b + a are equal.
 std::uint32_t hash_of(Op op, Type type, std::span<const Value> args, std::uint32_t data) {
     std::uint32_t hash = mix(mix(hash_of(type), static_cast<std::uint32_t>(op)), data);
     if (has(op, Commutes)) {
@@ -39,14 +39,14 @@ bool same_operands(Op op, std::span<const Value> a, std::span<const Value> b) {
     return has(op, Commutes) && a[0] == b[1] && a[1] == b[0];
 }
 
-// By bits: -0 and 0 are two constants.
+// Compares bits: -0 and 0 are two constants.
 bool same_numbers(std::span<const double> a, std::span<const double> b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) {
         return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
     });
 }
 
-// In place of a constant's index: the module does not have it yet.
+// Instead of an index, for a constant that the module does not have yet.
 constexpr std::uint32_t kNewConstant = 0xffffffffu;
 
 bool is_leaf(Op op) {
@@ -64,7 +64,7 @@ bool is_leaf(Op op) {
 Builder::Builder(Module& module, Function& function, BuildOptions options)
     : module_(module), function_(function), options_(options) {
     if (function_.blocks.empty()) function_.blocks.emplace_back();
-    // Enough for most functions, which would otherwise grow from nothing in seven steps.
+    // Enough for most functions, which would otherwise allocate seven times while they grow.
     if (function_.insts.capacity() == 0) {
         function_.insts.reserve(32);
         function_.operands.reserve(64);
@@ -79,7 +79,7 @@ Builder::Builder(Module& module, Function& function, BuildOptions options)
 }
 
 Builder::~Builder() {
-    constexpr std::size_t kMaxSpare = 8, kMaxKept = 4096;  // of a very long function nothing is kept
+    constexpr std::size_t kMaxSpare = 8, kMaxKept = 4096;  // the tables of a very long function are not kept
     std::vector<Tables>& spare = spare_tables();
     if (!options_.fold || spare.size() >= kMaxSpare || function_.insts.capacity() > kMaxKept) return;
     tables_.numbered.shrink(0);
@@ -122,7 +122,7 @@ void Builder::check_rule([[maybe_unused]] Op op, [[maybe_unused]] Type type,
 
 Value Builder::emit(Op op, Type type, std::span<const Value> args, std::uint32_t data) {
     check_rule(op, type, args);
-    // Operands of another instruction would move while this one is appended.
+    // Operands that are those of another instruction would move while this one is appended, so they are copied.
     const Value* const operands = function_.operands.data();
     if (!args.empty() && args.data() >= operands && args.data() < operands + function_.operands.size()) {
         const std::vector<Value> copy(args.begin(), args.end());
@@ -173,8 +173,8 @@ Value Builder::emit_leaf(Op op, Type type, std::uint32_t data) {
     return value;
 }
 
-// `data` is the constant's index if the module has it already. While folding, numbers are what the type can hold:
-// folding computes with them, and equal constants are one.
+// `data` is the constant's index if the module has it already. While folding, numbers are rounded to what the type can
+// hold, because folding computes with them, and equal constants become one.
 Value Builder::emit_constant(Type type, std::span<const double> components, std::uint32_t data) {
     double rounded[16];
     const std::size_t count = std::min<std::size_t>(components.size(), std::size(rounded));
@@ -364,6 +364,11 @@ void Builder::name(Value value, NameId name) {
     if (!value || is_leaf(function_[value].op)) return;
     Inst& inst = function_.insts[value.index];
     if (!inst.name) inst.name = name;
+}
+
+void Builder::rename(Value value, NameId name) {
+    function_.insts[value.index].name = {};
+    this->name(value, name);
 }
 
 std::span<const double> Builder::constant_of(Value v) const {

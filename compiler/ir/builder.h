@@ -1,6 +1,7 @@
-// Makes the instructions of one function. Every way into the IR goes through here, so that folding, identities and
-// value numbering happen once, at birth: emit() returns an existing value when it can. With Options::fold off it emits
-// exactly what it is told, which is what the interpreter runs.
+// Makes the instructions of one function. Emission and passes make all instructions here (ir.h names two exceptions),
+// so that folding, identities and value numbering happen once, when an instruction is made: emit() returns an existing
+// value when it can. If BuildOptions::fold is off, emit() makes exactly the instruction that was asked for; the
+// interpreter runs such functions.
 //
 //   Builder b(module, function, {});
 //   Value two = b.constant(kFloat, {2.0});
@@ -32,7 +33,7 @@ public:
 
     // --- values. `type` is checked against the op's rule in debug builds.
     Value emit(Op op, Type type, std::span<const Value> args, std::uint32_t data = 0);
-    // As emit(), for an instruction of which it is known that it cannot be simplified, only be found again.
+    // As emit(), for an instruction that cannot be simplified any more: only an equal one is looked for.
     Value emit_settled(Op op, Type type, std::span<const Value> args, std::uint32_t data) {
         return emit_numbered(op, type, args, data, true);
     }
@@ -74,8 +75,10 @@ public:
     // --- what new instructions carry
     void set_origin(OriginId origin) { origin_ = origin; }
     OriginId origin() const { return origin_; }
-    // Gives the value a name hint unless it has one or is a leaf.
+    // Gives the value a name hint, unless it has one or is a leaf.
     void name(Value value, NameId name);
+    // Gives the value a name hint instead of the one that it may have, unless it is a leaf.
+    void rename(Value value, NameId name);
 
     // --- looking at what is there
     const Inst& operator[](Value v) const { return function_.insts[v.index]; }
@@ -103,11 +106,12 @@ private:
     const Open& innermost_loop() const;
     void check_rule(Op op, Type type, std::span<const Value> args) const;
 
-    // Each function is built several times on its way, so a builder hands its tables on, empty, to the next one.
+    // A function is rebuilt by several passes, so a builder leaves its tables, emptied, for the next builder.
     struct Tables {
         ValueTable numbered;  // what the current block can see
         ValueTable leaves;    // constants, params, globals, semantics: once in a function
-        // While folding, leaves gather here and go to the head of the body in ret(), where every block sees them.
+        // While folding, leaves are collected here. ret() puts them at the head of the body, where every block sees
+        // them.
         std::vector<Value> head;
     };
     static std::vector<Tables>& spare_tables();
@@ -121,11 +125,11 @@ private:
     Tables tables_;
 };
 
-// identities.cpp: constant folding and algebra. An existing or newly made value that equals op(args), or null.
+// An existing or newly made value that equals op(args), or null (identities.cpp).
 Value simplify(Builder& b, Op op, Type type, std::span<const Value> args, std::uint32_t data);
 
-// fold.cpp: the components of op applied to constant operands, or false if it cannot be folded (NaN-prone cases,
-// effects).
+// The components of op applied to constant operands, or false if it must not be folded: it has an effect, or the result
+// is NaN, infinite or not defined (fold.cpp).
 bool fold_constant(Op op, Type type, std::span<const Type> operand_types,
                    std::span<const std::span<const double>> operands, std::uint32_t data, std::vector<double>& out);
 

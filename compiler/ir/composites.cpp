@@ -7,9 +7,9 @@
 namespace patina::ir {
 namespace {
 
-// A long chain of inserts is followed no further than this, so that building stays linear.
+// How far a chain of inserts is followed, so that the time to build a function stays linear.
 constexpr int kMaxChain = 32;
-// An insert makes a new construct of at most so many parts, for the same reason.
+// Up to how many parts an insert becomes a new construct, for the same reason.
 constexpr std::uint32_t kMaxParts = 16;
 
 unsigned component(std::uint32_t swizzle, unsigned i) {
@@ -148,7 +148,7 @@ Value construct_whole(Builder& b, Type type, std::span<const Value> parts) {
     return whole;
 }
 
-// True if a value of the scalar kind survives the way there and back.
+// True if every value of one scalar kind is the same after a conversion to the other kind and back.
 bool is_lossless(Scalar from, Scalar through) {
     if (from == through || from == Scalar::Bool) return true;
     if (from == Scalar::Half) return through == Scalar::Float;

@@ -1,5 +1,5 @@
-// The part of simplify() that is about taking composites apart and putting them together: what is extracted from what
-// was just constructed is the part itself, and so on. Moves values, computes none.
+// The part of simplify() for composites that are put together and taken apart again: what is extracted from a construct
+// is the part that was put in. No arithmetic is simplified here.
 //
 //   extract(construct(a, b), 1) = b        swizzle(swizzle(v, yzx), xy) = swizzle(v, yz)
 #pragma once

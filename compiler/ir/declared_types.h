@@ -1,5 +1,5 @@
-// The type rules of the ops whose result type is declared (TypeRule::Declared), one function per op: composites,
-// leaves, conversions, calls. Rules that need the surroundings (blocks, yields) are in verify.cpp.
+// The type rules of ops whose result type is declared (TypeRule::Declared), one function for each op: composites,
+// leaves, conversions, calls. verify.cpp has the rules that need more than the instruction: blocks and yields.
 #pragma once
 
 #include <string>

@@ -14,7 +14,7 @@ std::string_view opaque_name(Kind kind) {
     return "sampler";
 }
 
-// Prints sound and unsound functions alike: no index is trusted, because the verifier shows the reader what is wrong.
+// Prints functions that are not sound, too, because verify() shows them to the reader: so every index is checked.
 class Dumper {
 public:
     Dumper(const Module& module, const Function& function, const Mark& mark, bool with_rates)

@@ -1,4 +1,4 @@
-// The IR as text, for --dump, for the verifier's messages and for tests. Deterministic; names no addresses.
+// The IR as text, for --dump, for the messages of verify() and for tests. The same module always gives the same text.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace patina::ir {
 std::string dump(const Module& module);
 std::string dump(const Module& module, const Function& function, bool with_rates = false);
 
-// A remark on one instruction, or on the whole function if there is no value. Copes with a function that is not sound.
+// A remark on one instruction, or on the whole function if `value` is null.
 struct Mark {
     Value value;
     std::string_view reason;

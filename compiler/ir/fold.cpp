@@ -101,8 +101,8 @@ constexpr Ternary kTernary[] = {
     {Op::Select, [](double c, double x, double y) { return c != 0 ? x : y; }},
 };
 
-// Products and bits of whole numbers, of which only the low 32 bits count. A shift by 32 or more, or by less than
-// none, is nothing that two languages agree on.
+// Products and bits of whole numbers, of which only the low 32 bits count. Languages do not agree about a shift by 32
+// or more, or by a negative number, so these are not folded.
 struct Whole {
     Op op;
     std::uint64_t (*of)(std::int64_t, std::int64_t);
@@ -118,7 +118,7 @@ constexpr Whole kWhole[] = {
     {Op::ShiftRight, [](std::int64_t x, std::int64_t y) { return static_cast<std::uint64_t>(x >> y); }, true},
 };
 
-// Rows by op, so that finding one takes no search.
+// The rows by op, so that a row is found without a search.
 template <class Row, std::size_t N>
 constexpr std::array<const Row*, kOpCount> by_op(const Row (&rows)[N]) {
     std::array<const Row*, kOpCount> table{};
@@ -157,8 +157,8 @@ double rounded(Scalar scalar, double value) {
             return wrap(scalar, static_cast<std::uint64_t>(static_cast<std::int64_t>(value)));
         case Scalar::Half: return round_to_half(value);
         case Scalar::Float:
-            // The conversion of a double beyond a float's range is undefined, so the range is asked first: half a unit
-            // above the largest float rounds up.
+            // To convert a double beyond the range of float is undefined in C++, so the range is checked first. From
+            // half a unit above the largest float on, a number rounds up to infinity.
             if (std::fabs(value) >= 0x1.ffffffp127)
                 return std::copysign(std::numeric_limits<double>::infinity(), value);
             return static_cast<double>(static_cast<float>(value));
@@ -231,7 +231,7 @@ double bitcast(Scalar from, Scalar to, double value) {
     return to == Scalar::Float ? static_cast<double>(std::bit_cast<float>(bits)) : wrap(to, bits);
 }
 
-// A float that an int cannot hold converts to whatever a GPU likes: NaN says that nothing is known.
+// GPUs differ in how they convert a float that an int cannot hold: NaN says that the result is not known.
 double convert(Scalar from, Scalar to, double value) {
     const bool is_real = from == Scalar::Float || from == Scalar::Half;
     if (is_real && to == Scalar::Int && !(value > -0x1p31 - 1 && value < 0x1p31)) return std::nan("");
@@ -309,7 +309,7 @@ bool whole_numbers(const Whole& row, Type type, Operands in, std::vector<double>
     return true;
 }
 
-// False if the op is none of the component-wise ones.
+// False if the op does not work component by component.
 bool components(Op op, Type type, Operands in, std::vector<double>& out) {
     const auto row = static_cast<std::size_t>(op);
     if (kWholeOf[row] && type.is_integer()) return whole_numbers(*kWholeOf[row], type, in, out);
@@ -347,7 +347,7 @@ bool evaluate(Op op, Type type, std::span<const Type> types, Operands operands, 
     return out.size() == type.components();
 }
 
-// What would be NaN or infinite, or is not defined, is left to the GPU, which may say something else.
+// A result that would be NaN, infinite or undefined is not folded: the GPU computes it, perhaps differently.
 bool fold_constant(Op op, Type type, std::span<const Type> operand_types, Operands operands, std::uint32_t data,
                    std::vector<double>& out) {
     return evaluate(op, type, operand_types, operands, data, out) &&

@@ -1,6 +1,6 @@
-// What an op gives for constant operands, on numbers alone: no instruction is made here. evaluate() says what the op
-// means, NaN and infinity included, for the tests of the identities; fold_constant() (builder.h) is what the builder
-// may do with it. The interpreter has its own arithmetic, on purpose.
+// What an op gives for constant operands, as numbers: no instruction is made here. evaluate() computes what the op
+// means, NaN and infinity included, also for the tests of the identities; fold_constant() (builder.h) refuses what the
+// builder must not fold. The interpreter has arithmetic of its own, so that the two can be compared.
 //
 //   round_to(Scalar::Half, 0.1) == 0.0999755859375
 #pragma once

@@ -3,7 +3,7 @@
 //
 // What may change: the sign of a zero, and nothing else. A GPU need not keep NaN, but users debug with it and no target
 // promises to lose it, so x * 0 and x - x stay as they are for floats: they are NaN where x is NaN or infinite. Rounded
-// identities are the exception, each for a reason given beside it.
+// identities are the exception; each has a comment with its reason.
 #include <algorithm>
 #include <array>
 
@@ -142,7 +142,7 @@ constexpr Identity kIdentities[] = {
 
     {dot(x, y), x* y},  // of scalars
 
-    // A unit vector's length is 1 but for rounding.
+    // The length of a unit vector is 1, except for rounding.
     {normalize(normalize(x)), normalize(x), kRounded},
 
     {transpose(transpose(x)), x},
@@ -152,7 +152,7 @@ constexpr std::size_t root(const Identity& identity) {
     return static_cast<std::size_t>(identity.left.nodes[0].op);
 }
 
-// First and last + 1 identity of each op.
+// The first identity of each op, and the one after its last.
 constexpr auto kRanges = [] {
     std::array<std::array<std::uint16_t, 2>, kOpCount> ranges{};
     for (std::size_t k = 0; k < std::size(kIdentities); k++) {
@@ -179,8 +179,8 @@ static_assert(is_grouped_by_op());
 using Node = Pattern::Node;
 using Bindings = std::array<Value, kVariables>;
 
-// A glance at the operands that rules out most identities before any is matched: the ops among them, and whether two
-// are one value.
+// What is checked before an identity is matched, because it rules out most of them: which ops the operands are, and
+// whether two operands are the same value.
 struct Glance {
     std::array<std::uint64_t, 2> ops{};
     bool has_twins = false;
@@ -284,7 +284,7 @@ Type type_of(const Builder& b, const Node*& node, const Bindings& bound) {
     return result_type(head.op, {types.data(), count});
 }
 
-// The right side is of operations and variables, or one number.
+// The right side is made of operations and variables, or it is one number.
 Value build(Builder& b, Type type, const Node*& node, const Bindings& bound) {
     const Node& head = *node++;
     if (head.kind == Pattern::Kind::Number) return b.splat_constant(type, head.number);

@@ -1,4 +1,6 @@
-// The intermediate representation: what a graph means, apart from any language.
+// The intermediate representation (IR): what a graph means, apart from any language. This room makes, checks and
+// rewrites IR. It knows nothing of graphs, of the node language, of GLSL or HLSL, or of engines; what it stores for
+// them (names, spellings, lines of text) it hands on unread.
 //
 // A Module holds functions. A Function is one structured block of instructions in SSA form: an instruction is a value,
 // computed once, used by those after it in its own block or in blocks nested in it. There are no jumps: `If` and `For`
@@ -14,8 +16,13 @@
 //     return (%3)
 //   }
 //
-// Lifetime is the Module's: everything is an index into one of its vectors. Passes do not edit a function in place,
-// they rebuild it through a Builder (builder.h).
+// Lifetime is the Module's: everything is an index into one of its vectors.
+//
+// A pass does not edit the instructions of a function in place: it rebuilds the function through a Builder (builder.h),
+// which finds what can be folded now. There are two exceptions. renumber_calls() (rebuild.h) tells calls where their
+// callees stand now, when functions have moved and nothing else of the caller changes. And link() and make_instanced()
+// replace the reads of semantics and globals where they stand, because every value must keep its index: probes refer to
+// values, and a rebuilt function has none.
 #pragma once
 
 #include <cstdint>
@@ -40,8 +47,8 @@ using SemanticId = Id<struct SemanticTag>;
 using OriginId = Id<struct OriginTag>;
 using NameId = Id<struct NameTag>;  // into Module::names
 
-// How often a value changes; decides where it is computed. Ordered: an instruction's rate is the highest of its
-// operands'.
+// How often a value changes, which decides where it is computed. The rates are in order: an instruction has the highest
+// rate of its operands, but the result of a loop over lights does not change with the light.
 enum class Rate : std::uint8_t { Constant, Uniform, Vertex, Pixel, Light };
 std::string_view to_string(Rate rate);
 
@@ -51,9 +58,9 @@ struct Inst {
     Type type{};
     std::uint32_t first_operand = 0;  // into Function::operands
     std::uint32_t operand_count = 0;
-    std::uint32_t data = 0;  // meaning is the op's; see ops.def
+    std::uint32_t data = 0;  // what it means depends on the op: see ops.def
     OriginId origin{};       // the graph node that it comes from
-    NameId name{};           // hint; a value with a name hint is printed as a statement of its own
+    NameId name{};           // a hint: a value that has one is printed as a statement of its own
 };
 
 struct Block {
@@ -64,19 +71,19 @@ struct Param {
     std::string name{};
     Type type{};
     Rate rate = Rate::Pixel;
-    bool is_semantic = false;  // handed down by link(): of no concern where the function does not read it
+    bool is_semantic = false;  // added by link() for a semantic; may be removed where the function does not read it
 };
 
-// Who knows a function beside the module that it is in.
+// Who calls or defines a function outside of its module.
 enum class Linkage : std::uint8_t {
     Internal,  // nobody: its signature may change
-    Exported,  // whoever calls the text that is printed: it loses semantics that it does not read, and nothing else
-    External,  // it is defined elsewhere: its body stands for nothing, and it is called as it is
-    Foreign,   // the same, and what defines it is included: the text declares it nowhere
+    Exported,  // other texts call it: of its signature only semantics that it does not read may go
+    External,  // another text defines it: its body here means nothing, and its signature must stay
+    Foreign,   // an included file defines it: as External, and the text does not declare it
 };
 
-// A value that has a name in a graph, for whoever watches the function run (interpret/). Rebuilding a function drops
-// them: only the unoptimised stages have any.
+// A value that has a name in a graph, so that a trace can show it (interpret/). Rebuilding a function drops its probes:
+// only functions that no pass has rebuilt have any.
 struct Probe {
     enum class Kind : std::uint8_t {
         Node,    // of the graph, by its id path
@@ -91,8 +98,8 @@ struct Probe {
     Span span{};
 };
 
-// Lines that a pass wants at a place of the stage's text, for a language that writes whole files of another tool:
-// "interpolators", "vertex begin".
+// A line that a pass adds at a named place of the stage's text, where an engine compiles the file and needs lines of
+// its own: {"include", "AutoLight.cginc"}. The writer of the engine's files knows the places.
 struct StageText {
     std::string place{}, line{};
 };
@@ -105,13 +112,13 @@ struct Function {
     std::vector<Block> blocks{};  // blocks[0] is the body
     OriginId origin{};
     std::string comment{};       // lines, printed above the function
-    bool always_inline = false;  // recipes and pass bodies: they are spelled out where they are called
+    bool always_inline = false;  // recipes and pass bodies: their instructions are copied to where they are called
     Linkage linkage = Linkage::Internal;
-    // Foreign: how a call is written, "MACRO({0}, {1})". With {result} in it, it is a statement, or several, that
-    // declares its result. Empty: the name and the arguments.
+    // Foreign: how a call is written, "MACRO({0}, {1})". If it contains {result}, it is one or more statements that
+    // declare the result. Empty: a call is written as usual.
     std::string spelling{};
-    std::vector<StageText> texts{};  // Foreign: lines that a stage needs that calls it
-    bool is_of_object = false;       // Foreign: it depends on the object that is drawn
+    std::vector<StageText> texts{};  // Foreign: lines that a stage needs if it calls the function
+    bool is_of_object = false;       // Foreign: its result depends on the object that is drawn
     std::vector<Probe> probes{};
 
     const Inst& operator[](Value v) const { return insts[v.index]; }
@@ -121,7 +128,7 @@ struct Function {
     std::span<const Value> args(Value v) const { return args(insts[v.index]); }
 };
 
-// Defined in another text than the module's.
+// True if another text than the module's defines the function.
 inline bool is_elsewhere(const Function& function) {
     return function.linkage == Linkage::External || function.linkage == Linkage::Foreign;
 }
@@ -140,19 +147,19 @@ struct Array {
     friend bool operator==(const Array&, const Array&) = default;
 };
 
-// A constant's components in order (columns of a matrix are not reordered: row by row), each exact in a double.
-// Structs and arrays of constants are Constructs, so a constant is always numeric.
+// A constant's components in order, those of a matrix row by row, each exact in a double. A constant is always numeric:
+// a struct or array of constants is a Construct.
 struct Constant {
     Type type{};
     std::uint32_t first = 0;  // into Module::numbers; type.components() of them
 };
 
-// A bool, or an enum as an int, that is known before a shader runs: a specialization constant, or a keyword, for an
-// engine that compiles the text once for each of its values.
+// A bool, or an enum as an int, that is known before a shader runs: a specialization constant, or a keyword of an
+// engine that compiles the text once for each value.
 struct Keyword {
     std::string property{};
     std::optional<std::uint32_t> constant_id{};  // of a specialization constant
-    double value = 0;                            // until somebody sets another
+    double value = 0;                            // the default
     std::vector<std::string> values{};           // of an enum: its words
 };
 
@@ -175,19 +182,22 @@ struct Place {
 struct Global {
     std::string name{};
     Type type{};
-    // For a member of a uniform block: the block and the member in it. For a texture, sampler or keyword, and for what
-    // another tool fills under its name: neither.
+    // Of a member of a uniform block: the block, and which of its members. Textures, samplers, keywords and what an
+    // engine fills by name are in no block.
     std::uint32_t block = 0xffffffffu;
     std::uint32_t member = 0;
     std::uint32_t keyword = 0xffffffffu;  // of Module::keywords
     Group group = Group::Engine;
     Place place{};  // of a texture or sampler
     Span span{};
-    std::string spelling{};  // not empty: an included file declares it, and it is written so
-    std::string decoder{};   // a foreign function that whatever is read goes through; may be empty
-    std::string follower{};  // a function of what is decoded, which the foreign function `at_once` computes with it
+    std::string spelling{};  // not empty: an included file declares it, and the text writes it like this
+    // An engine may store values encoded. `decoder` is the foreign function that decodes every value that is read. If
+    // the function `follower` is then called with the decoded value, the foreign function `at_once` may replace both
+    // calls. Each may be empty.
+    std::string decoder{};
+    std::string follower{};
     std::string at_once{};
-    bool is_of_object = false;  // included: it depends on the object that is drawn
+    bool is_of_object = false;  // of an included declaration: it depends on the object that is drawn
     bool in_block() const { return block != 0xffffffffu; }
     bool is_keyword() const { return keyword != 0xffffffffu; }
     bool is_foreign() const { return !spelling.empty(); }
@@ -196,12 +206,11 @@ struct Global {
 struct BlockMember {
     std::string name{};
     Type type{};
-    std::uint32_t offset =
-        0;  // bytes; equal in std140 and in an HLSL cbuffer, with `padding` members printed before it
-    std::uint32_t padding = 0;    // number of floats of padding before it
-    std::string stored_as{};      // the word for its type, where a language declares it as another; may be empty
-    bool is_of_instance = false;  // each instance has its own, where a language has words for that
-    std::string declared_in{};    // the other tool's file that declares it; empty: the text does
+    std::uint32_t offset = 0;     // bytes; the same in std140 and in an HLSL cbuffer with `padding` before the member
+    std::uint32_t padding = 0;    // floats that the text declares before it
+    std::string stored_as{};      // the type's name in the text, if an engine stores it as another type; may be empty
+    bool is_of_instance = false;  // each instance of a draw has a value of its own, if the engine can declare that
+    std::string declared_in{};    // the engine's file that declares it; empty: the text itself does
 };
 struct UniformBlock {
     std::string name{};
@@ -212,7 +221,7 @@ struct UniformBlock {
     std::vector<BlockMember> members{};
 };
 
-// A value of the mesh, camera or engine that a graph reads by name, before link() gives it a recipe.
+// A value of the mesh, camera or engine that a graph reads by name. link() replaces its reads by a parameter.
 struct Semantic {
     std::string name{};
     Type type{};
@@ -222,7 +231,7 @@ struct Semantic {
 // The graph node (or library function) that an instruction comes from.
 struct Origin {
     std::string label{};   // "SampleTexture2D"; empty: no comment is printed
-    bool is_note = false;  // the label is what somebody wrote about it
+    bool is_note = false;  // the label is the author's note
     std::string id{};      // "albedo"
     Span span{};           // where it stands in the graph's JSON
 };
@@ -236,8 +245,8 @@ struct StageVariable {
     Builtin builtin = Builtin::None;
     std::string semantic{};  // HLSL semantic: "POSITION", "TEXCOORD0", "SV_Target0", "SV_Position"
     bool flat = false;
-    std::string spelling{};  // of an output: not empty: no member, but written to this
-    std::string guard{};     // of an output: a condition of the preprocessor under which it exists; may be empty
+    std::string spelling{};  // of an output: what the text assigns it to, instead of a member; may be empty
+    std::string guard{};     // of an output: the preprocessor condition under which it exists; may be empty
 };
 enum class StageKind : std::uint8_t { Vertex, Fragment };
 struct StageInterface {
@@ -249,7 +258,7 @@ struct StageInterface {
 };
 
 struct Module {
-    std::vector<Function> functions;  // a callee stands before its callers
+    std::vector<Function> functions;  // a callee stands before its callers; verify() holds it
     std::vector<Struct> structs;
     std::vector<Array> arrays;
     std::vector<Constant> constants;
@@ -257,7 +266,7 @@ struct Module {
     std::vector<UniformBlock> blocks;
     std::vector<Global> globals;
     std::vector<Keyword> keywords;
-    bool tests_keywords = false;  // what keywords alone decide is decided by the text's preprocessor
+    bool tests_keywords = false;  // the text's preprocessor decides what depends on keywords alone
     std::vector<Semantic> semantics;
     std::vector<Origin> origins;
     std::vector<std::string> names;
@@ -276,19 +285,19 @@ struct Module {
 
 private:
     void index_name(std::uint32_t index);
-    // Hash table of indices into `names`, a power of two of slots and at most half full: it copies as a block.
+    // A hash table of indices into `names`, at most half full. It is one vector, so that copying a module is cheap.
     std::vector<std::uint32_t> name_slots_;
 };
 
-// Members of composite types, seen alike: type of part `index` of a vector (scalar), matrix (row), array or struct.
+// The type of a part: of a vector a component, of a matrix a row, of an array an element, of a struct a member.
 Type part_type(const Module& module, Type composite, std::uint32_t index);
 std::uint32_t part_count(const Module& module, Type composite);
 
-// By struct: true if it is part of the signature of a function that is defined elsewhere.
+// By struct: true if the signature of an External function contains it.
 std::vector<bool> shared_structs(const Module& module);
 
-// Result type that the op's rule gives for these operand types, or Error where they do not fit.
-// For TypeRule::Declared ops it returns Error: their verifier rules are in verify.cpp.
+// The result type that the op's rule gives for these operand types, or Error if they do not fit it. An op of
+// TypeRule::Declared has no such rule and gives Error: declared_types.h checks it.
 Type result_type(Op op, std::span<const Type> operands);
 
 }  // namespace patina::ir

@@ -9,7 +9,7 @@
 namespace patina::ir {
 namespace {
 
-// Zero of the value's type. What a struct holds beside numbers stays the value's own.
+// Zero of the value's type. Members of a struct that are not numbers stay those of the value.
 Value zero(Builder& b, Value like) {
     const Type type = b.type(like);
     if (type.is_numeric()) return b.splat_constant(type, 0);
@@ -19,18 +19,18 @@ Value zero(Builder& b, Value like) {
     return b.construct(type, parts);
 }
 
-// A body being copied as the body of `made`: parameters are what they are, or what a call gave for them.
+// A body that is being copied. In a body that replaces a call, the parameters are the arguments of the call.
 struct Frame {
     const Activation& facts;
     std::vector<Value> arguments{};          // of a call
     std::vector<Value> argument_tangents{};  // null: does not depend on x
-    std::vector<Value> tangents{};           // by old value; null: does not depend on x, or is of no use
-    std::vector<std::uint32_t> kept{};       // by old value, of If and For: how many values they yield beside tangents
+    std::vector<Value> tangents{};           // by old value; null: does not depend on x, or is not affine
+    std::vector<std::uint32_t> kept{};       // by old value, of If and For: how many values precede the tangents
     Value result{};                          // of a call
     Value result_tangent{};
 };
 
-// Writes each value beside its tangent. Of the values themselves only those stay that tangents are multiplied by.
+// Emits each value and its tangent. Values that no tangent is multiplied by are dropped later.
 class Emission {
 public:
     Emission(Module& module, const Seed& seed, BuildOptions options)
@@ -87,7 +87,7 @@ private:
         return known ? known : zero(copy.to, copy.map[old.index]);
     }
 
-    // Null for an op whose result is of no use.
+    // Null for an op whose result is not affine.
     static Value tangent_of(const Frame& frame, Copy& copy, Value value) {
         const Inst& inst = copy.from[value];
         const auto args = copy.from.args(inst);
@@ -279,8 +279,8 @@ bool is_componentwise(const Dependence& result) {
     return true;
 }
 
-// The function with zero in the place of x. What is homogeneous in x is zero at once: the rest of a product need not be
-// computed to be multiplied by zero.
+// The function with zero in the place of x. A value that is homogeneous in x becomes zero, so that the other factors of
+// a product are not computed.
 class Without {
 public:
     Without(Module& module, const Seed& seed, BuildOptions options) : module_(module), seed_(seed), options_(options) {
@@ -300,7 +300,7 @@ public:
     }
 
 private:
-    // `facts`: null where nothing is known of the function.
+    // `facts`: null if nothing is known of the function.
     static bool homogeneous(Copy& copy, Value value, const Activation* facts) {
         if (!facts || copy.from[value].op == Op::LoopCarried || !facts->values[value.index].is_homogeneous())
             return false;
@@ -321,7 +321,7 @@ private:
         return true;
     }
 
-    // A function that calls the seed's, or that is affine in what it is given of x, is spelled out.
+    // A call is inlined if the function calls the seed's callee, or if it is affine in an argument that depends on x.
     bool call(Copy& outer, Value value, const Activation* facts) {
         const Inst& inst = outer.from[value];
         if (inst.op != Op::Call) return false;
@@ -368,7 +368,7 @@ LinearPart linear_part(Module& module, FunctionId function, const Seed& seed, co
     const bool is_broken = (result.all_of() & Dependence::kBroken) != 0;
     if (is_broken || (options.componentwise && !is_componentwise(result))) {
         const std::uint32_t by = is_broken ? result.broken_by : result.mixed_by;
-        // A lone component that is not the first has been mixed by no instruction.
+        // No instruction has mixed a single component that is not the first.
         made.reason = by == kNoBlame ? "its components change places" : reason_of(module, affine.blames[by], function);
         if (by != kNoBlame) made.origin = affine.blames[by].origin;
         return made;

@@ -1,11 +1,11 @@
-// Is a function f(x, ...) affine in one of its inputs: f = A x + B, where neither A nor B depends on x? If so, its
-// linear part A x is a function of the same signature, and so is B. What a rendering path needs to know that computes
-// with one x here and multiplies by another one there. x is a member of a parameter, or what all calls of some function
-// give.
+// Is a function f(x, ...) affine in one of its inputs: f = A x + B, where neither A nor B depends on x? If so, this
+// makes functions of its linear part A x and of B, with the same signature. A rendering path needs them if it computes
+// with one x in one pass and multiplies by another x in a later pass. x is a member of a parameter, or the result of
+// all calls of some function.
 //
-// It is found as derivatives are, in forward mode: each value has a tangent, or none if it does not depend on x, and an
-// op that is not linear in what depends on x makes its result useless, with a reason. What does not reach the
-// function's result may be as crooked as it likes. Only the form is looked at: x * x - x * x is not affine here.
+// The linear part is found like a derivative in forward mode: each value that depends on x has a tangent. An op that is
+// not linear in such a value has none, and the reason is kept. What does not reach the function's result may be
+// anything. Only the form counts: x * x - x * x is not affine here.
 //
 //   LinearPart made = linear_part(module, direct, Seed::of_member(0, 0), {.componentwise = true});
 //   if (!made.function) say(made.reason, module.origins[made.origin.index].span);
@@ -43,13 +43,14 @@ struct LinearPart {
     OriginId origin{};                   // the graph node where that is, if it has one
 };
 
-// The module gets the constants that the new function needs, and is otherwise left as it is; calls with arguments that
-// depend on x, and calls of functions that call the seed's, are spelled out in it. Probes are not kept.
+// The module gets the constants that the new function needs and is otherwise not changed. Calls with arguments that
+// depend on x, and calls of functions that call the seed's callee, are inlined in the new function. Probes are not
+// kept.
 LinearPart linear_part(Module& module, FunctionId function, const Seed& seed, const LinearOptions& options = {});
 
-// B: the function with zero in the place of x. What is homogeneous in x, such as k x, is zero as a whole, whatever k
-// is, and k is not computed for it; what is not affine is computed for x = 0. Functions that call the seed's are
-// spelled out however many they are: linear_part() is to have been asked first.
+// B: the function with zero in the place of x. A product such as k x becomes zero as a whole, and k is not computed for
+// it; what is not affine is computed for x = 0. Functions that call the seed's callee are inlined, however many they
+// are, so call linear_part() first.
 Function without(Module& module, FunctionId function, const Seed& seed, BuildOptions build = {});
 
 // A member that is read, and by which graph node first.
@@ -57,8 +58,8 @@ struct MemberRead {
     std::uint32_t member = 0;
     OriginId origin{};
 };
-// The members of a struct parameter that the function's result depends on, in their order, also where the whole struct
-// goes to a function that is called. Any other use of the whole struct reads all of them.
+// The members of a struct parameter that the function's result depends on, in their order. Where the whole struct is an
+// argument of a call, the callee's members count; any other use of the whole struct reads all members.
 std::vector<MemberRead> members_read(const Module& module, FunctionId function, std::uint32_t param);
 
 }  // namespace patina::ir

@@ -1,5 +1,6 @@
-// What of a function its own result needs: the rest is left behind by whoever rebuilds it with Copy::live. Looks at one
-// function and takes every call as needing all its arguments; prune() knows better, for a whole module.
+// Which values of a function its result needs. A copy with Copy::live leaves out the others. This looks at one
+// function, and assumes that a call needs all of its arguments; prune() looks at the whole module and knows which it
+// needs.
 //
 //   const Liveness live = live_in(function);
 //   Copy copy{.from = function, .to = builder, .live = &live};

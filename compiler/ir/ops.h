@@ -1,4 +1,4 @@
-// The table of ops.def as code: one enumerator and one row per operation.
+// The table of ops.def as code: one enumerator and one row for each operation.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ enum class Op : std::uint8_t {
 
 // How an op's result type follows from its operands.
 enum class TypeRule : std::uint8_t {
-    Declared,    // the emitter says; the verifier has a rule of its own per op
+    Declared,    // whoever emits it says the type; declared_types.cpp has a rule for each op
     Void,        // no value
     First,       // type of operand 0
     Second,      // type of operand 1
@@ -37,7 +37,7 @@ struct OpInfo {
     int arguments;
     TypeRule rule;
     std::uint8_t traits;
-    double relative;  // tolerance of a GPU's result
+    double relative;  // how far a GPU's result may be from the exact one
     double absolute;
 };
 

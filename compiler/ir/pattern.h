@@ -1,6 +1,6 @@
-// Equations between expressions, written as such: `{x + 0, x}`. A pattern is a small constant tree in prefix order; the
-// operators below build it while the compiler compiles. Matching and rewriting are in identities.cpp; the table there
-// is also what the tests walk through, so that no identity is without one.
+// Equations between expressions, written as equations: `{x + 0, x}`. A pattern is a small tree in prefix order, which
+// the operators below build at compile time. identities.cpp matches and rewrites; the tests go through its table, so
+// that every identity is tested.
 //
 //   constexpr Identity kExample = {select(c, x, x), x};
 #pragma once
@@ -182,7 +182,7 @@ constexpr P transpose(const P& a) {
 
 }  // namespace pattern
 
-// All of them, those of one op on the left together.
+// All identities; those with the same op on the left side stand together.
 std::span<const Identity> all_identities();
 
 }  // namespace patina::ir

@@ -28,7 +28,7 @@ const Inst& yield_of(const Function& function, std::uint32_t block) {
     return function[function.blocks[block].insts.back()];
 }
 
-// What becomes of an If.
+// What an If becomes in the copy.
 enum class Fate { Kept, Then, Else, Selects };
 
 bool computes_nothing(const Copy& copy, std::uint32_t block) {
@@ -61,12 +61,12 @@ bool is_live(const Copy& copy, const Inst& yield, std::uint32_t index) {
     return copy.live == nullptr || copy.live->operands[yield.first_operand + index] != 0;
 }
 
-// True if each trip of the loop hands the carried value on as it is.
+// True if no round of the loop changes the carried value.
 bool is_unchanged(const Function& from, std::uint32_t body, std::uint32_t index) {
     return yielded(from, body)[index] == from.blocks[body].insts[index + 1];
 }
 
-// True if the copy of the structure yields this value too.
+// True if the copy of the If or For yields this value, too.
 bool keeps(const Copy& copy, const Inst& structure, std::uint32_t index) {
     if (structure.op == Op::For && is_unchanged(copy.from, structure.data, index)) return false;
     return is_live(copy, yield_of(copy.from, structure.data), index);

@@ -1,7 +1,7 @@
-// Copies a function through a Builder: what all passes stand on. While it copies, the builder folds and numbers, an If
-// with a known condition becomes its branch, an If that computes nothing becomes Selects, a For without a trip goes
-// away and what a loop carries unchanged is carried no more. A pass says what it does differently by `rewrite` and
-// `live`.
+// Copies a function through a Builder, which is how passes change functions. The copy is simpler where it can be: the
+// builder folds and finds equal values, an If with a known condition becomes one of its branches, an If that computes
+// nothing becomes Selects, a For that never runs is dropped, and a loop no longer carries what it does not change. A
+// pass says by `rewrite` and `live` what it does differently.
 //
 //   Function made = shell(old);
 //   Builder b(module, made);
@@ -15,7 +15,8 @@
 
 namespace patina::ir {
 
-// What a function needs of itself. A structure's yielded value is kept if its place in its Yield is.
+// Which values a function needs for its own result. A value that an If or For yields is kept if its operand of the
+// Yield is needed.
 struct Liveness {
     std::vector<std::uint8_t> values;    // by Value
     std::vector<std::uint8_t> operands;  // by index into Function::operands; only those of Yields count
@@ -27,28 +28,38 @@ struct Copy {
     std::vector<Value> map{};        // old value -> new value; null while it has none
     OriginId origin{};               // for instructions that have none of their own
     const Liveness* live = nullptr;  // null: everything is kept
-    // Asked before each instruction: true if it has been dealt with (and mapped, unless nothing reads it).
+    // Called before each instruction is copied. Returns true if it has emitted the instruction itself, and set its
+    // entry in `map` unless nothing reads it.
     std::function<bool(Copy&, Value)> rewrite{};
     std::vector<Value> scratch{};
-    // By old value: 1 if the new one may be of another make, so that what reads it is worth simplifying anew. After
-    // `rewrite` has dealt with a value, 1 unless it says otherwise.
+    // By old value: 1 if another instruction may compute the new one, so that its readers may be simpler now. After
+    // `rewrite` returned true it is 1, unless `rewrite` has set it to 0.
     std::vector<std::uint8_t> changed{};
 };
 
 // A function without a body, otherwise like `from`.
 Function shell(const Function& from);
-// The same for a function of which only the body is needed afterwards.
+// The same, by moving: afterwards only the body of `from` may be used.
 Function take_shell(Function& from);
 
 // The body, with its Return.
 void copy_body(Copy& copy);
 // The instructions of a block but for its Yield.
 void copy_block(Copy& copy, std::uint32_t block);
-// One instruction with all that it holds: as `rewrite` does it, or plainly.
+// One instruction, with the blocks of an If or For: by `rewrite`, or as it is.
 void copy_inst(Copy& copy, Value value);
 void copy_plain(Copy& copy, Value value);
 
 // The operands of the Yield that ends a block.
 std::span<const Value> yielded(const Function& function, std::uint32_t block);
+
+// Sets which function each Call calls: `moved(old index)` is the new one. For functions that have moved in the module;
+// nothing else of a finished function is edited in place (ir.h).
+template <class Moved>
+void renumber_calls(Function& function, const Moved& moved) {
+    for (Inst& inst : function.insts) {
+        if (inst.op == Op::Call) inst.data = moved(inst.data);
+    }
+}
 
 }  // namespace patina::ir

@@ -1,4 +1,4 @@
-// result_type(): what each TypeRule demands of its operands, and what comes out.
+// result_type(): which operands each TypeRule accepts, and the type of the result.
 #include <algorithm>
 #include <array>
 #include <initializer_list>

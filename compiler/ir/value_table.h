@@ -1,6 +1,6 @@
-// A hash table of values for value numbering: it remembers in which order values came, so that a scope is left by
-// shrinking it to an earlier size. Knows nothing of instructions: the caller brings the hash and the comparison. One
-// allocation per doubling, none per value.
+// A hash table of values for value numbering. It keeps the order in which values came, so that the builder leaves a
+// scope by shrinking the table to an earlier size. It does not look at instructions: the caller gives the hash and the
+// comparison. It allocates when it doubles, and not for each value.
 //
 //   std::size_t outer = table.size();
 //   table.insert(hash, value);

@@ -54,7 +54,7 @@ private:
         for (std::size_t i = 0; i < insts.size() && ok(); i++) {
             if (place(insts[i])) instruction(insts[i], i, i + 1 == insts.size(), owner);
         }
-        // What a block made is not seen after it.
+        // The values of a block are not visible behind it.
         for (const Value value : insts) {
             if (value.index < visible_.size()) visible_[value.index] = false;
         }

@@ -1,4 +1,5 @@
-// Checks every rule that ir.h and ops.def state: operand dominance, types, block shapes, one Return, callee order.
+// Checks the rules that ir.h and ops.def state: each operand is computed before it is used, types fit, blocks have the
+// right shape, each function returns once, and callees stand before their callers.
 #pragma once
 
 #include <string>
@@ -7,11 +8,12 @@
 
 namespace patina::ir {
 
-// Empty if the module is sound; otherwise the module's own text with the first offending line marked and explained.
+// Empty if the module is sound; otherwise the text of the first wrong function, with the wrong line marked and
+// explained.
 std::string verify(const Module& module);
-// In debug builds, and wherever the environment says PATINA_VERIFY=1, as it does for the tests.
+// True in debug builds, and if the environment says PATINA_VERIFY=1, as it does for the tests.
 bool is_verifying();
-// Aborts with verify()'s text.
+// Aborts with the text of verify() if the module is not sound. `stage`: what made the module.
 void check(const Module& module, std::string_view stage);
 inline void check_if_verifying(const Module& module, std::string_view stage) {
     if (is_verifying()) check(module, stage);

@@ -66,8 +66,8 @@ JsonComments& comments_of(Json& json) {
     return *json.comments;
 }
 
-// Takes RapidJSON's events and makes the tree. What lies between two tokens is read a second time here: that gives the
-// start of the token (an event only knows its end) and the comments.
+// Makes the tree of RapidJSON's events. The text between two tokens is read a second time here, to find the comments
+// and where the next token starts: an event knows only where it ends.
 class Builder {
 public:
     Builder(std::string_view text, std::uint32_t base, const Cursor& cursor, std::size_t start,
@@ -156,7 +156,7 @@ private:
 
     std::uint32_t global(std::size_t offset) const { return base_ + static_cast<std::uint32_t>(offset); }
 
-    // The value that the last token ended, null after a key or an opening bracket.
+    // The value that ended with the last token; null after a key or an opening bracket.
     Json* last_value() {
         if (last_ != Token::Value) return nullptr;
         if (frames_.empty()) return root_.get();
@@ -200,7 +200,7 @@ private:
     Diagnostics& diagnostics_;
 };
 
-// Is there nothing but white space, commas and further one-line comments up to the end of the line?
+// True if only white space, commas and one-line comments follow on the line.
 bool Builder::ends_line(std::size_t i) const {
     while (i < text_.size() && text_[i] != '\n') {
         if (text_.substr(i, 2) == "//") return true;
@@ -217,8 +217,8 @@ bool Builder::ends_line(std::size_t i) const {
     return true;
 }
 
-// A comment belongs to the value before it if it stands on its line, either before the comma or with nothing else after
-// it; else to what follows.
+// A comment belongs to the value before it if it is on the same line, and either before the comma or the last thing on
+// that line. Any other comment belongs to what follows.
 void Builder::read_comment(std::size_t& i, Gap& gap) {
     const bool line = text_[i + 1] == '/';
     const std::size_t begin = i;
@@ -275,7 +275,7 @@ void Builder::drop_blank_ends(std::vector<std::string>& comments) {
     while (!comments.empty() && comments.back().empty()) comments.pop_back();
 }
 
-// A tree takes far more memory than its text: a hostile file of 64 MiB could ask for several GiB.
+// A tree needs far more memory than its text: without a limit, a file of 64 MiB could need several GiB.
 bool Builder::count(Span span) {
     if (++items_ <= kMaxJsonItems) return true;
     diagnostics_.report(Code::TooMany, span, items_, "JSON values", kMaxJsonItems);
@@ -354,7 +354,7 @@ bool Builder::close() {
     return true;
 }
 
-// What can be said before parsing. The offset of the first byte to parse, or nothing after an error.
+// Checks the text before parsing. Returns the offset of the first byte to parse, or nothing after an error.
 std::optional<std::size_t> check_text(std::string_view text, std::uint32_t base, Diagnostics& diagnostics) {
     const Span start{base, base};
     if (text.empty()) {

@@ -1,5 +1,6 @@
-// JSON with // comments and trailing commas, as a tree in which every value and key knows its place in the source.
-// Wraps RapidJSON's iterative SAX parser; a deep or huge file is refused, never a crash. Comments are kept for `fmt`.
+// This room reads JSON and knows nothing of what a file means: it gives a tree in which every value and key has its
+// place in the source. It accepts // comments and trailing commas, and keeps the comments for `fmt`. It wraps
+// RapidJSON's iterative SAX parser; a file that is too deep or too large is reported.
 #pragma once
 
 #include <memory>
@@ -14,9 +15,9 @@ namespace patina::graph {
 struct JsonMember;
 
 struct JsonComments {
-    // On lines of their own before the value (before its key, for a member); an empty string is a blank line.
+    // On lines of their own before the value (of a member: before its key); an empty string is a blank line.
     std::vector<std::string> before;
-    std::string trailing;          // on the same line, after it; of the root: all that follows, line by line
+    std::string trailing;          // after it on the same line; of the root: all that follows, line by line
     std::vector<std::string> end;  // before the closing bracket
 };
 
@@ -43,19 +44,20 @@ struct JsonMember {
 // "an object", "a string", ...
 std::string_view describe(Json::Kind kind);
 
-// Text of the user's as a message shows it: a long one is cut.
+// The user's text as a message shows it: a long text is cut.
 std::string shown(std::string_view text);
 
-// Global offset of each byte of the decoded string, and of its end; empty when there are no escapes (then byte i is at
-// span.begin + 1 + i).
+// The global offset of each byte of the decoded string, and of its end. Empty if the string has no escapes: then byte i
+// is at span.begin + 1 + i.
 std::vector<std::uint32_t> string_offsets(const Json& string, const SourceMap& sources);
 
 inline constexpr std::size_t kMaxJsonDepth = 128;
 inline constexpr std::size_t kMaxJsonBytes = 64u << 20;
 inline constexpr std::size_t kMaxJsonItems = 1'000'000;  // values and comments
 
-// The file whose text starts at `base` in the map. Null if there is no reading it, which has been reported; a duplicate
-// key is reported too, but the tree (with the first of the two) is returned, so that one run finds several errors.
+// Reads the file whose text starts at `base` in the map. Reports what it cannot read, and then returns null. A
+// duplicate key is reported too, but the tree is returned with the first of the two, so that one run finds several
+// errors.
 std::unique_ptr<Json> parse_json(const SourceMap& sources, std::uint32_t base, Diagnostics& diagnostics);
 
 }  // namespace patina::graph

@@ -1,5 +1,5 @@
-// JSON tree -> text on one line, without comments: numbers keep the value and the kind (whole or not) that they were
-// written with, strings are escaped no more than needed. Laying out a whole file is format.h's.
+// JSON tree -> text on one line, without comments. A number keeps its value and its kind (whole or not); a string is
+// escaped only where it must be. compiler/format lays out whole files.
 //
 //   {"a":1.50,}   ->   { "a": 1.5 }
 #pragma once
@@ -8,14 +8,14 @@
 
 namespace patina::graph {
 
-// Appends the text of `json`. Gives up, and returns false, once `out` has grown past `limit` bytes.
+// Appends the text of `json`. Stops and returns false as soon as `out` is longer than `limit` bytes.
 bool append_one_line(std::string& out, const Json& json, const SourceMap& sources,
                      std::size_t limit = std::string::npos);
 
 // A quoted string.
 void append_quoted(std::string& out, std::string_view text);
 
-// The text of a JSON number without what changes nothing: "1.50E+02" -> "1.5e2".
+// The shortest spelling of the same JSON number: "1.50E+02" -> "1.5e2".
 std::string canonical_number(std::string_view raw);
 
 }  // namespace patina::graph

@@ -173,9 +173,7 @@ private:
         // What a pass without targets reads of the surface decides what it needs to be handed.
         const bool shares = in_vertex_stage() || !pass_.declaration->state.targets.empty();
         if (linked_.lowered.keeps_functions && shares && !ir::is_elsewhere(copy)) copy.linkage = ir::Linkage::Exported;
-        for (ir::Inst& inst : copy.insts) {
-            if (inst.op == Op::Call) inst.data = imported({inst.data}).index;
-        }
+        ir::renumber_calls(copy, [&](std::uint32_t callee) { return imported({callee}).index; });
         module_.functions.push_back(std::move(copy));
         return imported_[function.index] = {static_cast<std::uint32_t>(module_.functions.size() - 1)};
     }

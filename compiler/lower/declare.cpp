@@ -100,35 +100,35 @@ namespace {
 
 // What included files declare, and in whose place it stands.
 void declare_foreign(const PathDeclarations& paths, const nodelang::Declarations& declarations,
-                     nodelang::Emitter& emitter) {
-    const nodelang::Scope scope{.declarations = &declarations};
+                     emit::Emitter& emitter) {
+    const emit::Scope scope{.declarations = &declarations};
     for (const ForeignDecl& foreign : paths.foreign) {
         const nodelang::VariableDecl& variable = *foreign.variable;
-        emitter.module().globals.push_back({.name = std::string(variable.name),
-                                            .type = emitter.type(variable.type, scope),
-                                            .group = ir::Group::Included,
-                                            .span = variable.span,
-                                            .spelling = std::string(foreign.spelling)});
-        emitter.set_extern(&variable, {static_cast<std::uint32_t>(emitter.module().globals.size() - 1)});
+        emitter.module.globals.push_back({.name = std::string(variable.name),
+                                          .type = emit::type(emitter, variable.type, scope),
+                                          .group = ir::Group::Included,
+                                          .span = variable.span,
+                                          .spelling = std::string(foreign.spelling)});
+        emitter.known.externs[&variable] = {static_cast<std::uint32_t>(emitter.module.globals.size() - 1)};
     }
     for (const GivenDecl& given : paths.given) {
         const nodelang::VariableDecl* replaced = given.variable ? declarations.variable(given.what) : nullptr;
         const ExternDecl* value = replaced ? paths.extern_of(replaced) : nullptr;
         if (!value) continue;
-        emitter.share_extern(replaced, given.variable);
+        emit::share_extern(emitter.known, *replaced, *given.variable);
         if (value->is_per_object)
-            emitter.module().globals[emitter.extern_global(*given.variable)->index].is_of_object = true;
+            emitter.module.globals[emit::find_extern(emitter.known, *given.variable)->index].is_of_object = true;
     }
 }
 
 }  // namespace
 
 EngineGlobals declare_engine(const engines::Engine& engine, const PathDeclarations& paths,
-                             const nodelang::Declarations& declarations, nodelang::Emitter& emitter,
+                             const nodelang::Declarations& declarations, emit::Emitter& emitter,
                              std::span<const std::string_view> on) {
     EngineGlobals made;
-    ir::Module& module = emitter.module();
-    const nodelang::Scope scope{.declarations = &declarations};
+    ir::Module& module = emitter.module;
+    const emit::Scope scope{.declarations = &declarations};
     std::vector<const ExternDecl*> externs;
     for (const ExternDecl& each : paths.externs) {
         if (is_wanted(each, on)) externs.push_back(&each);
@@ -140,7 +140,7 @@ EngineGlobals declare_engine(const engines::Engine& engine, const PathDeclaratio
             const std::string texture(variable.name);
             const ir::Group group = each->is_target() ? ir::Group::Targets : ir::Group::Engine;
             const ir::GlobalId global = add_resource(module, texture, *kind, group, variable.span);
-            emitter.set_extern(&variable, global);
+            emitter.known.externs[&variable] = global;
             if (each->is_target()) made.reads[global.index] = each->reads;
             add_resource(module, texture + "_sampler", ir::Kind::Sampler, group, variable.span);
             continue;
@@ -152,16 +152,16 @@ EngineGlobals declare_engine(const engines::Engine& engine, const PathDeclaratio
             module.blocks.push_back({.name = std::string(name), .members = {}});
             block = module.blocks.end() - 1;
         }
-        const Type type = emitter.type(variable.type, scope);
+        const Type type = emit::type(emitter, variable.type, scope);
         const auto index = static_cast<std::uint32_t>(block - module.blocks.begin());
         const ir::GlobalId global = add_block_global(module, index, std::string(variable.name), type, variable.span);
-        emitter.set_extern(&variable, global);
+        emitter.known.externs[&variable] = global;
         if (each->is_per_object) made.per_object.insert(global.index);
     }
     declare_foreign(paths, declarations, emitter);
     for (const nodelang::VariableDecl* older : paths.repeated) {
         const nodelang::VariableDecl* newer = declarations.variable(older->name);
-        if (newer) emitter.share_extern(older, newer);
+        if (newer) emit::share_extern(emitter.known, *older, *newer);
     }
     return made;
 }

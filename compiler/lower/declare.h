@@ -6,8 +6,8 @@
 #include <set>
 #include <span>
 
+#include "compiler/emit/emit.h"
 #include "compiler/ir/ir.h"
-#include "compiler/nodelang/emit.h"
 #include "compiler/resolve/material.h"
 
 namespace patina::graph {
@@ -33,7 +33,7 @@ struct EngineGlobals {
     std::map<std::uint32_t, std::string> reads;  // textures that are targets of other passes
 };
 EngineGlobals declare_engine(const engines::Engine& engine, const PathDeclarations& paths,
-                             const nodelang::Declarations& declarations, nodelang::Emitter& emitter,
+                             const nodelang::Declarations& declarations, emit::Emitter& emitter,
                              std::span<const std::string_view> on = {});
 // One entry per Material::properties. `keep_variants`: those that nobody has chosen a value for are globals too, and
 // not constants. `instances`: the block of the properties that each instance has; nothing: the material's.

@@ -8,11 +8,11 @@
 
 namespace patina::graph {
 
+using emit::Typed;
 using ir::Op;
 using ir::Type;
 using ir::Value;
 using nodelang::Expr;
-using nodelang::Typed;
 
 GraphScope::GraphScope(Lowering& lowering, const CheckedGraph& graph, ir::Builder& builder, bool in_vertex_stage)
     : lowering_(lowering), graph_(graph), values_(graph.nodes.size()), emitted_(graph.nodes.size(), false) {
@@ -50,7 +50,7 @@ std::string_view GraphScope::outermost_kind() const {
 }
 
 void GraphScope::watch(ir::Probe::Kind kind, std::string id, std::string_view port, const Typed& value, Span span) {
-    if (lowering_.emitter.options().fold || !value.ok()) return;
+    if (lowering_.emitter.options.fold || !value.ok()) return;
     ir::Probe probe{
         .kind = kind, .graph = outermost_kind(), .id = std::move(id), .ports = {}, .value = value.value, .span = span};
     if (value.outputs) {
@@ -130,13 +130,13 @@ void GraphScope::emit_node(std::uint32_t index) {
     Typed value;
     if (node.is_expression) {
         const bool outer_half = std::exchange(scope_.half, uses_half(node));
-        value = lowering_.emitter.expression(*node.expr, scope_);
+        value = emit::expression(lowering_.emitter, *node.expr, scope_);
         scope_.half = outer_half;
         const bool is_number = std::exchange(value.literal, false) || node.expr->kind == Expr::Kind::Number;
         // A whole number in a graph is a number: only the node language itself counts in ints.
         if (value.ok() && is_number && value.type.is_integer()) {
-            value = lowering_.emitter.convert({.value = value.value, .type = value.type, .literal = true}, ir::kFloat,
-                                              scope_, node.expr_span, "the value");
+            value = emit::convert(lowering_.emitter, {.value = value.value, .type = value.type, .literal = true},
+                                  ir::kFloat, scope_, node.expr_span, "the value");
         }
     } else if (resolved.subgraph) {
         value = subgraph_node(index);
@@ -165,19 +165,19 @@ Typed GraphScope::call_node(const Node& node, const ResolvedNode& resolved) {
     // Texture coordinates need more than eleven bits: what samples is computed in float.
     const bool samples = std::any_of(function.params.begin(), function.params.end(),
                                      [](const nodelang::ParamDecl& p) { return p.type.name == "Texture2D"; });
-    return lowering_.emitter.call(function, *resolved.home, arguments, scope_, node.type_span,
-                                  uses_half(node) && !samples);
+    return emit::call(lowering_.emitter, function, *resolved.home, arguments, scope_, node.type_span,
+                      uses_half(node) && !samples);
 }
 
 void GraphScope::fill_inputs(GraphScope& inner, const Node& node, const Graph& subgraph) {
-    nodelang::Emitter& emitter = lowering_.emitter;
+    emit::Emitter& emitter = lowering_.emitter;
     for (const Input& input : subgraph.inputs) {
         const auto port = std::find_if(node.inputs.begin(), node.inputs.end(),
                                        [&](const PortValue& p) { return p.name == input.name; });
         const std::string_view type_name = input.type == "color"       ? "float4"
                                            : input.type == "texture2d" ? "Texture2D"
                                                                        : std::string_view(input.type);
-        const Type type = emitter.type({.name = type_name, .span = input.type_span}, scope_);
+        const Type type = emit::type(emitter, {.name = type_name, .span = input.type_span}, scope_);
         if (type.is_error()) continue;
         const std::string what = fmt::format("the input '{}'", input.name);
         if (port != node.inputs.end()) {
@@ -224,7 +224,7 @@ Typed GraphScope::subgraph_node(std::uint32_t index) {
     needs_quad_ = needs_quad_ || inner.needs_quad_;
     std::vector<Value> values;
     ir::Struct made{.name = file_stem(subgraph.graph->path) + "Outputs", .members = {}};
-    nodelang::Outputs outputs{.names = {}, .has_primary = subgraph.graph->outputs.size() == 1};
+    emit::Outputs outputs{.names = {}, .has_primary = subgraph.graph->outputs.size() == 1};
     for (std::size_t i = 0; i < read.size(); ++i) {
         const PortValue& port = subgraph.graph->outputs[i];
         if (!port.value) return {};
@@ -234,8 +234,9 @@ Typed GraphScope::subgraph_node(std::uint32_t index) {
             outputs.names.push_back(port.name);
             continue;
         }
-        Typed value = lowering_.emitter.primary(inner.value(*port.value), inner.scope_, port.value_span);
-        if (value.literal) value = lowering_.emitter.convert(value, ir::kFloat, scope_, port.value_span, "the output");
+        Typed value = emit::primary(lowering_.emitter, inner.value(*port.value), inner.scope_, port.value_span);
+        if (value.literal)
+            value = emit::convert(lowering_.emitter, value, ir::kFloat, scope_, port.value_span, "the output");
         if (!value.ok()) return {};
         scope_.builder->name(value.value, lowering_.out.module.intern(port.name));  // if it has none
         values.push_back(value.value);
@@ -247,17 +248,17 @@ Typed GraphScope::subgraph_node(std::uint32_t index) {
     const Type type = Type::structure(static_cast<std::uint32_t>(module.structs.size() - 1));
     return {.value = scope_.builder->construct(type, values),
             .type = type,
-            .outputs = lowering_.emitter.intern(std::move(outputs))};
+            .outputs = emit::keep(lowering_.emitter, std::move(outputs))};
 }
 
 // --- values
 
 Typed GraphScope::value(const Expr& expr) {
-    return lowering_.emitter.expression(expr, scope_);
+    return emit::expression(lowering_.emitter, expr, scope_);
 }
 
 Typed GraphScope::value_as(const Expr& expr, Type type, std::string_view what) {
-    return lowering_.emitter.expression_as(expr, type, scope_, what);
+    return emit::expression_as(lowering_.emitter, expr, type, scope_, what);
 }
 
 // What belongs to no node is the port's.
@@ -277,7 +278,7 @@ Typed GraphScope::value_as(const PortValue& port, Type type, std::string_view wh
 
 // --- Environment
 
-Typed GraphScope::name(const Expr& expr, nodelang::Scope&) {
+Typed GraphScope::name(const Expr& expr, emit::Scope&) {
     const auto found = graph_.by_id.find(expr.text);
     if (found != graph_.by_id.end()) return values_[found->second];
     Diagnostics& diagnostics = lowering_.session.diagnostics;
@@ -295,7 +296,7 @@ Typed GraphScope::name(const Expr& expr, nodelang::Scope&) {
     return {};
 }
 
-Typed GraphScope::property(const Expr& expr, nodelang::Scope&) {
+Typed GraphScope::property(const Expr& expr, emit::Scope&) {
     if (const auto input = inputs_.find(expr.text); input != inputs_.end()) return input->second;
     for (const PortValue& port : property_values_) {
         if (port.name == expr.text) return bound_property(port);
@@ -334,9 +335,10 @@ Typed GraphScope::bound_property(const PortValue& port) {
     if (property == own.end() || !port.value) return {};
     GraphScope reader(lowering_, property_scope_->graph_, *scope_.builder, false);
     reader.emit_nodes(reader.graph_.reachable(std::span(&port, 1)));
-    const Type type = property->type == PropertyType::Texture2D ? lowering_.emitter.texture2d()
-                      : property->type == PropertyType::Bool    ? ir::kBool
-                                                                : property_type(property->type);
+    const Type type = property->type == PropertyType::Texture2D
+                          ? emit::type(lowering_.emitter, {.name = "Texture2D"}, scope_)
+                      : property->type == PropertyType::Bool ? ir::kBool
+                                                             : property_type(property->type);
     Typed value = reader.value_as(port, type, fmt::format("the property '{}'", port.name));
     if (property->type == PropertyType::Enum) {
         lowering_.enumerators.emplace_back(property->values.begin(), property->values.end());
@@ -377,9 +379,10 @@ Typed GraphScope::material_property(std::size_t index) {
     if (property.type == PropertyType::Texture2D) {
         const Value tiling = globals.tiling ? read(globals.tiling) : b.constant(ir::kFloat4, {1, 1, 0, 0});
         const Value texture = read(globals.texture), sampler = read(globals.sampler);
-        const Value texel_size =
-            globals.texel_size ? read(globals.texel_size) : lowering_.emitter.texel_size(texture, scope_);
-        return lowering_.emitter.make_texture(texture, sampler, texel_size, tiling, scope_);
+        const Value texel_size = globals.texel_size ? read(globals.texel_size) : Value();
+        return emit::make_texture(lowering_.emitter,
+                                  {.texture = texture, .sampler = sampler, .tiling = tiling, .texel_size = texel_size},
+                                  scope_);
     }
     const Value value = read(globals.value);
     if (property.type == PropertyType::Bool) {
@@ -409,7 +412,7 @@ bool reads_pixel(const PathDeclarations& paths, const SemanticDecl& semantic) {
 
 }  // namespace
 
-Typed GraphScope::semantic(std::string_view name, Span span, nodelang::Scope& scope) {
+Typed GraphScope::semantic(std::string_view name, Span span, emit::Scope& scope) {
     if (const auto given = given_.find(name); given != given_.end()) return given->second;
     const PathDeclarations& paths = *lowering_.session.paths;
     const auto found = paths.semantic_index.find(name);
@@ -435,7 +438,7 @@ Typed GraphScope::semantic(std::string_view name, Span span, nodelang::Scope& sc
     }
     const SemanticDecl& semantic = paths.semantics[found->second];
     // A default of a port stands in a file of functions; it is the graph that has left the port open.
-    const nodelang::OpenPort* open = scope.open_port;
+    const emit::OpenPort* open = scope.open_port;
     const auto report = [&](Code code, std::string_view where) -> DiagnosticRecord& {
         DiagnosticRecord& record = lowering_.session.diagnostics.report(code, open ? open->call : span, name, where);
         return open ? record.note(fmt::format("'{}' of {} is left open, and reads it", open->port, open->function))
@@ -449,7 +452,7 @@ Typed GraphScope::semantic(std::string_view name, Span span, nodelang::Scope& sc
                                                               : "only a lighting graph has it");
         return {};
     }
-    if (semantic.source == Source::Extern) return lowering_.emitter.extern_value(*semantic.variable, scope);
+    if (semantic.source == Source::Extern) return emit::extern_value(lowering_.emitter, *semantic.variable, scope);
     const Type type = lowering_.out.module.semantics[found->second].type;
     if (type.is_error()) return {};
     if (scope_.in_vertex_stage && (semantic.source == Source::Builtin || reads_pixel(paths, semantic))) {
@@ -462,7 +465,7 @@ Typed GraphScope::semantic(std::string_view name, Span span, nodelang::Scope& sc
     return {.value = scope.builder->emit(Op::Semantic, type, {}, found->second), .type = type};
 }
 
-Typed GraphScope::file(const Expr& expr, nodelang::Scope&) {
+Typed GraphScope::file(const Expr& expr, emit::Scope&) {
     const auto index = lowering_.material.property_index.find(file_texture_name(expr.text));
     if (index == lowering_.material.property_index.end()) return {};  // not found on disk: reported already
     return material_property(index->second);

@@ -1,5 +1,5 @@
-// One graph being emitted into one IR function: what its nodes are worth so far, and what $, @ and names mean in it.
-// A sub-graph is a scope inside the scope of the graph that uses it.
+// One graph that is being emitted into one IR function: the values of its nodes so far, and what $, @ and names mean in
+// it. A sub-graph is a scope inside the scope of the graph that uses it.
 #pragma once
 
 #include <deque>
@@ -11,11 +11,11 @@ namespace patina::graph {
 
 // A slot that is derived from others (lower_parts.cpp): made when a pass first asks for it.
 struct Part {
-    nodelang::Slot slot{};
-    std::string why_not{};       // it cannot be had
-    ir::Origin where{};          // and this is in the way
-    bool is_zero = false;        // always: the slot does not read what this is linear in
-    bool is_of_missing = false;  // it would be a part of a part that cannot be had, whose reason this is
+    emit::Slot slot{};
+    std::string why_not{};       // not empty: why it cannot be made
+    ir::Origin where{};          // the node that prevents it
+    bool is_zero = false;        // always zero: the slot does not read what the part is linear in
+    bool is_of_missing = false;  // it is derived from another part that cannot be made, and has its reason
 };
 
 // Shared by all scopes of one lowering.
@@ -23,15 +23,15 @@ struct Lowering {
     Session& session;
     const Material& material;
     Lowered& out;
-    nodelang::Emitter emitter;
+    emit::Emitter emitter;
     std::deque<std::vector<std::string_view>> enumerators;  // of enum properties, by material property
-    // Interpolators already made: id path -> first semantic and what the node's outputs are called.
+    // The interpolators that have been made, by id path: a semantic for each output, and the names of the outputs.
     struct Interpolator {
         std::vector<ir::SemanticId> semantics;
-        const nodelang::Outputs* outputs = nullptr;
+        const emit::Outputs* outputs = nullptr;
     };
     std::map<std::string, Interpolator> interpolators;
-    // Who asks for what the vertex stage computes: a node whose interpolator is being made, or an output of "vertex".
+    // Who reads what the vertex stage computes: a node whose interpolator is being made, or an output of "vertex".
     struct VertexReader {
         std::string name;  // id path, or the output's
         Span span;
@@ -40,26 +40,26 @@ struct Lowering {
         std::vector<std::uint32_t> reads{};  // the node, or those that the output reads
     };
     std::vector<VertexReader> vertex_readers;  // the innermost last
-    std::map<std::string_view, Part> parts;    // slots that are derived from others, as far as they were asked for
+    std::map<std::string_view, Part> parts;    // the derived slots that something has asked for
     std::set<std::uint32_t> per_object;        // globals of the object that is drawn
-    ir::FunctionId surface{};                  // what the graph says of it
+    ir::FunctionId surface{};                  // surface(): all that the graph computes
 
     bool is_on(std::string_view wanted) const;  // a switch
-    // Of a slot's function; empty: it is another function.
+    // The slot that the function fills, or empty.
     std::string_view slot_name(ir::FunctionId function) const;
-    bool is_packing(std::string_view slot) const;  // it stores and restores members, whatever reads them
+    bool is_packing(std::string_view slot) const;  // true if it stores or restores members of the surface
 };
 
-class GraphScope : public nodelang::Environment {
+class GraphScope : public emit::Environment {
 public:
-    using Typed = nodelang::Typed;
+    using Typed = emit::Typed;
 
     GraphScope(Lowering& lowering, const CheckedGraph& graph, ir::Builder& builder, bool in_vertex_stage);
 
-    // --- what the place adds
+    // --- what the place of the graph adds
     void give(std::string_view semantic, Typed value) { given_[std::string(semantic)] = value; }
     void set_input(std::string_view name, Typed value) { inputs_[std::string(name)] = value; }
-    // In a lighting graph: semantics that the lighting surface has, too, mean the surface's.
+    // In a lighting graph: a semantic that is also a member of the lighting surface means that member.
     void shadow_by(Typed surface) { shadow_ = surface; }
     // Values that the material gives to a lighting graph's properties, read in the material's own scope.
     void set_property_values(std::span<const PortValue> values, GraphScope& scope) {
@@ -67,27 +67,27 @@ public:
         property_scope_ = &scope;
     }
     bool needs_quad() const { return needs_quad_; }
-    // Lets a trace show the value; where values are folded there is none. `port`: empty for all that the value has.
+    // Adds a probe of the value, unless values are folded. `port`: its name; empty for all outputs of the value.
     void watch(ir::Probe::Kind kind, std::string id, std::string_view port, const Typed& value, Span span);
 
     // --- emitting
     // Emits the marked nodes in order.
     void emit_nodes(const std::vector<bool>& wanted);
-    // In the vertex stage, only those outputs of a sub-graph are emitted that something reads: what a sub-graph samples
-    // for its other outputs could not be computed there. Nodes announce what they read themselves; a port must be
-    // announced.
+    // In the vertex stage, only outputs of a sub-graph that something reads are emitted, because the others may sample
+    // textures, which cannot be done there. emit_nodes() announces what nodes read; announce() the expression of a
+    // port.
     void announce(const nodelang::Expr& expr);
     // A port's value, converted; nodes that it reads must have been emitted.
     Typed value_as(const PortValue& port, ir::Type type, std::string_view what);
     Typed value_as(const nodelang::Expr& expr, ir::Type type, std::string_view what);
     Typed value(const nodelang::Expr& expr);
-    nodelang::Scope& scope() { return scope_; }
+    emit::Scope& scope() { return scope_; }
 
     // --- Environment
-    Typed name(const nodelang::Expr& expr, nodelang::Scope& scope) override;
-    Typed property(const nodelang::Expr& expr, nodelang::Scope& scope) override;
-    Typed semantic(std::string_view name, Span span, nodelang::Scope& scope) override;
-    Typed file(const nodelang::Expr& expr, nodelang::Scope& scope) override;
+    Typed name(const nodelang::Expr& expr, emit::Scope& scope) override;
+    Typed property(const nodelang::Expr& expr, emit::Scope& scope) override;
+    Typed semantic(std::string_view name, Span span, emit::Scope& scope) override;
+    Typed file(const nodelang::Expr& expr, emit::Scope& scope) override;
     bool hides(std::string_view name) const override { return graph_.by_id.contains(name); }
     void tell_reader(DiagnosticRecord& record) const override;
 
@@ -114,7 +114,7 @@ private:
 
     Lowering& lowering_;
     const CheckedGraph& graph_;
-    nodelang::Scope scope_;
+    emit::Scope scope_;
     bool needs_quad_ = false;
     std::vector<Typed> values_;
     std::vector<bool> emitted_;

@@ -10,10 +10,10 @@
 
 namespace patina::graph {
 
+using emit::Typed;
 using ir::Op;
 using ir::Type;
 using ir::Value;
-using nodelang::Typed;
 
 // --- what only pixels have
 
@@ -95,7 +95,7 @@ Typed GraphScope::interpolated(std::uint32_t index) {
     const Node& node = graph_.graph->nodes[index];
     const std::string path = id_path(node.id);
     ir::Module& module = lowering_.out.module;
-    nodelang::Emitter& emitter = lowering_.emitter;
+    emit::Emitter& emitter = lowering_.emitter;
     if (!lowering_.interpolators.contains(path)) {
         Lowering::Interpolator& made = lowering_.interpolators[path];
         std::size_t count = 1;
@@ -104,7 +104,7 @@ Typed GraphScope::interpolated(std::uint32_t index) {
             function.always_inline = true;
             std::string name = path;
             std::replace(name.begin(), name.end(), '/', '_');
-            ir::Builder builder(module, function, emitter.options());
+            ir::Builder builder(module, function, emitter.options);
             std::deque<std::unique_ptr<GraphScope>> keep;
             lowering_.vertex_readers.push_back({path, node.id_span, true, &graph_, {index}});
             const std::unique_ptr<GraphScope> twin = vertex_twin(builder, keep);

@@ -22,7 +22,7 @@ std::uint32_t bytes_of_element(const ir::Module& module, Type type) {
     return (extent(module, type).size + 15) / 16 * 16;
 }
 
-// How many elements of these globals fit in every block that has some.
+// How many elements fit in every block that holds some of these globals.
 std::uint32_t count_of(const std::vector<InstanceSize>& sizes) {
     std::uint32_t count = kMostBlockBytes;
     for (const InstanceSize& size : sizes) {
@@ -46,20 +46,14 @@ std::vector<InstanceSize> sizes_of(const ir::Module& module, const std::set<std:
     return sizes;
 }
 
-Type array_of(ir::Module& module, Type element, std::uint32_t count) {
-    const ir::Array wanted{.element = element, .count = count};
-    auto found = std::find(module.arrays.begin(), module.arrays.end(), wanted);
-    if (found == module.arrays.end()) found = module.arrays.insert(found, wanted);
-    return Type::array(static_cast<std::uint32_t>(found - module.arrays.begin()));
-}
-
 void lay_out(ir::Module& module, ir::UniformBlock& block) {
     const std::vector<ir::BlockMember> members = std::exchange(block.members, {});
     block.size = 0;
     for (const ir::BlockMember& member : members) add_member(block, module, member.name, member.type);
 }
 
-// The reads become `array[instance]`; arrays and instance are read once, where the function begins.
+// Each read becomes `array[instance]`; the arrays and the instance are read once, at the head of the function. Edited
+// in place, so that probes still find their values (ir.h).
 void index_reads(ir::Module& module, ir::Function& function, const std::set<std::uint32_t>& globals,
                  const std::vector<Type>& elements, std::uint32_t semantic) {
     std::map<std::uint32_t, Value> arrays;
@@ -118,7 +112,7 @@ std::uint32_t make_instanced(Lowered& lowered, const std::set<std::uint32_t>& gl
     for (const ir::Global& global : module.globals) elements.push_back(global.type);
     for (const std::uint32_t each : globals) {
         ir::Global& global = module.globals[each];
-        global.type = module.blocks[global.block].members[global.member].type = array_of(module, global.type, count);
+        global.type = module.blocks[global.block].members[global.member].type = module.array_of(global.type, count);
     }
     for (ir::UniformBlock& block : module.blocks) lay_out(module, block);
     const std::uint32_t semantic = instance_semantic(lowered);

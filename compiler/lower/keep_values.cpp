@@ -146,7 +146,7 @@ void keep_values(Lowering& lowering) {
 
 void give_texts(Lowering& lowering) {
     for (const ForeignFunctionDecl& foreign : lowering.session.paths->foreign_functions) {
-        for (const nodelang::InstanceInfo& instance : lowering.emitter.instances_of(*foreign.function))
+        for (const emit::InstanceInfo& instance : lowering.emitter.instances.of(*foreign.function))
             lowering.out.module[instance.id].texts = foreign.texts;
     }
     // What a decoder asks for is asked for where its follower is called.

@@ -9,11 +9,11 @@
 
 namespace patina::graph {
 
+using emit::Typed;
 using ir::Op;
 using ir::Type;
 using ir::Value;
 using nodelang::FunctionDecl;
-using nodelang::Typed;
 
 namespace {
 
@@ -48,15 +48,15 @@ void declare_statics(Lowering& lowering) {
         if (asked.is_of_passes()) continue;  // known later (lower_passes.cpp)
         const bool is_any = std::any_of(asked.words.begin(), asked.words.end(),
                                         [&](std::string_view word) { return is_true(asked, word); });
-        lowering.emitter.set_static(asked.variable, is_any ? 1 : 0);
+        lowering.emitter.known.statics[asked.variable] = is_any ? 1 : 0;
     }
 }
 
 void declare_semantics(Lowering& lowering) {
-    const nodelang::Scope scope{.declarations = lowering.session.declarations};
+    const emit::Scope scope{.declarations = lowering.session.declarations};
     for (const SemanticDecl& semantic : lowering.session.paths->semantics) {
-        const Type type =
-            lowering.emitter.type(semantic.function ? semantic.function->result : semantic.variable->type, scope);
+        const Type type = emit::type(lowering.emitter,
+                                     semantic.function ? semantic.function->result : semantic.variable->type, scope);
         lowering.out.module.semantics.push_back(
             {.name = std::string(semantic.name), .type = type, .rate = rate_of(semantic.source)});
         SemanticRecipe& recipe = lowering.out.semantics.emplace_back();
@@ -93,7 +93,7 @@ void extend_lighting_surface(Lowering& lowering) {
         const Type type = input_type(lowering, input);
         if (!type.is_error()) members.push_back({input.name, type});
     }
-    lowering.emitter.extend_structure(*surface, std::move(members));
+    lowering.emitter.known.extra_members[surface] = std::move(members);
 }
 
 void lower_vertex_outputs(Lowering& lowering) {
@@ -104,7 +104,7 @@ void lower_vertex_outputs(Lowering& lowering) {
         if (semantic == lowering.session.paths->semantic_index.end()) continue;
         ir::Function function{};
         function.name = "vertex_" + port.name;
-        ir::Builder builder(module, function, lowering.emitter.options());
+        ir::Builder builder(module, function, lowering.emitter.options);
         GraphScope scope(lowering, graph, builder, true);
         if (!port.value) continue;
         scope.announce(*port.value);
@@ -123,9 +123,9 @@ void lower_vertex_outputs(Lowering& lowering) {
             value.value = builder.construct(ir::kFloat4, std::array{value.value, builder.extract(mesh, 3)});
             value.type = ir::kFloat4;
         }
-        value =
-            lowering.emitter.convert(lowering.emitter.primary(value, scope.scope(), port.value_span), function.result,
-                                     scope.scope(), port.value_span, fmt::format("the vertex output '{}'", port.name));
+        value = emit::convert(lowering.emitter, emit::primary(lowering.emitter, value, scope.scope(), port.value_span),
+                              function.result, scope.scope(), port.value_span,
+                              fmt::format("the vertex output '{}'", port.name));
         lowering.session.diagnostics.set_context({}, {});
         lowering.vertex_readers.pop_back();
         if (!value.ok()) continue;
@@ -182,10 +182,10 @@ void declare_switches(Lowering& lowering) {
         }
     }
     for (const SwitchDecl& each : session.paths->switches)
-        lowering.emitter.set_static(each.variable, lowering.is_on(each.variable->name) ? 1 : 0);
+        lowering.emitter.known.statics[each.variable] = lowering.is_on(each.variable->name) ? 1 : 0;
     for (const nodelang::VariableDecl* older : session.paths->repeated) {
         if (session.library.paths.switch_of(older))
-            lowering.emitter.set_static(older, lowering.is_on(older->name) ? 1 : 0);
+            lowering.emitter.known.statics[older] = lowering.is_on(older->name) ? 1 : 0;
     }
 }
 
@@ -266,7 +266,7 @@ bool Lowering::is_on(std::string_view wanted) const {
 }
 
 std::string_view Lowering::slot_name(ir::FunctionId function) const {
-    const std::string_view name = emitter.slot_name(function);
+    const std::string_view name = emit::slot_name(emitter.known, function);
     if (!name.empty()) return name;
     for (const auto& [slot, part] : parts) {
         if (part.slot.function == function) return slot;
@@ -285,11 +285,11 @@ ir::FunctionId add_function(ir::Module& module, ir::Function function) {
 }
 
 Type input_type(Lowering& lowering, const Input& input) {
-    const nodelang::Scope scope{.declarations = lowering.session.declarations};
+    const emit::Scope scope{.declarations = lowering.session.declarations};
     const std::string_view name = input.type == "color"       ? "float3"
                                   : input.type == "texture2d" ? "Texture2D"
                                                               : std::string_view(input.type);
-    return lowering.emitter.type({.name = name, .span = input.type_span}, scope);
+    return emit::type(lowering.emitter, {.name = name, .span = input.type_span}, scope);
 }
 
 Lowered lower(Session& session, const Material& material, ir::BuildOptions options) {
@@ -297,7 +297,7 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     Lowering lowering{.session = session,
                       .material = material,
                       .out = out,
-                      .emitter = nodelang::Emitter(out.module, session.diagnostics, options),
+                      .emitter = {.module = out.module, .diagnostics = session.diagnostics, .options = options},
                       .enumerators = {},
                       .interpolators = {},
                       .vertex_readers = {},

@@ -24,8 +24,8 @@ public:
         if (!can_be_passed() || !lowering_.surface) return;
         add(lowering_.surface, "surface", "The surface as the graph describes it, in the words of its workflow.");
         for (const ExportDecl& each : lowering_.session.paths->exports) {
-            const ir::FunctionId made =
-                lowering_.emitter.given_function(*each.function, *lowering_.session.declarations, environment_, false);
+            const ir::FunctionId made = emit::given_function(lowering_.emitter, *each.function,
+                                                             *lowering_.session.declarations, environment_, false);
             if (made) add(made, each.name, nodelang::first_sentence(each.function->doc));
         }
         add_vertex_functions();
@@ -72,7 +72,7 @@ private:
 
     void leave_to_engine() {
         for (const FunctionDecl* function : lowering_.session.library.paths.extern_functions) {
-            for (const nodelang::InstanceInfo& instance : lowering_.emitter.instances_of(*function)) {
+            for (const emit::InstanceInfo& instance : lowering_.emitter.instances.of(*function)) {
                 ir::Function made{};
                 made.name = module_[instance.id].name;
                 made.comment = module_[instance.id].comment;

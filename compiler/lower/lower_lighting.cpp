@@ -6,10 +6,10 @@
 
 namespace patina::graph {
 
+using emit::Typed;
 using ir::Op;
 using ir::Type;
 using nodelang::FunctionDecl;
-using nodelang::Typed;
 
 namespace {
 
@@ -46,12 +46,12 @@ ir::FunctionId lower_lighting(Lowering& lowering, const SlotDecl& declared, cons
     function.name = slot.name;
     function.comment = nodelang::first_sentence(slot.doc);
     function.always_inline = !lowering.out.keeps_functions;
-    ir::Builder builder(module, function, lowering.emitter.options());
+    ir::Builder builder(module, function, lowering.emitter.options);
     GraphScope scope(lowering, lighting, builder, false);
     scope.set_property_values(lowering.material.lighting_inputs, material);
     for (const nodelang::ParamDecl& param : slot.params) {
         const bool is_light = declared.light_param == function.params.size();
-        const Type type = lowering.emitter.type(param.type, scope.scope());
+        const Type type = emit::type(lowering.emitter, param.type, scope.scope());
         function.params.push_back({std::string(param.name), type, is_light ? ir::Rate::Light : ir::Rate::Pixel});
         const Typed value{.value = builder.param(static_cast<std::uint32_t>(function.params.size() - 1)), .type = type};
         scope.give(param.name, value);
@@ -63,7 +63,7 @@ ir::FunctionId lower_lighting(Lowering& lowering, const SlotDecl& declared, cons
     }
     scope.emit_nodes(lighting.reachable(std::span(&output, 1)));
     lowering.session.diagnostics.set_context(lowering.material.lighting_name, output.name);
-    function.result = lowering.emitter.type(slot.result, scope.scope());
+    function.result = emit::type(lowering.emitter, slot.result, scope.scope());
     const Typed value = scope.value_as(output, function.result, fmt::format("the output '{}'", output.name));
     lowering.session.diagnostics.set_context({}, {});
     if (!value.ok()) return {};
@@ -83,16 +83,16 @@ void lower_slots(Lowering& lowering) {
     std::vector<const Input*> members;
     const ir::FunctionId surface = lowering.surface = lower_surface(lowering, members);
     const nodelang::Declarations& declarations = *lowering.session.declarations;
-    const nodelang::Scope scope{.declarations = &declarations};
+    const emit::Scope scope{.declarations = &declarations};
     // The material's scope, for values that it hands to the lighting graph's properties.
     ir::Function unused{};
-    ir::Builder unused_builder(lowering.out.module, unused, lowering.emitter.options());
+    ir::Builder unused_builder(lowering.out.module, unused, lowering.emitter.options);
     GraphScope material(lowering, *lowering.material.graph, unused_builder, false);
     const CheckedGraph& lighting = *lowering.material.lighting;
     for (const SlotDecl& declared : lowering.session.paths->slots) {
         if (declared.is_derived()) continue;
         const FunctionDecl* slot = declared.function;
-        nodelang::Slot made{.function = {}, .result = lowering.emitter.type(slot->result, scope)};
+        emit::Slot made{.function = {}, .result = emit::type(lowering.emitter, slot->result, scope)};
         const auto output = std::find_if(lighting.graph->outputs.begin(), lighting.graph->outputs.end(),
                                          [&](const PortValue& p) { return p.name == slot->name; });
         if (slot->params.empty()) {
@@ -102,9 +102,9 @@ void lower_slots(Lowering& lowering) {
             if (!output->value) continue;
             made.function = lower_lighting(lowering, declared, *output, material, made.needs_quad);
         } else if (slot->has_body) {
-            made.function = lowering.emitter.plain_function(*slot, declarations);
+            made.function = emit::plain_function(lowering.emitter, *slot, declarations);
         }
-        if (made.function) lowering.emitter.set_slot(slot->name, made);
+        if (made.function) lowering.emitter.known.slots[std::string(slot->name)] = made;
     }
 }
 

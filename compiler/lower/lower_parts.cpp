@@ -26,10 +26,10 @@ const SlotDecl* find_slot(const Lowering& lowering, std::string_view name) {
 }
 
 // The slot's function, which may be a part itself.
-const nodelang::Slot* slot_named(Lowering& lowering, std::string_view name) {
+const emit::Slot* slot_named(Lowering& lowering, std::string_view name) {
     const SlotDecl* slot = find_slot(lowering, name);
     if (slot && slot->is_derived()) return &part_of(lowering, *slot).slot;
-    return lowering.emitter.find_slot(name);
+    return emit::find_slot(lowering.emitter.known, name);
 }
 
 std::optional<std::uint32_t> member_index(const ir::Module& module, Type structure, std::string_view name) {
@@ -60,7 +60,7 @@ Source source_named(Lowering& lowering, const FunctionDecl& of, ir::FunctionId f
     }
     const FunctionDecl* callee = lowering.session.declarations->function(name);
     if (!callee) return {.why_not = fmt::format("there is no function '{}'", name)};
-    const std::vector<nodelang::InstanceInfo> made = lowering.emitter.instances_of(*callee);
+    const std::vector<emit::InstanceInfo> made = lowering.emitter.instances.of(*callee);
     if (made.empty()) return {.is_absent = true};
     if (made.size() > 1) return {.why_not = fmt::format("it calls '{}' in two precisions", name)};
     return {.seed = ir::Seed::of_calls(made.front().id)};
@@ -97,7 +97,7 @@ Part not_linear(const Lowering& lowering, std::string_view of, std::string_view 
 Part linear_slot(Lowering& lowering, const SlotDecl& slot) {
     ir::Module& module = lowering.out.module;
     const std::string_view of = slot.of;
-    const nodelang::Slot* whole = slot_named(lowering, of);
+    const emit::Slot* whole = slot_named(lowering, of);
     const SlotDecl* declared = find_slot(lowering, of);
     if (declared && declared->is_derived() && !part_of(lowering, *declared).slot.function) {
         Part missing = part_of(lowering, *declared);
@@ -111,7 +111,7 @@ Part linear_slot(Lowering& lowering, const SlotDecl& slot) {
     if (!source.seed) return {.why_not = source.why_not};
     const bool componentwise = slot.is_componentwise;
     ir::LinearPart made = ir::linear_part(module, whole->function, *source.seed,
-                                          {.componentwise = componentwise, .build = lowering.emitter.options()});
+                                          {.componentwise = componentwise, .build = lowering.emitter.options});
     if (!made.function) return not_linear(lowering, of, name, made);
     made.function->name = slot.name();
     made.function->comment = nodelang::first_sentence(slot.function->doc);
@@ -125,7 +125,7 @@ Part linear_slot(Lowering& lowering, const SlotDecl& slot) {
 Part slot_without(Lowering& lowering, const SlotDecl& slot) {
     ir::Module& module = lowering.out.module;
     const std::string_view of = slot.of;
-    const nodelang::Slot* whole = slot_named(lowering, of);
+    const emit::Slot* whole = slot_named(lowering, of);
     const SlotDecl* declared = find_slot(lowering, of);
     if (!whole || !whole->function || !declared) return {.why_not = fmt::format("there is no '{}'", of)};
     const std::string_view name = slot.source;
@@ -133,10 +133,10 @@ Part slot_without(Lowering& lowering, const SlotDecl& slot) {
     if (source.is_absent) return {.slot = *whole};
     if (!source.seed) return {.why_not = source.why_not};
     const ir::LinearPart taken =
-        ir::linear_part(module, whole->function, *source.seed, {.build = lowering.emitter.options()});
+        ir::linear_part(module, whole->function, *source.seed, {.build = lowering.emitter.options});
     if (!taken.function) return not_linear(lowering, of, name, taken);
     const ir::FunctionId function =
-        add_function(module, ir::without(module, whole->function, *source.seed, lowering.emitter.options()));
+        add_function(module, ir::without(module, whole->function, *source.seed, lowering.emitter.options));
     return {.slot = {.function = function, .result = whole->result, .needs_quad = whole->needs_quad}};
 }
 
@@ -153,7 +153,7 @@ Packing packing_of(Lowering& lowering, const SlotDecl& slot, Type surface) {
     const std::vector<ir::Member>& members = module.structs[surface.ref].members;
     std::vector<bool> is_read(members.size(), false);
     for (const std::string_view reader : slot.readers) {
-        const nodelang::Slot* function = slot_named(lowering, reader);
+        const emit::Slot* function = slot_named(lowering, reader);
         if (!function || !function->function) continue;
         for (const ir::MemberRead& read : ir::members_read(module, function->function, 0)) is_read[read.member] = true;
     }
@@ -183,13 +183,14 @@ Value as_scalar(ir::Builder& b, Value value, ir::Scalar scalar) {
 }
 
 ir::Function slot_shell(Lowering& lowering, const FunctionDecl& slot) {
-    const nodelang::Scope scope{.declarations = lowering.session.declarations};
+    const emit::Scope scope{.declarations = lowering.session.declarations};
     ir::Function function{};
     function.name = slot.name;
     function.always_inline = true;
     for (const nodelang::ParamDecl& param : slot.params)
-        function.params.push_back({std::string(param.name), lowering.emitter.type(param.type, scope), ir::Rate::Pixel});
-    function.result = lowering.emitter.type(slot.result, scope);
+        function.params.push_back(
+            {std::string(param.name), emit::type(lowering.emitter, param.type, scope), ir::Rate::Pixel});
+    function.result = emit::type(lowering.emitter, slot.result, scope);
     return function;
 }
 
@@ -202,7 +203,7 @@ Part pack_slot(Lowering& lowering, const SlotDecl& slot) {
     if (packing.numbers > room)
         return {.why_not = fmt::format("its lighting reads {} numbers that have no place yet, and there is room for {}",
                                        packing.numbers, room)};
-    ir::Builder b(module, function, lowering.emitter.options());
+    ir::Builder b(module, function, lowering.emitter.options);
     const Value surface = b.param(0);
     std::vector<Value> numbers;
     for (const std::uint32_t member : packing.members) {
@@ -225,7 +226,7 @@ Part unpack_slot(Lowering& lowering, const SlotDecl& slot) {
     if (!packer || !packer->packs()) return {.why_not = "nothing packs what it unpacks"};
     ir::Function function = slot_shell(lowering, *slot.function);
     const Packing packing = packing_of(lowering, *packer, function.result);
-    ir::Builder b(module, function, lowering.emitter.options());
+    ir::Builder b(module, function, lowering.emitter.options);
     const Value surface = b.param(0), extras = b.param(1);
     std::vector<Value> members;
     const std::vector<ir::Member> declared = module.structs[function.result.ref].members;
@@ -263,8 +264,8 @@ std::vector<std::string_view> packed_members(Lowering& lowering, std::string_vie
     std::vector<std::string_view> names;
     const SlotDecl* packer = find_slot(lowering, slot);
     if (!packer || !packer->packs()) return names;
-    const nodelang::Scope scope{.declarations = lowering.session.declarations};
-    const Type surface = lowering.emitter.type(packer->function->params[0].type, scope);
+    const emit::Scope scope{.declarations = lowering.session.declarations};
+    const Type surface = emit::type(lowering.emitter, packer->function->params[0].type, scope);
     for (const std::uint32_t member : packing_of(lowering, *packer, surface).members)
         names.push_back(lowering.out.module.structs[surface.ref].members[member].name);
     return names;

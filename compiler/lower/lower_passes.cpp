@@ -20,9 +20,9 @@ public:
         : lowering_(lowering), paths_(*lowering.session.paths), environment_(lowering) {}
 
     void run() {
-        nodelang::Emitter& emitter = lowering_.emitter;
-        emitter.set_slot_maker([this](const FunctionDecl& slot, Span at) { return slot_of(slot, at); });
-        emitter.set_static_maker([this](const VariableDecl& variable) { return static_value(variable); });
+        emit::Emitter& emitter = lowering_.emitter;
+        emitter.known.make_slot = [this](const FunctionDecl& slot, Span at) { return slot_of(slot, at); };
+        emitter.known.make_static = [this](const VariableDecl& variable) { return static_value(variable); };
         const std::vector<std::string>& wanted = lowering_.session.options.passes;
         if (lowering_.material.pass) return lower_extra();
         if (wanted.empty() && lowering_.session.options.path == kAllPaths) {
@@ -261,12 +261,12 @@ private:
             if (lowering_.is_on(name)) return {.reason = fmt::format("it has no place for '{}'", name)};
         }
         const nodelang::Declarations& declarations = *lowering_.session.declarations;
-        nodelang::Emitter& emitter = lowering_.emitter;
+        emit::Emitter& emitter = lowering_.emitter;
         LoweredPass made{.declaration = &pass, .name = std::string(pass.name)};
         pass_ = pass.name;
-        emitter.forget_answers();
-        made.vertex = emitter.semantic_function(*pass.vertex, declarations, environment_, true);
-        made.fragment = emitter.semantic_function(*pass.fragment, declarations, environment_, false);
+        emitter.instances.forget_passing();
+        made.vertex = emit::semantic_function(emitter, *pass.vertex, declarations, environment_, true);
+        made.fragment = emit::semantic_function(emitter, *pass.fragment, declarations, environment_, false);
         if (!made.vertex || !made.fragment) return {};
         lower_recipes();
         lower_given(made);
@@ -280,7 +280,7 @@ private:
     }
 
     bool is_always_zero(std::string_view slot) const {
-        const nodelang::Slot* found = lowering_.emitter.find_slot(slot);
+        const emit::Slot* found = emit::find_slot(lowering_.emitter.known, slot);
         if (!found || !found->function) return false;
         const ir::Module& module = lowering_.out.module;
         const ir::Function& function = module[found->function];
@@ -297,7 +297,7 @@ private:
     }
 
     void lower_given(LoweredPass& pass) {
-        nodelang::Emitter& emitter = lowering_.emitter;
+        emit::Emitter& emitter = lowering_.emitter;
         const nodelang::Declarations& declarations = *lowering_.session.declarations;
         for (const GivenDecl& given : paths_.given) {
             if (!given.is_for(*pass.declaration)) continue;
@@ -307,7 +307,7 @@ private:
             }
             if (const auto found = paths_.semantic_index.find(given.what); found != paths_.semantic_index.end()) {
                 const ir::FunctionId made =
-                    emitter.semantic_function(*given.function, declarations, environment_, false);
+                    emit::semantic_function(emitter, *given.function, declarations, environment_, false);
                 const bool is_varying = paths_.semantics[found->second].source == Source::Vertex;
                 auto& recipes = given.is_of_file && is_varying ? pass.at_vertices : pass.recipes;
                 if (made) recipes.push_back({{found->second}, made});
@@ -316,9 +316,9 @@ private:
             }
             const FunctionDecl* replaced = declarations.function(given.what);
             if (!replaced) continue;  // reported when its file was read
-            for (const nodelang::InstanceInfo& instance : emitter.instances_of(*replaced)) {
+            for (const emit::InstanceInfo& instance : emitter.instances.of(*replaced)) {
                 const ir::FunctionId made =
-                    emitter.given_function(*given.function, declarations, environment_, instance.half);
+                    emit::given_function(emitter, *given.function, declarations, environment_, instance.half);
                 if (made) replace(pass, given, instance.id, made);
                 if (made && given.is_of_file) pass.in_both_stages.push_back(made);
             }
@@ -328,7 +328,7 @@ private:
     // A value of the engine was declared as this one (declare.cpp).
     void give_attribute(LoweredPass& pass, const GivenDecl& given) {
         const auto semantic = paths_.semantic_index.find(given.what);
-        const auto global = lowering_.emitter.extern_global(*given.variable);
+        const auto global = emit::find_extern(lowering_.emitter.known, *given.variable);
         if (semantic == paths_.semantic_index.end() || !global) return;
         if (paths_.semantics[semantic->second].source == Source::Attribute)
             pass.attributes.push_back({{semantic->second}, *global});
@@ -358,12 +358,13 @@ private:
                 SemanticRecipe& recipe = out.semantics[inst.data];
                 if (!recipe.declaration || !recipe.declaration->function || recipe.recipe) continue;
                 reads_of_pass_ = reads_of_pass_ || recipe.declaration->is_of_pass;
-                const unsigned answers = lowering_.emitter.passing_answers();
-                const ir::FunctionId made =
-                    lowering_.emitter.semantic_function(*recipe.declaration->function, *lowering_.session.declarations,
-                                                        environment_, recipe.source == Source::Vertex);
+                const unsigned answers = lowering_.emitter.instances.passing_answers();
+                const ir::FunctionId made = emit::semantic_function(lowering_.emitter, *recipe.declaration->function,
+                                                                    *lowering_.session.declarations, environment_,
+                                                                    recipe.source == Source::Vertex);
                 if (!made) return;  // a fault in the library or the user's file, reported
-                if (lowering_.emitter.passing_answers() != answers) refuse_answers(*recipe.declaration->function);
+                if (lowering_.emitter.instances.passing_answers() != answers)
+                    refuse_answers(*recipe.declaration->function);
                 out.semantics[inst.data].recipe = made;
             }
         }
@@ -378,7 +379,7 @@ private:
 
     // --- what pass functions ask for
 
-    const nodelang::Slot* slot_of(const FunctionDecl& slot, Span at) {
+    const emit::Slot* slot_of(const FunctionDecl& slot, Span at) {
         const SlotDecl* declared = paths_.slot(slot.name);
         if (!declared || !declared->is_derived()) return nullptr;
         const Part& part = part_of(lowering_, *declared);
@@ -403,7 +404,7 @@ private:
     }
 
     bool is_drawn_with(std::string_view pass) {
-        lowering_.emitter.answers_for_now();
+        lowering_.emitter.instances.note_passing_answer();
         const auto& passes = lowering_.out.passes;
         return std::any_of(passes.begin() + std::ptrdiff_t(first_of_path_), passes.end(),
                            [&](const LoweredPass& p) { return p.declaration->name == pass; });
@@ -412,7 +413,7 @@ private:
     bool has_slot(std::string_view name) {
         const SlotDecl* slot = paths_.slot(name);
         if (!slot) return false;
-        if (!slot->is_derived()) return lowering_.emitter.find_slot(name) != nullptr;
+        if (!slot->is_derived()) return emit::find_slot(lowering_.emitter.known, name) != nullptr;
         const Part& part = part_of(lowering_, *slot);
         remark(*slot, part);
         return part.slot.function && !part.is_zero;

@@ -7,17 +7,17 @@
 
 namespace patina::graph {
 
+using emit::Typed;
 using ir::Type;
 using ir::Value;
 using nodelang::FunctionDecl;
-using nodelang::Typed;
 
 namespace {
 
 // A previewed port of any type as a colour: a scalar is grey, two components are red and green.
 Typed as_color(Lowering& lowering, Typed value, GraphScope& scope, Span span) {
     ir::Builder& b = *scope.scope().builder;
-    value = lowering.emitter.primary(value, scope.scope(), span);
+    value = emit::primary(lowering.emitter, value, scope.scope(), span);
     if (!value.ok()) return {};
     if (!value.type.is_numeric() || value.type.is_matrix()) {
         lowering.session.diagnostics.report(Code::TypeMismatch, span, "the previewed port",
@@ -103,7 +103,7 @@ ir::FunctionId lower_surface(Lowering& lowering, std::vector<const Input*>& memb
     ir::Function function{};
     function.name = "surface";
     if (lowering.out.keeps_functions) function.comment = "What the graph says of the surface.";
-    ir::Builder builder(module, function, lowering.emitter.options());
+    ir::Builder builder(module, function, lowering.emitter.options);
     GraphScope scope(lowering, graph, builder, false);
     scope.emit_nodes(pixel_nodes(graph));
 
@@ -138,7 +138,7 @@ ir::FunctionId lower_setup(Lowering& lowering, const FunctionDecl& slot, ir::Fun
     function.name = slot.name;
     function.comment = nodelang::first_sentence(slot.doc);
     function.always_inline = !lowering.out.keeps_functions;
-    ir::Builder builder(module, function, lowering.emitter.options());
+    ir::Builder builder(module, function, lowering.emitter.options);
     GraphScope scope(lowering, workflow, builder, false);
     const Value inputs = builder.call(surface, {});
     builder.name(inputs, module.intern("material"));
@@ -147,7 +147,7 @@ ir::FunctionId lower_setup(Lowering& lowering, const FunctionDecl& slot, ir::Fun
         scope.set_input(members[i]->name, {.value = member, .type = builder.type(member)});
     }
     scope.emit_nodes(workflow.reachable(workflow.graph->surface));
-    const Type type = lowering.emitter.type(slot.result, scope.scope());
+    const Type type = emit::type(lowering.emitter, slot.result, scope.scope());
     if (type.is_error()) return {};
     std::vector<Value> values;
     for (const ir::Member& member : std::vector<ir::Member>(module.structs[type.ref].members)) {

@@ -42,22 +42,22 @@ struct Refusal {
 Refusal refusal_of(Lowering& lowering, const LoweredPass& pass);
 
 // What the names in nodes/stage and nodes/passes mean: semantics and nothing else.
-class LibraryEnvironment : public nodelang::Environment {
+class LibraryEnvironment : public emit::Environment {
 public:
     explicit LibraryEnvironment(Lowering& lowering) : lowering_(lowering) {}
-    nodelang::Typed name(const nodelang::Expr& expr, nodelang::Scope& scope) override {
+    emit::Typed name(const nodelang::Expr& expr, emit::Scope& scope) override {
         return semantic(expr.text, expr.span, scope);
     }
-    nodelang::Typed property(const nodelang::Expr&, nodelang::Scope&) override { return {}; }
-    nodelang::Typed file(const nodelang::Expr&, nodelang::Scope&) override { return {}; }
-    nodelang::Typed semantic(std::string_view name, Span span, nodelang::Scope& scope) override {
+    emit::Typed property(const nodelang::Expr&, emit::Scope&) override { return {}; }
+    emit::Typed file(const nodelang::Expr&, emit::Scope&) override { return {}; }
+    emit::Typed semantic(std::string_view name, Span span, emit::Scope& scope) override {
         const auto found = lowering_.session.paths->semantic_index.find(name);
         if (found == lowering_.session.paths->semantic_index.end()) {
             lowering_.session.diagnostics.report(Code::UnknownSemantic, span, name);
             return {};
         }
         const SemanticDecl& semantic = lowering_.session.paths->semantics[found->second];
-        if (semantic.source == Source::Extern) return lowering_.emitter.extern_value(*semantic.variable, scope);
+        if (semantic.source == Source::Extern) return emit::extern_value(lowering_.emitter, *semantic.variable, scope);
         const ir::Type type = lowering_.out.module.semantics[found->second].type;
         return {.value = scope.builder->emit(ir::Op::Semantic, type, {}, found->second), .type = type};
     }

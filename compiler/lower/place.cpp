@@ -28,8 +28,8 @@ std::vector<SetShifts> place_globals(ir::Module& module, const engines::Engine& 
         first.textures = places.textures.value_or(first.buffers + blocks);
         first.samplers = places.samplers.value_or(first.textures + count(module.globals, is_texture));
         // Owners that share a set share its registers, which have one distance from the bindings.
-        auto shift = std::find_if(shifts.begin(), shifts.end(),
-                                  [&](const SetShifts& each) { return each.set == places.set; });
+        auto shift =
+            std::find_if(shifts.begin(), shifts.end(), [&](const SetShifts& each) { return each.set == places.set; });
         if (shift == shifts.end()) shift = shifts.insert(shift, first);
         const auto place = [&](std::uint32_t binding, std::uint32_t distance) {
             return ir::Place{.set = places.set, .binding = binding, .slot = binding - distance};

@@ -1,6 +1,6 @@
-// Text of the node language -> tokens, one at a time, so that a huge file costs no more memory than a small one. A bad
-// character or number is reported here, once; the parser stays silent about a Bad token. Comments are not tokens: a
-// token carries the `///` lines before it and the `///<` text between it and the token before.
+// Text of the node language -> tokens, one at a time, so that a large file needs no more memory than a small one. A bad
+// character or number is reported here, and the parser does not report a Bad token again. Comments are not tokens: a
+// token has the `///` lines before it and the `///<` text between it and the token before.
 //
 //   Lexer lexer({text, base}, Lexer::Place::File, diagnostics);
 //   for (Token t = lexer.next(); t.kind != Token::Kind::End; t = lexer.next()) ...
@@ -49,7 +49,7 @@ public:
     // The next token; at the end of the text End, again and again.
     Token next();
 
-    // Skips what lies between.
+    // Continues at the offset.
     void go_to(std::size_t offset) { here_ = offset; }
 
     Span span(std::size_t begin, std::size_t end) const { return {text_.at(begin), text_.at(end)}; }

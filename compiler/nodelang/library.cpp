@@ -63,4 +63,18 @@ std::string_view attribute_text(const Attribute& attribute, std::size_t index) {
     return attribute.args[index]->text;
 }
 
+// A line at a time: a sentence ends with a full stop at the end of one.
+std::string first_sentence(std::string_view doc) {
+    std::string sentence;
+    while (!doc.empty() && !sentence.ends_with('.')) {
+        std::string_view line = doc.substr(0, doc.find('\n'));
+        doc.remove_prefix(std::min(line.size() + 1, doc.size()));
+        if (const std::size_t marker = line.find("///"); marker != std::string_view::npos)
+            line.remove_prefix(marker + 3);
+        if (sentence.empty()) line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+        sentence += line;
+    }
+    return sentence;
+}
+
 }  // namespace patina::nodelang

@@ -1,5 +1,6 @@
-// Index of declarations by name: the built-in library (nodes/**), or a user's .node.hlsl file on top of it. Owns
-// nothing but the maps; the declarations live in an Ast. Reports names that are declared twice.
+// The index of declarations by name: of the built-in library (nodes/**), or of a user's .node.hlsl file, which has the
+// library as its parent. It owns the maps only; the declarations live in an Ast. Names that are declared twice are
+// reported.
 //
 //   Declarations library;  index_declarations(ast, library, diagnostics);
 //   const FunctionDecl* ggx = library.function("DistributionGGX");
@@ -34,5 +35,8 @@ void index_declarations(const Ast& ast, Declarations& into, Diagnostics& diagnos
 
 // The text of attribute argument `index` (a string or a bare word), or empty.
 std::string_view attribute_text(const Attribute& attribute, std::size_t index = 0);
+
+// The first sentence of a declaration's comment, without the slashes and on one line.
+std::string first_sentence(std::string_view doc);
 
 }  // namespace patina::nodelang

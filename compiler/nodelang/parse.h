@@ -1,5 +1,7 @@
-// Text of the node language -> syntax tree. Reports what it cannot read and goes on behind the next ; or }, so that one
-// run finds several errors. Knows no types and no library.
+// This room reads the text of the node language: lexer, parser, syntax trees (ast.h) and an index of declarations
+// (library.h). It reports wrong syntax and knows no types and no IR: what a tree means is emit's business.
+//
+// The parser: text -> syntax tree. After an error it goes on behind the next ; or }, so that one run finds several.
 //
 //   parse_file({text, base}, ast, diagnostics);                       // a .node.hlsl file
 //   const Expr* e = parse_expression({"1 - mask", base}, ast, diagnostics);   // null after an error
@@ -10,8 +12,8 @@
 
 namespace patina::nodelang {
 
-// A text and where its bytes are in the source map. For a JSON string with escapes, `map[i]` is the global offset of
-// decoded byte i (one more entry than bytes: the end); else byte i is at base + i. The text must outlive the Ast.
+// A text, and where its bytes are in the source map: byte i is at base + i. If the text was a JSON string with escapes,
+// decoded byte i is at map[i] instead, and the last entry of `map` is the end. The text must outlive the Ast.
 struct Text {
     std::string_view text;
     std::uint32_t base = 0;
@@ -23,14 +25,16 @@ struct Text {
 // Deeper nesting of expressions or blocks is refused (the parser and the emitter recurse).
 inline constexpr int kMaxNesting = 200;
 
-// When the bodies of a file's functions are read: a text that may hold mistakes is read whole; of the library, a
-// compilation needs a few functions out of hundreds.
+// When the bodies of a file's functions are parsed. A user's file is parsed whole, to find its mistakes; of the
+// library, a compilation needs a few functions out of hundreds, and parses these when it needs them.
 enum class Bodies { Now, WhenAsked };
 void parse_file(Text text, Ast& ast, Diagnostics& diagnostics, Bodies bodies = Bodies::Now);
 
-// The statements of a function; any thread may ask. Mistakes in a body that is read only now go to body_errors().
+// The statements of a function. Any thread may call this. The mistakes of a body that is parsed only now go to
+// body_errors().
 const Statements& body_of(const FunctionDecl& function);
-// What was wrong with a body that was read when asked for: it is asked for now.
+// The mistakes in the body of a function of Bodies::WhenAsked, which is parsed now if it was not before. Null for other
+// functions.
 const Diagnostics* body_errors(const FunctionDecl& function);
 
 // An expression of a graph: may read $properties and @semantics.

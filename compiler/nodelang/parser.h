@@ -1,6 +1,6 @@
 // The recursive-descent parser behind parse.h. Private to parse*.cpp: expressions, statements and declarations are one
-// grammar in three files. A function that cannot read what it should reports once and returns a null Node, Stmt or
-// false; whoever can go on (a statement list, a file) then skips to a safe place.
+// grammar in three files. A function that cannot read what it expects reports it once and returns a null Node, a null
+// Stmt or false. A caller that can go on (a list of statements, a file) then skips to a safe place.
 //
 //   Parser parser(text, Lexer::Place::File, ast, diagnostics);
 //   parser.file();
@@ -18,7 +18,8 @@ namespace patina::nodelang {
 inline constexpr int kMaxExpressionHeight = 1000;
 inline constexpr std::size_t kMaxTextBytes = 1u << 20;
 
-// An expression and what the parser needs to know besides: its brackets belong to the expression around it, not to it.
+// An expression, its height as a tree, and where its text begins. Brackets around an expression are not part of its
+// span, but the expression that contains it begins at them.
 struct Node {
     const Expr* expr = nullptr;
     int height = 0;

@@ -30,12 +30,12 @@ Term::Term(const nodelang::FunctionDecl& function, const nodelang::Declarations&
            const std::map<std::string, std::string>& constants, Arithmetic arithmetic) {
     Diagnostics diagnostics;
     ir::Module module;
-    nodelang::Emitter emitter(module, diagnostics, {.fold = false});
+    emit::Emitter emitter{.module = module, .diagnostics = diagnostics, .options = {.fold = false}};
     graph::declare_engine(library().stages, library().declarations, emitter);
     ir::Function outer{};
     outer.name = "term";
     ir::Builder builder(module, outer, {.fold = false});
-    nodelang::Scope scope{.builder = &builder, .declarations = &declarations, .generic_width = 3};
+    emit::Scope scope{.builder = &builder, .declarations = &declarations, .generic_width = 3};
     nodelang::Ast ast;
     std::vector<const Expr*> arguments(function.params.size(), nullptr);
     for (std::size_t i = 0; i < function.params.size(); ++i) {
@@ -47,13 +47,13 @@ Term::Term(const nodelang::FunctionDecl& function, const nodelang::Declarations&
             arguments[i] = nodelang::parse_expression({.text = given->second}, ast, diagnostics);
             continue;
         }
-        const ir::Type type = emitter.type(param.type, scope);
+        const ir::Type type = emit::type(emitter, param.type, scope);
         outer.params.push_back({std::string(param.name), type, ir::Rate::Pixel});
         const ir::Value value = builder.param(static_cast<std::uint32_t>(outer.params.size() - 1));
         scope.locals.push_back({.name = param.name, .value = {.value = value, .type = type}, .constant = {}});
         arguments[i] = &ast.exprs.emplace_back(Expr{.kind = Expr::Kind::Name, .text = param.name});
     }
-    nodelang::Typed value = emitter.call(function, declarations, arguments, scope, {}, arithmetic.half);
+    emit::Typed value = emit::call(emitter, function, declarations, arguments, scope, {}, arithmetic.half);
     if (!value.ok()) {
         ADD_FAILURE() << function.name << ": " << words_of(diagnostics);
         std::abort();

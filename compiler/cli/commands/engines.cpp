@@ -12,8 +12,9 @@ namespace {
 
 // "glsl, hlsl; a file for each stage"
 std::string summary(const EngineInfo& engine) {
-    std::string text = fmt::format("{}; {}", fmt::join(engine.languages, ", "),
-                                   engine.is_one_file ? engine.file + ", one file a material" : "a file for each stage");
+    std::string text =
+        fmt::format("{}; {}", fmt::join(engine.languages, ", "),
+                    engine.is_one_file ? engine.file + ", one file a material" : "a file for each stage");
     if (engine.has_own_passes) text += "; passes of its own";
     return text;
 }

@@ -187,8 +187,9 @@ void check_keywords(const graph::Material& material, const Reflection& reflectio
         if (count > kMost && !first) first = entry.property;
     }
     if (first)
-        diagnostics.report(Code::KeywordLimit, first->name_span, first->name,
-                           fmt::format("Unity before 2021.2 takes {} of a shader's own, and these are {}", kMost, count));
+        diagnostics.report(
+            Code::KeywordLimit, first->name_span, first->name,
+            fmt::format("Unity before 2021.2 takes {} of a shader's own, and these are {}", kMost, count));
 }
 
 void check_shader_properties(const graph::Material& material, const graph::Lowered& lowered,

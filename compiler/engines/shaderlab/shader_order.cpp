@@ -89,8 +89,10 @@ void check_queues(const graph::Material& material, std::span<const LinkedPass> p
         diagnostics
             .report(Code::QueueLimit, passes[i].material->pass->name_span, pass.name, shader, pass.queue,
                     what_differs(pass.queue, shader))
-            .note("Unity has one queue for all passes of a shader; a material of its own on the same mesh is drawn at its "
-                  "own queue");
+            .note(
+                "Unity has one queue for all passes of a shader; a material of its own on the same mesh is drawn at "
+                "its "
+                "own queue");
     }
 }
 

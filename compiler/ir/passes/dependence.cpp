@@ -39,7 +39,7 @@ private:
         if (inst.op == Op::Global) return globals_ == Globals::Settled;
         if (inst.op == Op::Semantic || inst.op == Op::LoopIndex || inst.op == Op::LoopCarried) return false;
         if (inst.op != Op::Result) return operands;
-        // Of a branch both values must be known; a loop's sum is not.
+        // The result of an If is settled if both values are; the result of a loop is not.
         const Inst& structure = function_[args[0]];
         return operands && structure.op == Op::If && yields(structure.data, inst.data) &&
                yields(structure.data + 1, inst.data);

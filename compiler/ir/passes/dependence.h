@@ -1,5 +1,5 @@
-// Which of a function's instructions are settled once some of its parameters are: by constants (specialise) or by what
-// does not change from light to light (inline_calls). A forecast for deciding; it changes nothing.
+// Which instructions of a function are settled once some parameters are: known as constants (specialise), or the same
+// for all lights (inline_calls). The passes ask this before they decide; it changes nothing.
 //
 //   auto known = settled(callee, 1u << 2, Globals::Vary);   // what follows from its third argument
 #pragma once
@@ -16,7 +16,7 @@ enum class Globals : std::uint8_t { Settled, Vary };
 // By Value: 1 if all that it depends on is a constant, a parameter in the mask, or a global if those are settled.
 std::vector<std::uint8_t> settled(const Function& function, std::uint64_t params, Globals globals);
 
-// True for ops that cost something: not leaves, nor mere rearrangement of values, nor structure.
+// True for ops that cost something: false for leaves, for ops that only rearrange values, and for structure.
 bool is_work(Op op);
 
 }  // namespace patina::ir

@@ -7,8 +7,8 @@
 namespace patina::ir {
 namespace {
 
-// What comes to be read, over all functions at once. Only ever grows. A part of a struct counts when something
-// extracts it: until then, what was put there waits.
+// Finds what is read, over all functions at once. The set only grows. A member of a struct is read when something
+// extracts it; until then, the values that were put there wait.
 class Reads {
 public:
     Reads(const Module& module, std::span<const FunctionId> entries, std::span<const FunctionId> called)
@@ -53,7 +53,7 @@ private:
         }
     }
 
-    // There are no empty structs: of one that is only handed on, the first member stays.
+    // No struct may be empty: if no member of one is read, its first member stays.
     bool keep_one_member() {
         for (std::uint32_t i = 0; i < members_.size(); i++) {
             const bool is_read = std::count(members_[i].begin(), members_[i].end(), 1) > 0;
@@ -144,7 +144,7 @@ Places drop(Module& module, const Reads& reads) {
     Places made;
     for (std::uint32_t s = 0; s < module.structs.size(); s++) {
         std::vector<std::uint8_t> stays = reads.members(s);
-        // One that nobody reaches stays as it is.
+        // A struct that nothing reaches stays as it is.
         if (std::count(stays.begin(), stays.end(), 1) == 0) std::fill(stays.begin(), stays.end(), 1);
         std::vector<std::uint32_t>& places = made.places.emplace_back();
         std::vector<Member> kept;
@@ -185,7 +185,7 @@ bool rewrite(Copy& copy, Value value, const Places& places) {
     return true;
 }
 
-// A function that nothing reaches may have read what is no more.
+// A function that nothing reaches may read members that are gone: its body becomes empty.
 void empty(Module& module, Function& function) {
     function = shell(function);
     Builder builder(module, function);

@@ -8,13 +8,13 @@
 namespace patina::ir {
 namespace {
 
-// A function of so few operations reads as well, or better, where it is called.
+// The text of a function of so few operations is as easy to read where it is called.
 constexpr std::uint32_t kSmall = 3;
-// Functions that all must be spelled out and that call one another twice would double at each step. When so much has
-// been spelled out in a module, the rest stays calls.
+// How many instructions may be copied in one module; then calls stay calls. Functions that are always inlined and call
+// others twice would double the text at each level.
 constexpr std::size_t kBudget = 1u << 18;
 constexpr int kMaxDepth = 32;
-// Passes and printers walk blocks by recursion, so that bodies are not nested without end either.
+// How deep blocks may be nested by inlining, because passes and printers walk them by recursion.
 constexpr std::size_t kMaxNesting = 200;
 
 bool holds_opaque(const Module& module, Type type, int depth = 0) {
@@ -25,14 +25,14 @@ bool holds_opaque(const Module& module, Type type, int depth = 0) {
                        [&](const Member& m) { return holds_opaque(module, m.type, depth + 1); });
 }
 
-// What a finished function is like as a callee.
+// What the pass must know of a finished function to inline it.
 struct Callee {
     bool always = false;
     std::size_t nesting = 0;
     std::vector<std::pair<std::uint64_t, bool>> verdicts;  // by settled parameters: does anything become hoistable
 };
 
-// How deep blocks stand in blocks. A block is made after the one that it stands in.
+// How deep blocks are nested. The index of a block is higher than that of the block around it.
 std::size_t nesting_of(const Function& function) {
     std::vector<std::size_t> depth(function.blocks.size());
     std::size_t deepest = 0;
@@ -52,7 +52,7 @@ Callee describe(const Module& module, const Function& function) {
                                           [&](const Param& p) { return holds_opaque(module, p.type); });
     const auto work =
         std::count_if(function.insts.begin(), function.insts.end(), [](const Inst& i) { return is_work(i.op); });
-    // Making a struct takes a line for each of its members: once is enough, where the text is shared.
+    // To make a struct takes a line for each member. Stages that share the function should not repeat these.
     const bool is_shared = function.linkage == Linkage::Exported && function.result.kind == Kind::Struct;
     const bool is_wanted = function.always_inline || takes_opaque || (work <= kSmall && !is_shared);
     return {.always = is_wanted && !ir::is_elsewhere(function), .nesting = nesting_of(function), .verdicts = {}};
@@ -66,7 +66,7 @@ bool has_settled_work(const Function& callee, std::uint64_t params) {
     return false;
 }
 
-// What of the function being made changes from light to light, while a light loop is open.
+// Which values of the function that is being made change from light to light, while a light loop is open.
 class LightRate {
 public:
     void enter() { depth_++; }
@@ -78,7 +78,7 @@ public:
         return varies_[value.index] != 0;
     }
 
-    // Before a loop is entered too, so that what came before it counts as such.
+    // Also called before a loop is entered, so that values before the loop do not vary.
     void look_at_new(const Function& function) {
         while (varies_.size() < function.insts.size()) {
             const Inst& inst = function.insts[varies_.size()];
@@ -186,11 +186,14 @@ private:
         return result;
     }
 
-    // The call's name says what the value is to its reader; the callee's own name for it gives way.
+    // The call's name replaces the name that the callee gives its result: it says what the value is to the reader.
     static void name_result(Builder& to, Value result, NameId name, std::size_t before) {
         if (!result || !name) return;
-        if (result.index >= before && to[result].name) to.function().insts[result.index].name = {};
-        to.name(result, name);
+        if (result.index >= before) {
+            to.rename(result, name);
+        } else {
+            to.name(result, name);
+        }
     }
 
     Module& module_;

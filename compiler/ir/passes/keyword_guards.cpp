@@ -5,14 +5,14 @@
 namespace patina::ir {
 namespace {
 
-// What must hold where a value is needed: a condition, or that it does not.
+// Where a value is needed: where the condition is true, or where it is false.
 struct Guard {
     Value condition{};
     bool holds = true;
     friend bool operator==(const Guard&, const Guard&) = default;
 };
 
-// Which of the combinations of keywords that a function's conditions read make a condition true.
+// All combinations of the values of the keywords that a function reads, and which of them make a condition true.
 class Worlds {
 public:
     Worlds(const Module& module, const Function& function) : module_(module), from_(function) {
@@ -98,7 +98,8 @@ private:
         const Inst& inst = from_[v];
         return inst.type.is_numeric() && !inst.type.is_matrix() && !is_part(inst) && !sides_.of(v).choice;
     }
-    // Work that is worth a condition, or made of such for nothing else.
+    // True if the value costs enough for a condition around it, or is computed from such values that nothing else
+    // reads.
     bool is_heavy(Value v) const {
         const Inst& inst = from_[v];
         const auto args = from_.args(inst);
@@ -154,7 +155,7 @@ private:
         return a;
     }
 
-    // A condition of keywords, where it may not have been computed yet.
+    // Emits a condition of keywords again, because it may stand behind the place where it is needed now.
     Value repeated(Copy& copy, Value condition) const {
         const Inst& inst = from_[condition];
         std::vector<Value> operands;

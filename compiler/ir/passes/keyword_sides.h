@@ -1,5 +1,5 @@
-// Where a function chooses between values by keywords, and which values only one side of such a choice needs. For the
-// files of branch_on_keywords.
+// Where a function chooses between two values by keywords, and which values only one side of such a choice needs.
+// Private to branch_on_keywords.cpp and keyword_guards.cpp.
 #pragma once
 
 #include <algorithm>
@@ -51,12 +51,12 @@ public:
     bool is_choice(Value v) const {
         return from_[v].op == Op::Select && from_[v].type.is_numeric() && depends_[from_.args(v)[0].index] != 0;
     }
-    // The one that alone needs the value; no choice: it stays where it is.
+    // The side that alone needs the value; if its choice is null, the value stays where it is.
     Side of(Value v) const { return side_[v.index]; }
-    // What moves there, the last first.
+    // The values that move to the side, the last one first.
     const std::vector<Value>& values_in(Side side) const { return in_side_[side.choice.index][side.index - 1]; }
 
-    // Of each use of a value the sides that it is in, from the innermost on; of a part of it, the part's uses.
+    // For each use of a value, the sides that it is in, from the innermost on. A part of the value counts by its uses.
     std::vector<std::vector<Side>> around_uses(Value v, bool of_parts) const {
         std::vector<std::vector<Side>> around;
         for (const Use& use : uses_of(v)) {
@@ -71,7 +71,7 @@ public:
         return around;
     }
 
-    // Whether nothing but `reader` uses the value.
+    // True if only `reader` uses the value.
     bool is_only_for(Value v, Value reader) const {
         return std::ranges::all_of(uses_of(v), [&](const Use& use) { return use.by == reader; });
     }
@@ -123,7 +123,7 @@ private:
         }
     }
 
-    // What stands in the block and holds the value.
+    // The instruction of the block that is the value, or that contains it.
     Value holder(Value v, std::uint32_t block) const {
         while (v && block_of_[v.index] != block) v = owner_[block_of_[v.index]];
         return v;
@@ -160,8 +160,8 @@ private:
     bool has_any_ = false;
 };
 
-// What several sides need, and nothing else, if it is work: chosen by the narrowest of their conditions (or a few of
-// them), with zero where nothing reads it. `module`: of which this is a function.
+// Puts costly values that only several sides need under the narrowest of the sides' conditions, or of a few of these
+// together; elsewhere the value is zero. `from` is a function of `module`.
 Function guarded(Module& module, const Function& from, const Sides& sides);
 
 // A copy through `rewrite` (rebuild.h).

@@ -1,11 +1,12 @@
 #include <algorithm>
 
 #include "compiler/ir/passes/passes.h"
+#include "compiler/ir/rebuild.h"
 
 namespace patina::ir {
 namespace {
 
-// Which functions look at neighbouring pixels, themselves or through what they call.
+// By function: true if it reads neighbouring pixels, itself or in a function that it calls.
 std::vector<bool> functions_with_derivatives(const Module& module) {
     std::vector<bool> found(module.functions.size());
     for (std::size_t f = 0; f < module.functions.size(); f++) {
@@ -45,12 +46,30 @@ private:
 Module legalize_discard(Module module) {
     if (!module.stage.entry) return module;
     Function& entry = module[module.stage.entry];
-    std::vector<Value>& body = entry.blocks[0].insts;
+    const std::vector<Value>& body = entry.blocks[0].insts;
     const Search search(module, entry);
-    const auto last =
+    const auto end =
         std::find_if(body.rbegin(), body.rend(), [&](Value v) { return search.needs_neighbours(v); }).base();
-    // A discard yields nothing, so it may stand anywhere behind its condition.
-    std::stable_partition(body.begin(), last, [&](Value v) { return entry[v].op != Op::DiscardIf; });
+    if (std::none_of(body.begin(), end, [&](Value v) { return entry[v].op == Op::DiscardIf; })) return module;
+    const Value last = end[-1];
+    Function old = std::move(entry);
+    Function made = take_shell(old);
+    Builder builder(module, made);
+    std::vector<Value> waiting;
+    bool is_past = false;
+    Copy copy{.from = old, .to = builder, .rewrite = [&](Copy& c, Value v) {
+                  if (c.from[v].op == Op::DiscardIf && !is_past) {
+                      waiting.push_back(v);
+                      return true;
+                  }
+                  if (v != last) return false;
+                  copy_plain(c, v);
+                  is_past = true;
+                  for (const Value discard : waiting) copy_plain(c, discard);
+                  return true;
+              }};
+    copy_body(copy);
+    module[module.stage.entry] = std::move(made);
     return module;
 }
 

@@ -1,7 +1,7 @@
-// Rewrites of a linked stage. Each is Module -> Module, one file, and rebuilds functions through the Builder, so that
-// new chances to fold are taken on the way. The list and its order are passes.def. A module without a stage may be
-// given too: then every exported function is kept as it is called from outside, or, where there are none, every
-// function that nothing calls.
+// Rewrites of a linked stage. Each is a function from Module to Module in a file of its own. It rebuilds functions
+// through the Builder, which folds what can be folded now, and does not edit instructions in place (ir.h). tidy() runs
+// the list of passes.def in its order. If a module has no stage, its exported functions are kept as other texts call
+// them; if it has no exported functions either, those that nothing calls are kept.
 //
 //   Module small = tidy(std::move(linked));
 #pragma once
@@ -13,49 +13,51 @@
 namespace patina::ir {
 
 // Drops instructions that nothing reads, functions that nothing calls, parameters that a function does not read,
-// members that no one takes from a function's result struct (all callers use Extract only), and carried loop values
-// that are never used or never change. Stage inputs that are not read are dropped from the interface too. Material
-// blocks and texture slots keep their layout.
+// members of a function's result struct that no caller extracts, and values that a loop carries but nothing reads or
+// changes. Stage inputs that nothing reads are dropped from the interface too. Blocks and texture slots keep their
+// layout.
 Module prune(Module module);
 
-// Calls with constant arguments get a copy of the callee with them filled in, when that removes a branch or a loop, or
-// half of the callee's work; calls whose arguments are all constant fold away.
+// A call with constant arguments gets a copy of the callee for these constants, if that decides a branch or a loop or
+// removes half of the callee's work. A call of which the copy is only a constant becomes that constant.
 Module specialise(Module module);
 
-// Replaces a call by the callee's body: functions marked always_inline; functions with Texture2D-like struct parameters
-// or opaque parameters; functions whose body is at most `kSmall` operations; functions called with a value that lets
-// something be hoisted out of a light loop.
+// Replaces a call by the callee's body, if the callee is marked always_inline, if a parameter is opaque or contains
+// something opaque (a texture), if the body has at most `kSmall` operations, or if something of it could then move out
+// of a light loop.
 Module inline_calls(Module module);
 
-// Moves loop-invariant instructions out of For (derivatives and samples too: out is always allowed), outermost first,
-// and sinks nothing. After it a light loop computes only what depends on the light.
+// Moves out of each loop what does not depend on it, derivatives and samples too, for these may always move outwards.
+// After it a light loop computes only what depends on the light.
 Module schedule(Module module);
 
-// Moves discards of the entry function behind the last derivative and the last sample that needs one: pixels that are
-// gone help their neighbours no more. Not part of tidy(); for targets whose discard ends the pixel at once.
+// Moves the discards of the entry function behind the last derivative and the last sample that needs one, because a
+// pixel that has ended gives its neighbours no values. Not part of tidy(): for languages whose discard ends the pixel
+// at once.
 Module legalize_discard(Module module);
 
-// Where keywords alone choose between two values, what only one of them needs goes to its side of a branch: a text can
-// then leave the other side out, whatever is in it, samples and derivatives too. Not part of tidy(); for targets that
-// have keywords.
+// Where keywords alone choose between two values, makes an If of the choice and moves into each branch what only that
+// value needs. A text can then leave out the other branch, with its samples and derivatives. Not part of tidy(): for
+// engines that have keywords.
 Module branch_on_keywords(Module module);
-// By value: 1 if it is made of keywords and constants by nothing but comparisons and logic.
+// By value: 1 if it is computed from keywords and constants by comparisons and logic only.
 std::vector<std::uint8_t> keyword_values(const Module& module, const Function& function);
 
-// Drops members of structs that nothing reads of what is reached, in every function alike, and what was computed for
-// them alone. `entries` return what somebody else reads; `called` are called by whoever links them. What functions that
-// are defined elsewhere take and return stays whole, too. For stages that share their functions' text: what one of them
-// reads, all have. Not part of tidy().
+// Drops members of structs that no function reads, in all functions alike, and what was computed for them alone.
+// Somebody else reads the whole result of `entries`; `called` are called from outside, too, but only for members that
+// are read here. The parameters and results of functions that are defined elsewhere stay whole. For stages that share
+// the text of their functions: a member that one of them reads stays in all. Not part of tidy().
 Module drop_members(Module module, std::span<const FunctionId> entries, std::span<const FunctionId> called);
 
-// Where all calls of a function agree about an argument, the function knows it: a constant, or one that it is handed
-// already. What it is handed on by others is called as there. Not part of tidy(), which prunes the parameters then.
+// If all calls of a function have the same constant as an argument, or the same value as another argument, the function
+// uses that instead of the parameter. A semantic parameter takes the name that it has in all callers. Not part of
+// tidy(): prune() then drops the parameters.
 Module settle_params(Module module);
 
-// The passes of passes.def in order, verified after each in debug builds.
+// The passes of passes.def in order; verified after each if is_verifying().
 Module tidy(Module module);
 
-// Rate of every instruction of a function, given its params' rates. Indexed by Value.
+// The rate of each instruction of a function, by Value. The rates of its parameters are given (Param::rate).
 std::vector<Rate> rates(const Module& module, const Function& function);
 
 }  // namespace patina::ir

@@ -13,7 +13,7 @@ struct Site {
     Value call;
 };
 
-// What is needed of one function. Everything only ever grows.
+// What is needed of one function. All of it only grows.
 struct Need {
     Liveness live;
     std::vector<std::uint8_t> params;
@@ -29,8 +29,8 @@ bool returns_struct(const Function& function) {
     return function.result.kind == Kind::Struct;
 }
 
-// One member of a struct value, looked up through the constructs and inserts that made it: the value itself, or the
-// struct that it must be extracted from.
+// Where one member of a struct value comes from, through constructs and inserts: the member's own value, or the struct
+// that it must be extracted from.
 struct MemberSource {
     Value value;
     bool is_member = false;
@@ -69,7 +69,7 @@ public:
     }
 
 private:
-    // The entry; without one, what is exported; without that, what nothing calls.
+    // The entry; without an entry the exported functions; without these, the functions that nothing calls.
     std::vector<std::uint8_t> roots() const {
         std::vector<std::uint8_t> is_root(module_.functions.size(), 0);
         if (module_.stage.entry) {
@@ -89,7 +89,7 @@ private:
         return is_root;
     }
 
-    // Those that know the function from elsewhere count on its result and on its own parameters.
+    // Other texts call the function, so its result and its own parameters must stay.
     void need_signature(std::uint32_t f) {
         const std::vector<Param>& params = module_.functions[f].params;
         for (std::size_t i = 0; i < params.size(); i++) {
@@ -118,14 +118,14 @@ private:
         if (inst.op == Op::Call) need_result_member(inst.data, member);
     }
 
-    // Not where the condition has turned out to be false.
+    // False if the condition is the constant false.
     bool discards(const Function& function, Value value) const {
         if (function[value].op != Op::DiscardIf) return false;
         const Inst& condition = function[function.args(value)[0]];
         return condition.op != Op::Constant || module_.numbers_of(module_.constants[condition.data])[0] != 0;
     }
 
-    // A pass's body may discard, and give nothing that anybody reads.
+    // The body of a pass may discard, even if nothing reads its result.
     bool calls_discard(const Inst& inst) const {
         if (inst.op != Op::Call) return false;
         const Function& callee = module_.functions[inst.data];
@@ -169,7 +169,7 @@ private:
         if (!returns_struct(module_.functions[f])) return need_result(f);
         std::vector<std::uint8_t>& members = needs_[f].members;
         if (std::exchange(members[member], 1) != 0) return;
-        // With its last member the struct is needed whole, and stays as it is.
+        // If all members are needed, the struct stays as it is.
         if (std::find(members.begin(), members.end(), 0) == members.end()) return need_result(f);
         const MemberSource source = member_source(module_.functions[f], needs_[f].return_value, member);
         if (source.is_member) {
@@ -242,7 +242,7 @@ struct Signature {
     std::vector<std::uint32_t> members;  // of the result, if it loses any: those that stay
     bool is_as_before = false;
     bool is_narrowed() const { return !members.empty(); }
-    // Of one member nothing is left to wrap.
+    // If one member is left, the function returns the member itself.
     bool is_bare() const { return members.size() == 1; }
 };
 
@@ -267,7 +267,7 @@ public:
     }
 
 private:
-    // Straight code in which nothing changes but the numbers of the functions that it calls.
+    // True if nothing of the function goes, so that at most the indices of its callees change.
     bool is_needed_whole(const Function& function, const Need& need) const {
         const auto is_set = [](std::uint8_t needed) { return needed != 0; };
         return function.blocks.size() == 1 && (need.whole_result || !returns_struct(function)) &&
@@ -282,9 +282,7 @@ private:
         signatures_[f].params.resize(old_[f].params.size());
         signatures_[f].is_as_before = true;
         std::iota(signatures_[f].params.begin(), signatures_[f].params.end(), 0u);
-        for (Inst& inst : old_[f].insts) {
-            if (inst.op == Op::Call) inst.data = signatures_[inst.data].id.index;
-        }
+        renumber_calls(old_[f], [&](std::uint32_t callee) { return signatures_[callee].id.index; });
         module_.functions.push_back(std::move(old_[f]));
     }
 

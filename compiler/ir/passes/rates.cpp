@@ -11,7 +11,7 @@ Rate leaf_rate(const Module& module, const Function& function, const Inst& inst)
     return inst.op == Op::Global ? Rate::Uniform : Rate::Constant;
 }
 
-// The rate that each function has by what it reads itself, whatever its arguments.
+// By function: the rate of what it reads besides its parameters.
 std::vector<Rate> own_rates(const Module& module) {
     std::vector<Rate> own;
     for (const Function& function : module.functions) {
@@ -31,7 +31,7 @@ public:
     Walk(const Module& module, const Function& function)
         : module_(module), function_(function), rates_(function.insts.size()), within_(function.insts.size()) {}
 
-    // What a loop carries depends on what it yields, which is seen only after its body: repeated until nothing rises.
+    // What a loop carries depends on what its body yields at the end, so this is repeated until no rate rises.
     // Each loop has one rate, so this takes a few rounds for each level of nesting.
     std::vector<Rate> run() {
         do {
@@ -63,7 +63,7 @@ private:
         if (inst.op == Op::For) return this->loop(value, highest, within);
         if (inst.op == Op::LoopIndex || inst.op == Op::LoopCarried) return rates_[loop.index];
         if (inst.op == Op::Call) return std::max(highest, own(inst.data));
-        // The sum over all lights is no longer per light.
+        // A result of the loop over lights is the same for all lights.
         const bool leaves_lights = inst.op == Op::Result && function_[function_.args(inst)[0]].is_light_loop;
         return leaves_lights ? within_[function_.args(inst)[0].index] : highest;
     }

@@ -7,8 +7,8 @@
 namespace patina::ir {
 namespace {
 
-// For each instruction the deepest loop that it depends on, as a number of loops around it; 0: none. Loops that enclose
-// one place are nested, so the number says which. All within one function.
+// For each instruction of a function, the deepest loop that it depends on, as the number of loops around that loop's
+// body; 0: none. The loops around one place are nested, so the number says which loop it is.
 class Levels {
 public:
     explicit Levels(const Function& function) : function_(function), levels_(function.insts.size()), loops_(levels_) {
@@ -46,7 +46,7 @@ private:
         return highest;
     }
 
-    // What a loop depends on beside itself.
+    // The deepest loop that the block depends on, other than the loop itself.
     std::uint32_t highest_below(std::uint32_t index, std::uint32_t loop) const {
         std::uint32_t highest = 0;
         for (const Value value : function_.blocks[index].insts) {
@@ -79,7 +79,7 @@ public:
     }
 
 private:
-    // Emits, before the loop of this number is entered, what of its body depends on outer loops only.
+    // Emits, before the loop with this number, the instructions of its body that depend on outer loops only.
     void hoist(Copy& copy, std::uint32_t block, std::uint32_t loop) {
         for (const Value value : copy.from.blocks[block].insts) {
             const Inst& inst = copy.from[value];

@@ -18,7 +18,7 @@ class Settler {
 public:
     explicit Settler(Module& module) : module_(module), sites_(module.functions.size()) {}
 
-    // Callees stand before their callers, which are done first.
+    // From the last function to the first, so that all callers of a function are done before it.
     void run() {
         for (std::uint32_t f = static_cast<std::uint32_t>(module_.functions.size()); f-- > 0;) {
             const Function& function = module_.functions[f];
@@ -40,7 +40,7 @@ private:
         return std::all_of(sites_[f].begin(), sites_[f].end(), holds);
     }
 
-    // The constant that every caller hands over.
+    // The constant that every caller has as the argument.
     std::optional<std::vector<double>> constant_of(std::uint32_t f, std::uint32_t param) const {
         const auto numbers = [&](const Site& site) -> std::optional<std::vector<double>> {
             const Inst& inst = caller(site)[argument(site, param)];
@@ -60,7 +60,7 @@ private:
         }
         return param;
     }
-    // The name of what every caller hands on: one that it was itself handed.
+    // The name of the parameter that every caller has as the argument, if it is the same in all callers.
     std::string name_of(std::uint32_t f, std::uint32_t param) const {
         const auto name = [&](const Site& site) -> std::string {
             const Inst& inst = caller(site)[argument(site, param)];

@@ -12,9 +12,9 @@
 namespace patina::ir {
 namespace {
 
-// Calls in a copy may ask for further copies; deeper than this they take the general function.
+// A call in a copy may need a further copy; at this depth it calls the general function instead.
 constexpr int kMaxDepth = 32;
-// All copies together may have as many instructions as the module, and at least so many.
+// All copies together may have as many instructions as the module, or this many if the module is smaller.
 constexpr std::size_t kMinBudget = 4000;
 
 // A constant argument: which parameter, and what.
@@ -152,7 +152,7 @@ private:
         return true;
     }
 
-    // A version that is left with nothing but a constant needs no call.
+    // If a copy only returns a constant, the call becomes that constant.
     Value result_of(Builder& to, FunctionId version, std::span<const Value> args) {
         const Function& callee = module_[version];
         const Inst& end = callee[callee.blocks[0].insts.back()];

@@ -58,6 +58,31 @@ TEST(VerifySound, HasNothingToSay) {
     EXPECT_EQ(verify(sound.module), "");
 }
 
+// A pass walks the functions in their order, and counts on having seen whatever a function calls.
+TEST(VerifySound, ACalleeStandsBeforeItsCallers) {
+    Sound sound;
+    Function caller;
+    caller.name = "caller";
+    caller.params = {{"x", kFloat, Rate::Pixel}, {"c", kBool, Rate::Pixel}};
+    caller.result = kFloat;
+    Builder b(sound.module, caller);
+    b.ret(b.call({0}, std::vector{b.param(0), b.param(1)}));
+    sound.module.functions.push_back(std::move(caller));
+    EXPECT_EQ(verify(sound.module), "");
+
+    std::swap(sound.module.functions[0], sound.module.functions[1]);
+    for (Inst& inst : sound.module.functions[0].insts) {
+        if (inst.op == Op::Call) inst.data = 1;
+    }
+    const std::string text = verify(sound.module);
+    EXPECT_NE(text.find("'f' does not stand before its caller"), std::string::npos) << text;
+
+    for (Inst& inst : sound.module.functions[0].insts) {
+        if (inst.op == Op::Call) inst.data = 0;
+    }
+    EXPECT_NE(verify(sound.module).find("'caller' does not stand before its caller"), std::string::npos);
+}
+
 TEST_P(Verify, SaysWhatIsWrong) {
     Sound sound;
     GetParam().how(sound);

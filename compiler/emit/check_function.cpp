@@ -1,32 +1,33 @@
-// A function on its own: each of its forms is emitted, so that an error is found where nothing calls it.
+// Checks a function that nothing may call: emits each of its forms, and so reports its errors.
 #include <algorithm>
 
-#include "compiler/nodelang/emit.h"
+#include "compiler/emit/arguments.h"
+#include "compiler/emit/functions.h"
 
-namespace patina::nodelang {
+namespace patina::emit {
 
-void Emitter::check_function(const FunctionDecl& function, const Declarations& home) {
+void check_function(Emitter& emitter, const FunctionDecl& function, const Declarations& home) {
     const bool is_generic = function.result.name == "floatN" ||
                             std::any_of(function.params.begin(), function.params.end(),
                                         [](const ParamDecl& param) { return param.type.name == "floatN"; });
     std::vector<Argument> arguments(function.params.size());
-    const std::size_t errors = diagnostics_.error_count();
+    const std::size_t errors = emitter.diagnostics.error_count();
     const auto emit = [&] {
         for (unsigned width = 1; width <= (is_generic ? 4u : 1u); ++width) {
-            // One form with an error is enough: the others have the same.
-            if (diagnostics_.error_count() != errors) return;
-            instantiate(function, home, arguments, width, false, function.name_span);
+            // After the first form with an error stop: the others have the same error.
+            if (emitter.diagnostics.error_count() != errors) return;
+            instantiate(emitter, function, home, arguments, width, false, function.name_span);
         }
     };
     Scope outside{.declarations = &home};
     for (std::size_t i = 0; i < function.params.size(); ++i) {
         const ParamDecl& param = function.params[i];
         if (!param.is_const) continue;
-        arguments[i] = param.initial ? const_argument(param, home, *param.initial, outside) : Argument{};
+        arguments[i] = param.initial ? const_argument(emitter, param, home, *param.initial, outside) : Argument{};
         if (!arguments[i].constant) arguments[i].constant = 0;
     }
     emit();
-    // The branches of a drop-down's other values, one drop-down at a time.
+    // The other values of each drop-down decide other branches. One drop-down is changed at a time.
     for (std::size_t i = 0; i < function.params.size(); ++i) {
         const EnumDecl* enumeration = home.enumeration(function.params[i].type.name);
         if (!function.params[i].is_const || !enumeration) continue;
@@ -39,4 +40,4 @@ void Emitter::check_function(const FunctionDecl& function, const Declarations& h
     }
 }
 
-}  // namespace patina::nodelang
+}  // namespace patina::emit

@@ -1,13 +1,14 @@
-// Built-in functions, constructors and methods of textures: what a call means that no declaration explains.
+// Functions and constructors that the language itself has, and what they need of the place where they are called.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "compiler/base/text.h"
+#include "compiler/emit/conversion.h"
+#include "compiler/emit/operations.h"
 #include "compiler/ir/fold.h"
-#include "compiler/nodelang/emit.h"
 
-namespace patina::nodelang {
+namespace patina::emit {
 
 using ir::Op;
 using ir::Scalar;
@@ -105,22 +106,38 @@ std::vector<std::string_view> intrinsic_names() {
     return names;
 }
 
-void Emitter::need_quad(Scope& scope, Span span, std::string_view what, bool samples) {
+void need_quad(Emitter& emitter, Scope& scope, Span span, std::string_view what, bool samples) {
     if (scope.in_vertex_stage) {
         DiagnosticRecord& record =
-            diagnostics_.report(Code::WrongStage, span, fmt::format("{} needs neighbouring pixels", what));
+            emitter.diagnostics.report(Code::WrongStage, span, fmt::format("{} needs neighbouring pixels", what));
         record.note(samples ? "at vertices a texture is sampled at a level that is given: by SampleLevel, or by a node "
                               "that takes a level"
                             : "vertices have no neighbours to be compared with");
         if (scope.environment) scope.environment->tell_reader(record);
     } else if (!scope.flow.empty()) {
-        diagnostics_.report(Code::DerivativeInFlow, span, what, scope.flow)
+        emitter.diagnostics.report(Code::DerivativeInFlow, span, what, scope.flow)
             .note("compute it before, or sample with SampleLevel or SampleGrad");
     }
     if (scope.needs_quad) *scope.needs_quad = true;
 }
 
-Typed Emitter::intrinsic(std::string_view name, const Expr& expr, Scope& scope, bool& found) {
+void warn_unless_finite(Emitter& emitter, Op op, Type type, std::span<const Value> values, const Scope& scope,
+                        Span span, std::string_view what) {
+    const auto is_constant = [&](Value value) { return !scope.builder->constant_of(value).empty(); };
+    if (!std::all_of(values.begin(), values.end(), is_constant)) return;
+    std::vector<Type> types;
+    std::vector<std::span<const double>> numbers;
+    for (const Value value : values) {
+        types.push_back(scope.builder->type(value));
+        numbers.push_back(scope.builder->constant_of(value));
+    }
+    std::vector<double> made;
+    if (!ir::evaluate(op, type, types, numbers, 0, made)) return;
+    if (std::all_of(made.begin(), made.end(), [](double number) { return std::isfinite(number); })) return;
+    emitter.diagnostics.report(Code::NotFinite, span, fmt::format("'{}'", what));
+}
+
+Typed intrinsic(Emitter& emitter, std::string_view name, const Expr& expr, Scope& scope, bool& found) {
     const auto bitcast =
         std::find_if(std::begin(kBitcasts), std::end(kBitcasts), [&](const auto& row) { return row.first == name; });
     const Intrinsic* row = find_intrinsic(name);
@@ -128,20 +145,20 @@ Typed Emitter::intrinsic(std::string_view name, const Expr& expr, Scope& scope, 
     if (!found) return {};
     const std::size_t wanted = row ? row->arguments : 1;
     if (expr.args.size() != wanted) {
-        diagnostics_.report(Code::ArgumentCount, expr.name_span, name, wanted, expr.args.size());
+        emitter.diagnostics.report(Code::ArgumentCount, expr.name_span, name, wanted, expr.args.size());
         return {};
     }
     std::vector<Typed> operands;
     operands.reserve(expr.args.size());
     bool good = true;
     for (const Expr* argument : expr.args) {
-        operands.push_back(primary(expression(*argument, scope), scope, argument->span));
+        operands.push_back(primary(emitter, expression(emitter, *argument, scope), scope, argument->span));
         good = good && operands.back().ok();
     }
     if (!good) return {};
     ir::Builder& b = *scope.builder;
     const auto refuse = [&](const Typed& operand) {
-        diagnostics_.report(Code::BadOperand, expr.span, name, module_.type_name(operand.type));
+        emitter.diagnostics.report(Code::BadOperand, expr.span, name, emitter.module.type_name(operand.type));
         return Typed{};
     };
     for (const Typed& operand : operands) {
@@ -156,7 +173,7 @@ Typed Emitter::intrinsic(std::string_view name, const Expr& expr, Scope& scope, 
         return {.value = b.emit(Op::Bitcast, type, {operands[0].value}), .type = type};
     }
     if (row->takes == Takes::Product) {
-        // Half joins float as float.
+        // A half operand becomes float if the other one is float.
         for (std::size_t i : {0u, 1u}) {
             Typed& half = operands[i];
             if (half.type.scalar != Scalar::Half || operands[1 - i].type.scalar != Scalar::Float) continue;
@@ -167,8 +184,8 @@ Typed Emitter::intrinsic(std::string_view name, const Expr& expr, Scope& scope, 
         if (left.is_matrix() || right.is_matrix()) {
             const Type type = ir::result_type(Op::MatMul, types);
             if (type.is_error()) {
-                diagnostics_.report(Code::BadOperands, expr.span, name, module_.type_name(left),
-                                    module_.type_name(right));
+                emitter.diagnostics.report(Code::BadOperands, expr.span, name, emitter.module.type_name(left),
+                                           emitter.module.type_name(right));
                 return {};
             }
             return {.value = b.emit(Op::MatMul, type, {operands[0].value, operands[1].value}), .type = type};
@@ -185,21 +202,21 @@ Typed Emitter::intrinsic(std::string_view name, const Expr& expr, Scope& scope, 
         if (operands[0].type.is_scalar()) return operands[0];
         return {.value = b.emit(row->op, ir::kBool, {operands[0].value}), .type = ir::kBool};
     }
-    // Whole literals are floats here, unless they meet an integer.
+    // Whole literals are floats here, unless another operand is an integer.
     const bool integers =
         row->takes == Takes::Numbers &&
         std::any_of(operands.begin(), operands.end(), [](const Typed& t) { return t.type.is_integer() && !t.literal; });
     for (Typed& operand : operands) {
         if (!integers && operand.literal && operand.type.is_integer())
-            operand = literal_as(operand, floating, scope, expr.span);
+            operand = literal_as(emitter, operand, floating, scope, expr.span);
         if (operand.type.is_bool() || (operand.type.is_integer() && !integers) || operand.type.is_matrix()) {
             return refuse(operand);
         }
     }
     const std::size_t joined = row->takes == Takes::Unlike ? 2 : operands.size();
-    if (joined > 1 && !unify(std::span(operands).subspan(0, joined), scope, expr.span, name)) return {};
+    if (joined > 1 && !unify(emitter, std::span(operands).subspan(0, joined), scope, expr.span, name)) return {};
     const Type type = operands[0].type;
-    // A vector of one component: what floatN may come to.
+    // A vector of one component, which floatN may be.
     if (row->takes == Takes::Vectors && type.is_scalar() && ir::info(row->op).rule == ir::TypeRule::Scalar) {
         const Value first = operands[0].value;
         if (row->op == Op::Dot) return {.value = b.emit(Op::Mul, type, {first, operands[1].value}), .type = type};
@@ -210,56 +227,41 @@ Typed Emitter::intrinsic(std::string_view name, const Expr& expr, Scope& scope, 
         if (!type.is_vector() || (row->takes == Takes::Vectors3 && type.width() != 3)) return refuse(operands[0]);
     }
     if (row->takes == Takes::Unlike) {
-        operands[2] = convert(operands[2], Type::scalar_of(type.scalar), scope, expr.args[2]->span, "the ratio");
+        operands[2] =
+            convert(emitter, operands[2], Type::scalar_of(type.scalar), scope, expr.args[2]->span, "the ratio");
         if (!operands[2].ok()) return {};
     }
-    if (row->takes == Takes::Pixels) need_quad(scope, expr.span, name, false);
+    if (row->takes == Takes::Pixels) need_quad(emitter, scope, expr.span, name, false);
     std::vector<Value> values;
     for (const Typed& operand : operands) values.push_back(operand.value);
     const ir::TypeRule rule = ir::info(row->op).rule;
     const Type result = rule == ir::TypeRule::Scalar  ? Type::scalar_of(type.scalar)
                         : rule == ir::TypeRule::Bools ? Type::vector(Scalar::Bool, type.width())
                                                       : type;
-    warn_unless_finite(row->op, result, values, scope, expr.span, name);
+    warn_unless_finite(emitter, row->op, result, values, scope, expr.span, name);
     return {.value = b.emit(row->op, result, values), .type = result};
 }
 
-// The builder leaves what is NaN or infinite to the GPU; the author is told.
-void Emitter::warn_unless_finite(Op op, Type type, std::span<const Value> values, const Scope& scope, Span span,
-                                 std::string_view what) {
-    const auto is_constant = [&](Value value) { return !scope.builder->constant_of(value).empty(); };
-    if (!std::all_of(values.begin(), values.end(), is_constant)) return;
-    std::vector<Type> types;
-    std::vector<std::span<const double>> numbers;
-    for (const Value value : values) {
-        types.push_back(scope.builder->type(value));
-        numbers.push_back(scope.builder->constant_of(value));
-    }
-    std::vector<double> made;
-    if (!ir::evaluate(op, type, types, numbers, 0, made)) return;
-    if (std::all_of(made.begin(), made.end(), [](double number) { return std::isfinite(number); })) return;
-    diagnostics_.report(Code::NotFinite, span, fmt::format("'{}'", what));
-}
-
-Typed Emitter::constructor(Type wanted, const Expr& expr, Scope& scope) {
+Typed constructor(Emitter& emitter, Type wanted, const Expr& expr, Scope& scope) {
     ir::Builder& b = *scope.builder;
     std::vector<Value> parts;
     unsigned count = 0;
     for (const Expr* argument : expr.args) {
-        Typed part = primary(expression(*argument, scope), scope, argument->span);
+        Typed part = primary(emitter, expression(emitter, *argument, scope), scope, argument->span);
         if (!part.ok()) return {};
         if (!part.type.is_numeric() || part.type.is_matrix()) {
-            diagnostics_.report(Code::BadOperand, argument->span, expr.text, module_.type_name(part.type));
+            emitter.diagnostics.report(Code::BadOperand, argument->span, expr.text,
+                                       emitter.module.type_name(part.type));
             return {};
         }
-        if (part.literal && !wanted.is_bool()) part = literal_as(part, wanted.scalar, scope, argument->span);
+        if (part.literal && !wanted.is_bool()) part = literal_as(emitter, part, wanted.scalar, scope, argument->span);
         if (part.type.scalar != wanted.scalar) part.value = b.convert(part.value, wanted.scalar);
         parts.push_back(part.value);
         count += part.type.width();
     }
     const unsigned needed = wanted.components();
     if (wanted.is_matrix()) {
-        // Rows, as in HLSL: one vector a row, or every component.
+        // As in HLSL: one vector for each row, or every component row by row.
         std::vector<Value> rows;
         if (parts.size() == wanted.rows && count == needed) {
             rows = parts;
@@ -269,7 +271,7 @@ Typed Emitter::constructor(Type wanted, const Expr& expr, Scope& scope) {
                                            std::span(parts).subspan(r * wanted.cols, wanted.cols)));
             }
         } else {
-            diagnostics_.report(Code::ArgumentCount, expr.name_span, expr.text, needed, count);
+            emitter.diagnostics.report(Code::ArgumentCount, expr.name_span, expr.text, needed, count);
             return {};
         }
         return {.value = b.construct(wanted, rows), .type = wanted};
@@ -277,7 +279,8 @@ Typed Emitter::constructor(Type wanted, const Expr& expr, Scope& scope) {
     if (parts.size() == 1 && count == needed) return {.value = parts[0], .type = wanted};
     if (parts.size() == 1 && count == 1) return {.value = b.splat(parts[0], needed), .type = wanted};
     if (count != needed) {
-        DiagnosticRecord& record = diagnostics_.report(Code::ArgumentCount, expr.name_span, expr.text, needed, count);
+        DiagnosticRecord& record =
+            emitter.diagnostics.report(Code::ArgumentCount, expr.name_span, expr.text, needed, count);
         if (count > needed && parts.size() == 1) {
             record.note(fmt::format("take a part: .{}", std::string_view("xyzw").substr(0, needed)));
         }
@@ -286,76 +289,4 @@ Typed Emitter::constructor(Type wanted, const Expr& expr, Scope& scope) {
     return {.value = b.construct(wanted, parts), .type = wanted};
 }
 
-// texture.Sample(uv), texture.Sample(sampler, uv), ...
-Typed Emitter::method(const Expr& expr, Scope& scope) {
-    struct Method {
-        std::string_view name;
-        Op op;
-        std::array<Type, 3> params;
-        std::size_t count;
-        bool sampler;
-    };
-    static constexpr Method kMethods2D[] = {
-        {"Sample", Op::Sample, {ir::kFloat2}, 1, true},
-        {"SampleBias", Op::SampleBias, {ir::kFloat2, ir::kFloat}, 2, true},
-        {"SampleLevel", Op::SampleLevel, {ir::kFloat2, ir::kFloat}, 2, true},
-        {"SampleGrad", Op::SampleGrad, {ir::kFloat2, ir::kFloat2, ir::kFloat2}, 3, true},
-        {"Load", Op::TexelLoad, {Type::vector(Scalar::Int, 2), ir::kInt}, 2, false},
-        {"Size", Op::TextureSize, {ir::kInt}, 1, false},
-    };
-    static constexpr Method kMethodsCube[] = {
-        {"Sample", Op::Sample, {ir::kFloat3}, 1, true},
-        {"SampleBias", Op::SampleBias, {ir::kFloat3, ir::kFloat}, 2, true},
-        {"SampleLevel", Op::SampleLevel, {ir::kFloat3, ir::kFloat}, 2, true},
-        {"SampleGrad", Op::SampleGrad, {ir::kFloat3, ir::kFloat3, ir::kFloat3}, 3, true},
-        {"Size", Op::TextureSize, {ir::kInt}, 1, false},
-    };
-    const Typed object = primary(expression(*expr.args[0], scope), scope, expr.args[0]->span);
-    if (!object.ok()) return {};
-    const std::span<const Method> methods = texture_cube_ && object.type == *texture_cube_
-                                                ? std::span<const Method>(kMethodsCube)
-                                                : std::span<const Method>(kMethods2D);
-    const auto row = std::find_if(methods.begin(), methods.end(), [&](const Method& m) { return m.name == expr.text; });
-    if (!is_texture(object.type) || row == methods.end()) {
-        DiagnosticRecord& record = diagnostics_.report(Code::UnknownName, expr.name_span, "method", expr.text);
-        if (is_texture(object.type)) {
-            std::vector<std::string_view> names;
-            for (const Method& m : methods) names.push_back(m.name);
-            record.note(Diagnostics::suggestion(expr.text, names));
-        } else {
-            record.note(fmt::format("{} has no methods", module_.type_name(object.type)));
-        }
-        return {};
-    }
-    ir::Builder& b = *scope.builder;
-    std::span<const Expr* const> arguments = std::span(expr.args).subspan(1);
-    std::vector<Value> operands{b.extract(object.value, 0)};
-    Value sampler = b.extract(object.value, 1);
-    if (row->sampler && arguments.size() == row->count + 1) {
-        const Typed given = expression(*arguments[0], scope);
-        if (!given.ok()) return {};
-        if (given.type.kind != ir::Kind::Sampler) {
-            diagnostics_.report(Code::TypeMismatch, arguments[0]->span, "the first argument",
-                                module_.type_name(given.type), "SamplerState");
-            return {};
-        }
-        sampler = given.value;
-        arguments = arguments.subspan(1);
-    }
-    if (arguments.size() != row->count) {
-        diagnostics_.report(Code::ArgumentCount, expr.name_span, expr.text, row->count, arguments.size());
-        return {};
-    }
-    if (row->op != Op::TextureSize && row->op != Op::TexelLoad) operands.push_back(sampler);
-    for (std::size_t i = 0; i < row->count; ++i) {
-        const Typed value =
-            expression_as(*arguments[i], row->params[i], scope, fmt::format("an argument of {}", expr.text));
-        if (!value.ok()) return {};
-        operands.push_back(value.value);
-    }
-    if (ir::has(row->op, ir::Derivative)) need_quad(scope, expr.span, expr.text, true);
-    const Type result = row->op == Op::TextureSize ? Type::vector(Scalar::Int, 2) : ir::kFloat4;
-    return {.value = b.emit(row->op, result, operands), .type = result};
-}
-
-}  // namespace patina::nodelang
+}  // namespace patina::emit

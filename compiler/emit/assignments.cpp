@@ -1,0 +1,153 @@
+// Declarations of variables, and assignments to them or to parts of them.
+#include <algorithm>
+
+#include "compiler/base/text.h"
+#include "compiler/emit/constant_value.h"
+#include "compiler/emit/operations.h"
+#include "compiler/emit/statements.h"
+#include "compiler/emit/types.h"
+
+namespace patina::emit {
+
+using ir::Op;
+using ir::Type;
+using ir::Value;
+
+namespace {
+
+// Assigns to a variable or to a part of it; the composites between the part and the variable are made anew.
+bool store(Emitter& emitter, const Expr& target, Typed value, Scope& scope) {
+    ir::Builder& b = *scope.builder;
+    if (target.kind == Expr::Kind::Name) {
+        for (auto local = scope.locals.rbegin(); local != scope.locals.rend(); ++local) {
+            if (local->name != target.text) continue;
+            if (local->is_const) break;
+            if (!local->value.ok()) return false;
+            value = convert(emitter, value, local->value.type, scope, target.span,
+                            fmt::format("the value for '{}'", target.text));
+            if (!value.ok()) return false;
+            b.name(value.value, emitter.module.intern(target.text));
+            local->value.value = value.value;
+            return true;
+        }
+        const bool is_constant = std::any_of(scope.locals.begin(), scope.locals.end(),
+                                             [&](const Local& local) { return local.name == target.text; }) ||
+                                 scope.declarations->variable(target.text);
+        if (is_constant) {
+            emitter.diagnostics.report(Code::NotAssignable, target.span, fmt::format("'{}'", target.text))
+                .note("it is a constant");
+        } else {
+            (void)expression(emitter, target, scope);  // reports that there is no such variable
+        }
+        return false;
+    }
+    if (target.kind != Expr::Kind::Member && target.kind != Expr::Kind::Index) {
+        emitter.diagnostics.report(Code::NotAssignable, target.span, "what is computed");
+        return false;
+    }
+    const Typed object = expression(emitter, *target.args[0], scope);
+    if (!object.ok()) return false;
+    const auto insert = [&](std::uint32_t part) {
+        const Typed fitted =
+            convert(emitter, value, ir::part_type(emitter.module, object.type, part), scope, target.span, "the value");
+        if (!fitted.ok()) return false;
+        if (object.type.kind == ir::Kind::Struct) b.name(fitted.value, emitter.module.intern(target.text));
+        const Value whole = b.emit(Op::Insert, object.type, {object.value, fitted.value}, part);
+        return store(emitter, *target.args[0], {.value = whole, .type = object.type}, scope);
+    };
+    if (target.kind == Expr::Kind::Index) {
+        const std::optional<double> at = constant_value(emitter.known, *target.args[1], scope);
+        if (!at || *at < 0 || *at >= ir::part_count(emitter.module, object.type)) {
+            emitter.diagnostics.report(Code::NotConstant, target.args[1]->span, "the index of an assignment");
+            return false;
+        }
+        return insert(static_cast<std::uint32_t>(*at));
+    }
+    if (object.type.kind == ir::Kind::Struct) {
+        const auto& members = emitter.module.structs[object.type.ref].members;
+        const auto found =
+            std::find_if(members.begin(), members.end(), [&](const ir::Member& m) { return m.name == target.text; });
+        if (found != members.end()) return insert(static_cast<std::uint32_t>(found - members.begin()));
+    }
+    if (object.type.is_vector()) {
+        const std::string_view letters = target.text;
+        std::vector<std::uint32_t> parts;
+        for (char letter : letters) {
+            std::size_t at = std::string_view("xyzw").find(letter);
+            if (at == std::string_view::npos) at = std::string_view("rgba").find(letter);
+            if (at >= object.type.width()) break;
+            if (std::find(parts.begin(), parts.end(), at) != parts.end()) break;
+            parts.push_back(static_cast<std::uint32_t>(at));
+        }
+        if (parts.size() == letters.size()) {
+            if (parts.size() == 1) return insert(parts[0]);
+            const Type part_type = object.type.with_width(static_cast<unsigned>(parts.size()));
+            value = convert(emitter, value, part_type, scope, target.span, "the value");
+            if (!value.ok()) return false;
+            Value whole = object.value;
+            for (std::uint32_t i = 0; i < parts.size(); ++i) {
+                whole = b.emit(Op::Insert, object.type, {whole, b.extract(value.value, i)}, parts[i]);
+            }
+            return store(emitter, *target.args[0], {.value = whole, .type = object.type}, scope);
+        }
+    }
+    emitter.diagnostics.report(Code::UnknownSwizzle, target.name_span, target.text,
+                               emitter.module.type_name(object.type));
+    return false;
+}
+
+}  // namespace
+
+void declare(Emitter& emitter, const Stmt& stmt, Scope& scope) {
+    const Type wanted = type(emitter, stmt.type, scope);
+    Local local{.name = stmt.name, .value = {}, .is_const = stmt.is_const, .constant = {}};
+    const bool clash =
+        std::any_of(scope.locals.begin(), scope.locals.end(), [&](const Local& l) { return l.name == stmt.name; });
+    if (clash) emitter.diagnostics.report(Code::Redefinition, stmt.name_span, stmt.name);
+    if (!wanted.is_error()) {
+        if (!stmt.value) {
+            local.value = {.value = scope.builder->zero(wanted), .type = wanted};
+        } else if (wanted.kind == ir::Kind::Array && stmt.value->kind == Expr::Kind::List) {
+            const ir::Array array = emitter.module.arrays[wanted.ref];
+            std::vector<Value> elements;
+            if (stmt.value->args.size() != array.count) {
+                emitter.diagnostics.report(Code::TypeMismatch, stmt.value->span, fmt::format("'{}'", stmt.name),
+                                           fmt::format("a list of {}", stmt.value->args.size()),
+                                           fmt::format("a list of {}", array.count));
+            } else {
+                for (const Expr* element : stmt.value->args) {
+                    const Typed value = expression_as(emitter, *element, array.element, scope, "an element");
+                    if (value.ok()) elements.push_back(value.value);
+                }
+                if (elements.size() == array.count) {
+                    local.value = {.value = scope.builder->construct(wanted, elements), .type = wanted};
+                }
+            }
+        } else {
+            local.value = expression_as(emitter, *stmt.value, wanted, scope, fmt::format("'{}'", stmt.name));
+            if (stmt.is_const) local.constant = constant_value(emitter.known, *stmt.value, scope);
+        }
+        if (local.value.ok() && stmt.value) {
+            scope.builder->name(local.value.value, emitter.module.intern(stmt.name));
+        }
+    }
+    scope.locals.push_back(std::move(local));
+}
+
+void assign(Emitter& emitter, const Stmt& stmt, Scope& scope) {
+    Typed value;
+    if (stmt.op == "=") {
+        value = primary(emitter, expression(emitter, *stmt.value, scope), scope, stmt.value->span);
+    } else {
+        // a += b is a = a + b
+        Expr sum{.kind = Expr::Kind::Binary,
+                 .span = stmt.span,
+                 .name_span = stmt.span,
+                 .text = stmt.op.substr(0, 1),
+                 .args = {stmt.target, stmt.value}};
+        value = binary(emitter, sum, scope);
+    }
+    if (value.ok()) store(emitter, *stmt.target, value, scope);
+}
+
+}  // namespace patina::emit

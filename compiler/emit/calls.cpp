@@ -1,0 +1,201 @@
+#include "compiler/emit/calls.h"
+
+#include <algorithm>
+#include <array>
+
+#include "compiler/base/text.h"
+#include "compiler/emit/arguments.h"
+#include "compiler/emit/functions.h"
+#include "compiler/emit/operations.h"
+#include "compiler/emit/statements.h"
+#include "compiler/emit/types.h"
+
+namespace patina::emit {
+
+using ir::Op;
+using ir::Type;
+using ir::Value;
+
+namespace {
+
+bool takes_texture(const FunctionDecl& function) {
+    return std::any_of(function.params.begin(), function.params.end(),
+                       [](const ParamDecl& param) { return param.type.name.starts_with("Texture"); });
+}
+
+// choices[chooser]; structs are chosen member by member.
+Typed choose(Emitter& emitter, Value chooser, std::span<const Typed> choices, Scope& scope) {
+    ir::Builder& b = *scope.builder;
+    const bool is_bool = b.type(chooser) == ir::kBool;
+    const auto is_chosen = [&](std::size_t i) {
+        return is_bool ? b.emit(Op::Not, ir::kBool, {chooser})
+                       : b.emit(Op::Equal, ir::kBool, {chooser, b.constant(ir::kInt, {static_cast<double>(i)})});
+    };
+    Typed result = choices.back();
+    for (std::size_t i = choices.size() - 1; i-- > 0;) {
+        const Value condition = is_chosen(i);
+        const auto select = [&](Type type, Value yes, Value no) {
+            return b.emit(Op::Select, type, {condition, yes, no});
+        };
+        if (result.type.kind != ir::Kind::Struct) {
+            result.value = select(result.type, choices[i].value, result.value);
+            continue;
+        }
+        std::vector<Value> parts;
+        for (std::uint32_t part = 0; part < ir::part_count(emitter.module, result.type); ++part) {
+            parts.push_back(select(ir::part_type(emitter.module, result.type, part), b.extract(choices[i].value, part),
+                                   b.extract(result.value, part)));
+        }
+        result.value = b.construct(result.type, parts);
+    }
+    return result;
+}
+
+// Emits the body in the place of the call, for functions marked [inline], so that a pass reads as one text. Such
+// functions have one result and no const parameters.
+Typed spelled_out(Emitter& emitter, const FunctionDecl& function, std::span<const Value> arguments, const Scope& border,
+                  Scope& scope, Span span) {
+    if (std::find(emitter.active.begin(), emitter.active.end(), &function) != emitter.active.end()) {
+        emitter.diagnostics.report(Code::Recursion, span, function.name);
+        return {};
+    }
+    bool needs_quad = false;
+    Scope inner = border;
+    inner.function = &function;
+    inner.needs_quad = &needs_quad;
+    for (std::size_t i = 0; i < function.params.size(); ++i) {
+        const Typed value{.value = arguments[i], .type = type(emitter, function.params[i].type, border)};
+        inner.locals.push_back({.name = function.params[i].name, .value = value, .is_const = false, .constant = {}});
+    }
+    inner.result = type(emitter, function.result, border);
+    Value returned;
+    const std::size_t errors = emitter.diagnostics.error_count();
+    emitter.active.push_back(&function);
+    const bool returns = statements(emitter, sound_body_of(emitter, function), 0, inner, returned);
+    emitter.active.pop_back();
+    if (emitter.diagnostics.error_count() != errors) return {};
+    if (!returns) {
+        emitter.diagnostics.report(Code::MissingReturn, function.name_span, function.name);
+        return {};
+    }
+    if (needs_quad) need_quad(emitter, scope, span, function.name, takes_texture(function));
+    if (inner.rounds > 0) count_rounds(emitter, inner.rounds, scope, span);
+    return {.value = returned, .type = inner.result};
+}
+
+// If the value of a const parameter is known only when the shader runs, emits a call for each value and chooses between
+// the results.
+Typed call_gathered(Emitter& emitter, const FunctionDecl& function, const Declarations& home,
+                    std::span<const Expr* const> arguments, std::vector<Argument>& gathered, Scope& scope, Span span,
+                    bool half) {
+    for (Argument& argument : gathered) {
+        if (argument.choices.empty()) continue;
+        const std::vector<double> choices = std::move(argument.choices);
+        argument.choices.clear();
+        std::vector<Typed> results;
+        for (const double choice : choices) {
+            argument.constant = choice;
+            std::vector<Argument> rest = gathered;
+            results.push_back(call_gathered(emitter, function, home, arguments, rest, scope, span, half));
+            if (!results.back().ok()) return {};
+        }
+        return choose(emitter, argument.value.value, results, scope);
+    }
+    const unsigned width = deduce_width(function, gathered);
+    Scope border{.builder = scope.builder, .declarations = &home, .generic_width = width, .half = half};
+    std::vector<Value> values;
+    values.reserve(function.params.size());
+    bool good = true;
+    for (std::size_t i = 0; i < function.params.size(); ++i) {
+        const ParamDecl& param = function.params[i];
+        if (param.is_out || param.is_const) continue;
+        const Span at = arguments[i] ? arguments[i]->span : span;
+        const Type wanted = type(emitter, param.type, border);
+        Typed value = gathered[i].value;
+        if (value.type != wanted) {
+            value = convert(emitter, value, wanted, scope, at,
+                            fmt::format("the input '{}' of {}", param.name, function.name));
+        }
+        good = good && value.ok();
+        values.push_back(value.value);
+    }
+    if (!good) return {};
+    if (function.attribute("inline")) return spelled_out(emitter, function, values, border, scope, span);
+    const Instance& instance = instantiate(emitter, function, home, gathered, width, half, span);
+    if (instance.result.is_error()) return {};
+    if (instance.needs_quad) need_quad(emitter, scope, span, function.name, takes_texture(function));
+    if (instance.rounds > 0) count_rounds(emitter, instance.rounds, scope, span);
+    return {.value = scope.builder->call(instance.id, values), .type = instance.result, .outputs = instance.outputs};
+}
+
+Typed call_slot(Emitter& emitter, const FunctionDecl& function, const Expr& expr, Scope& scope) {
+    if (expr.args.size() != function.params.size()) {
+        emitter.diagnostics.report(Code::ArgumentCount, expr.name_span, function.name, function.params.size(),
+                                   expr.args.size());
+        return {};
+    }
+    const std::size_t errors = emitter.diagnostics.error_count();
+    const Slot* slot = find_slot(emitter.known, function.name);
+    if (!slot && emitter.known.make_slot) slot = emitter.known.make_slot(function, expr.name_span);
+    if (!slot) {
+        if (emitter.diagnostics.error_count() == errors)
+            emitter.diagnostics.report(Code::Internal, expr.span, fmt::format("the slot '{}' is empty", function.name));
+        return {};
+    }
+    std::vector<Value> values;
+    for (std::size_t i = 0; i < expr.args.size(); ++i) {
+        const Typed value =
+            expression_as(emitter, *expr.args[i], type(emitter, function.params[i].type, scope), scope, function.name);
+        if (!value.ok()) return {};
+        values.push_back(value.value);
+    }
+    if (slot->needs_quad && scope.needs_quad) *scope.needs_quad = true;
+    return {.value = scope.builder->call(slot->function, values), .type = slot->result};
+}
+
+}  // namespace
+
+Typed call(Emitter& emitter, const FunctionDecl& function, const Declarations& home,
+           std::span<const Expr* const> arguments, Scope& scope, Span span, bool half) {
+    std::vector<Argument> gathered;
+    gathered.reserve(function.params.size());
+    if (!gather_arguments(emitter, function, home, arguments, scope, span, gathered)) return {};
+    half = half && !function.attribute("in_float");
+    return call_gathered(emitter, function, home, arguments, gathered, scope, span, half);
+}
+
+Typed call_expression(Emitter& emitter, const Expr& expr, Scope& scope) {
+    bool found = false;
+    const Typed built_in = intrinsic(emitter, expr.text, expr, scope, found);
+    if (found) return built_in;
+    const TypeName type_name{.name = expr.text, .span = expr.name_span};
+    if (const FunctionDecl* function = scope.declarations->function(expr.text)) {
+        if (function->attribute("slot")) return call_slot(emitter, *function, expr, scope);
+        const auto inputs = static_cast<std::size_t>(std::count_if(function->params.begin(), function->params.end(),
+                                                                   [](const ParamDecl& p) { return !p.is_out; }));
+        if (expr.args.size() > inputs) {
+            emitter.diagnostics.report(Code::ArgumentCount, expr.name_span, expr.text, inputs, expr.args.size());
+            return {};
+        }
+        std::vector<const Expr*> arguments(function->params.size(), nullptr);
+        std::size_t next = 0;
+        for (std::size_t i = 0; i < function->params.size() && next < expr.args.size(); ++i) {
+            if (!function->params[i].is_out) arguments[i] = expr.args[next++];
+        }
+        return call(emitter, *function, scope.declarations->home_of(expr.text), arguments, scope, expr.span,
+                    scope.half);
+    }
+    if (expr.text == "floatN" || expr.text.find_first_of("1234") != std::string_view::npos || expr.text == "float" ||
+        expr.text == "half" || expr.text == "int" || expr.text == "uint" || expr.text == "bool") {
+        const Type wanted = type(emitter, type_name, scope);
+        return wanted.is_error() ? Typed{} : constructor(emitter, wanted, expr, scope);
+    }
+    std::vector<std::string_view> known = intrinsic_names();
+    for (std::string_view name : scope.declarations->function_names()) known.push_back(name);
+    DiagnosticRecord& record = emitter.diagnostics.report(Code::UnknownName, expr.name_span, "function", expr.text);
+    const std::string_view near = nearest(expr.text, known);
+    if (!near.empty()) record.note(fmt::format("did you mean '{}'?", near));
+    return {};
+}
+
+}  // namespace patina::emit

@@ -1,0 +1,152 @@
+#include "compiler/emit/conversion.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "compiler/base/text.h"
+
+namespace patina::emit {
+
+using ir::Scalar;
+using ir::Type;
+using ir::Value;
+
+bool joins(Scalar a, Scalar b) {
+    return a == b || (a == Scalar::Half && b == Scalar::Float) || (a == Scalar::Float && b == Scalar::Half);
+}
+
+std::string_view swizzle_prefix(unsigned width) {
+    return std::string_view("xyzw").substr(0, width);
+}
+
+Typed at_border(Typed value, const Scope& scope) {
+    if (!scope.environment || !value.ok() || value.outputs || value.literal || !value.type.is_numeric()) return value;
+    const Scalar wanted = scope.half ? Scalar::Half : Scalar::Float;
+    if (value.type.scalar == wanted || !joins(value.type.scalar, wanted)) return value;
+    return {.value = scope.builder->convert(value.value, wanted), .type = value.type.with_scalar(wanted)};
+}
+
+Typed literal_as(Emitter& emitter, Typed value, Scalar scalar, Scope& scope, Span span) {
+    const std::span<const double> number = scope.builder->constant_of(value.value);
+    const Type type = value.type.with_scalar(scalar);
+    if (scalar == Scalar::Half && !number.empty() && std::abs(number[0]) >= kHalfLimit) {
+        emitter.diagnostics.report(Code::BadNumber, span, shortest(number[0]), "16-bit half");
+    }
+    if (number.empty()) return {.value = scope.builder->convert(value.value, scalar), .type = type, .literal = true};
+    return {.value = scope.builder->constant(type, number), .type = type, .literal = true};
+}
+
+Typed convert(Emitter& emitter, Typed value, Type wanted, Scope& scope, Span span, std::string_view what) {
+    if (!value.ok() || wanted.is_error()) return {};
+    if (value.type == wanted) return {.value = value.value, .type = wanted};
+    ir::Builder& b = *scope.builder;
+    if (value.literal && value.type.scalar == Scalar::Int && wanted.is_numeric() && !wanted.is_bool()) {
+        value = literal_as(emitter, value, wanted.scalar, scope, span);
+    }
+    const bool plain = value.type.is_numeric() && !value.type.is_matrix() && wanted.is_numeric() && !wanted.is_matrix();
+    if (plain && joins(value.type.scalar, wanted.scalar)) {
+        const unsigned have = value.type.width();
+        const bool shape = have == wanted.width() || have == 1 || (have == 4 && wanted.width() == 3);
+        if (shape) {
+            Value v = value.value;
+            if (have == 4 && wanted.width() == 3) v = b.swizzle(v, std::array{0u, 1u, 2u});
+            if (value.type.scalar != wanted.scalar) v = b.convert(v, wanted.scalar);
+            if (have == 1 && wanted.width() > 1) v = b.splat(v, wanted.width());
+            return {.value = v, .type = wanted};
+        }
+    }
+    DiagnosticRecord& record = emitter.diagnostics.report(
+        Code::TypeMismatch, span, what, emitter.module.type_name(value.type), emitter.module.type_name(wanted));
+    if (plain && value.type.width() > wanted.width()) {
+        record.note(fmt::format("take a part of it: .{}", swizzle_prefix(wanted.width())));
+    } else if (plain && value.type.width() < wanted.width() && value.type.width() > 1) {
+        record.note(fmt::format("fill it up: {}(..., 0)", emitter.module.type_name(wanted)));
+    } else if (plain && value.type.is_bool()) {
+        record.note("write '... ? 1 : 0' to make a number of a bool");
+    } else if (plain && wanted.is_bool()) {
+        record.note("compare it: '... > 0.5'");
+    } else if (plain) {
+        record.note(fmt::format("convert it: {}(...)", emitter.module.type_name(wanted)));
+    }
+    return {};
+}
+
+Typed expression_as(Emitter& emitter, const Expr& expr, Type wanted, Scope& scope, std::string_view what) {
+    Typed value = primary(emitter, expression(emitter, expr, scope), scope, expr.span);
+    // A colour without alpha, "#ff8800", is opaque where a float4 is wanted.
+    if (expr.kind == Expr::Kind::Color && value.ok() && value.type.width() == 3 && wanted == ir::kFloat4) {
+        const Value opaque = scope.builder->constant(ir::kFloat, {1});
+        value = {.value = scope.builder->construct(ir::kFloat4, std::array{value.value, opaque}), .type = ir::kFloat4};
+    }
+    return convert(emitter, value, wanted, scope, expr.span, what);
+}
+
+bool unify(Emitter& emitter, std::span<Typed> operands, Scope& scope, Span span, std::string_view op) {
+    for (const Typed& operand : operands) {
+        if (!operand.ok()) return false;
+        if (!operand.type.is_numeric()) {
+            emitter.diagnostics.report(Code::BadOperand, span, op, emitter.module.type_name(operand.type));
+            return false;
+        }
+    }
+    const auto firm = std::find_if(operands.begin(), operands.end(), [](const Typed& t) { return !t.literal; });
+    Scalar scalar = firm != operands.end() ? firm->type.scalar : operands[0].type.scalar;
+    bool any_matrix = false;
+    for (const Typed& operand : operands) {
+        const bool is_real = joins(operand.type.scalar, Scalar::Float);
+        if (is_real && !joins(scalar, Scalar::Float) && firm == operands.end()) scalar = operand.type.scalar;
+        if (operand.type.scalar == Scalar::Float && joins(scalar, Scalar::Float) && !operand.literal) {
+            scalar = Scalar::Float;
+        }
+        // A fraction cannot become an int: the message below names the types.
+        any_matrix = any_matrix || operand.type.is_matrix();
+    }
+    unsigned width = 1;
+    for (Typed& operand : operands) {
+        if (operand.literal && operand.type.scalar != scalar && scalar != Scalar::Bool) {
+            const std::span<const double> number = scope.builder->constant_of(operand.value);
+            const bool whole = !number.empty() && number[0] == std::floor(number[0]);
+            if (operand.type.scalar == Scalar::Int || scalar == Scalar::Half || scalar == Scalar::Float ||
+                (whole && operand.type.scalar == Scalar::Int)) {
+                operand = literal_as(emitter, operand, scalar, scope, span);
+            }
+        }
+        width = std::max(width, operand.type.is_matrix() ? 1 : operand.type.width());
+    }
+    for (Typed& operand : operands) {
+        const bool same_kind = joins(operand.type.scalar, scalar);
+        const bool same_shape =
+            any_matrix ? operand.type == operands[0].type : operand.type.is_scalar() || operand.type.width() == width;
+        if (same_kind && same_shape) {
+            if (operand.type.scalar != scalar) {
+                operand.value = scope.builder->convert(operand.value, scalar);
+                operand.type = operand.type.with_scalar(scalar);
+            }
+            if (operand.type.is_scalar() && width > 1) {
+                operand.value = scope.builder->splat(operand.value, width);
+                operand.type = operand.type.with_width(width);
+            }
+            continue;
+        }
+        const Typed& other = &operand == &operands[0] ? operands[1] : operands[0];
+        DiagnosticRecord& record =
+            emitter.diagnostics.report(Code::BadOperands, span, op, emitter.module.type_name(operands[0].type),
+                                       emitter.module.type_name((&operand == &operands[0] ? other : operand).type));
+        if (!same_kind && operand.type.is_bool() != other.type.is_bool()) {
+            record.note("write '... ? 1 : 0' to make a number of a bool");
+        } else if (!same_kind && operand.type.is_integer() != other.type.is_integer()) {
+            record.note("write float(...) around the whole number, or int(...) around the other");
+        } else if (!same_shape && !any_matrix) {
+            unsigned narrow = width;
+            for (const Typed& t : operands) {
+                if (!t.type.is_scalar()) narrow = std::min(narrow, t.type.width());
+            }
+            record.note(fmt::format("write .{} on the wider one", swizzle_prefix(narrow)));
+        }
+        return false;
+    }
+    return true;
+}
+
+}  // namespace patina::emit

@@ -1,0 +1,82 @@
+// This room turns syntax trees of the node language into IR, and checks their types on the way. It parses nothing
+// (nodelang does), and it knows no graph, material or pass (lower does): it asks an Environment what a name means that
+// is not the language's own, and a Known which slots, externs and statics there are. So function bodies and expressions
+// of graphs are emitted by the same code.
+//
+//   Emitter emitter{.module = module, .diagnostics = diagnostics};
+//   Scope scope{.builder = &builder, .declarations = &library, .environment = &graph};
+//   Typed mask = expression(emitter, *expr, scope);
+//
+// Below is all that other rooms call; with it they use scope.h, known.h and instances.h. The other headers are private
+// to the room. An expression is emitted by expression.cpp, which hands it on by its kind: to operations.h (operators,
+// members, intrinsics), textures.h (methods) or calls.h. A call gathers its values (arguments.h), and a function that
+// is called for the first time is emitted (functions.h) by its statements (statements.h), which hold expressions again.
+// All of them use conversion.h, types.h and constant_value.h.
+#pragma once
+
+#include <deque>
+
+#include "compiler/emit/instances.h"
+#include "compiler/emit/known.h"
+
+namespace patina::emit {
+
+// The struct types that have been made.
+struct Structures {
+    std::map<const StructDecl*, ir::Type> made{};
+    // The values of Texture2D {texture, sampler, texelSize, tiling} and of TextureCube {texture, sampler}.
+    std::optional<ir::Type> texture2d{}, texture_cube{};
+};
+
+// What the emission into one module needs and keeps.
+struct Emitter {
+    ir::Module& module;
+    Diagnostics& diagnostics;
+    ir::BuildOptions options{};
+    Known known{};                              // filled by the caller
+    Instances instances{};                      // the functions that have been made
+    Structures structures{};                    // the structs that have been made
+    std::deque<Outputs> outputs{};              // what Typed::outputs points to
+    std::vector<const FunctionDecl*> active{};  // whose bodies are being emitted, the innermost last: finds recursion
+};
+
+// --- expressions. A mistake is reported where it stands, and the result is then not ok().
+Typed expression(Emitter& emitter, const Expr& expr, Scope& scope);
+// Converted to `type` by the implicit conversions. `what` opens the message: "the input 'uv'".
+Typed expression_as(Emitter& emitter, const Expr& expr, ir::Type type, Scope& scope, std::string_view what);
+Typed convert(Emitter& emitter, Typed value, ir::Type type, Scope& scope, Span span, std::string_view what);
+// The primary output of a call or node; anything else is returned as it is.
+Typed primary(Emitter& emitter, Typed value, Scope& scope, Span span);
+// Calls a function of the language with one expression for each parameter (null: the parameter's default).
+Typed call(Emitter& emitter, const FunctionDecl& function, const Declarations& home,
+           std::span<const Expr* const> arguments, Scope& scope, Span span, bool half);
+// What an [extern] variable holds; a texture comes with its sampler. Not ok() if Known does not list it.
+Typed extern_value(Emitter& emitter, const VariableDecl& variable, Scope& scope);
+// A Texture2D of its parts.
+struct TextureParts {
+    ir::Value texture, sampler;
+    ir::Value tiling;        // float4: scale and offset
+    ir::Value texel_size{};  // float4: (1/width, 1/height, width, height); null: the shader asks the texture
+};
+Typed make_texture(Emitter& emitter, const TextureParts& parts, Scope& scope);
+
+// --- types
+// The type that a word of the language means here. Reports a word that means none.
+ir::Type type(Emitter& emitter, const TypeName& name, const Scope& scope);
+// Keeps a list of outputs for as long as the Emitter lives.
+const Outputs* keep(Emitter& emitter, Outputs outputs);
+
+// --- functions. Each returns a null id after an error.
+// A function of which every parameter is a semantic: a recipe, or what a pass calls first. It is always inlined.
+// `needs_quad` is set if it reads neighbouring pixels.
+ir::FunctionId semantic_function(Emitter& emitter, const FunctionDecl& function, const Declarations& home,
+                                 Environment& environment, bool in_vertex_stage, bool* needs_quad = nullptr);
+// A function that is put in the place of another: parameters without a default stay its own, the others are semantics.
+ir::FunctionId given_function(Emitter& emitter, const FunctionDecl& function, const Declarations& home,
+                              Environment& environment, bool half);
+// A function with plain parameters only: no floatN and no constants. It is always inlined.
+ir::FunctionId plain_function(Emitter& emitter, const FunctionDecl& function, const Declarations& home);
+// Emits a function in each of its forms (each width of floatN, each value of a drop-down) to find its errors.
+void check_function(Emitter& emitter, const FunctionDecl& function, const Declarations& home);
+
+}  // namespace patina::emit

@@ -1,0 +1,59 @@
+// The store of the functions that have been emitted. A function of the language becomes one IR function ("instance")
+// for each width of floatN, each precision and each list of constant arguments that somebody calls it with.
+//
+// An instance is passing if its body depends on an answer of Known::make_static that holds only for the pass that is
+// being lowered. Whoever gives such an answer calls note_passing_answer(); forget_passing() then drops these instances,
+// and they are emitted again for the next pass.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "compiler/emit/scope.h"
+
+namespace patina::emit {
+
+struct Instance {
+    ir::FunctionId id;  // null if the body has an error
+    ir::Type result{};
+    const Outputs* outputs = nullptr;
+    bool needs_quad = false;
+    double rounds = 0;  // of its loops
+    bool is_passing = false;
+};
+
+struct InstanceKey {
+    const FunctionDecl* function = nullptr;
+    unsigned width = 0;
+    bool half = false;
+    std::vector<std::uint64_t> constants{};  // the bits of the constant arguments, which are doubles
+    friend auto operator<=>(const InstanceKey&, const InstanceKey&) = default;
+};
+
+// One of the instances of a function.
+struct InstanceInfo {
+    ir::FunctionId id;
+    bool half = false;
+};
+
+class Instances {
+public:
+    // Null if there is none yet. A passing instance makes the function that calls it passing too.
+    const Instance* find(const InstanceKey& key);
+    const Instance& add(const InstanceKey& key, const Instance& instance) { return made_[key] = instance; }
+    // Those without an error.
+    std::vector<InstanceInfo> of(const FunctionDecl& function) const;
+
+    void note_passing_answer() { ++passing_answers_; }
+    // Counts answers and uses of passing instances: what is emitted while the number grows is passing.
+    unsigned passing_answers() const { return passing_answers_; }
+    void forget_passing();
+
+private:
+    std::map<InstanceKey, Instance> made_;
+    unsigned passing_answers_ = 0;
+};
+
+}  // namespace patina::emit

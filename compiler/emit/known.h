@@ -1,0 +1,47 @@
+// What the caller of emission knows of declarations that have no body in the language: which function fills a slot,
+// which global an [extern] variable is, which value a [static] has. Emission reads this and never changes it; what is
+// not known yet is asked for through the two makers.
+//
+//   emitter.known.slots["direct"] = {.function = direct, .result = ir::kFloat3};
+//   emitter.known.externs[&variable] = global;
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/ir/ir.h"
+#include "compiler/nodelang/ast.h"
+
+namespace patina::emit {
+
+// A function that a pass calls and that the graph provides.
+struct Slot {
+    ir::FunctionId function;
+    ir::Type result{};
+    bool needs_quad = false;
+};
+
+struct Known {
+    std::map<std::string, Slot, std::less<>> slots{};
+    std::map<const nodelang::VariableDecl*, ir::GlobalId> externs{};
+    std::map<const nodelang::VariableDecl*, double> statics{};  // [static] variables, which are 0 or 1
+    // Members that a struct gets beyond those of its declaration, before anything reads the struct.
+    std::map<const nodelang::StructDecl*, std::vector<ir::Member>> extra_members{};
+    // Asked for a slot or a static that is not listed above. If there is no such slot, the maker reports why at `at`.
+    std::function<const Slot*(const nodelang::FunctionDecl& slot, Span at)> make_slot{};
+    std::function<std::optional<double>(const nodelang::VariableDecl& variable)> make_static{};
+};
+
+const Slot* find_slot(const Known& known, std::string_view name);
+// The name of the slot that the function fills, or empty.
+std::string_view slot_name(const Known& known, ir::FunctionId function);
+std::optional<ir::GlobalId> find_extern(const Known& known, const nodelang::VariableDecl& variable);
+// `variable` stands for the same global as `known_as`.
+void share_extern(Known& known, const nodelang::VariableDecl& variable, const nodelang::VariableDecl& known_as);
+std::optional<double> static_value(const Known& known, const nodelang::VariableDecl& variable);
+
+}  // namespace patina::emit

@@ -1,0 +1,79 @@
+#include "compiler/emit/statements.h"
+
+#include <algorithm>
+
+#include "compiler/emit/types.h"
+
+namespace patina::emit {
+
+using ir::Op;
+using ir::Type;
+using ir::Value;
+
+bool statements(Emitter& emitter, const Statements& list, std::size_t first, Scope& scope, Value& returned) {
+    for (std::size_t i = first; i < list.size(); ++i) {
+        const Stmt& stmt = *list[i];
+        switch (stmt.kind) {
+            case Stmt::Kind::Declare: declare(emitter, stmt, scope); break;
+            case Stmt::Kind::Assign: assign(emitter, stmt, scope); break;
+            case Stmt::Kind::If:
+                if (if_statement(emitter, stmt, list, i + 1, scope, returned)) return true;
+                break;
+            case Stmt::Kind::For: for_statement(emitter, stmt, scope); break;
+            case Stmt::Kind::Return:
+                if (scope.flow == "for") {
+                    emitter.diagnostics.report(Code::PartialReturn, stmt.span).note(std::string(kReturnOnce));
+                    return true;
+                }
+                returned = return_value(emitter, &stmt, scope);
+                return true;
+            case Stmt::Kind::Discard: {
+                const Typed condition = expression_as(emitter, *stmt.value, ir::kBool, scope, "the condition");
+                if (!condition.ok()) break;
+                if (scope.builder->depth() > 0 || !scope.flow.empty()) {
+                    emitter.diagnostics.report(Code::DerivativeInFlow, stmt.span, "discard_if", scope.flow);
+                    break;
+                }
+                scope.builder->emit(Op::DiscardIf, Type::none(), {condition.value});
+                break;
+            }
+            case Stmt::Kind::Block: {
+                const std::size_t outer = scope.locals.size();
+                const bool returns = statements(emitter, stmt.body, 0, scope, returned);
+                if (returns) return true;
+                scope.locals.resize(outer);
+                break;
+            }
+        }
+    }
+    return false;
+}
+
+Value return_value(Emitter& emitter, const Stmt* stmt, Scope& scope) {
+    const FunctionDecl& function = *scope.function;
+    const bool has_primary = function.result.name != "void";
+    std::vector<Value> parts;
+    if (has_primary && stmt) {
+        if (!stmt->value) {
+            emitter.diagnostics.report(Code::MissingReturn, stmt->span, function.name);
+            return {};
+        }
+        const Typed value =
+            expression_as(emitter, *stmt->value, type(emitter, function.result, scope), scope, "the returned value");
+        if (!value.ok()) return {};
+        if (value.type == scope.result &&
+            !std::any_of(function.params.begin(), function.params.end(), [](const ParamDecl& p) { return p.is_out; })) {
+            return value.value;
+        }
+        parts.push_back(value.value);
+    }
+    for (const ParamDecl& param : function.params) {
+        if (!param.is_out) continue;
+        const auto local = std::find_if(scope.locals.begin(), scope.locals.end(),
+                                        [&](const Local& l) { return l.name == param.name; });
+        parts.push_back(local->value.value);
+    }
+    return scope.builder->construct(scope.result, parts);
+}
+
+}  // namespace patina::emit
