@@ -74,7 +74,8 @@ std::optional<Callee> find_callee(graph::Session& session, std::string_view node
 std::vector<const nodelang::Expr*> read_arguments(graph::Session& session, const nodelang::FunctionDecl& function,
                                                   std::span<const std::pair<std::string, std::string>> arguments) {
     std::vector<const nodelang::Expr*> values(function.params.size(), nullptr);
-    for (const auto& [name, text] : arguments) {
+    for (const auto& argument : arguments) {
+        const std::string &name = argument.first, &text = argument.second;
         const auto param = std::find_if(function.params.begin(), function.params.end(),
                                         [&](const nodelang::ParamDecl& p) { return !p.is_out && p.name == name; });
         if (param == function.params.end()) {

@@ -1,7 +1,11 @@
 // Small questions about text that several stages ask: is it an identifier, which known word did the user mean, how is a
 // number written so that it reads back the same. Not a string library.
+//
+// Numbers do not depend on the locale. They go through {fmt} rather than std::to_chars, which the standard library of
+// Emscripten 3.1.6 (libc++ 13) has for whole numbers only.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,12 +17,17 @@ namespace patina {
 bool is_identifier(std::string_view text);
 
 // The candidate nearest to `word` by edit distance (case differences cost nothing extra beyond one), or empty if none
-// is near enough to be worth saying.
+// is near enough.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 
-// Shortest text that reads back as the same value: "0.5", "1", "1e-05". Locale-independent.
+// Shortest text that reads back as the same value, as std::to_chars writes it: "0.5", "1", "1e-05".
 std::string shortest(double value);
 std::string shortest(float value);
+// The same without an exponent: "0.00001".
+std::string shortest_decimals(float value);
+
+// "0.5", ".5e3": nothing if that is not the whole text; infinity if no double other than 0 is near.
+std::optional<double> read_number(std::string_view text);
 
 // "a, b and c"
 std::string enumerate(std::span<const std::string_view> words);

@@ -14,6 +14,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <tuple>
 
 #include "compiler/base/diagnostics.h"
 #include "compiler/ir/builder.h"
@@ -271,7 +272,10 @@ private:
         unsigned width = 0;
         bool half = false;
         std::vector<std::uint64_t> constants;  // bits of doubles
-        friend auto operator<=>(const InstanceKey&, const InstanceKey&) = default;
+        friend bool operator<(const InstanceKey& a, const InstanceKey& b) {
+            const auto key = [](const InstanceKey& k) { return std::tie(k.function, k.width, k.half, k.constants); };
+            return key(a) < key(b);
+        }
     };
     std::map<InstanceKey, Instance> instances_;
     std::map<const StructDecl*, ir::Type> structs_;

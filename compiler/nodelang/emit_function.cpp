@@ -1,9 +1,9 @@
 // Function bodies: one IR function per combination of width, precision and constant arguments.
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cctype>
 
+#include "compiler/base/bits.h"
 #include "compiler/nodelang/emit.h"
 #include "compiler/nodelang/parse.h"
 
@@ -49,7 +49,7 @@ const Emitter::Instance& Emitter::instantiate(const FunctionDecl& function, cons
     for (std::size_t i = 0; i < function.params.size(); ++i) {
         const ParamDecl& param = function.params[i];
         if (!param.is_const) continue;
-        key.constants.push_back(std::bit_cast<std::uint64_t>(*arguments[i].constant));
+        key.constants.push_back(bits_as<std::uint64_t>(*arguments[i].constant));
         if (const EnumDecl* enumeration = home.enumeration(param.type.name)) {
             name += enumeration->values[static_cast<std::size_t>(*arguments[i].constant)];
         }
