@@ -1,5 +1,5 @@
-// Nodes, lighting models and rendering paths of the library as JSON, for `nodes --json`, `model --json` and so on:
-// everything that is known of them, empty fields left out.
+// Nodes, lighting models and rendering paths of the library as JSON, for `nodes --json`, `model --json` and so on.
+// Every field is written, unless it is empty.
 #pragma once
 
 #include <string>
