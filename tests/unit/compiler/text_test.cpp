@@ -82,7 +82,8 @@ TEST(ReadNumber, ReadsBackWhatShortestWrites) {
     std::mt19937_64 random(3);
     for (int i = 0; i < 100000; ++i) {
         const auto value = bits_as<double>(static_cast<std::uint64_t>(random()));
-        if (std::isfinite(value)) ASSERT_EQ(read_number(shortest(value)), value);
+        if (!std::isfinite(value)) continue;
+        ASSERT_EQ(read_number(shortest(value)), value);
     }
 }
 
