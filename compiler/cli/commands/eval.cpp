@@ -92,7 +92,7 @@ Outputs evaluate_model(const Console& console, const Arguments& arguments, const
         const std::optional<runtime::Triple> numbers = read_triple(text);
         const bool is_direction = name.size() == 1;
         if (!numbers || (is_direction && *numbers == runtime::Triple{})) {
-            complain(console, Complaint::NotThreeNumbers, {name, is_direction ? ", of which one is not 0" : "", text});
+            complain(console, Complaint::NotThreeNumbers, {name, is_direction ? " that are not all 0" : "", text});
             return {};
         }
         *triple->second = *numbers;

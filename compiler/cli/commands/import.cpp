@@ -65,10 +65,12 @@ class Output {
 public:
     explicit Output(fs::path folder) : folder_(std::move(folder)) {
         is_new_folder_ = !folder_.empty() && !fs::exists(folder_, ignored_);
-        if (!folder_.empty()) fs::create_directories(folder_, ignored_);  // if this fails, so does writing
     }
 
     std::string write(const Imported& made) {
+        std::error_code failure;
+        if (!folder_.empty()) fs::create_directories(folder_, failure);
+        if (failure) return "cannot make the folder '" + folder_.string() + "': " + failure.message();
         std::string error;
         for (const importers::PictureFile& picture : made.pictures) {
             if (error = runtime::save_image(path_of(picture.name), picture.linear); !error.empty()) break;

@@ -29,8 +29,7 @@ std::size_t negative_entries(const runtime::MerlTable& table) {
 Imported read(const Source& source, const Options& options) {
     const runtime::Outcome<runtime::MerlTable> table = runtime::read_merl(source.path);
     if (!table) return {.error = table.error};
-    const std::string name =
-        options.name.empty() ? std::filesystem::path(source.path).stem().string() : options.name;
+    const std::string name = options.name.empty() ? std::filesystem::path(source.path).stem().string() : options.name;
     GraphFile graph{.name = name, .workflow = "metallic-roughness", .lighting = "merl"};
     graph.lighting_inputs.push_back({"_Table", text("./" + name + ".exr")});
     const std::string json = write_graph(graph);

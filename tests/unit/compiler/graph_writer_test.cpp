@@ -23,10 +23,11 @@ GraphFile rust() {
                                 .comment = "baseColorFactor"});
     graph.properties.push_back({.name = "_Amount", .type = "float", .value = number(0.1f)});
     graph.nodes.push_back({.id = "mask", .expression = "saturate($_Amount * 2)", .comment = "How much of it is rust"});
-    graph.nodes.push_back(
-        {.id = "rusty",
-         .node = "Lerp",
-         .inputs = {{"to", list({number(0.5), number(0.25), number(0.0)})}, {"from", text("$_Tint.rgb")}, {"t", text("mask")}}});
+    graph.nodes.push_back({.id = "rusty",
+                           .node = "Lerp",
+                           .inputs = {{"to", list({number(0.5), number(0.25), number(0.0)})},
+                                      {"from", text("$_Tint.rgb")},
+                                      {"t", text("mask")}}});
     graph.surface = {{"roughness", number(0.5)}, {"baseColor", text("rusty")}};
     graph.more.push_back({"help", text("An \"old\" plate")});
     return graph;
