@@ -1,8 +1,7 @@
 # `cmake --build build --target bench` prints the compiler's figures; ctest does not run it.
 find_package(benchmark REQUIRED)
-add_executable(patina_bench bench/figures.cpp bench/patina_bench.cpp ${CMAKE_SOURCE_DIR}/compiler/cli/pages/model_cost.cpp
-               ${CMAKE_SOURCE_DIR}/compiler/cli/pages/spirv_size.cpp)
-target_link_libraries(patina_bench PRIVATE patina_options patina_allocator patina_validate benchmark::benchmark)
+add_executable(patina_bench bench/figures.cpp bench/patina_bench.cpp)
+target_link_libraries(patina_bench PRIVATE patina_options patina_allocator patina_model_cost benchmark::benchmark)
 target_compile_definitions(patina_bench PRIVATE
   PATINA_EXAMPLES="${CMAKE_SOURCE_DIR}/examples/graphs" PATINA_COMMAND="$<TARGET_FILE:patina_cli>"
   PATINA_SCRATCH="${CMAKE_BINARY_DIR}/bench")

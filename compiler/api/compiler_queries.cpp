@@ -74,7 +74,8 @@ std::optional<Callee> find_callee(graph::Session& session, std::string_view node
 std::vector<const nodelang::Expr*> read_arguments(graph::Session& session, const nodelang::FunctionDecl& function,
                                                   std::span<const std::pair<std::string, std::string>> arguments) {
     std::vector<const nodelang::Expr*> values(function.params.size(), nullptr);
-    for (const auto& [name, text] : arguments) {
+    for (const auto& argument : arguments) {
+        const std::string &name = argument.first, &text = argument.second;
         const auto param = std::find_if(function.params.begin(), function.params.end(),
                                         [&](const nodelang::ParamDecl& p) { return !p.is_out && p.name == name; });
         if (param == function.params.end()) {
@@ -246,7 +247,12 @@ SceneResult Compiler::read_scene(const std::string& path, const CompileOptions& 
     graph::Session session(*impl_->library, options);
     if (const std::optional<std::uint32_t> base = graph::load_source(session, path, {})) {
         const std::unique_ptr<graph::Json> json = graph::parse_json(session.sources, *base, session.diagnostics);
-        if (json) result.scene = graph::read_scene(session, *json, path);
+        const graph::SceneFiles files{
+            .find = [&](const std::string& name) { return graph::find_file(session, name, path); },
+            .report_missing = [&](const std::string& name,
+                                  Span where) { graph::report_not_found(session, name, path, where); }};
+        const graph::Reading reading{session.sources, session.ast, session.diagnostics};
+        if (json) result.scene = graph::read_scene(reading, *json, path, graph::file_stem(path), files);
     }
     result.diagnostics = to_public(session.diagnostics, session.sources);
     result.dependencies = std::move(session.dependencies);

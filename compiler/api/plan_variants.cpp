@@ -233,8 +233,9 @@ void plan(const Compiler& compiler, graph::Session& session, const std::string& 
     const graph::Graph& graph = *file.material->graph->graph;
     const std::vector<Axis> axes = open_axes(*file.material);
     for (const Axis& axis : axes) made.axes.push_back(axis.told);
+    const auto& properties = file.material->properties;
     made.fixed = static_cast<std::size_t>(
-        std::ranges::count_if(file.material->properties, [](const graph::MaterialProperty& entry) {
+        std::count_if(properties.begin(), properties.end(), [](const graph::MaterialProperty& entry) {
             return entry.property->binding == graph::Binding::Variant && entry.is_chosen;
         }));
     switch (wanted) {

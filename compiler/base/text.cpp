@@ -1,10 +1,19 @@
 #include "compiler/base/text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
 #include <vector>
+#if __has_include(<version>)
+#include <version>
+#endif
+#ifdef __cpp_lib_to_chars
+#include <charconv>
+#endif
 
 namespace patina {
 namespace {
@@ -38,11 +47,67 @@ std::size_t distance(std::string_view a, std::string_view b) {
     return previous[b.size()];
 }
 
+// 123.4 is 1234 x 10^-1.
+struct Decimal {
+    bool is_negative = false;
+    std::string digits{};  // neither the first nor the last is 0, unless there is only one
+    int exponent = 0;
+
+    // Of the first digit: 2 of 123.4.
+    int scientific_exponent() const { return exponent + static_cast<int>(digits.size()) - 1; }
+};
+
+// The fewest digits that read back as the same value. {fmt} finds them; where it puts the point is its own choice.
+template <class T>
+Decimal decimal_of(T value) {
+    const std::string text = fmt::format("{}", value);
+    Decimal made{.is_negative = text.front() == '-'};
+    bool has_point = false;
+    for (std::size_t i = made.is_negative ? 1 : 0; i < text.size(); ++i) {
+        if (text[i] == 'e') {
+            made.exponent += std::atoi(text.c_str() + i + 1);
+            break;
+        }
+        if (text[i] == '.') {
+            has_point = true;
+            continue;
+        }
+        if (has_point) --made.exponent;
+        if (!made.digits.empty() || text[i] != '0') made.digits += text[i];
+    }
+    for (; made.digits.size() > 1 && made.digits.back() == '0'; ++made.exponent) made.digits.pop_back();
+    if (made.digits.empty()) made = {.is_negative = made.is_negative, .digits = "0"};
+    return made;
+}
+
+std::string with_exponent(const Decimal& decimal) {
+    std::string text = decimal.is_negative ? "-" : "";
+    text += decimal.digits.front();
+    if (decimal.digits.size() > 1) text += '.' + decimal.digits.substr(1);
+    return text + fmt::format("e{:+03d}", decimal.scientific_exponent());
+}
+
+template <class T>
+std::string without_exponent(const Decimal& decimal, T value) {
+    // All digits of a whole number are written, not zeros behind the shortest ones.
+    if (decimal.exponent >= 0) return fmt::format("{:.0f}", value);
+    const std::string sign = decimal.is_negative ? "-" : "";
+    const auto decimals = static_cast<std::size_t>(-decimal.exponent);
+    if (decimals >= decimal.digits.size()) {
+        return sign + "0." + std::string(decimals - decimal.digits.size(), '0') + decimal.digits;
+    }
+    std::string text = decimal.digits;
+    return sign + text.insert(text.size() - decimals, 1, '.');
+}
+
 template <class T>
 std::string shortest_of(T value) {
-    std::array<char, 64> buffer{};
-    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-    return {buffer.data(), result.ptr};
+    if (!std::isfinite(value)) return fmt::format("{}", value);
+    const Decimal decimal = decimal_of(value);
+    const auto count = static_cast<int>(decimal.digits.size()), first = decimal.scientific_exponent();
+    const int scientific = count + (count > 1 ? 1 : 0) + (std::abs(first) < 100 ? 4 : 5);
+    const int fixed = decimal.exponent >= 0 ? count + decimal.exponent : first >= 0 ? count + 1 : count + 1 - first;
+    return scientific < fixed ? with_exponent(decimal) : without_exponent(decimal, value);
 }
 
 }  // namespace
@@ -85,6 +150,30 @@ std::string shortest(double value) {
 }
 std::string shortest(float value) {
     return shortest_of(value);
+}
+
+std::string shortest_decimals(float value) {
+    return std::isfinite(value) ? without_exponent(decimal_of(value), value) : fmt::format("{}", value);
+}
+
+std::optional<double> read_number(std::string_view text) {
+    double value = 0;
+#ifdef __cpp_lib_to_chars
+    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (stop != text.data() + text.size() || error == std::errc::invalid_argument) return {};
+    if (error == std::errc::result_out_of_range) return std::numeric_limits<double>::infinity();
+#else
+    // Emscripten's strtod knows no locale. It reads spaces, a plus sign and hexadecimals, which std::from_chars
+    // refuses.
+    if (text.empty() || text.find_first_of(" \t\n\v\f\r+xX") == 0 || text.find_first_of("xX") != text.npos) return {};
+    const std::string copy(text);
+    char* stop = nullptr;
+    value = std::strtod(copy.c_str(), &stop);
+    if (stop != copy.c_str() + copy.size()) return {};
+    const bool is_zero = text.substr(0, text.find_first_of("eE")).find_first_of("123456789") == text.npos;
+    if (value == 0 && !is_zero) return std::numeric_limits<double>::infinity();
+#endif
+    return value;
 }
 
 std::string enumerate(std::span<const std::string_view> words) {

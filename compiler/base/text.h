@@ -1,7 +1,11 @@
-// What several stages need to know about text: whether it is an identifier, which known word the user meant, how a
-// number is written so that it reads back the same. Not a string library.
+// What several rooms need to know about text: whether it is an identifier, which known word the user meant, how a number
+// is written so that it reads back the same. Not a string library.
+//
+// Numbers do not depend on the locale. They go through {fmt} rather than std::to_chars, which the standard library of
+// Emscripten 3.1.6 (libc++ 13) has for whole numbers only.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,9 +19,14 @@ bool is_identifier(std::string_view text);
 // The candidate nearest to `word` by edit distance, or empty if none is near enough to suggest it. Case is ignored.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 
-// Shortest text that reads back as the same value: "0.5", "1", "1e-05". Locale-independent.
+// Shortest text that reads back as the same value, as std::to_chars writes it: "0.5", "1", "1e-05".
 std::string shortest(double value);
 std::string shortest(float value);
+// The same without an exponent: "0.00001".
+std::string shortest_decimals(float value);
+
+// "0.5", ".5e3": nothing if that is not the whole text; infinity if no double other than 0 is near.
+std::optional<double> read_number(std::string_view text);
 
 // "a, b and c"
 std::string enumerate(std::span<const std::string_view> words);

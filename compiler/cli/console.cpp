@@ -56,10 +56,8 @@ bool report(const Console& console, std::span<const Diagnostic> diagnostics) {
     return any_error;
 }
 
-void complain(const Console& console, std::string_view code, std::string message) {
-    Diagnostic diagnostic;
-    diagnostic.code = code;
-    diagnostic.message = std::move(message);
+void complain(const Console& console, Complaint what, std::initializer_list<std::string_view> words) {
+    const Diagnostic diagnostic = complaint(what, words);
     report(console, {&diagnostic, 1});
 }
 
@@ -105,7 +103,7 @@ void show_share(const Console& console, double share, std::string_view item) {
 
 void end_progress(const Console& console) {
     if (!console.progress || console.quiet || console.json) return;
-    // What stands on stdout so far comes first on a shared terminal.
+    // If both streams show on one terminal, what was printed to stdout before must appear before.
     std::fflush(stdout);
     write(stderr, kClearLine);
     std::fflush(stderr);

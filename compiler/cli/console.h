@@ -1,9 +1,10 @@
-// What the commands say, and where: products (paths, tables, values) on stdout, complaints and progress on stderr.
-// With --diagnostics=json complaints are JSON objects, one a line, on stdout instead. Colours and progress appear only
-// on a terminal, and colours not where NO_COLOR is set.
+// Where the commands print. Results (paths, tables, values) go to stdout; errors, warnings and progress go to stderr.
+// With --diagnostics=json, errors and warnings are JSON objects on stdout, one a line. Progress is shown only on a
+// terminal; so are colours, unless NO_COLOR is set.
 //
 //   Console console = open_console();
 //   report(console, result.diagnostics);
+//   complain(console, Complaint::CannotRead, {path, "no such file"});
 //   say(console, "out/rust.forward.frag.glsl");
 #pragma once
 
@@ -11,6 +12,7 @@
 #include <string>
 #include <string_view>
 
+#include "patina/complaints.h"
 #include "patina/patina.h"
 
 namespace patina::cli {
@@ -22,7 +24,7 @@ enum class Exit : int {
     Usage = 2,    // the command line is wrong
     Machine = 3,  // this machine lacks something
 };
-// Of several graphs: the machine's fault is told before the graph's.
+// The exit code of a command that did two things: the greater one.
 Exit worse(Exit a, Exit b);
 
 struct Console {
@@ -34,25 +36,25 @@ struct Console {
 };
 Console open_console();
 
-// Warnings are left out when quiet. Returns true if there was an error among them.
+// Prints diagnostics, without the warnings if quiet. Returns true if one of them is an error.
 bool report(const Console& console, std::span<const Diagnostic> diagnostics);
-// A complaint of the command itself, which has no place in a file.
-void complain(const Console& console, std::string_view code, std::string message);
+// Reports an error of the command itself, which has no place in a file.
+void complain(const Console& console, Complaint what, std::initializer_list<std::string_view> words);
 
-// A line on stdout about what was done: not when quiet, nor among JSON diagnostics.
+// Prints to stdout which file was written or checked. Prints nothing if quiet or with --diagnostics=json.
 void say(const Console& console, std::string_view line);
-// A remark about the work on stderr: not when quiet, nor beside JSON diagnostics.
+// Prints a remark about the work to stderr. Prints nothing if quiet or with --diagnostics=json.
 void remark(const Console& console, std::string_view line);
-// Text that was asked for: always on stdout.
+// Prints the command's result to stdout.
 void print(std::string_view text);
-// True if some of it could not be written: a full disk, a closed descriptor.
+// True if not all of stdout could be written: the disk is full, or the descriptor is closed.
 bool output_failed();
 // Bold, if stdout shows colours.
 std::string heading(const Console& console, std::string_view text);
 
-// A line that replaces itself: "rust.graph.json 37%".
+// Progress on one line, which is overwritten: "rust.graph.json 37%".
 void show_share(const Console& console, double share, std::string_view item);
-// One line that replaces itself: "[3/12] rust.graph.json". Not shown for a single item.
+// The same for one of several items: "[3/12] rust.graph.json". Not shown for a single item.
 void show_progress(const Console& console, std::size_t index, std::size_t count, std::string_view item);
 void end_progress(const Console& console);
 

@@ -24,7 +24,7 @@ std::string write_bytes(const std::string& path, const std::string& bytes) {
     if (!file) return cannot_write(path, std::strerror(errno));
     const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
     const int failure = errno;
-    // A full disk may show only when the last of the buffer is written.
+    // If the disk is full, fclose may be the first call that fails: it writes the rest of the buffer.
     if (std::fclose(file) != 0 || !written) return cannot_write(path, std::strerror(written ? errno : failure));
     return {};
 }
@@ -100,6 +100,10 @@ std::optional<std::string> read_file(const std::string& path, std::string& error
 
 std::string read_standard_input() {
     return std::string(std::istreambuf_iterator<char>(std::cin), {});
+}
+
+bool is_scene(std::string_view path) {
+    return path.ends_with(".scene.json");
 }
 
 std::string stem(std::string_view path) {

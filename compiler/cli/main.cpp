@@ -1,4 +1,5 @@
-// The `patina` command.
+// The `patina` command. For some subcommands it turns into patina-import or patina-render; commands/commands.def says
+// for which, and why.
 #include <unistd.h>
 
 #include <algorithm>
@@ -6,20 +7,19 @@
 #include <string_view>
 
 #include "compiler/cli/commands/commands.h"
+#include "compiler/cli/files.h"
 
 namespace {
 
 using namespace patina::cli;
 
-// Turns into patina-render, which lies beside this program. Returns only if that fails.
-int become_renderer(char** argv) {
+// Turns into a program that lies in the folder of this one. Returns only if that fails.
+int turn_into(const std::string& name, char** argv) {
     std::error_code failure;
     std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", failure);
     if (failure) self = argv[0];
-    const std::string renderer = (self.parent_path() / "patina-render").string();
-    execv(renderer.c_str(), argv);
-    complain(open_console(), "missing-program",
-             "cannot start '" + renderer + "', which 'patina " + argv[1] + "' needs");
+    execv((self.parent_path() / name).c_str(), argv);
+    complain(open_console(), patina::Complaint::MissingProgram, {name, argv[1]});
     return static_cast<int>(Exit::Machine);
 }
 
@@ -27,27 +27,25 @@ int become_renderer(char** argv) {
 
 int main(int argc, char** argv) {
     const std::string_view first = argc > 1 ? argv[1] : "";
-    const bool has_scene = std::any_of(argv, argv + argc, [](const char* word) { return is_scene(word); });
-    if (first == "check" && has_scene) return become_renderer(argv);
-    if (first == "render" || first == "snapshot" || first == "trace" || first == "import") return become_renderer(argv);
-
-    Program program(kSummary);
-    add_compile(program);
-    add_check(program, nullptr);  // scenes are the other program's
-    program.app.add_subcommand("render", kRenderSummary);
-    program.app.add_subcommand("trace", kTraceSummary);
-    program.app.add_subcommand("snapshot", kSnapshotSummary);
-    program.app.add_subcommand("import", kImportSummary);
-    add_new(program);
-    add_fmt(program);
-    add_eval(program);
-    add_nodes(program);
-    add_node(program);
-    add_models(program);
-    add_model(program);
-    add_paths(program);
-    add_docs(program);
-    add_schema(program);
+    const CommandInfo* command = find_command(first);
+    Home home = command ? command->home : Home::Patina;
+    if (first == "check" && std::any_of(argv, argv + argc, [](const char* word) { return is_scene(word); })) {
+        home = Home::Render;
+    }
+    switch (home) {
+        case Home::Import: return turn_into("patina-import", argv);
+        case Home::Render: return turn_into("patina-render", argv);
+        case Home::Patina: break;
+    }
+    Program program;
+#define COMMAND(name, home, summary)                \
+    if constexpr (Home::home == Home::Patina) {     \
+        add_##name(program);                        \
+    } else {                                        \
+        program.app.add_subcommand(#name, summary); \
+    }
+#include "compiler/cli/commands/commands.def"
+#undef COMMAND
     program.app.footer("'patina COMMAND --help' shows options and examples.");
     return run(program, argc, argv);
 }

@@ -8,7 +8,7 @@ namespace {
 // Empty, or what is wrong with the word.
 std::string is_time(const std::string& word) {
     double seconds = 0;
-    if (!CLI::detail::lexical_cast(word, seconds)) return {};  // that it is no number is said already
+    if (!CLI::detail::lexical_cast(word, seconds)) return {};  // CLI11 reports that it is not a number
     return runtime::is_time(seconds) ? "" : "'" + word + "' is not a number of seconds that a shader can hold";
 }
 
@@ -17,29 +17,33 @@ void add_scene_options(CLI::App& command, runtime::RenderRequest& request) {
     for (std::string_view name : runtime::mesh_names()) meshes.emplace_back(name);
     std::string list;
     for (const std::string& mesh : meshes) list += (list.empty() ? "" : "|") + mesh;
-    command.add_option("--mesh", request.mesh, "What to look at (sphere)")
+    command.add_option("--mesh", request.mesh, "The mesh to draw; default: sphere")
         ->type_name(list)
         ->check(one_of("a mesh", std::move(meshes)));
-    command.add_option("--size", request.size, "Width and height in pixels (512)")
+    command.add_option("--size", request.size, "Width and height in pixels; default: 512")
         ->type_name("N")
         ->check(CLI::Range(1, 8192));
-    command.add_option("--samples", request.samples, "Along each axis of a pixel (4: 16 in all)")
+    command
+        .add_option("--samples", request.samples, "Samples along each axis of a pixel; default: 4, which is 16 a pixel")
         ->type_name("N")
         ->check(CLI::Range(1, 16));
-    command.add_option("--time", request.time, "Seconds (0)")->type_name("T")->check(is_time);
+    command.add_option("--time", request.time, "The time in seconds; default: 0")->type_name("T")->check(is_time);
     command
-        .add_option("--light", request.lights, "Replaces the lights, e.g. 'point position=1,2,0 color=#f80'; or none")
+        .add_option(
+            "--light", request.lights,
+            "Light it with this instead of the default lights: 'point position=1,2,0 color=#f80', or none; repeatable")
         ->type_name("LIGHT")
         ->allow_extra_args(false);
-    command.add_option("--ambient", request.ambient, "A colour, or 'sky=#9ab horizon=0.2 ground=0.05'")
+    command.add_option("--ambient", request.ambient, "Ambient light: a colour, or 'sky=#9ab horizon=0.2 ground=0.05'")
         ->type_name("LIGHT");
-    command.add_option("--camera", request.camera, "'position=2,1,3 target=0,0,0 fov=35'")->type_name("CAMERA");
+    command.add_option("--camera", request.camera, "The camera: 'position=2,1,3 target=0,0,0 fov=35'")
+        ->type_name("CAMERA");
 }
 
 }  // namespace
 
 void add_picture_options(CLI::App& command, std::vector<std::string>& set, runtime::RenderRequest& request) {
-    command.add_option("--set", set, "Give a property a value: _Roughness=0.2, _MainTex=rust.png; one value each")
+    command.add_option("--set", set, "Set a property: _Roughness=0.2, _MainTex=rust.png; repeatable")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
     add_scene_options(command, request);
@@ -49,15 +53,15 @@ void add_picture_options(CLI::App& command, std::vector<std::string>& set, runti
 void take_overrides(const std::vector<std::string>& set, const PathOptions& path, runtime::RenderRequest& request) {
     request.path = path.path;
     request.defines = path.defines;
-    std::map<std::string, std::string> said;
-    for (const auto& [name, value] : path.switches()) say_once(said, name, value);
+    std::map<std::string, std::string> values;
+    for (const auto& [name, value] : path.switches()) set_once(values, name, value);
     for (const std::string& text : set) {
         const std::size_t equals = text.find('=');
         if (equals == text.npos || equals == 0) {
             throw CLI::ValidationError("--set", "'" + text + "' is not of the form NAME=VALUE");
         }
         const std::string name = text.substr(0, equals);
-        if (const std::string why = say_once(said, name, text.substr(equals + 1)); !why.empty())
+        if (const std::string why = set_once(values, name, text.substr(equals + 1)); !why.empty())
             throw CLI::ValidationError("--set", why);
         request.overrides[name] = text.substr(equals + 1);
     }

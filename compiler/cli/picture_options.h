@@ -1,4 +1,5 @@
-// The options that say which picture of a graph is meant, the same for every command that makes or explains one.
+// The options for the picture of a graph: mesh, size, lights, camera, property values. `patina render` and
+// `patina trace` share them.
 //
 //   add_picture_options(command, arguments->set, arguments->request);
 //   command.parse_complete_callback([arguments] { take_overrides(arguments->set, arguments->path, arguments->request);
@@ -13,8 +14,8 @@ namespace patina::cli {
 // --set, --mesh, --size, --samples, --time, --light, --ambient, --camera and -I.
 void add_picture_options(CLI::App& command, std::vector<std::string>& set, runtime::RenderRequest& request);
 
-// "_Roughness=0.2" and so on into the request, and the path with its -D; throws the usage error of what is not of that
-// form, and of a name that has two values.
+// Enters "_Roughness=0.2" and so on into the request, and the path with its -D. Throws the usage error if a text is not
+// of that form or a name has two values.
 void take_overrides(const std::vector<std::string>& set, const PathOptions& path, runtime::RenderRequest& request);
 
 }  // namespace patina::cli

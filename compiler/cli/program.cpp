@@ -5,16 +5,25 @@
 #include <cstdio>
 #include <map>
 
-#include "compiler/base/text.h"
 #include "compiler/cli/files.h"
 
 namespace patina::cli {
 namespace {
 
-std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) {
-    const std::vector<std::string_view> views(candidates.begin(), candidates.end());
-    const std::string_view near = nearest(word, views);
-    return near.empty() ? std::string() : "; did you mean '" + std::string(near) + "'?";
+constexpr const char* kSummary =
+    "Patina compiles material node graphs to readable GLSL and HLSL.\n"
+    "Exit codes: 0 done, 1 the input is wrong, 2 the command line is wrong, 3 the machine lacks something.";
+
+constexpr CommandInfo kCommands[] = {
+#define COMMAND(name, home, summary) {#name, Home::home, summary},
+#include "compiler/cli/commands/commands.def"
+#undef COMMAND
+};
+
+// "; did you mean 'compile'?", or nothing.
+std::string advice(const std::string& word, const std::vector<std::string>& known) {
+    const std::string text = suggestion(word, known);
+    return text.empty() ? text : "; " + text;
 }
 
 std::vector<std::string> command_names(CLI::App& app) {
@@ -31,15 +40,15 @@ std::vector<std::string> option_names(const CLI::App& app) {
     return names;
 }
 
-// The words that nothing took, in our words rather than CLI11's.
+// What is wrong with the words that no option and no argument took. CLI11's own message has no suggestion.
 std::string explain_extras(CLI::App& app, const CLI::App* command) {
     const std::vector<std::string> words = app.remaining(true);
     const std::string word = words.empty() ? std::string() : words.front();
     if (word.starts_with("-")) {
         const std::string name = word.substr(0, word.find('='));
-        return "unknown option '" + name + "'" + suggestion(name, option_names(command ? *command : app));
+        return "unknown option '" + name + "'" + advice(name, option_names(command ? *command : app));
     }
-    if (!command) return "there is no command '" + word + "'" + suggestion(word, command_names(app));
+    if (!command) return "there is no command '" + word + "'" + advice(word, command_names(app));
     return "unexpected argument '" + word + "'";
 }
 
@@ -52,8 +61,21 @@ int complain_of_usage(const CLI::App* command, std::string_view message) {
 
 }  // namespace
 
-Program::Program(std::string description) : app(std::move(description), "patina"), console(open_console()) {
+const CommandInfo* find_command(std::string_view name) {
+    const auto found = std::find_if(std::begin(kCommands), std::end(kCommands),
+                                    [&](const CommandInfo& command) { return command.name == name; });
+    return found == std::end(kCommands) ? nullptr : found;
+}
+
+Program::Program() : app(kSummary, "patina"), console(open_console()) {
     app.set_version_flag("--version", "patina " + std::string(version()), "Print the version and exit");
+    app.add_flag_callback(
+        "--commands",
+        [] {
+            for (const CommandInfo& command : kCommands) print(std::string(command.name) + "\n");
+            throw CLI::Success();
+        },
+        "Print the names of the commands, one a line, and exit");
     app.get_formatter()->column_width(32);
     app.get_formatter()->label("OPTIONS", "options");
     app.get_formatter()->label("SUBCOMMAND", "COMMAND");
@@ -61,8 +83,8 @@ Program::Program(std::string description) : app(std::move(description), "patina"
     app.set_help_flag("-h,--help", "Print this help and exit");
 }
 
-CLI::App& add_command(Program& program, std::string name, std::string summary,
-                      std::initializer_list<std::string_view> examples) {
+CLI::App& add_command(Program& program, std::string name, const std::vector<std::string_view>& examples) {
+    std::string summary(find_command(name)->summary);
     CLI::App& command = *program.app.add_subcommand(std::move(name), std::move(summary));
     std::string footer = "Examples:";
     for (std::string_view example : examples) footer += "\n  " + std::string(example);
@@ -71,7 +93,7 @@ CLI::App& add_command(Program& program, std::string name, std::string summary,
     command
         .add_option_function<std::string>(
             "--diagnostics", [&program](const std::string& form) { program.console.json = form == "json"; },
-            "text on stderr, or json: one object a line on stdout")
+            "Form of the messages: text on stderr, or json, one object a line on stdout")
         ->type_name("text|json")
         ->check(one_of("a form of diagnostics", {"text", "json"}))
         ->group("Common");
@@ -83,7 +105,9 @@ void set_work(Program& program, CLI::App& command, std::function<Exit(const Cons
 }
 
 void add_include_option(CLI::App& command, std::vector<std::string>& folders) {
-    command.add_option("-I,--include", folders, "Look here too for sub-graphs, lighting graphs, nodes and textures")
+    command
+        .add_option("-I,--include", folders,
+                    "Also search this folder for sub-graphs, lighting graphs, nodes and textures")
         ->type_name("DIR")
         ->allow_extra_args(false);
 }
@@ -101,8 +125,7 @@ void add_path_options(CLI::App& command, PathOptions& options) {
     command
         .add_option(
             "--path", options.path,
-            "Rendering path: forward, forward-add, vertex, deferred, ... ('patina paths' lists them), or a file "
-            "of your own, x.pass.hlsl (forward)")
+            "Rendering path: a name ('patina paths' lists them) or a file of your own, x.pass.hlsl; default: forward")
         ->type_name("PATH");
     add_define_option(command, options.defines);
 }
@@ -111,35 +134,36 @@ void add_define_option(CLI::App& command, std::vector<std::string>& defines) {
     command
         .add_option(
             "-D,--define", defines,
-            "Turn a part of the path on (shadows, fog, ...), or give a variant or specialization constant of the "
-            "graph a value: _WET, _Mode=Wet; a name has one value, here and in --set")
+            "Turn on a part of the path (shadows, fog, ...), or set a variant or specialization constant of the graph: "
+            "_WET, _Mode=Wet. -D and --set cannot give one name two values")
         ->type_name("NAME[=VALUE]")
         ->allow_extra_args(false)
-        ->check([said = std::make_shared<std::map<std::string, std::string>>()](const std::string& define) {
+        ->check([values = std::make_shared<std::map<std::string, std::string>>()](const std::string& define) {
             if (define.empty() || define.front() == '=' || define.back() == '=')
                 return "'" + define + "' is not of the form NAME or NAME=VALUE";
             const std::size_t equals = define.find('=');
-            return say_once(*said, define.substr(0, equals), equals == define.npos ? "" : define.substr(equals + 1));
+            return set_once(*values, define.substr(0, equals), equals == define.npos ? "" : define.substr(equals + 1));
         });
 }
 
-std::string say_once(std::map<std::string, std::string>& values, const std::string& name, std::string value) {
+std::string set_once(std::map<std::string, std::string>& values, const std::string& name, std::string value) {
     if (value.empty()) value = "true";
-    const auto [said, is_new] = values.emplace(name, value);
-    if (is_new || said->second == value) return {};
-    return "'" + name + "' is '" + said->second + "' already, and cannot be '" + value + "' too";
+    const auto [there, is_new] = values.emplace(name, value);
+    if (is_new || there->second == value) return {};
+    return "'" + name + "' is '" + there->second + "' already, and cannot be '" + value + "' too";
 }
 
 CLI::Option* add_words_option(CLI::App& command, std::string name, std::vector<std::string>& words, std::string help,
                               std::function<std::string(std::string)> check) {
-    const std::string told = name.substr(name.rfind("--"));
-    const auto take = [&words, told, check = std::move(check)](const std::vector<std::string>& given) {
+    const std::string long_name = name.substr(name.rfind("--"));
+    const auto take = [&words, long_name, check = std::move(check)](const std::vector<std::string>& given) {
         words.clear();
         for (const std::string& text : given) {
             for (std::size_t begin = 0, end = 0; end != text.npos; begin = end + 1) {
                 end = text.find(',', begin);
                 words.push_back(text.substr(begin, end == text.npos ? end : end - begin));
-                if (std::string error = check(words.back()); !error.empty()) throw CLI::ValidationError(told, error);
+                if (std::string error = check(words.back()); !error.empty())
+                    throw CLI::ValidationError(long_name, error);
             }
         }
     };
@@ -152,15 +176,12 @@ std::function<std::string(std::string)> one_of(std::string what, std::vector<std
         for (const std::string& known : words) {
             if (word == known) return {};
         }
-        const std::vector<std::string_view> views(words.begin(), words.end());
-        std::string message = "'" + word + "' is not " + what;
-        const std::string hint = suggestion(word, words);
-        return message + (hint.empty() ? ": use one of " + enumerate(views) : hint);
+        return "'" + word + "' is not " + what + advice(word, words);
     };
 }
 
 void refuse_equal_outputs(const std::vector<std::string>& graphs, std::string_view ending, std::string_view verb) {
-    std::map<std::string, std::string> seen;  // by names for which case does not count
+    std::map<std::string, std::string> seen;  // by name in lower case
     for (const std::string& graph : graphs) {
         const std::string name = stem(graph), file = name + std::string(ending);
         std::string folded = name;

@@ -1,8 +1,13 @@
 // The command line as a whole: a list of subcommands, each with its options and the function that does its work.
-// Parsing is CLI11's; what this adds is one way to complain ("did you mean ...?", exit code 2) and the options that all
-// have.
+// CLI11 parses it. This adds one form for mistakes in it ("did you mean ...?", exit code 2) and the options that all
+// subcommands have.
 //
-//   Program program("Compiles material graphs.");
+// This folder: the programs (main.cpp, render_main.cpp, import_main.cpp) and what all commands share (this file,
+// console.h, files.h). commands/ holds a file for each command, pages/ what `patina node` and `patina docs` show, eval/
+// what `patina eval` computes, templates/ what `patina new` writes. Nothing here includes the compiler's own headers:
+// what a command needs of the library is public.
+//
+//   Program program;
 //   add_compile(program);
 //   return run(program, argc, argv);
 #pragma once
@@ -19,11 +24,25 @@
 
 namespace patina::cli {
 
+// Which program runs a command; commands.def says why there are three.
+enum class Home { Patina, Import, Render };
+struct CommandInfo {
+    std::string_view name;
+    Home home;
+    std::string_view summary;
+};
+// A row of commands.def, or null.
+const CommandInfo* find_command(std::string_view name);
+
+// How scenes are checked; false: something is wrong with one, and it has been reported.
+using SceneCheck = bool (*)(const Console&, const Compiler&, const std::string& scene, const CompileOptions&);
+
 struct Program {
-    explicit Program(std::string description);
+    Program();
 
     CLI::App app;
     Console console;
+    SceneCheck check_scene = nullptr;  // in patina-render alone
     struct Command {
         CLI::App* app;
         std::function<Exit(const Console&)> work;
@@ -31,15 +50,15 @@ struct Program {
     std::vector<Command> commands;
 };
 
-// A new subcommand with --help, --quiet and --diagnostics. `examples` are shown below its help, one a line.
-CLI::App& add_command(Program& program, std::string name, std::string summary,
-                      std::initializer_list<std::string_view> examples);
+// A new subcommand with --help, --quiet and --diagnostics; commands.def has its summary. `examples` are shown below its
+// help, one a line.
+CLI::App& add_command(Program& program, std::string name, const std::vector<std::string_view>& examples);
 void set_work(Program& program, CLI::App& command, std::function<Exit(const Console&)> work);
 
-// -I, repeatable, the same wherever graphs are read.
+// -I, repeatable: every command that reads graphs has it.
 void add_include_option(CLI::App& command, std::vector<std::string>& folders);
 
-// --path and -D: how a scene is drawn, and what of it.
+// --path and -D: the rendering path, and which parts of it.
 struct PathOptions {
     std::string path = "forward";
     std::vector<std::string> defines;
@@ -47,21 +66,24 @@ struct PathOptions {
     std::vector<std::pair<std::string, std::string>> switches() const;
 };
 void add_path_options(CLI::App& command, PathOptions& options);
-// -D alone, with or without parts of a path.
+// -D alone.
 void add_define_option(CLI::App& command, std::vector<std::string>& defines);
 
-// Notes that `name` is to be `value`, where nothing is "true"; else what is wrong: another value was given before.
-std::string say_once(std::map<std::string, std::string>& values, const std::string& name, std::string value);
+// Enters `name` with its value; no value stands for "true". Returns nothing, or what is wrong: the name has another
+// value already.
+std::string set_once(std::map<std::string, std::string>& values, const std::string& name, std::string value);
 
-// A check for an option whose value is one of a few words; complains with a suggestion.
+// A check for an option whose value must be one of `words`; its message has a suggestion.
 std::function<std::string(std::string)> one_of(std::string what, std::vector<std::string> words);
 
-// An option that takes words with commas between, "glsl,hlsl". `check` is asked of each, an empty one too.
+// An option that takes words with commas between them: "glsl,hlsl". `check` is called for each word, also for an empty
+// one.
 CLI::Option* add_words_option(CLI::App& command, std::string name, std::vector<std::string>& words, std::string help,
                               std::function<std::string(std::string)> check);
 
-// Two graphs of one name, or of names that differ in case alone, would overwrite each other's files: throws the usage
-// error that says so. `ending`: of what a graph's files are called, ".png"; `verb`: what the command does to graphs.
+// If two graphs have the same name, or names that differ only in case, their files would overwrite each other: throws
+// the usage error that says so. `ending`: of the files that are written, ".png". `verb`: what the command does to
+// graphs, "render".
 void refuse_equal_outputs(const std::vector<std::string>& graphs, std::string_view ending, std::string_view verb);
 
 // Parses, runs the chosen subcommand and returns its exit code.

@@ -1,14 +1,14 @@
-// The subcommands of `patina` that need Vulkan and OpenImageIO, and the check of scenes; `patina` becomes this program
-// when they are asked for.
+// patina-render: the commands that need Vulkan and OpenImageIO, and the check of scenes. `patina` turns into it.
 #include "compiler/cli/commands/commands.h"
 
 int main(int argc, char** argv) {
     using namespace patina::cli;
-    Program program(kSummary);
-    add_render(program);
-    add_check(program, check_scene);
-    add_snapshot(program);
-    add_trace(program);
-    add_import(program);
+    Program program;
+    program.check_scene = check_scene;
+    add_check(program);
+#define COMMAND(name, home, summary) \
+    if constexpr (Home::home == Home::Render) add_##name(program);
+#include "compiler/cli/commands/commands.def"
+#undef COMMAND
     return run(program, argc, argv);
 }

@@ -1,4 +1,4 @@
-// The starting graphs of `patina new`: templates/*.json, embedded when Patina is configured.
+// The starting graphs of `patina new`: templates/*.json. CMake embeds them when it configures the build.
 #pragma once
 
 #include <span>

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 
+#include "compiler/base/bits.h"
 #include "compiler/emit/constant_value.h"
 #include "compiler/emit/statements.h"
 #include "compiler/emit/types.h"
@@ -183,7 +183,7 @@ const Instance& instantiate(Emitter& emitter, const FunctionDecl& function, cons
                             std::span<const Argument> arguments, unsigned width, bool half, Span call_span) {
     InstanceKey key{.function = &function, .width = width, .half = half};
     for (std::size_t i = 0; i < function.params.size(); ++i) {
-        if (function.params[i].is_const) key.constants.push_back(std::bit_cast<std::uint64_t>(*arguments[i].constant));
+        if (function.params[i].is_const) key.constants.push_back(bits_as<std::uint64_t>(*arguments[i].constant));
     }
     if (const Instance* made = emitter.instances.find(key)) return *made;
     if (std::find(emitter.active.begin(), emitter.active.end(), &function) != emitter.active.end() ||

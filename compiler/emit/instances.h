@@ -9,6 +9,7 @@
 #include <compare>
 #include <cstdint>
 #include <map>
+#include <tuple>
 #include <vector>
 
 #include "compiler/emit/scope.h"
@@ -29,7 +30,10 @@ struct InstanceKey {
     unsigned width = 0;
     bool half = false;
     std::vector<std::uint64_t> constants{};  // the bits of the constant arguments, which are doubles
-    friend auto operator<=>(const InstanceKey&, const InstanceKey&) = default;
+    friend bool operator<(const InstanceKey& a, const InstanceKey& b) {
+        const auto key = [](const InstanceKey& k) { return std::tie(k.function, k.width, k.half, k.constants); };
+        return key(a) < key(b);
+    }
 };
 
 // One of the instances of a function.

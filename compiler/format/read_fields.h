@@ -1,5 +1,5 @@
 // What the readers of a graph's parts share: one look at a JSON value that also says what is wrong with it. Private to
-// compiler/graph/read_*.cpp.
+// compiler/format/read_*.cpp.
 //
 //   if (const Json* json = object.find("wrap")) {
 //       sampler.wrap = read_word(reading, *json, "wrap", "a wrap mode", kWraps).value_or(Wrap::Repeat);

@@ -156,7 +156,7 @@ std::optional<std::string> read_set_value(SceneReading& reading, const Json& jso
             if (text.starts_with("./") || text.starts_with("../") || text.starts_with('/')) {
                 return read_file_name(reading, json, what).path;
             }
-            std::string file = find_file(reading.session, text, reading.path);
+            std::string file = reading.files.find(text);
             return file.empty() ? text : file;
         }
         case Json::Kind::Null:
@@ -308,14 +308,15 @@ void read_objects(SceneReading& reading, const Json& array, SceneFile& scene) {
 
 }  // namespace
 
-SceneFile read_scene(Session& session, const Json& json, const std::string& path) {
-    SceneReading reading{{session.sources, session.ast, session.diagnostics}, session, path};
-    SceneFile scene{.path = path, .name = file_stem(path)};
+SceneFile read_scene(const Reading& given, const Json& json, const std::string& path, std::string name,
+                     const SceneFiles& files) {
+    SceneReading reading{given, files};
+    SceneFile scene{.path = path, .name = std::move(name)};
     constexpr ObjectKind kAllowed[] = {ObjectKind::Scene};
     if (!read_header(reading, json, kAllowed)) return scene;
     check_keys(reading, json, ObjectKind::Scene);
     for (const std::string_view key : {"$schema", "help"}) (void)read_text(reading, json, key);
-    if (std::string name = read_text(reading, json, "name"); !name.empty()) scene.name = std::move(name);
+    if (std::string said = read_text(reading, json, "name"); !said.empty()) scene.name = std::move(said);
     if (const Json* camera = json.find("camera")) scene.camera = read_camera(reading, *camera);
     if (const Json* ambient = json.find("ambient")) scene.ambient = read_ambient(reading, *ambient);
     if (scene.ambient) scene.environment = SceneEnvironment::None;

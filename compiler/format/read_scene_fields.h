@@ -1,18 +1,16 @@
 // What the readers of a scene's parts share: numbers within limits, vectors, colours and files. Private to
-// compiler/graph/read_scene*.cpp.
+// compiler/format/read_scene*.cpp.
 //
 //   read_number(reading, json, "fov", 1, 170, camera.fov);   // keeps what is there if the key is not
 #pragma once
 
 #include "compiler/format/color.h"
-#include "compiler/format/read_fields.h"
-#include "compiler/resolve/session.h"
+#include "compiler/format/read_scene.h"
 
 namespace patina::graph {
 
 struct SceneReading : Reading {
-    Session& session;
-    const std::string& path;  // of the scene
+    const SceneFiles& files;
 };
 
 // How far from the origin, and how large, anything may be: a float still tells a tenth of a metre there.

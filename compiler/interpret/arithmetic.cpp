@@ -1,10 +1,10 @@
 // Ops that work component by component, and conversions: tables from op to what it means, one line each.
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 
+#include "compiler/base/bits.h"
 #include "compiler/interpret/kernels.h"
 #include "compiler/interpret/rounding.h"
 
@@ -195,9 +195,9 @@ void reinterpret(const Step& step, Machine& machine) {
     const double* values = machine.at(step.from[0]);
     double* result = machine.at(step.to);
     for (std::size_t i = 0; i < std::size_t{step.count} * kLanes; ++i) {
-        const auto bits = from == Scalar::Float ? std::bit_cast<std::uint32_t>(load<float>(values, i))
+        const auto bits = from == Scalar::Float ? bits_as<std::uint32_t>(load<float>(values, i))
                                                 : static_cast<std::uint32_t>(load<Wide>(values, i));
-        result[i] = to == Scalar::Float ? static_cast<double>(std::bit_cast<float>(bits)) : wrap(to, bits);
+        result[i] = to == Scalar::Float ? static_cast<double>(bits_as<float>(bits)) : wrap(to, bits);
     }
 }
 

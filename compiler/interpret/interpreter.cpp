@@ -1,8 +1,8 @@
 // The public face: one linked stage, its inputs, outputs, blocks and textures by name.
 #include <algorithm>
-#include <bit>
 #include <cstring>
 
+#include "compiler/base/bits.h"
 #include "compiler/interpret/machine.h"
 #include "compiler/interpret/trace.h"
 #include "compiler/link/program.h"
@@ -77,7 +77,7 @@ private:
             case ir::Scalar::Int: return static_cast<std::int32_t>(bits);
             case ir::Scalar::Uint: return bits;
             case ir::Scalar::Half:  // a block has 32-bit members only
-            case ir::Scalar::Float: return static_cast<double>(std::bit_cast<float>(bits));
+            case ir::Scalar::Float: return static_cast<double>(bits_as<float>(bits));
         }
         return 0;
     }

@@ -1,9 +1,10 @@
 #include "compiler/interpret/rounding.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
+
+#include "compiler/base/bits.h"
 
 namespace patina::interpret {
 
@@ -16,10 +17,10 @@ double to_half(double value) {
     if (std::fabs(value) < kSmallestNormal) return std::nearbyint(value / kSubnormalUnit) * kSubnormalUnit;
     // 52 bits of fraction become 10: add just under half a unit, or just half where the last kept bit is odd, and cut.
     constexpr int kDropped = 52 - 10;
-    std::uint64_t bits = std::bit_cast<std::uint64_t>(value);
+    std::uint64_t bits = bits_as<std::uint64_t>(value);
     bits += (std::uint64_t{1} << (kDropped - 1)) - 1 + (bits >> kDropped & 1);
     bits &= ~((std::uint64_t{1} << kDropped) - 1);
-    const double rounded = std::bit_cast<double>(bits);
+    const double rounded = bits_as<double>(bits);
     if (std::fabs(rounded) <= kLargest) return rounded;
     return std::copysign(std::numeric_limits<double>::infinity(), value);
 }

@@ -135,7 +135,8 @@ private:
     }
     static bool is_dependent(std::uint8_t component) { return (component & ~Dependence::kOffset) != 0; }
     static bool is_all_offset(const Dependence& dependence) {
-        return std::ranges::all_of(dependence.on, [](std::uint8_t on) { return on == Dependence::kOffset; });
+        return std::all_of(dependence.on.begin(), dependence.on.end(),
+                           [](std::uint8_t on) { return on == Dependence::kOffset; });
     }
 
     // What either of two values depends on; true if that is more than before.
@@ -220,7 +221,7 @@ private:
     }
 
     bool has_zeros(const Frame& frame, std::span<const Value> args) const {
-        return std::ranges::any_of(args, [&](Value v) { return !of(frame, v).on.empty(); });
+        return std::any_of(args.begin(), args.end(), [&](Value v) { return !of(frame, v).on.empty(); });
     }
 
     bool is_linear(const Inst& convert, const Frame& frame) const {
@@ -387,7 +388,7 @@ private:
 }  // namespace
 
 bool Dependence::any() const {
-    return std::ranges::any_of(on, [](std::uint8_t component) { return (component & ~kOffset) != 0; });
+    return std::any_of(on.begin(), on.end(), [](std::uint8_t component) { return (component & ~kOffset) != 0; });
 }
 
 bool Dependence::is_homogeneous() const {

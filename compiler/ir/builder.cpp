@@ -1,10 +1,10 @@
 #include "compiler/ir/builder.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstdio>
 #include <cstdlib>
 
+#include "compiler/base/bits.h"
 #include "compiler/ir/dump.h"
 #include "compiler/ir/fold.h"
 
@@ -41,9 +41,8 @@ bool same_operands(Op op, std::span<const Value> a, std::span<const Value> b) {
 
 // Compares bits: -0 and 0 are two constants.
 bool same_numbers(std::span<const double> a, std::span<const double> b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) {
-        return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
-    });
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](double x, double y) { return bits_as<std::uint64_t>(x) == bits_as<std::uint64_t>(y); });
 }
 
 // Instead of an index, for a constant that the module does not have yet.
@@ -186,7 +185,7 @@ Value Builder::emit_constant(Type type, std::span<const double> components, std:
 
     std::uint32_t hash = hash_of(type);
     for (const double number : numbers) {
-        const auto bits = std::bit_cast<std::uint64_t>(number);
+        const auto bits = bits_as<std::uint64_t>(number);
         hash = mix(mix(hash, static_cast<std::uint32_t>(bits)), static_cast<std::uint32_t>(bits >> 32));
     }
     if (options_.fold) {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "compiler/base/bits.h"
 #include "compiler/ir/builder.h"
 
 namespace patina::ir {
@@ -226,9 +226,9 @@ std::uint32_t clamped_index(double index, Type composite) {
 }
 
 double bitcast(Scalar from, Scalar to, double value) {
-    const std::uint32_t bits = from == Scalar::Float ? std::bit_cast<std::uint32_t>(static_cast<float>(value))
+    const std::uint32_t bits = from == Scalar::Float ? bits_as<std::uint32_t>(static_cast<float>(value))
                                                      : static_cast<std::uint32_t>(static_cast<std::int64_t>(value));
-    return to == Scalar::Float ? static_cast<double>(std::bit_cast<float>(bits)) : wrap(to, bits);
+    return to == Scalar::Float ? static_cast<double>(bits_as<float>(bits)) : wrap(to, bits);
 }
 
 // GPUs differ in how they convert a float that an int cannot hold: NaN says that the result is not known.

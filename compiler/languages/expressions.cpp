@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 
+#include "compiler/base/bits.h"
 #include "compiler/languages/body.h"
 #include "compiler/languages/literals.h"
 
@@ -75,7 +75,7 @@ bool Body::repeats_scalar(Value v) const {
     if (is_splat(function_, v)) return true;
     if (inst.op != Op::Constant) return false;
     const auto numbers = module().numbers_of(module().constants[inst.data]);
-    const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
+    const auto bits = [](double number) { return bits_as<std::uint64_t>(number); };
     return std::all_of(numbers.begin(), numbers.end(), [&](double n) { return bits(n) == bits(numbers[0]); });
 }
 

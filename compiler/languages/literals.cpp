@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <bit>
 #include <cmath>
 #include <limits>
 
+#include "compiler/base/bits.h"
 #include "compiler/base/text.h"
 
 namespace patina::targets {
@@ -21,7 +21,7 @@ Text integer(double value) {
 Text floating(const Language& language, ir::Scalar scalar, float value) {
     if (!std::isfinite(value)) {
         const std::string bits = fmt::format("{}(0x{:08x}u)", language.bitcast(ir::Scalar::Float, ir::Scalar::Uint),
-                                             std::bit_cast<std::uint32_t>(value));
+                                             bits_as<std::uint32_t>(value));
         if (scalar == ir::Scalar::Float) return {bits, Precedence::Postfix};
         return {fmt::format("{}({})", language.type_name(ir::Type::scalar_of(scalar)), bits), Precedence::Postfix};
     }

@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <map>
 #include <span>
 #include <string_view>
 #include <vector>
+
+#include "compiler/base/bits.h"
 
 namespace patina::assemble {
 namespace {
@@ -111,7 +112,7 @@ private:
             hash.add(block.name).add(block.members[global.member].offset);
         } else if (global.is_keyword()) {
             const ir::Keyword& keyword = module_.keywords[global.keyword];
-            hash.add(keyword.constant_id.value_or(~0u)).add(std::bit_cast<std::uint64_t>(keyword.value));
+            hash.add(keyword.constant_id.value_or(~0u)).add(bits_as<std::uint64_t>(keyword.value));
         }
         return hash;
     }
@@ -175,7 +176,7 @@ private:
         }
         if (inst.op == Op::Constant) {
             for (const double number : module_.numbers_of(module_.constants[inst.data]))
-                hash.add(std::bit_cast<std::uint64_t>(number));
+                hash.add(bits_as<std::uint64_t>(number));
         } else if (inst.op == Op::Global) {
             hash.add(global(module_.globals[inst.data]));
         } else if (inst.op == Op::If) {

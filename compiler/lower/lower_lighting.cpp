@@ -69,7 +69,8 @@ ir::FunctionId lower_lighting(Lowering& lowering, const SlotDecl& declared, cons
     if (!value.ok()) return {};
     scope.watch(ir::Probe::Kind::Output, output.name, {}, value, output.name_span);
     std::erase_if(function.probes, [&](const ir::Probe& probe) {
-        return probe.kind == ir::Probe::Kind::Given && std::ranges::count(function.operands, probe.value) == 0;
+        return probe.kind == ir::Probe::Kind::Given &&
+               std::count(function.operands.begin(), function.operands.end(), probe.value) == 0;
     });
     builder.ret(value.value);
     needs_quad = scope.needs_quad();

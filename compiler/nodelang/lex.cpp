@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
+#include <optional>
+
+#include "compiler/base/text.h"
 
 namespace patina::nodelang {
 namespace {
@@ -59,8 +61,8 @@ bool read_number(std::string_view literal, Token& token) {
         suffix = static_cast<char>(last | 0x20);
         digits.remove_suffix(1);
     }
-    const char* end = digits.data() + digits.size();
     if (is_hex) {
+        const char* end = digits.data() + digits.size();
         std::uint32_t value = 0;
         const auto [stop, error] = std::from_chars(digits.data() + 2, end, value, 16);
         if (error != std::errc() || stop != end) return false;
@@ -69,9 +71,10 @@ bool read_number(std::string_view literal, Token& token) {
         token.number_kind = suffix == 'u' || value > 0x7fffffffu ? NumberKind::Uint : NumberKind::Int;
         return true;
     }
-    const auto [stop, error] = std::from_chars(digits.data(), end, token.number);
-    if (error == std::errc::result_out_of_range) token.number = std::numeric_limits<double>::infinity();
-    if (error != std::errc() || stop != end || !std::isfinite(token.number)) return false;
+    const std::optional<double> number = patina::read_number(digits);
+    if (!number) return false;
+    token.number = *number;
+    if (!std::isfinite(token.number)) return false;
     const bool is_whole = digits.find_first_not_of("0123456789") == std::string_view::npos;
     switch (suffix) {
         case '\0': token.number_kind = is_whole ? NumberKind::Int : NumberKind::Float; break;

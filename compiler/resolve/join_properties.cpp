@@ -1,7 +1,6 @@
 // How the properties of all graphs become the material's: which are one, and in what order they lie. Names and order of
 // nodes do not count: a graph that is laid out anew keeps its block, its slots and its ids.
 #include <algorithm>
-#include <compare>
 #include <map>
 #include <set>
 #include <tuple>
@@ -155,14 +154,15 @@ using AllBrought = std::vector<Brought>;
 
 // By names, which are the interface; by what is shown to artists where those are alike.
 bool comes_before(const AllBrought& a, const AllBrought& b) {
-    const auto compare = [&](auto key) {
-        return std::lexicographical_compare_three_way(
-            a.begin(), a.end(), b.begin(), b.end(),
-            [&](const Brought& x, const Brought& y) { return key(*x.property) <=> key(*y.property); });
+    const auto less = [](const AllBrought& some, const AllBrought& others, auto key) {
+        return std::lexicographical_compare(
+            some.begin(), some.end(), others.begin(), others.end(),
+            [&](const Brought& x, const Brought& y) { return key(*x.property) < key(*y.property); });
     };
-    const auto by_name = compare([](const Property& p) { return std::tie(p.name); });
-    if (by_name != 0) return by_name < 0;
-    return compare([](const Property& p) { return std::tie(p.label, p.group, p.help); }) < 0;
+    const auto name = [](const Property& p) { return std::tie(p.name); };
+    if (less(a, b, name)) return true;
+    if (less(b, a, name)) return false;
+    return less(a, b, [](const Property& p) { return std::tie(p.label, p.group, p.help); });
 }
 
 class Collector {

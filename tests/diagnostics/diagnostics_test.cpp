@@ -1,7 +1,7 @@
-// Each folder beside this file is named for a code of diagnostics.def and holds the smallest inputs that provoke it.
-// Every *.graph.json and *.scene.json in it is checked by `patina check`, or, where the folder has a file `commands`,
-// each of its lines is run in a copy of the folder. What is printed is compared with expected.txt: place, caret, words,
-// suggestion, exit code.
+// Each folder next to this file is named for a code, of diagnostics.def (the compiler) or of complaints.def (the
+// command, the importers and the runtime), and holds the smallest inputs that provoke it. Every *.graph.json and
+// *.scene.json in it is checked by `patina check`, or, where the folder has a file `commands`, each of its lines is run
+// in a copy of the folder. What is printed is compared with expected.txt: place, caret, words, suggestion, exit code.
 #include "compiler/base/diagnostics.h"
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <sstream>
 #include <vector>
 
+#include "patina/complaints.h"
 #include "patina/validate.h"
 #include "tests/support/received.h"
 
@@ -22,7 +23,23 @@ constexpr std::pair<std::string_view, std::string_view> kExempt[] = {
     {"downstream-error",
      "a shader that another compiler refuses is a fault of the printers; validate_test.cpp makes one"},
     {"internal", "a library without one of its slots cannot be built"},
+    {"not-imported", "no importer leaves anything out so far"},
 };
+
+// Codes of both tables.
+std::set<std::string_view> known_codes() {
+    std::set<std::string_view> codes;
+    for (const CodeInfo& info : all_codes()) codes.insert(info.name);
+    for (const std::string_view code : complaint_codes()) codes.insert(code);
+    return codes;
+}
+
+// A command ends with 0 or 1, or, if what is wrong is not a file's fault, with the usage's or the machine's code.
+bool is_expected_exit(const std::string& code, int exit) {
+    if (code == "usage" || code == "bad-value") return exit == 1 || exit == 2;
+    if (code == "missing-program") return exit == 3;
+    return exit == 0 || exit == 1;
+}
 
 bool is_exempt(std::string_view code) {
     return std::any_of(std::begin(kExempt), std::end(kExempt), [&](const auto& row) { return row.first == code; });
@@ -78,7 +95,7 @@ TEST_P(DiagnosticFolder, PrintsWhatIsExpected) {
     std::string text;
     for (const std::string& command : commands_of(folder)) {
         const Ran ran = run(command, folder);
-        EXPECT_TRUE(ran.exit == 0 || ran.exit == 1) << command << " ended with " << ran.exit << "\n" << ran.output;
+        EXPECT_TRUE(is_expected_exit(code, ran.exit)) << command << " ended with " << ran.exit << "\n" << ran.output;
         text += "$ " + command + "\n" + ran.output + "exit " + std::to_string(ran.exit) + "\n\n";
     }
     EXPECT_NE(text.find("[" + code + "]"), std::string::npos) << "nothing here provokes the code:\n" << text;
@@ -117,25 +134,24 @@ INSTANTIATE_TEST_SUITE_P(All, DiagnosticFolder, ::testing::ValuesIn(folders()), 
 
 TEST(DiagnosticFolders, OneForEachCode) {
     const std::vector<std::string> names = folders();
-    for (const CodeInfo& info : all_codes()) {
-        const bool has_folder = std::find(names.begin(), names.end(), info.name) != names.end();
-        EXPECT_NE(has_folder, is_exempt(info.name))
-            << info.name << (has_folder ? " is exempt, but has a folder" : " needs an example in tests/diagnostics");
+    for (const std::string_view code : known_codes()) {
+        const bool has_folder = std::find(names.begin(), names.end(), code) != names.end();
+        EXPECT_NE(has_folder, is_exempt(code))
+            << code << (has_folder ? " is exempt, but has a folder" : " needs an example in tests/diagnostics");
     }
     for (const std::string& name : names) {
-        const auto codes = all_codes();
-        const bool exists = std::any_of(codes.begin(), codes.end(), [&](const CodeInfo& c) { return c.name == name; });
-        EXPECT_TRUE(exists) << name << " is not a code of diagnostics.def";
+        EXPECT_TRUE(known_codes().contains(name)) << name << " is not a code of diagnostics.def or complaints.def";
     }
 }
 
 // What is wrong with the command itself is said before any file is looked for, and ends with 2.
 TEST(Usage, IsRefusedWithWhatIsWrong) {
     const std::pair<std::string, std::string> cases[] = {
-        {"plain.graph.json -t glsl,,hlsl", "--target: '' is not a target: use one of glsl, hlsl, spirv and unity"},
-        {"plain.graph.json -t glsl -t hlsl,", "--target: '' is not a target: use one of glsl, hlsl, spirv and unity"},
-        {"plain.graph.json -t glsl,metal", "--target: 'metal' is not a target: use one of glsl, hlsl, spirv and unity"},
-        {"plain.graph.json --dump ,tidy", "--dump: '' is not a stage: use one of graph, ir, linked, tidy and rates"},
+        {"plain.graph.json -t glsl,,hlsl", "--target: '' is not a target; these exist: glsl, hlsl, spirv and unity"},
+        {"plain.graph.json -t glsl -t hlsl,", "--target: '' is not a target; these exist: glsl, hlsl, spirv and unity"},
+        {"plain.graph.json -t glsl,metal",
+         "--target: 'metal' is not a target; these exist: glsl, hlsl, spirv and unity"},
+        {"plain.graph.json --dump ,tidy", "--dump: '' is not a stage; these exist: graph, ir, linked, tidy and rates"},
         {"a/plain.graph.json b/plain.graph.json",
          "GRAPH: 'a/plain.graph.json' and 'b/plain.graph.json' would both write plain.*: compile them into different "
          "folders"},

@@ -1,10 +1,12 @@
-// patina check: everything that compile does, and both other compilers, but nothing is written. A node file is read,
-// and its test lines are run; a pass file is read, and compiled for some material; a scene is read, and everything
-// about it is checked but its picture.
+// patina check: compiles a graph and has glslang and spirv-val check the shaders, but writes nothing. A node file is
+// read and its test lines are run. A pass file is read and compiled for a small material. A scene is read, and
+// everything in it is checked, but nothing is drawn.
+#include <fmt/format.h>
+
 #include <memory>
 
-#include "compiler/base/text.h"
 #include "compiler/cli/commands/commands.h"
+#include "compiler/cli/files.h"
 #include "patina/validate.h"
 
 namespace patina::cli {
@@ -18,7 +20,7 @@ struct Arguments {
     PathOptions path;
 };
 
-// Compiles a graph and has its shaders proved. The result is not ok if either fails.
+// Compiles a graph and validates its shaders. The result is not ok if either fails.
 Result check_shaders(const Console& console, const Compiler& compiler, const std::string& graph,
                      const CompileOptions& options) {
     Result result = compiler.compile_file(graph, options);
@@ -46,7 +48,7 @@ bool check_graph(const Console& console, const Compiler& compiler, const Argumen
     return check_shaders(console, compiler, graph, options).ok;
 }
 
-// A pass file by itself: with the smallest material that it could draw, of which nothing is said.
+// A pass file by itself, compiled for the smallest material. Messages about that material are left out.
 bool check_pass_file(const Console& console, const Compiler& compiler, const Arguments& arguments,
                      const std::string& file) {
     CompileOptions options = options_of(arguments);
@@ -67,9 +69,8 @@ bool check_pass_file(const Console& console, const Compiler& compiler, const Arg
     return ok;
 }
 
-std::string written(const std::vector<double>& values) {
-    std::string text;
-    for (const double value : values) text += (text.empty() ? "" : ", ") + shortest(value);
+std::string as_text(const std::vector<double>& values) {
+    const std::string text = fmt::format("{}", fmt::join(values, ", "));
     return values.size() == 1 ? text : "(" + text + ")";
 }
 
@@ -83,9 +84,7 @@ bool check_node_file(const Console& console, const Compiler& compiler, const Arg
     for (const NodeTest& test : result.tests) {
         if (passed(test)) continue;
         ok = false;
-        Diagnostic failure;
-        failure.code = "failed-test";
-        failure.message = test.text + ": it is " + written(test.actual);
+        Diagnostic failure = complaint(Complaint::FailedTest, {test.text, as_text(test.actual)});
         failure.file = test.file;
         failure.line = test.line;
         failure.column = 1;
@@ -97,8 +96,8 @@ bool check_node_file(const Console& console, const Compiler& compiler, const Arg
 
 }  // namespace
 
-void add_check(Program& program, SceneCheck check_scene) {
-    CLI::App& command = add_command(program, "check", "Look for mistakes in graphs; writes nothing",
+void add_check(Program& program) {
+    CLI::App& command = add_command(program, "check",
                                     {"patina check rust.graph.json", "patina check art/*.graph.json --quiet",
                                      "patina check rust.graph.json --diagnostics=json", "patina check wave.node.hlsl",
                                      "patina check mine.pass.hlsl"});
@@ -111,7 +110,7 @@ void add_check(Program& program, SceneCheck check_scene) {
     add_path_options(command, arguments->path);
     add_include_option(command, arguments->include_dirs);
 
-    set_work(program, command, [arguments, check_scene](const Console& console) {
+    set_work(program, command, [arguments, check_scene = program.check_scene](const Console& console) {
         const Compiler compiler;
         Exit exit = Exit::Ok;
         for (std::size_t i = 0; i < arguments->graphs.size(); ++i) {

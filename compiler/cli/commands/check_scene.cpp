@@ -1,4 +1,4 @@
-// patina check of a scene: what rendering it would say, and no picture.
+// patina check of a scene: everything that rendering it would complain about, without drawing.
 #include "compiler/cli/commands/commands.h"
 #include "runtime/render/render_world.h"
 #include "runtime/scene/world_file.h"
@@ -14,7 +14,7 @@ bool check_scene(const Console& console, const Compiler& compiler, const std::st
         compiler, file.world,
         {.path = options.path, .switches = options.switches, .include_dirs = options.include_dirs});
     report(console, outcome.diagnostics);
-    if (!outcome.error.empty()) complain(console, "cannot-render", outcome.error);
+    if (!outcome.error.empty()) complain(console, Complaint::CannotRender, {outcome.error});
     return outcome.ok;
 }
 

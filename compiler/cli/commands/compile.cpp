@@ -1,11 +1,10 @@
-// patina compile: graphs to shader files and their reflection.
+// patina compile: turns graphs into shader files and their reflection.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 #include <memory>
 
-#include "compiler/base/text.h"
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/commands/compile_variants.h"
 #include "compiler/cli/files.h"
@@ -97,7 +96,7 @@ std::string spirv_name(const Shader& shader) {
     return shader.file_name.substr(0, shader.file_name.rfind('.')) + ".spv";
 }
 
-// Adds the shader's files; false if another compiler refuses it, which has been reported.
+// Adds the shader's files. False: glslang or spirv-val refuses it, and that has been reported.
 bool add_shader(const Console& console, const Arguments& arguments, const Shader& shader, OutputFiles& files) {
     if (contains(arguments.written, shader.target)) {
         files.add(join_path(arguments.folder, shader.file_name), shader.text);
@@ -121,9 +120,7 @@ bool has_own_names(const Console& console, const std::string& graph, std::span<c
         if (shader.listed_as.empty()) continue;
         const auto [found, is_new] = shader_names.emplace(shader.listed_as, graph);
         if (is_new || found->second == graph) continue;
-        complain(console, "taken-name",
-                 fmt::format("'{}' and '{}' would both write the shader \"{}\": give one of them another \"name\"",
-                             found->second, graph, shader.listed_as));
+        complain(console, Complaint::TakenName, {found->second, graph, shader.listed_as});
         return false;
     }
     return true;
@@ -133,7 +130,7 @@ Exit write(const Console& console, const Arguments& arguments, const std::string
            std::span<const std::string> dependencies, OutputFiles files) {
     if (arguments.depfile) files.add(join_path(arguments.folder, stem(graph)) + ".d", make_rule(target, dependencies));
     if (std::string error = commit(files); !error.empty()) {
-        complain(console, "cannot-write", error);
+        complain(console, Complaint::CannotWrite, {error});
         return Exit::Wrong;
     }
     for (const OutputFile& file : files.files) say(console, file.path);
@@ -181,7 +178,7 @@ Exit compile_graph(const Console& console, const Arguments& arguments, const Com
 
 void add_compile(Program& program) {
     CLI::App& command = add_command(
-        program, "compile", "Compile graphs to shaders",
+        program, "compile",
         {"patina compile rust.graph.json -o out", "patina compile *.graph.json -t glsl --validate -o out",
          "patina compile rust.graph.json -t spirv -o out --depfile",
          "patina compile rust.graph.json -t unity -o Assets/Shaders   # 'patina engines' lists what there is",
@@ -194,31 +191,37 @@ void add_compile(Program& program) {
                      "glsl, hlsl, spirv, or an engine, with commas between (glsl,hlsl)",
                      [](const std::string&) { return std::string(); })
         ->type_name("TARGETS");
-    command.add_option("-o,--output", arguments->folder, "Folder to write to, made if missing (.)")->type_name("DIR");
-    command.add_flag("--validate", arguments->validate, "Prove the shaders with glslang and spirv-val");
-    command.add_flag("--depfile", arguments->depfile, "Write NAME.d: what NAME.reflect.json was made from, for ninja");
+    command
+        .add_option("-o,--output", arguments->folder,
+                    "Folder to write to, which is made if it is missing; default: the current folder")
+        ->type_name("DIR");
+    command.add_flag("--validate", arguments->validate, "Check the shaders with glslang and spirv-val");
+    command.add_flag("--depfile", arguments->depfile,
+                     "Write NAME.d, a list of the files that NAME.reflect.json was made from, for ninja");
     add_words_option(command, "--dump", arguments->dump,
-                     "Print a stage: graph, ir, linked, tidy, rates; writes files only with -o",
+                     "Print a stage of the compilation: graph, ir, linked, tidy, rates; files are written only with -o",
                      one_of("a stage", {"graph", "ir", "linked", "tidy", "rates"}))
         ->type_name("STAGE");
     add_path_options(command, arguments->path);
     CLI::Option* variants =
         command
             .add_option("--variants", arguments->variants.wanted,
-                        "Compile the graph's variants, each different shader once: all combinations, those that the "
-                        "graph lists, or those that differ; NAME.variants.json tells which is which")
+                        "Compile the graph's variants: all combinations, those that the graph lists, or those that "
+                        "differ. Each different shader is written once; NAME.variants.json says which belongs to "
+                        "which combination")
             ->type_name("all|listed|reachable")
             ->check(one_of("a choice of variants", {"all", "listed", "reachable"}));
     command
         .add_option("--variants-limit", arguments->variants.limit,
-                    fmt::format("Refuse more combinations than this ({})", kVariantLimit))
+                    fmt::format("Refuse a graph with more combinations; default: {}", kVariantLimit))
         ->type_name("N")
         ->check(CLI::Range(std::size_t{1}, kMostVariants))
         ->needs(variants);
     CLI::Option* functions =
         command
             .add_option("--functions", arguments->functions,
-                        "Write functions for shaders of your own instead: what they declare begins with PREFIX")
+                        "Write functions for shaders of your own instead of whole shaders; every name in them begins "
+                        "with PREFIX")
             ->type_name("PREFIX")
             ->check([](const std::string& prefix) { return prefix.empty() ? "it needs a prefix" : ""; });
     functions->excludes(command.get_option("--path"));
@@ -229,20 +232,20 @@ void add_compile(Program& program) {
 
     set_work(program, command, [arguments](const Console& console) {
         if (console.json && !arguments->dump.empty()) {
-            complain(console, "usage", "--dump and --diagnostics=json would mix their texts on standard output");
+            complain(console, Complaint::MixedOutput, {});
             return Exit::Usage;
         }
         if (!arguments->functions.empty() && arguments->wants("spirv")) {
-            complain(console, "usage", "functions have no main, and without one there is no SPIR-V");
+            complain(console, Complaint::FunctionsAsSpirv, {});
             return Exit::Usage;
         }
         const Compiler compiler;
         if (const std::string why = read_targets(*arguments, compiler); !why.empty()) {
-            complain(console, "usage", "--target: " + why);
+            complain(console, Complaint::Usage, {"--target: " + why});
             return Exit::Usage;
         }
         if (const std::string why = not_for_engine(*arguments, compiler); !why.empty()) {
-            complain(console, "usage", why);
+            complain(console, Complaint::Usage, {why});
             return Exit::Usage;
         }
         ShaderNames shader_names;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kShortHash = 8;
 
-// Hash -> as much of it as tells it from all others.
+// Shortens hashes: to as many digits as make each different from the others.
 class ShortHashes {
 public:
     std::string name(const std::string& hash) {
@@ -53,7 +53,7 @@ std::string announcement(const VariantPlan& plan, double count) {
     return plan.fixed > 0 ? text + ": -D fixes all variants" : "it has no variants; " + text;
 }
 
-// The programs' files, in the order of the set.
+// A program's files.
 struct Written {
     std::string hash;  // short
     std::string reflection;
@@ -152,10 +152,10 @@ Exit make_variants(const Console& console, const Compiler& compiler, const std::
     report(console, plan.diagnostics);
     if (!plan.ok) return Exit::Wrong;
     const std::string name = stem(graph);
-    const bool is_told = wanted.wanted == to_string(VariantsWanted::Reachable) && !plan.axes.empty();
+    const bool is_counted = wanted.wanted == to_string(VariantsWanted::Reachable) && !plan.axes.empty();
     remark(console, graph + ": " +
-                        (is_told ? counted(plan.count, "combination") + " can be reached"
-                                 : announcement(plan, static_cast<double>(plan.count))));
+                        (is_counted ? counted(plan.count, "combination") + " can be reached"
+                                    : announcement(plan, static_cast<double>(plan.count))));
     VariantSet set = compiler.compile_variants(
         graph, plan, options, [&](std::size_t done) { show_progress(console, done, plan.count, graph); });
     end_progress(console);
@@ -168,7 +168,7 @@ Exit make_variants(const Console& console, const Compiler& compiler, const std::
     for (VariantProgram& program : set.programs) {
         Written& made = written.emplace_back();
         made.hash = programs.name(program.hash);
-        // A file that holds all programs has no hash in its name.
+        // A file that holds all programs, as Unity's does, has no hash in its name.
         const bool is_hashed = std::any_of(program.result.shaders.begin(), program.result.shaders.end(),
                                            [](const Shader& s) { return !s.hash.empty(); });
         made.reflection = with_hash(name + ".reflect.json", name, is_hashed ? made.hash : "");

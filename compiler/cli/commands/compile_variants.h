@@ -1,4 +1,5 @@
-// patina compile --variants: every combination of a graph's variants, each different shader once, and a manifest.
+// patina compile --variants: compiles the combinations of a graph's variants. Each different shader is written once; a
+// manifest says which shaders each combination uses.
 #pragma once
 
 #include <string>
@@ -10,14 +11,14 @@
 namespace patina::cli {
 
 struct VariantOptions {
-    std::string wanted{};  // all | listed | reachable; empty: no variants but the one that is asked for
+    std::string wanted{};  // all | listed | reachable; empty: one variant only
     std::size_t limit = kVariantLimit;
 };
 
-// What is written of one shader: false after a complaint.
+// Adds the files of one shader; false: it is wrong, and that has been reported.
 using AddShader = std::function<bool(const Shader& shader, OutputFiles& files)>;
 
-// The files of a graph's variants, its manifest `folder`/NAME.variants.json last.
+// Makes the files of a graph's variants. The last one is the manifest, `folder`/NAME.variants.json.
 Exit make_variants(const Console& console, const Compiler& compiler, const std::string& graph,
                    const VariantOptions& wanted, const CompileOptions& options, const std::string& folder,
                    const AddShader& add, OutputFiles& files, std::vector<std::string>& dependencies);

@@ -1,5 +1,5 @@
-// patina docs: the reference as Markdown, a page for each node and lighting model, an index of each kind, and
-// one page of semantics.
+// patina docs: the reference as Markdown. It has a page for each node and each lighting model, an index of each kind,
+// and one page of semantics.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ using Pages = std::map<std::string, std::string>;  // path below the folder -> t
 constexpr const char* kIndex = "README.md";
 constexpr const char* kFolders[] = {"nodes", "models"};
 
-// Pictures that lie beside the pages (scripts/pictures draws them) go before the section that says where it is used.
+// If scripts/pictures has drawn a picture of the node or model, it goes before the section "In a graph".
 void add_picture(Page& page, const std::string& folder, const std::string& name, std::string_view caption) {
     if (!fs::exists(folder + "/" + name)) return;
     const auto before = std::ranges::find(page.sections, "In a graph", &Section::title);
@@ -74,7 +74,7 @@ void add_models(Pages& pages, const Compiler& compiler, const std::string& folde
     pages[std::string("models/") + kIndex] = index;
 }
 
-// What a material or a lighting graph reads with '@'.
+// The page of semantics: what a material or a lighting graph reads with '@'.
 void add_semantics(Pages& pages, const Compiler& compiler) {
     struct Rate {
         std::string_view name, title, text;
@@ -107,7 +107,7 @@ void add_semantics(Pages& pages, const Compiler& compiler) {
     pages["semantics.md"] = text;
 }
 
-// Pages that were written here once and that nothing makes any more.
+// Pages that an earlier version wrote, of nodes and models that no longer exist.
 std::vector<std::string> stale(const Pages& pages, const std::string& folder) {
     std::vector<std::string> paths;
     for (const char* kind : kFolders) {
@@ -133,7 +133,7 @@ Exit compare(const Console& console, const Pages& pages, const std::string& fold
     }
     for (const std::string& path : stale(pages, folder)) different.push_back(path);
     for (const std::string& path : different) {
-        complain(console, "stale-page", join_path(folder, path) + " is not what 'patina docs " + folder + "' writes");
+        complain(console, Complaint::StalePage, {join_path(folder, path), folder});
     }
     return different.empty() ? Exit::Ok : Exit::Wrong;
 }
@@ -148,7 +148,7 @@ Exit write_docs(const Console& console, const Arguments& arguments) {
     OutputFiles files;
     for (const auto& [path, text] : pages) files.add(join_path(arguments.folder, path), text);
     if (std::string error = commit(files); !error.empty()) {
-        complain(console, "cannot-write", error);
+        complain(console, Complaint::CannotWrite, {error});
         return Exit::Wrong;
     }
     for (const std::string& path : stale(pages, arguments.folder)) {
@@ -162,17 +162,16 @@ Exit write_docs(const Console& console, const Arguments& arguments) {
 }  // namespace
 
 void add_docs(Program& program) {
-    CLI::App& command =
-        add_command(program, "docs", "Write the reference of nodes, lighting models and semantics as Markdown",
-                    {"patina docs docs", "patina docs docs --check"});
+    CLI::App& command = add_command(program, "docs", {"patina docs docs", "patina docs docs --check"});
     auto arguments = std::make_shared<Arguments>();
     command
         .add_option(
             "DIR", arguments->folder,
-            "Gets nodes/*.md, models/*.md and semantics.md; pages of nodes and models that are gone are removed")
+            "Folder for nodes/*.md, models/*.md and semantics.md; pages of nodes and models that no longer exist are "
+            "removed")
         ->required()
         ->type_name(" ");
-    command.add_flag("--check", arguments->check, "Write nothing; exit code 1 if a page is not what would be written");
+    command.add_flag("--check", arguments->check, "Write nothing; exit 1 if a page differs from what would be written");
     set_work(program, command, [arguments](const Console& console) { return write_docs(console, *arguments); });
 }
 

@@ -41,8 +41,7 @@ Exit list_engines(const Console& console, bool json) {
 }  // namespace
 
 void add_engines(Program& program) {
-    CLI::App& command = add_command(program, "engines", "List the engines that shaders can be made for",
-                                    {"patina engines", "patina engines --json"});
+    CLI::App& command = add_command(program, "engines", {"patina engines", "patina engines --json"});
     auto json = std::make_shared<bool>(false);
     command.add_flag("--json", *json, "Print everything about each engine as JSON");
     set_work(program, command, [json](const Console& console) { return list_engines(console, *json); });

@@ -1,4 +1,4 @@
-// patina eval: what one node, one lighting term or one lighting model computes, by the CPU reference.
+// patina eval: computes one node, one lighting term or one lighting model with the CPU interpreter.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -17,13 +17,13 @@ namespace patina::cli {
 namespace {
 
 struct Arguments {
-    std::vector<std::string> words;  // a node, unless a term or a model is asked for; then name=value
+    std::vector<std::string> words;  // the node, unless there is a term or a model; then NAME=VALUE
     std::string term, model, workflow = "metallic-roughness";
     bool single = false;
     bool json = false;
 };
 
-// `all_digits`: so many that they read back as the same double.
+// `all_digits`: enough that the text reads back as the same double.
 std::string as_text(const EvalOutput& output, bool all_digits) {
     std::string text;
     for (double value : output.values) {
@@ -59,13 +59,13 @@ Outputs evaluate_node(const Console& console, const Arguments& arguments, const 
 Outputs evaluate_term(const Console& console, const Arguments& arguments, const Compiler& compiler,
                       const Values& values) {
     TermResult result = cli::evaluate_term(compiler, arguments.term, values, arguments.single);
-    if (!result.error.empty()) complain(console, "bad-term", result.error);
+    if (!result.error.empty()) complain(console, Complaint::BadTerm, {result.error});
     if (result.error.empty()) report(console, result.diagnostics);
     if (!result.ok) return {};
     return std::move(result.outputs);
 }
 
-// Three numbers, or one for all three; or nothing.
+// "0,0,1", or one number for all three; nothing if the text is neither.
 std::optional<runtime::Triple> read_triple(const std::string& text) {
     const std::optional<std::vector<double>> numbers = runtime::read_numbers(text);
     if (!numbers || (numbers->size() != 1 && numbers->size() != 3)) return {};
@@ -81,7 +81,7 @@ Outputs evaluate_model(const Console& console, const Arguments& arguments, const
     std::set<std::string> given;
     for (const auto& [name, text] : values) {
         if (!given.insert(name).second) {
-            complain(console, "bad-value", fmt::format("'{}' is given twice", name));
+            complain(console, Complaint::GivenTwice, {name});
             return {};
         }
         const auto triple = triples.find(name);
@@ -92,8 +92,7 @@ Outputs evaluate_model(const Console& console, const Arguments& arguments, const
         const std::optional<runtime::Triple> numbers = read_triple(text);
         const bool is_direction = name.size() == 1;
         if (!numbers || (is_direction && *numbers == runtime::Triple{})) {
-            complain(console, "bad-value",
-                     fmt::format("'{}' is three numbers{}, not '{}'", name, is_direction ? ", not all 0" : "", text));
+            complain(console, Complaint::NotThreeNumbers, {name, is_direction ? " that are not all 0" : "", text});
             return {};
         }
         *triple->second = *numbers;
@@ -105,7 +104,7 @@ Outputs evaluate_model(const Console& console, const Arguments& arguments, const
     return std::vector<EvalOutput>{{.name = "out", .type = "float3", .values = {color.begin(), color.end()}}};
 }
 
-// --- all of it
+// --- the command
 
 void print_outputs(const Arguments& arguments, const std::vector<EvalOutput>& outputs) {
     const bool all_digits = !arguments.term.empty();
@@ -129,18 +128,18 @@ Exit evaluate(const Console& console, const Arguments& arguments) {
         } else if (is_node && node.empty() && values.empty()) {
             node = word;
         } else {
-            complain(console, "bad-value", "'" + word + "' is not of the form name=value");
+            complain(console, Complaint::NotNameAndValue, {word});
             return Exit::Usage;
         }
     }
     if (is_node && node.empty()) {
-        complain(console, "bad-value", "say which node, --term or --model");
+        complain(console, Complaint::NothingToEvaluate, {});
         return Exit::Usage;
     }
     std::string error;
     const std::vector<Axis> axes = axes_of(values, error);
     if (!error.empty()) {
-        complain(console, "bad-value", error);
+        complain(console, Complaint::BadValue, {error});
         return Exit::Usage;
     }
     const Compiler compiler;
@@ -167,7 +166,7 @@ Exit evaluate(const Console& console, const Arguments& arguments) {
 
 void add_eval(Program& program) {
     CLI::App& command = add_command(
-        program, "eval", "Compute one node, lighting term or lighting model on the CPU",
+        program, "eval",
         {"patina eval Lerp from=0 to=10 t=0.25", "patina eval NdotL normal=0,0,1 light_dir=0,0.6,0.8",
          "patina eval DistributionGGX ndoth=0.9 alpha=0.25 --json",
          "patina eval DistributionGGX ndoth=0..1:101 alpha=0.25 >ggx.csv", "patina eval wave.node.hlsl uv=0.5,0.5",
@@ -176,22 +175,26 @@ void add_eval(Program& program) {
          "patina eval --term D_GGX a2=0.1 NoH=0.9"});
     auto arguments = std::make_shared<Arguments>();
     command
-        .add_option("NODE NAME=VALUE", arguments->words,
-                    "A node of the library or the file of one (.node.hlsl), and its inputs as a graph writes them: "
-                    "0.5, 0,0,1, #ff8800, true, a word; FROM..TO:COUNT makes a table")
+        .add_option(
+            "NODE NAME=VALUE", arguments->words,
+            "A node of the library or its file (.node.hlsl), and its inputs as a graph writes them: 0.5, 0,0,1, "
+            "#ff8800, true, a word. FROM..TO:COUNT makes a table")
         ->type_name(" ");
     CLI::Option* model = command.add_option(
         "--model", arguments->model,
-        "A lighting model or the file of one: what it sends to the viewer, for one light of E/pi = 1. Inputs: n, l, v, "
-        "t (normal, to the light, to the viewer, tangent), light, ambient (E/pi), environment (radiance), and the "
-        "surface's and the model's own");
-    command.add_option("--workflow", arguments->workflow, "What the surface of --model is described by")->needs(model);
+        "A lighting model or its file: computes the light that reaches the viewer from one light of E/pi = 1. Inputs: "
+        "n, l, v, t (normal, direction to the light, direction to the viewer, tangent), light, ambient (E/pi), "
+        "environment (radiance), and the inputs of the surface and of the model");
+    command
+        .add_option("--workflow", arguments->workflow,
+                    "The workflow that describes the surface of --model; default: metallic-roughness")
+        ->needs(model);
     command
         .add_option("--term", arguments->term,
-                    "A term of the lighting reference, by its name and inputs there (compiler/cli/eval/terms.json)")
+                    "A term of the lighting reference, with its name and inputs there; an unknown name lists them")
         ->excludes(model);
     command.add_flag("--float", arguments->single, "Compute in 32-bit float, as a GPU does; default: double");
-    command.add_flag("--json", arguments->json, "Print every output by name with all digits");
+    command.add_flag("--json", arguments->json, "Print every output with its name and all digits");
     set_work(program, command, [arguments](const Console& console) { return evaluate(console, *arguments); });
 }
 

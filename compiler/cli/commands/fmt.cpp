@@ -28,7 +28,7 @@ Exit format_file(const Console& console, const Compiler& compiler, const Argumen
     std::string error;
     const std::optional<std::string> text = read_file(path, error);
     if (!text) {
-        complain(console, "cannot-read", "cannot read '" + path + "': " + error);
+        complain(console, Complaint::CannotRead, {path, error});
         return Exit::Wrong;
     }
     const Compiler::Formatted formatted = compiler.format(path, *text);
@@ -36,11 +36,11 @@ Exit format_file(const Console& console, const Compiler& compiler, const Argumen
     if (!formatted.ok) return Exit::Wrong;
     if (formatted.text == *text) return Exit::Ok;
     if (arguments.check) {
-        complain(console, "not-formatted", "'" + path + "' is not in canonical form: run 'patina fmt' on it");
+        complain(console, Complaint::NotFormatted, {path});
         return Exit::Wrong;
     }
     if (error = replace_file(path, formatted.text); !error.empty()) {
-        complain(console, "cannot-write", error);
+        complain(console, Complaint::CannotWrite, {error});
         return Exit::Wrong;
     }
     say(console, path);
@@ -50,18 +50,18 @@ Exit format_file(const Console& console, const Compiler& compiler, const Argumen
 }  // namespace
 
 void add_fmt(Program& program) {
-    CLI::App& command = add_command(program, "fmt", "Rewrite graphs in canonical form, for diffs and merges",
+    CLI::App& command = add_command(program, "fmt",
                                     {"patina fmt art/*.json", "patina fmt --check art/*.json",
                                      "patina fmt - < rust.graph.json | diff rust.graph.json -"});
     auto arguments = std::make_shared<Arguments>();
-    command.add_option("FILE", arguments->files, "Graphs; - reads standard input and prints")
+    command.add_option("FILE", arguments->files, "Graphs; - reads standard input and prints the result")
         ->required()
         ->type_name(" ");
     command.add_flag("--check", arguments->check, "Change nothing; exit 1 if a file is not in canonical form");
     command.parse_complete_callback([arguments] {
         const bool standard_input = std::ranges::find(arguments->files, "-") != arguments->files.end();
         if (standard_input && (arguments->files.size() > 1 || arguments->check)) {
-            throw CLI::ValidationError("FILE", "- stands alone: without other files and without --check");
+            throw CLI::ValidationError("FILE", "'-' cannot be combined with other files or with --check");
         }
     });
 

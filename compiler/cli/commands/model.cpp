@@ -1,10 +1,9 @@
-// patina models, and patina model NAME: the lighting models of the library, as a list and each with its page.
+// patina models: a list of the library's lighting models. patina model NAME: the manual page of one.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
 
-#include "compiler/base/text.h"
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/pages/library_json.h"
 #include "compiler/cli/pages/pages.h"
@@ -37,13 +36,11 @@ Exit show_model(const Console& console, const Arguments& arguments) {
     const std::vector<ModelInfo>& models = compiler.lighting_models();
     const auto model = std::ranges::find(models, arguments.name, &ModelInfo::name);
     if (model == models.end()) {
-        std::vector<std::string_view> names;
+        std::vector<std::string> names;
         for (const ModelInfo& known : models) names.push_back(known.name);
-        const std::string_view near = nearest(arguments.name, names);
-        complain(
-            console, "unknown-lighting",
-            "there is no lighting model '" + arguments.name + "'" +
-                (near.empty() ? ": there are " + enumerate(names) : "; did you mean '" + std::string(near) + "'?"));
+        const std::string advice = suggestion(arguments.name, names);
+        complain(console, Complaint::UnknownLighting,
+                 {arguments.name, advice.empty() ? "'patina models' lists them" : advice});
         return Exit::Wrong;
     }
     print(arguments.json ? to_json(compiler, *model) : to_terminal(console, model_page(compiler, *model)));
@@ -53,16 +50,14 @@ Exit show_model(const Console& console, const Arguments& arguments) {
 }  // namespace
 
 void add_models(Program& program) {
-    CLI::App& command = add_command(program, "models", "List the lighting models of the library",
-                                    {"patina models", "patina models --json"});
+    CLI::App& command = add_command(program, "models", {"patina models", "patina models --json"});
     auto arguments = std::make_shared<Arguments>();
     command.add_flag("--json", arguments->json, "Print everything about each model as JSON");
     set_work(program, command, [arguments](const Console& console) { return list_models(console, *arguments); });
 }
 
 void add_model(Program& program) {
-    CLI::App& command = add_command(program, "model", "Show the manual page of a lighting model",
-                                    {"patina model unity-brdf1", "patina model lambert --json"});
+    CLI::App& command = add_command(program, "model", {"patina model unity-brdf1", "patina model lambert --json"});
     auto arguments = std::make_shared<Arguments>();
     command.add_option("NAME", arguments->name, "As a material's \"lighting\" names it")->required()->type_name(" ");
     command.add_flag("--json", arguments->json, "Print it as JSON");

@@ -1,4 +1,4 @@
-// patina new: a graph to start from.
+// patina new: writes a graph to start from.
 #include <filesystem>
 #include <memory>
 
@@ -21,7 +21,7 @@ std::vector<std::string> kinds() {
 }
 
 std::string kind_help() {
-    std::string help = "What to start with:";
+    std::string help = "The kind of graph:";
     for (const Template& each : templates()) {
         help += "\n  " + std::string(each.kind) + ": " + std::string(each.summary);
     }
@@ -38,13 +38,13 @@ Exit write_template(const Console& console, const Arguments& arguments) {
         return Exit::Ok;
     }
     if (std::filesystem::exists(arguments.output)) {
-        complain(console, "file-exists", "'" + arguments.output + "' is there already and is not overwritten");
+        complain(console, Complaint::FileExists, {arguments.output});
         return Exit::Wrong;
     }
     OutputFiles files;
     files.add(arguments.output, std::string(text));
     if (std::string error = commit(files); !error.empty()) {
-        complain(console, "cannot-write", error);
+        complain(console, Complaint::CannotWrite, {error});
         return Exit::Wrong;
     }
     say(console, arguments.output);
@@ -54,7 +54,7 @@ Exit write_template(const Console& console, const Arguments& arguments) {
 }  // namespace
 
 void add_new(Program& program) {
-    CLI::App& command = add_command(program, "new", "Start a graph, with comments",
+    CLI::App& command = add_command(program, "new",
                                     {"patina new metal -o pipe.graph.json", "patina new toon -o hero.graph.json",
                                      "patina new lighting -o soft.lighting.json", "patina new unlit    # prints it"});
     auto arguments = std::make_shared<Arguments>();
@@ -62,7 +62,9 @@ void add_new(Program& program) {
         ->required()
         ->type_name(" ")
         ->check(one_of("a kind of graph", kinds()));
-    command.add_option("-o,--output", arguments->output, "File to write, which must not exist; default: print")
+    command
+        .add_option("-o,--output", arguments->output,
+                    "File to write, which must not exist yet; default: print the graph")
         ->type_name("FILE");
     set_work(program, command, [arguments](const Console& console) { return write_template(console, *arguments); });
 }

@@ -1,7 +1,6 @@
 // patina node NAME: the manual page of one node.
 #include <memory>
 
-#include "compiler/base/text.h"
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/pages/library_json.h"
 #include "compiler/cli/pages/pages.h"
@@ -21,7 +20,7 @@ bool is_model(const Compiler& compiler, const std::string& name) {
     return false;
 }
 
-// The node of the library, or that of a user's file; none after a message.
+// A node of the library or of a user's file; nothing after a message.
 std::optional<NodeInfo> find_node(const Console& console, const Compiler& compiler, const std::string& name) {
     if (name.ends_with(".hlsl")) {
         NodeFileResult file = compiler.check_node_file(name);
@@ -29,14 +28,12 @@ std::optional<NodeInfo> find_node(const Console& console, const Compiler& compil
         return file.ok ? std::optional(std::move(file.node)) : std::nullopt;
     }
     if (const NodeInfo* node = compiler.node(name)) return *node;
-    std::string hint = "; 'patina nodes' lists them";
-    std::vector<std::string_view> names;
+    std::vector<std::string> names;
     for (const NodeInfo& known : compiler.nodes()) names.push_back(known.name);
-    if (const std::string_view near = nearest(name, names); !near.empty()) {
-        hint = "; did you mean '" + std::string(near) + "'?";
-    }
-    if (is_model(compiler, name)) hint = ", but a lighting model: 'patina model " + name + "' shows it";
-    complain(console, "unknown-node", "there is no node '" + name + "'" + hint);
+    std::string advice = suggestion(name, names);
+    advice = "; " + (advice.empty() ? "'patina nodes' lists them" : advice);
+    if (is_model(compiler, name)) advice = ", but a lighting model: 'patina model " + name + "' shows it";
+    complain(console, Complaint::UnknownNode, {name, advice});
     return {};
 }
 
@@ -51,9 +48,8 @@ Exit show_node(const Console& console, const Arguments& arguments) {
 }  // namespace
 
 void add_node(Program& program) {
-    CLI::App& command =
-        add_command(program, "node", "Show the manual page of a node",
-                    {"patina node Lerp", "patina node DistributionGGX --json", "patina node wave.node.hlsl"});
+    CLI::App& command = add_command(
+        program, "node", {"patina node Lerp", "patina node DistributionGGX --json", "patina node wave.node.hlsl"});
     auto arguments = std::make_shared<Arguments>();
     command.add_option("NAME", arguments->name, "A node of the library, or the file of one (.node.hlsl)")
         ->required()

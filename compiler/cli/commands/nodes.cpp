@@ -1,10 +1,9 @@
-// patina nodes: what the library holds, as a table by category.
+// patina nodes: the nodes of the library, as a table by category.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
 
-#include "compiler/base/text.h"
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/pages/library_json.h"
 #include "compiler/cli/pages/page.h"
@@ -25,26 +24,23 @@ std::string lower(std::string_view text) {
     return result;
 }
 
-// "lighting" holds "Lighting/Distribution" too.
+// "lighting" also holds "Lighting/Distribution".
 bool is_within(std::string_view category, std::string_view wanted) {
     const std::string whole = lower(category) + '/', part = lower(wanted) + (wanted.ends_with('/') ? "" : "/");
     return wanted.empty() || whole.starts_with(part);
 }
 
 Exit unknown_category(const Console& console, const Compiler& compiler, const std::string& wanted) {
-    std::vector<std::string_view> categories;
+    std::vector<std::string> categories;
     for (const NodeInfo& node : compiler.nodes()) {
-        const std::string_view whole = node.category;
-        for (std::string_view name : {whole, whole.substr(0, whole.find('/'))}) {
+        const std::string& whole = node.category;
+        for (const std::string& name : {whole, whole.substr(0, whole.find('/'))}) {
             if (std::ranges::find(categories, name) == categories.end()) categories.push_back(name);
         }
     }
-    std::ranges::sort(categories);
-    const std::string_view near = nearest(wanted, categories);
-    complain(
-        console, "unknown-category",
-        "there is no category '" + wanted + "'" +
-            (near.empty() ? ": there are " + enumerate(categories) : "; did you mean '" + std::string(near) + "'?"));
+    const std::string advice = suggestion(wanted, categories);
+    complain(console, Complaint::UnknownCategory,
+             {wanted, advice.empty() ? "'patina nodes' shows all of them" : advice});
     return Exit::Wrong;
 }
 
@@ -79,10 +75,10 @@ Exit list_nodes(const Console& console, const Arguments& arguments) {
 }  // namespace
 
 void add_nodes(Program& program) {
-    CLI::App& command = add_command(program, "nodes", "List the nodes of the library",
-                                    {"patina nodes", "patina nodes --category lighting", "patina nodes --json"});
+    CLI::App& command =
+        add_command(program, "nodes", {"patina nodes", "patina nodes --category lighting", "patina nodes --json"});
     auto arguments = std::make_shared<Arguments>();
-    command.add_option("-c,--category", arguments->category, "Only this category and those below it")
+    command.add_option("-c,--category", arguments->category, "List only this category and those inside it")
         ->type_name("CATEGORY");
     command.add_flag("--json", arguments->json, "Print everything about each node as JSON");
     set_work(program, command, [arguments](const Console& console) { return list_nodes(console, *arguments); });

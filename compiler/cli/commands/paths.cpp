@@ -1,10 +1,9 @@
-// patina paths: the rendering paths of the library, each with its passes and what they draw.
+// patina paths: the rendering paths of the library with their passes.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
 
-#include "compiler/base/text.h"
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/pages/library_json.h"
 #include "compiler/cli/pages/page.h"
@@ -30,7 +29,7 @@ std::string target_line(const PassInfo& pass) {
     return text + pass.state.depth_target;
 }
 
-// "opaque and cutout: one, zero": surfaces that blend alike share a line.
+// "opaque and cutout: one, zero": surfaces with the same blending share a line.
 std::vector<std::string> blend_lines(const PassInfo& pass) {
     std::vector<std::pair<std::string, std::vector<std::string_view>>> groups;
     for (const auto& [surface, blend] : pass.blends) {
@@ -68,8 +67,7 @@ Exit list_paths(const Console& console, const std::string& name, bool json) {
         std::erase_if(paths, [&](const PathInfo& path) { return path.name != name; });
         if (paths.empty()) {
             const std::string advice = suggestion(name, known);
-            complain(console, "unknown-word",
-                     fmt::format("there is no path '{}'{}{}", name, advice.empty() ? "" : "; ", advice));
+            complain(console, Complaint::UnknownPath, {name, advice.empty() ? "'patina paths' lists them" : advice});
             return Exit::Wrong;
         }
     }
@@ -87,11 +85,10 @@ Exit list_paths(const Console& console, const std::string& name, bool json) {
 }  // namespace
 
 void add_paths(Program& program) {
-    CLI::App& command = add_command(program, "paths", "List the rendering paths of the library, with their passes",
-                                    {"patina paths", "patina paths deferred", "patina paths --json"});
+    CLI::App& command = add_command(program, "paths", {"patina paths", "patina paths deferred", "patina paths --json"});
     auto json = std::make_shared<bool>(false);
     auto name = std::make_shared<std::string>();
-    command.add_option("PATH", *name, "Only this one")->type_name(" ");
+    command.add_option("PATH", *name, "Show only this path")->type_name(" ");
     command.add_flag("--json", *json, "Print everything about each path as JSON");
     set_work(program, command, [json, name](const Console& console) { return list_paths(console, *name, *json); });
 }

@@ -21,7 +21,7 @@ bool is_picture(std::string_view path) {
     return path.ends_with(".png") || path.ends_with(".exr");
 }
 
-// -o names a picture, or a folder in which each graph gets one.
+// -o names a picture, or a folder for the pictures of all graphs.
 std::string output_of(const Arguments& arguments, const std::string& graph) {
     if (is_picture(arguments.output)) return arguments.output;
     return join_path(arguments.output, stem(graph) + ".png");
@@ -34,26 +34,27 @@ Exit render_graph(const Console& console, const Arguments& arguments, const Comp
     request.progress = [&](double share) { show_share(console, share, graph); };
     const runtime::RenderOutcome outcome = runtime::render(compiler, request, machine);
     report(console, outcome.diagnostics);
-    if (!outcome.error.empty()) complain(console, "cannot-render", outcome.error);
+    if (!outcome.error.empty()) complain(console, Complaint::CannotRender, {outcome.error});
     if (outcome.missing_machine) return Exit::Machine;
     if (!outcome.ok) return Exit::Wrong;
 
     const std::string path = output_of(arguments, graph);
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    std::error_code ignored;  // save_image says why it cannot write
+    std::error_code ignored;  // if this fails, save_image says why
     if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
     if (std::string error = runtime::save_image(path, outcome.image); !error.empty()) {
-        complain(console, "cannot-write", error);
+        complain(console, Complaint::CannotWrite, {error});
         return Exit::Wrong;
     }
     say(console, path);
     return Exit::Ok;
 }
 
-// Everything that can be known to be wrong before the first graph is read.
+// Checks what can be wrong before the first graph is read.
 void complete(Arguments& arguments, bool has_mesh) {
     if (arguments.path.path == "all")
-        throw CLI::ValidationError("--path", "a picture is drawn along one path; 'patina compile' takes all of them");
+        throw CLI::ValidationError("--path",
+                                   "a picture is drawn along one path: name one; 'patina compile' takes 'all'");
     for (const std::string& graph : arguments.graphs) {
         if (has_mesh && graph.ends_with(".scene.json"))
             throw CLI::ValidationError("--mesh", "'" + graph + "' is a scene, which has meshes of its own");
@@ -62,10 +63,10 @@ void complete(Arguments& arguments, bool has_mesh) {
     const std::string ending = std::filesystem::path(arguments.output).extension().string();
     if (!ending.empty() && !is_picture(arguments.output) && !std::filesystem::is_directory(arguments.output)) {
         throw CLI::ValidationError("--output",
-                                   "'" + arguments.output + "' is neither a .png nor an .exr file nor a folder");
+                                   "'" + arguments.output + "' is not a .png file, an .exr file or a folder");
     }
     if (arguments.graphs.size() > 1 && is_picture(arguments.output)) {
-        throw CLI::ValidationError("--output", "several graphs need a folder, not one picture");
+        throw CLI::ValidationError("--output", "several graphs cannot share one picture: name a folder");
     }
     refuse_equal_outputs(arguments.graphs, ".png", "render");
 }
@@ -74,7 +75,7 @@ void complete(Arguments& arguments, bool has_mesh) {
 
 void add_render(Program& program) {
     CLI::App& command = add_command(
-        program, "render", kRenderSummary,
+        program, "render",
         {"patina render rust.graph.json -o rust.png --mesh torus --size 256",
          "patina render rust.graph.json --set _Roughness=0.2 --set _MainTex=other.png",
          "patina render rust.graph.json --node mask -o mask.png", "patina render *.graph.json -o pictures",
@@ -84,23 +85,24 @@ void add_render(Program& program) {
     runtime::RenderRequest& request = arguments->request;
     command
         .add_option("GRAPH", arguments->graphs,
-                    "Material graphs and scenes (JSON); a scene has meshes and values of its own, and no --mesh, --set "
-                    "or --node")
+                    "Material graphs and scenes (JSON). A scene has meshes and values of its own: --mesh, --set and "
+                    "--node are for graphs")
         ->required()
         ->type_name(" ");
     command.add_option("-o,--output", arguments->output, "A .png or .exr file, or a folder (NAME.png)")
         ->type_name("OUT");
     command
         .add_option("--node", request.preview,
-                    "Show this port, unlit: mask, rust.amount, or layers/mask in a sub-graph")
+                    "Show this port, unlit: mask, rust.amount, or layers/mask inside a sub-graph")
         ->type_name("PORT")
         ->check([](const std::string& port) { return port.empty() ? std::string("it is empty") : std::string(); });
     add_picture_options(command, arguments->set, request);
     add_path_options(command, arguments->path);
-    command.add_option("--via", request.via, "Which shaders to run (glsl)")
+    command.add_option("--via", request.via, "Which shaders to run; default: glsl")
         ->type_name("glsl|hlsl|cpu")
         ->check(one_of("a way to render", {"glsl", "hlsl", "cpu"}));
-    command.add_option("--device", request.device, "Part of a GPU's name (the software renderer)")->type_name("NAME");
+    command.add_option("--device", request.device, "Part of a GPU's name; default: the software renderer")
+        ->type_name("NAME");
     command.add_flag("--vulkan-validation", request.validation, "Turn on the Khronos validation layer");
     command.parse_complete_callback(
         [arguments, mesh = command.get_option("--mesh")] { complete(*arguments, mesh->count() > 0); });

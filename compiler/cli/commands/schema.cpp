@@ -1,4 +1,4 @@
-// patina schema: the JSON Schema of the graph format, from the node library.
+// patina schema: the JSON Schema of the graph format, with the nodes of the library.
 #include <memory>
 
 #include "compiler/cli/commands/commands.h"
@@ -7,11 +7,10 @@
 namespace patina::cli {
 
 void add_schema(Program& program) {
-    CLI::App& command =
-        add_command(program, "schema", "Print the JSON Schema of graphs, for editors",
-                    {"patina schema > patina.schema.json", "patina schema -o .vscode/patina.schema.json"});
+    CLI::App& command = add_command(
+        program, "schema", {"patina schema > patina.schema.json", "patina schema -o .vscode/patina.schema.json"});
     auto output = std::make_shared<std::string>();
-    command.add_option("-o,--output", *output, "File to write instead of printing")->type_name("FILE");
+    command.add_option("-o,--output", *output, "File to write; default: print the schema")->type_name("FILE");
 
     set_work(program, command, [output](const Console& console) {
         const Compiler compiler;
@@ -24,7 +23,7 @@ void add_schema(Program& program) {
         OutputFiles files;
         files.add(*output, std::move(schema));
         if (std::string error = commit(files); !error.empty()) {
-            complain(console, "cannot-write", error);
+            complain(console, Complaint::CannotWrite, {error});
             return Exit::Wrong;
         }
         say(console, *output);

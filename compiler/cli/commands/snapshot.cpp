@@ -1,4 +1,4 @@
-// patina snapshot: renders of a folder's graphs and scenes, compared with the pictures beside them.
+// patina snapshot: renders a folder's graphs and scenes and compares them with the pictures next to them.
 #include "runtime/picture/snapshot.h"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ struct Arguments {
     runtime::SnapshotOptions options;
 };
 
-// What became of the case, with the figures where pictures were compared.
+// The result of a case, with the differences if two pictures were compared.
 std::string line_of(const runtime::SnapshotCase& result) {
     const std::string line = fmt::format("{:<8} {}", runtime::to_string(result.state), result.name);
     const bool shows_figures = result.comparison && result.state != runtime::SnapshotState::Updated;
@@ -29,9 +29,7 @@ void print_case(const Console& console, const runtime::SnapshotCase& result) {
     report(console, result.diagnostics);
     say(console, line_of(result));
     if (result.message.empty()) return;
-    Diagnostic diagnostic;
-    diagnostic.code = "snapshot";
-    diagnostic.message = result.message;
+    Diagnostic diagnostic = complaint(Complaint::Snapshot, {result.message});
     diagnostic.file = result.file;
     const auto note = [&](const char* what, const std::string& path) {
         if (path.empty()) return;
@@ -50,7 +48,7 @@ Exit compare(const Console& console, const Arguments& arguments) {
     runtime::RenderMachine machine;
     const runtime::SnapshotReport result =
         runtime::run_snapshots(compiler, arguments.folder, arguments.options, machine);
-    if (!result.error.empty()) complain(console, "snapshot", arguments.folder + ": " + result.error);
+    if (!result.error.empty()) complain(console, Complaint::Snapshot, {arguments.folder + ": " + result.error});
     Exit exit = result.ok() ? Exit::Ok : Exit::Wrong;
     for (const runtime::SnapshotCase& each : result.cases) {
         print_case(console, each);
@@ -63,27 +61,31 @@ Exit compare(const Console& console, const Arguments& arguments) {
 
 void add_snapshot(Program& program) {
     CLI::App& command = add_command(
-        program, "snapshot", kSnapshotSummary,
+        program, "snapshot",
         {"patina snapshot tests/graphs", "patina snapshot tests/graphs --only metal/rust --received build/received",
-         "patina snapshot tests/graphs --update metal/rust    # accept what metal/rust looks like now"});
+         "patina snapshot tests/graphs --update metal/rust    # its picture becomes the reference"});
     auto arguments = std::make_shared<Arguments>();
     runtime::SnapshotOptions& options = arguments->options;
     command
         .add_option("DIR", arguments->folder,
-                    "Folder with *.snapshot.json files, of graphs or scenes, searched with what is below it")
+                    "Folder with *.snapshot.json files of graphs and scenes; its sub-folders are searched, too")
         ->required()
         ->type_name(" ");
     CLI::Option* update =
-        command.add_option("--update", arguments->update, "Write the references that differ: all, or one case")
+        command
+            .add_option("--update", arguments->update, "Replace the references that differ: of all cases, or of one")
             ->type_name("[CASE]")
             ->expected(0, 1);
     command.add_option("--only", options.only, "Run one case")->type_name("CASE");
-    command.add_option("--received", options.received_dir, "Where received and difference pictures go (received)")
+    command
+        .add_option("--received", options.received_dir,
+                    "Folder for the received pictures and the differences; default: received")
         ->type_name("DIR");
-    command.add_option("--via", options.via, "glsl, hlsl or cpu, whatever the files say")
+    command.add_option("--via", options.via, "Render all cases this way, instead of the way that their files name")
         ->type_name("glsl|hlsl|cpu")
         ->check(one_of("a way to render", {"glsl", "hlsl", "cpu"}));
-    command.add_option("--device", options.device, "Part of a GPU's name (the software renderer)")->type_name("NAME");
+    command.add_option("--device", options.device, "Part of a GPU's name; default: the software renderer")
+        ->type_name("NAME");
     command.add_flag("--vulkan-validation", options.validation, "Turn on the Khronos validation layer");
     add_include_option(command, options.include_dirs);
     command.parse_complete_callback([arguments, update] {

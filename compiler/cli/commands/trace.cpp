@@ -1,11 +1,10 @@
-// patina trace: what every node of a graph is worth at one pixel of its picture, by the CPU reference.
+// patina trace: every node's value at one pixel of a graph's picture, computed by the CPU interpreter.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 #include <memory>
 
-#include "compiler/base/text.h"
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/eval/json_numbers.h"
 #include "compiler/cli/picture_options.h"
@@ -26,7 +25,7 @@ struct Arguments {
     runtime::RenderRequest request;
 };
 
-// A row of the table: a value, and at which corner of the triangle; -1: at the pixel.
+// A row of the table. corner: of the triangle, if the value was computed in the vertex stage; else -1.
 struct Row {
     const TracedValue* value = nullptr;
     int corner = -1;
@@ -34,7 +33,7 @@ struct Row {
 
 // --- which rows
 
-// "rust" is the node and what is inside it; "rust.amount" one port.
+// "rust" is the node and the nodes inside it; "rust.amount" is one port.
 bool is_wanted(const TracedValue& value, const std::string& wanted) {
     return wanted.empty() || value.node == wanted || value.node.starts_with(wanted + "/") ||
            value.node + "." + value.port == wanted;
@@ -54,12 +53,12 @@ std::vector<Row> rows_of(const runtime::PixelTrace& trace, const std::string& wa
 }
 
 Exit no_such_node(const Console& console, const runtime::PixelTrace& trace, const std::string& wanted) {
-    std::vector<std::string_view> known;
-    for (const Row& row : rows_of(trace, {})) known.push_back(row.value->node);
-    const std::string_view near = nearest(wanted, known);
-    complain(console, "unknown-node",
-             "no node '" + wanted + "' was computed" +
-                 (near.empty() ? std::string() : "; did you mean '" + std::string(near) + "'?"));
+    std::vector<std::string> known;
+    for (const Row& row : rows_of(trace, {})) {
+        if (std::find(known.begin(), known.end(), row.value->node) == known.end()) known.push_back(row.value->node);
+    }
+    const std::string advice = suggestion(wanted, known);
+    complain(console, Complaint::NodeNotComputed, {wanted, advice.empty() ? advice : "; " + advice});
     return Exit::Wrong;
 }
 
@@ -116,7 +115,7 @@ std::string color_text(const std::array<float, 4>& color) {
     return fmt::format("{:.6g}, {:.6g}, {:.6g}, {:.6g}", color[0], color[1], color[2], color[3]);
 }
 
-// What a PNG keeps of it.
+// As a PNG stores the colour.
 std::string as_hex(const std::array<float, 4>& color) {
     runtime::Image pixel = runtime::make_image(1, 1, color[0], color[1], color[2], color[3]);
     runtime::encode_srgb(pixel);
@@ -136,9 +135,10 @@ void print_text(const Console& console, const Arguments& arguments, const runtim
     }
     print(heading(console, title) + "\n");
     if (!trace.is_covered) {
-        print("the mesh does not cover it: nothing was computed\n");
+        print("the mesh does not cover this pixel: nothing was computed\n");
     } else {
-        if (trace.is_discarded) print("every fragment here was discarded; the values are those of the nearest one\n");
+        if (trace.is_discarded)
+            print("every fragment of this pixel was discarded; the values are those of the nearest fragment\n");
         print("\n");
         print_table(console, rows, arguments.places);
         if (samples > 1) print("\nsample  " + color_text(trace.sample_color));
@@ -223,7 +223,7 @@ Exit trace_pixel(const Console& console, const Arguments& arguments) {
     const runtime::TraceOutcome outcome =
         runtime::trace(compiler, arguments.request, arguments.x, arguments.y, precision);
     report(console, outcome.diagnostics);
-    if (!outcome.error.empty()) complain(console, "cannot-render", outcome.error);
+    if (!outcome.error.empty()) complain(console, Complaint::CannotRender, {outcome.error});
     if (!outcome.ok) return Exit::Wrong;
     const std::vector<Row> rows = rows_of(outcome.trace, arguments.node);
     if (outcome.trace.is_covered && rows.empty() && !arguments.node.empty()) {
@@ -256,8 +256,9 @@ void complete(Arguments& arguments) {
     const int size = arguments.request.size;
     if (arguments.x < 0 || arguments.y < 0 || arguments.x >= size || arguments.y >= size) {
         throw CLI::ValidationError(
-            "--pixel", fmt::format("{},{} is outside of the picture, whose pixels are 0,0 to {},{}: --size changes it",
-                                   arguments.x, arguments.y, size - 1, size - 1));
+            "--pixel",
+            fmt::format("{},{} is outside the picture, whose pixels are 0,0 to {},{}: --size makes it larger",
+                        arguments.x, arguments.y, size - 1, size - 1));
     }
 }
 
@@ -265,22 +266,24 @@ void complete(Arguments& arguments) {
 
 void add_trace(Program& program) {
     CLI::App& command = add_command(
-        program, "trace", kTraceSummary,
+        program, "trace",
         {"patina trace rust.graph.json --pixel 256,200", "patina trace rust.graph.json --pixel 256,200 --node rust",
          "patina trace rust.graph.json --pixel 256,200 -D _Mode=Wet",
          "patina trace rust.graph.json --pixel 20,30 --size 64 --mesh torus --set _Roughness=0.2 --places",
          "patina trace rust.graph.json --pixel 256,200 --light 'point position=1,2,0' --double --json"});
     auto arguments = std::make_shared<Arguments>();
     command.add_option("GRAPH", arguments->request.graph, "A material graph (JSON)")->required()->type_name(" ");
-    command.add_option("--pixel", arguments->pixel, "From the top left of the picture that 'patina render' makes")
+    command
+        .add_option("--pixel", arguments->pixel,
+                    "The pixel, counted from the top left of the picture that 'patina render' makes")
         ->required()
         ->type_name("X,Y");
     command
         .add_option("--node", arguments->node,
-                    "Only this node and what is inside it, or one port: rust, rust/height, rust.amount")
+                    "Show only this node and the nodes inside it, or one port: rust, rust/height, rust.amount")
         ->type_name("ID")
         ->check([](const std::string& id) { return id.empty() ? std::string("it is empty") : std::string(); });
-    command.add_flag("--places", arguments->places, "Say where in the graph's text each value stands");
+    command.add_flag("--places", arguments->places, "Show the line and column of each node in its file");
     command.add_flag("--double", arguments->in_double, "Compute in double; default: 32-bit float, as a GPU does");
     command.add_flag("--json", arguments->json, "Print everything as one JSON object, with all digits");
     add_picture_options(command, arguments->set, arguments->request);

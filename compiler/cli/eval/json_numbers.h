@@ -16,7 +16,7 @@ namespace patina::cli {
 
 using JsonWriter = rapidjson::Writer<rapidjson::StringBuffer>;
 
-// JSON has no infinities; they are written as strings, which Python's float() and JavaScript's Number() read.
+// JSON has no infinities. They are written as strings, which Python's float() and JavaScript's Number() read.
 inline void write_number(JsonWriter& writer, double value) {
     if (std::isfinite(value)) {
         const std::string digits = fmt::format("{}", value);
@@ -26,7 +26,7 @@ inline void write_number(JsonWriter& writer, double value) {
     }
 }
 
-// One number as itself, several as a list.
+// One number alone, several as a list.
 inline void write_numbers(JsonWriter& writer, std::span<const double> values) {
     if (values.size() == 1) return write_number(writer, values.front());
     writer.StartArray();

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <optional>
 
-#include "compiler/base/text.h"
 #include "compiler/cli/eval/json_numbers.h"
 
 namespace patina::cli {
@@ -22,7 +21,7 @@ bool read_number(std::string_view text, Number& number) {
     return error == std::errc() && rest == end && !text.empty();
 }
 
-// Nothing, and no error, if the text is no such thing.
+// Nothing and no error if the text is not a range.
 std::optional<std::vector<double>> numbers_of(std::string_view text, std::string& error) {
     const std::size_t dots = text.find("..");
     if (dots == text.npos) return {};
@@ -37,7 +36,7 @@ std::optional<std::vector<double>> numbers_of(std::string_view text, std::string
         return {};
     }
     std::vector<double> numbers;
-    // Of lerp it is known that it meets the ends exactly.
+    // std::lerp meets both ends exactly.
     for (int i = 0; i < count; ++i) numbers.push_back(std::lerp(from, to, double(i) / (count - 1)));
     return numbers;
 }
@@ -95,7 +94,7 @@ std::vector<SweepRow> rows_of(const Values& values, const std::vector<Axis>& axe
             for (double number : axis.numbers) {
                 SweepRow& row = more.emplace_back(before);
                 row.at.push_back(number);
-                const std::string digits = shortest(number);
+                const std::string digits = fmt::format("{}", number);
                 for (auto& [name, text] : row.values) text = with(text, axis.name, digits);
                 row.values[axis.index].second = digits;
             }

@@ -28,7 +28,7 @@ const rapidjson::Document& terms() {
 
 // --- inputs
 
-// What expressions read, and the words that choices are made by.
+// The values that expressions read, and the words that make choices.
 struct Inputs {
     std::vector<NamedValue> values;
     std::map<std::string, std::string> words;
@@ -51,7 +51,7 @@ void add_input(Inputs& inputs, const std::string& name, std::vector<double> numb
     }
 }
 
-// Names that a term's expressions read, as far as they are inputs: "NoH" of "sqrt(NoH)".
+// Whether an expression reads an input that is not given: "NoH" of "sqrt(NoH)".
 bool reads_unknown(const std::string& expression, const std::vector<std::string>& known, const Inputs& inputs) {
     for (std::size_t at = 0; at < expression.size();) {
         if (!std::isalpha(static_cast<unsigned char>(expression[at])) && expression[at] != '_') {
@@ -133,7 +133,7 @@ private:
         return true;
     }
 
-    // The text that a port is given: an expression, or a choice by an input's word.
+    // The text for a port: an expression, or a choice by an input's word.
     std::optional<std::string> text_of(const Json& mapping) {
         if (mapping.IsString()) {
             const std::string expression = mapping.GetString();
@@ -200,7 +200,7 @@ private:
         return true;
     }
 
-    // {n, l, v, t} and {light, ambient, environment}, each an expression or left out.
+    // "in" may give n, l, v, t, light, ambient and environment, each as an expression.
     bool model() {
         runtime::ModelChoice choice{.model = term_["model"].GetString(), .workflow = term_["workflow"].GetString()};
         runtime::ModelPoint point;
@@ -229,7 +229,7 @@ private:
         return true;
     }
 
-    // A list that is as long as an input's: "i_7" is left out where the input has seven parts.
+    // Whether an expression reads more parts of an input than it has: "i_7" if the input has seven.
     bool is_beyond(const std::string& part) const {
         const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
         for (const std::string& name : known_) {

@@ -1,14 +1,15 @@
-// The lighting terms of the reference values by the names and inputs that they have there, worked out by nodes and
-// lighting models: `patina eval --term`. Which node and port stands for which term is data,
-// compiler/cli/eval/terms.json:
+// `patina eval --term`: the lighting terms of the reference values (tests/data/brdf-values.json), with the names and
+// inputs that they have there, computed by nodes and lighting models. terms.json in this folder says which node and
+// port computes which term, so a new term is a row there. This folder holds what `patina eval` computes: terms, and
+// tables of values (sweep.h).
 //
 //   "D_GGX": { "node": "DistributionGGX", "in": { "ndoth": "NoH", "alpha": "sqrt(a2)" } }
 //
-// "in" gives ports expressions over the term's inputs, all of which must be given but the "optional" ones, whose ports
-// keep their defaults; "words" are inputs that need not be numbers. "out" is an
-// expression over the node's outputs and the term's inputs, or several: a list is one vector, an object has names.
-// With "channel" the node works on colours, and the term on one number unless it is given a colour. Instead of a node
-// there may be a "model" with a "workflow", or nothing, and "out" says it all.
+// "in": an expression over the term's inputs for each port. Every input must be given, except the "optional" ones; a
+// port whose inputs are missing keeps its default. "words": inputs that need not be numbers. "out": an expression over
+// the node's outputs and the term's inputs, or several; a list is one vector, an object has names. "channel": the node
+// works on colours, and the term on one number unless its input is a colour. Instead of "node" there may be "model" and
+// "workflow", or neither: then "out" is the whole term.
 #pragma once
 
 #include <string>
@@ -21,13 +22,13 @@ namespace patina::cli {
 
 struct TermResult {
     bool ok = false;
-    std::string error;                    // of the words; empty if `diagnostics` say it
+    std::string error;                    // what is wrong with the inputs; empty if `diagnostics` say it
     std::vector<Diagnostic> diagnostics;  // of the library
     std::vector<EvalOutput> outputs;
     std::vector<std::size_t> widths;  // how many numbers each expression of "out" gave, in order
 };
 
-// Inputs as words: "0.5", "0,0,1", "[[1,0],[0,1]]" (brackets and white space do not matter), "gamma", "true".
+// Inputs as text: "0.5", "0,0,1", "[[1,0],[0,1]]" (brackets and white space do not matter), "gamma", "true".
 using TermInputs = std::vector<std::pair<std::string, std::string>>;
 TermResult evaluate_term(const Compiler& compiler, const std::string& term, const TermInputs& inputs, bool single);
 

@@ -194,6 +194,20 @@ void write_path(Writer& writer, const PathInfo& path) {
     writer.EndObject();
 }
 
+void write_engine(Writer& writer, const EngineInfo& engine) {
+    writer.StartObject();
+    write_text(writer, "name", engine.name);
+    write_text(writer, "title", engine.title);
+    write_text(writer, "doc", engine.doc);
+    write_text(writer, "file", engine.file);
+    write_texts(writer, "languages", engine.languages);
+    write_flag(writer, "default", engine.is_default);
+    write_flag(writer, "ownPasses", engine.has_own_passes);
+    write_flag(writer, "oneFile", engine.is_one_file);
+    write_text(writer, "folder", engine.folder);
+    writer.EndObject();
+}
+
 template <class Write>
 std::string as_text(Write write) {
     rapidjson::StringBuffer buffer;
@@ -225,6 +239,14 @@ std::string to_json(const Compiler& compiler, std::span<const ModelInfo> models)
     return as_text([&](Writer& writer) {
         writer.StartArray();
         for (const ModelInfo& model : models) write_model(writer, compiler, model);
+        writer.EndArray();
+    });
+}
+
+std::string to_json(std::span<const EngineInfo> engines) {
+    return as_text([&](Writer& writer) {
+        writer.StartArray();
+        for (const EngineInfo& engine : engines) write_engine(writer, engine);
         writer.EndArray();
     });
 }

@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view kWorkflow = "metallic-roughness";
 constexpr std::string_view kPass = "forward";
 
-// An input that the mesh answers by itself, or that is another way to say one, stays open.
+// Not for an input whose default is a semantic, nor for one that is another form of an input.
 bool takes_property(const ModelInputInfo& input) {
     return input.gives.empty() && input.default_value.find('@') == std::string::npos;
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "compiler/base/text.h"
 #include "compiler/cli/pages/model_cost.h"
 #include "compiler/cli/pages/pages.h"
 
@@ -12,7 +11,7 @@ namespace {
 
 Entry describe(const ModelInputInfo& input) {
     std::vector<std::string> facts;
-    if (input.range) facts.push_back(shortest((*input.range)[0]) + " to " + shortest((*input.range)[1]));
+    if (input.range) facts.push_back(fmt::format("{} to {}", (*input.range)[0], (*input.range)[1]));
     if (!input.values.empty()) {
         const std::vector<std::string_view> words(input.values.begin(), input.values.end());
         facts.push_back(enumerate(words));
@@ -33,7 +32,7 @@ bool is_word(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-// What an expression reads by '@': "surface.f0", "normal_ws". A member of no semantic is a swizzle.
+// What an expression reads by '@': "surface.f0", "normal_ws". If no semantic has such a member, it is a swizzle.
 void collect_semantics(std::string_view text, std::span<const SemanticInfo> known, std::vector<bool>& read) {
     for (std::size_t at = text.find('@'); at != text.npos; at = text.find('@', at + 1)) {
         std::size_t end = at + 1;
@@ -45,11 +44,11 @@ void collect_semantics(std::string_view text, std::span<const SemanticInfo> know
         }
         for (std::string_view name : {text.substr(at + 1, whole - at - 1), text.substr(at + 1, end - at - 1)}) {
             const auto found = std::ranges::find(known, name, &SemanticInfo::name);
-            // A struct's member that no semantic is: an input that the model declares.
+            // If the struct has no such member, it is an input that the model declares.
             const bool has_members = std::ranges::any_of(
                 known, [&](const SemanticInfo& info) { return info.name.starts_with(std::string(name) + "."); });
             if (found == known.end() || has_members) continue;
-            // Where the lit surface has a value of the same name, a lighting graph means that.
+            // If the lit surface has a value of the same name, a lighting graph reads that.
             const auto lit = std::ranges::find(known, "surface." + std::string(name), &SemanticInfo::name);
             read[static_cast<std::size_t>((lit == known.end() ? found : lit) - known.begin())] = true;
             break;
@@ -81,7 +80,7 @@ Section nodes_section(const ModelInfo& model) {
     return section;
 }
 
-// formula: lines, if there are any, and what the graph itself says.
+// The lines "formula:" of the comment, if there are any, and the graph's own outputs.
 std::string equation(const ModelInfo& model) {
     std::string text = model.formula;
     if (!text.empty()) text += "\n\n";

@@ -3,7 +3,6 @@
 
 #include <filesystem>
 
-#include "compiler/base/text.h"
 #include "compiler/cli/pages/pages.h"
 
 namespace patina::cli {
@@ -12,7 +11,7 @@ namespace {
 // "0 to 1; in m; default 0.5"
 std::string facts_of(const PortInfo& port) {
     std::vector<std::string> facts;
-    if (port.range) facts.push_back(shortest((*port.range)[0]) + " to " + shortest((*port.range)[1]));
+    if (port.range) facts.push_back(fmt::format("{} to {}", (*port.range)[0], (*port.range)[1]));
     if (!port.unit.empty()) facts.push_back("in " + port.unit);
     if (!port.is_output)
         facts.push_back(port.default_value.empty() ? "needs a value" : "default " + port.default_value);
@@ -31,7 +30,7 @@ Section ports(const NodeInfo& node, bool outputs) {
     return section;
 }
 
-// A default as a graph writes it: float3(0, 0, 1) is [0, 0, 1], and a word stands in quotes.
+// A default as a graph writes it: float3(0, 0, 1) is [0, 0, 1], and a word is in quotes.
 std::string as_json(const std::string& value) {
     constexpr std::string_view kNumber = "0123456789.-+e";
     if (value.empty()) return "\"...\"";
@@ -50,7 +49,7 @@ std::string example(const NodeInfo& node, const std::string& name) {
         if (port.is_output) continue;
         inputs += fmt::format("{}\"{}\": {}", inputs.empty() ? "" : ", ", port.name, as_json(port.default_value));
     }
-    // A file is named from the graph's own folder.
+    // A graph names a file relative to its own folder.
     const std::string file = "./" + std::filesystem::path(name).filename().generic_string();
     const std::string id =
         fmt::format("{{ \"id\": \"my_node\", \"node\": \"{}\"", name.ends_with(".hlsl") ? file : name);

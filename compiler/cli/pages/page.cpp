@@ -51,7 +51,7 @@ std::string cell(std::string_view text) {
     return escaped(joined_lines(text));
 }
 
-// A bar ends a cell even there.
+// A bar ends a table's cell, also inside of code.
 std::string code_span(std::string_view text) {
     std::string span;
     for (char c : joined_lines(text)) span += c == '|' ? std::string("\\|") : std::string(1, c);
@@ -88,7 +88,7 @@ std::string table(const Section& section) {
     return head + "|\n" + rule + "|\n" + body;
 }
 
-// A bar would end a table's cell, and the rest mean something to Markdown.
+// A bar ends a cell of a table; the others are Markdown's own characters.
 constexpr std::string_view kMarks = "\\*_<>|";
 
 }  // namespace
@@ -145,6 +145,15 @@ std::string first_sentence(std::string_view text) {
     sentence = sentence.substr(0, stop);
     if (sentence.ends_with('.')) sentence.pop_back();
     return sentence;
+}
+
+std::string enumerate(std::span<const std::string_view> words) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
+        text += words[i];
+    }
+    return text;
 }
 
 }  // namespace patina::cli

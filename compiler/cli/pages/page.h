@@ -1,5 +1,5 @@
-// A page of the reference as data, and its two forms: what a terminal shows and what docs/ holds say the same, because
-// both are printed from here. Pictures are in docs/ only.
+// A page of the reference as data, and its two forms: text for a terminal and Markdown for docs/. Both are printed from
+// the same data, so they say the same; only docs/ has pictures.
 //
 //   const Page page = node_page(*compiler.node("Lerp"), "Lerp");
 //   print(to_terminal(console, page));
@@ -15,7 +15,7 @@ namespace patina::cli {
 
 struct Page;
 
-// A port, a choice, a node: something with a name, told about in a line or two.
+// A port, a choice or a node: a name with a line or two about it.
 struct Entry {
     std::string name{};
     std::string type{};
@@ -30,14 +30,14 @@ struct Picture {
     std::string caption{};
 };
 
-// Holds one of these, or several, in this order.
+// Text, code, entries and pictures, in this order; each may be empty.
 struct Section {
     std::string title{};  // "Inputs"; empty: the page's first words
-    std::string text{};   // paragraphs, plain but for `code`
-    std::string link{};   // in docs/: where the text leads
-    std::string code{};   // shown as it is
+    std::string text{};   // paragraphs of plain text with `code`
+    std::string link{};   // in docs/: the address that the text links to
+    std::string code{};   // printed unchanged
     std::string language{};
-    std::array<std::string, 4> columns{};  // what name, type, facts and doc of the entries are
+    std::array<std::string, 4> columns{};  // headings of the entries' name, type, facts and doc
     std::vector<Entry> entries{};
     bool has_code_facts = false;  // the facts are expressions
     std::vector<Picture> pictures{};
@@ -56,9 +56,11 @@ std::string to_terminal(const Console& console, const Page& page);
 // `index`: the page that lists pages like this one; linked on top.
 std::string to_markdown(const Page& page, const std::string& index);
 
-// Plain text as Markdown that shows the same; what stands between `backquotes` is left as it is.
+// Plain text as Markdown that shows the same. Text between `backquotes` stays unchanged.
 std::string escaped(std::string_view text);
 // The first sentence of a text, on one line and without its full stop: for lists.
 std::string first_sentence(std::string_view text);
+// "a, b and c"
+std::string enumerate(std::span<const std::string_view> words);
 
 }  // namespace patina::cli

@@ -1,15 +1,19 @@
-// What the pages of the reference say: one for each node, one for each lighting model.
+// The pages of the reference: one for each node, one for each lighting model. This folder makes what `patina node`,
+// `patina model` and their lists show, as pages (page.h) or as JSON (library_json.h), and measures what a model costs
+// (model_cost.h, spirv_size.h). It reads the library through public headers and prints nothing itself.
+//
+//   print(to_terminal(console, node_page(*compiler.node("Lerp"), "Lerp")));
 #pragma once
 
 #include "compiler/cli/pages/page.h"
 
 namespace patina::cli {
 
-// `name`: as the user named it, which for a node file is its path.
+// `name`: the node's name, or the path of its file.
 Page node_page(const NodeInfo& node, const std::string& name);
-// Names of the semantics that its graph asks for, by itself or through the defaults of its nodes: "surface.f0".
+// The semantics that its graph reads, directly or through the defaults of its nodes: "surface.f0".
 std::vector<std::string> semantics_read(const Compiler& compiler, const ModelInfo& model);
-// Compiles a material that uses the model, to say what it costs.
+// Compiles a material that uses the model, to measure its cost.
 Page model_page(const Compiler& compiler, const ModelInfo& model);
 
 }  // namespace patina::cli

@@ -23,18 +23,18 @@ enum Opcode : std::uint32_t {
     kSwitch = 251,
 };
 
-// What is known of a block, or of a whole function.
+// A block, or a whole function.
 struct Block {
     std::size_t instructions = 0;
     std::vector<std::uint32_t> calls{};       // ids of functions, one for each call
     std::vector<std::uint32_t> successors{};  // labels
-    std::uint32_t loop_end = 0;               // of a loop's header: the label behind the loop
+    std::uint32_t loop_end = 0;               // if the block is a loop's header: the label after the loop
 };
 
 struct Function {
     Block whole{};
     std::map<std::uint32_t, Block> blocks{};  // by label
-    std::vector<std::uint32_t> order{};       // labels as they stand
+    std::vector<std::uint32_t> order{};       // labels in the order of the text
 };
 
 class Reader {
@@ -105,7 +105,7 @@ private:
         for (const std::uint32_t label : function.order) {
             if (function.blocks.at(label).loop_end == 0 || counted.contains(label)) continue;
             ++size.loops;
-            // All that is reached from the header before the end.
+            // All blocks that are reached from the header before the end.
             std::vector<std::uint32_t> work = {label};
             while (!work.empty()) {
                 const std::uint32_t at = work.back();

@@ -1,4 +1,4 @@
-// How many instructions a SPIR-V module has, and where they stand.
+// How many instructions a SPIR-V module has, and how many of them are in loops.
 //
 //   const SpirvSize size = size_of(optimised(validated.spirv));
 #pragma once
@@ -10,13 +10,13 @@
 namespace patina::cli {
 
 struct SpirvSize {
-    std::size_t instructions = 0;  // declarations too
+    std::size_t instructions = 0;  // with declarations
     std::size_t in_functions = 0;
-    std::size_t loops = 0;     // that stand in no other loop
-    std::size_t in_loops = 0;  // one trip of each of them, with the functions that are called there; loops inside once
+    std::size_t loops = 0;     // that are not inside another loop
+    std::size_t in_loops = 0;  // one round of each of them, with the functions that it calls; inner loops count once
 };
 
-// All zero for words that are no module.
+// All zero if the words are not a module.
 SpirvSize size_of(const std::vector<std::uint32_t>& spirv);
 
 }  // namespace patina::cli

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 
 #include "compiler/base/text.h"
@@ -59,9 +58,7 @@ std::string_view file_name(std::string_view path) {
 
 // The shortest decimals that are this float: 0.005, not 5e-3.
 std::string number(double value) {
-    char digits[64];
-    const auto end = std::to_chars(digits, std::end(digits), static_cast<float>(value), std::chars_format::fixed);
-    return {digits, end.ptr};
+    return shortest_decimals(static_cast<float>(value));
 }
 
 std::string vector(const std::array<double, 4>& value, std::size_t count) {

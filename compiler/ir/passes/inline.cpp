@@ -50,8 +50,8 @@ std::size_t nesting_of(const Function& function) {
 Callee describe(const Module& module, const Function& function) {
     const bool takes_opaque = std::any_of(function.params.begin(), function.params.end(),
                                           [&](const Param& p) { return holds_opaque(module, p.type); });
-    const auto work =
-        std::count_if(function.insts.begin(), function.insts.end(), [](const Inst& i) { return is_work(i.op); });
+    const auto work = static_cast<std::size_t>(
+        std::count_if(function.insts.begin(), function.insts.end(), [](const Inst& i) { return is_work(i.op); }));
     // To make a struct takes a line for each member. Stages that share the function should not repeat these.
     const bool is_shared = function.linkage == Linkage::Exported && function.result.kind == Kind::Struct;
     const bool is_wanted = function.always_inline || takes_opaque || (work <= kSmall && !is_shared);

@@ -19,7 +19,7 @@ public:
         for (const Inst& inst : function.insts) {
             if (inst.op != Op::Global || !module.globals[inst.data].is_keyword()) continue;
             const std::uint32_t keyword = module.globals[inst.data].keyword;
-            if (std::ranges::count(keywords_, keyword) > 0) continue;
+            if (std::count(keywords_.begin(), keywords_.end(), keyword) > 0) continue;
             keywords_.push_back(keyword);
             steps_.push_back(count_);
             const std::size_t values = module.keywords[keyword].values.size();
@@ -42,7 +42,8 @@ private:
         if (inst.op == Op::Constant) return module_.numbers_of(module_.constants[inst.data])[0];
         if (inst.op == Op::Global) {
             const std::uint32_t keyword = module_.globals[inst.data].keyword;
-            const auto at = static_cast<std::size_t>(std::ranges::find(keywords_, keyword) - keywords_.begin());
+            const auto at =
+                static_cast<std::size_t>(std::find(keywords_.begin(), keywords_.end(), keyword) - keywords_.begin());
             const std::size_t values = module_.keywords[keyword].values.size();
             return static_cast<double>(world / steps_[at] % (values == 0 ? 2 : values));
         }
@@ -107,7 +108,8 @@ private:
         if (inst.op == Op::Call || info(inst.op).rule == TypeRule::Texel || is_loop) return true;
         if (has(inst.op, Structure) || has(inst.op, Effect) || inst.op == Op::Result || sides_.is_choice(v))
             return false;
-        return std::ranges::any_of(args, [&](Value arg) { return heavy_[arg.index] && sides_.is_only_for(arg, v); });
+        return std::any_of(args.begin(), args.end(),
+                           [&](Value arg) { return heavy_[arg.index] && sides_.is_only_for(arg, v); });
     }
 
     // The narrowest condition, of those around the uses of a value or several of them, that holds wherever one needs
@@ -121,7 +123,7 @@ private:
             for (const Side& side : around) {
                 const Guard guard{from_.args(side.choice)[0], side.index == 1};
                 here = here.empty() ? worlds_.where(guard) : both(here, worlds_.where(guard));
-                if (std::ranges::count(known, guard) == 0) known.push_back(guard);
+                if (std::count(known.begin(), known.end(), guard) == 0) known.push_back(guard);
             }
             needed = needed.empty() ? here : either(needed, here);
         }
@@ -130,7 +132,7 @@ private:
         const auto consider = [&](const std::vector<Guard>& guards) {
             std::vector<bool> where = worlds_.where(guards[0]);
             for (std::size_t i = 1; i < guards.size(); ++i) where = either(where, worlds_.where(guards[i]));
-            const std::ptrdiff_t count = std::ranges::count(where, true);
+            const std::ptrdiff_t count = std::count(where.begin(), where.end(), true);
             if (count >= fewest || either(where, needed) != where) return;
             fewest = count;
             best = guards;

@@ -73,7 +73,8 @@ public:
 
     // True if only `reader` uses the value.
     bool is_only_for(Value v, Value reader) const {
-        return std::ranges::all_of(uses_of(v), [&](const Use& use) { return use.by == reader; });
+        const std::vector<Use> uses = uses_of(v);
+        return std::all_of(uses.begin(), uses.end(), [&](const Use& use) { return use.by == reader; });
     }
 
 private:
@@ -92,7 +93,8 @@ private:
     }
 
     bool has_effect(std::uint32_t block) const {
-        return std::ranges::any_of(from_.blocks[block].insts, [&](Value v) {
+        const auto& insts = from_.blocks[block].insts;
+        return std::any_of(insts.begin(), insts.end(), [&](Value v) {
             const Inst& inst = from_[v];
             if (inst.op == Op::If) return has_effect(inst.data) || has_effect(inst.data + 1);
             return inst.op == Op::For ? has_effect(inst.data) : inst.op != Op::Yield && has(inst.op, Effect);
@@ -145,7 +147,7 @@ private:
         if (around.empty()) return {};
         std::vector<Side> common = around.front();
         for (const std::vector<Side>& sides : around)
-            std::erase_if(common, [&](const Side& side) { return std::ranges::count(sides, side) == 0; });
+            std::erase_if(common, [&](const Side& side) { return std::count(sides.begin(), sides.end(), side) == 0; });
         return common.empty() ? Side{} : common.front();
     }
 

@@ -1,0 +1,80 @@
+// The seam for importers: materials of other programs become graph files and their textures. This folder holds this
+// interface, the list of importers (importers.cpp) and graph_writer.h, which all of them write graphs with. To add one:
+// write a folder with a function that returns its row, and add the row to the list. No other file names a format.
+//
+// An importer reads the file that it is given and nothing else, draws nothing and writes nothing: `patina import`
+// writes what it returns, all or nothing. Whatever it does not carry over is a remark; nothing is dropped silently.
+//
+//   const Source source = {.path = "gold-paint.binary", .start = first_bytes};
+//   if (const Importer* importer = importer_of(source)) Imported made = importer->read(source, {});
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/picture/image.h"
+
+namespace patina::importers {
+
+struct Source {
+    std::string path;
+    std::string start;  // the first bytes of the file, kStart of them if it has so many: for recognises()
+};
+inline constexpr std::size_t kStart = 4096;
+
+struct Options {
+    std::string name{};  // of the graph; empty: the name of the file
+};
+
+// What became of one part of the source.
+struct Remark {
+    enum class Kind {
+        Taken,    // the graph says the same
+        Changed,  // the graph says nearly the same
+        LeftOut   // the graph does not say it; `patina import` warns
+    };
+    Kind kind = Kind::Taken;
+    std::string part;  // as the source names it: "materials[2].emissiveFactor"
+    std::string text;  // what it became, or why it is left out: "the input 'emission'"
+    int line = 0;      // in the source, from 1; 0: a binary file, or the file as a whole
+    int column = 0;    // from 1, in bytes
+};
+std::string_view to_string(Remark::Kind kind);  // "taken", "changed", "left out"
+
+// Files to write, named relative to the output folder.
+struct TextFile {
+    std::string name;  // "gold-paint.graph.json"
+    std::string text;
+};
+struct BinaryFile {  // copied as it is: a texture that lies inside the source
+    std::string name;
+    std::string bytes;
+};
+struct PictureFile {
+    std::string name;  // its ending is the format: .exr (values as they are) or .png (sRGB)
+    runtime::Image linear;
+};
+
+struct Imported {
+    std::string error{};  // not empty: what is wrong, with the file's name; then there is nothing else
+    std::vector<TextFile> graphs{};
+    std::vector<PictureFile> pictures{};
+    std::vector<BinaryFile> copies{};
+    std::vector<Remark> remarks{};
+};
+
+struct Importer {
+    std::string_view name;     // "merl"
+    std::string_view reads;    // for --help: "measured BRDFs of the MERL database (.binary)"
+    std::string_view example;  // for --help: "patina import gold-paint.binary"
+    bool (*recognises)(const Source& source);
+    Imported (*read)(const Source& source, const Options& options);
+};
+
+std::span<const Importer> importers();
+// The first that recognises the source, or null.
+const Importer* importer_of(const Source& source);
+
+}  // namespace patina::importers

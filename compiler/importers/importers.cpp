@@ -1,0 +1,32 @@
+// The list of importers: one row each.
+#include <algorithm>
+
+#include "compiler/importers/importer.h"
+#include "compiler/importers/merl/merl_importer.h"
+
+namespace patina::importers {
+
+std::span<const Importer> importers() {
+    static const Importer kImporters[] = {
+        merl_importer(),
+    };
+    return kImporters;
+}
+
+const Importer* importer_of(const Source& source) {
+    const std::span<const Importer> all = importers();
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const Importer& importer) { return importer.recognises(source); });
+    return found == all.end() ? nullptr : &*found;
+}
+
+std::string_view to_string(Remark::Kind kind) {
+    switch (kind) {
+        case Remark::Kind::Taken: return "taken";
+        case Remark::Kind::Changed: return "changed";
+        case Remark::Kind::LeftOut: return "left out";
+    }
+    return {};
+}
+
+}  // namespace patina::importers

@@ -1,0 +1,28 @@
+// Complaints that tools around the compiler make: the command, the importers, the runtime. The table is complaints.def;
+// nobody writes a code as a word at the place where it is used.
+//
+//   Diagnostic wrong = complaint(Complaint::CannotRead, {"rust.png", "no such file"});
+//   std::puts(to_text(wrong).c_str());   // error: cannot read 'rust.png': no such file [cannot-read]
+#pragma once
+
+#include <initializer_list>
+#include <string_view>
+#include <vector>
+
+#include "patina/patina.h"
+
+namespace patina {
+
+enum class Complaint {
+#define COMPLAINT(name, code, message) name,
+#include "patina/complaints.def"
+#undef COMPLAINT
+};
+
+std::string_view code_of(Complaint what);  // "cannot-read"
+// An error without a place. `words` fill the {} of the message in order, or {0}, {1} by number.
+Diagnostic complaint(Complaint what, std::initializer_list<std::string_view> words);
+// Every code of the table once, in its order.
+std::vector<std::string_view> complaint_codes();
+
+}  // namespace patina
