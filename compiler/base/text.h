@@ -1,5 +1,5 @@
-// What several rooms need to know about text: whether it is an identifier, which known word the user meant, how a number
-// is written so that it reads back the same. Not a string library.
+// What several rooms need to know about text: whether it is an identifier, which known word the user meant, how a
+// number is written so that it reads back the same. Not a string library.
 //
 // Numbers do not depend on the locale. They go through {fmt} rather than std::to_chars, which the standard library of
 // Emscripten 3.1.6 (libc++ 13) has for whole numbers only.

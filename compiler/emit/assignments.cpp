@@ -3,7 +3,7 @@
 
 #include "compiler/base/text.h"
 #include "compiler/emit/constant_value.h"
-#include "compiler/emit/operations.h"
+#include "compiler/emit/operations/operations.h"
 #include "compiler/emit/statements.h"
 #include "compiler/emit/types.h"
 

@@ -6,7 +6,7 @@
 #include "compiler/base/text.h"
 #include "compiler/emit/arguments.h"
 #include "compiler/emit/functions.h"
-#include "compiler/emit/operations.h"
+#include "compiler/emit/operations/operations.h"
 #include "compiler/emit/statements.h"
 #include "compiler/emit/types.h"
 

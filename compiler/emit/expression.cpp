@@ -7,8 +7,8 @@
 #include "compiler/emit/calls.h"
 #include "compiler/emit/constant_value.h"
 #include "compiler/emit/conversion.h"
-#include "compiler/emit/operations.h"
-#include "compiler/emit/textures.h"
+#include "compiler/emit/operations/operations.h"
+#include "compiler/emit/operations/textures.h"
 
 namespace patina::emit {
 

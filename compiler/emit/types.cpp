@@ -4,7 +4,7 @@
 
 #include "compiler/base/text.h"
 #include "compiler/emit/constant_value.h"
-#include "compiler/emit/textures.h"
+#include "compiler/emit/operations/textures.h"
 
 namespace patina::emit {
 

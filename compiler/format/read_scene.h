@@ -11,7 +11,7 @@ namespace patina::graph {
 
 // Where the files are found that a scene names. It is the room behind this one that knows (resolve/session.h).
 struct SceneFiles {
-    std::function<std::string(const std::string& name)> find;                    // its path; empty: there is none
+    std::function<std::string(const std::string& name)> find;                   // its path; empty: there is none
     std::function<void(const std::string& name, Span where)> report_missing{};  // what find() did not find
 };
 

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-#include "compiler/ir/linear_part.h"
+#include "compiler/ir/linear/linear_part.h"
 #include "compiler/lower/lowering.h"
 
 namespace patina::graph {

@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-#include "compiler/ir/linear_part.h"
+#include "compiler/ir/linear/linear_part.h"
 #include "compiler/lower/lowering.h"
 
 namespace patina::graph {

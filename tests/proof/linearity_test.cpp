@@ -7,7 +7,7 @@
 #include <set>
 
 #include "compiler/interpret/interpret.h"
-#include "compiler/ir/linear_part.h"
+#include "compiler/ir/linear/linear_part.h"
 #include "compiler/ir/verify.h"
 #include "proof/lowered.h"
 #include "proof/term.h"

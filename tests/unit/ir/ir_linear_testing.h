@@ -11,7 +11,7 @@
 
 #include "compiler/interpret/interpret.h"
 #include "compiler/ir/dump.h"
-#include "compiler/ir/linear_part.h"
+#include "compiler/ir/linear/linear_part.h"
 #include "tests/unit/ir/ir_testing.h"
 
 namespace patina::ir {

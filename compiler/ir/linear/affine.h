@@ -5,7 +5,7 @@
 #include <map>
 #include <memory>
 
-#include "compiler/ir/linear_part.h"
+#include "compiler/ir/linear/linear_part.h"
 
 namespace patina::ir {
 

@@ -1,9 +1,9 @@
-#include "compiler/emit/textures.h"
+#include "compiler/emit/operations/textures.h"
 
 #include <algorithm>
 #include <array>
 
-#include "compiler/emit/operations.h"
+#include "compiler/emit/operations/operations.h"
 
 namespace patina::emit {
 

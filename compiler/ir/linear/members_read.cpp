@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <map>
 
-#include "compiler/ir/linear_part.h"
+#include "compiler/ir/linear/linear_part.h"
 #include "compiler/ir/liveness.h"
 
 namespace patina::ir {

@@ -1,9 +1,9 @@
-#include "compiler/ir/linear_part.h"
+#include "compiler/ir/linear/linear_part.h"
 
 #include <algorithm>
 #include <functional>
 
-#include "compiler/ir/affine.h"
+#include "compiler/ir/linear/affine.h"
 #include "compiler/ir/liveness.h"
 
 namespace patina::ir {

@@ -5,7 +5,7 @@
 
 #include "compiler/base/text.h"
 #include "compiler/emit/conversion.h"
-#include "compiler/emit/operations.h"
+#include "compiler/emit/operations/operations.h"
 #include "compiler/ir/fold.h"
 
 namespace patina::emit {

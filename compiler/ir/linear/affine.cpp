@@ -1,4 +1,4 @@
-#include "compiler/ir/affine.h"
+#include "compiler/ir/linear/affine.h"
 
 #include <algorithm>
 #include <array>

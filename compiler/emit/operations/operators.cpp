@@ -6,7 +6,7 @@
 #include "compiler/base/text.h"
 #include "compiler/emit/constant_value.h"
 #include "compiler/emit/conversion.h"
-#include "compiler/emit/operations.h"
+#include "compiler/emit/operations/operations.h"
 
 namespace patina::emit {
 
