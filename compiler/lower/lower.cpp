@@ -33,8 +33,8 @@ ir::Rate rate_of(Source source) {
 void declare_statics(Lowering& lowering) {
     const RenderState& render = lowering.material.graph->graph->render;
     const auto word_of = [&](std::string_view key) -> std::string_view {
-        if (key == "surface") return text_of(kSurfaceKinds, render.surface);
-        if (key == "cull") return text_of(kCulls, render.cull);
+        if (key == "surface") return to_string(render.surface);
+        if (key == "cull") return to_string(render.cull);
         return {};
     };
     for (const nodelang::VariableDecl* variable : lowering.session.stages->statics) {
@@ -242,9 +242,9 @@ std::string_view known_as(const PassDecl& pass) {
     return tag == pass.tags.end() ? pass.name : std::string_view(tag->second);
 }
 
-const BlendRow* blend_of(const PassDecl& pass, std::string_view surface) {
+const BlendRow* blend_of(const PassDecl& pass, SurfaceKind surface) {
     for (const BlendRow& row : pass.blends) {
-        if (row.surface.empty() || row.surface == surface) return &row;
+        if (!row.surface || *row.surface == surface) return &row;
     }
     return nullptr;
 }

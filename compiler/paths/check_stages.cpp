@@ -203,13 +203,10 @@ private:
             return bad(attribute.span, "static", "reads like this: [static(\"surface\", \"cutout\")]");
         const Expr& key = *attribute.args[0];
         one_of(key, kStatics, "what a [static] can ask for");
-        std::vector<std::string_view> surfaces, culls;
-        for (const auto& word : kSurfaceKinds) surfaces.push_back(word.text);
-        for (const auto& word : kCulls) culls.push_back(word.text);
         for (std::size_t i = 1; i < attribute.args.size(); ++i) {
             const Expr& given = *attribute.args[i];
-            if (key.text == "surface") one_of(given, surfaces, "a surface kind");
-            if (key.text == "cull") one_of(given, culls, "a way to cull");
+            if (key.text == "surface") one_of(given, texts<SurfaceKind>(), "a surface kind");
+            if (key.text == "cull") one_of(given, texts<Cull>(), "a way to cull");
             if (key.text == "slot") slot(given);
             if (key.text == "pass") pass(given);
         }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,7 +40,7 @@ struct SemanticDecl {
 
 // [blend("fade", "src_alpha", "one")]: surfaces of this kind take part, blended so.
 struct BlendRow {
-    std::string_view surface;  // empty: every kind
+    std::optional<SurfaceKind> surface{};  // nothing: every kind
     Blend blend{};
 };
 

@@ -14,7 +14,6 @@
 #include "runtime/cpu/cpu_stage.h"
 #include "runtime/cpu/cpu_target.h"
 #include "runtime/frame/frame.h"
-#include "runtime/frame/state_words.h"
 
 namespace patina::runtime {
 
@@ -44,7 +43,6 @@ struct CpuFragment {
 struct CpuStep {
     const FrameStep* step = nullptr;
     Precision precision = Precision::Float;
-    PassState state{};
     PixelBounds bounds{};
     std::vector<CpuTarget*> colors{};
     CpuTarget* depth = nullptr;

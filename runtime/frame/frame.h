@@ -2,8 +2,9 @@
 // what is in the list has been decided (frame_plan.h). The GPU (renderer.h) and the CPU (cpu_render.h) draw the same
 // list.
 //
-//   Frame frame{.targets = {{.name = "color", .format = "rgba32f", .width = 64, .height = 64},
-//                           {.name = "depth", .format = "depth", .width = 64, .height = 64, .clear = glm::vec4(1)}},
+//   Frame frame{.targets = {{.name = "color", .format = TargetFormat::Rgba32F, .width = 64, .height = 64},
+//                           {.name = "depth", .format = TargetFormat::Depth, .width = 64, .height = 64, .clear =
+//                           glm::vec4(1)}},
 //               .steps = {...}};
 //   Outcome<Image> image = renderer.draw(frame);
 #pragma once
@@ -24,11 +25,10 @@
 
 namespace patina::runtime {
 
-// An image that steps draw into. Formats are the reflection's words, and "depth": 32-bit float depth with 8 bits of
-// stencil. It starts out as `clear` (depth: x; stencil: 0).
+// An image that steps draw into. It starts out as `clear` (depth: x; stencil: 0).
 struct FrameTarget {
     std::string name{};
-    std::string format = "rgba32f";
+    TargetFormat format = TargetFormat::Rgba32F;
     int width = 0, height = 0;
     glm::vec4 clear{0};
 };

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "runtime/frame/target_format.h"
 #include "runtime/picture/image.h"
 
 namespace patina::runtime {
@@ -16,8 +15,6 @@ bool has_named(const Range& range, const std::string& name) {
 }
 
 std::string target_error(const FrameTarget& target) {
-    if (!target_format(target.format))
-        return fmt::format("'{}' is not a format that the target '{}' can have", target.format, target.name);
     if (target.width < 1 || target.height < 1 || target.width > kLargestImage || target.height > kLargestImage)
         return fmt::format("the target '{}' of {} x {} pixels is not between 1 and {} pixels wide and high",
                            target.name, target.width, target.height, kLargestImage);
@@ -39,7 +36,7 @@ std::string attachment_error(const Frame& frame, const FrameStep& step) {
             return fmt::format("the pass '{}' draws into '{}' and '{}', which differ in size", pass, first.name,
                                target.name);
         const bool wants_depth = i >= step.targets.size();
-        if (target_format(target.format)->is_depth != wants_depth)
+        if ((target.format == TargetFormat::Depth) != wants_depth)
             return fmt::format("the pass '{}' takes '{}' for {}", pass, target.name,
                                wants_depth ? "depth" : "a colour");
         if (std::count(attached.begin(), attached.begin() + std::ptrdiff_t(i), attached[i]))

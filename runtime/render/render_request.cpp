@@ -89,7 +89,7 @@ Outcome<Scene> read_scene(const RenderRequest& request) {
 // The first that draws meshes as the camera sees them.
 std::string choose_pass(const Reflection& reflection) {
     for (const Pass& pass : reflection.passes)
-        if (pass.draws == "objects" && pass.lights != "shadowed") return pass.name;
+        if (pass.draws == PassDraws::Objects && pass.lights != PassLights::Shadowed) return pass.name;
     return "";
 }
 

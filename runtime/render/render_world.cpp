@@ -111,13 +111,14 @@ private:
     }
 
     Outcome<Frame> plan() const {
-        return plan_frame(spread_, drawn_,
-                          {.path = path_name(),
-                           .shadow_atlas_size = options_.shadow_atlas_size,
-                           .exact = options_.exact_targets,
-                           .shown_format = options_.stated_formats ? "" : "rgba32f",
-                           .object_textures = object_textures_,
-                           .instance_values = instance_values_});
+        return plan_frame(
+            spread_, drawn_,
+            {.path = path_name(),
+             .shadow_atlas_size = options_.shadow_atlas_size,
+             .exact = options_.exact_targets,
+             .shown_format = options_.stated_formats ? std::nullopt : std::optional(TargetFormat::Rgba32F),
+             .object_textures = object_textures_,
+             .instance_values = instance_values_});
     }
 
     bool on_cpu() const { return options_.via == "cpu"; }
@@ -219,7 +220,7 @@ private:
         const auto cookies = std::count_if(lights.begin(), lights.end(), [](const Light& l) { return has_cookie(l); });
         for (const Pass& pass : reflection.passes) {
             const bool is_read = std::count(pass.textures.begin(), pass.textures.end(), "light_cookie") > 0;
-            if (cookies < 2 || !is_read || pass.each != "once" || pass.lights != "all") continue;
+            if (cookies < 2 || !is_read || pass.each != PassEach::Once || pass.lights != PassLights::All) continue;
             report({complaint(material.graph, Severity::Warning, "one-cookie",
                               fmt::format("the pass '{}' draws all lights at once and has one of their {} cookies, the "
                                           "first; paths that draw each light by itself have every light's own",
@@ -343,7 +344,7 @@ private:
                     return;
                 }
                 if (is_color && image.value.bits <= 8) decode_srgb(image.value);
-                TextureData data{.levels = mip_chain(image.value), .sampler = {.wrap = "clamp", .filter = "linear"}};
+                TextureData data{.levels = mip_chain(image.value), .sampler = {.wrap = Wrap::Clamp}};
                 known[key] = {.data = std::make_shared<const TextureData>(std::move(data)),
                               .format = TexelFormat::Float32};
             }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "patina/interpret.h"
+#include "patina/words.h"
 #include "runtime/lighting/environment.h"
 #include "runtime/scene/mesh.h"
 
@@ -26,11 +27,6 @@ struct Camera {
     bool clip_space = false;                     // positions are clip space already; all matrices are identity
     float near_plane = 0.05f, far_plane = 100;
 };
-
-enum class LightKind { Directional, Point, Spot };
-
-// What a rendering path that cannot compute every light per pixel does with this one.
-enum class LightImportance { Auto, Important, NotImportant };
 
 struct LightShadow {
     bool casts = false;
@@ -52,20 +48,11 @@ struct Light {
     float cookie_size = 10;  // metres that a directional light's cookie spans; a spot's fills its cone
 };
 
-enum class FogMode { None, Linear, Exponential, ExponentialSquared };
-
 struct Fog {
     FogMode mode = FogMode::None;
     glm::vec3 color{0.5f};      // linear
     float density = 0.05f;      // exponential: per metre
     float start = 5, end = 50;  // linear: metres
-};
-
-// What shadows and lightmaps that were baked do beside the shadows of moving objects.
-enum class LightMixing {
-    ShadowMask,          // the darker of both
-    DistanceShadowMask,  // baked shadows where real-time ones have faded
-    Subtractive          // lightmaps hold the main light, too
 };
 
 struct MixedLighting {

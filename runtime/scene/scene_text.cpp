@@ -172,17 +172,15 @@ Outcome<glm::vec4> parse_hex_color(std::string_view text) {
 Outcome<Light> parse_light(std::string_view text) {
     Outcome<Words> words = split_words(text);
     if (!words) return Failure{"light: " + words.error};
-    std::string kind = words.value.plain.empty() ? "" : words.value.plain.front();
-    if (words.value.plain.size() != 1 || (kind != "directional" && kind != "point" && kind != "spot"))
+    const std::string word = words.value.plain.empty() ? "" : words.value.plain.front();
+    const std::optional<LightKind> kind = from_word<LightKind>(word);
+    if (words.value.plain.size() != 1 || !kind)
         return Failure{"a light is 'directional', 'point' or 'spot' and its settings, not " + quoted(text)};
 
     Light light;
-    Settings settings(std::move(words.value), "a " + kind + " light");
-    if (kind == "point") light.kind = LightKind::Point;
-    if (kind == "spot") {
-        light.kind = LightKind::Spot;
-        light.direction = {0, -1, -1};
-    }
+    Settings settings(std::move(words.value), "a " + word + " light");
+    light.kind = *kind;
+    if (light.kind == LightKind::Spot) light.direction = {0, -1, -1};
     float intensity = 1;
     settings.color("color", light.color);
     settings.number("intensity", intensity, 0, 1e6f);

@@ -1,5 +1,7 @@
 #include "runtime/values/textures.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -39,9 +41,9 @@ TextureLevel half_size(const TextureLevel& level) {
 }
 
 Outcome<LoadedTexture> load_texture(const Texture& texture, const std::string& source, bool exact) {
-    if (texture.dimension != "2d")
-        return Failure{"the texture '" + texture.name + "' is a " + texture.dimension +
-                       " texture; only 2d ones can be drawn"};
+    if (texture.dimension != TextureDimension::Flat)
+        return Failure{fmt::format("the texture '{}' is a {} texture; only 2d ones can be drawn", texture.name,
+                                   to_string(texture.dimension))};
     Image image = default_texture(source);
     const bool is_named = !image.pixels.empty();
     if (!is_named) {
@@ -49,7 +51,7 @@ Outcome<LoadedTexture> load_texture(const Texture& texture, const std::string& s
         if (!loaded) return Failure{"texture '" + texture.name + "': " + loaded.error};
         image = std::move(loaded.value);
     }
-    bool is_color = texture.usage == "color";
+    bool is_color = texture.usage == TextureUsage::Color;
     bool fits_8_bits = image.bits <= 8;
     // Pictures with more bits are taken as linear already.
     if (is_color && (fits_8_bits || is_named)) decode_srgb(image);

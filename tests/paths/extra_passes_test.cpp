@@ -126,7 +126,7 @@ TEST(ExtraPasses, ShareOneBlockAndHaveFilesOfTheirOwn) {
     const Pass* outline = find_pass(with, "outline");
     ASSERT_TRUE(outline);
     EXPECT_TRUE(outline->is_extra);
-    EXPECT_EQ(outline->cull, "front");
+    EXPECT_EQ(outline->cull, Cull::Front);
     EXPECT_TRUE(has(outline->blocks, "Material"));
     std::vector<std::string> files;
     for (const Shader& shader : with.shaders) files.push_back(shader.file_name);

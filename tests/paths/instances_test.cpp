@@ -182,9 +182,8 @@ TEST(Instances, AreReachedByLampsWhereverTheyAre) {
     const WorldOptions options{.path = "forward-add", .exact_targets = true};
     const Image unlit = draw(one, options);
     for (World* world : {&one, &many})
-        world->view.lights.push_back({.kind = runtime::LightKind::Point,
-                                      .position = glm::vec3(all[1].place[3]) + glm::vec3(0, 0, 0.5f),
-                                      .range = 1});
+        world->view.lights.push_back(
+            {.kind = LightKind::Point, .position = glm::vec3(all[1].place[3]) + glm::vec3(0, 0, 0.5f), .range = 1});
     const Image lit = draw(one, options);
     EXPECT_LE(difference(lit, draw(many, options)).largest, 1e-5);
     EXPECT_GT(difference(lit, unlit).largest, 0.1);

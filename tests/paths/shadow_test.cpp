@@ -22,7 +22,6 @@ namespace patina::paths {
 namespace {
 
 using runtime::Light;
-using runtime::LightKind;
 using runtime::ShadowView;
 
 constexpr float kRadius = 0.5f;

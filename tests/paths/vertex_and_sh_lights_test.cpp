@@ -10,8 +10,6 @@ namespace patina::paths {
 namespace {
 
 using runtime::Light;
-using runtime::LightImportance;
-using runtime::LightKind;
 
 constexpr const char* kVias[] = {"glsl", "hlsl", "cpu"};
 

@@ -49,9 +49,7 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& kn
 // GLSL 450 for Vulkan; HLSL in Shader Model 5.1 style; one ShaderLab file a material, with all of its passes, for
 // Unity's built-in render pipeline.
 enum class Target { Glsl, Hlsl, Unity };
-enum class Stage { Vertex, Fragment };
 std::string_view to_string(Target target);  // "glsl", "hlsl", "unity"
-std::string_view to_string(Stage stage);    // "vertex", "fragment"
 
 // A line of emitted text -> the place in the sources that it came from.
 struct LineOrigin {
@@ -193,7 +191,7 @@ struct ModelInfo {
 struct PassInfo {
     Pass state{};  // what of it no material changes
     struct SurfaceBlend {
-        std::string surface;  // a surface kind that takes part; empty: every one
+        std::optional<SurfaceKind> surface{};  // the kind that takes part; nothing: every one
         Blend blend{};
     };
     std::vector<SurfaceBlend> blends{};  // of pass.targets; none: every surface takes part, and overwrites
