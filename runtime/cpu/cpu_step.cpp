@@ -42,7 +42,7 @@ bool is_drawn(const ScreenTriangle& triangle, Cull cull) {
     return cull != (triangle.is_front ? Cull::Front : Cull::Back);
 }
 
-std::vector<CpuTriangle> visible_triangles(const FrameStep& step, const FrameArea& area,
+std::vector<CpuTriangle> visible_triangles(const FrameStep& step, const PixelArea& area,
                                            const std::vector<ClipVertex>& vertices) {
     std::vector<CpuTriangle> visible;
     const std::vector<std::uint32_t>& indices = step.mesh->indices;
@@ -58,7 +58,7 @@ std::vector<CpuTriangle> visible_triangles(const FrameStep& step, const FrameAre
     return visible;
 }
 
-PixelBounds intersection(const FrameArea& area, const PixelBounds& window) {
+PixelBounds intersection(const PixelArea& area, const PixelBounds& window) {
     return {.left = std::max(area.x, window.left),
             .top = std::max(area.y, window.top),
             .right = std::min(area.x + area.width, window.right),
@@ -148,7 +148,7 @@ Outcome<CpuStep> make_cpu_step(const Frame& frame, const FrameStep& step, std::v
                                CpuStages& stages, Precision precision) {
     const Pass& pass = *step.pass;
     if (!step.stages.program) return Failure{"the material was compiled without its program"};
-    const FrameArea area = full_area(step, frame);
+    const PixelArea area = full_area(step, frame);
     CpuStep made{
         .step = &step, .precision = precision, .bounds = intersection(area, targets[attachments(step).front()].window)};
     for (std::size_t target : step.targets) made.colors.push_back(&targets[target]);

@@ -19,6 +19,7 @@
 
 #include "patina/interpret.h"
 #include "patina/reflection.h"
+#include "runtime/picture/area.h"
 #include "runtime/scene/mesh.h"
 #include "runtime/values/material_values.h"
 #include "runtime/values/textures.h"
@@ -39,11 +40,6 @@ struct FrameRead {
     std::size_t target = 0;
 };
 
-// A part of a target, in pixels from the top left; a width of 0 means all of it.
-struct FrameArea {
-    int x = 0, y = 0, width = 0, height = 0;
-};
-
 // The two stages of one pass of one material, in the form that whoever draws can run.
 struct StagePair {
     std::span<const std::uint32_t> vertex_spirv{}, fragment_spirv{};  // GPU; entry point "main"
@@ -62,7 +58,7 @@ struct FrameStep {
     std::vector<FrameRead> reads{};
     std::vector<std::size_t> targets{};  // one per Pass::targets, indices into Frame::targets
     int depth = -1;                      // index into Frame::targets; -1: no depth or stencil
-    FrameArea area{};
+    PixelArea area{};                    // of the targets; a width of 0: all of them
     std::uint8_t stencil_reference = 0;
     bool clears_stencil = false;  // to 0, all of it, before the step draws
 };

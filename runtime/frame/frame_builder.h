@@ -28,7 +28,7 @@ struct PlannedStep {
     const Mesh* mesh = nullptr;
     EngineScene seen{};
     std::optional<std::size_t> object{};  // of the world, if one is drawn
-    FrameArea area{};
+    PixelArea area{};
     int group = 0;  // the stencil's reference
 };
 

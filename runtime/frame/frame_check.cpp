@@ -42,7 +42,7 @@ std::string attachment_error(const Frame& frame, const FrameStep& step) {
         if (std::count(attached.begin(), attached.begin() + std::ptrdiff_t(i), attached[i]))
             return fmt::format("the pass '{}' draws into '{}' twice", pass, target.name);
     }
-    const FrameArea area = full_area(step, frame);
+    const PixelArea area = full_area(step, frame);
     if (area.x < 0 || area.y < 0 || area.width < 1 || area.height < 1 || area.width > first.width - area.x ||
         area.height > first.height - area.y)
         return fmt::format("the pass '{}' draws an area that is not inside '{}'", pass, first.name);
@@ -90,7 +90,7 @@ std::vector<std::size_t> attachments(const FrameStep& step) {
     return result;
 }
 
-FrameArea full_area(const FrameStep& step, const Frame& frame) {
+PixelArea full_area(const FrameStep& step, const Frame& frame) {
     if (step.area.width != 0) return step.area;
     const FrameTarget& target = frame.targets[attachments(step).front()];
     return {.width = target.width, .height = target.height};

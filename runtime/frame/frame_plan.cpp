@@ -8,9 +8,9 @@
 #include <span>
 
 #include "runtime/frame/frame_builder.h"
-#include "runtime/frame/light_split.h"
-#include "runtime/frame/light_volume.h"
 #include "runtime/frame/lighting_groups.h"
+#include "runtime/lights/light_split.h"
+#include "runtime/lights/light_volume.h"
 
 namespace patina::runtime {
 namespace {

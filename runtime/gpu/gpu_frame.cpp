@@ -165,7 +165,7 @@ void Recorder::begin(const FrameStep& step) {
 }
 
 void Recorder::draw(const FrameStep& step, const ReadyStep& ready) {
-    const FrameArea area = full_area(step, frame_);
+    const PixelArea area = full_area(step, frame_);
     // The negative height makes clip space y-up, as graphs and meshes are.
     const VkViewport viewport{float(area.x), float(area.y + area.height), float(area.width), -float(area.height), 0, 1};
     const VkRect2D scissor{{area.x, area.y}, {std::uint32_t(area.width), std::uint32_t(area.height)}};

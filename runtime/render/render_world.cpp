@@ -8,9 +8,9 @@
 #include <set>
 
 #include "patina/validate.h"
-#include "runtime/scene/scene_values.h"
 #include "runtime/scene/view.h"
 #include "runtime/values/engine_values.h"
+#include "runtime/values/scene_values.h"
 
 namespace patina::runtime {
 namespace {

@@ -6,9 +6,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <utility>
 
+#include "runtime/picture/mip_chain.h"
 #include "runtime/scene/scene_text.h"
 #include "runtime/scene/view.h"
-#include "runtime/values/textures.h"
 
 namespace patina::runtime {
 namespace {

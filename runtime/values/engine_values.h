@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/frame/shadow_view.h"
+#include "runtime/lights/shadow_view.h"
 #include "runtime/scene/scene.h"
 #include "runtime/scene/view.h"
 

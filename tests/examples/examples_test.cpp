@@ -11,7 +11,7 @@
 
 #include "patina/validate.h"
 #include "runtime/picture/compare.h"
-#include "runtime/picture/snapshot_file.h"
+#include "runtime/snapshot/snapshot_file.h"
 
 namespace patina::runtime {
 namespace {

@@ -16,7 +16,7 @@
 #include <numbers>
 
 #include "paths/drawing.h"
-#include "runtime/frame/shadow_view.h"
+#include "runtime/lights/shadow_view.h"
 
 namespace patina::paths {
 namespace {

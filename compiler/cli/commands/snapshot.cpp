@@ -1,5 +1,5 @@
 // patina snapshot: renders of a folder's graphs and scenes, compared with the pictures beside them.
-#include "runtime/picture/snapshot.h"
+#include "runtime/snapshot/snapshot.h"
 
 #include <fmt/format.h>
 

@@ -27,7 +27,9 @@ template <class E>
 inline constexpr NoWords kWords{};
 
 template <class E>
-concept HasWords = requires { kWords<E>.size(); };
+concept HasWords = requires {
+    kWords<E>.size();
+};
 
 // Empty for a value that stands for the absence of a word.
 template <HasWords E>

@@ -11,10 +11,10 @@ namespace {
 template <class E>
 class Words : public testing::Test {};
 
-using Enums = testing::Types<PropertyType, Binding, TextureUsage, TextureDimension, Wrap, Filter, Stage, SurfaceKind,
-                             Cull, Compare, StencilOp, StencilReference, BlendFactor, TargetFormat, PassDraws, PassEach,
-                             PassLights, PassCamera, LightKind, LightImportance, SceneEnvironment, FogMode, LightMixing,
-                             LightmapEncoding>;
+using Enums =
+    testing::Types<PropertyType, Binding, TextureUsage, TextureDimension, Wrap, Filter, Stage, SurfaceKind, Cull,
+                   Compare, StencilOp, StencilReference, BlendFactor, TargetFormat, PassDraws, PassEach, PassLights,
+                   PassCamera, LightKind, LightImportance, SceneEnvironment, FogMode, LightMixing, LightmapEncoding>;
 TYPED_TEST_SUITE(Words, Enums);
 
 TYPED_TEST(Words, ReadBackAsTheyAreWritten) {

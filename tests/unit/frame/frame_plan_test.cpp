@@ -7,7 +7,7 @@
 #include <random>
 
 #include "frame_plan_testing.h"
-#include "runtime/frame/light_split.h"
+#include "runtime/lights/light_split.h"
 
 namespace patina::runtime {
 namespace {

@@ -1,4 +1,4 @@
-#include "runtime/picture/snapshot_file.h"
+#include "runtime/snapshot/snapshot_file.h"
 
 #include <gtest/gtest.h>
 

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "runtime/picture/compare.h"
-#include "runtime/picture/snapshot_file.h"
 #include "runtime/render/render_request.h"
+#include "runtime/snapshot/snapshot_file.h"
 
 namespace patina::runtime {
 

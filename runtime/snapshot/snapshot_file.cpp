@@ -1,4 +1,4 @@
-#include "runtime/picture/snapshot_file.h"
+#include "runtime/snapshot/snapshot_file.h"
 
 #include <fmt/format.h>
 #include <rapidjson/error/en.h>

@@ -1,4 +1,4 @@
-#include "runtime/picture/snapshot.h"
+#include "runtime/snapshot/snapshot.h"
 
 #include <fmt/format.h>
 
