@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "patina/name_value.h"
 #include "runtime/picture/image.h"
 
 namespace patina::runtime {
@@ -29,11 +30,11 @@ Outcome<Words> split_words(std::string_view text) {
         text.remove_prefix(start);
         std::string_view word = text.substr(0, text.find_first_of(" \t"));
         text.remove_prefix(word.size());
-        std::size_t equals = word.find('=');
-        if (equals == std::string_view::npos) {
+        const auto [name, value] = split_name_value(word);
+        if (!value) {
             words.plain.emplace_back(word);
-        } else if (!words.settings.emplace(word.substr(0, equals), word.substr(equals + 1)).second) {
-            return Failure{quoted(word.substr(0, equals)) + " is given twice"};
+        } else if (!words.settings.emplace(name, *value).second) {
+            return Failure{quoted(name) + " is given twice"};
         }
     }
 }
