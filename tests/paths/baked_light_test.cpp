@@ -32,7 +32,7 @@ constexpr Way kWays[] = {{"forward"},       {"forward", "hlsl"},     {"forward",
                          {"forward-add"},   {"forward-directional"}, {"vertex"},
                          {"deferred"},      {"deferred-extended"},   {"deferred-shadowmask"},
                          {"vertex", "cpu"}, {"deferred", "cpu"}};
-WorldOptions options_of(const Way& way) {
+RenderOptions options_of(const Way& way) {
     return {.path = way.path, .via = way.via, .exact_targets = true};
 }
 

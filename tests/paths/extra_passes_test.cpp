@@ -113,7 +113,7 @@ TEST(ExtraPasses, AreWhatAMaterialOfTheirOwnWouldBe) {
         add_object(apart, plain, "sphere", 24, place);
         const Image without = draw(apart, {.path = way.path, .via = way.via, .exact_targets = true});
         add_object(apart, ink, "sphere", 24, place, {{"_Width", "0.1"}, {"_Ink", "1,0,0"}});
-        const WorldOptions options{.path = way.path, .via = way.via, .exact_targets = true};
+        const RenderOptions options{.path = way.path, .via = way.via, .exact_targets = true};
         const Image expected = draw(apart, options);
         EXPECT_LE(difference(draw(together, options), expected).largest, 1e-5);
         EXPECT_GT(difference(without, expected).largest, 0.5);

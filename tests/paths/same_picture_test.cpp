@@ -252,7 +252,7 @@ TEST(OwnLighting, IsDrawnDeferredByItsOwnPasses) {
     World plain = ramp_scene();
     for (runtime::WorldMaterial& material : plain.materials)
         if (material.graph.ends_with("ramp.graph.json")) material.overrides["_Sheen"] = "0";
-    const WorldOptions options{.path = "deferred-extended", .exact_targets = true};
+    const RenderOptions options{.path = "deferred-extended", .exact_targets = true};
     EXPECT_GT(difference(draw(plain, options), draw(ramp_scene(), options)).largest, 5 * kStep);
     // Unity's own layout has no room for it.
     EXPECT_EQ(compiled("tests/paths/ramp.graph.json", "deferred").reflection.path, "forward");

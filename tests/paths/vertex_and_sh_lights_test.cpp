@@ -13,7 +13,7 @@ using runtime::Light;
 
 constexpr const char* kVias[] = {"glsl", "hlsl", "cpu"};
 
-WorldOptions additive(const char* via, bool sh_per_vertex = false) {
+RenderOptions additive(const char* via, bool sh_per_vertex = false) {
     return {.path = "forward-add",
             .switches = {{"sh_per_vertex", sh_per_vertex ? "true" : "false"}},
             .via = via,
