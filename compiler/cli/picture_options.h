@@ -1,8 +1,7 @@
 // The options that say which picture of a graph is meant, the same for every command that makes or explains one.
 //
 //   add_picture_options(command, arguments->set, arguments->request);
-//   command.parse_complete_callback([arguments] { take_overrides(arguments->set, arguments->path, arguments->request);
-//   });
+//   take_overrides(arguments->set, arguments->path, arguments->request);   // once the command line is parsed
 #pragma once
 
 #include "compiler/cli/program.h"

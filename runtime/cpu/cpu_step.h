@@ -49,8 +49,8 @@ struct CpuStep {
     std::vector<LoadedTexture> textures{};  // loaded ones, and targets as they were when the step began
     std::vector<InputSource> sources{};
     std::vector<CpuTriangle> triangles{};
-    std::function<void(double)> progress{};                 // told by whoever has row 0
-    std::function<void(const CpuFragment&)> on_fragment{};  // told of every fragment, if there is one thread only
+    std::function<void(double)> progress{};                 // called by the thread that has row 0
+    std::function<void(const CpuFragment&)> on_fragment{};  // called for each fragment, if there is one thread only
 };
 
 // Of a frame without a frame_error(). `stages` are those of this pass; the first fragment stage is there afterwards.

@@ -1,8 +1,8 @@
 // The images that a frame draws into, in memory: bytes of their formats, so that what is written is rounded as a GPU
 // rounds it. Only a window of a target need be there, for those who look at one pixel.
 //
-//   CpuTarget target = make_cpu_target({.format = TargetFormat::Rgba8, .width = 4, .height = 4}, {.right = 4, .bottom =
-//   4}); target.store(1, 2, {0.5f, 0, 0, 1});
+//   CpuTarget target = make_cpu_target({.width = 4, .height = 4}, {.right = 4, .bottom = 4});
+//   target.store(1, 2, {0.5f, 0, 0, 1});
 #pragma once
 
 #include <memory>

@@ -2,10 +2,13 @@
 // what is in the list has been decided (frame_plan.h). The GPU (renderer.h) and the CPU (cpu_render.h) draw the same
 // list.
 //
-//   Frame frame{.targets = {{.name = "color", .format = TargetFormat::Rgba32F, .width = 64, .height = 64},
-//                           {.name = "depth", .format = TargetFormat::Depth, .width = 64, .height = 64, .clear =
-//                           glm::vec4(1)}},
+// The room `frame`: how a world becomes such a list, and whether the list holds together. It compiles nothing, and
+// neither runs a shader nor names anything of Vulkan.
+//
+//   Frame frame{.targets = {{.name = "color", .width = 64, .height = 64},
+//                           {.name = "depth", .format = TargetFormat::Depth, .width = 64, .height = 64}},
 //               .steps = {...}};
+//   frame.targets[1].clear = glm::vec4(1);
 //   Outcome<Image> image = renderer.draw(frame);
 #pragma once
 
@@ -68,7 +71,7 @@ struct Frame {
     std::vector<FrameStep> steps{};
     std::size_t shown = 0;  // the target that is the result
     int samples = 1;        // the result is averaged over so many pixels along each axis
-    // CPU: told now and then which share is done, 0 to 1, on the calling thread.
+    // CPU: called now and then with the share that is done, 0 to 1, on the calling thread.
     std::function<void(double)> progress{};
     std::shared_ptr<const void> keep{};  // what steps point to and nobody else holds
 };

@@ -1,6 +1,9 @@
 // What a material is looked at with: mesh, camera, lights, ambient light, time and the size of the picture. Plain data
 // with good defaults; it knows no material. scene_text.h reads its parts from the words of the command line.
 //
+// The room `scene`: what is looked at, as plain data, and the words and files that describe it. Nothing here compiles a
+// material, or knows how something is drawn.
+//
 //   Scene scene = default_scene("sphere");
 //   scene.lights = {{.color = glm::vec3(2)}};
 #pragma once

@@ -36,7 +36,7 @@ struct SeenInstance {
     const MaterialValues* values = nullptr;  // null: the material's
 };
 
-// What one draw is told of its surroundings.
+// What one draw knows of its surroundings.
 struct EngineScene {
     const Scene* scene = nullptr;  // time, size and fog are its
     View view{};
