@@ -105,14 +105,6 @@ std::string_view version() {
     return "0.1.0";
 }
 
-std::string_view to_string(Stage stage) {
-    switch (stage) {
-        case Stage::Vertex: return "vertex";
-        case Stage::Fragment: return "fragment";
-    }
-    return {};
-}
-
 Compiler::Compiler() : impl_(std::make_unique<Impl>()) {
     impl_->library = graph::load_library(nodelang::embedded_files());
 }

@@ -46,7 +46,7 @@ ModelInputInfo describe_property(const graph::Property& property, const SourceMa
             .doc = property.help,
             .range = property.range,
             .values = property.values,
-            .is_variant = property.binding == graph::Binding::Variant};
+            .is_variant = property.binding == Binding::Variant};
 }
 
 ModelNodeInfo describe_node(const graph::Node& node, const SourceMap& sources) {

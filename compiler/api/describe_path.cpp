@@ -20,7 +20,7 @@ std::string_view opening_comment(std::string_view text) {
 PassInfo describe_pass(const graph::PassDecl& declaration) {
     PassInfo pass{.state = declaration.state, .blends = {}, .is_optional = declaration.is_optional};
     for (const graph::BlendRow& row : declaration.blends) {
-        pass.blends.push_back({.surface = std::string(row.surface), .blend = row.blend});
+        pass.blends.push_back({.surface = row.surface, .blend = row.blend});
     }
     return pass;
 }

@@ -13,7 +13,7 @@ void dump_graph(Result& result, const graph::Session& session, const graph::Mate
     const graph::Graph& graph = *checked.graph;
     std::string text = fmt::format("{}: {}, lit by {}\n", graph.name, graph.workflow, material.lighting_name);
     for (const graph::MaterialProperty& entry : material.properties) {
-        text += fmt::format("property {} {}\n", graph::to_string(entry.property->type), entry.property->name);
+        text += fmt::format("property {} {}\n", to_string(entry.property->type), entry.property->name);
     }
     const auto ports = [&](std::span<const graph::PortValue> values) {
         for (const graph::PortValue& port : values) {

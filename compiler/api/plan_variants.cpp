@@ -24,12 +24,12 @@ struct Axis {
 std::vector<Axis> open_axes(const graph::Material& material) {
     std::vector<Axis> axes;
     for (const graph::MaterialProperty& entry : material.properties) {
-        if (entry.property->binding != graph::Binding::Variant || entry.is_chosen) continue;
+        if (entry.property->binding != Binding::Variant || entry.is_chosen) continue;
         axes.push_back({.property = entry.property,
                         .told = {.property = entry.property->name,
                                  .values = {},
                                  .otherwise = static_cast<std::size_t>(entry.property->value[0]),
-                                 .is_bool = entry.property->type == graph::PropertyType::Bool}});
+                                 .is_bool = entry.property->type == PropertyType::Bool}});
         for (const std::string_view word : graph::keyword_words(*entry.property))
             axes.back().told.values.emplace_back(word);
     }
@@ -108,7 +108,7 @@ void plan_listed(graph::Session& session, const graph::Material& material, const
     if (made.count > 0) return;
     std::vector<std::string> fixed;
     for (const graph::MaterialProperty& entry : material.properties) {
-        if (entry.property->binding == graph::Binding::Variant && entry.is_chosen)
+        if (entry.property->binding == Binding::Variant && entry.is_chosen)
             fixed.push_back(fmt::format("'{}' = {}", entry.property->name,
                                         graph::keyword_words(*entry.property)[static_cast<std::size_t>(entry.chosen)]));
     }
@@ -236,7 +236,7 @@ void plan(const Compiler& compiler, graph::Session& session, const std::string& 
     const auto& properties = file.material->properties;
     made.fixed = static_cast<std::size_t>(
         std::count_if(properties.begin(), properties.end(), [](const graph::MaterialProperty& entry) {
-            return entry.property->binding == graph::Binding::Variant && entry.is_chosen;
+            return entry.property->binding == Binding::Variant && entry.is_chosen;
         }));
     switch (wanted) {
         case VariantsWanted::All: return plan_all(session, graph, axes, limit, made);

@@ -1,5 +1,6 @@
 #include "compiler/cli/picture_options.h"
 
+#include "patina/name_value.h"
 #include "runtime/scene/mesh.h"
 
 namespace patina::cli {
@@ -47,23 +48,23 @@ void add_picture_options(CLI::App& command, std::vector<std::string>& set, runti
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
     add_scene_options(command, request);
-    add_include_option(command, request.include_dirs);
+    add_include_option(command, request.options.include_dirs);
 }
 
 void take_overrides(const std::vector<std::string>& set, const PathOptions& path, runtime::RenderRequest& request) {
-    request.path = path.path;
-    request.defines = path.defines;
+    request.options.path = path.path;
+    request.options.switches = path.switches();
     std::map<std::string, std::string> values;
-    for (const auto& [name, value] : path.switches()) set_once(values, name, value);
+    for (const auto& [name, value] : request.options.switches) set_once(values, name, value);
     for (const std::string& text : set) {
-        const std::size_t equals = text.find('=');
-        if (equals == text.npos || equals == 0) {
+        const auto [given, value] = split_name_value(text);
+        if (given.empty() || !value) {
             throw CLI::ValidationError("--set", "'" + text + "' is not of the form NAME=VALUE");
         }
-        const std::string name = text.substr(0, equals);
-        if (const std::string why = set_once(values, name, text.substr(equals + 1)); !why.empty())
+        const std::string name(given);
+        if (const std::string why = set_once(values, name, std::string(*value)); !why.empty())
             throw CLI::ValidationError("--set", why);
-        request.overrides[name] = text.substr(equals + 1);
+        request.overrides[name] = *value;
     }
 }
 

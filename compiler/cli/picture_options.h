@@ -2,8 +2,7 @@
 // `patina trace` share them.
 //
 //   add_picture_options(command, arguments->set, arguments->request);
-//   command.parse_complete_callback([arguments] { take_overrides(arguments->set, arguments->path, arguments->request);
-//   });
+//   take_overrides(arguments->set, arguments->path, arguments->request);   // once the command line is parsed
 #pragma once
 
 #include "compiler/cli/program.h"

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "compiler/cli/files.h"
+#include "patina/name_value.h"
 
 namespace patina::cli {
 namespace {
@@ -45,7 +46,7 @@ std::string explain_extras(CLI::App& app, const CLI::App* command) {
     const std::vector<std::string> words = app.remaining(true);
     const std::string word = words.empty() ? std::string() : words.front();
     if (word.starts_with("-")) {
-        const std::string name = word.substr(0, word.find('='));
+        const std::string name(split_name_value(word).name);
         return "unknown option '" + name + "'" + advice(name, option_names(command ? *command : app));
     }
     if (!command) return "there is no command '" + word + "'" + advice(word, command_names(app));
@@ -115,8 +116,8 @@ void add_include_option(CLI::App& command, std::vector<std::string>& folders) {
 std::vector<std::pair<std::string, std::string>> PathOptions::switches() const {
     std::vector<std::pair<std::string, std::string>> made;
     for (const std::string& define : defines) {
-        const std::size_t equals = define.find('=');
-        made.emplace_back(define.substr(0, equals), equals == define.npos ? "" : define.substr(equals + 1));
+        const auto [name, value] = split_name_value(define);
+        made.emplace_back(name, value.value_or(""));
     }
     return made;
 }
@@ -141,8 +142,8 @@ void add_define_option(CLI::App& command, std::vector<std::string>& defines) {
         ->check([values = std::make_shared<std::map<std::string, std::string>>()](const std::string& define) {
             if (define.empty() || define.front() == '=' || define.back() == '=')
                 return "'" + define + "' is not of the form NAME or NAME=VALUE";
-            const std::size_t equals = define.find('=');
-            return set_once(*values, define.substr(0, equals), equals == define.npos ? "" : define.substr(equals + 1));
+            const auto [name, value] = split_name_value(define);
+            return set_once(*values, std::string(name), std::string(value.value_or("")));
         });
 }
 

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "compiler/ir/ir.h"
+#include "patina/words.h"
 
 namespace patina::engines {
 
@@ -37,6 +38,14 @@ struct VertexInput {
 enum class Variants { Chosen, Keywords };
 // Who holds what each instance of a draw has: arrays in uniform blocks, or the engine's own text.
 enum class Instances { Arrays, Engine };
+// What a sampler is called after: the property, or what the texture is called in the shader.
+enum class SamplerNames { OfProperties, OfTextures };
+// Where y of clip space grows.
+enum class ClipY { Up, Down };
+// z of clip space at the near and the far plane: 0 and 1, or 1 and 0.
+enum class ClipDepth { NearToFar, Reversed };
+// How a matrix lies in a uniform block.
+enum class MatrixOrder { Columns, Rows };
 
 struct Names {
     std::string owner;                             // of `taken` and `prefixes`, in words: "one of Unity's includes"
@@ -62,14 +71,14 @@ struct Engine {
     std::map<std::string, std::string, std::less<>> blocks;  // the library's name of a block -> the engine's
     std::vector<VertexInput> vertex_inputs;
 
-    bool is_y_down = false;          // clip space: y grows downwards
-    bool is_depth_reversed = false;  // clip space: z is 1 at the near plane and 0 at the far one
-    bool matrices_by_rows = false;   // how a matrix lies in a uniform block
+    ClipY clip_y = ClipY::Up;
+    ClipDepth clip_depth = ClipDepth::NearToFar;
+    MatrixOrder matrices = MatrixOrder::Columns;
 
     // How the engine keeps the values of a material, by type; empty: as the shader reads them.
     std::map<std::string, std::string, std::less<>> storage;
     std::string texture_sizes;              // what a texture's size is called behind its name; empty: there is none
-    bool samplers_follow_textures = false;  // a sampler is called after what its texture is called in the shader
+    SamplerNames samplers = SamplerNames::OfProperties;
     std::uint32_t most_varyings = 0;        // vectors from the vertex stage to the fragment stage
     std::string varyings_note;              // what of the engine's own takes some; may be empty
     std::uint32_t most_block_bytes = 0;
@@ -90,3 +99,39 @@ struct Engine {
 };
 
 }  // namespace patina::engines
+
+// --- the words of engine.json
+namespace patina {
+
+template <>
+inline constexpr auto kWords<engines::Variants> = std::to_array<Word<engines::Variants>>({
+    {"chosen", engines::Variants::Chosen},
+    {"keywords", engines::Variants::Keywords},
+});
+template <>
+inline constexpr auto kWords<engines::Instances> = std::to_array<Word<engines::Instances>>({
+    {"arrays", engines::Instances::Arrays},
+    {"engine", engines::Instances::Engine},
+});
+template <>
+inline constexpr auto kWords<engines::SamplerNames> = std::to_array<Word<engines::SamplerNames>>({
+    {"ofProperties", engines::SamplerNames::OfProperties},
+    {"ofTextures", engines::SamplerNames::OfTextures},
+});
+template <>
+inline constexpr auto kWords<engines::ClipY> = std::to_array<Word<engines::ClipY>>({
+    {"up", engines::ClipY::Up},
+    {"down", engines::ClipY::Down},
+});
+template <>
+inline constexpr auto kWords<engines::ClipDepth> = std::to_array<Word<engines::ClipDepth>>({
+    {"nearToFar", engines::ClipDepth::NearToFar},
+    {"reversed", engines::ClipDepth::Reversed},
+});
+template <>
+inline constexpr auto kWords<engines::MatrixOrder> = std::to_array<Word<engines::MatrixOrder>>({
+    {"columns", engines::MatrixOrder::Columns},
+    {"rows", engines::MatrixOrder::Rows},
+});
+
+}  // namespace patina

@@ -8,16 +8,7 @@ namespace patina::engines {
 namespace {
 
 using graph::Json;
-using graph::Word;
 
-constexpr std::array kVariants = {Word<Variants>{"chosen", Variants::Chosen},
-                                  Word<Variants>{"keywords", Variants::Keywords}};
-constexpr std::array kInstances = {Word<Instances>{"arrays", Instances::Arrays},
-                                   Word<Instances>{"engine", Instances::Engine}};
-constexpr std::array kSamplers = {Word<bool>{"ofProperties", false}, Word<bool>{"ofTextures", true}};
-constexpr std::array kDirections = {Word<bool>{"up", false}, Word<bool>{"down", true}};
-constexpr std::array kDepths = {Word<bool>{"nearToFar", false}, Word<bool>{"reversed", true}};
-constexpr std::array kMatrices = {Word<bool>{"columns", false}, Word<bool>{"rows", true}};
 constexpr std::array kGroups = {Word<ir::Group>{"engine", ir::Group::Engine},
                                 Word<ir::Group>{"material", ir::Group::Material},
                                 Word<ir::Group>{"targets", ir::Group::Targets}};
@@ -40,19 +31,19 @@ public:
             if (const std::optional<std::uint32_t> base = file(*name))
                 engine_.include = reading_.sources.file_text(*base);
         }
-        word(json, "variants", "what becomes of variants", kVariants, engine_.variants);
-        word(json, "instances", "who holds instances", kInstances, engine_.instances);
+        word(json, "variants", "what becomes of variants", engine_.variants);
+        word(json, "instances", "who holds instances", engine_.instances);
         if (const Json* sets = object(json, "sets", EngineSets)) read_sets(*sets);
         engine_.blocks = map(json, "blocks");
         if (const Json* inputs = json.find("vertexInputs")) vertex_inputs(*inputs);
         if (const Json* clip = object(json, "clip", EngineClip)) {
-            word(*clip, "y", "a direction of y", kDirections, engine_.is_y_down);
-            word(*clip, "depth", "an order of depth", kDepths, engine_.is_depth_reversed);
+            word(*clip, "y", "a direction of y", engine_.clip_y);
+            word(*clip, "depth", "an order of depth", engine_.clip_depth);
         }
-        word(json, "matrices", "an order of matrices", kMatrices, engine_.matrices_by_rows);
+        word(json, "matrices", "an order of matrices", engine_.matrices);
         engine_.storage = map(json, "storage");
         engine_.texture_sizes = text(json, "textureSizes");
-        word(json, "samplers", "a way to name samplers", kSamplers, engine_.samplers_follow_textures);
+        word(json, "samplers", "a way to name samplers", engine_.samplers);
         if (const Json* limits = object(json, "limits", EngineLimits)) {
             number(*limits, "varyings", engine_.most_varyings);
             number(*limits, "blockBytes", engine_.most_block_bytes);
@@ -64,10 +55,9 @@ public:
 private:
     std::string text(const Json& json, std::string_view key) { return read_text(reading_, json, key); }
 
-    template <class E, std::size_t N>
-    void word(const Json& json, std::string_view key, std::string_view what, const std::array<Word<E>, N>& words,
-              E& into) {
-        if (const Json* value = json.find(key)) into = read_word(reading_, *value, key, what, words).value_or(into);
+    template <class E>
+    void word(const Json& json, std::string_view key, std::string_view what, E& into) {
+        if (const Json* value = json.find(key)) into = graph::read_word<E>(reading_, *value, key, what).value_or(into);
     }
 
     template <class Number>

@@ -11,6 +11,7 @@
 #include "compiler/base/source.h"
 #include "compiler/nodelang/ast.h"
 #include "patina/reflection.h"
+#include "patina/words.h"
 
 namespace patina::graph {
 
@@ -44,22 +45,7 @@ struct Node {
     std::string note;
 };
 
-enum class PropertyType { Float, Float2, Float3, Float4, Color, Int, Bool, Enum, Texture2D };
-std::string_view to_string(PropertyType type);
-enum class TextureUsage { Color, Data, Normal };
-enum class Wrap { Repeat, Clamp, Mirror };
-enum class Filter { Linear, Nearest };
-struct SamplerState {
-    Wrap wrap = Wrap::Repeat;
-    Filter filter = Filter::Linear;
-    int anisotropy = 1;  // 1 to 16
-    bool operator==(const SamplerState&) const = default;
-};
-
-// When a property gets its value: when something is drawn; when a pipeline is made; when the graph is compiled; for
-// each instance that is drawn.
-enum class Binding { Uniform, Specialization, Variant, Instance };
-// Such a property has a value for each shader, and none in the material's block.
+// A property that is bound so has a value for each shader, and none in the material's block.
 constexpr bool is_keyword(Binding binding) {
     return binding == Binding::Specialization || binding == Binding::Variant;
 }
@@ -80,7 +66,7 @@ struct Property {
     Span label_span, group_span;
     TextureUsage usage = TextureUsage::Color;
     bool tiling = false;
-    SamplerState sampler;
+    Sampler sampler;
     Span sampler_span;
     Binding binding = Binding::Uniform;  // Specialization and Variant: bool and enum
     Span binding_span;
@@ -113,10 +99,6 @@ struct LightingUse {
     bool present = false;
 };
 
-enum class SurfaceKind { Opaque, Cutout, Fade, Transparent, Additive, Multiply };
-enum class Cull { Back, Front, Off };
-enum class Compare { Never, Less, Equal, LessEqual, Greater, NotEqual, GreaterEqual, Always };
-enum class StencilOp { Keep, Zero, Replace, Increment, Decrement, Invert, IncrementWrap, DecrementWrap };
 struct StencilState {
     int reference = 0, read_mask = 255, write_mask = 255;
     Compare test = Compare::Always;

@@ -406,9 +406,7 @@ std::string_view describe(ObjectKind kind) {
 ObjectKind top_level_kind(const Json& root) {
     const Json* kind = root.find("kind");
     if (!kind) return ObjectKind::Material;
-    const auto found = std::find_if(kFileKinds.begin(), kFileKinds.end(),
-                                    [&](const Word<ObjectKind>& word) { return word.text == kind->string; });
-    return found == kFileKinds.end() ? ObjectKind::Material : found->value;
+    return from_word<ObjectKind>(kind->string).value_or(ObjectKind::Material);
 }
 
 ObjectKind value_kind(const KeyInfo& key, const Json& value) {

@@ -2,7 +2,7 @@
 // compiler/format/read_*.cpp.
 //
 //   if (const Json* json = object.find("wrap")) {
-//       sampler.wrap = read_word(reading, *json, "wrap", "a wrap mode", kWraps).value_or(Wrap::Repeat);
+//       sampler.wrap = read_word<Wrap>(reading, *json, "wrap", "a wrap mode").value_or(Wrap::Repeat);
 //   }
 #pragma once
 
@@ -82,18 +82,15 @@ void check_range(Reading& reading, Span span, double value, const std::array<dou
 // The word among `known` that others call `word`, or `word` itself.
 std::string_view meant_by(std::string_view word, std::span<const std::string_view> known);
 
-template <class E, std::size_t N>
-std::optional<E> read_word(Reading& reading, const Json& json, std::string_view key, std::string_view what,
-                           const std::array<Word<E>, N>& words) {
+// The value of a word of `E`; nothing after an error.
+template <HasWords E>
+std::optional<E> read_word(Reading& reading, const Json& json, std::string_view key, std::string_view what) {
     const std::string* text = read_string(reading, json, fmt::format("'{}'", key));
     if (!text) return std::nullopt;
-    std::array<std::string_view, N> texts;
-    for (std::size_t i = 0; i < N; ++i) {
-        if (words[i].text == *text) return words[i].value;
-        texts[i] = words[i].text;
-    }
+    if (const std::optional<E> known = from_word<E>(*text)) return known;
+    constexpr auto kTexts = texts<E>();
     suggest(reading, reading.diagnostics.report(Code::UnknownWord, inside(json.span), shown(*text), what),
-            meant_by(*text, texts), texts);
+            meant_by(*text, kTexts), kTexts);
     return std::nullopt;
 }
 

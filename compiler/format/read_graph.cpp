@@ -37,7 +37,7 @@ void read_common(Reading& reading, const Json& json, Graph& graph, UniqueNames& 
     if (const Json* schema = json.find("$schema")) (void)read_string(reading, *schema, "'$schema'");
     if (const Json* precision = json.find("precision")) {
         graph.precision =
-            read_word(reading, *precision, "precision", "a precision", kPrecisions).value_or(Precision::Float);
+            read_word<Precision>(reading, *precision, "precision", "a precision").value_or(Precision::Float);
     }
     if (const Json* properties = json.find("properties")) {
         graph.properties = read_properties(reading, *properties, names);

@@ -30,14 +30,14 @@ std::optional<ObjectKind> check_kind(Reading& reading, const Json& json, std::sp
     const Json* word = json.find("kind");
     ObjectKind kind = ObjectKind::Material;
     if (word) {
-        const std::optional<ObjectKind> known = read_word(reading, *word, "kind", "a kind of graph", kFileKinds);
+        const std::optional<ObjectKind> known = read_word<ObjectKind>(reading, *word, "kind", "a kind of graph");
         if (!known) return std::nullopt;
         kind = *known;
     }
     if (std::find(allowed.begin(), allowed.end(), kind) != allowed.end()) return kind;
     DiagnosticRecord& record = reading.diagnostics.report(Code::WrongJsonType, word ? word->span : opening(json),
                                                           "this file", describe(allowed), describe(kind));
-    if (!word) record.note(fmt::format("\"kind\": \"{}\" is missing", text_of(kFileKinds, allowed.front())));
+    if (!word) record.note(fmt::format("\"kind\": \"{}\" is missing", to_string(allowed.front())));
     if (kind == ObjectKind::Scene) {
         record.note(
             "'patina render' draws a scene, and 'patina check' checks it with its materials; its file is called "

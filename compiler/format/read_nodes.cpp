@@ -60,12 +60,12 @@ Node read_node(Reading& reading, const Json& json, UniqueNames& ids) {
     }
 
     if (const Json* stage = json.find("stage")) {
-        node.stage = read_word(reading, *stage, "stage", "a stage", kNodeStages).value_or(NodeStage::OfReaders);
+        node.stage = read_word<NodeStage>(reading, *stage, "stage", "a stage").value_or(NodeStage::OfReaders);
         node.stage_span = stage->span;
     }
     if (const Json* precision = json.find("precision")) {
         node.precision =
-            read_word(reading, *precision, "precision", "a precision", kPrecisions).value_or(Precision::Inherit);
+            read_word<Precision>(reading, *precision, "precision", "a precision").value_or(Precision::Inherit);
     }
     node.note = read_text(reading, json, "note");
     return node;

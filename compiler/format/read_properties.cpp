@@ -181,14 +181,14 @@ void read_enum_values(Reading& reading, const Json& json, Property& property) {
     }
 }
 
-void read_sampler(Reading& reading, const Json& json, SamplerState& sampler) {
+void read_sampler(Reading& reading, const Json& json, Sampler& sampler) {
     if (!expect(reading, json, Json::Kind::Object, "'sampler'")) return;
     check_keys(reading, json, ObjectKind::Sampler);
     if (const Json* wrap = json.find("wrap")) {
-        sampler.wrap = read_word(reading, *wrap, "wrap", "a wrap mode", kWraps).value_or(Wrap::Repeat);
+        sampler.wrap = read_word<Wrap>(reading, *wrap, "wrap", "a wrap mode").value_or(Wrap::Repeat);
     }
     if (const Json* filter = json.find("filter")) {
-        sampler.filter = read_word(reading, *filter, "filter", "a filter", kFilters).value_or(Filter::Linear);
+        sampler.filter = read_word<Filter>(reading, *filter, "filter", "a filter").value_or(Filter::Linear);
     }
     if (const Json* anisotropy = json.find("anisotropy")) {
         sampler.anisotropy = read_int(reading, *anisotropy, "'anisotropy'", 1, 16).value_or(1);
@@ -198,7 +198,7 @@ void read_sampler(Reading& reading, const Json& json, SamplerState& sampler) {
 void read_texture_keys(Reading& reading, const Json& json, Property& property) {
     if (const Json* usage = json.find("usage")) {
         property.usage =
-            read_word(reading, *usage, "usage", "a texture's usage", kTextureUsages).value_or(TextureUsage::Color);
+            read_word<TextureUsage>(reading, *usage, "usage", "a texture's usage").value_or(TextureUsage::Color);
     }
     if (const Json* tiling = json.find("tiling")) {
         property.tiling = read_bool(reading, *tiling, "'tiling'").value_or(false);
@@ -215,7 +215,7 @@ Property read_property(Reading& reading, const Json& json, UniqueNames& names) {
     check_keys(reading, json, ObjectKind::Property);
     read_name(reading, json, "property", property.name, property.name_span, names);
     if (const Json* binding = json.find("as")) {
-        property.binding = read_word(reading, *binding, "as", "a binding time", kBindings).value_or(Binding::Uniform);
+        property.binding = read_word<Binding>(reading, *binding, "as", "a binding time").value_or(Binding::Uniform);
         property.binding_span = binding->span;
     }
     property.label = read_text(reading, json, "label");
@@ -226,7 +226,7 @@ Property read_property(Reading& reading, const Json& json, UniqueNames& names) {
 
     const Json* type = json.find("type");
     if (!type) return property;
-    const std::optional<PropertyType> known = read_word(reading, *type, "type", "a property type", kPropertyTypes);
+    const std::optional<PropertyType> known = read_word<PropertyType>(reading, *type, "type", "a property type");
     if (!known) return property;  // what the other keys must hold depends on it
     property.type = *known;
     check_keys_of_type(reading, json, property);
@@ -250,10 +250,6 @@ Property read_property(Reading& reading, const Json& json, UniqueNames& names) {
 }
 
 }  // namespace
-
-std::string_view to_string(PropertyType type) {
-    return text_of(kPropertyTypes, type);
-}
 
 std::vector<Property> read_properties(Reading& reading, const Json& array, UniqueNames& names) {
     std::vector<Property> properties;

@@ -47,10 +47,10 @@ StencilState read_stencil(Reading& reading, const Json& json) {
     number("readMask", stencil.read_mask);
     number("writeMask", stencil.write_mask);
     if (const Json* test = json.find("test"))
-        stencil.test = read_word(reading, *test, "test", "a stencil test", kCompares).value_or(Compare::Always);
+        stencil.test = read_word<Compare>(reading, *test, "test", "a stencil test").value_or(Compare::Always);
     const auto operation = [&](std::string_view key, StencilOp& value) {
         if (const Json* found = json.find(key))
-            value = read_word(reading, *found, key, "a stencil operation", kStencilOps).value_or(value);
+            value = read_word<StencilOp>(reading, *found, key, "a stencil operation").value_or(value);
     };
     operation("pass", stencil.pass);
     operation("fail", stencil.fail);
@@ -120,14 +120,14 @@ RenderState read_render(Reading& reading, const Json& json) {
     if (const Json* surface = json.find("surface")) {
         render.surface_span = surface->span;
         render.surface =
-            read_word(reading, *surface, "surface", "a surface kind", kSurfaceKinds).value_or(SurfaceKind::Opaque);
+            read_word<SurfaceKind>(reading, *surface, "surface", "a surface kind").value_or(SurfaceKind::Opaque);
     }
     if (const Json* cull = json.find("cull")) {
-        render.cull = read_word(reading, *cull, "cull", "a cull mode", kCulls).value_or(Cull::Back);
+        render.cull = read_word<Cull>(reading, *cull, "cull", "a cull mode").value_or(Cull::Back);
     }
     if (const Json* write = json.find("depthWrite")) render.depth_write = read_bool(reading, *write, "'depthWrite'");
     if (const Json* test = json.find("depthTest")) {
-        render.depth_test = read_word(reading, *test, "depthTest", "a depth test", kCompares);
+        render.depth_test = read_word<Compare>(reading, *test, "depthTest", "a depth test");
     }
     if (const Json* offset = json.find("depthOffset")) {
         render.depth_offset = read_depth_offset(reading, *offset);

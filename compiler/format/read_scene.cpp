@@ -64,10 +64,9 @@ std::optional<SceneAmbient> read_ambient(Reading& reading, const Json& json) {
         return ambient;
     }
     if (json.kind == Json::Kind::String && !json.string.starts_with('#')) {
-        enum class Named { Studio, None };
-        constexpr std::array kNamed = {Word<Named>{"studio", Named::Studio}, Word<Named>{"none", Named::None}};
-        const std::optional<Named> named = read_word(reading, json, "ambient", "ambient light", kNamed);
-        if (named == Named::Studio) return std::nullopt;
+        // The words are those of the environment.
+        const auto named = read_word<SceneEnvironment>(reading, json, "ambient", "ambient light");
+        if (named == SceneEnvironment::Studio) return std::nullopt;
         return SceneAmbient{.horizon = SceneVector{}};
     }
     const std::optional<std::array<double, 4>> color = read_scene_color(reading, json, "ambient");
@@ -80,12 +79,11 @@ std::optional<SceneFog> read_fog(Reading& reading, const Json& json) {
     SceneFog fog;
     check_keys(reading, json, ObjectKind::Fog);
     const Json* mode = json.find("mode");
-    const std::optional<SceneFogMode> known =
-        mode ? read_word(reading, *mode, "mode", "a fog mode", kFogModes) : std::nullopt;
+    const std::optional<FogMode> known = mode ? read_word<FogMode>(reading, *mode, "mode", "a fog mode") : std::nullopt;
     if (!known) return fog;
     fog.mode = *known;
-    const std::string what = fmt::format("fog of mode {}", text_of(kFogModes, fog.mode));
-    if (fog.mode == SceneFogMode::Linear) {
+    const std::string what = fmt::format("fog of mode {}", to_string(fog.mode));
+    if (fog.mode == FogMode::Linear) {
         refuse_key(reading, json, "density", what, "the modes exp and exp2");
     } else {
         for (const std::string_view key : {"start", "end"}) refuse_key(reading, json, key, what, "the mode linear");
@@ -107,13 +105,13 @@ SceneMixedLighting read_mixed_lighting(Reading& reading, const Json& json) {
     if (!expect(reading, json, Json::Kind::Object, "'mixedLighting'")) return mixed;
     check_keys(reading, json, ObjectKind::MixedLighting);
     const Json* mode = json.find("mode");
-    const std::optional<SceneMixing> known =
-        mode ? read_word(reading, *mode, "mode", "a mode of mixed lighting", kMixingModes) : std::nullopt;
+    const std::optional<LightMixing> known =
+        mode ? read_word<LightMixing>(reading, *mode, "mode", "a mode of mixed lighting") : std::nullopt;
     if (!known) return mixed;
     mixed.mode = *known;
-    if (mixed.mode != SceneMixing::Subtractive) {
-        refuse_key(reading, json, "shadowColor",
-                   fmt::format("mixed lighting of mode {}", text_of(kMixingModes, mixed.mode)), "the mode subtractive");
+    if (mixed.mode != LightMixing::Subtractive) {
+        refuse_key(reading, json, "shadowColor", fmt::format("mixed lighting of mode {}", to_string(mixed.mode)),
+                   "the mode subtractive");
     }
     read_color(reading, json, "shadowColor", mixed.shadow_color);
     double distance = 0, fade = 0;
@@ -281,8 +279,8 @@ SceneObject read_object(SceneReading& reading, const Json& json, const Materials
     if (const Json* encoding = json.find("lightmapEncoding")) {
         if (json.find("lightmap")) {
             object.lightmap_encoding =
-                read_word(reading, *encoding, "lightmapEncoding", "an encoding of lightmaps", kLightmapEncodings)
-                    .value_or(SceneLightmapEncoding::Hdr);
+                read_word<LightmapEncoding>(reading, *encoding, "lightmapEncoding", "an encoding of lightmaps")
+                    .value_or(LightmapEncoding::Hdr);
         } else {
             refuse_key(reading, json, "lightmapEncoding", "an object without a lightmap", "one with 'lightmap'");
         }
@@ -321,7 +319,7 @@ SceneFile read_scene(const Reading& given, const Json& json, const std::string& 
     if (const Json* ambient = json.find("ambient")) scene.ambient = read_ambient(reading, *ambient);
     if (scene.ambient) scene.environment = SceneEnvironment::None;
     if (const Json* environment = json.find("environment")) {
-        scene.environment = read_word(reading, *environment, "environment", "an environment", kEnvironments)
+        scene.environment = read_word<SceneEnvironment>(reading, *environment, "environment", "an environment")
                                 .value_or(SceneEnvironment::Studio);
     }
     if (const Json* fog = json.find("fog")) scene.fog = read_fog(reading, *fog);

@@ -19,17 +19,17 @@ constexpr std::array kOwnedKeys = {
     OwnedKey{"cookie", true, false, true},         OwnedKey{"cookieSize", true, false, false},
 };
 
-bool has_key(const OwnedKey& owned, SceneLightType type) {
+bool has_key(const OwnedKey& owned, LightKind type) {
     switch (type) {
-        case SceneLightType::Directional: return owned.directional;
-        case SceneLightType::Point: return owned.point;
-        case SceneLightType::Spot: return owned.spot;
+        case LightKind::Directional: return owned.directional;
+        case LightKind::Point: return owned.point;
+        case LightKind::Spot: return owned.spot;
     }
     return false;
 }
 
-void check_owned_keys(Reading& reading, const Json& json, SceneLightType type) {
-    const std::string what = fmt::format("a {} light", text_of(kLightTypes, type));
+void check_owned_keys(Reading& reading, const Json& json, LightKind type) {
+    const std::string what = fmt::format("a {} light", to_string(type));
     for (const OwnedKey& owned : kOwnedKeys) {
         if (has_key(owned, type)) {
             if (owned.required && !json.find(owned.key)) {
@@ -38,7 +38,7 @@ void check_owned_keys(Reading& reading, const Json& json, SceneLightType type) {
             continue;
         }
         std::string owners;
-        for (const Word<SceneLightType>& word : kLightTypes) {
+        for (const Word<LightKind>& word : kWords<LightKind>) {
             if (has_key(owned, word.value))
                 owners += fmt::format("{}a {} light", owners.empty() ? "" : " and ", word.text);
         }
@@ -73,7 +73,7 @@ SceneLight read_light(SceneReading& reading, const Json& json) {
     check_keys(reading, json, ObjectKind::Light);
     const Json* type = json.find("type");
     if (!type) return light;
-    const std::optional<SceneLightType> known = read_word(reading, *type, "type", "a type of light", kLightTypes);
+    const std::optional<LightKind> known = read_word<LightKind>(reading, *type, "type", "a type of light");
     if (!known) return light;  // which other keys there are depends on it
     light.type = *known;
     check_owned_keys(reading, json, light.type);
@@ -89,7 +89,7 @@ SceneLight read_light(SceneReading& reading, const Json& json) {
     read_cone(reading, json, light);
     if (const Json* mode = json.find("renderMode")) {
         light.render_mode =
-            read_word(reading, *mode, "renderMode", "a render mode", kRenderModes).value_or(SceneRenderMode::Auto);
+            read_word<LightImportance>(reading, *mode, "renderMode", "a render mode").value_or(LightImportance::Auto);
     }
     if (const Json* shadow = json.find("shadow")) light.shadow = read_shadow(reading, *shadow);
     if (const Json* cookie = json.find("cookie")) light.cookie = read_file_name(reading, *cookie, "'cookie'");

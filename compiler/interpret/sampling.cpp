@@ -18,8 +18,6 @@ using Texel = std::array<double, 4>;
 constexpr Texel kUnbound = {1, 1, 1, 1};
 constexpr Texel kNothing = {0, 0, 0, 0};
 
-enum class Wrap { Repeat, Clamp, Mirror };
-
 // A texture and how it is read.
 struct Reader {
     const TextureData& texture;
@@ -237,11 +235,7 @@ void store(const Step& step, Machine& machine, unsigned lane, const Texel& texel
 Reader make_reader(const Step& step, const Machine& machine, const TextureData& texture, unsigned lane) {
     const TextureData* state = bound(step, machine, 1, lane);
     const Sampler& sampler = state ? state->sampler : texture.sampler;
-    return {.texture = texture,
-            .wrap = sampler.wrap == "clamp"    ? Wrap::Clamp
-                    : sampler.wrap == "mirror" ? Wrap::Mirror
-                                               : Wrap::Repeat,
-            .is_linear = sampler.filter != "nearest"};
+    return {.texture = texture, .wrap = sampler.wrap, .is_linear = sampler.filter == Filter::Linear};
 }
 
 // One level for the whole quad, from the differences at its first pixel. Vertices read the finest.

@@ -147,7 +147,7 @@ void check_reads(graph::Session& session, const graph::Lowered& lowered, std::sp
                         Code::PassRefused, function.name_span, pass.name,
                         fmt::format("it reads the target '{}', which no pass of the path draws", target->second));
             }
-            if (pass.state.draws == "fullscreen" && is_per_object(paths, global))
+            if (pass.state.draws == PassDraws::Fullscreen && is_per_object(paths, global))
                 session.diagnostics
                     .report(Code::PassRefused, function.name_span, pass.name,
                             fmt::format("it draws the screen and reads '{}', which belongs to an object", global.name))

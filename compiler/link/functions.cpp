@@ -97,7 +97,7 @@ std::vector<ShaderFunction> describe_functions(const ir::Module& module, Stage s
         if (function.linkage == ir::Linkage::Internal) continue;
         ShaderFunction& made = described.emplace_back();
         made.name = function.name;
-        made.stage = to_string(stage);
+        made.stage = stage;
         made.is_engines = function.linkage == ir::Linkage::External;
         made.result = module.type_name(function.result);
         for (const ir::Param& param : function.params)

@@ -197,7 +197,7 @@ private:
             case Source::Attribute:
                 if (!in_vertex_stage()) return varying(semantic);
                 // What no object is drawn by, the screen and the volumes of lights, no material moves.
-                if (recipe.override && !original && pass_.declaration->state.draws == "objects")
+                if (recipe.override && !original && pass_.declaration->state.draws == PassDraws::Objects)
                     return call(recipe.override, true);
                 return attribute(semantic);
             case Source::Builtin: return builtin(semantic);

@@ -35,10 +35,11 @@ void declare_statics(Lowering& lowering) {
     const engines::Engine& engine = lowering.session.engine;
     const auto is_true = [&](const StaticDecl& asked, std::string_view word) {
         switch (asked.about) {
-            case StaticDecl::About::Surface: return word == text_of(kSurfaceKinds, render.surface);
-            case StaticDecl::About::Cull: return word == text_of(kCulls, render.cull);
+            case StaticDecl::About::Surface: return word == to_string(render.surface);
+            case StaticDecl::About::Cull: return word == to_string(render.cull);
             case StaticDecl::About::Clip:
-                return word == "reversed" ? engine.is_depth_reversed : word == "yDown" && engine.is_y_down;
+                return word == "reversed" ? engine.clip_depth == engines::ClipDepth::Reversed
+                                          : word == "yDown" && engine.clip_y == engines::ClipY::Down;
             case StaticDecl::About::Slot:
             case StaticDecl::About::Pass: break;
         }
@@ -253,9 +254,9 @@ std::string_view known_as(const PassDecl& pass) {
     return tag == pass.tags.end() ? pass.name : std::string_view(tag->second);
 }
 
-const BlendRow* blend_of(const PassDecl& pass, std::string_view surface) {
+const BlendRow* blend_of(const PassDecl& pass, SurfaceKind surface) {
     for (const BlendRow& row : pass.blends) {
-        if (row.surface.empty() || row.surface == surface) return &row;
+        if (!row.surface || *row.surface == surface) return &row;
     }
     return nullptr;
 }

@@ -34,7 +34,7 @@ struct LoweredPass {
     std::optional<ir::GlobalId> attribute_of(ir::SemanticId semantic) const;
 };
 // How a pass blends surfaces of a kind; null: it does not draw them.
-const BlendRow* blend_of(const PassDecl& pass, std::string_view surface);
+const BlendRow* blend_of(const PassDecl& pass, SurfaceKind surface);
 // Where an engine picks passes by their tags, its users know a pass by its tag: "ShadowCaster".
 std::string_view known_as(const PassDecl& pass);
 

@@ -154,9 +154,9 @@ private:
 
     // --- one pass
 
-    std::string_view surface() const { return text_of(kSurfaceKinds, lowering_.material.graph->graph->render.surface); }
+    SurfaceKind surface() const { return lowering_.material.graph->graph->render.surface; }
 
-    static bool draws_objects(const PassDecl& pass) { return pass.state.draws == "objects"; }
+    static bool draws_objects(const PassDecl& pass) { return pass.state.draws == PassDraws::Objects; }
 
     bool has_blend(const PassDecl& pass) const {
         return !draws_objects(pass) || blend_of(pass, surface()) || pass.blends.empty();
@@ -171,10 +171,10 @@ private:
             return {.reason = "it writes depth, and the material does not", .where = where, .is_news = true};
         const Compare test = render.depth_test.value_or(Compare::LessEqual);
         if (test == Compare::Less || test == Compare::LessEqual || test == Compare::Equal) return {};
-        return {.reason = fmt::format("it holds what is nearest, and the material's depth test is '{}'",
-                                      text_of(kCompares, test)),
-                .where = where,
-                .is_news = true};
+        return {
+            .reason = fmt::format("it holds what is nearest, and the material's depth test is '{}'", to_string(test)),
+            .where = where,
+            .is_news = true};
     }
 
     // What no light lights would not look different.
@@ -195,8 +195,8 @@ private:
         if (lowering_.material.pass) return false;
         const std::vector<const PassDecl*> others = paths_.passes_of(pass.path);
         return std::any_of(others.begin(), others.end(), [&](const PassDecl* other) {
-            return draws_objects(*other) && other->state.each == "light" && other->state.lights != "shadowed" &&
-                   has_blend(*other) && !vain_part(*other);
+            return draws_objects(*other) && other->state.each == PassEach::Light &&
+                   other->state.lights != PassLights::Shadowed && has_blend(*other) && !vain_part(*other);
         });
     }
 
@@ -207,7 +207,7 @@ private:
         const ir::Origin where{.span = {stencil->span.begin, stencil->span.begin + 1}};
         if (pass.has_stencil)
             return {.reason = "it uses the stencil itself", .where = where, .is_news = has_own_passes()};
-        if (has_own_passes() && pass.state.each != "light") return {};  // the other one says so
+        if (has_own_passes() && pass.state.each != PassEach::Light) return {};  // the other one says so
         if (!stencil->changes() || stencil->test == Compare::Always || !is_drawn_again(pass)) return {};
         Refusal refusal{.reason = "it draws an object once for each light, and this stencil changes what it tests",
                         .where = where};
@@ -236,7 +236,7 @@ private:
     Refusal lower_pass(const PassDecl& pass) {
         if (!pass.vertex || !pass.fragment) return {};  // reported when its file was read
         if (!has_blend(pass))
-            return {.reason = fmt::format("it does not draw '{}' surfaces", surface()),
+            return {.reason = fmt::format("it does not draw '{}' surfaces", to_string(surface())),
                     .is_vain = vain_part(pass).has_value()};
         if (const Refusal refusal = refusal_of_stencil(pass)) return refusal;
         if (const Refusal refusal = refusal_of_depth(pass)) return refusal;

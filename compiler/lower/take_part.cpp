@@ -84,7 +84,7 @@ private:
         }
     }
 
-    bool draws_objects() const { return declaration_.state.draws == "objects"; }
+    bool draws_objects() const { return declaration_.state.draws == PassDraws::Objects; }
     bool is_graph(const Place& place) const { return !place.slot.empty(); }
 
     void semantic(SemanticId id, const Place& place) {

@@ -14,7 +14,6 @@ namespace patina::output {
 using assemble::LinkedPass;
 
 using graph::Property;
-using graph::PropertyType;
 
 namespace {
 
@@ -79,8 +78,8 @@ std::string default_texture(const graph::MaterialProperty& entry, const std::str
 Texture bound_texture(const ir::Global& texture, const ir::Global& sampler) {
     return {.name = texture.name,
             .identifier = texture.name,
-            .dimension = texture.type.kind == ir::Kind::TextureCube ? "cube" : "2d",
-            .usage = "data",
+            .dimension = texture.type.kind == ir::Kind::TextureCube ? TextureDimension::Cube : TextureDimension::Flat,
+            .usage = TextureUsage::Data,
             .default_value = {},
             .is_material = texture.group == ir::Group::Material,
             .set = texture.place.set,
@@ -90,7 +89,7 @@ Texture bound_texture(const ir::Global& texture, const ir::Global& sampler) {
             .sampler_binding = sampler.place.binding,
             .sampler_register = hlsl_register('s', sampler.place),
             .tiling = {},
-            .sampler = {.wrap = "clamp", .filter = "linear", .anisotropy = 1}};
+            .sampler = {.wrap = Wrap::Clamp}};
 }
 
 Texture reflect_texture(const ir::Module& module, const graph::MaterialProperty& entry,
@@ -98,12 +97,10 @@ Texture reflect_texture(const ir::Module& module, const graph::MaterialProperty&
     const Property& property = *entry.property;
     Texture made = bound_texture(module.globals[globals.texture.index], module.globals[globals.sampler.index]);
     made.name = property.name;
-    made.usage = text_of(graph::kTextureUsages, property.usage);
+    made.usage = property.usage;
     made.default_value = default_texture(entry, graph);
     if (globals.tiling) made.tiling = module.globals[globals.tiling.index].name;
-    made.sampler = {.wrap = std::string(text_of(graph::kWraps, property.sampler.wrap)),
-                    .filter = std::string(text_of(graph::kFilters, property.sampler.filter)),
-                    .anisotropy = property.sampler.anisotropy};
+    made.sampler = property.sampler;
     return made;
 }
 
@@ -112,9 +109,9 @@ patina::Property reflect_property(const ir::Module& module, const graph::Materia
     const Property& property = *entry.property;
     patina::Property made{.name = property.name,
                           .identifier = property.name,
-                          .type = std::string(graph::to_string(property.type)),
+                          .type = property.type,
                           .value = property.value,
-                          .binding = std::string(text_of(graph::kBindings, property.binding)),
+                          .binding = property.binding,
                           .range = property.range,
                           .hard = property.hard,
                           .values = property.values,
@@ -155,55 +152,54 @@ void mark_used(const ir::Module& stage, std::vector<bool>& used) {
 
 // What a surface kind means for depth and order where the material says nothing; Unity's queues.
 struct SurfaceRow {
-    graph::SurfaceKind kind;
+    SurfaceKind kind;
     int queue;
     bool depth_write;
 };
 constexpr SurfaceRow kSurfaceRows[] = {
-    {graph::SurfaceKind::Opaque, 2000, true},    {graph::SurfaceKind::Cutout, 2450, true},
-    {graph::SurfaceKind::Fade, 3000, false},     {graph::SurfaceKind::Transparent, 3000, false},
-    {graph::SurfaceKind::Additive, 3000, false}, {graph::SurfaceKind::Multiply, 3000, false},
+    {SurfaceKind::Opaque, 2000, true},       {SurfaceKind::Cutout, 2450, true},    {SurfaceKind::Fade, 3000, false},
+    {SurfaceKind::Transparent, 3000, false}, {SurfaceKind::Additive, 3000, false}, {SurfaceKind::Multiply, 3000, false},
 };
 
-const SurfaceRow& row_of(graph::SurfaceKind kind) {
+const SurfaceRow& row_of(SurfaceKind kind) {
     return *std::find_if(std::begin(kSurfaceRows), std::end(kSurfaceRows),
                          [&](const SurfaceRow& row) { return row.kind == kind; });
 }
 
 // A pass that draws for each light what another has drawn before it: where that one left its depth or, of a material
 // that leaves none, by the same test.
-std::string_view depth_test_of_repetition(const graph::RenderState& render, bool writes, std::string_view stated) {
-    const graph::Compare test = render.depth_test.value_or(graph::Compare::LessEqual);
-    using enum graph::Compare;
-    if (!writes || test == Never) return text_of(graph::kCompares, test);
-    return test == Less || test == LessEqual ? stated : text_of(graph::kCompares, Equal);
+Compare depth_test_of_repetition(const graph::RenderState& render, bool writes, Compare stated) {
+    const Compare test = render.depth_test.value_or(Compare::LessEqual);
+    using enum Compare;
+    if (!writes || test == Never) return test;
+    return test == Less || test == LessEqual ? stated : Equal;
 }
 
 bool is_repetition(const Pass& pass) {
-    return pass.each == "light" && pass.lights != "shadowed";
+    return pass.each == PassEach::Light && pass.lights != PassLights::Shadowed;
 }
 
 // What passes that draw objects in colour do not say themselves. One that is drawn for each light changes no stencil:
 // the pass before it has.
 Stencil reflect_stencil(const graph::StencilState& stencil, bool is_repetition) {
-    Stencil made{.test = std::string(text_of(graph::kCompares, stencil.test)),
+    Stencil made{.test = stencil.test,
                  .value = stencil.reference,
                  .read_mask = stencil.read_mask,
                  .write_mask = stencil.write_mask};
     if (is_repetition) return made;
-    made.pass = text_of(graph::kStencilOps, stencil.pass);
-    made.fail = text_of(graph::kStencilOps, stencil.fail);
-    made.depth_fail = text_of(graph::kStencilOps, stencil.depth_fail);
+    made.pass = stencil.pass;
+    made.fail = stencil.fail;
+    made.depth_fail = stencil.depth_fail;
     return made;
 }
 
 void set_object_state(Pass& pass, const graph::PassDecl& declaration, const graph::RenderState& render) {
     const SurfaceRow& surface = row_of(render.surface);
     const bool writes = render.depth_write.value_or(surface.depth_write);
-    if (!declaration.has_cull) pass.cull = text_of(graph::kCulls, render.cull);
+    if (!declaration.has_cull) pass.cull = render.cull;
     if (!declaration.has_depth) {
         pass.depth_write = writes;
-        pass.depth_test = text_of(graph::kCompares, render.depth_test.value_or(graph::Compare::LessEqual));
+        pass.depth_test = render.depth_test.value_or(Compare::LessEqual);
     } else if (is_repetition(pass)) {
         pass.depth_test = depth_test_of_repetition(render, writes, pass.depth_test);
     }
@@ -229,8 +225,8 @@ Pass reflect_pass(const LinkedPass& linked) {
         pass.moves_vertices = !material.graph->graph->vertex.empty();
         pass.bounds = render.bounds;
     }
-    if (pass.draws == "objects") set_object_state(pass, declaration, render);
-    if (const graph::BlendRow* blend = graph::blend_of(declaration, text_of(graph::kSurfaceKinds, render.surface))) {
+    if (pass.draws == PassDraws::Objects) set_object_state(pass, declaration, render);
+    if (const graph::BlendRow* blend = graph::blend_of(declaration, render.surface)) {
         for (RenderTarget& target : pass.targets) target.blend = blend->blend;
     }
     for (const ir::StageVariable& input : linked.vertex.stage.inputs) {
@@ -281,7 +277,7 @@ std::string layout_hash(const Reflection& reflection) {
         for (const BlockMember& m : block.members) add(fmt::format("{} {} {} {}", m.name, m.type, m.offset, m.size));
     }
     for (const Texture& t : reflection.textures) {
-        add(fmt::format("{} {} {} {} {}", t.name, t.dimension, t.set, t.binding, t.sampler_binding));
+        add(fmt::format("{} {} {} {} {}", t.name, to_string(t.dimension), t.set, t.binding, t.sampler_binding));
     }
     return fmt::format("{:016x}", hash);
 }
@@ -306,7 +302,7 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
     made.name = graph.name;
     made.workflow = graph.workflow;
     made.lighting = material.lighting_name;
-    made.surface = text_of(graph::kSurfaceKinds, graph.render.surface);
+    made.surface = graph.render.surface;
     made.moves_vertices = !graph.vertex.empty();
     made.bounds = graph.render.bounds;
     made.path = lowered.path;
@@ -340,7 +336,7 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
         made.textures.push_back(bound_texture(global, lowered.module.globals[i + 1]));
         if (const auto target = lowered.reads.find(static_cast<std::uint32_t>(i)); target != lowered.reads.end()) {
             made.textures.back().reads = target->second;
-            made.textures.back().sampler.filter = "nearest";
+            made.textures.back().sampler.filter = Filter::Nearest;
         }
     }
     for (const graph::SetShifts& shift : lowered.shifts) {

@@ -18,13 +18,14 @@ public:
     Json(const Json&) = delete;
     Json& operator=(const Json&) = delete;
 
-    void text(const char* key, const std::string& value) {
+    void text(const char* key, std::string_view value) {
         writer_.Key(key);
         writer_.String(value.data(), static_cast<rapidjson::SizeType>(value.size()));
     }
     void text_if(const char* key, const std::string& value) {
         if (!value.empty()) text(key, value);
     }
+    void word(const char* key, HasWords auto value) { text(key, to_string(value)); }
     void number(const char* key, double value) {
         writer_.Key(key);
         raw(shortest(value));
@@ -55,19 +56,28 @@ private:
 };
 
 std::size_t value_count(const Property& property) {
-    if (property.type == "color" || property.type == "float4") return 4;
-    if (property.type == "float3") return 3;
-    return property.type == "float2" ? 2 : 1;
+    switch (property.type) {
+        case PropertyType::Color:
+        case PropertyType::Float4: return 4;
+        case PropertyType::Float3: return 3;
+        case PropertyType::Float2: return 2;
+        case PropertyType::Float:
+        case PropertyType::Int:
+        case PropertyType::Bool:
+        case PropertyType::Enum:
+        case PropertyType::Texture2D: return 1;
+    }
+    return 1;
 }
 
 void write_default(Json& json, const Property& property, const Reflection& reflection) {
-    if (property.type == "texture2d") {
+    if (property.type == PropertyType::Texture2D) {
         for (const Texture& texture : reflection.textures) {
             if (texture.name == property.name) json.text("default", texture.default_value);
         }
-    } else if (property.type == "bool") {
+    } else if (property.type == PropertyType::Bool) {
         json.flag("default", property.value[0] != 0);
-    } else if (property.type == "enum") {
+    } else if (property.type == PropertyType::Enum) {
         const auto index = static_cast<std::size_t>(property.value[0]);
         if (index < property.values.size()) json.text("default", property.values[index]);
     } else if (const std::size_t count = value_count(property); count == 1) {
@@ -84,8 +94,8 @@ void write_property(Writer& writer, const Property& property, const Reflection& 
     Json json(writer);
     json.text("name", property.name);
     json.text("identifier", property.identifier);
-    json.text("type", property.type);
-    if (property.binding != "uniform") json.text("as", property.binding);
+    json.word("type", property.type);
+    if (property.binding != Binding::Uniform) json.word("as", property.binding);
     if (property.constant_id) json.number("constantId", *property.constant_id);
     write_default(json, property, reflection);
     if (property.range) json.list("range", *property.range, [&](double v) { json.raw(shortest(v)); });
@@ -127,8 +137,8 @@ void write_texture(Writer& writer, const Texture& texture) {
     Json json(writer);
     json.text("name", texture.name);
     json.text("identifier", texture.identifier);
-    json.text("dimension", texture.dimension);
-    json.text("usage", texture.usage);
+    json.word("dimension", texture.dimension);
+    json.word("usage", texture.usage);
     json.flag("material", texture.is_material);
     json.text_if("default", texture.default_value);
     json.text_if("reads", texture.reads);
@@ -139,17 +149,17 @@ void write_texture(Writer& writer, const Texture& texture) {
     json.number("samplerBinding", texture.sampler_binding);
     json.text("samplerRegister", texture.sampler_register);
     json.text_if("tiling", texture.tiling);
-    json.text("wrap", texture.sampler.wrap);
-    json.text("filter", texture.sampler.filter);
+    json.word("wrap", texture.sampler.wrap);
+    json.word("filter", texture.sampler.filter);
     json.number("anisotropy", texture.sampler.anisotropy);
 }
 
 void write_stencil(Json& json, const Stencil& stencil) {
-    json.text("stencilTest", stencil.test);
-    json.text("stencilPass", stencil.pass);
-    if (stencil.is_of_lighting()) return json.text("stencilReference", stencil.reference);
-    json.text("stencilFail", stencil.fail);
-    json.text("stencilDepthFail", stencil.depth_fail);
+    json.word("stencilTest", stencil.test);
+    json.word("stencilPass", stencil.pass);
+    if (stencil.is_of_lighting()) return json.word("stencilReference", stencil.reference);
+    json.word("stencilFail", stencil.fail);
+    json.word("stencilDepthFail", stencil.depth_fail);
     json.number("stencilReference", stencil.value);
     json.number("stencilReadMask", stencil.read_mask);
     json.number("stencilWriteMask", stencil.write_mask);
@@ -169,15 +179,15 @@ void write_pass(Writer& writer, const Pass& pass) {
     Json json(writer);
     json.text("name", pass.name);
     if (pass.is_extra) json.flag("extra", true);
-    json.text("draws", pass.draws);
-    json.text("each", pass.each);
-    json.text("lights", pass.lights);
-    json.text("camera", pass.camera);
+    json.word("draws", pass.draws);
+    json.word("each", pass.each);
+    json.word("lights", pass.lights);
+    json.word("camera", pass.camera);
     json.text_if("fallback", pass.fallback);
-    json.text("cull", pass.cull);
+    json.word("cull", pass.cull);
     json.text("depthTarget", pass.depth_target);
     json.flag("depthWrite", pass.depth_write);
-    json.text("depthTest", pass.depth_test);
+    json.word("depthTest", pass.depth_test);
     if (pass.depth_bias != 0 || pass.depth_slope_bias != 0) {
         json.raw("depthBias", shortest(pass.depth_bias));
         json.raw("depthSlopeBias", shortest(pass.depth_slope_bias));
@@ -189,11 +199,11 @@ void write_pass(Writer& writer, const Pass& pass) {
         Json t(writer);
         t.text("name", target.name);
         t.number("location", target.location);
-        t.text("format", target.format);
-        t.text("blendSource", target.blend.source);
-        t.text("blendDestination", target.blend.destination);
-        t.text("blendSourceAlpha", target.blend.source_alpha);
-        t.text("blendDestinationAlpha", target.blend.destination_alpha);
+        t.word("format", target.format);
+        t.word("blendSource", target.blend.source);
+        t.word("blendDestination", target.blend.destination);
+        t.word("blendSourceAlpha", target.blend.source_alpha);
+        t.word("blendDestinationAlpha", target.blend.destination_alpha);
     });
     json.list("vertexInputs", pass.vertex_inputs, [&](const VertexInput& input) {
         Json v(writer);
@@ -209,7 +219,7 @@ void write_pass(Writer& writer, const Pass& pass) {
 void write_function(Writer& writer, const ShaderFunction& function) {
     Json json(writer);
     json.text("name", function.name);
-    json.text("stage", function.stage);
+    json.word("stage", function.stage);
     json.flag("engine", function.is_engines);
     json.text("result", function.result);
     json.list("parameters", function.parameters, [&](const ShaderFunction::Parameter& parameter) {
@@ -232,7 +242,7 @@ std::string Reflection::to_json() const {
         json.text("name", name);
         json.text("workflow", workflow);
         json.text("lighting", lighting);
-        json.text("surface", surface);
+        json.word("surface", surface);
         json.text("path", path);
         if (bounds) write_bounds(json, *bounds);
         if (most_instances > 0) json.number("mostInstances", most_instances);

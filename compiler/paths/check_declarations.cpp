@@ -44,7 +44,7 @@ constexpr BuiltinWord kBuiltins[] = {{"front_facing", "bool", ir::Builtin::Front
                                      {"instance_index", "int", ir::Builtin::InstanceIndex}};
 
 template <class Row, std::size_t N>
-std::vector<std::string_view> texts(std::span<const Row, N> rows) {
+std::vector<std::string_view> words_of(std::span<const Row, N> rows) {
     std::vector<std::string_view> made;
     for (const Row& row : rows) made.push_back(row.text);
     return made;
@@ -212,13 +212,11 @@ private:
         if (attribute.args.size() < 2)
             return bad(attribute.span, "static", "reads like this: [static(\"surface\", \"cutout\")]");
         const Expr& key = *attribute.args[0];
-        one_of(key, texts(static_words()), "what a [static] can ask for");
-        const std::vector<std::string_view> surfaces = texts(std::span(kSurfaceKinds)),
-                                            culls = texts(std::span(kCulls));
+        one_of(key, words_of(static_words()), "what a [static] can ask for");
         for (std::size_t i = 1; i < attribute.args.size(); ++i) {
             const Expr& given = *attribute.args[i];
-            if (key.text == "surface") one_of(given, surfaces, "a surface kind");
-            if (key.text == "cull") one_of(given, culls, "a way to cull");
+            if (key.text == "surface") one_of(given, texts<SurfaceKind>(), "a surface kind");
+            if (key.text == "cull") one_of(given, texts<Cull>(), "a way to cull");
             if (key.text == "slot") slot(given);
             if (key.text == "pass") pass(given);
             if (key.text == "clip") one_of(given, kClips, "a convention of clip space");
@@ -228,7 +226,7 @@ private:
     void builtin(const VariableDecl& decl, const Attribute& attribute) {
         if (attribute.args.size() != 1)
             return bad(attribute.span, "builtin", "reads like this: [builtin(\"front_facing\")]");
-        one_of(*attribute.args[0], texts(builtin_words()), "a value of the rasteriser");
+        one_of(*attribute.args[0], words_of(builtin_words()), "a value of the rasteriser");
         for (const BuiltinWord& row : kBuiltins) {
             if (row.text == attribute.args[0]->text && (row.type != decl.type.name || decl.type.array_size))
                 diagnostics_.report(Code::TypeMismatch, decl.type.span, fmt::format("'{}'", decl.name), decl.type.name,

@@ -16,7 +16,6 @@ using nodelang::FunctionDecl;
 using nodelang::StructDecl;
 
 constexpr std::string_view kShown = "color";
-constexpr std::string_view kDepthFormat = "depth";
 
 // Where the function says it; else the function itself.
 Span place_of(const FunctionDecl& function, std::string_view attribute) {
@@ -26,7 +25,8 @@ Span place_of(const FunctionDecl& function, std::string_view attribute) {
 
 // A target as a pass draws into it.
 struct Use {
-    std::string_view name, format;
+    std::string_view name;
+    std::optional<TargetFormat> format{};  // nothing: any
     bool from_light = false;
     std::string_view attribute;  // that says so
     Span span;
@@ -62,12 +62,12 @@ private:
 
     void state(const PassDecl& pass) {
         const Pass& state = pass.state;
-        if (state.draws == "light-volumes" && state.lights != "local") {
+        if (state.draws == PassDraws::LightVolumes && state.lights != PassLights::Local) {
             bad(pass, "draws", "takes volumes of lights, and only those of [lights(\"local\")] have one");
-        } else if (state.draws != "objects" && state.lights == "shadowed") {
+        } else if (state.draws != PassDraws::Objects && state.lights == PassLights::Shadowed) {
             bad(pass, "draws", "shows no objects, and [lights(\"shadowed\")] draws those that a light sees");
         }
-        if (state.each == "light" && state.lights == "none")
+        if (state.each == PassEach::Light && state.lights == PassLights::None)
             bad(pass, "each", "asks for a drawing for each light, and [lights(\"none\")] leaves none");
     }
 
@@ -76,21 +76,22 @@ private:
         bool is_left = false;
         for (const PassDecl* each : passes) {
             const Stencil& stencil = each->state.stencil;
-            if (stencil.reference.empty()) continue;
-            if (stencil.test != "always" && stencil.test != "never" && !is_left && is_own(*each)) {
+            if (!stencil.is_of_lighting()) continue;
+            if (stencil.test != Compare::Always && stencil.test != Compare::Never && !is_left && is_own(*each)) {
                 bad(*each, "stencil",
-                    fmt::format("compares with '{}', which no pass before this one leaves", stencil.reference))
+                    fmt::format("compares with '{}', which no pass before this one leaves",
+                                to_string(stencil.reference)))
                     .note(fmt::format("a pass that draws objects leaves it: [stencil(\"always\", \"replace\", \"{}\")]",
-                                      stencil.reference));
+                                      to_string(stencil.reference)));
             }
-            is_left = is_left || stencil.pass == "replace";
+            is_left = is_left || stencil.pass == StencilOp::Replace;
         }
     }
 
     // --- targets
 
     void targets(const std::vector<const PassDecl*>& passes) {
-        std::vector<Use> uses = {{.name = kShown, .format = {}, .from_light = false, .attribute = {}, .span = {}}};
+        std::vector<Use> uses = {{.name = kShown, .from_light = false, .attribute = {}, .span = {}}};
         for (const PassDecl* each : drawn_along(passes)) {
             for (const Use& use : uses_of(*each)) {
                 if (use.name != kShown) uses.push_back(use);  // a frame holds one picture, in one format
@@ -122,11 +123,11 @@ private:
     }
 
     std::vector<Use> uses_of(const PassDecl& pass) const {
-        const bool from_light = pass.state.lights == "shadowed";
+        const bool from_light = pass.state.lights == PassLights::Shadowed;
         std::vector<Use> uses;
         if (!pass.state.depth_target.empty())
             uses.push_back({.name = pass.state.depth_target,
-                            .format = kDepthFormat,
+                            .format = TargetFormat::Depth,
                             .from_light = from_light,
                             .attribute = "depth_target",
                             .span = place_of(*pass.fragment, "depth_target")});
@@ -150,8 +151,9 @@ private:
         for (const Use& other : before) {
             if (other.name != use.name) continue;
             std::string differs;
-            if (!other.format.empty() && other.format != use.format)
-                differs = fmt::format("makes '{}' {}, which is {} elsewhere", use.name, use.format, other.format);
+            if (other.format && use.format && other.format != use.format)
+                differs = fmt::format("makes '{}' {}, which is {} elsewhere", use.name, to_string(*use.format),
+                                      to_string(*other.format));
             else if (other.from_light != use.from_light)
                 differs =
                     fmt::format("has '{}' drawn from {}, which elsewhere is drawn from {}", use.name,

@@ -118,7 +118,7 @@ struct DecoderDecl {
 
 // [blend("fade", "src_alpha", "one")]: surfaces of this kind take part, blended so.
 struct BlendRow {
-    std::string_view surface;  // empty: every kind
+    std::optional<SurfaceKind> surface{};  // nothing: every kind
     Blend blend{};
 };
 

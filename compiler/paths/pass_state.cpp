@@ -20,23 +20,11 @@ using Words = std::span<const std::string_view>;
 
 constexpr std::size_t kMostTargets = 8;  // of Vulkan's and Direct3D 12's
 
-constexpr std::array<std::string_view, 2> kCameras = {"any", "perspective"};
-constexpr std::array<std::string_view, 3> kCullWords = {"back", "front", "off"};
 constexpr std::array<std::string_view, 2> kDepthWrites = {"write", "keep"};
-constexpr std::array<std::string_view, 2> kPassStencilOps = {"keep", "replace"};
-constexpr std::array<std::string_view, 1> kStencilReferences = {"lighting"};
+constexpr std::array kPassStencilOps = {StencilOp::Keep, StencilOp::Replace};
+constexpr std::array kColorFormats = {TargetFormat::Rgba8, TargetFormat::Rgb10A2, TargetFormat::Rgba16F,
+                                      TargetFormat::Rgba32F, TargetFormat::R32F};
 constexpr std::array<std::string_view, 4> kTargetTypes = {"float", "float2", "float3", "float4"};
-constexpr std::array<std::string_view, 5> kFormats = {"rgba8", "rgb10a2", "rgba16f", "rgba32f", "r32f"};
-constexpr std::array<std::string_view, 10> kBlendFactors = {
-    "one",       "zero",      "src_alpha",           "one_minus_src_alpha", "dst_alpha", "one_minus_dst_alpha",
-    "src_color", "dst_color", "one_minus_src_color", "one_minus_dst_color"};
-
-template <class Table>
-std::vector<std::string_view> texts(const Table& table) {
-    std::vector<std::string_view> made;
-    for (const auto& word : table) made.push_back(word.text);
-    return made;
-}
 
 // Takes the arguments of one attribute, in order; what is wrong with one is said at it.
 class Arguments {
@@ -72,6 +60,20 @@ public:
         return words.front();
     }
 
+    // The value of one of an enum's words; after an error, that of the first.
+    template <HasWords E>
+    E word(std::string_view what) {
+        constexpr auto kTexts = texts<E>();
+        return *from_word<E>(word(kTexts, what));
+    }
+    // The same where only some of the values are to be had.
+    template <HasWords E, std::size_t N>
+    E word(const std::array<E, N>& values, std::string_view what) {
+        std::array<std::string_view, N> known;
+        std::transform(values.begin(), values.end(), known.begin(), [](E value) { return to_string(value); });
+        return *from_word<E>(word(known, what));
+    }
+
     double number() {
         const Expr& given = *attribute_.args[next_++];
         const bool is_negative = given.kind == Expr::Kind::Unary && given.text == "-";
@@ -91,27 +93,27 @@ private:
 
 void read_blend(Arguments& in, std::size_t count, PassDecl& pass) {
     BlendRow row{};
-    if (count % 2 == 1) row.surface = in.word(texts(kSurfaceKinds), "a surface kind");
-    row.blend.source = row.blend.source_alpha = in.word(kBlendFactors, "a blend factor");
-    row.blend.destination = row.blend.destination_alpha = in.word(kBlendFactors, "a blend factor");
+    if (count % 2 == 1) row.surface = in.word<SurfaceKind>("a surface kind");
+    row.blend.source = row.blend.source_alpha = in.word<BlendFactor>("a blend factor");
+    row.blend.destination = row.blend.destination_alpha = in.word<BlendFactor>("a blend factor");
     if (count > 3) {
-        row.blend.source_alpha = in.word(kBlendFactors, "a blend factor");
-        row.blend.destination_alpha = in.word(kBlendFactors, "a blend factor");
+        row.blend.source_alpha = in.word<BlendFactor>("a blend factor");
+        row.blend.destination_alpha = in.word<BlendFactor>("a blend factor");
     }
     pass.blends.push_back(row);
 }
 
 void read_depth(Arguments& in, PassDecl& pass) {
     pass.has_depth = true;
-    pass.state.depth_test = in.word(texts(kCompares), "a depth test");
+    pass.state.depth_test = in.word<Compare>("a depth test");
     pass.state.depth_write = in.word(kDepthWrites, "what a pass does with depth") == "write";
 }
 
 void read_stencil(Arguments& in, std::size_t count, PassDecl& pass) {
     pass.has_stencil = true;
-    pass.state.stencil.test = in.word(texts(kCompares), "a stencil test");
+    pass.state.stencil.test = in.word<Compare>("a stencil test");
     pass.state.stencil.pass = in.word(kPassStencilOps, "a stencil operation");
-    if (count > 2) pass.state.stencil.reference = in.word(kStencilReferences, "a stencil reference");
+    if (count > 2) pass.state.stencil.reference = in.word<StencilReference>("a stencil reference");
 }
 
 // Places of a tool's file where a pass may want lines of its own.
@@ -132,19 +134,19 @@ struct StateRow {
 };
 constexpr StateRow kState[] = {
     {"draws", 1, 1, "[draws(\"objects\")]",
-     [](Arguments& in, std::size_t, PassDecl& p) { p.state.draws = in.word(kPassDraws, "what a pass draws"); }},
+     [](Arguments& in, std::size_t, PassDecl& p) { p.state.draws = in.word<PassDraws>("what a pass draws"); }},
     {"each", 1, 1, "[each(\"light\")]",
-     [](Arguments& in, std::size_t, PassDecl& p) { p.state.each = in.word(kPassEach, "how often a pass draws"); }},
+     [](Arguments& in, std::size_t, PassDecl& p) { p.state.each = in.word<PassEach>("how often a pass draws"); }},
     {"lights", 1, 1, "[lights(\"all\")]",
-     [](Arguments& in, std::size_t, PassDecl& p) { p.state.lights = in.word(kPassLights, "a set of lights"); }},
+     [](Arguments& in, std::size_t, PassDecl& p) { p.state.lights = in.word<PassLights>("a set of lights"); }},
     {"camera", 1, 1, "[camera(\"perspective\")]",
-     [](Arguments& in, std::size_t, PassDecl& p) { p.state.camera = in.word(kCameras, "a camera"); }},
+     [](Arguments& in, std::size_t, PassDecl& p) { p.state.camera = in.word<PassCamera>("a camera"); }},
     {"fallback", 1, 1, "[fallback(\"forward\")]",
      [](Arguments& in, std::size_t, PassDecl& p) { p.state.fallback = in.text(); }},
     {"cull", 1, 1, "[cull(\"front\")]",
      [](Arguments& in, std::size_t, PassDecl& p) {
          p.has_cull = true;
-         p.state.cull = in.word(kCullWords, "a way to cull");
+         p.state.cull = in.word<Cull>("a way to cull");
      }},
     {"blend", 2, 5, "[blend(\"fade\", \"src_alpha\", \"one\")] or, for every surface, [blend(\"one\", \"one\")]",
      read_blend},
@@ -181,7 +183,7 @@ void read_target(const Attribute& attribute, PassDecl& pass, Diagnostics& diagno
     if (!in.count(2, 2, "[target(\"color\", \"rgba16f\")]")) return;
     RenderTarget& target = pass.state.targets.back();
     const std::string name(in.text());
-    target.format = in.word(kFormats, "a target format");
+    target.format = in.word(kColorFormats, "a target format");
     const auto is_same = [&](const RenderTarget& other) { return other.name == name; };
     if (!name.empty() && std::any_of(pass.state.targets.begin(), pass.state.targets.end(), is_same))
         diagnostics.report(Code::BadAttribute, attribute.span, "target",
@@ -223,7 +225,7 @@ void read_targets(const nodelang::FunctionDecl& fragment, const nodelang::Declar
         read_members(fragment, *structure, pass, diagnostics);
     } else {
         check_type(fragment.result, "what a [fragment] function returns", diagnostics);
-        pass.state.targets = {{.name = {}, .location = 0, .format = "rgba16f"}};
+        pass.state.targets = {{.name = {}, .location = 0}};
         if (const Attribute* attribute = fragment.attribute("target")) read_target(*attribute, pass, diagnostics);
         if (pass.state.targets.front().name.empty()) pass.state.targets.front().name = "color";
     }

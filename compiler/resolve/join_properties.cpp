@@ -36,9 +36,9 @@ std::string told_range(const Property& property, bool by_hardness) {
     return fmt::format("the range {} to {}", shortest((*property.range)[0]), shortest((*property.range)[1]));
 }
 
-std::string told_sampler(const SamplerState& sampler, const SamplerState& other) {
-    if (sampler.wrap != other.wrap) return fmt::format("the wrap mode {}", text_of(kWraps, sampler.wrap));
-    if (sampler.filter != other.filter) return fmt::format("the filter {}", text_of(kFilters, sampler.filter));
+std::string told_sampler(const Sampler& sampler, const Sampler& other) {
+    if (sampler.wrap != other.wrap) return fmt::format("the wrap mode {}", to_string(sampler.wrap));
+    if (sampler.filter != other.filter) return fmt::format("the filter {}", to_string(sampler.filter));
     return fmt::format("an anisotropy of {}", sampler.anisotropy);
 }
 
@@ -62,12 +62,12 @@ std::optional<Difference> differing_kind(const Property& a, const Property& b) {
     if (a.type != b.type)
         return difference(a, b, [](auto& p) { return fmt::format("the type {}", to_string(p.type)); });
     if (a.binding != b.binding) {
-        const auto told = [](auto& p) { return fmt::format("\"as\": \"{}\"", text_of(kBindings, p.binding)); };
+        const auto told = [](auto& p) { return fmt::format("\"as\": \"{}\"", to_string(p.binding)); };
         return difference(a, b, told, &Property::binding_span);
     }
     if (a.values != b.values) return difference(a, b, told_values_of);
     if (a.usage == b.usage) return {};
-    return difference(a, b, [](auto& p) { return fmt::format("the usage {}", text_of(kTextureUsages, p.usage)); });
+    return difference(a, b, [](auto& p) { return fmt::format("the usage {}", to_string(p.usage)); });
 }
 
 // In what the material may say of it, for all. A default that neither gives follows from the range.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/cpu/fixed_state.h"
 #include "runtime/frame/frame_check.h"
 
 namespace patina::runtime {
@@ -37,11 +38,11 @@ double depth_offset(const Pass& pass, const ScreenTriangle& triangle) {
     return least_difference * pass.depth_bias + std::max(std::abs(dx), std::abs(dy)) * pass.depth_slope_bias;
 }
 
-bool is_drawn(const ScreenTriangle& triangle, VkCullModeFlags cull) {
-    return !(cull & (triangle.is_front ? VK_CULL_MODE_FRONT_BIT : VK_CULL_MODE_BACK_BIT));
+bool is_drawn(const ScreenTriangle& triangle, Cull cull) {
+    return cull != (triangle.is_front ? Cull::Front : Cull::Back);
 }
 
-std::vector<CpuTriangle> visible_triangles(const FrameStep& step, const FrameArea& area, VkCullModeFlags cull,
+std::vector<CpuTriangle> visible_triangles(const FrameStep& step, const PixelArea& area,
                                            const std::vector<ClipVertex>& vertices) {
     std::vector<CpuTriangle> visible;
     const std::vector<std::uint32_t>& indices = step.mesh->indices;
@@ -49,7 +50,7 @@ std::vector<CpuTriangle> visible_triangles(const FrameStep& step, const FrameAre
         const auto corner = [&](std::size_t k) -> const ClipVertex& { return vertices[indices[i + k]]; };
         for (ScreenTriangle& t :
              clip_to_screen(corner(0), corner(1), corner(2), area.width, area.height, {area.x, area.y})) {
-            if (!is_drawn(t, cull)) continue;
+            if (!is_drawn(t, step.pass->cull)) continue;
             const double offset = depth_offset(*step.pass, t);
             visible.push_back({.screen = std::move(t), .index = i / 3, .depth_offset = offset});
         }
@@ -57,7 +58,7 @@ std::vector<CpuTriangle> visible_triangles(const FrameStep& step, const FrameAre
     return visible;
 }
 
-PixelBounds intersection(const FrameArea& area, const PixelBounds& window) {
+PixelBounds intersection(const PixelArea& area, const PixelBounds& window) {
     return {.left = std::max(area.x, window.left),
             .top = std::max(area.y, window.top),
             .right = std::min(area.x + area.width, window.right),
@@ -69,51 +70,31 @@ PixelBounds intersection(const FrameArea& area, const PixelBounds& window) {
 // How a sample fares in the tests, and what that makes of the stencil.
 struct Tested {
     bool is_visible = true;
-    const StencilWord* stencil = nullptr;  // null: there is none
+    std::optional<StencilOp> stencil{};  // nothing: there is no stencil
 };
 
 Tested test_sample(const CpuStep& step, int x, int y, double depth) {
     if (!step.depth) return {};
-    const PassState& state = step.state;
-    const auto seen = [&](std::uint8_t value) { return float(value & state.stencil_read_mask); };
-    if (!state.stencil_test->holds(seen(step.step->stencil_reference),
-                                   seen(step.depth->stencil[step.depth->index(x, y)])))
-        return {.is_visible = false, .stencil = state.stencil_fail};
-    if (!state.depth_test->holds(float(depth), step.depth->load(x, y).x))
-        return {.is_visible = false, .stencil = state.stencil_depth_fail};
-    return {.stencil = state.stencil_pass};
+    const Pass& pass = *step.step->pass;
+    const auto seen = [&](std::uint8_t value) { return float(value & pass.stencil.read_mask); };
+    if (!holds(pass.stencil.test, seen(step.step->stencil_reference),
+               seen(step.depth->stencil[step.depth->index(x, y)])))
+        return {.is_visible = false, .stencil = pass.stencil.fail};
+    if (!holds(pass.depth_test, float(depth), step.depth->load(x, y).x))
+        return {.is_visible = false, .stencil = pass.stencil.depth_fail};
+    return {.stencil = pass.stencil.pass};
 }
 
-void change_stencil(const CpuStep& step, const StencilWord& word, int x, int y) {
+void change_stencil(const CpuStep& step, StencilOp op, int x, int y) {
     std::uint8_t& there = step.depth->stencil[step.depth->index(x, y)];
-    const int wanted = word.change(there, step.step->stencil_reference), mask = step.state.stencil_write_mask;
+    const int wanted = changed(op, there, step.step->stencil_reference), mask = step.step->pass->stencil.write_mask;
     there = std::uint8_t((wanted & mask) | (there & ~mask));
 }
 
-float blend_factor(const BlendWord& word, const glm::vec4& source, const glm::vec4& target, int channel) {
-    float operand = 0;
-    switch (word.operand) {
-        case BlendWord::Operand::SourceColor: operand = source[channel]; break;
-        case BlendWord::Operand::SourceAlpha: operand = source.a; break;
-        case BlendWord::Operand::TargetColor: operand = target[channel]; break;
-        case BlendWord::Operand::TargetAlpha: operand = target.a; break;
-    }
-    return word.base + word.slope * operand;
-}
-
-void write_color(CpuTarget& target, const TargetBlend& blend, int x, int y, glm::vec4 source) {
+void write_color(CpuTarget& target, const Blend& blend, int x, int y, glm::vec4 source) {
     if (!blend.is_on()) return target.store(x, y, source);
     if (target.format->is_normalized) source = glm::clamp(source, 0.0f, 1.0f);
-    const glm::vec4 before = target.load(x, y);
-    glm::vec4 result;
-    for (int c = 0; c < 4; c++) {
-        const bool is_alpha = c == 3;
-        const float from = blend_factor(is_alpha ? *blend.source_alpha : *blend.source, source, before, c),
-                    keep = blend_factor(is_alpha ? *blend.destination_alpha : *blend.destination, source, before, c);
-        // A factor of 0 drops its side even where that is NaN.
-        result[c] = (from == 0 ? 0 : source[c] * from) + (keep == 0 ? 0 : before[c] * keep);
-    }
-    target.store(x, y, result);
+    target.store(x, y, blended(blend, source, target.load(x, y)));
 }
 
 // `outputs`: of the fragment stage, one after the other, each for the target of its number.
@@ -124,7 +105,7 @@ void write_pixel(const CpuStep& step, const std::vector<StageValue>& outputs, in
         glm::vec4 source(0, 0, 0, 1);
         for (unsigned c = 0; c < std::min(outputs[i].components, 4u); c++) source[int(c)] = float(numbers[at + c]);
         at += outputs[i].components;
-        write_color(*step.colors[i], step.state.blends[i], x, y, source);
+        write_color(*step.colors[i], step.step->pass->targets[i].blend, x, y, source);
     }
     if (!step.depth) return;
     if (step.step->pass->depth_write) step.depth->store(x, y, glm::vec4(float(depth)));
@@ -138,7 +119,7 @@ void shade_quad(const CpuStep& step, Interpreter& fragment, const CpuTriangle& t
     for (int lane = 0; lane < 4; lane++) {
         if (quad.covered[lane])
             tested[lane] = test_sample(step, quad.x + lane % 2, quad.y + lane / 2, quad.depth[lane]);
-        const bool marks = tested[lane].stencil && tested[lane].stencil->vulkan != VK_STENCIL_OP_KEEP;
+        const bool marks = tested[lane].stencil.value_or(StencilOp::Keep) != StencilOp::Keep;
         is_needed |= quad.covered[lane] && (tested[lane].is_visible || marks);
     }
     if (!is_needed) return;
@@ -167,13 +148,9 @@ Outcome<CpuStep> make_cpu_step(const Frame& frame, const FrameStep& step, std::v
                                CpuStages& stages, Precision precision) {
     const Pass& pass = *step.pass;
     if (!step.stages.program) return Failure{"the material was compiled without its program"};
-    Outcome<PassState> state = pass_state(pass);
-    if (!state) return Failure{state.error};
-    const FrameArea area = full_area(step, frame);
-    CpuStep made{.step = &step,
-                 .precision = precision,
-                 .state = std::move(state.value),
-                 .bounds = intersection(area, targets[attachments(step).front()].window)};
+    const PixelArea area = full_area(step, frame);
+    CpuStep made{
+        .step = &step, .precision = precision, .bounds = intersection(area, targets[attachments(step).front()].window)};
     for (std::size_t target : step.targets) made.colors.push_back(&targets[target]);
     if (step.depth >= 0) made.depth = &targets[std::size_t(step.depth)];
     if (step.clears_stencil && made.depth) std::fill(made.depth->stencil.begin(), made.depth->stencil.end(), 0);
@@ -195,7 +172,7 @@ Outcome<CpuStep> make_cpu_step(const Frame& frame, const FrameStep& step, std::v
     for (std::uint32_t instance = 0; instance < step.instances; instance++) {
         Outcome<std::vector<ClipVertex>> vertices = run_vertices(vertex, *step.mesh, instance);
         if (!vertices) return Failure{vertices.error};
-        for (CpuTriangle& triangle : visible_triangles(step, area, made.state.cull, vertices.value))
+        for (CpuTriangle& triangle : visible_triangles(step, area, vertices.value))
             made.triangles.push_back(std::move(triangle));
     }
     return made;

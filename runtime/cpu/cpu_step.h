@@ -14,7 +14,6 @@
 #include "runtime/cpu/cpu_stage.h"
 #include "runtime/cpu/cpu_target.h"
 #include "runtime/frame/frame.h"
-#include "runtime/frame/state_words.h"
 
 namespace patina::runtime {
 
@@ -44,15 +43,14 @@ struct CpuFragment {
 struct CpuStep {
     const FrameStep* step = nullptr;
     Precision precision = Precision::Float;
-    PassState state{};
     PixelBounds bounds{};
     std::vector<CpuTarget*> colors{};
     CpuTarget* depth = nullptr;
     std::vector<LoadedTexture> textures{};  // loaded ones, and targets as they were when the step began
     std::vector<InputSource> sources{};
     std::vector<CpuTriangle> triangles{};
-    std::function<void(double)> progress{};                 // told by whoever has row 0
-    std::function<void(const CpuFragment&)> on_fragment{};  // told of every fragment, if there is one thread only
+    std::function<void(double)> progress{};                 // called by the thread that has row 0
+    std::function<void(const CpuFragment&)> on_fragment{};  // called for each fragment, if there is one thread only
 };
 
 // Of a frame without a frame_error(). `stages` are those of this pass; the first fragment stage is there afterwards.

@@ -1,7 +1,7 @@
 // The images that a frame draws into, in memory: bytes of their formats, so that what is written is rounded as a GPU
 // rounds it. Only a window of a target need be there, for those who look at one pixel.
 //
-//   CpuTarget target = make_cpu_target({.format = "rgba8", .width = 4, .height = 4}, {.right = 4, .bottom = 4});
+//   CpuTarget target = make_cpu_target({.width = 4, .height = 4}, {.right = 4, .bottom = 4});
 //   target.store(1, 2, {0.5f, 0, 0, 1});
 #pragma once
 
@@ -10,12 +10,12 @@
 
 #include "runtime/cpu/raster.h"
 #include "runtime/frame/frame.h"
-#include "runtime/frame/target_format.h"
+#include "runtime/frame/pixel_format.h"
 
 namespace patina::runtime {
 
 struct CpuTarget {
-    const TargetFormat* format = nullptr;
+    const PixelFormat* format = nullptr;
     PixelBounds window{};
     std::vector<std::byte> pixels{};
     std::vector<std::uint8_t> stencil{};  // of a depth target

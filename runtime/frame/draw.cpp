@@ -9,7 +9,7 @@ namespace patina::runtime {
 Outcome<const Pass*> drawable_pass(const Draw& draw) {
     for (const Pass& pass : draw.reflection->passes) {
         if (pass.name != draw.pass) continue;
-        if (pass.draws != "objects") return Failure{"the pass '" + pass.name + "' does not draw meshes"};
+        if (pass.draws != PassDraws::Objects) return Failure{"the pass '" + pass.name + "' does not draw meshes"};
         if (pass.targets.size() != 1)
             return Failure{"the pass '" + pass.name + "' writes " + std::to_string(pass.targets.size()) +
                            " targets; one that can be seen writes 1"};
@@ -30,8 +30,9 @@ Frame frame_of(const Draw& draw, const Pass& pass) {
     const Scene& scene = *draw.scene;
     const int width = scene.width * scene.samples, height = scene.height * scene.samples;
     FrameTarget color{
-        .name = "color", .format = "rgba32f", .width = width, .height = height, .clear = scene.background};
-    FrameTarget depth{.name = "depth", .format = "depth", .width = width, .height = height, .clear = glm::vec4(1)};
+        .name = "color", .format = TargetFormat::Rgba32F, .width = width, .height = height, .clear = scene.background};
+    FrameTarget depth{
+        .name = "depth", .format = TargetFormat::Depth, .width = width, .height = height, .clear = glm::vec4(1)};
     StagePair stages{.vertex_spirv = draw.vertex_spirv, .fragment_spirv = draw.fragment_spirv, .program = draw.program};
     FrameStep step{.reflection = draw.reflection,
                    .pass = &pass,

@@ -28,7 +28,7 @@ struct Draw {
     std::span<const std::uint32_t> vertex_spirv{};  // GPU; entry point "main"
     std::span<const std::uint32_t> fragment_spirv{};
     const Program* program = nullptr;  // CPU
-    // CPU: told now and then which share is done, 0 to 1, on the calling thread.
+    // CPU: called now and then with the share that is done, 0 to 1, on the calling thread.
     std::function<void(double)> progress{};
 };
 

@@ -2,9 +2,13 @@
 // what is in the list has been decided (frame_plan.h). The GPU (renderer.h) and the CPU (cpu_render.h) draw the same
 // list.
 //
-//   Frame frame{.targets = {{.name = "color", .format = "rgba32f", .width = 64, .height = 64},
-//                           {.name = "depth", .format = "depth", .width = 64, .height = 64, .clear = glm::vec4(1)}},
+// The room `frame`: how a world becomes such a list, and whether the list holds together. It compiles nothing, and
+// neither runs a shader nor names anything of Vulkan.
+//
+//   Frame frame{.targets = {{.name = "color", .width = 64, .height = 64},
+//                           {.name = "depth", .format = TargetFormat::Depth, .width = 64, .height = 64}},
 //               .steps = {...}};
+//   frame.targets[1].clear = glm::vec4(1);
 //   Outcome<Image> image = renderer.draw(frame);
 #pragma once
 
@@ -18,17 +22,17 @@
 
 #include "patina/interpret.h"
 #include "patina/reflection.h"
+#include "runtime/picture/area.h"
 #include "runtime/scene/mesh.h"
 #include "runtime/values/material_values.h"
 #include "runtime/values/textures.h"
 
 namespace patina::runtime {
 
-// An image that steps draw into. Formats are the reflection's words, and "depth": 32-bit float depth with 8 bits of
-// stencil. It starts out as `clear` (depth: x; stencil: 0).
+// An image that steps draw into. It starts out as `clear` (depth: x; stencil: 0).
 struct FrameTarget {
     std::string name{};
-    std::string format = "rgba32f";
+    TargetFormat format = TargetFormat::Rgba32F;
     int width = 0, height = 0;
     glm::vec4 clear{0};
 };
@@ -37,11 +41,6 @@ struct FrameTarget {
 struct FrameRead {
     std::string texture{};  // of the reflection
     std::size_t target = 0;
-};
-
-// A part of a target, in pixels from the top left; a width of 0 means all of it.
-struct FrameArea {
-    int x = 0, y = 0, width = 0, height = 0;
 };
 
 // The two stages of one pass of one material, in the form that whoever draws can run.
@@ -62,7 +61,7 @@ struct FrameStep {
     std::vector<FrameRead> reads{};
     std::vector<std::size_t> targets{};  // one per Pass::targets, indices into Frame::targets
     int depth = -1;                      // index into Frame::targets; -1: no depth or stencil
-    FrameArea area{};
+    PixelArea area{};                    // of the targets; a width of 0: all of them
     std::uint8_t stencil_reference = 0;
     bool clears_stencil = false;  // to 0, all of it, before the step draws
 };
@@ -72,7 +71,7 @@ struct Frame {
     std::vector<FrameStep> steps{};
     std::size_t shown = 0;  // the target that is the result
     int samples = 1;        // the result is averaged over so many pixels along each axis
-    // CPU: told now and then which share is done, 0 to 1, on the calling thread.
+    // CPU: called now and then with the share that is done, 0 to 1, on the calling thread.
     std::function<void(double)> progress{};
     std::shared_ptr<const void> keep{};  // what steps point to and nobody else holds
 };

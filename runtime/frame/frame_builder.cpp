@@ -9,7 +9,7 @@
 namespace patina::runtime {
 namespace {
 
-constexpr std::string_view kShown = "color", kDepthFormat = "depth";
+constexpr std::string_view kShown = "color";
 
 const LoadedTexture* find_texture(std::span<const LoadedTexture> textures, std::string_view name) {
     auto found = std::find_if(textures.begin(), textures.end(), [&](const auto& t) { return t.name == name; });
@@ -36,7 +36,7 @@ std::shared_ptr<const TextureData> white_texture() {
 }  // namespace
 
 bool is_shadow_pass(const Pass& pass) {
-    return pass.lights == "shadowed";
+    return pass.lights == PassLights::Shadowed;
 }
 
 bool reads_texture(const Pass& pass, const Texture& texture) {
@@ -49,16 +49,16 @@ FrameBuilder::FrameBuilder(const World& world, std::span<const DrawnMaterial> ma
     frame_.samples = scene.samples;
     frame_.keep = kept_;
     frame_.targets.push_back({.name = std::string(kShown),
-                              .format = format_of(std::string(kShown), ""),
+                              .format = format_of(std::string(kShown), TargetFormat::Rgba32F),
                               .width = scene.width * scene.samples,
                               .height = scene.height * scene.samples,
                               .clear = scene.background});
 }
 
-std::string FrameBuilder::format_of(const std::string& target, const std::string& stated) const {
-    if (stated == kDepthFormat) return stated;
-    if (options_.exact) return "rgba32f";
-    return target == kShown && !options_.shown_format.empty() ? options_.shown_format : stated;
+TargetFormat FrameBuilder::format_of(const std::string& target, TargetFormat stated) const {
+    if (stated == TargetFormat::Depth) return stated;
+    if (options_.exact) return TargetFormat::Rgba32F;
+    return target == kShown ? options_.shown_format.value_or(stated) : stated;
 }
 
 std::optional<std::size_t> FrameBuilder::find_target(const std::string& name) const {
@@ -69,23 +69,24 @@ std::optional<std::size_t> FrameBuilder::find_target(const std::string& name) co
 
 // `atlas_size`: texels along a side, or 0 for a target of the picture's size.
 std::string FrameBuilder::add_target(const std::string& material, const Pass& pass, const std::string& name,
-                                     const std::string& stated, int atlas_size) {
+                                     TargetFormat stated, int atlas_size) {
     const FrameTarget& picture = frame_.targets.front();
     FrameTarget target{.name = name,
                        .format = format_of(name, stated),
                        .width = atlas_size ? atlas_size : picture.width,
                        .height = atlas_size ? atlas_size : picture.height,
-                       .clear = glm::vec4(stated == kDepthFormat ? 1.0f : 0.0f)};
+                       .clear = glm::vec4(stated == TargetFormat::Depth ? 1.0f : 0.0f)};
     const std::optional<std::size_t> known = find_target(name);
     if (!known) {
         frame_.targets.push_back(std::move(target));
         return "";
     }
     FrameTarget& before = frame_.targets[*known];
-    if (before.format.empty()) before.format = target.format;  // the shown one, as the first pass says
+    if (&before == &frame_.targets.front() && !shown_has_format_) before.format = target.format;
+    shown_has_format_ |= &before == &frame_.targets.front();
     if (before.format != target.format)
         return fmt::format("pass '{}' of the material '{}' draws into the target '{}' as {}, another as {}", pass.name,
-                           material, name, target.format, before.format);
+                           material, name, to_string(target.format), to_string(before.format));
     if (before.width != target.width || before.height != target.height)
         return fmt::format(
             "pass '{}' of the material '{}' and another draw into the target '{}', one from a light and "
@@ -104,8 +105,7 @@ std::string FrameBuilder::make_targets(std::span<const std::size_t> used, bool h
                     !error.empty())
                     return error;
             if (pass.depth_target.empty()) continue;
-            if (std::string error =
-                    add_target(material, pass, pass.depth_target, std::string(kDepthFormat), atlas_size);
+            if (std::string error = add_target(material, pass, pass.depth_target, TargetFormat::Depth, atlas_size);
                 !error.empty())
                 return error;
         }
@@ -114,12 +114,11 @@ std::string FrameBuilder::make_targets(std::span<const std::size_t> used, bool h
         for (const Texture& texture : materials_[i].reflection->textures)
             if (!texture.reads.empty() && !find_target(texture.reads)) {
                 frame_.targets.push_back({.name = texture.reads,
-                                          .format = std::string(kDepthFormat),
+                                          .format = TargetFormat::Depth,
                                           .width = 1,
                                           .height = 1,
                                           .clear = glm::vec4(1)});
             }
-    if (frame_.targets.front().format.empty()) frame_.targets.front().format = "rgba32f";
     return "";
 }
 
@@ -142,7 +141,7 @@ std::span<const LoadedTexture> FrameBuilder::textures_of(const PlannedStep& step
     const DrawnMaterial& material = materials_[step.material];
     std::vector<LoadedTexture> bound;
     for (const Texture& texture : material.reflection->textures) {
-        if (texture.is_material || !texture.reads.empty() || texture.dimension != "2d") continue;
+        if (texture.is_material || !texture.reads.empty() || texture.dimension != TextureDimension::Flat) continue;
         if (!reads_texture(*step.pass, texture)) continue;
         const Light* cookie = texture.name == "light_cookie" ? cookie_light(step.seen.lights) : nullptr;
         if (has_own(step, texture.name))

@@ -28,7 +28,7 @@ struct PlannedStep {
     const Mesh* mesh = nullptr;
     EngineScene seen{};
     std::optional<std::size_t> object{};  // of the world, if one is drawn
-    FrameArea area{};
+    PixelArea area{};
     int group = 0;  // the stencil's reference
 };
 
@@ -51,9 +51,9 @@ private:
         std::deque<std::vector<LoadedTexture>> textures{};
     };
 
-    std::string format_of(const std::string& target, const std::string& stated) const;
-    std::string add_target(const std::string& material, const Pass& pass, const std::string& name,
-                           const std::string& stated, int atlas_size);
+    TargetFormat format_of(const std::string& target, TargetFormat stated) const;
+    std::string add_target(const std::string& material, const Pass& pass, const std::string& name, TargetFormat stated,
+                           int atlas_size);
     bool changes_owner(const Stencil& stencil);
     std::optional<std::size_t> find_target(const std::string& name) const;
     std::span<const LoadedTexture> textures_of(const PlannedStep& step);
@@ -63,6 +63,7 @@ private:
     std::span<const DrawnMaterial> materials_;
     const FrameOptions& options_;
     Frame frame_{};
+    bool shown_has_format_ = false;  // else the first pass that draws into it says which
     enum class StencilOwner { Nobody, Lighting, Materials } stencil_owner_ = StencilOwner::Nobody;
     std::shared_ptr<Kept> kept_ = std::make_shared<Kept>();
 };

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "runtime/frame/target_format.h"
 #include "runtime/picture/image.h"
 
 namespace patina::runtime {
@@ -16,8 +15,6 @@ bool has_named(const Range& range, const std::string& name) {
 }
 
 std::string target_error(const FrameTarget& target) {
-    if (!target_format(target.format))
-        return fmt::format("'{}' is not a format that the target '{}' can have", target.format, target.name);
     if (target.width < 1 || target.height < 1 || target.width > kLargestImage || target.height > kLargestImage)
         return fmt::format("the target '{}' of {} x {} pixels is not between 1 and {} pixels wide and high",
                            target.name, target.width, target.height, kLargestImage);
@@ -39,13 +36,13 @@ std::string attachment_error(const Frame& frame, const FrameStep& step) {
             return fmt::format("the pass '{}' draws into '{}' and '{}', which differ in size", pass, first.name,
                                target.name);
         const bool wants_depth = i >= step.targets.size();
-        if (target_format(target.format)->is_depth != wants_depth)
+        if ((target.format == TargetFormat::Depth) != wants_depth)
             return fmt::format("the pass '{}' takes '{}' for {}", pass, target.name,
                                wants_depth ? "depth" : "a colour");
         if (std::count(attached.begin(), attached.begin() + std::ptrdiff_t(i), attached[i]))
             return fmt::format("the pass '{}' draws into '{}' twice", pass, target.name);
     }
-    const FrameArea area = full_area(step, frame);
+    const PixelArea area = full_area(step, frame);
     if (area.x < 0 || area.y < 0 || area.width < 1 || area.height < 1 || area.width > first.width - area.x ||
         area.height > first.height - area.y)
         return fmt::format("the pass '{}' draws an area that is not inside '{}'", pass, first.name);
@@ -93,7 +90,7 @@ std::vector<std::size_t> attachments(const FrameStep& step) {
     return result;
 }
 
-FrameArea full_area(const FrameStep& step, const Frame& frame) {
+PixelArea full_area(const FrameStep& step, const Frame& frame) {
     if (step.area.width != 0) return step.area;
     const FrameTarget& target = frame.targets[attachments(step).front()];
     return {.width = target.width, .height = target.height};

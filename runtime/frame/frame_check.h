@@ -14,7 +14,7 @@ namespace patina::runtime {
 std::string frame_error(const Frame& frame);
 
 // The area in full: a width of 0 becomes all of the target.
-FrameArea full_area(const FrameStep& step, const Frame& frame);
+PixelArea full_area(const FrameStep& step, const Frame& frame);
 
 // The targets that the step draws into, depth last; the first has the size of all.
 std::vector<std::size_t> attachments(const FrameStep& step);

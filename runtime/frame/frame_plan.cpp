@@ -8,9 +8,10 @@
 #include <span>
 
 #include "runtime/frame/frame_builder.h"
-#include "runtime/frame/light_split.h"
-#include "runtime/frame/light_volume.h"
 #include "runtime/frame/lighting_groups.h"
+#include "runtime/frame/plan_check.h"
+#include "runtime/lights/light_split.h"
+#include "runtime/lights/light_volume.h"
 
 namespace patina::runtime {
 namespace {
@@ -39,7 +40,7 @@ std::vector<Passes> groups_of(const Reflection& reflection) {
 
 // Draws objects as the camera sees them.
 bool shows_objects(const Pass& pass) {
-    return pass.draws == "objects" && !is_shadow_pass(pass);
+    return pass.draws == PassDraws::Objects && !is_shadow_pass(pass);
 }
 
 bool is_blended(const Passes& passes) {
@@ -59,38 +60,6 @@ bool reads_own_targets(const Passes& passes, const std::vector<Texture>& texture
                 draws_into(*pass, texture.reads))
                 return true;
     return false;
-}
-
-// A reflection may come from elsewhere than from our compiler.
-std::string check_words(const Pass& pass) {
-    struct Choice {
-        std::string_view says, word;
-        std::span<const std::string_view> words;
-    };
-    for (const Choice& choice : {Choice{"draws", pass.draws, kPassDraws}, Choice{"is drawn each", pass.each, kPassEach},
-                                 Choice{"wants the lights", pass.lights, kPassLights}})
-        if (std::find(choice.words.begin(), choice.words.end(), choice.word) == choice.words.end())
-            return fmt::format("{} '{}'; these words exist: {}", choice.says, choice.word,
-                               fmt::join(choice.words, ", "));
-    if (pass.draws != "objects" && is_shadow_pass(pass)) return "draws from the lights, so it must draw objects";
-    if (pass.draws == "light-volumes" && pass.lights != "local")
-        return "draws light volumes, so its lights must be 'local': directional ones have no volume";
-    return "";
-}
-
-std::string check_material(const World& world, std::size_t index, const DrawnMaterial& material) {
-    const std::string& name = world.materials[index].name;
-    if (!material.reflection) return fmt::format("the material '{}' was not compiled", name);
-    for (const Pass& pass : material.reflection->passes) {
-        const std::string subject = fmt::format("pass '{}' of the material '{}'", pass.name, name);
-        if (std::string error = check_words(pass); !error.empty()) return subject + " " + error;
-        if (!material.passes.contains(pass.name)) return subject + " has no shaders";
-        if (pass.camera != "perspective" || is_shadow_pass(pass) || !camera_view(world.view).is_parallel) continue;
-        const std::string fallback = path_for(world.view.camera, *material.reflection);
-        return subject + " needs a perspective camera" +
-               (fallback.empty() ? "" : fmt::format("; compile it for the path '{}'", fallback));
-    }
-    return "";
 }
 
 struct PlannedObject {
@@ -329,20 +298,26 @@ std::vector<std::string> Planner::pass_order(Objects objects) const {
 
 // In the order of their slots. `object`: null where none is drawn.
 std::vector<std::size_t> Planner::lights_for(const Pass& pass, const PlannedObject* object) const {
-    if (pass.lights == "further" && object) return object->split.further;
+    if (pass.lights == PassLights::Further && object) return object->split.further;
     const std::optional<std::size_t> main = main_light(scene_.lights);
     auto is_wanted = [&](std::size_t i) {
         const bool is_directional = scene_.lights[i].kind == LightKind::Directional;
-        if (pass.lights == "main" || pass.lights == "main-only") return i == main;
-        if (pass.lights == "further") return i != main;
-        if (pass.lights == "directional") return is_directional;
-        if (pass.lights == "local") return !is_directional;
-        return pass.lights == "all";
+        switch (pass.lights) {
+            case PassLights::All: return true;
+            case PassLights::Main:
+            case PassLights::MainOnly: return i == main;
+            case PassLights::Further: return i != main;
+            case PassLights::Directional: return is_directional;
+            case PassLights::Local: return !is_directional;
+            case PassLights::Shadowed:
+            case PassLights::None: return false;
+        }
+        return false;
     };
     std::vector<std::size_t> chosen;
     for (std::size_t i : light_order(scene_.lights)) {
         if (!is_wanted(i)) continue;
-        const bool skips_far_ones = object && pass.each == "light";
+        const bool skips_far_ones = object && pass.each == PassEach::Light;
         if (skips_far_ones && attenuation_within(scene_.lights[i], object->bounds) <= 0) continue;
         chosen.push_back(i);
     }
@@ -373,7 +348,7 @@ void Planner::draw_object(const PlannedObject& object, const Pass& pass, Phase p
         EngineScene seen = seen_with(lights);
         seen.object_to_world = object.object_to_world;
         seen.instances = object.instances;
-        if (pass.lights == "main") {
+        if (pass.lights == PassLights::Main) {
             for (std::size_t i : object.split.vertex)
                 seen.vertex_lights.push_back({.light = &scene_.lights[i], .index = i});
             for (std::size_t i : object.split.sh) add_light(seen.ambient, scene_.lights[i], object.bounds);
@@ -386,7 +361,7 @@ void Planner::draw_object(const PlannedObject& object, const Pass& pass, Phase p
                       .group = pass.stencil.is_of_lighting() ? group_of(phase, shape.material) : 0});
     };
     const std::vector<std::size_t> lights = lights_for(pass, &object);
-    if (pass.each == "once") return add(lights);
+    if (pass.each == PassEach::Once) return add(lights);
     for (std::size_t light : lights) add({light});
 }
 
@@ -405,7 +380,7 @@ void Planner::draw_lighting(const std::vector<std::size_t>& materials, const std
     for (std::size_t material : materials) {
         const std::vector<Pass>& passes = reflection_of(material).passes;
         const auto pass = std::find_if(passes.begin(), passes.end(), [&](const Pass& p) { return p.name == name; });
-        if (pass == passes.end() || pass->draws == "objects") continue;
+        if (pass == passes.end() || pass->draws == PassDraws::Objects) continue;
         const int group = is_masked(*pass) ? group_of(phase, material) : 0;
         const std::string key =
             group ? fmt::format("{}\n{}", name, group) : "\n" + lighting_key(materials_, material, *pass);
@@ -413,14 +388,14 @@ void Planner::draw_lighting(const std::vector<std::size_t>& materials, const std
 
         PlannedStep step{.material = material, .pass = &*pass, .mesh = &kScreen, .group = group};
         const std::vector<std::size_t> lights = lights_for(*pass, nullptr);
-        if (pass->each == "once" && pass->draws == "fullscreen") {
+        if (pass->each == PassEach::Once && pass->draws == PassDraws::Fullscreen) {
             step.seen = seen_with(lights);
             builder_.add(std::move(step));
             continue;
         }
         for (std::size_t light : lights) {
             step.seen = seen_with({light});
-            if (pass->draws == "light-volumes")
+            if (pass->draws == PassDraws::LightVolumes)
                 draw_volume(step, scene_.lights[light]);
             else
                 builder_.add(step);
@@ -478,34 +453,17 @@ void Planner::draw_blended() {
     for (const std::string& name : pass_order(objects)) draw_lighting(materials, name, Phase::Blended);
 }
 
-std::string check(const World& world, std::span<const DrawnMaterial> materials, const FrameOptions& options) {
-    if (materials.size() != world.materials.size())
-        return fmt::format("{} materials were compiled, the scene has {}", materials.size(), world.materials.size());
-    if (world.view.lights.size() > kMostLights)
-        return fmt::format("the scene has {} lights; a pass sees {} at most", world.view.lights.size(), kMostLights);
-    if (options.shadow_atlas_size < kSmallestShadowAtlas || options.shadow_atlas_size % 2 != 0)
-        return fmt::format("the shadow atlas must have an even number of texels along a side, {} or more, not {}",
-                           kSmallestShadowAtlas, options.shadow_atlas_size);
-    for (const WorldObject& object : world.objects) {
-        if (!object.mesh) return fmt::format("the object '{}' has no mesh", object.name);
-        if (object.material >= materials.size()) return fmt::format("the object '{}' has no material", object.name);
-        if (std::string error = check_material(world, object.material, materials[object.material]); !error.empty())
-            return error;
-    }
-    return "";
-}
-
 }  // namespace
 
 std::string path_for(const Camera& camera, const Reflection& reflection) {
     const bool is_parallel = camera.orthographic_height || camera.clip_space;
     for (const Pass& pass : reflection.passes)
-        if (is_parallel && pass.camera == "perspective") return pass.fallback;
+        if (is_parallel && pass.camera == PassCamera::Perspective) return pass.fallback;
     return reflection.path;
 }
 
 Outcome<Frame> plan_frame(const World& world, std::span<const DrawnMaterial> materials, const FrameOptions& options) {
-    if (std::string error = check(world, materials, options); !error.empty()) return Failure{error};
+    if (std::string error = plan_error(world, materials, options); !error.empty()) return Failure{error};
     return Planner(world, materials, options).plan();
 }
 

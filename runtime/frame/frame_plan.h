@@ -19,6 +19,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -44,10 +45,10 @@ struct DrawnMaterial {
 };
 
 struct FrameOptions {
-    std::string path{};                    // the wanted one: Reflection::path. Empty: materials of all paths are alike
-    int shadow_atlas_size = 2048;          // texels along a side; even
-    bool exact = false;                    // every colour target in rgba32f
-    std::string shown_format = "rgba32f";  // of "color"; empty: as the passes say
+    std::string path{};            // the wanted one: Reflection::path. Empty: materials of all paths are alike
+    int shadow_atlas_size = 2048;  // texels along a side; even
+    bool exact = false;            // every colour target in rgba32f
+    std::optional<TargetFormat> shown_format = TargetFormat::Rgba32F;  // of "color"; nothing: as the passes say
     // For each object of the world its textures of the engine ("lightmap_texture", "shadow_mask_texture"); may be
     // shorter. Missing ones are white, and an object without a lightmap has no baked light.
     std::span<const std::vector<LoadedTexture>> object_textures{};

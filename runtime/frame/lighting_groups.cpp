@@ -30,7 +30,7 @@ std::string fragment_key(const DrawnPass& drawn) {
 }  // namespace
 
 bool is_masked(const Pass& pass) {
-    return pass.stencil.is_of_lighting() && pass.stencil.test != "always";
+    return pass.stencil.is_of_lighting() && pass.stencil.test != Compare::Always;
 }
 
 std::string lighting_key(std::span<const DrawnMaterial> materials, std::size_t material, const Pass& pass) {
@@ -46,7 +46,7 @@ std::optional<int> LightingGroups::number(int phase, std::size_t material) {
         std::string key = fmt::format("{}\n", phase);
         for (const Pass& pass : materials_[material].reflection->passes) {
             uses_reference |= pass.stencil.is_of_lighting();
-            if (pass.draws == "objects" || !is_masked(pass)) continue;
+            if (pass.draws == PassDraws::Objects || !is_masked(pass)) continue;
             const std::string one = lighting_key(materials_, material, pass);
             key += fmt::format("{}\n", one.size()) + one;
         }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "runtime/gpu/vulkan_words.h"
+
 namespace patina::runtime {
 namespace {
 
@@ -27,12 +29,6 @@ Memory allocate(Gpu& gpu, const VkMemoryRequirements& needs, std::initializer_li
     VkDeviceMemory memory = VK_NULL_HANDLE;
     gpu.check(vkAllocateMemory(gpu.device.device, &info, nullptr, &memory), "allocate memory");
     return {gpu.device.device, memory};
-}
-
-VkSamplerAddressMode address_mode(const std::string& wrap) {
-    if (wrap == "clamp") return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-    if (wrap == "mirror") return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
-    return VK_SAMPLER_ADDRESS_MODE_REPEAT;
 }
 
 }  // namespace
@@ -123,12 +119,12 @@ bool supports(const Device& device, VkFormat format, VkFormatFeatureFlags featur
 }
 
 SamplerHandle make_sampler(Gpu& gpu, const Sampler& sampler) {
-    bool nearest = sampler.filter == "nearest";
+    const bool nearest = sampler.filter == Filter::Nearest;
     VkSamplerCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
     info.magFilter = info.minFilter = nearest ? VK_FILTER_NEAREST : VK_FILTER_LINEAR;
     info.mipmapMode = nearest ? VK_SAMPLER_MIPMAP_MODE_NEAREST : VK_SAMPLER_MIPMAP_MODE_LINEAR;
-    info.addressModeU = info.addressModeV = info.addressModeW = address_mode(sampler.wrap);
+    info.addressModeU = info.addressModeV = info.addressModeW = vulkan_wrap(sampler.wrap);
     info.anisotropyEnable = gpu.device.anisotropy && sampler.anisotropy > 1 && !nearest;
     info.maxAnisotropy = std::clamp(float(sampler.anisotropy), 1.0f, gpu.device.limits.maxSamplerAnisotropy);
     info.maxLod = VK_LOD_CLAMP_NONE;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "runtime/frame/frame_check.h"
+#include "runtime/gpu/vulkan_words.h"
 
 namespace patina::runtime {
 namespace {
@@ -41,8 +42,8 @@ Outcome<VkPipeline> find_pipeline(Gpu& gpu, ReadyFrame& ready, const FrameStep& 
                       .vertex_spirv = step.stages.vertex_spirv,
                       .fragment_spirv = step.stages.fragment_spirv,
                       .constants = step.constants};
-    for (std::size_t target : step.targets) info.color_formats.push_back(targets[target].format->vulkan);
-    if (step.depth >= 0) info.depth_format = targets[std::size_t(step.depth)].format->vulkan;
+    for (std::size_t target : step.targets) info.color_formats.push_back(vulkan_format(targets[target].format->word));
+    if (step.depth >= 0) info.depth_format = vulkan_format(targets[std::size_t(step.depth)].format->word);
     ReadyFrame::PipelineKey key{step.pass,     info.vertex_spirv.data(), info.fragment_spirv.data(),
                                 layout,        info.color_formats,       info.depth_format,
                                 step.constants};
@@ -164,7 +165,7 @@ void Recorder::begin(const FrameStep& step) {
 }
 
 void Recorder::draw(const FrameStep& step, const ReadyStep& ready) {
-    const FrameArea area = full_area(step, frame_);
+    const PixelArea area = full_area(step, frame_);
     // The negative height makes clip space y-up, as graphs and meshes are.
     const VkViewport viewport{float(area.x), float(area.y + area.height), float(area.width), -float(area.height), 0, 1};
     const VkRect2D scissor{{area.x, area.y}, {std::uint32_t(area.width), std::uint32_t(area.height)}};
@@ -187,7 +188,7 @@ void Recorder::draw(const FrameStep& step, const ReadyStep& ready) {
 Outcome<ReadyFrame> make_ready(Gpu& gpu, const Frame& frame, std::vector<GpuTarget>& targets, TextureCache& textures) {
     ReadyFrame ready;
     ready.data = make_frame_data(gpu, frame);
-    ready.read_sampler = make_sampler(gpu, {.wrap = "clamp", .filter = "nearest"});
+    ready.read_sampler = make_sampler(gpu, {.wrap = Wrap::Clamp, .filter = Filter::Nearest});
     if (!gpu.error.empty()) return Failure{gpu.error};
     for (std::size_t i = 0; i < frame.steps.size(); i++) {
         Outcome<ReadyStep> step = make_step_ready(gpu, frame, i, ready, targets, textures);

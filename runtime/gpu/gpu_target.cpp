@@ -1,24 +1,26 @@
 #include "runtime/gpu/gpu_target.h"
 
+#include "runtime/gpu/vulkan_words.h"
+
 namespace patina::runtime {
 namespace {
 
 constexpr VkImageAspectFlags kColor = VK_IMAGE_ASPECT_COLOR_BIT;
 constexpr VkImageAspectFlags kDepthStencil = VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT;
 
-VkImageAspectFlags read_aspect(const TargetFormat& format) {
+VkImageAspectFlags read_aspect(const PixelFormat& format) {
     return format.is_depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
 }
 
-Outcome<TargetImage> make_target_image(Gpu& gpu, const TargetFormat& format, std::uint32_t width, std::uint32_t height,
+Outcome<TargetImage> make_target_image(Gpu& gpu, const PixelFormat& format, std::uint32_t width, std::uint32_t height,
                                        VkImageUsageFlags usage, VkFormatFeatureFlags features) {
-    if (!supports(gpu.device, format.vulkan, features))
+    if (!supports(gpu.device, vulkan_format(format.word), features))
         return Failure{"'" + gpu.device.name + "' cannot draw into a target of the format '" +
-                       std::string(format.word) + "'"};
+                       std::string(to_string(format.word)) + "'"};
     TargetImage made;
     made.image = make_gpu_image(gpu, {.width = width,
                                       .height = height,
-                                      .format = format.vulkan,
+                                      .format = vulkan_format(format.word),
                                       .usage = usage,
                                       .aspect = format.is_depth ? kDepthStencil : kColor});
     if (gpu.error.empty() && format.is_depth) made.depth_only = make_view(gpu, made.image, VK_IMAGE_ASPECT_DEPTH_BIT);
@@ -28,7 +30,7 @@ Outcome<TargetImage> make_target_image(Gpu& gpu, const TargetFormat& format, std
 
 bool fits(const GpuTarget& target, const FrameTarget& wanted) {
     const GpuImage& image = target.drawn.image;
-    return image.handle && target.format == target_format(wanted.format) &&
+    return image.handle && target.format == &pixel_format(wanted.format) &&
            image.width == std::uint32_t(wanted.width) && image.height == std::uint32_t(wanted.height);
 }
 
@@ -46,7 +48,7 @@ Outcome<bool> fit_targets(Gpu& gpu, std::vector<GpuTarget>& targets, std::span<c
         GpuTarget& target = targets[i];
         target.version = target.copied_version = 0;
         if (target.format) continue;
-        const TargetFormat& format = *target_format(wanted[i].format);
+        const PixelFormat& format = pixel_format(wanted[i].format);
         Outcome<TargetImage> made = make_target_image(
             gpu, format, std::uint32_t(wanted[i].width), std::uint32_t(wanted[i].height),
             (format.is_depth ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT) |

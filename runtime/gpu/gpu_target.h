@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "runtime/frame/frame.h"
-#include "runtime/frame/target_format.h"
+#include "runtime/frame/pixel_format.h"
 #include "runtime/gpu/gpu.h"
 #include "runtime/outcome.h"
 
@@ -23,13 +23,13 @@ struct TargetImage {
 };
 
 struct GpuTarget {
-    const TargetFormat* format = nullptr;
+    const PixelFormat* format = nullptr;
     TargetImage drawn, copy;  // the copy is made when something first needs one
     // How often the frame has drawn into it, and how often when it was copied; 0: never cleared or copied.
     unsigned version = 0, copied_version = 0;
 };
 
-// Makes `targets` those that are wanted, with what they held no longer of use. The formats are known.
+// Makes `targets` those that are wanted, with what they held no longer of use.
 Outcome<bool> fit_targets(Gpu& gpu, std::vector<GpuTarget>& targets, std::span<const FrameTarget> wanted);
 // Sees to it that there is an image for the copy.
 Outcome<bool> need_copy(Gpu& gpu, GpuTarget& target);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kMostCachedTextures = 64;
 
-VkFormat vulkan_format(TexelFormat format) {
+VkFormat texel_format(TexelFormat format) {
     switch (format) {
         case TexelFormat::Srgb8: return VK_FORMAT_R8G8B8A8_SRGB;
         case TexelFormat::Unorm8: return VK_FORMAT_R8G8B8A8_UNORM;
@@ -37,7 +37,7 @@ void store_texels(const TextureLevel& level, TexelFormat format, std::byte* targ
 Outcome<GpuImage> upload(Gpu& gpu, const LoadedTexture& texture) {
     const std::vector<TextureLevel>& levels = texture.data->levels;
     const auto faces = static_cast<std::uint32_t>(texture.data->faces);
-    VkFormat format = vulkan_format(texture.format);
+    VkFormat format = texel_format(texture.format);
     if (!supports(gpu.device, format, VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT))
         return Failure{"'" + gpu.device.name + "' cannot filter the float texture '" + texture.name + "'"};
     GpuImage image = make_gpu_image(gpu, {.width = std::uint32_t(levels.front().width),

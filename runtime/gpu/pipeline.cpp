@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "runtime/frame/state_words.h"
+#include "runtime/gpu/vulkan_words.h"
 #include "runtime/values/vertex_inputs.h"
 
 namespace patina::runtime {
@@ -32,14 +32,14 @@ Outcome<std::vector<VkVertexInputAttributeDescription>> vertex_attributes(const 
 }
 
 // Empty, or what the device cannot do of what the targets ask of blending.
-std::string blending_error(const Device& device, const PipelineInfo& wanted, const PassState& state) {
-    for (std::size_t i = 0; i < state.blends.size(); i++) {
-        if (state.blends[i] != state.blends.front() && !device.independent_blend)
+std::string blending_error(const Device& device, const PipelineInfo& wanted) {
+    const std::vector<RenderTarget>& targets = wanted.pass->targets;
+    for (std::size_t i = 0; i < targets.size(); i++) {
+        if (targets[i].blend != targets.front().blend && !device.independent_blend)
             return "'" + device.name + "' cannot blend each target of the pass '" + wanted.pass->name + "' differently";
-        if (state.blends[i].is_on() &&
+        if (targets[i].blend.is_on() &&
             !supports(device, wanted.color_formats[i], VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT))
-            return "'" + device.name + "' cannot blend in the format of the target '" + wanted.pass->targets[i].name +
-                   "'";
+            return "'" + device.name + "' cannot blend in the format of the target '" + targets[i].name + "'";
     }
     return "";
 }
@@ -66,15 +66,15 @@ struct FixedState {
                                         VK_DYNAMIC_STATE_STENCIL_REFERENCE};
     VkPipelineDynamicStateCreateInfo dynamic;
 
-    FixedState(const Pass& pass, const PassState& state);
+    explicit FixedState(const Pass& pass);
     FixedState(const FixedState&) = delete;
 
 private:
-    void set_depth(const Pass& pass, const PassState& state);
-    void set_blending(const PassState& state);
+    void set_depth(const Pass& pass);
+    void set_blending(const Pass& pass);
 };
 
-FixedState::FixedState(const Pass& pass, const PassState& state)
+FixedState::FixedState(const Pass& pass)
     : assembly{started<decltype(assembly)>(VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO)},
       viewport{started<decltype(viewport)>(VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO)},
       raster{started<decltype(raster)>(VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO)},
@@ -84,42 +84,42 @@ FixedState::FixedState(const Pass& pass, const PassState& state)
       dynamic{started<decltype(dynamic)>(VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO)} {
     assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     viewport.viewportCount = viewport.scissorCount = 1;
-    raster.cullMode = state.cull;
+    raster.cullMode = vulkan_cull(pass.cull);
     raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
     raster.lineWidth = 1;
     raster.depthBiasEnable = pass.depth_bias != 0 || pass.depth_slope_bias != 0;
     raster.depthBiasConstantFactor = float(pass.depth_bias);
     raster.depthBiasSlopeFactor = float(pass.depth_slope_bias);
     multisample.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
-    set_depth(pass, state);
-    set_blending(state);
+    set_depth(pass);
+    set_blending(pass);
     dynamic.dynamicStateCount = std::uint32_t(std::size(dynamic_states));
     dynamic.pDynamicStates = dynamic_states;
 }
 
-void FixedState::set_depth(const Pass& pass, const PassState& state) {
+void FixedState::set_depth(const Pass& pass) {
     depth.depthTestEnable = VK_TRUE;
     depth.depthWriteEnable = pass.depth_write;
-    depth.depthCompareOp = state.depth_test->vulkan;
+    depth.depthCompareOp = vulkan_compare(pass.depth_test);
     depth.stencilTestEnable = pass.stencil.is_used();
     VkStencilOpState& stencil = depth.front;
-    stencil.failOp = state.stencil_fail->vulkan;
-    stencil.depthFailOp = state.stencil_depth_fail->vulkan;
-    stencil.passOp = state.stencil_pass->vulkan;
-    stencil.compareOp = state.stencil_test->vulkan;
-    stencil.compareMask = state.stencil_read_mask;
-    stencil.writeMask = state.stencil_write_mask;
+    stencil.failOp = vulkan_stencil_op(pass.stencil.fail);
+    stencil.depthFailOp = vulkan_stencil_op(pass.stencil.depth_fail);
+    stencil.passOp = vulkan_stencil_op(pass.stencil.pass);
+    stencil.compareOp = vulkan_compare(pass.stencil.test);
+    stencil.compareMask = std::uint32_t(pass.stencil.read_mask);
+    stencil.writeMask = std::uint32_t(pass.stencil.write_mask);
     depth.back = stencil;
 }
 
-void FixedState::set_blending(const PassState& state) {
-    for (const TargetBlend& wanted : state.blends) {
+void FixedState::set_blending(const Pass& pass) {
+    for (const RenderTarget& wanted : pass.targets) {
         VkPipelineColorBlendAttachmentState target{};
-        target.blendEnable = wanted.is_on();
-        target.srcColorBlendFactor = wanted.source->vulkan;
-        target.dstColorBlendFactor = wanted.destination->vulkan;
-        target.srcAlphaBlendFactor = wanted.source_alpha->vulkan;
-        target.dstAlphaBlendFactor = wanted.destination_alpha->vulkan;
+        target.blendEnable = wanted.blend.is_on();
+        target.srcColorBlendFactor = vulkan_blend_factor(wanted.blend.source);
+        target.dstColorBlendFactor = vulkan_blend_factor(wanted.blend.destination);
+        target.srcAlphaBlendFactor = vulkan_blend_factor(wanted.blend.source_alpha);
+        target.dstAlphaBlendFactor = vulkan_blend_factor(wanted.blend.destination_alpha);
         target.colorWriteMask =
             VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
         targets.push_back(target);
@@ -160,11 +160,9 @@ struct Constants {
 
 Outcome<PipelineHandle> make_pipeline(Gpu& gpu, const PipelineInfo& wanted) {
     const Pass& pass = *wanted.pass;
-    Outcome<PassState> state = pass_state(pass);
-    if (!state) return Failure{state.error};
     auto attributes = vertex_attributes(pass);
     if (!attributes) return Failure{attributes.error};
-    if (std::string error = blending_error(gpu.device, wanted, state.value); !error.empty()) return Failure{error};
+    if (std::string error = blending_error(gpu.device, wanted); !error.empty()) return Failure{error};
     ShaderHandle vertex = make_shader(gpu, wanted.vertex_spirv), fragment = make_shader(gpu, wanted.fragment_spirv);
     if (!gpu.error.empty()) return Failure{gpu.error};
 
@@ -180,7 +178,7 @@ Outcome<PipelineHandle> make_pipeline(Gpu& gpu, const PipelineInfo& wanted) {
     input.vertexAttributeDescriptionCount = std::uint32_t(attributes.value.size());
     input.pVertexAttributeDescriptions = attributes.value.data();
 
-    FixedState fixed(pass, state.value);
+    FixedState fixed(pass);
     auto rendering = started<VkPipelineRenderingCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO);
     rendering.colorAttachmentCount = std::uint32_t(wanted.color_formats.size());
     rendering.pColorAttachmentFormats = wanted.color_formats.data();

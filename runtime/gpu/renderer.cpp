@@ -54,7 +54,7 @@ Outcome<Image> Renderer::draw(const Frame& frame) {
         return Failure{drawn.error};
     }
     const FrameTarget& shown = frame.targets[frame.shown];
-    return box_filtered(image_of(*target_format(shown.format), shown.width, shown.height, impl_->readback.data),
+    return box_filtered(image_of(pixel_format(shown.format), shown.width, shown.height, impl_->readback.data),
                         frame.samples);
 }
 

@@ -283,7 +283,7 @@ Environment::Environment(const SphericalHarmonics& ambient)
 
 std::shared_ptr<const TextureData> Environment::map() const {
     std::call_once(made_, [this] {
-        TextureData data{.levels = {}, .sampler = {.wrap = "clamp", .filter = "linear", .anisotropy = 1}, .faces = 6};
+        TextureData data{.levels = {}, .sampler = {.wrap = Wrap::Clamp}, .faces = 6};
         const Pyramid pyramid(radiance_, face_size_);
         for (int level = 0; level < kEnvironmentLevels; level++)
             data.levels.push_back(blurred(pyramid, level, std::max(face_size_ >> level, 1)));

@@ -78,7 +78,7 @@ Result compile(const Compiler& compiler, const ModelChoice& choice) {
 
 std::shared_ptr<const TextureData> even_cube(float value) {
     TextureData data{.levels = {{.width = 1, .height = 1, .texels = std::vector<float>(24, value)}},
-                     .sampler = {.wrap = "clamp", .filter = "linear", .anisotropy = 1},
+                     .sampler = {.wrap = Wrap::Clamp},
                      .faces = 6};
     return std::make_shared<const TextureData>(std::move(data));
 }
@@ -90,7 +90,7 @@ std::shared_ptr<const TextureData> one_texel(std::array<float, 4> texel) {
 
 // As textures.h has it: what a texture of the usage "color" holds is decoded.
 std::array<float, 4> texel_of(const Texture& texture) {
-    const float half = texture.usage == "color" ? 0.21404114f : 0.5f;  // ((0.5 + 0.055) / 1.055)^2.4
+    const float half = texture.usage == TextureUsage::Color ? 0.21404114f : 0.5f;  // ((0.5 + 0.055) / 1.055)^2.4
     if (texture.default_value == "black") return {0, 0, 0, 1};
     if (texture.default_value == "gray") return {half, half, half, 1};
     if (texture.default_value == "bump") return {half, half, 1, 1};

@@ -71,9 +71,7 @@ std::shared_ptr<const TextureData> split_sum_table() {
                 level.texels.insert(level.texels.end(), {float(scale), float(offset), 0, 1});
             }
         }
-        TextureData data{.levels = {std::move(level)},
-                         .sampler = {.wrap = "clamp", .filter = "linear", .anisotropy = 1},
-                         .faces = 1};
+        TextureData data{.levels = {std::move(level)}, .sampler = {.wrap = Wrap::Clamp}, .faces = 1};
         return std::make_shared<const TextureData>(std::move(data));
     }();
     return kTable;

@@ -1,29 +1,28 @@
 // The whole way from a graph file to a picture, as one call: what `patina render` and snapshots use. The words in it
 // are the user's own (scene_text.h, material_values.h); everything wrong with them comes back as text or diagnostics.
 //
+// The room `render`: compiles materials, prepares them, plans the frame and has it drawn. No formula of light or of
+// drawing stands here.
+//
 //   RenderMachine machine;                      // keeps the GPU between calls; opened when first needed
-//   RenderOutcome outcome = render(compiler, {.graph = "rust.graph.json", .overrides = {{"_Roughness", "0.2"}}},
-//   machine); if (outcome.ok) save_png("rust.png", outcome.image);
+//   RenderRequest request{.graph = "rust.graph.json", .overrides = {{"_Roughness", "0.2"}}, .options = {.via = "cpu"}};
+//   RenderOutcome outcome = render(compiler, request, machine);
+//   if (outcome.ok) save_png("rust.png", outcome.image);
 #pragma once
 
-#include <functional>
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "patina/patina.h"
 #include "runtime/cpu/cpu_render.h"
-#include "runtime/gpu/renderer.h"
-#include "runtime/picture/image.h"
+#include "runtime/render/render_machine.h"
+#include "runtime/render/render_options.h"
 
 namespace patina::runtime {
 
 struct RenderRequest {
     std::string graph{};                             // a file: a material's graph, or a scene (x.scene.json)
-    std::string preview{};                           // a port to look at: "mask", "rust.amount"; empty: the material
-    std::string path = "forward";                    // a rendering path, or a file x.pass.hlsl
-    std::vector<std::string> defines{};              // parts of the path: "shadows", "fog=false"
     std::string mesh = "sphere";                     // mesh_names()
     int size = 512;                                  // pixels, width
     int height = 0;                                  // 0: as the width
@@ -33,32 +32,8 @@ struct RenderRequest {
     std::vector<std::string> lights{};               // empty: the default three; {"none"}: none
     std::string ambient{};                           // empty: the default sky
     std::string camera{};                            // empty: frames the mesh
-    std::string via = "glsl";                        // glsl | hlsl | cpu
-    std::string device{};                            // part of a GPU's name; empty: the software renderer
-    bool validation = false;                         // Khronos validation layer; its messages become errors
-    bool exact_textures = false;                     // float texels on the GPU, to compare it with the CPU
-    bool exact_targets = false;                      // colour targets in 32-bit floats, whatever the passes say
-    std::vector<std::string> include_dirs{};
-    std::function<void(double)> progress{};  // via cpu: told which share is done, 0 to 1
+    RenderOptions options{};
 };
-
-struct RenderOutcome {
-    bool ok = false;
-    Image image;                          // linear
-    std::vector<Diagnostic> diagnostics;  // of the compiler and of glslang; warnings too
-    std::string error;                    // what else went wrong: a word of the request, a file, the device
-    std::size_t draws = 0;                // calls that drew the image, shadow maps among them
-    bool missing_machine = false;         // `error` is about this machine: no Vulkan device, or one with too low limits
-};
-
-// The GPU that renders share. Reopened when a request asks for another device.
-struct RenderMachine {
-    std::unique_ptr<Renderer> renderer;
-    DeviceOptions options;
-};
-
-// Opens the device that is wanted, unless it is open already. Empty: done; else what is wrong.
-std::string open_machine(const std::string& device, bool validation, RenderMachine& machine);
 
 RenderOutcome render(const Compiler& compiler, const RenderRequest& request, RenderMachine& machine);
 
@@ -72,6 +47,6 @@ struct TraceOutcome {
 
 // What the pixel at `x`, `y` (inside the picture, from the top left) of that picture is made of, from the CPU
 // reference.
-TraceOutcome trace(const Compiler& compiler, RenderRequest request, int x, int y, Precision precision);
+TraceOutcome trace(const Compiler& compiler, const RenderRequest& request, int x, int y, Precision precision);
 
 }  // namespace patina::runtime

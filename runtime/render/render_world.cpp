@@ -8,9 +8,12 @@
 #include <set>
 
 #include "patina/validate.h"
-#include "runtime/scene/scene_values.h"
-#include "runtime/scene/view.h"
-#include "runtime/values/engine_values.h"
+#include "runtime/cpu/cpu_render.h"
+#include "runtime/frame/frame_plan.h"
+#include "runtime/render/complaints.h"
+#include "runtime/render/object_textures.h"
+#include "runtime/render/prepare_material.h"
+#include "runtime/values/scene_values.h"
 
 namespace patina::runtime {
 namespace {
@@ -26,25 +29,9 @@ struct Variant {
 
 using Spirv = std::vector<std::uint32_t>;
 
-// A material that has been compiled, and everything that its draws point to.
-struct Compiled {
-    Result result;
-    MaterialValues values;
-    LoadedTextures loaded;
-};
-
-Diagnostic complaint(const std::string& file, Severity severity, std::string code, std::string message) {
-    Diagnostic diagnostic;
-    diagnostic.severity = severity;
-    diagnostic.code = std::move(code);
-    diagnostic.message = std::move(message);
-    diagnostic.file = file;
-    return diagnostic;
-}
-
 class Drawing {
 public:
-    Drawing(const Compiler& compiler, const World& world, const WorldOptions& options, RenderMachine& machine)
+    Drawing(const Compiler& compiler, const World& world, const RenderOptions& options, RenderMachine& machine)
         : compiler_(compiler), world_(world), options_(options), machine_(machine) {}
 
     RenderOutcome run() {
@@ -81,8 +68,11 @@ private:
     // Each material, the pictures of the objects, and the shaders; tells of as much as there is.
     void prepare() {
         for (std::size_t i = 0; i < variants_.size(); ++i) compile(i);
-        load_object_textures();
+        ObjectTextures loaded = load_object_textures(world_);
+        report(loaded.diagnostics);
+        ok_ &= loaded.ok;
         if (!ok_) return;
+        object_textures_ = std::move(loaded.textures);
         give_instance_values();
         if (!ok_) return;
         for (const auto& material : compiled_) drawn_.push_back(drawn_material(*material));
@@ -93,7 +83,7 @@ private:
         std::vector<std::string> drawn;
         if (compiled_.empty()) return "";
         for (const auto& material : compiled_) {
-            for (const Pass& pass : material->result.reflection.passes) {
+            for (const Pass& pass : material->compiled.reflection.passes) {
                 for (const RenderTarget& target : pass.targets) {
                     if (target.name == kPicture) return "";
                     if (std::find(drawn.begin(), drawn.end(), target.name) == drawn.end()) drawn.push_back(target.name);
@@ -111,13 +101,14 @@ private:
     }
 
     Outcome<Frame> plan() const {
-        return plan_frame(spread_, drawn_,
-                          {.path = path_name(),
-                           .shadow_atlas_size = options_.shadow_atlas_size,
-                           .exact = options_.exact_targets,
-                           .shown_format = options_.stated_formats ? "" : "rgba32f",
-                           .object_textures = object_textures_,
-                           .instance_values = instance_values_});
+        return plan_frame(
+            spread_, drawn_,
+            {.path = path_name(),
+             .shadow_atlas_size = options_.shadow_atlas_size,
+             .exact = options_.exact_targets,
+             .shown_format = options_.stated_formats ? std::nullopt : std::optional(TargetFormat::Rgba32F),
+             .object_textures = object_textures_,
+             .instance_values = instance_values_});
     }
 
     bool on_cpu() const { return options_.via == "cpu"; }
@@ -169,27 +160,13 @@ private:
         return switches;
     }
 
-    // Values may ask for other variants than the graph's own: then it is compiled once more, for them.
     Result compile_for(const Variant& variant, const std::string& path) const {
-        const WorldMaterial& material = world_.materials[variant.material];
-        Result made = compile_with(variant, path, {});
-        if (!made.ok || material.overrides.empty()) return made;
-        const Spelling spelling = material.set.empty() ? Spelling::Words : Spelling::Json;
-        const auto wanted = keywords_of(made.reflection, material.overrides, spelling);
-        return wanted.empty() ? made : compile_with(variant, path, wanted);
-    }
-
-    Result compile_with(const Variant& variant, const std::string& path,
-                        const std::vector<std::pair<std::string, std::string>>& keywords) const {
-        CompileOptions options;
+        CompileOptions options = compile_options(options_);
         if (is_drawing_) options.targets = {target()};
         options.path = path;
         options.switches = switches_of(variant);
-        options.switches.insert(options.switches.end(), keywords.begin(), keywords.end());
-        options.include_dirs = options_.include_dirs;
-        options.preview = options_.preview;
         options.keep_programs = on_cpu();
-        return compiler_.compile_file(world_.materials[variant.material].graph, options);
+        return compile_material(compiler_, world_.materials[variant.material], std::move(options));
     }
 
     // Several variants of one graph say the same.
@@ -199,106 +176,40 @@ private:
         }
     }
 
-    // The CPU reference samples without anisotropy.
-    void warn_of_anisotropy(const WorldMaterial& material, const Reflection& reflection) {
-        std::string names;
-        for (const Texture& texture : reflection.textures) {
-            const bool is_read = std::any_of(reflection.passes.begin(), reflection.passes.end(), [&](const Pass& pass) {
-                return std::count(pass.textures.begin(), pass.textures.end(), texture.name) > 0;
-            });
-            if (is_read && texture.sampler.anisotropy > 1) names += (names.empty() ? "'" : ", '") + texture.name + "'";
-        }
-        if (!names.empty())
-            report({complaint(material.graph, Severity::Warning, "no-anisotropy",
-                              "the CPU reference samples without anisotropy: " + names)});
-    }
-
-    // A draw binds one cookie (engine_values.h), whatever lights it loops over.
-    void warn_of_cookies(const WorldMaterial& material, const Reflection& reflection) {
-        const std::vector<Light>& lights = world_.view.lights;
-        const auto cookies = std::count_if(lights.begin(), lights.end(), [](const Light& l) { return has_cookie(l); });
-        for (const Pass& pass : reflection.passes) {
-            const bool is_read = std::count(pass.textures.begin(), pass.textures.end(), "light_cookie") > 0;
-            if (cookies < 2 || !is_read || pass.each != "once" || pass.lights != "all") continue;
-            report({complaint(material.graph, Severity::Warning, "one-cookie",
-                              fmt::format("the pass '{}' draws all lights at once and has one of their {} cookies, the "
-                                          "first; paths that draw each light by itself have every light's own",
-                                          pass.name, cookies))});
-        }
-    }
-
-    // A pass file may declare values of an engine that only its author's engine has.
-    void warn_of_unknown_values(const Reflection& reflection) {
-        const std::vector<std::string> known = engine_value_names();
-        for (const Block& block : reflection.blocks) {
-            const bool is_read = std::any_of(reflection.passes.begin(), reflection.passes.end(), [&](const Pass& pass) {
-                return std::count(pass.blocks.begin(), pass.blocks.end(), block.name) > 0;
-            });
-            if (block.is_material || !is_read) continue;
-            for (const BlockMember& member : block.members) {
-                if (std::find(known.begin(), known.end(), member.name) != known.end()) continue;
-                Diagnostic unknown = complaint(
-                    options_.path, Severity::Warning, "no-engine-value",
-                    fmt::format("there is no value for '{}' of the block '{}': it is 0", member.name, block.name));
-                if (std::string advice = suggestion(member.name, known); advice.starts_with("did you mean")) {
-                    Diagnostic& note = unknown.notes.emplace_back();
-                    note.severity = Severity::Note;
-                    note.message = std::move(advice);
-                }
-                report({unknown});
-            }
-        }
-    }
-
     void compile(std::size_t index) {
         const Variant& variant = variants_[index];
         const WorldMaterial& material = world_.materials[variant.material];
-        auto made = std::make_unique<Compiled>();
-        made->result = compile_for(variant, options_.path);
-        if (made->result.ok) {
-            const Reflection& reflection = made->result.reflection;
-            const std::string path = path_for(world_.view.camera, reflection);
-            if (path != reflection.path && !path.empty()) {
+        Result compiled = compile_for(variant, options_.path);
+        if (compiled.ok) {
+            const std::string stated = compiled.reflection.path;
+            const std::string path = path_for(world_.view.camera, compiled.reflection);
+            if (path != stated && !path.empty()) {
                 // Of the camera, not of the material: said once.
                 report({complaint({}, Severity::Warning, "path-refused",
                                   fmt::format("the path '{}' needs a perspective camera; its materials are drawn along "
                                               "the path '{}'",
-                                              reflection.path, path))});
-                made->result = compile_for(variant, path);
+                                              stated, path))});
+                compiled = compile_for(variant, path);
             }
         }
-        report(made->result.diagnostics);
-        const bool is_good = made->result.ok && give_values(material, *made);
-        if (is_good) warn_of_cookies(material, made->result.reflection);
-        if (is_good && is_pass_file()) warn_of_unknown_values(made->result.reflection);
-        if (is_good && on_cpu()) warn_of_anisotropy(material, made->result.reflection);
-        ok_ &= is_good;
+        report(compiled.diagnostics);
+        auto made = std::make_unique<PreparedMaterial>(
+            prepare_material(material, std::move(compiled), options_.exact_textures));
+        report(made->diagnostics);
+        if (!made->error.empty()) outcome_.error = made->error;
+        if (made->ok) finish(material, *made);
+        ok_ &= made->ok;
         compiled_.push_back(std::move(made));
     }
 
-    bool give_values(const WorldMaterial& material, Compiled& made) {
-        const Reflection& reflection = made.result.reflection;
-        const SceneFaults faults = check_values(reflection, material);
-        report(faults.diagnostics);
-        if (!faults.ok) return false;
-        Outcome<MaterialValues> values = material_values(reflection, material.overrides);
-        if (!values) {
-            outcome_.error = material.name.empty() ? values.error : material.name + ": " + values.error;
-            return false;
-        }
-        made.values = std::move(values.value);
-        for (const std::string& warning : made.values.warnings) {
-            if (material.set.empty()) report({complaint(material.graph, Severity::Warning, "soft-range", warning)});
-        }
-        const std::string folder = std::filesystem::path(material.graph).parent_path().string();
-        made.loaded = load_textures(reflection, folder, made.values.textures, options_.exact_textures);
-        for (std::size_t i = 0; i < made.loaded.errors.size(); ++i) {
-            const ScenePlace* place = place_of_value(material, made.loaded.failed[i]);
-            report({place ? diagnostic_at(*place, "bad-texture", made.loaded.errors[i])
-                          : complaint(material.graph, Severity::Error, "bad-texture", made.loaded.errors[i])});
-        }
+    // What the world gives to the material, and what is to be said of how it will be drawn.
+    void finish(const WorldMaterial& material, PreparedMaterial& made) {
+        const Reflection& reflection = made.compiled.reflection;
         if (is_drawing_) add_engine_textures(made.loaded.textures, reflection, world_.view);
-        return made.loaded.errors.empty();
+        report(cookie_warnings(material.graph, reflection, world_.view));
+        if (is_pass_file()) report(unknown_value_warnings(options_.path, reflection));
+        if (!on_cpu()) return;
+        if (const auto warning = anisotropy_warning(material.graph, reflection)) report({*warning});
     }
 
     // The material's values, but for those that an instance has itself.
@@ -306,8 +217,8 @@ private:
         instance_values_.resize(spread_.objects.size());
         for (std::size_t i = 0; i < spread_.objects.size(); ++i) {
             const WorldObject& object = spread_.objects[i];
-            const Compiled& made = *compiled_[object.material];
-            const Reflection& reflection = made.result.reflection;
+            const PreparedMaterial& made = *compiled_[object.material];
+            const Reflection& reflection = made.compiled.reflection;
             for (const WorldInstance& instance : object.instances) {
                 const SceneFaults faults = check_values(reflection, spread_.materials[object.material], instance);
                 report(faults.diagnostics);
@@ -326,37 +237,6 @@ private:
         }
     }
 
-    // --- textures of objects
-
-    void load_object_textures() {
-        std::map<std::string, LoadedTexture> known;
-        object_textures_.resize(world_.objects.size());
-        const auto load = [&](std::size_t object, const std::string& name, const std::string& file,
-                              const ScenePlace& place, bool is_color) {
-            if (file.empty()) return;
-            const std::string key = (is_color ? "color " : "data ") + file;
-            if (!known.contains(key)) {
-                Outcome<Image> image = load_image(file);
-                if (!image) {
-                    report({diagnostic_at(place, "bad-texture", image.error)});
-                    ok_ = false;
-                    return;
-                }
-                if (is_color && image.value.bits <= 8) decode_srgb(image.value);
-                TextureData data{.levels = mip_chain(image.value), .sampler = {.wrap = "clamp", .filter = "linear"}};
-                known[key] = {.data = std::make_shared<const TextureData>(std::move(data)),
-                              .format = TexelFormat::Float32};
-            }
-            object_textures_[object].push_back(known[key]);
-            object_textures_[object].back().name = name + "_texture";
-        };
-        for (std::size_t i = 0; i < world_.objects.size(); ++i) {
-            const WorldObject& object = world_.objects[i];
-            load(i, "lightmap", object.lightmap, object.lightmap_place, true);
-            load(i, "shadow_mask", object.shadow_mask, object.shadow_mask_place, false);
-        }
-    }
-
     // --- shaders
 
     // Materials that differ in their values alone have the same text; so have lighting passes of one lighting graph.
@@ -371,13 +251,14 @@ private:
         return &found->second;
     }
 
-    DrawnMaterial drawn_material(const Compiled& material) {
-        DrawnMaterial drawn{
-            .reflection = &material.result.reflection, .values = material.values, .textures = material.loaded.textures};
-        for (const Pass& pass : material.result.reflection.passes) {
+    DrawnMaterial drawn_material(const PreparedMaterial& material) {
+        DrawnMaterial drawn{.reflection = &material.compiled.reflection,
+                            .values = material.values,
+                            .textures = material.loaded.textures};
+        for (const Pass& pass : material.compiled.reflection.passes) {
             DrawnPass& made = drawn.passes[pass.name];
-            made.stages.program = material.result.program.get();
-            for (const Shader& shader : material.result.shaders) {
+            made.stages.program = material.compiled.program.get();
+            for (const Shader& shader : material.compiled.shaders) {
                 if (shader.pass != pass.name) continue;
                 if (shader.stage == Stage::Fragment) made.fragment = shader.text;
                 if (on_cpu()) continue;
@@ -427,15 +308,15 @@ private:
 
     const Compiler& compiler_;
     const World& world_;
-    const WorldOptions& options_;
+    const RenderOptions& options_;
     RenderMachine& machine_;
     RenderOutcome outcome_{};
     bool ok_ = true;
     bool is_drawing_ = true;
     World spread_{};  // the world, with a material for each variant
     std::vector<Variant> variants_{};
-    std::vector<std::unique_ptr<Compiled>> compiled_{};  // one for each variant
-    std::vector<DrawnMaterial> drawn_{};                 // in their order
+    std::vector<std::unique_ptr<PreparedMaterial>> compiled_{};  // one for each variant
+    std::vector<DrawnMaterial> drawn_{};                         // in their order
     std::vector<std::vector<LoadedTexture>> object_textures_{};
     std::vector<std::vector<MaterialValues>> instance_values_{};  // by object
     std::map<std::string, Spirv> spirv_{};                        // by text
@@ -444,12 +325,12 @@ private:
 
 }  // namespace
 
-RenderOutcome draw_world(const Compiler& compiler, const World& world, const WorldOptions& options,
+RenderOutcome draw_world(const Compiler& compiler, const World& world, const RenderOptions& options,
                          RenderMachine& machine) {
     return Drawing(compiler, world, options, machine).run();
 }
 
-RenderOutcome check_world(const Compiler& compiler, const World& world, const WorldOptions& options) {
+RenderOutcome check_world(const Compiler& compiler, const World& world, const RenderOptions& options) {
     RenderMachine none;
     return Drawing(compiler, world, options, none).check();
 }

@@ -1,6 +1,9 @@
 // What a material is looked at with: mesh, camera, lights, ambient light, time and the size of the picture. Plain data
 // with good defaults; it knows no material. scene_text.h reads its parts from the words of the command line.
 //
+// The room `scene`: what is looked at, as plain data, and the words and files that describe it. Nothing here compiles a
+// material, or knows how something is drawn.
+//
 //   Scene scene = default_scene("sphere");
 //   scene.lights = {{.color = glm::vec3(2)}};
 #pragma once
@@ -13,6 +16,7 @@
 #include <vector>
 
 #include "patina/interpret.h"
+#include "patina/words.h"
 #include "runtime/lighting/environment.h"
 #include "runtime/scene/mesh.h"
 
@@ -26,11 +30,6 @@ struct Camera {
     bool clip_space = false;                     // positions are clip space already; all matrices are identity
     float near_plane = 0.05f, far_plane = 100;
 };
-
-enum class LightKind { Directional, Point, Spot };
-
-// What a rendering path that cannot compute every light per pixel does with this one.
-enum class LightImportance { Auto, Important, NotImportant };
 
 struct LightShadow {
     bool casts = false;
@@ -52,20 +51,11 @@ struct Light {
     float cookie_size = 10;  // metres that a directional light's cookie spans; a spot's fills its cone
 };
 
-enum class FogMode { None, Linear, Exponential, ExponentialSquared };
-
 struct Fog {
     FogMode mode = FogMode::None;
     glm::vec3 color{0.5f};      // linear
     float density = 0.05f;      // exponential: per metre
     float start = 5, end = 50;  // linear: metres
-};
-
-// What shadows and lightmaps that were baked do beside the shadows of moving objects.
-enum class LightMixing {
-    ShadowMask,          // the darker of both
-    DistanceShadowMask,  // baked shadows where real-time ones have faded
-    Subtractive          // lightmaps hold the main light, too
 };
 
 struct MixedLighting {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "patina/name_value.h"
 #include "runtime/picture/image.h"
 
 namespace patina::runtime {
@@ -29,11 +30,11 @@ Outcome<Words> split_words(std::string_view text) {
         text.remove_prefix(start);
         std::string_view word = text.substr(0, text.find_first_of(" \t"));
         text.remove_prefix(word.size());
-        std::size_t equals = word.find('=');
-        if (equals == std::string_view::npos) {
+        const auto [name, value] = split_name_value(word);
+        if (!value) {
             words.plain.emplace_back(word);
-        } else if (!words.settings.emplace(word.substr(0, equals), word.substr(equals + 1)).second) {
-            return Failure{quoted(word.substr(0, equals)) + " is given twice"};
+        } else if (!words.settings.emplace(name, *value).second) {
+            return Failure{quoted(name) + " is given twice"};
         }
     }
 }
@@ -172,17 +173,15 @@ Outcome<glm::vec4> parse_hex_color(std::string_view text) {
 Outcome<Light> parse_light(std::string_view text) {
     Outcome<Words> words = split_words(text);
     if (!words) return Failure{"light: " + words.error};
-    std::string kind = words.value.plain.empty() ? "" : words.value.plain.front();
-    if (words.value.plain.size() != 1 || (kind != "directional" && kind != "point" && kind != "spot"))
+    const std::string word = words.value.plain.empty() ? "" : words.value.plain.front();
+    const std::optional<LightKind> kind = from_word<LightKind>(word);
+    if (words.value.plain.size() != 1 || !kind)
         return Failure{"a light is 'directional', 'point' or 'spot' and its settings, not " + quoted(text)};
 
     Light light;
-    Settings settings(std::move(words.value), "a " + kind + " light");
-    if (kind == "point") light.kind = LightKind::Point;
-    if (kind == "spot") {
-        light.kind = LightKind::Spot;
-        light.direction = {0, -1, -1};
-    }
+    Settings settings(std::move(words.value), "a " + word + " light");
+    light.kind = *kind;
+    if (light.kind == LightKind::Spot) light.direction = {0, -1, -1};
     float intensity = 1;
     settings.color("color", light.color);
     settings.number("intensity", intensity, 0, 1e6f);

@@ -1,9 +1,11 @@
 // Reads parts of a scene from words, the same on the command line and in a snapshot file: a kind, then name=value.
 //
 //   parse_light("point position=1,2,0 color=#ff8800 intensity=3 range=5")
-//   parse_light("spot position=0,3,0 direction=0,-1,0 inner=15 outer=25")     parse_light("directional
-//   direction=-1,1,1") parse_ambient("0.2")     parse_ambient("#8899aa")     parse_ambient("sky=#9ab horizon=0.2
-//   ground=0.05") parse_camera("position=2,1,3 target=0,0,0 fov=35")    parse_camera("orthographic=2.2")
+//   parse_light("spot position=0,3,0 direction=0,-1,0 inner=15 outer=25")
+//   parse_light("directional direction=-1,1,1")
+//   parse_ambient("0.2")
+//   parse_ambient("sky=#9ab horizon=0.2 ground=0.05")
+//   parse_camera("position=2,1,3 target=0,0,0 fov=35")
 //
 // Colours are #rgb or #rrggbb (sRGB, decoded), one number (a grey) or three (linear).
 #pragma once

@@ -23,13 +23,6 @@ struct WorldMaterial {
     std::vector<SceneValue> set{};                   // the overrides as it says them, with their places
 };
 
-// How the texels of a lightmap hold light. Pictures of 8 bits a channel are decoded from sRGB first.
-enum class LightmapEncoding {
-    Hdr,       // as it is
-    Rgbm,      // with a factor in alpha; up to 5 in gamma space
-    DoubleLdr  // half of it; up to 2 in gamma space
-};
-
 // One of an object's places. A material with properties of instances draws all of an object's in one draw.
 struct WorldInstance {
     glm::mat4 object_to_world{1};

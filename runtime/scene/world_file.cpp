@@ -6,9 +6,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <utility>
 
+#include "runtime/picture/mip_chain.h"
 #include "runtime/scene/scene_text.h"
 #include "runtime/scene/view.h"
-#include "runtime/values/textures.h"
 
 namespace patina::runtime {
 namespace {
@@ -36,57 +36,12 @@ Camera make_camera(const SceneCamera& camera) {
             .far_plane = float(camera.far_plane)};
 }
 
-LightKind kind_of(SceneLightType type) {
-    switch (type) {
-        case SceneLightType::Directional: return LightKind::Directional;
-        case SceneLightType::Point: return LightKind::Point;
-        case SceneLightType::Spot: return LightKind::Spot;
-    }
-    return LightKind::Directional;
-}
-
-LightImportance importance_of(SceneRenderMode mode) {
-    switch (mode) {
-        case SceneRenderMode::Auto: return LightImportance::Auto;
-        case SceneRenderMode::Important: return LightImportance::Important;
-        case SceneRenderMode::NotImportant: return LightImportance::NotImportant;
-    }
-    return LightImportance::Auto;
-}
-
-FogMode mode_of(SceneFogMode mode) {
-    switch (mode) {
-        case SceneFogMode::Linear: return FogMode::Linear;
-        case SceneFogMode::Exponential: return FogMode::Exponential;
-        case SceneFogMode::ExponentialSquared: return FogMode::ExponentialSquared;
-    }
-    return FogMode::None;
-}
-
-LightMixing mixing_of(SceneMixing mode) {
-    switch (mode) {
-        case SceneMixing::ShadowMask: return LightMixing::ShadowMask;
-        case SceneMixing::DistanceShadowMask: return LightMixing::DistanceShadowMask;
-        case SceneMixing::Subtractive: return LightMixing::Subtractive;
-    }
-    return LightMixing::ShadowMask;
-}
-
-LightmapEncoding encoding_of(SceneLightmapEncoding encoding) {
-    switch (encoding) {
-        case SceneLightmapEncoding::Hdr: return LightmapEncoding::Hdr;
-        case SceneLightmapEncoding::Rgbm: return LightmapEncoding::Rgbm;
-        case SceneLightmapEncoding::DoubleLdr: return LightmapEncoding::DoubleLdr;
-    }
-    return LightmapEncoding::Hdr;
-}
-
 // The file's own numbers, as a mask is: nothing is decoded. A directional light repeats it, a spot light ends with it.
 Outcome<std::shared_ptr<const TextureData>> load_cookie(const SceneLight& light) {
     Outcome<Image> image = load_image(light.cookie.path);
     if (!image) return Failure{std::move(image.error)};
     TextureData data{.levels = mip_chain(image.value), .sampler = {}};
-    data.sampler.wrap = light.type == SceneLightType::Directional ? "repeat" : "clamp";
+    data.sampler.wrap = light.type == LightKind::Directional ? Wrap::Repeat : Wrap::Clamp;
     return std::make_shared<const TextureData>(std::move(data));
 }
 
@@ -106,14 +61,14 @@ Light make_light(const SceneLight& light, WorldFile& file) {
     const glm::dvec3 given(light.direction[0], light.direction[1], light.direction[2]);
     const glm::dvec3 sizes = glm::abs(given);
     const glm::dvec3 direction = given / std::max({sizes.x, sizes.y, sizes.z});
-    Light made{.kind = kind_of(light.type),
+    Light made{.kind = light.type,
                .position = vector(light.position),
                .direction = glm::vec3(glm::normalize(direction)),
                .color = vector(light.color) * float(light.intensity),
                .range = float(light.range),
-               .importance = importance_of(light.render_mode),
+               .importance = light.render_mode,
                .cookie_size = float(light.cookie_size)};
-    if (light.type == SceneLightType::Spot) set_cone(made, number(light.inner), number(light.outer));
+    if (light.type == LightKind::Spot) set_cone(made, number(light.inner), number(light.outer));
     if (light.shadow) {
         made.shadow = {.casts = true,
                        .strength = float(light.shadow->strength),
@@ -139,13 +94,13 @@ void set_surroundings(Scene& view, const SceneFile& scene) {
                                  : studio_environment()->ambient();
     if (scene.environment == SceneEnvironment::Studio) view.environment = studio_environment();
     if (scene.fog) {
-        view.fog = {.mode = mode_of(scene.fog->mode),
+        view.fog = {.mode = scene.fog->mode,
                     .color = vector(scene.fog->color),
                     .density = float(scene.fog->density),
                     .start = float(scene.fog->start),
                     .end = float(scene.fog->end)};
     }
-    view.mixed_lighting = {.mode = mixing_of(scene.mixed_lighting.mode),
+    view.mixed_lighting = {.mode = scene.mixed_lighting.mode,
                            .shadow_color = vector(scene.mixed_lighting.shadow_color),
                            .shadow_distance = number(scene.mixed_lighting.shadow_distance),
                            .shadow_fade = number(scene.mixed_lighting.shadow_fade)};
@@ -236,7 +191,7 @@ WorldFile make_world(const SceneFile& scene) {
                                  .instances = make_instances(object),
                                  .material = object.material,
                                  .lightmap = object.lightmap.path,
-                                 .lightmap_encoding = encoding_of(object.lightmap_encoding),
+                                 .lightmap_encoding = object.lightmap_encoding,
                                  .shadow_mask = object.shadow_mask.path,
                                  .lightmap_place = object.lightmap.place,
                                  .shadow_mask_place = object.shadow_mask.place});

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_inverse.hpp>
 
-#include "runtime/frame/light_split.h"
+#include "runtime/lights/light_split.h"
 
 namespace patina::runtime {
 namespace {

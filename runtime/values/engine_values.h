@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/frame/shadow_view.h"
+#include "runtime/lights/shadow_view.h"
 #include "runtime/scene/scene.h"
 #include "runtime/scene/view.h"
 
@@ -36,7 +36,7 @@ struct SeenInstance {
     const MaterialValues* values = nullptr;  // null: the material's
 };
 
-// What one draw is told of its surroundings.
+// What one draw knows of its surroundings.
 struct EngineScene {
     const Scene* scene = nullptr;  // time, size and fog are its
     View view{};

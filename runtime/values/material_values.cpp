@@ -23,10 +23,18 @@ std::string list(const Range& range, Name name) {
     return text.empty() ? "none" : text;
 }
 
-int components(const std::string& type) {
-    if (type == "float2") return 2;
-    if (type == "float3") return 3;
-    if (type == "float4" || type == "color") return 4;
+int components(PropertyType type) {
+    switch (type) {
+        case PropertyType::Float2: return 2;
+        case PropertyType::Float3: return 3;
+        case PropertyType::Float4:
+        case PropertyType::Color: return 4;
+        case PropertyType::Float:
+        case PropertyType::Int:
+        case PropertyType::Bool:
+        case PropertyType::Enum:
+        case PropertyType::Texture2D: return 1;
+    }
     return 1;
 }
 
@@ -34,11 +42,11 @@ int components(const std::string& type) {
 std::string forms(const Property& property, Spelling spelling) {
     const int count = components(property.type);
     if (spelling == Spelling::Json) {
-        if (property.type == "int") return "a whole number";
-        if (property.type == "color") return "\"#rrggbb\", a number or an array of 3 or 4 numbers";
+        if (property.type == PropertyType::Int) return "a whole number";
+        if (property.type == PropertyType::Color) return "\"#rrggbb\", a number or an array of 3 or 4 numbers";
         return count == 1 ? "a number" : fmt::format("a number or an array of {} numbers", count);
     }
-    if (property.type == "color") return "#rrggbb, or three or four numbers with commas";
+    if (property.type == PropertyType::Color) return "#rrggbb, or three or four numbers with commas";
     return count == 1 ? "one number" : std::to_string(count) + " numbers with commas";
 }
 
@@ -55,27 +63,27 @@ Outcome<Numbers> parse_vector(const Property& property, const std::string& text,
     int count = 0;
     Outcome<glm::vec4> value = parse_numbers(text, count);
     if (!value) return wrong;
-    bool is_opaque_color = property.type == "color" && count == 3;
+    bool is_opaque_color = property.type == PropertyType::Color && count == 3;
     if (count != wanted && count != 1 && !is_opaque_color) return wrong;
     if (count == 1 && wanted > 1) value.value = glm::vec4(value.value.x);  // a scalar splats, as in a graph
-    if (property.type == "color" && count != 4) value.value.w = 1;
+    if (property.type == PropertyType::Color && count != 4) value.value.w = 1;
     return Numbers{value.value.x, value.value.y, value.value.z, value.value.w};
 }
 
 Outcome<Numbers> parse_value(const Property& property, const std::string& text, Spelling spelling) {
-    if (property.type == "bool") {
+    if (property.type == PropertyType::Bool) {
         if (text == "true") return Numbers{1};
         if (text == "false") return Numbers{0};
         return Failure{property.name + " must be true or false, not '" + text + "'"};
     }
-    if (property.type == "enum") {
+    if (property.type == PropertyType::Enum) {
         auto found = std::find(property.values.begin(), property.values.end(), text);
         if (found != property.values.end()) return Numbers{double(found - property.values.begin())};
         return Failure{property.name + " must be one of " + list(property.values, [](const auto& v) { return v; }) +
                        ", not '" + text + "'"};
     }
     Outcome<Numbers> value = parse_vector(property, text, spelling);
-    if (value && property.type == "int" && value.value[0] != std::floor(value.value[0]))
+    if (value && property.type == PropertyType::Int && value.value[0] != std::floor(value.value[0]))
         return Failure{property.name + " must be a whole number, not '" + text + "'"};
     return value;
 }
@@ -86,7 +94,7 @@ std::string outside_range(const Property& property, const Numbers& value) {
     if (!property.range) return "";
     const auto [lowest, highest] = *property.range;
     // Alpha, which is coverage, has no range.
-    for (int i = 0; i < (property.type == "color" ? 3 : components(property.type)); i++) {
+    for (int i = 0; i < (property.type == PropertyType::Color ? 3 : components(property.type)); i++) {
         // The words were read as floats, and the ends of the range are compared as such.
         if (float(value[i]) >= float(lowest) && float(value[i]) <= float(highest)) continue;
         return fmt::format("{} is outside the {}range {} to {} of '{}'", float(value[i]), property.hard ? "" : "usual ",
@@ -156,7 +164,8 @@ void write(std::vector<std::byte>& bytes, const BlockMember& member, std::span<c
 std::optional<Numbers> material_number(const BlockMember& member, const std::string& block,
                                        const Reflection& reflection, const MaterialValues& values) {
     for (const Property& property : reflection.properties) {
-        if (property.type == "texture2d" || property.block != block || property.offset != member.offset) continue;
+        if (property.type == PropertyType::Texture2D || property.block != block || property.offset != member.offset)
+            continue;
         auto found = values.numbers.find(property.name);
         return found == values.numbers.end() ? property.value : found->second;
     }
@@ -227,7 +236,7 @@ Outcome<MaterialValues> material_values(const Reflection& reflection, const std:
                                         Spelling spelling) {
     MaterialValues result;
     for (const Property& property : reflection.properties)
-        if (property.type != "texture2d") result.numbers[property.name] = property.value;
+        if (property.type != PropertyType::Texture2D) result.numbers[property.name] = property.value;
 
     for (const auto& [name, text] : words) {
         if (const Texture* texture = tiled_texture(reflection, name)) {
@@ -242,7 +251,7 @@ Outcome<MaterialValues> material_values(const Reflection& reflection, const std:
         auto found = std::find_if(reflection.properties.begin(), reflection.properties.end(),
                                   [&](const Property& property) { return property.name == name; });
         if (found == reflection.properties.end()) return Failure{no_property(reflection, name)};
-        if (found->type == "texture2d") {
+        if (found->type == PropertyType::Texture2D) {
             result.textures[name] = text;
             continue;
         }
@@ -262,7 +271,7 @@ std::vector<std::pair<std::string, std::string>> keywords_of(const Reflection& r
                                                              Spelling spelling) {
     std::vector<std::pair<std::string, std::string>> wanted;
     for (const Property& property : reflection.properties) {
-        const bool is_variant = property.binding == "variant";
+        const bool is_variant = property.binding == Binding::Variant;
         const auto word = words.find(property.name);
         if ((!is_variant && !property.constant_id) || word == words.end()) continue;
         const Outcome<Numbers> value = parse_value(property, word->second, spelling);

@@ -2,6 +2,9 @@
 // the uniform blocks, its own and the engine's, through the reflection alone: members are found by name and written at
 // their offsets. Shared by the GPU and the CPU renderer, so both see the same bytes.
 //
+// The room `values`: what a scene and a material give to the blocks and textures that a reflection names. It decides
+// nothing about passes and their order, and knows no device.
+//
 //   Outcome<MaterialValues> values = material_values(reflection, {{"_Roughness", "0.2"}, {"_MainTex", "rust.png"}});
 //   std::vector<BlockBytes> blocks = fill_blocks(reflection, values.value, scene);
 #pragma once
@@ -28,17 +31,18 @@ struct MaterialValues {
     std::vector<std::string> warnings;                     // values outside the usual range
 };
 
+// How the user writes values. Complaints name the forms of a value in this spelling: "1,0,0" on a command line,
+// [1, 0, 0] in JSON.
+enum class Spelling { Words, Json };
+
 // Words: "0.2", "1,0,0" (linear), "#ff8800", "true", "Wet" (an enumerator), a file name, or "NAME_ST" = "2,2,0,0" for a
 // texture's tiling. A bad one, or one outside a hard range, is an error that lists what there is.
-// Complaints name the forms that a value can have as the user writes them: "1,0,0" on a command line, [1, 0, 0] in
-// JSON.
-enum class Spelling { Words, Json };
 Outcome<MaterialValues> material_values(const Reflection& reflection, const std::map<std::string, std::string>& words,
                                         Spelling spelling = Spelling::Words);
 // Of everything that can be given a value, tilings too.
 std::vector<std::string> property_names(const Reflection& reflection);
 
-// The keywords that the compiler must be told of, as CompileOptions::switches: variants that the material was compiled
+// The keywords that the compiler must know of, as CompileOptions::switches: variants that the material was compiled
 // with other values of; and, of words from a command line, those that are no value of their variant or constant, of
 // which the compiler says so at its declaration.
 std::vector<std::pair<std::string, std::string>> keywords_of(const Reflection& reflection,

@@ -1,5 +1,7 @@
 #include "runtime/values/textures.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,37 +13,10 @@
 namespace patina::runtime {
 namespace {
 
-// Averages runs of `from` samples down to `to`: sample i covers from i * from / to to (i + 1) * from / to, and parts of
-// a source sample count as such. `stride` is the distance of neighbours in floats.
-void shrink_line(const float* source, int from, float* target, int to, std::size_t stride, std::size_t target_stride) {
-    for (int i = 0; i < to; i++) {
-        double begin = double(i) * from / to, end = double(i + 1) * from / to;
-        std::array<double, 4> sum{};
-        for (int k = int(begin); k < from && k < end; k++) {
-            double weight = std::min(end, k + 1.0) - std::max(begin, double(k));
-            for (int c = 0; c < 4; c++) sum[c] += source[k * stride + c] * weight;
-        }
-        for (int c = 0; c < 4; c++) target[i * target_stride + c] = float(sum[c] / (end - begin));
-    }
-}
-
-TextureLevel half_size(const TextureLevel& level) {
-    int width = std::max(level.width / 2, 1), height = std::max(level.height / 2, 1);
-    std::size_t row = 4 * std::size_t(level.width), half_row = 4 * std::size_t(width);
-    std::vector<float> narrow(half_row * level.height);
-    for (int y = 0; y < level.height; y++)
-        shrink_line(&level.texels[y * row], level.width, &narrow[y * half_row], width, 4, 4);
-
-    TextureLevel result{.width = width, .height = height, .texels = std::vector<float>(half_row * height)};
-    for (int x = 0; x < width; x++)
-        shrink_line(&narrow[4 * x], level.height, &result.texels[4 * x], height, half_row, half_row);
-    return result;
-}
-
 Outcome<LoadedTexture> load_texture(const Texture& texture, const std::string& source, bool exact) {
-    if (texture.dimension != "2d")
-        return Failure{"the texture '" + texture.name + "' is a " + texture.dimension +
-                       " texture; only 2d ones can be drawn"};
+    if (texture.dimension != TextureDimension::Flat)
+        return Failure{fmt::format("the texture '{}' is a {} texture; only 2d ones can be drawn", texture.name,
+                                   to_string(texture.dimension))};
     Image image = default_texture(source);
     const bool is_named = !image.pixels.empty();
     if (!is_named) {
@@ -49,7 +24,7 @@ Outcome<LoadedTexture> load_texture(const Texture& texture, const std::string& s
         if (!loaded) return Failure{"texture '" + texture.name + "': " + loaded.error};
         image = std::move(loaded.value);
     }
-    bool is_color = texture.usage == "color";
+    bool is_color = texture.usage == TextureUsage::Color;
     bool fits_8_bits = image.bits <= 8;
     // Pictures with more bits are taken as linear already.
     if (is_color && (fits_8_bits || is_named)) decode_srgb(image);
@@ -91,12 +66,6 @@ std::shared_ptr<const TextureData> engine_texture(const std::string& name, const
 }
 
 }  // namespace
-
-std::vector<TextureLevel> mip_chain(const Image& linear) {
-    std::vector<TextureLevel> levels = {{.width = linear.width, .height = linear.height, .texels = linear.pixels}};
-    while (levels.back().width > 1 || levels.back().height > 1) levels.push_back(half_size(levels.back()));
-    return levels;
-}
 
 Image default_texture(const std::string& name) {
     Image image;

@@ -1,5 +1,5 @@
 // Textures as both renderers take them: mip levels of linear texels, made from a file or a named default, plus the
-// format that a GPU should store them in. Mip levels are box-filtered in linear light.
+// format that a GPU should store them in.
 //
 //   LoadedTextures loaded = load_textures(reflection, "graphs", {{"_MainTex", "rust.png"}}, false);
 //   if (loaded.errors.empty()) use(loaded.textures);
@@ -14,6 +14,7 @@
 #include "patina/reflection.h"
 #include "runtime/outcome.h"
 #include "runtime/picture/image.h"
+#include "runtime/picture/mip_chain.h"
 #include "runtime/scene/scene.h"
 
 namespace patina::runtime {
@@ -29,10 +30,6 @@ struct LoadedTexture {
     std::shared_ptr<const TextureData> data{};
     TexelFormat format = TexelFormat::Float32;
 };
-
-// Linear image -> all levels down to 1 x 1. A level is half the one before, rounded down; each texel averages the area
-// that it covers, so odd sizes keep the mean too.
-std::vector<TextureLevel> mip_chain(const Image& linear);
 
 // white | black | gray (0.5) | bump (0.5, 0.5, 1): one texel as a file would hold it, so a colour texture decodes it.
 // No such name: an empty image.

@@ -11,7 +11,7 @@
 
 #include "patina/validate.h"
 #include "runtime/picture/compare.h"
-#include "runtime/picture/snapshot_file.h"
+#include "runtime/snapshot/snapshot_file.h"
 
 namespace patina::runtime {
 namespace {
@@ -91,11 +91,11 @@ TEST_P(Picture, IsTheSameThroughGlslHlslAndTheCpu) {
     const ReadSnapshot read = read_snapshot(GetParam());
     ASSERT_TRUE(read.file);
     RenderRequest request = read.file->request;
-    request.exact_textures = true;
-    request.exact_targets = true;  // how a GPU rounds to ten bits is its own business
-    request.validation = true;
+    request.options.exact_textures = true;
+    request.options.exact_targets = true;  // how a GPU rounds to ten bits is its own business
+    request.options.validation = true;
     const auto draw = [&](const char* via) {
-        request.via = via;
+        request.options.via = via;
         RenderOutcome outcome = render(compiler(), request, machine);
         for (const Diagnostic& d : outcome.diagnostics) {
             // What the CPU cannot sample, and materials of a scene that its path hands on to another.
@@ -118,7 +118,7 @@ std::vector<std::string> pictures() {
     std::erase_if(files, [](const std::string& file) {
         const ReadSnapshot read = read_snapshot(file);
         return !read.file || !fs::path(read.file->request.graph).lexically_normal().string().starts_with("examples/") ||
-               !read.file->request.preview.empty();
+               !read.file->request.options.preview.empty();
     });
     return files;
 }

@@ -18,9 +18,9 @@ RenderOutcome draw(RenderRequest request, const std::string& via) {
     static RenderMachine machine;
     request.size = kSize;
     request.samples = 1;
-    request.via = via;
-    request.validation = true;
-    request.exact_textures = true;
+    request.options.via = via;
+    request.options.validation = true;
+    request.options.exact_textures = true;
     // Straight at the plane, so that it fills the picture: 2 units high at distance 2 is a field of view of 2
     // atan(1/2).
     if (request.mesh == "plane" && request.camera.empty())

@@ -11,8 +11,6 @@ namespace patina::paths {
 namespace {
 
 using runtime::Light;
-using runtime::LightKind;
-using runtime::LightMixing;
 
 // Texels are as many as pixels, so that pixel centres are texel centres.
 std::string texture_file(const std::string& name, const std::function<glm::dvec4(int x, int y)>& texel) {
@@ -34,7 +32,7 @@ constexpr Way kWays[] = {{"forward"},       {"forward", "hlsl"},     {"forward",
                          {"forward-add"},   {"forward-directional"}, {"vertex"},
                          {"deferred"},      {"deferred-extended"},   {"deferred-shadowmask"},
                          {"vertex", "cpu"}, {"deferred", "cpu"}};
-WorldOptions options_of(const Way& way) {
+RenderOptions options_of(const Way& way) {
     return {.path = way.path, .via = way.via, .exact_targets = true};
 }
 
@@ -54,12 +52,12 @@ glm::dvec4 texel_of_bytes(int x, int y) {
 
 struct Baked {
     const char* name;
-    runtime::LightmapEncoding encoding;
+    LightmapEncoding encoding;
     std::string file;
     std::function<glm::dvec3(int x, int y)> light;
 };
 std::vector<Baked> all_baked() {
-    using enum runtime::LightmapEncoding;
+    using enum LightmapEncoding;
     const auto colors = [](int x, int y) {
         const glm::ivec4 b = bytes_at(x, y);
         return glm::dvec3(linear_of_byte(b.x), linear_of_byte(b.y), linear_of_byte(b.z));
@@ -250,7 +248,7 @@ std::shared_ptr<const TextureData> cookie() {
     Image image = runtime::make_image(8, 8);
     for (int i = 0; i < 64; ++i) image.at(i % 8, i / 8)[0] = float(i % 8 + 2 * (i / 8)) / 21;
     TextureData data{.levels = {{.width = 8, .height = 8, .texels = image.pixels}}, .sampler = {}};
-    data.sampler.wrap = "clamp";
+    data.sampler.wrap = Wrap::Clamp;
     return std::make_shared<const TextureData>(std::move(data));
 }
 // The picture is linear in u and v between the centres of its outer texels.

@@ -37,8 +37,7 @@ World plane(const std::string& surface, bool in_fog) {
     world.view.lights = {{.direction = {0, 0, 1}, .color = glm::vec3(0.5f)},
                          {.direction = {0, 0, 1}, .color = glm::vec3(0.25f)}};
     world.pixel_light_count = 4;
-    if (in_fog)
-        world.view.fog = {.mode = runtime::FogMode::Exponential, .color = glm::vec3(kFog), .density = float(kDensity)};
+    if (in_fog) world.view.fog = {.mode = FogMode::Exponential, .color = glm::vec3(kFog), .density = float(kDensity)};
     const std::string graph = written("blended_" + surface + ".graph.json", R"({ "patina": 1,
   "workflow": "metallic-roughness", "lighting": "lambert", "surface": { "baseColor": 0.5, "alpha": 0.25, "alphaClip": 0.1 },
   "render": { "surface": ")" + surface + "\" } }");

@@ -103,9 +103,9 @@ std::vector<std::string> Drawn::codes() const {
     return codes;
 }
 
-Drawn drawn(const World& world, const WorldOptions& options) {
+Drawn drawn(const World& world, const RenderOptions& options) {
     static runtime::RenderMachine machine;
-    WorldOptions with_validation = options;
+    RenderOptions with_validation = options;
     with_validation.validation = true;
     runtime::RenderOutcome outcome = runtime::draw_world(compiler(), world, with_validation, machine);
     if (!outcome.ok) {
@@ -116,7 +116,7 @@ Drawn drawn(const World& world, const WorldOptions& options) {
     return {.image = std::move(outcome.image), .diagnostics = std::move(outcome.diagnostics)};
 }
 
-Image draw(const World& world, const WorldOptions& options) {
+Image draw(const World& world, const RenderOptions& options) {
     return drawn(world, options).image;
 }
 

@@ -16,8 +16,8 @@
 namespace patina::paths {
 
 using runtime::Image;
+using runtime::RenderOptions;
 using runtime::World;
-using runtime::WorldOptions;
 
 inline constexpr double kStep = 1.0 / 255;  // the smallest step of a picture of bytes
 
@@ -54,8 +54,8 @@ struct Drawn {
     std::vector<std::string> codes() const;
 };
 // Anything that goes wrong fails the test.
-Drawn drawn(const World& world, const WorldOptions& options);
-Image draw(const World& world, const WorldOptions& options);
+Drawn drawn(const World& world, const RenderOptions& options);
+Image draw(const World& world, const RenderOptions& options);
 
 // How far two numbers of pictures are apart: their difference, and where they are brighter than white, their difference
 // for each unit of the brighter. A picture shows nothing beyond white, so this asks for more there than can be seen;

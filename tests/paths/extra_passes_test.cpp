@@ -113,7 +113,7 @@ TEST(ExtraPasses, AreWhatAMaterialOfTheirOwnWouldBe) {
         add_object(apart, plain, "sphere", 24, place);
         const Image without = draw(apart, {.path = way.path, .via = way.via, .exact_targets = true});
         add_object(apart, ink, "sphere", 24, place, {{"_Width", "0.1"}, {"_Ink", "1,0,0"}});
-        const WorldOptions options{.path = way.path, .via = way.via, .exact_targets = true};
+        const RenderOptions options{.path = way.path, .via = way.via, .exact_targets = true};
         const Image expected = draw(apart, options);
         EXPECT_LE(difference(draw(together, options), expected).largest, 1e-5);
         EXPECT_GT(difference(without, expected).largest, 0.5);
@@ -126,7 +126,7 @@ TEST(ExtraPasses, ShareOneBlockAndHaveFilesOfTheirOwn) {
     const Pass* outline = find_pass(with, "outline");
     ASSERT_TRUE(outline);
     EXPECT_TRUE(outline->is_extra);
-    EXPECT_EQ(outline->cull, "front");
+    EXPECT_EQ(outline->cull, Cull::Front);
     EXPECT_TRUE(has(outline->blocks, "Material"));
     std::vector<std::string> files;
     for (const Shader& shader : with.shaders) files.push_back(shader.file_name);

@@ -85,7 +85,7 @@ public:
     explicit Remembered(const World& world, const Switches& switches = {},
                         const std::string& path = "tests/paths/quantised.pass.hlsl") {
         for (const char* direction : {"", "upwards", "downwards"}) {
-            WorldOptions options{.path = path, .switches = switches, .exact_targets = true};
+            RenderOptions options{.path = path, .switches = switches, .exact_targets = true};
             options.switches.emplace_back("cuts_to_ten_bits", device_cuts_to_ten_bits() ? "true" : "false");
             if (*direction) options.switches.emplace_back(direction, "true");
             pictures_.push_back(draw(world, options));

@@ -86,7 +86,7 @@ World apart(const std::vector<Bead>& all, int size) {
 }
 
 // An image, and the calls that drew it.
-runtime::RenderOutcome outcome(const World& world, const WorldOptions& options) {
+runtime::RenderOutcome outcome(const World& world, const RenderOptions& options) {
     static runtime::RenderMachine machine;
     runtime::RenderOutcome made = runtime::draw_world(compiler(), world, options, machine);
     EXPECT_TRUE(made.ok) << made.error;
@@ -99,7 +99,7 @@ TEST(Instances, AHundredObjectsAreOneDraw) {
     for (const Way& way : kWays) {
         SCOPED_TRACE(fmt::format("along {} via {}", way.path, way.via));
         const bool on_cpu = std::string_view(way.via) == "cpu";
-        const WorldOptions options{.path = way.path, .via = way.via, .exact_targets = true};
+        const RenderOptions options{.path = way.path, .via = way.via, .exact_targets = true};
         const int size = on_cpu ? 48 : 160;
         const runtime::RenderOutcome one = outcome(together(bead("instance"), all, size), options),
                                      many = outcome(apart(all, size), options);
@@ -162,7 +162,7 @@ TEST(Instances, CastTheirShadows) {
             add_object(*world, floor, "plane", 8,
                        glm::scale(glm::translate(glm::mat4(1), {0, 0, -0.4f}), glm::vec3(3)));
         }
-        const WorldOptions options{.path = path, .exact_targets = true};
+        const RenderOptions options{.path = path, .exact_targets = true};
         const Image lit = draw(one, options);
         EXPECT_LE(difference(lit, draw(many, options)).largest, 1e-4);
         if (std::string_view(path) == "forward") {
@@ -179,12 +179,11 @@ TEST(Instances, AreReachedByLampsWhereverTheyAre) {
     all[0].place = glm::translate(glm::mat4(1), {-1.5f, 0, 0}) * all[0].place;
     all[1].place = glm::translate(glm::mat4(1), {1.5f, 0, 0}) * all[1].place;
     World one = together(bead("instance"), all, 64), many = apart(all, 64);
-    const WorldOptions options{.path = "forward-add", .exact_targets = true};
+    const RenderOptions options{.path = "forward-add", .exact_targets = true};
     const Image unlit = draw(one, options);
     for (World* world : {&one, &many})
-        world->view.lights.push_back({.kind = runtime::LightKind::Point,
-                                      .position = glm::vec3(all[1].place[3]) + glm::vec3(0, 0, 0.5f),
-                                      .range = 1});
+        world->view.lights.push_back(
+            {.kind = LightKind::Point, .position = glm::vec3(all[1].place[3]) + glm::vec3(0, 0, 0.5f), .range = 1});
     const Image lit = draw(one, options);
     EXPECT_LE(difference(lit, draw(many, options)).largest, 1e-5);
     EXPECT_GT(difference(lit, unlit).largest, 0.1);

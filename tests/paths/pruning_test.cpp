@@ -109,7 +109,7 @@ TEST(Pruning, DeferredSamplesTheMaterialOnce) {
         EXPECT_EQ(has(pass.textures, "_Bumps"), is_gbuffer);
         EXPECT_FALSE(has(pass.textures, "_Holes"));  // an opaque surface
         EXPECT_EQ(reads_material(result, pass), is_gbuffer);
-        EXPECT_EQ(has(pass.blocks, "Lights"), pass.each == "light");
+        EXPECT_EQ(has(pass.blocks, "Lights"), pass.each == PassEach::Light);
         lighting_passes += !is_gbuffer;
     }
     EXPECT_GE(lighting_passes, 2);

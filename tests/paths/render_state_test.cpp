@@ -265,7 +265,7 @@ TEST(RenderState, NormalsOfBacksAreTurnedToTheViewer) {
 TEST(RenderState, BoundsSayWhereTheMeshIsDrawn) {
     const auto shown = [](const std::string& bounds) {
         World world = empty_world();
-        world.view.lights = {{.kind = runtime::LightKind::Point, .position = {0, 0, 4}, .range = 2}};
+        world.view.lights = {{.kind = LightKind::Point, .position = {0, 0, 4}, .range = 2}};
         const std::string graph = written("lifted.graph.json", R"({ "patina": 1, "workflow": "metallic-roughness",
   "lighting": "lambert", "vertex": { "position_os": "= @position_os + 3 * @normal_os" }, "surface": { "baseColor": 0.5 })" +
                                                                    bounds + " }");

@@ -11,8 +11,6 @@
 namespace patina::paths {
 namespace {
 
-using runtime::LightKind;
-
 constexpr int kAllLights = 16;
 
 glm::mat4 ball_at(float x, float y, float z, float radius) {
@@ -32,7 +30,7 @@ World scene_and_metals() {
 
 World scene_in_fog() {
     World world = proof_scene_and_metals();
-    world.view.fog = {.mode = runtime::FogMode::ExponentialSquared, .color = {0.3f, 0.4f, 0.5f}, .density = 0.1f};
+    world.view.fog = {.mode = FogMode::ExponentialSquared, .color = {0.3f, 0.4f, 0.5f}, .density = 0.1f};
     return world;
 }
 
@@ -42,8 +40,8 @@ World scene_with_cookies() {
     Image stripes = runtime::make_image(8, 8, 1, 1, 1);
     for (int y = 0; y < 8; ++y)
         for (int x = 0; x < 8; ++x) stripes.at(x, y)[0] = x % 4 < 2 ? 1 : 0.25f;
-    auto cookie = std::make_shared<const TextureData>(
-        TextureData{.levels = runtime::mip_chain(stripes), .sampler = {.wrap = "repeat", .filter = "linear"}});
+    auto cookie = std::make_shared<const TextureData>(TextureData{
+        .levels = runtime::mip_chain(stripes), .sampler = {.wrap = Wrap::Repeat, .filter = Filter::Linear}});
     world.view.lights[4].cookie = cookie;
     return world;
 }
@@ -254,7 +252,7 @@ TEST(OwnLighting, IsDrawnDeferredByItsOwnPasses) {
     World plain = ramp_scene();
     for (runtime::WorldMaterial& material : plain.materials)
         if (material.graph.ends_with("ramp.graph.json")) material.overrides["_Sheen"] = "0";
-    const WorldOptions options{.path = "deferred-extended", .exact_targets = true};
+    const RenderOptions options{.path = "deferred-extended", .exact_targets = true};
     EXPECT_GT(difference(draw(plain, options), draw(ramp_scene(), options)).largest, 5 * kStep);
     // Unity's own layout has no room for it.
     EXPECT_EQ(compiled("tests/paths/ramp.graph.json", "deferred").reflection.path, "forward");

@@ -16,13 +16,12 @@
 #include <numbers>
 
 #include "paths/drawing.h"
-#include "runtime/frame/shadow_view.h"
+#include "runtime/lights/shadow_view.h"
 
 namespace patina::paths {
 namespace {
 
 using runtime::Light;
-using runtime::LightKind;
 using runtime::ShadowView;
 
 constexpr float kRadius = 0.5f;
@@ -244,7 +243,7 @@ double least(const Image& image) {
 // Of @light.shadow on a floor on which nothing stands.
 double least_on_lone_floor(const Light& light, float floor, glm::vec3 middle, float seen, bool on_cpu = false) {
     const World world = floor_scene(light, 96, floor, middle, seen);
-    WorldOptions options{.path = "forward", .shadow_atlas_size = 512};
+    RenderOptions options{.path = "forward", .shadow_atlas_size = 512};
     if (on_cpu) options.via = "cpu";
     return least(draw(world, options));
 }
@@ -371,7 +370,7 @@ TEST(Shadow, OfACutoutHasItsHoles) {
     const std::string caster = written("half.graph.json", R"json({ "patina": 1, "workflow": "unlit",
   "surface": { "alpha": "= step(0, @position_os.z)" }, "render": { "surface": "cutout", "cull": "off" } })json");
     const World whole = scene(sun(), 128, plain_caster()), half = scene(sun(), 128, caster);
-    const WorldOptions options{.path = "forward"};
+    const RenderOptions options{.path = "forward"};
     const Image of_whole = draw(whole, options), of_half = draw(half, options);
     const auto dark = [](const Image& image) {
         double sum = 0;

@@ -222,7 +222,7 @@ TEST(Standard, HasTheNamesOfTheStandardShader) {
     const Result result = compiled(kCutout, "forward");
     std::set<std::string> names, keywords;
     for (const Property& property : result.reflection.properties)
-        (property.binding == "variant" ? keywords : names).insert(property.name);
+        (property.binding == Binding::Variant ? keywords : names).insert(property.name);
     EXPECT_EQ(keywords, (std::set<std::string>{"_NORMALMAP", "_METALLICGLOSSMAP", "_PARALLAXMAP", "_EMISSION",
                                                "_DETAIL_MULX2", "_SMOOTHNESS_TEXTURE_ALBEDO_CHANNEL_A"}));
     EXPECT_EQ(names, (std::set<std::string>{"_Color",

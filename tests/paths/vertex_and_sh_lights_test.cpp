@@ -10,12 +10,10 @@ namespace patina::paths {
 namespace {
 
 using runtime::Light;
-using runtime::LightImportance;
-using runtime::LightKind;
 
 constexpr const char* kVias[] = {"glsl", "hlsl", "cpu"};
 
-WorldOptions additive(const char* via, bool sh_per_vertex = false) {
+RenderOptions additive(const char* via, bool sh_per_vertex = false) {
     return {.path = "forward-add",
             .switches = {{"sh_per_vertex", sh_per_vertex ? "true" : "false"}},
             .via = via,

@@ -14,8 +14,6 @@
 namespace patina::paths {
 namespace {
 
-using runtime::LightKind;
-
 World ball(const std::string& graph, int segments) {
     World world{.view = runtime::default_scene("")};
     world.view.width = world.view.height = 128;

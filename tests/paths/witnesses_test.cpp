@@ -18,7 +18,7 @@ class Witnesses : public testing::TestWithParam<const char*> {};
 TEST_P(Witnesses, DrawTheSame) {
     World world = proof_world(32, 24);
     world.pixel_light_count = 3;  // so that some are vertex lights and some harmonics
-    WorldOptions options{.path = GetParam(), .exact_textures = true, .exact_targets = true, .shadow_atlas_size = 256};
+    RenderOptions options{.path = GetParam(), .exact_textures = true, .exact_targets = true, .shadow_atlas_size = 256};
     const Image glsl = draw(world, options);
     for (const char* via : {"hlsl", "cpu"}) {
         options.via = via;

@@ -121,7 +121,7 @@ std::string graph_file(const std::string& name, const std::string& model, const 
 
 runtime::Image picture(const std::string& graph, const std::string& via) {
     static runtime::RenderMachine machine;
-    runtime::RenderRequest request{.graph = graph, .size = 64, .samples = 1, .via = via};
+    runtime::RenderRequest request{.graph = graph, .size = 64, .samples = 1, .options = {.via = via}};
     runtime::RenderOutcome outcome = runtime::render(compiler(), request, machine);
     EXPECT_TRUE(outcome.ok) << graph << ": " << outcome.error;
     runtime::encode_srgb(outcome.image);

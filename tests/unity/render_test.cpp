@@ -43,11 +43,9 @@ runtime::Scene scene_of(const std::string& mesh, std::vector<runtime::Light> lig
 }
 
 const runtime::Light kSun{.direction = {-0.6f, 0.8f, 0.8f}, .color = glm::vec3(0.95f, 0.92f, 0.88f)};
-const runtime::Light kLamp{.kind = runtime::LightKind::Point,
-                           .position = {1.2f, 0.4f, 1.6f},
-                           .color = glm::vec3(0.5f, 0.8f, 1.1f),
-                           .range = 6};
-const runtime::Light kSpot{.kind = runtime::LightKind::Spot,
+const runtime::Light kLamp{
+    .kind = LightKind::Point, .position = {1.2f, 0.4f, 1.6f}, .color = glm::vec3(0.5f, 0.8f, 1.1f), .range = 6};
+const runtime::Light kSpot{.kind = LightKind::Spot,
                            .position = {-1.2f, 0.2f, 2.0f},
                            .direction = {0.5f, -0.05f, -0.8f},
                            .color = glm::vec3(1.2f, 0.4f, 0.2f),
@@ -55,7 +53,7 @@ const runtime::Light kSpot{.kind = runtime::LightKind::Spot,
                            .inner_angle = 12,
                            .outer_angle = 24};
 
-const runtime::Fog kFog{.mode = runtime::FogMode::Linear, .color = glm::vec3(0.3f, 0.4f, 0.6f), .start = 2, .end = 6};
+const runtime::Fog kFog{.mode = FogMode::Linear, .color = glm::vec3(0.3f, 0.4f, 0.6f), .start = 2, .end = 6};
 
 // A material for the runtime's path `forward`, and as Unity's file.
 struct Material {
@@ -107,9 +105,12 @@ struct Drawn {
 
 Image drawn(const Material& material, const runtime::Scene& scene, std::vector<Drawn>& passes) {
     runtime::Frame frame{
-        .targets = {
-            {.name = "color", .width = scene.width, .height = scene.height, .clear = scene.background},
-            {.name = "depth", .format = "depth", .width = scene.width, .height = scene.height, .clear = glm::vec4(1)}}};
+        .targets = {{.name = "color", .width = scene.width, .height = scene.height, .clear = scene.background},
+                    {.name = "depth",
+                     .format = TargetFormat::Depth,
+                     .width = scene.width,
+                     .height = scene.height,
+                     .clear = glm::vec4(1)}}};
     for (Drawn& each : passes) {
         const runtime::EngineScene seen{.scene = &scene,
                                         .view = runtime::camera_view(scene),
@@ -151,21 +152,21 @@ Image in_unity(const Material& material, const runtime::Scene& scene, const Keyw
         const LabPass* pass = material.file.pass(i == 0 ? "ForwardBase" : "ForwardAdd");
         if (!pass) continue;
         Keywords defined = keywords;
-        defined.push_back(light.kind == runtime::LightKind::Directional ? "DIRECTIONAL"
-                          : light.kind == runtime::LightKind::Point     ? "POINT"
-                                                                        : "SPOT");
+        defined.push_back(light.kind == LightKind::Directional ? "DIRECTIONAL"
+                          : light.kind == LightKind::Point     ? "POINT"
+                                                               : "SPOT");
         Drawn& made = passes.emplace_back();
         made.pass = reflection.passes.front();
         made.pass.vertex_inputs = appdata_full();
         made.pass.blocks.clear();
         for (const Block& block : reflection.blocks) made.pass.blocks.push_back(block.name);
         if (i > 0) {
-            const bool fades = reflection.surface == "fade";
+            const bool fades = reflection.surface == SurfaceKind::Fade;
             made.pass.depth_write = false;
-            made.pass.targets.front().blend = {.source = fades ? "src_alpha" : "one",
-                                               .destination = "one",
-                                               .source_alpha = "zero",
-                                               .destination_alpha = "one"};
+            made.pass.targets.front().blend = {.source = fades ? BlendFactor::SourceAlpha : BlendFactor::One,
+                                               .destination = BlendFactor::One,
+                                               .source_alpha = BlendFactor::Zero,
+                                               .destination_alpha = BlendFactor::One};
         }
         made.vertex = spirv(stage(*pass, reflection, Stage::Vertex, defined));
         made.fragment = spirv(stage(*pass, reflection, Stage::Fragment, defined));
@@ -326,8 +327,11 @@ TEST(UnityPictures, FillTheSameGBuffer) {
         runtime::Frame frame{.shown = shown};
         for (const RenderTarget& target : gbuffer->targets)
             frame.targets.push_back({.name = target.name, .width = scene.width, .height = scene.height});
-        frame.targets.push_back(
-            {.name = "depth", .format = "depth", .width = scene.width, .height = scene.height, .clear = glm::vec4(1)});
+        frame.targets.push_back({.name = "depth",
+                                 .format = TargetFormat::Depth,
+                                 .width = scene.width,
+                                 .height = scene.height,
+                                 .clear = glm::vec4(1)});
         const runtime::EngineScene seen{.scene = &scene,
                                         .view = runtime::camera_view(scene),
                                         .object_to_world = scene.object_to_world,

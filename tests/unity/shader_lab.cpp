@@ -88,10 +88,10 @@ std::string preamble(const Reflection& reflection, const std::vector<std::string
             text += fmt::format("#define REGISTER_{0} register({1})\n#define REGISTER_sampler{0} register({2})\n",
                                 texture.identifier, texture.hlsl_register, texture.sampler_register);
             text += fmt::format("#define TEXEL_{} {}\n", texture.identifier,
-                                texture.usage == "color" ? "handed_over" : "as_it_is");
+                                texture.usage == TextureUsage::Color ? "handed_over" : "as_it_is");
             if (values == Values::OfRuntime)
                 text += fmt::format("#define {0}_TexelSize size_of({0})\n", texture.identifier);
-        } else if (texture.dimension == "cube") {
+        } else if (texture.dimension == TextureDimension::Cube) {
             text += fmt::format("TextureCube {} : register({});\nSamplerState {} : register({});\n", texture.identifier,
                                 texture.hlsl_register, texture.sampler_name, texture.sampler_register);
         }
@@ -150,7 +150,7 @@ Shader stage(const LabPass& pass, const Reflection& reflection, Stage stage, con
                        with_includes("#include \"HLSLSupport.cginc\"\n#include \"UnityShaderVariables.cginc\"", seen);
     for (const Property& property : reflection.properties) {
         const bool is_decoded = pass.program.find("LinearColor(" + property.identifier + ")") != std::string::npos;
-        if (property.type == "color" && is_decoded && values == Values::OfRuntime)
+        if (property.type == PropertyType::Color && is_decoded && values == Values::OfRuntime)
             text += fmt::format("#define {0} handed_over({0})\n", property.identifier);
     }
     text += fmt::format("#define {} main\n", stage == Stage::Vertex ? "vert" : "frag");

@@ -85,7 +85,7 @@ std::string literal(double value) {
 
 std::shared_ptr<const TextureData> texture_of(const Image& texels) {
     TextureData data{.levels = {{.width = texels.width, .height = texels.height, .texels = texels.pixels}},
-                     .sampler = {.wrap = "clamp", .filter = "nearest"}};
+                     .sampler = {.wrap = Wrap::Clamp, .filter = Filter::Nearest}};
     return std::make_shared<const TextureData>(std::move(data));
 }
 

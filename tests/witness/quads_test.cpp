@@ -83,8 +83,8 @@ TEST_F(QuadsTest, DerivativesAreDifferencesWithinTheQuad) {
 constexpr int kTexels = 64, kLevels = 7;
 
 // Every texel of a level is the level's number.
-std::shared_ptr<const TextureData> numbered_levels(const std::string& filter) {
-    TextureData data{.levels = {}, .sampler = {.wrap = "repeat", .filter = filter}};
+std::shared_ptr<const TextureData> numbered_levels(Filter filter) {
+    TextureData data{.levels = {}, .sampler = {.wrap = Wrap::Repeat, .filter = filter}};
     for (int level = 0; level < kLevels; ++level) {
         const int side = kTexels >> level;
         const Image image = runtime::make_image(side, side, static_cast<float>(level));
@@ -116,7 +116,7 @@ TEST_F(QuadsTest, SamplesTakeTheMipLevelOfTheirQuad) {
     const auto witnesses = all_witnesses(
         kCoordinate,
         "float3(SampleTexture2D($_Data, at).r, $_Data.SampleBias(at, 1.25).r, SampleTexture2DLevel($_Data, at, 2).r)",
-        "TexelSize($_Data).size.x", numbered_levels("nearest"));
+        "TexelSize($_Data).size.x", numbered_levels(Filter::Nearest));
     int skipped = 0;
     for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x) skipped += std::isnan(nearest_level(level_of_detail(x, y))) ? 1 : 0;
@@ -131,7 +131,7 @@ TEST_F(QuadsTest, SamplesTakeTheMipLevelOfTheirQuad) {
 TEST_F(QuadsTest, SamplesWhereCoordinatesJumpTakeTheLevelOfTheOnesThatDoNot) {
     const std::string jumping = R"json(, { "id": "jump", "expr": "at + 9.3 * frac(@frag_coord.xy * 0.37)" })json";
     const auto witnesses = all_witnesses(kCoordinate + jumping, "float3(SampleTexture2DGrad($_Data, jump, at).r, 0, 0)",
-                                         "1", numbered_levels("nearest"));
+                                         "1", numbered_levels(Filter::Nearest));
     expect_all(witnesses, 0, [](int x, int y) -> std::array<double, 4> {
         return {nearest_level(level_of_detail(x, y)), 0, 0, 1};
     });
@@ -139,7 +139,7 @@ TEST_F(QuadsTest, SamplesWhereCoordinatesJumpTakeTheLevelOfTheOnesThatDoNot) {
 
 TEST_F(QuadsTest, TrilinearSamplesBlendTheTwoLevelsAroundIt) {
     const auto witnesses =
-        all_witnesses(kCoordinate, "float3(SampleTexture2D($_Data, at).r, 0, 0)", "1", numbered_levels("linear"));
+        all_witnesses(kCoordinate, "float3(SampleTexture2D($_Data, at).r, 0, 0)", "1", numbered_levels(Filter::Linear));
     // lavapipe approximates the logarithm: its level of detail is off by up to 0.036.
     expect_all(witnesses, 0.05, [](int x, int y) -> std::array<double, 4> {
         return {std::clamp(level_of_detail(x, y), 0.0, kLevels - 1.0), 0, 0, 1};

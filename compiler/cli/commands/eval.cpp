@@ -11,6 +11,7 @@
 #include "compiler/cli/eval/json_numbers.h"
 #include "compiler/cli/eval/sweep.h"
 #include "compiler/cli/eval/terms.h"
+#include "patina/name_value.h"
 #include "runtime/lighting/model.h"
 
 namespace patina::cli {
@@ -122,9 +123,8 @@ Exit evaluate(const Console& console, const Arguments& arguments) {
     std::string node;
     Values values;
     for (const std::string& word : arguments.words) {
-        const std::size_t equals = word.find('=');
-        if (equals != word.npos && equals > 0) {
-            values.emplace_back(word.substr(0, equals), word.substr(equals + 1));
+        if (const auto [name, value] = split_name_value(word); value && !name.empty()) {
+            values.emplace_back(name, *value);
         } else if (is_node && node.empty() && values.empty()) {
             node = word;
         } else {

@@ -14,9 +14,10 @@ namespace {
 // "objects once, lights: all"
 std::string summary(const PassInfo& pass) {
     const Pass& state = pass.state;
-    std::string text = state.draws + (state.each == "once" ? " once" : " for each " + state.each);
-    if (state.lights != "none") text += ", lights: " + state.lights;
-    if (state.camera != "any") text += fmt::format("; {} camera", state.camera);
+    std::string text = fmt::format("{} {}{}", to_string(state.draws), state.each == PassEach::Once ? "" : "for each ",
+                                   to_string(state.each));
+    if (state.lights != PassLights::None) text += fmt::format(", lights: {}", to_string(state.lights));
+    if (state.camera != PassCamera::Any) text += fmt::format("; {} camera", to_string(state.camera));
     if (!state.fallback.empty()) text += fmt::format("; else the path {}", state.fallback);
     if (pass.is_optional) text += "; where it can";
     return text;
@@ -25,7 +26,8 @@ std::string summary(const PassInfo& pass) {
 // "into color (rgba16f), depth"
 std::string target_line(const PassInfo& pass) {
     std::string text = "into ";
-    for (const RenderTarget& target : pass.state.targets) text += fmt::format("{} ({}), ", target.name, target.format);
+    for (const RenderTarget& target : pass.state.targets)
+        text += fmt::format("{} ({}), ", target.name, to_string(target.format));
     return text + pass.state.depth_target;
 }
 
@@ -34,12 +36,13 @@ std::vector<std::string> blend_lines(const PassInfo& pass) {
     std::vector<std::pair<std::string, std::vector<std::string_view>>> groups;
     for (const auto& [surface, blend] : pass.blends) {
         const bool is_alike = blend.source == blend.source_alpha && blend.destination == blend.destination_alpha;
-        const std::string factors =
-            fmt::format("{}, {}", blend.source, blend.destination) +
-            (is_alike ? "" : fmt::format("; alpha {}, {}", blend.source_alpha, blend.destination_alpha));
+        const std::string factors = fmt::format("{}, {}", to_string(blend.source), to_string(blend.destination)) +
+                                    (is_alike ? ""
+                                              : fmt::format("; alpha {}, {}", to_string(blend.source_alpha),
+                                                            to_string(blend.destination_alpha)));
         auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == factors; });
         if (group == groups.end()) group = groups.insert(groups.end(), {factors, {}});
-        group->second.push_back(surface.empty() ? "every surface" : std::string_view(surface));
+        group->second.push_back(surface ? to_string(*surface) : "every surface");
     }
     std::vector<std::string> lines;
     for (const auto& [factors, surfaces] : groups) lines.push_back(fmt::format("{}: {}", enumerate(surfaces), factors));

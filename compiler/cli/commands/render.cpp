@@ -31,7 +31,7 @@ Exit render_graph(const Console& console, const Arguments& arguments, const Comp
                   const std::string& graph, runtime::RenderMachine& machine) {
     runtime::RenderRequest request = arguments.request;
     request.graph = graph;
-    request.progress = [&](double share) { show_share(console, share, graph); };
+    request.options.progress = [&](double share) { show_share(console, share, graph); };
     const runtime::RenderOutcome outcome = runtime::render(compiler, request, machine);
     report(console, outcome.diagnostics);
     if (!outcome.error.empty()) complain(console, Complaint::CannotRender, {outcome.error});
@@ -92,18 +92,18 @@ void add_render(Program& program) {
     command.add_option("-o,--output", arguments->output, "A .png or .exr file, or a folder (NAME.png)")
         ->type_name("OUT");
     command
-        .add_option("--node", request.preview,
+        .add_option("--node", request.options.preview,
                     "Show this port, unlit: mask, rust.amount, or layers/mask inside a sub-graph")
         ->type_name("PORT")
         ->check([](const std::string& port) { return port.empty() ? std::string("it is empty") : std::string(); });
     add_picture_options(command, arguments->set, request);
     add_path_options(command, arguments->path);
-    command.add_option("--via", request.via, "Which shaders to run; default: glsl")
+    command.add_option("--via", request.options.via, "Which shaders to run; default: glsl")
         ->type_name("glsl|hlsl|cpu")
         ->check(one_of("a way to render", {"glsl", "hlsl", "cpu"}));
-    command.add_option("--device", request.device, "Part of a GPU's name; default: the software renderer")
+    command.add_option("--device", request.options.device, "Part of a GPU's name; default: the software renderer")
         ->type_name("NAME");
-    command.add_flag("--vulkan-validation", request.validation, "Turn on the Khronos validation layer");
+    command.add_flag("--vulkan-validation", request.options.validation, "Turn on the Khronos validation layer");
     command.parse_complete_callback(
         [arguments, mesh = command.get_option("--mesh")] { complete(*arguments, mesh->count() > 0); });
 

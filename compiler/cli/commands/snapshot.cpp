@@ -1,5 +1,5 @@
 // patina snapshot: renders a folder's graphs and scenes and compares them with the pictures next to them.
-#include "runtime/picture/snapshot.h"
+#include "runtime/snapshot/snapshot.h"
 
 #include <fmt/format.h>
 

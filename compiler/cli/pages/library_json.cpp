@@ -16,6 +16,10 @@ void write_text(Writer& writer, const char* key, const std::string& text) {
     writer.String(text.c_str());
 }
 
+void write_word(Writer& writer, const char* key, HasWords auto value) {
+    write_text(writer, key, std::string(to_string(value)));
+}
+
 void write_range(Writer& writer, const std::optional<std::array<double, 2>>& range) {
     if (!range) return;
     writer.Key("range");
@@ -144,7 +148,7 @@ void write_targets(Writer& writer, const std::vector<RenderTarget>& targets) {
     for (const RenderTarget& target : targets) {
         writer.StartObject();
         write_text(writer, "name", target.name);
-        write_text(writer, "format", target.format);
+        write_word(writer, "format", target.format);
         writer.EndObject();
     }
     writer.EndArray();
@@ -155,11 +159,11 @@ void write_blends(Writer& writer, const std::vector<PassInfo::SurfaceBlend>& ble
     writer.StartArray();
     for (const auto& [surface, blend] : blends) {
         writer.StartObject();
-        write_text(writer, "surface", surface);
-        write_text(writer, "source", blend.source);
-        write_text(writer, "destination", blend.destination);
-        write_text(writer, "sourceAlpha", blend.source_alpha);
-        write_text(writer, "destinationAlpha", blend.destination_alpha);
+        if (surface) write_word(writer, "surface", *surface);
+        write_word(writer, "source", blend.source);
+        write_word(writer, "destination", blend.destination);
+        write_word(writer, "sourceAlpha", blend.source_alpha);
+        write_word(writer, "destinationAlpha", blend.destination_alpha);
         writer.EndObject();
     }
     writer.EndArray();
@@ -169,10 +173,10 @@ void write_pass(Writer& writer, const PassInfo& pass) {
     const Pass& state = pass.state;
     writer.StartObject();
     write_text(writer, "name", state.name);
-    write_text(writer, "draws", state.draws);
-    write_text(writer, "each", state.each);
-    write_text(writer, "lights", state.lights);
-    write_text(writer, "camera", state.camera);
+    write_word(writer, "draws", state.draws);
+    write_word(writer, "each", state.each);
+    write_word(writer, "lights", state.lights);
+    write_word(writer, "camera", state.camera);
     write_text(writer, "fallback", state.fallback);
     write_flag(writer, "optional", pass.is_optional);
     write_text(writer, "depthTarget", state.depth_target);

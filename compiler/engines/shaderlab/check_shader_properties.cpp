@@ -12,7 +12,6 @@
 namespace patina::assemble {
 namespace {
 
-using graph::PropertyType;
 using targets::shaderlab::keyword_of;
 
 // What Unity fills beside a texture, and what its macros declare there.
@@ -224,7 +223,7 @@ void check_samplers(const graph::Material& material, const Reflection& reflectio
         if (!most || pass.textures.size() > most->textures.size()) most = &pass;
     }
     const bool is_lit = std::any_of(reflection.passes.begin(), reflection.passes.end(),
-                                    [](const Pass& pass) { return pass.each == "light"; });
+                                    [](const Pass& pass) { return pass.each == PassEach::Light; });
     const std::size_t room = is_lit ? kMost - kUnitys : kMost;
     if (!most || most->textures.size() <= room) return;
     const std::string& first = most->textures[most->textures.size() > kMost ? kMost : room];

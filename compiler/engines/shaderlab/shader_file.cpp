@@ -15,17 +15,17 @@ using Declaration = PassText::Declaration;
 using Kind = targets::Piece::Kind;
 
 struct SurfaceRow {
-    graph::SurfaceKind kind;
+    SurfaceKind kind;
     std::string_view render_type, fallback;
 };
 // A fallback brings the passes that the shader has not got itself: it is for what casts shadows, and no others.
 constexpr SurfaceRow kSurfaces[] = {
-    {graph::SurfaceKind::Opaque, "Opaque", "\"VertexLit\""},
-    {graph::SurfaceKind::Cutout, "TransparentCutout", "\"Legacy Shaders/Transparent/Cutout/VertexLit\""},
-    {graph::SurfaceKind::Fade, "Transparent", "Off"},
-    {graph::SurfaceKind::Transparent, "Transparent", "Off"},
-    {graph::SurfaceKind::Additive, "Transparent", "Off"},
-    {graph::SurfaceKind::Multiply, "Transparent", "Off"},
+    {SurfaceKind::Opaque, "Opaque", "\"VertexLit\""},
+    {SurfaceKind::Cutout, "TransparentCutout", "\"Legacy Shaders/Transparent/Cutout/VertexLit\""},
+    {SurfaceKind::Fade, "Transparent", "Off"},
+    {SurfaceKind::Transparent, "Transparent", "Off"},
+    {SurfaceKind::Additive, "Transparent", "Off"},
+    {SurfaceKind::Multiply, "Transparent", "Off"},
 };
 
 // --- the text, line by line
@@ -115,7 +115,7 @@ public:
 
 private:
     const SurfaceRow& surface() const {
-        const graph::SurfaceKind kind = in_.material.graph->graph->render.surface;
+        const SurfaceKind kind = in_.material.graph->graph->render.surface;
         return *std::find_if(std::begin(kSurfaces), std::end(kSurfaces),
                              [&](const SurfaceRow& row) { return row.kind == kind; });
     }

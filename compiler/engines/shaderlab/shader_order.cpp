@@ -32,12 +32,13 @@ int least_queue(const ir::Module& stage) {
 }
 
 bool is_kept_by_depth(const Pass& pass) {
-    return pass.depth_test == "less" || pass.depth_test == "lessEqual" || pass.depth_test == "equal";
+    return pass.depth_test == Compare::Less || pass.depth_test == Compare::LessEqual ||
+           pass.depth_test == Compare::Equal;
 }
 
 // What is nearest is seen of it, whenever it is drawn.
 bool is_solid(const Pass& pass) {
-    const bool blends = !pass.targets.empty() && pass.targets.front().blend != Blend{};
+    const bool blends = !pass.targets.empty() && pass.targets.front().blend.is_on();
     return !blends && pass.depth_write && is_kept_by_depth(pass) && !pass.stencil.is_used();
 }
 
@@ -47,8 +48,8 @@ bool is_within(const graph::Material& pass, const graph::Material& material) {
     const auto is_same = [](const graph::PortValue& a, const graph::PortValue& b) {
         return a.name == b.name && a.value_span.begin == b.value_span.begin;
     };
-    return own.render.surface == graph::SurfaceKind::Opaque && !own.render.stencil &&
-           (own.render.cull == graph::Cull::Off || own.render.cull == added.render.cull) &&
+    return own.render.surface == SurfaceKind::Opaque && !own.render.stencil &&
+           (own.render.cull == Cull::Off || own.render.cull == added.render.cull) &&
            std::equal(own.vertex.begin(), own.vertex.end(), added.vertex.begin(), added.vertex.end(), is_same);
 }
 

@@ -13,8 +13,6 @@
 namespace patina::assemble {
 namespace {
 
-using graph::PropertyType;
-
 bool is_upper(char c) {
     return std::isupper(static_cast<unsigned char>(c)) != 0;
 }
@@ -125,7 +123,7 @@ Declared declared(const graph::MaterialProperty& entry, bool is_decoded) {
         }
         case PropertyType::Texture2D: {
             std::string attributes = property.tiling ? "" : "[NoScaleOffset] ";
-            if (property.usage == graph::TextureUsage::Normal) attributes += "[Normal] ";
+            if (property.usage == TextureUsage::Normal) attributes += "[Normal] ";
             return {attributes, "2D", fmt::format("\"{}\" {{}}", texture_word(entry))};
         }
     }
@@ -167,17 +165,17 @@ std::string header_words(std::string_view text) {
 }
 
 std::string sampler_words(const graph::Property& property) {
-    const graph::SamplerState& sampler = property.sampler;
+    const Sampler& sampler = property.sampler;
     std::vector<std::string> words;
-    if (sampler.wrap == graph::Wrap::Clamp) words.emplace_back("Wrap Mode: Clamp");
-    if (sampler.wrap == graph::Wrap::Mirror) words.emplace_back("Wrap Mode: Mirror");
-    if (sampler.filter == graph::Filter::Nearest) words.emplace_back("Filter Mode: Point");
+    if (sampler.wrap == Wrap::Clamp) words.emplace_back("Wrap Mode: Clamp");
+    if (sampler.wrap == Wrap::Mirror) words.emplace_back("Wrap Mode: Mirror");
+    if (sampler.filter == Filter::Nearest) words.emplace_back("Filter Mode: Point");
     if (sampler.anisotropy > 1) words.push_back(fmt::format("Aniso Level: {}", sampler.anisotropy));
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
 std::string_view default_word(const graph::Property& property) {
-    return property.usage == graph::TextureUsage::Normal ? "bump" : "white";
+    return property.usage == TextureUsage::Normal ? "bump" : "white";
 }
 
 std::vector<std::string> shader_properties(const graph::Material& material, const graph::Lowered& lowered,

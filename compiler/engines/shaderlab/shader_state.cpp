@@ -30,7 +30,7 @@ std::string queue_word(int queue) {
 
 namespace {
 
-// "one_minus_src_alpha" -> "OneMinusSrcAlpha", "lessEqual" -> "LessEqual"
+// "one_minus_src_alpha" -> "OneMinusSrcAlpha", "notEqual" -> "NotEqual"
 std::string in_capitals(std::string_view word) {
     std::string made;
     for (std::size_t i = 0; i < word.size(); ++i) {
@@ -41,22 +41,28 @@ std::string in_capitals(std::string_view word) {
     return made;
 }
 
-std::string compare_word(std::string_view word) {
-    const std::string made = in_capitals(word);
-    if (made == "LessEqual") return "LEqual";
-    return made == "GreaterEqual" ? "GEqual" : made;
+std::string compare_word(Compare compare) {
+    if (compare == Compare::LessEqual) return "LEqual";
+    return compare == Compare::GreaterEqual ? "GEqual" : in_capitals(to_string(compare));
 }
 
 // Unity's IncrSat stops at 255, IncrWrap goes on at 0.
-std::string operation_word(std::string_view word) {
-    constexpr std::pair<std::string_view, std::string_view> kWords[] = {{"increment", "IncrSat"},
-                                                                        {"decrement", "DecrSat"},
-                                                                        {"incrementWrap", "IncrWrap"},
-                                                                        {"decrementWrap", "DecrWrap"}};
-    for (const auto& [ours, unitys] : kWords) {
-        if (word == ours) return std::string(unitys);
+std::string operation_word(StencilOp operation) {
+    switch (operation) {
+        case StencilOp::Increment: return "IncrSat";
+        case StencilOp::Decrement: return "DecrSat";
+        case StencilOp::IncrementWrap: return "IncrWrap";
+        case StencilOp::DecrementWrap: return "DecrWrap";
+        case StencilOp::Keep:
+        case StencilOp::Zero:
+        case StencilOp::Replace:
+        case StencilOp::Invert: break;
     }
-    return in_capitals(word);
+    return in_capitals(to_string(operation));
+}
+
+std::string factor_word(BlendFactor factor) {
+    return in_capitals(to_string(factor));
 }
 
 std::string stencil_line(const Stencil& stencil) {
@@ -65,15 +71,15 @@ std::string stencil_line(const Stencil& stencil) {
     if (stencil.write_mask != 255) made += fmt::format(" WriteMask {}", stencil.write_mask);
     for (const auto& [word, operation] :
          {std::pair("Pass", stencil.pass), std::pair("Fail", stencil.fail), std::pair("ZFail", stencil.depth_fail)}) {
-        if (operation != "keep") made += fmt::format(" {} {}", word, operation_word(operation));
+        if (operation != StencilOp::Keep) made += fmt::format(" {} {}", word, operation_word(operation));
     }
     return fmt::format("Stencil {{ {} }}", made);
 }
 
 std::string blend_line(const Blend& blend) {
-    std::string factors = fmt::format("{} {}", in_capitals(blend.source), in_capitals(blend.destination));
+    std::string factors = fmt::format("{} {}", factor_word(blend.source), factor_word(blend.destination));
     if (blend.source_alpha != blend.source || blend.destination_alpha != blend.destination)
-        factors += fmt::format(", {} {}", in_capitals(blend.source_alpha), in_capitals(blend.destination_alpha));
+        factors += fmt::format(", {} {}", factor_word(blend.source_alpha), factor_word(blend.destination_alpha));
     return "Blend " + factors;
 }
 
@@ -81,14 +87,14 @@ std::string blend_line(const Blend& blend) {
 
 std::vector<std::string> shader_state(const Pass& pass) {
     std::vector<std::string> lines;
-    if (pass.cull != "back") lines.push_back(fmt::format("Cull {}", in_capitals(pass.cull)));
+    if (pass.cull != Cull::Back) lines.push_back(fmt::format("Cull {}", in_capitals(to_string(pass.cull))));
     if (!pass.depth_write) lines.emplace_back("ZWrite Off");
-    if (pass.depth_test != "lessEqual") lines.push_back(fmt::format("ZTest {}", compare_word(pass.depth_test)));
+    if (pass.depth_test != Compare::LessEqual) lines.push_back(fmt::format("ZTest {}", compare_word(pass.depth_test)));
     if (pass.depth_bias != 0 || pass.depth_slope_bias != 0)
         lines.push_back(fmt::format("Offset {}, {}", shortest(pass.depth_slope_bias), shortest(pass.depth_bias)));
     if (pass.stencil.is_used()) lines.push_back(stencil_line(pass.stencil));
     const Blend blend = pass.targets.empty() ? Blend{} : pass.targets.front().blend;
-    if (blend != Blend{}) lines.push_back(blend_line(blend));
+    if (blend.is_on()) lines.push_back(blend_line(blend));
     return lines;
 }
 

@@ -50,12 +50,10 @@ inline std::string described_word(std::string_view word, std::string_view descri
 }
 
 // What compiles today of a table of words.
-template <class E, std::size_t N>
-std::string words_schema(const std::array<Word<E>, N>& words) {
+template <HasWords E>
+std::string words_schema() {
     std::vector<std::string> texts;
-    for (const Word<E>& word : words) {
-        texts.push_back(quoted(word.text));
-    }
+    for (const Word<E>& word : kWords<E>) texts.push_back(quoted(word.text));
     return object({{"enum", list(texts)}});
 }
 

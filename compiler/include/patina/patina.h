@@ -61,9 +61,6 @@ struct Target {
 inline const Target Target::Glsl{{}, "glsl"};
 inline const Target Target::Hlsl{{}, "hlsl"};
 
-enum class Stage { Vertex, Fragment };
-std::string_view to_string(Stage stage);  // "vertex", "fragment"
-
 // An engine of the library.
 struct EngineInfo {
     std::string name;   // as a target names it: "vulkan"
@@ -220,7 +217,7 @@ struct ModelInfo {
 struct PassInfo {
     Pass state{};  // what of it no material changes
     struct SurfaceBlend {
-        std::string surface;  // a surface kind that takes part; empty: every one
+        std::optional<SurfaceKind> surface{};  // the kind that takes part; nothing: every one
         Blend blend{};
     };
     std::vector<SurfaceBlend> blends{};  // of pass.targets; none: every surface takes part, and overwrites

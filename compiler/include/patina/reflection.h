@@ -6,8 +6,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
+
+#include "patina/words.h"
 
 namespace patina {
 
@@ -33,19 +34,20 @@ struct Block {
 };
 
 struct Sampler {
-    std::string wrap = "repeat";    // repeat | clamp | mirror
-    std::string filter = "linear";  // linear (trilinear) | nearest
-    int anisotropy = 1;
+    Wrap wrap = Wrap::Repeat;
+    Filter filter = Filter::Linear;
+    int anisotropy = 1;  // 1 to 16
+    friend bool operator==(const Sampler&, const Sampler&) = default;
 };
 
 struct Texture {
-    std::string name;              // the property's
-    std::string identifier;        // in the shaders: the name, or another where a language or a block has it already
-    std::string dimension = "2d";  // 2d | cube
-    std::string usage = "color";   // color: sRGB, decoded when sampled | data: linear | normal: tangent-space, 2x - 1
-    std::string default_value;     // white | black | gray | bump, or a file: its path from the compiled graph's folder
-    bool is_material = true;       // false: the engine's own, which has no default
-    std::string reads{};           // the target of another pass that is to be bound here: "gbuffer_normal", "depth"
+    std::string name;        // the property's
+    std::string identifier;  // in the shaders: the name, or another where a language or a block has it already
+    TextureDimension dimension = TextureDimension::Flat;
+    TextureUsage usage = TextureUsage::Color;
+    std::string default_value;  // white | black | gray | bump, or a file: its path from the compiled graph's folder
+    bool is_material = true;    // false: the engine's own, which has no default
+    std::string reads{};        // the target of another pass that is to be bound here: "gbuffer_normal", "depth"
     std::uint32_t set = 0;
     std::uint32_t binding = 0;
     std::string hlsl_register;  // "t0, space1"
@@ -58,12 +60,12 @@ struct Texture {
 
 struct Property {
     std::string name;
-    std::string identifier;         // in the shaders: the name, or another where a language or a block has it already
-    std::string type;               // float | float2 | float3 | float4 | color | int | bool | enum | texture2d
+    std::string identifier;  // in the shaders: the name, or another where a language or a block has it already
+    PropertyType type = PropertyType::Float;
     std::array<double, 4> value{};  // default; colours linear; bool 0 or 1; enum: index
-    // uniform | specialization: a constant that is set when a pipeline is made | variant: the shaders are compiled for
-    // `value`, and hold no other
-    std::string binding = "uniform";
+    // Specialization: a constant that is set when a pipeline is made. Variant: the shaders are compiled for `value`,
+    // and hold no other.
+    Binding binding = Binding::Uniform;
     std::optional<std::uint32_t> constant_id{};  // of a specialization constant; the same in all passes and variants
     std::optional<std::array<double, 2>> range;
     bool hard = false;                // the range is a limit, not a hint
@@ -82,35 +84,36 @@ struct VertexInput {
     std::string hlsl_semantic;
 };
 
-// What a pixel and the target's are multiplied by before they are added: Vulkan's words in lower case, one, zero,
-// src_alpha, one_minus_src_alpha, ...
+// How a pixel is mixed with what is in the target.
 struct Blend {
-    std::string source = "one", destination = "zero";              // of the colour
-    std::string source_alpha = "one", destination_alpha = "zero";  // of alpha
+    BlendFactor source = BlendFactor::One, destination = BlendFactor::Zero;              // of the colour
+    BlendFactor source_alpha = BlendFactor::One, destination_alpha = BlendFactor::Zero;  // of alpha
     friend bool operator==(const Blend&, const Blend&) = default;
+    // Else a pixel replaces what is there.
+    bool is_on() const { return *this != Blend{}; }
 };
 
 // An image that a pass draws into. Passes that name the same target draw into the same image.
 struct RenderTarget {
     std::string name;  // "color": what is shown in the end
     std::uint32_t location = 0;
-    std::string format = "rgba16f";  // rgba8 | rgb10a2 | rgba16f | rgba32f | r32f
+    TargetFormat format = TargetFormat::Rgba16F;
     Blend blend{};
 };
 
-// What happens is keep | zero | replace | increment | decrement | invert | incrementWrap | decrementWrap; without Wrap
-// they stay at 0 and 255. Both faces are alike.
+// Both faces are alike.
 struct Stencil {
-    std::string test = "always";  // as a depth test: (reference & read_mask) to (what is there & read_mask)
-    std::string pass = "keep";    // what happens where both tests pass
-    std::string reference{};      // lighting: a number that the materials of one lighting pass share; empty: `value`
-    std::string fail = "keep";    // where the stencil test fails
-    std::string depth_fail = "keep";                   // where only the depth test fails
-    int value = 0, read_mask = 255, write_mask = 255;  // 0 to 255
+    Compare test = Compare::Always;                         // (reference & read_mask) to (what is there & read_mask)
+    StencilOp pass = StencilOp::Keep;                       // what happens where both tests pass
+    StencilReference reference = StencilReference::Stated;  // Stated: it is `value`
+    StencilOp fail = StencilOp::Keep;                       // where the stencil test fails
+    StencilOp depth_fail = StencilOp::Keep;                 // where only the depth test fails
+    int value = 0, read_mask = 255, write_mask = 255;       // 0 to 255
 
-    bool is_of_lighting() const { return !reference.empty(); }
+    bool is_of_lighting() const { return reference == StencilReference::Lighting; }
     bool is_used() const {
-        return test != "always" || pass != "keep" || fail != "keep" || depth_fail != "keep" || is_of_lighting();
+        return test != Compare::Always || pass != StencilOp::Keep || fail != StencilOp::Keep ||
+               depth_fail != StencilOp::Keep || is_of_lighting();
     }
 };
 
@@ -120,27 +123,19 @@ struct Bounds {
     std::optional<std::array<std::array<double, 3>, 2>> box{};  // lowest and highest corner; then there is no margin
 };
 
-// What a pass draws; how often (light: once for each of its lights, which is then the only one it sees); and which
-// lights it is given. main: the brightest directional one, while the others come as vertex lights and in the ambient
-// light; main-only: without those; further: those that count per pixel beside the main one; local: point and spot.
-inline constexpr std::array<std::string_view, 3> kPassDraws = {"objects", "fullscreen", "light-volumes"};
-inline constexpr std::array<std::string_view, 2> kPassEach = {"once", "light"};
-inline constexpr std::array<std::string_view, 8> kPassLights = {"all",         "main",  "main-only", "further",
-                                                                "directional", "local", "shadowed",  "none"};
-
 // A pass of the material: two stages and the fixed-function state that goes with them.
 struct Pass {
     std::string name;
-    bool is_extra = false;          // added by the material to those of the path; it is drawn by its own queue
-    std::string draws = "objects";  // of kPassDraws
-    std::string each = "once";      // of kPassEach
-    std::string lights = "all";     // of kPassLights
-    std::string camera = "any";     // any | perspective: another camera needs the path `fallback`
-    std::string fallback;           // a path; empty: none
-    std::string cull = "back";      // back | front | off; front faces are counter-clockwise
+    bool is_extra = false;  // added by the material to those of the path; it is drawn by its own queue
+    PassDraws draws = PassDraws::Objects;
+    PassEach each = PassEach::Once;
+    PassLights lights = PassLights::All;
+    PassCamera camera = PassCamera::Any;  // another camera needs the path `fallback`
+    std::string fallback;                 // a path; empty: none
+    Cull cull = Cull::Back;
     std::string depth_target = "depth";
     bool depth_write = true;
-    std::string depth_test = "lessEqual";         // as in `render`: never, less, equal, lessEqual, greater, ...
+    Compare depth_test = Compare::LessEqual;
     double depth_bias = 0, depth_slope_bias = 0;  // as Vulkan's: in units of the depth format, and times the slope
     Stencil stencil;
     int queue = 2000;
@@ -157,9 +152,9 @@ struct Pass {
 
 // A function for an engine's own shaders. Types are spelled as in HLSL.
 struct ShaderFunction {
-    std::string name;         // prefix included
-    std::string stage;        // vertex | fragment: where it can be called
-    bool is_engines = false;  // the engine provides it
+    std::string name;               // prefix included
+    Stage stage = Stage::Fragment;  // where it can be called
+    bool is_engines = false;        // the engine provides it
     std::string result;
     struct Parameter {
         std::string name, type;
@@ -176,7 +171,7 @@ struct Switch {
 struct Reflection {
     std::string name;
     std::string workflow, lighting;
-    std::string surface = "opaque";    // opaque | cutout | fade | transparent | additive | multiply
+    SurfaceKind surface = SurfaceKind::Opaque;
     std::string path = "forward";      // the rendering path that the passes belong to
     bool moves_vertices = false;       // the graph's vertex stage does: a mesh's bounds are not what is drawn
     std::optional<Bounds> bounds{};    // what is, where the graph says so

@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "patina/words.h"
+
 namespace patina {
 
 // Where in the file something is said, for complaints about what only its user can check.
@@ -41,9 +43,6 @@ struct SceneCamera {
     double near_plane = 0.05, far_plane = 100;
 };
 
-enum class SceneLightType { Directional, Point, Spot };
-enum class SceneRenderMode { Auto, Important, NotImportant };
-
 struct SceneShadow {
     double strength = 1;       // 0 to 1: how dark
     double bias = 0.05;        // metres along the light's direction
@@ -51,14 +50,14 @@ struct SceneShadow {
 };
 
 struct SceneLight {
-    SceneLightType type = SceneLightType::Directional;
+    LightKind type = LightKind::Directional;
     SceneVector position{};          // point and spot
     SceneVector direction{0, 0, 1};  // directional: towards the light. Spot: where it points. Any length but 0
     SceneVector color{1, 1, 1};
     double intensity = 1;
     double range = 10;                       // point and spot: no light beyond
     std::optional<double> inner{}, outer{};  // spot: from the axis, full light within, none outside; inner <= outer
-    SceneRenderMode render_mode = SceneRenderMode::Auto;
+    LightImportance render_mode = LightImportance::Auto;
     std::optional<SceneShadow> shadow{};  // directional and spot
     SceneFileName cookie{};               // directional and spot: a picture that the light shines through
     double cookie_size = 10;              // directional: metres that it spans
@@ -70,30 +69,19 @@ struct SceneAmbient {
     std::optional<SceneVector> sky{}, horizon{}, ground{};
 };
 
-// What mirrors show: the studio, or what the ambient light says.
-enum class SceneEnvironment { Studio, None };
-
-enum class SceneFogMode { Linear, Exponential, ExponentialSquared };
-
 struct SceneFog {
-    SceneFogMode mode = SceneFogMode::Linear;
+    FogMode mode = FogMode::Linear;
     SceneVector color{0.5, 0.5, 0.5};
     double density = 0.05;       // exponential: per metre
     double start = 5, end = 50;  // linear
 };
 
-// What real-time shadows do beside baked ones (runtime/scene/scene.h).
-enum class SceneMixing { ShadowMask, DistanceShadowMask, Subtractive };
-
 struct SceneMixedLighting {
-    SceneMixing mode = SceneMixing::ShadowMask;
+    LightMixing mode = LightMixing::ShadowMask;
     SceneVector shadow_color{};               // subtractive
     std::optional<double> shadow_distance{};  // metres; nothing: real-time shadows do not end
     std::optional<double> shadow_fade{};      // metres, at most the distance
 };
-
-// How the texels of a lightmap hold light (runtime/scene/world.h).
-enum class SceneLightmapEncoding { Hdr, Rgbm, DoubleLdr };
 
 // A property of a material's graph and its value in words: "0.2", "1,0,0", "true", "Wet", a file that can be opened.
 struct SceneValue {
@@ -126,7 +114,7 @@ struct SceneObject {
     SceneVector rotation{};  // turned about z, then about x, then about y, counter-clockwise seen from the axis's tip
     SceneVector scale{1, 1, 1};  // greater than 0; before the turn
     SceneFileName lightmap{}, shadow_mask{};
-    SceneLightmapEncoding lightmap_encoding = SceneLightmapEncoding::Hdr;
+    LightmapEncoding lightmap_encoding = LightmapEncoding::Hdr;
     std::vector<SceneInstance> instances{};  // at most kMostSceneInstances; none: it is drawn once
 };
 

@@ -125,10 +125,10 @@ TEST(ReadScene, Surroundings) {
 
 TEST(ReadScene, Fog) {
     const SceneFog linear = *good(R"("fog":{"mode":"linear","start":1,"end":9})").fog;
-    EXPECT_EQ(linear.mode, SceneFogMode::Linear);
+    EXPECT_EQ(linear.mode, FogMode::Linear);
     EXPECT_EQ(linear.start, 1);
     EXPECT_EQ(linear.end, 9);
-    EXPECT_EQ(good(R"("fog":{"mode":"exp2","density":0.1})").fog->mode, SceneFogMode::ExponentialSquared);
+    EXPECT_EQ(good(R"("fog":{"mode":"exp2","density":0.1})").fog->mode, FogMode::ExponentialSquared);
     EXPECT_EQ(good(R"("fog":{"mode":"exp","density":0.1})").fog->density, 0.1);
 }
 
@@ -141,11 +141,11 @@ TEST(ReadScene, Lights) {
         {"type":"spot","position":[0,3,0],"direction":[0,-1,0],"shadow":false}])");
     ASSERT_EQ(scene.lights.size(), 4u);
     const SceneLight &sun = scene.lights[0], &bulb = scene.lights[1], &spot = scene.lights[2];
-    EXPECT_EQ(sun.type, SceneLightType::Directional);
+    EXPECT_EQ(sun.type, LightKind::Directional);
     EXPECT_EQ(sun.direction, (SceneVector{0, 1, 0}));
     EXPECT_EQ(sun.color, (SceneVector{1, 1, 1}));
     EXPECT_EQ(sun.intensity, 1);
-    EXPECT_EQ(sun.render_mode, SceneRenderMode::Auto);
+    EXPECT_EQ(sun.render_mode, LightImportance::Auto);
     ASSERT_TRUE(sun.shadow);
     EXPECT_EQ(sun.shadow->strength, 1);
     EXPECT_EQ(sun.cookie.path, "dir/window.png");
@@ -154,14 +154,14 @@ TEST(ReadScene, Lights) {
     EXPECT_EQ(bulb.position, (SceneVector{1, 2, 3}));
     EXPECT_EQ(bulb.intensity, 4);
     EXPECT_EQ(bulb.range, 5);
-    EXPECT_EQ(bulb.render_mode, SceneRenderMode::NotImportant);
+    EXPECT_EQ(bulb.render_mode, LightImportance::NotImportant);
     EXPECT_FALSE(bulb.shadow);
     EXPECT_EQ(spot.inner, 10);
     EXPECT_EQ(spot.outer, 25);
     EXPECT_EQ(spot.shadow->strength, 0.5);
     EXPECT_EQ(spot.shadow->bias, 0.01);
     EXPECT_EQ(spot.shadow->normal_bias, 1);
-    EXPECT_EQ(spot.render_mode, SceneRenderMode::Important);
+    EXPECT_EQ(spot.render_mode, LightImportance::Important);
     EXPECT_FALSE(scene.lights[3].shadow);
     EXPECT_FALSE(scene.lights[3].inner || scene.lights[3].outer);
 }
@@ -173,13 +173,13 @@ TEST(ReadScene, BakedLight) {
         {"id":"a","mesh":"plane","material":"rust","lightmap":"window.png","lightmapEncoding":"rgbm"},
         {"id":"b","mesh":"plane","material":"rust","lightmap":"window.png","lightmapEncoding":"dldr"},
         {"id":"c","mesh":"plane","material":"rust","lightmap":"window.png"}])");
-    EXPECT_EQ(scene.mixed_lighting.mode, SceneMixing::Subtractive);
+    EXPECT_EQ(scene.mixed_lighting.mode, LightMixing::Subtractive);
     EXPECT_EQ(scene.mixed_lighting.shadow_color, (SceneVector{0.1, 0.2, 0.3}));
     EXPECT_EQ(scene.mixed_lighting.shadow_distance, 40);
     EXPECT_EQ(scene.mixed_lighting.shadow_fade, 8);
-    EXPECT_EQ(scene.objects[0].lightmap_encoding, SceneLightmapEncoding::Rgbm);
-    EXPECT_EQ(scene.objects[1].lightmap_encoding, SceneLightmapEncoding::DoubleLdr);
-    EXPECT_EQ(scene.objects[2].lightmap_encoding, SceneLightmapEncoding::Hdr);
+    EXPECT_EQ(scene.objects[0].lightmap_encoding, LightmapEncoding::Rgbm);
+    EXPECT_EQ(scene.objects[1].lightmap_encoding, LightmapEncoding::DoubleLdr);
+    EXPECT_EQ(scene.objects[2].lightmap_encoding, LightmapEncoding::Hdr);
 }
 
 TEST(ReadScene, ValuesOfPropertiesBecomeWords) {

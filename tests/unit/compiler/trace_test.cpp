@@ -270,7 +270,7 @@ TEST_F(TraceTest, ThePixelIsTheOneThatIsDrawn) {
     ball.mesh = "sphere";
     ball.camera = "";
     ball.samples = 3;
-    ball.via = "cpu";
+    ball.options.via = "cpu";
     const Compiler compiler;
     RenderMachine machine;
     const RenderOutcome drawn = render(compiler, ball, machine);

@@ -128,8 +128,8 @@ inline HandMaterial hand_material(unsigned outputs, bool reads = false) {
     made.reflection.blocks = {block};
     Pass pass;
     pass.name = "hand";
-    pass.cull = "off";
-    pass.depth_test = "always";
+    pass.cull = Cull::Off;
+    pass.depth_test = Compare::Always;
     pass.depth_write = false;
     for (std::uint32_t i = 0; i < outputs; i++)
         pass.targets.push_back({.name = "t" + std::to_string(i), .location = i});

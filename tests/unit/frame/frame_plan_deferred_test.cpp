@@ -10,24 +10,24 @@ namespace {
 std::vector<Pass> deferred_passes() {
     Pass gbuffer = forward_pass();
     gbuffer.name = "gbuffer";
-    gbuffer.lights = "none";
-    gbuffer.camera = "perspective";
+    gbuffer.lights = PassLights::None;
+    gbuffer.camera = PassCamera::Perspective;
     gbuffer.fallback = "forward";
-    gbuffer.stencil = {.test = "always", .pass = "replace", .reference = "lighting"};
-    gbuffer.targets = {target_of("gbuffer_normal", "rgb10a2"), target_of("color")};
+    gbuffer.stencil = {.test = Compare::Always, .pass = StencilOp::Replace, .reference = StencilReference::Lighting};
+    gbuffer.targets = {target_of("gbuffer_normal", TargetFormat::Rgb10A2), target_of("color")};
     Pass sun = gbuffer;
     sun.name = "sun";
-    sun.draws = "fullscreen";
-    sun.each = "light";
-    sun.lights = "directional";
-    sun.stencil = {.test = "equal", .pass = "keep", .reference = "lighting"};
+    sun.draws = PassDraws::Fullscreen;
+    sun.each = PassEach::Light;
+    sun.lights = PassLights::Directional;
+    sun.stencil = {.test = Compare::Equal, .pass = StencilOp::Keep, .reference = StencilReference::Lighting};
     sun.targets = {target_of("color")};
     sun.blocks = {"Lights", "Camera"};
     sun.textures = {"normal_texture"};
     Pass local = sun;
     local.name = "local";
-    local.draws = "light-volumes";
-    local.lights = "local";
+    local.draws = PassDraws::LightVolumes;
+    local.lights = PassLights::Local;
     return {gbuffer, sun, local};
 }
 
@@ -139,7 +139,7 @@ TEST(DeferredFrame, AScreenPassWithoutStencilIsDrawnOnce) {
         reflection.path = path;
         Pass bloom = reflection.passes[1];
         bloom.name = "bloom";
-        bloom.each = "once";
+        bloom.each = PassEach::Once;
         bloom.stencil = {};
         reflection.passes.push_back(bloom);
         reflection.passes.erase(reflection.passes.begin() + 1);

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "frame_plan_testing.h"
-#include "runtime/frame/light_split.h"
+#include "runtime/lights/light_split.h"
 
 namespace patina::runtime {
 namespace {
@@ -38,7 +38,7 @@ TEST(ForwardFrame, TargetsHaveTheSizeOfThePicture) {
         EXPECT_EQ(each.width, 120);
         EXPECT_EQ(each.height, 80);
     }
-    EXPECT_EQ(target(frame, "depth")->format, "depth");
+    EXPECT_EQ(target(frame, "depth")->format, TargetFormat::Depth);
     EXPECT_EQ(target(frame, "depth")->clear.x, 1);
     const FrameStep& step = frame.steps.at(0);
     EXPECT_EQ(step.targets, (std::vector<std::size_t>{frame.shown}));
@@ -49,16 +49,16 @@ TEST(ForwardFrame, TargetsHaveTheSizeOfThePicture) {
 TEST(ForwardFrame, FormatsAreThoseOfThePassesOrFloat) {
     Stage stage;
     Pass pass = forward_pass();
-    pass.targets.push_back(target_of("normals", "rgb10a2"));
+    pass.targets.push_back(target_of("normals", TargetFormat::Rgb10A2));
     stage.add_object(stage.add_material(reflection_of("forward", {pass})));
-    EXPECT_EQ(target(stage.plan(), "color")->format, "rgba32f");
-    EXPECT_EQ(target(stage.plan(), "normals")->format, "rgb10a2");
-    stage.options.shown_format = "";
-    EXPECT_EQ(target(stage.plan(), "color")->format, "rgba16f");
+    EXPECT_EQ(target(stage.plan(), "color")->format, TargetFormat::Rgba32F);
+    EXPECT_EQ(target(stage.plan(), "normals")->format, TargetFormat::Rgb10A2);
+    stage.options.shown_format.reset();
+    EXPECT_EQ(target(stage.plan(), "color")->format, TargetFormat::Rgba16F);
     stage.options.exact = true;
-    EXPECT_EQ(target(stage.plan(), "color")->format, "rgba32f");
-    EXPECT_EQ(target(stage.plan(), "normals")->format, "rgba32f");
-    EXPECT_EQ(target(stage.plan(), "depth")->format, "depth");
+    EXPECT_EQ(target(stage.plan(), "color")->format, TargetFormat::Rgba32F);
+    EXPECT_EQ(target(stage.plan(), "normals")->format, TargetFormat::Rgba32F);
+    EXPECT_EQ(target(stage.plan(), "depth")->format, TargetFormat::Depth);
 }
 
 TEST(ForwardFrame, AllLightsAreSeenMainFirst) {
@@ -102,11 +102,11 @@ TEST(ForwardFrame, BlendedObjectsComeLastFarthestFirst) {
 std::vector<Pass> base_and_add(int queue = 2000) {
     Pass base = forward_pass(queue), add = forward_pass(queue);
     base.name = "base";
-    base.lights = "main";
+    base.lights = PassLights::Main;
     add.name = "add";
-    add.each = "light";
-    add.lights = "further";
-    add.targets[0].blend.destination = "one";
+    add.each = PassEach::Light;
+    add.lights = PassLights::Further;
+    add.targets[0].blend.destination = BlendFactor::One;
     return {base, add};
 }
 
@@ -130,17 +130,17 @@ TEST(AdditiveFrame, LightsOutOfReachAreSkippedWhateverLightsAPassWants) {
     Stage stage;
     stage.world.view.lights = {point_light({0, 99, 0}, 1), point_light({0, 2, 0}), {}};
     Pass pass = forward_pass();
-    pass.each = "light";
+    pass.each = PassEach::Light;
     stage.add_object(stage.add_material(reflection_of("forward", {pass})));
     Frame frame = stage.plan();
     ASSERT_EQ(stage.story(frame), "forward 0 | forward 0");
     EXPECT_EQ(lights_seen(frame.steps[0]), (Ints{2}));
     EXPECT_EQ(lights_seen(frame.steps[1]), (Ints{1}));
-    stage.reflections[0].passes[0].lights = "local";
+    stage.reflections[0].passes[0].lights = PassLights::Local;
     frame = stage.plan();
     ASSERT_EQ(stage.story(frame), "forward 0");
     EXPECT_EQ(lights_seen(frame.steps[0]), (Ints{1}));
-    stage.reflections[0].passes[0].lights = "none";
+    stage.reflections[0].passes[0].lights = PassLights::None;
     EXPECT_EQ(stage.story(), "");
 }
 
@@ -227,8 +227,8 @@ TEST(AdditiveFrame, ABlendedObjectIsFinishedBeforeTheNext) {
 std::vector<Pass> with_caster(std::vector<Pass> passes) {
     Pass caster = forward_pass();
     caster.name = "caster";
-    caster.each = "light";
-    caster.lights = "shadowed";
+    caster.each = PassEach::Light;
+    caster.lights = PassLights::Shadowed;
     caster.depth_target = "sun_map";
     caster.targets.clear();
     passes.insert(passes.begin(), caster);
@@ -267,7 +267,7 @@ TEST(ShadowFrame, EachLightThatCastsDrawsItsMapFirst) {
     const FrameTarget* atlas = target(frame, "sun_map");
     EXPECT_EQ(atlas->width, 2048);
     EXPECT_EQ(atlas->height, 2048);
-    EXPECT_EQ(atlas->format, "depth");
+    EXPECT_EQ(atlas->format, TargetFormat::Depth);
     EXPECT_EQ(atlas->clear.x, 1);
     const FrameStep &sun = frame.steps[0], &cone = frame.steps[3], &seen = frame.steps[5];
     EXPECT_TRUE(sun.targets.empty());
@@ -298,7 +298,7 @@ TEST(ShadowFrame, WithoutCastingLightsThereIsOneLitTexel) {
     Frame frame = stage.plan();
     EXPECT_EQ(stage.story(frame), "forward 0");
     EXPECT_EQ(target(frame, "sun_map")->width, 1);
-    EXPECT_EQ(target(frame, "sun_map")->format, "depth");
+    EXPECT_EQ(target(frame, "sun_map")->format, TargetFormat::Depth);
     EXPECT_EQ(target(frame, "sun_map")->clear.x, 1);
 
     // The same where nobody casts a shadow: the only pass that names the map reads it.
@@ -383,7 +383,7 @@ const LoadedTexture* bound(const FrameStep& step, const std::string& name) {
 TEST(EngineTextures, LightmapsAreTheObjectsAndCookiesTheLights) {
     Stage stage;
     Pass pass = forward_pass();
-    pass.each = "light";
+    pass.each = PassEach::Light;
     pass.textures = {"_MainTex", "lightmap_texture", "light_cookie", "shadow_mask_texture"};
     Reflection reflection = reflection_of("forward", {pass});
     reflection.textures = {texture_of("_MainTex"), texture_of("lightmap_texture"), texture_of("light_cookie"),
@@ -451,21 +451,11 @@ TEST(FramePlan, SaysWhatIsWrongAndWhere) {
     stage.add_object(material);
     Pass& pass = stage.reflections[0].passes[0];
     const std::string subject = "pass 'forward' of the material 'material 0' ";
-    pass.draws = "cubes";
-    EXPECT_EQ(stage.error(), subject + "draws 'cubes'; these words exist: objects, fullscreen, light-volumes");
-    pass.draws = "light-volumes";
+    pass.draws = PassDraws::LightVolumes;
     EXPECT_EQ(stage.error(),
               subject + "draws light volumes, so its lights must be 'local': directional ones have no volume");
-    pass.lights = "shadowed";
+    pass.lights = PassLights::Shadowed;
     EXPECT_EQ(stage.error(), subject + "draws from the lights, so it must draw objects");
-    pass = forward_pass();
-    pass.each = "frame";
-    EXPECT_EQ(stage.error(), subject + "is drawn each 'frame'; these words exist: once, light");
-    pass = forward_pass();
-    pass.lights = "bright";
-    EXPECT_EQ(stage.error(), subject +
-                                 "wants the lights 'bright'; these words exist: all, main, main-only, further, "
-                                 "directional, local, shadowed, none");
     pass = forward_pass();
     stage.materials[0].passes.clear();
     EXPECT_EQ(stage.error(), subject + "has no shaders");
@@ -490,9 +480,9 @@ TEST(FramePlan, RefusesAWorldThatDoesNotHoldTogether) {
 TEST(FramePlan, RefusesTargetsThatPassesSeeDifferently) {
     Stage stage;
     Pass pass = forward_pass();
-    pass.targets.push_back(target_of("extra", "rgba8"));
+    pass.targets.push_back(target_of("extra", TargetFormat::Rgba8));
     stage.add_object(stage.add_material(reflection_of("forward", {pass})));
-    pass.targets[1].format = "r32f";
+    pass.targets[1].format = TargetFormat::R32F;
     stage.add_object(stage.add_material(reflection_of("forward", {pass})));
     EXPECT_EQ(stage.error(),
               "pass 'forward' of the material 'material 1' draws into the target 'extra' as r32f, another as rgba8");

@@ -113,7 +113,7 @@ struct Stage {
     std::string story(const Frame& frame) const {
         std::string text;
         for (const FrameStep& step : frame.steps) {
-            std::string what = step.pass->draws == "fullscreen" ? "screen" : "volume";
+            std::string what = step.pass->draws == PassDraws::Fullscreen ? "screen" : "volume";
             for (std::size_t i = 0; i < world.objects.size(); i++)
                 if (world.objects[i].mesh.get() == step.mesh) what = std::to_string(i);
             text += (text.empty() ? "" : " | ") + step.pass->name + " " + what;
@@ -127,7 +127,7 @@ inline Light point_light(glm::vec3 position, float range = 20) {
     return {.kind = LightKind::Point, .position = position, .range = range};
 }
 
-inline RenderTarget target_of(const std::string& name, const std::string& format = "rgba16f") {
+inline RenderTarget target_of(const std::string& name, TargetFormat format = TargetFormat::Rgba16F) {
     RenderTarget target;
     target.name = name;
     target.format = format;
@@ -147,7 +147,7 @@ inline Pass forward_pass(int queue = 2000) {
 inline Texture texture_of(const std::string& name, const std::string& reads = "") {
     Texture texture;
     texture.name = name;
-    texture.dimension = "2d";
+    texture.dimension = TextureDimension::Flat;
     texture.is_material = false;
     texture.reads = reads;
     return texture;

@@ -1,4 +1,5 @@
 // Frames of several steps against closed forms, on the GPU with the validation layer on, and on the CPU.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,8 +11,9 @@ namespace {
 
 constexpr int kSize = 8;
 
-FrameTarget target(const std::string& format, glm::vec4 clear = glm::vec4(0), int size = kSize) {
-    return {.name = "a " + format, .format = format, .width = size, .height = size, .clear = clear};
+FrameTarget target(TargetFormat format, glm::vec4 clear = glm::vec4(0), int size = kSize) {
+    return {
+        .name = "a " + std::string(to_string(format)), .format = format, .width = size, .height = size, .clear = clear};
 }
 
 glm::vec4 pixel(const Image& image, int x = 0, int y = 0) {
@@ -63,16 +65,20 @@ INSTANTIATE_TEST_SUITE_P(Both, FrameTest, testing::Values(true, false),
 // Each pair of words in a pixel of its own: alpha has the two the other way round.
 TEST_P(FrameTest, BlendsByEveryPairOfWords) {
     const glm::vec4 source(0.25f, 0.5f, 0.75f, 0.5f), before(0.5f, 0.25f, 1, 0.75f), one(1);
-    const std::vector<std::pair<std::string, glm::vec4>> words = {
-        {"zero", glm::vec4(0)},          {"one", one},
-        {"src_color", source},           {"one_minus_src_color", one - source},
-        {"dst_color", before},           {"one_minus_dst_color", one - before},
-        {"src_alpha", glm::vec4(0.5f)},  {"one_minus_src_alpha", glm::vec4(0.5f)},
-        {"dst_alpha", glm::vec4(0.75f)}, {"one_minus_dst_alpha", glm::vec4(0.25f)}};
+    const std::vector<std::pair<BlendFactor, glm::vec4>> words = {{BlendFactor::Zero, glm::vec4(0)},
+                                                                  {BlendFactor::One, one},
+                                                                  {BlendFactor::SourceColor, source},
+                                                                  {BlendFactor::OneMinusSourceColor, one - source},
+                                                                  {BlendFactor::TargetColor, before},
+                                                                  {BlendFactor::OneMinusTargetColor, one - before},
+                                                                  {BlendFactor::SourceAlpha, glm::vec4(0.5f)},
+                                                                  {BlendFactor::OneMinusSourceAlpha, glm::vec4(0.5f)},
+                                                                  {BlendFactor::TargetAlpha, glm::vec4(0.75f)},
+                                                                  {BlendFactor::OneMinusTargetAlpha, glm::vec4(0.25f)}};
     const auto count = int(words.size());
     const HandMaterial material = hand_material(1);
     std::deque<HandMaterial> materials;
-    Frame frame{.targets = {target("rgba32f", before, count)}};
+    Frame frame{.targets = {target(TargetFormat::Rgba32F, before, count)}};
     for (int i = 0; i < count * count; i++) {
         HandMaterial& each = materials.emplace_back(material);
         each.pass().targets[0].blend = {.source = words[i % count].first,
@@ -87,24 +93,25 @@ TEST_P(FrameTest, BlendsByEveryPairOfWords) {
         for (int x = 0; x < count; x++) {
             glm::vec4 expected = source * words[x].second + before * words[y].second;
             expected.a = source.a * words[y].second.a + before.a * words[x].second.a;
-            expect_near(pixel(image, x, y), expected, 1e-6f, words[x].first + ", " + words[y].first);
+            expect_near(pixel(image, x, y), expected, 1e-6f,
+                        fmt::format("{}, {}", to_string(words[x].first), to_string(words[y].first)));
         }
 }
 
 TEST_P(FrameTest, WritesWhatTheFormatHolds) {
     const HandMaterial material = hand_material(1);
-    const auto stored = [&](const std::string& format, const glm::vec4& value) {
+    const auto stored = [&](TargetFormat format, const glm::vec4& value) {
         return pixel(draw({.targets = {target(format)}, .steps = {hand_step(material, full, {value}, {0})}}));
     };
-    EXPECT_EQ(stored("rgba8", {0.5f, 2, -1, 0.123f}), glm::vec4(128 / 255.0f, 1, 0, 31 / 255.0f));
-    EXPECT_EQ(stored("rgb10a2", {0.5f, 2, -1, 0.5f}), glm::vec4(512 / 1023.0f, 1, 0, 2 / 3.0f));
-    EXPECT_EQ(stored("rgba32f", {0.1f, -2, 1e9f, 0.7f}), glm::vec4(0.1f, -2, 1e9f, 0.7f));
-    EXPECT_EQ(stored("r32f", {0.1f, 0.2f, 0.3f, 0.4f}), glm::vec4(0.1f, 0, 0, 1));
+    EXPECT_EQ(stored(TargetFormat::Rgba8, {0.5f, 2, -1, 0.123f}), glm::vec4(128 / 255.0f, 1, 0, 31 / 255.0f));
+    EXPECT_EQ(stored(TargetFormat::Rgb10A2, {0.5f, 2, -1, 0.5f}), glm::vec4(512 / 1023.0f, 1, 0, 2 / 3.0f));
+    EXPECT_EQ(stored(TargetFormat::Rgba32F, {0.1f, -2, 1e9f, 0.7f}), glm::vec4(0.1f, -2, 1e9f, 0.7f));
+    EXPECT_EQ(stored(TargetFormat::R32F, {0.1f, 0.2f, 0.3f, 0.4f}), glm::vec4(0.1f, 0, 0, 1));
 
     // Exact in 11 bits, a quarter above one step, three quarters above it, and a subnormal number. Vulkan leaves it
     // open whether a half is the nearest or the one towards zero; the CPU takes the nearest.
     const float step = 1 / 1024.0f;
-    const glm::vec4 half = stored("rgba16f", {1.5f, 1 + step / 4, 1 + step * 3 / 4, std::ldexp(3.0f, -24)});
+    const glm::vec4 half = stored(TargetFormat::Rgba16F, {1.5f, 1 + step / 4, 1 + step * 3 / 4, std::ldexp(3.0f, -24)});
     EXPECT_EQ(half.r, 1.5f);
     EXPECT_EQ(half.g, 1);
     EXPECT_TRUE(half.b == 1 + step || (GetParam() && half.b == 1)) << half.b;
@@ -114,23 +121,24 @@ TEST_P(FrameTest, WritesWhatTheFormatHolds) {
 // Fixed-point targets blend what is clamped to 0..1: 0.2 of 1, not of 2.
 TEST_P(FrameTest, ClampsBeforeItBlendsInFixedPoint) {
     HandMaterial material = hand_material(1);
-    material.pass().targets[0].blend.source = "src_alpha";
-    material.pass().targets[0].blend.destination = "one";
-    const Frame frame{.targets = {target("rgba8", glm::vec4(0, 0.6f, 1, 0))},
+    material.pass().targets[0].blend.source = BlendFactor::SourceAlpha;
+    material.pass().targets[0].blend.destination = BlendFactor::One;
+    const Frame frame{.targets = {target(TargetFormat::Rgba8, glm::vec4(0, 0.6f, 1, 0))},
                       .steps = {hand_step(material, full, {{2, 2, 2, 0.2f}}, {0})}};
     expect_near(pixel(draw(frame)), {51 / 255.0f, 204 / 255.0f, 1, 51 / 255.0f}, 1e-6f, "0.2 * 1 + before");
 }
 
 TEST_P(FrameTest, WritesSeveralTargetsEachInItsWay) {
     HandMaterial material = hand_material(5);
-    material.pass().targets[3].blend.destination = material.pass().targets[3].blend.destination_alpha = "one";
+    material.pass().targets[3].blend.destination = material.pass().targets[3].blend.destination_alpha =
+        BlendFactor::One;
     const std::vector<glm::vec4> colors = {{1, 0, 0, 1}, {0, 1 / 3.0f, 0, 1}, {0, 0, 3, 1}, {4, 4, 4, 4}, {5, 0, 0, 1}};
-    Frame frame{.targets = {target("r32f"), target("rgba32f", glm::vec4(1)), target("rgba16f"), target("rgb10a2"),
-                            target("rgba8")},
+    Frame frame{.targets = {target(TargetFormat::R32F), target(TargetFormat::Rgba32F, glm::vec4(1)),
+                            target(TargetFormat::Rgba16F), target(TargetFormat::Rgb10A2), target(TargetFormat::Rgba8)},
                 .steps = {hand_step(material, full, colors, {4, 3, 2, 1, 0})}};
     const glm::vec4 expected[] = {{5, 0, 0, 1}, glm::vec4(5), {0, 0, 3, 1}, {0, 341 / 1023.0f, 0, 1}, {1, 0, 0, 1}};
     for (frame.shown = 0; frame.shown < 5; frame.shown++)
-        expect_near(pixel(draw(frame), 3, 5), expected[frame.shown], 1e-6f, frame.targets[frame.shown].format);
+        expect_near(pixel(draw(frame), 3, 5), expected[frame.shown], 1e-6f, frame.targets[frame.shown].name);
 }
 
 // --- reads
@@ -139,7 +147,7 @@ TEST_P(FrameTest, ReadsWhatWasThereWhenTheStepBegan) {
     const HandMaterial material = hand_material(1, true);
     Mesh twice = full;  // the second layer must not see the first
     for (std::size_t i = 0; i < full.indices.size(); i++) twice.indices.push_back(full.indices[i]);
-    Frame frame{.targets = {target("rgba32f", {1, 2, 3, 4})}};
+    Frame frame{.targets = {target(TargetFormat::Rgba32F, {1, 2, 3, 4})}};
     for (int i = 0; i < 3; i++) {
         frame.steps.push_back(hand_step(material, twice, {{0.25f, 0.5f, -1, 2}}, {0}));
         frame.steps.back().reads = {{.texture = "earlier", .target = 0}};
@@ -151,7 +159,8 @@ TEST_P(FrameTest, ReadsWhatWasThereWhenTheStepBegan) {
 // A paints, B = A + 1, A = B + 1: back and forth between reading and drawing.
 TEST_P(FrameTest, ReadsTargetsOfEarlierSteps) {
     const HandMaterial paint = hand_material(1), add = hand_material(1, true);
-    Frame frame{.targets = {target("rgba32f"), target("rgba32f"), target("r32f", glm::vec4(9))},
+    Frame frame{.targets = {target(TargetFormat::Rgba32F), target(TargetFormat::Rgba32F),
+                            target(TargetFormat::R32F, glm::vec4(9))},
                 .steps = {hand_step(paint, full, {glm::vec4(0.5f)}, {0}), hand_step(add, full, {glm::vec4(1)}, {1}),
                           hand_step(add, full, {glm::vec4(1)}, {0}), hand_step(add, full, {glm::vec4(1)}, {1})}};
     frame.steps[1].reads = {{.texture = "earlier", .target = 0}};
@@ -166,7 +175,8 @@ TEST_P(FrameTest, ReadsTargetsOfEarlierSteps) {
 TEST_P(FrameTest, SkipsATextureThatThePassDoesNotRead) {
     HandMaterial material = hand_material(1);
     material.reflection.textures = hand_material(1, true).reflection.textures;
-    const Frame frame{.targets = {target("rgba8")}, .steps = {hand_step(material, full, {glm::vec4(1)}, {0})}};
+    const Frame frame{.targets = {target(TargetFormat::Rgba8)},
+                      .steps = {hand_step(material, full, {glm::vec4(1)}, {0})}};
     EXPECT_EQ(pixel(draw(frame)), glm::vec4(1));
 }
 
@@ -179,11 +189,11 @@ float plane_depth(int x, float left, float right, int width = kSize) {
 
 TEST_P(FrameTest, DrawsDepthAloneAndReadsIt) {
     HandMaterial depth_only = hand_material(0);
-    depth_only.pass().depth_test = "less";
+    depth_only.pass().depth_test = Compare::Less;
     depth_only.pass().depth_write = true;
     HandMaterial show = hand_material(1, true);
     const Mesh plane = clip_quad(-1, 1, 0.25f, 0.75f), behind = clip_quad(-1, 1, 0.8f, 0.9f);
-    Frame frame{.targets = {target("rgba32f"), target("depth", glm::vec4(1))},
+    Frame frame{.targets = {target(TargetFormat::Rgba32F), target(TargetFormat::Depth, glm::vec4(1))},
                 .steps = {hand_step(depth_only, plane, {}, {}, 1), hand_step(depth_only, behind, {}, {}, 1),
                           hand_step(show, full, {glm::vec4(0)}, {0})}};
     frame.steps[2].reads = {{.texture = "earlier", .target = 1}};
@@ -207,23 +217,23 @@ TEST_P(FrameTest, TestsDepthFromStepToStep) {
     HandMaterial material = hand_material(1);
     material.pass().depth_write = true;
     const Mesh near_left = clip_quad(-1, 0, 0.25f, 0.25f);
-    const auto shows = [&](const std::string& test) {
+    const auto shows = [&](Compare test) {
         material.pass().depth_test = test;
-        const Frame frame{.targets = {target("rgba8"), target("depth", glm::vec4(0.5f))},
+        const Frame frame{.targets = {target(TargetFormat::Rgba8), target(TargetFormat::Depth, glm::vec4(0.5f))},
                           .steps = {hand_step(material, near_left, {{1, 0, 0, 1}}, {0}, 1),
                                     hand_step(material, full, {{0, 1, 0, 1}}, {0}, 1)}};
         const Image image = draw(frame);
         return std::pair(pixel(image, 0, 0), pixel(image, 7, 0));
     };
     const glm::vec4 none(0), red(1, 0, 0, 1), green(0, 1, 0, 1);
-    EXPECT_EQ(shows("never"), std::pair(none, none));
-    EXPECT_EQ(shows("less"), std::pair(red, none));
-    EXPECT_EQ(shows("lessEqual"), std::pair(red, green));
-    EXPECT_EQ(shows("equal"), std::pair(green, green));
-    EXPECT_EQ(shows("notEqual"), std::pair(green, none));  // 0.25, and then 0.5 against 0.25
-    EXPECT_EQ(shows("greater"), std::pair(none, none));
-    EXPECT_EQ(shows("greaterEqual"), std::pair(green, green));
-    EXPECT_EQ(shows("always"), std::pair(green, green));
+    EXPECT_EQ(shows(Compare::Never), std::pair(none, none));
+    EXPECT_EQ(shows(Compare::Less), std::pair(red, none));
+    EXPECT_EQ(shows(Compare::LessEqual), std::pair(red, green));
+    EXPECT_EQ(shows(Compare::Equal), std::pair(green, green));
+    EXPECT_EQ(shows(Compare::NotEqual), std::pair(green, none));  // 0.25, and then 0.5 against 0.25
+    EXPECT_EQ(shows(Compare::Greater), std::pair(none, none));
+    EXPECT_EQ(shows(Compare::GreaterEqual), std::pair(green, green));
+    EXPECT_EQ(shows(Compare::Always), std::pair(green, green));
 }
 
 // Vulkan 1.3, "Depth Bias": for a 32-bit float the least difference is 2^(e - 23) with the exponent e of the largest
@@ -234,7 +244,9 @@ TEST_P(FrameTest, AddsTheDepthBias) {
     const auto depth_of = [&](const Mesh& mesh, double bias, double slope_bias, int x) {
         material.pass().depth_bias = bias;
         material.pass().depth_slope_bias = slope_bias;
-        return pixel(draw({.targets = {target("depth")}, .steps = {hand_step(material, mesh, {}, {}, 0)}}), x, 3).r;
+        return pixel(draw({.targets = {target(TargetFormat::Depth)}, .steps = {hand_step(material, mesh, {}, {}, 0)}}),
+                     x, 3)
+            .r;
     };
     EXPECT_EQ(depth_of(full, 8, 0, 1), 0.5f + std::ldexp(8.0f, -1 - 23));
     EXPECT_EQ(depth_of(clip_quad(-1, 1, 0.25f, 0.25f), -8, 0, 1), 0.25f - std::ldexp(8.0f, -2 - 23));
@@ -251,36 +263,36 @@ TEST_P(FrameTest, AddsTheDepthBias) {
 
 TEST_P(FrameTest, MasksByStencil) {
     HandMaterial mark = hand_material(0), paint = hand_material(1);
-    mark.pass().stencil = {"always", "replace", ""};
+    mark.pass().stencil = {Compare::Always, StencilOp::Replace};
     const Mesh left = clip_quad(-1, 0);
     // The left half holds 3, the right 0.
-    const auto shows = [&](const std::string& test, std::uint8_t reference) {
-        paint.pass().stencil = {test, "keep", ""};
-        Frame frame{.targets = {target("rgba8"), target("depth", glm::vec4(1))},
+    const auto shows = [&](Compare test, std::uint8_t reference) {
+        paint.pass().stencil = {test, StencilOp::Keep};
+        Frame frame{.targets = {target(TargetFormat::Rgba8), target(TargetFormat::Depth, glm::vec4(1))},
                     .steps = {hand_step(mark, left, {}, {}, 1), hand_step(paint, full, {glm::vec4(1)}, {0}, 1)}};
         frame.steps[0].stencil_reference = 3;
         frame.steps[1].stencil_reference = reference;
         const Image image = draw(frame);
         return std::pair(image.at(0, 0)[0] > 0, image.at(7, 7)[0] > 0);
     };
-    EXPECT_EQ(shows("equal", 3), std::pair(true, false));
-    EXPECT_EQ(shows("equal", 0), std::pair(false, true));
-    EXPECT_EQ(shows("notEqual", 3), std::pair(false, true));
-    EXPECT_EQ(shows("less", 2), std::pair(true, false));  // 2 < what is there
-    EXPECT_EQ(shows("greater", 2), std::pair(false, true));
-    EXPECT_EQ(shows("lessEqual", 3), std::pair(true, false));
-    EXPECT_EQ(shows("always", 7), std::pair(true, true));
-    EXPECT_EQ(shows("never", 7), std::pair(false, false));
+    EXPECT_EQ(shows(Compare::Equal, 3), std::pair(true, false));
+    EXPECT_EQ(shows(Compare::Equal, 0), std::pair(false, true));
+    EXPECT_EQ(shows(Compare::NotEqual, 3), std::pair(false, true));
+    EXPECT_EQ(shows(Compare::Less, 2), std::pair(true, false));  // 2 < what is there
+    EXPECT_EQ(shows(Compare::Greater, 2), std::pair(false, true));
+    EXPECT_EQ(shows(Compare::LessEqual, 3), std::pair(true, false));
+    EXPECT_EQ(shows(Compare::Always, 7), std::pair(true, true));
+    EXPECT_EQ(shows(Compare::Never, 7), std::pair(false, false));
 }
 
 // Where the depth test fails, the stencil stays.
 TEST_P(FrameTest, ReplacesStencilWhereBothTestsPass) {
     HandMaterial mark = hand_material(0), paint = hand_material(1);
-    mark.pass().stencil = {"greater", "replace", ""};
-    mark.pass().depth_test = "less";
-    paint.pass().stencil = {"equal", "keep", ""};
+    mark.pass().stencil = {Compare::Greater, StencilOp::Replace};
+    mark.pass().depth_test = Compare::Less;
+    paint.pass().stencil = {Compare::Equal, StencilOp::Keep};
     const Mesh plane = clip_quad(-1, 1, 0.25f, 0.75f);
-    Frame frame{.targets = {target("rgba8"), target("depth", glm::vec4(0.5f))},
+    Frame frame{.targets = {target(TargetFormat::Rgba8), target(TargetFormat::Depth, glm::vec4(0.5f))},
                 .steps = {hand_step(mark, plane, {}, {}, 1), hand_step(mark, plane, {}, {}, 1),
                           hand_step(paint, full, {glm::vec4(1)}, {0}, 1)}};
     frame.steps[0].stencil_reference = frame.steps[2].stencil_reference = 5;
@@ -292,39 +304,39 @@ TEST_P(FrameTest, ReplacesStencilWhereBothTestsPass) {
 // Vulkan 1.3, "Stencil Operation": (old value & ~writeMask) | (new value & writeMask), of 8 bits.
 TEST_P(FrameTest, ChangesStencilAsItsWordsSay) {
     struct Case {
-        const char* word;
+        StencilOp op;
         int there, reference, write_mask, expected;
     };
     constexpr Case kCases[] = {
-        {"keep", 7, 3, 255, 7},
-        {"zero", 7, 3, 255, 0},
-        {"replace", 7, 3, 255, 3},
-        {"increment", 7, 3, 255, 8},
-        {"increment", 255, 3, 255, 255},
-        {"decrement", 7, 3, 255, 6},
-        {"decrement", 0, 3, 255, 0},
-        {"invert", 0x5a, 3, 255, 0xa5},
-        {"incrementWrap", 7, 3, 255, 8},
-        {"incrementWrap", 255, 3, 255, 0},
-        {"decrementWrap", 7, 3, 255, 6},
-        {"decrementWrap", 0, 3, 255, 255},
-        {"replace", 0xf0, 0x35, 0x0f, 0xf5},
-        {"invert", 0x5a, 3, 0xf0, 0xaa},
-        {"zero", 0xff, 3, 0x81, 0x7e},
+        {StencilOp::Keep, 7, 3, 255, 7},
+        {StencilOp::Zero, 7, 3, 255, 0},
+        {StencilOp::Replace, 7, 3, 255, 3},
+        {StencilOp::Increment, 7, 3, 255, 8},
+        {StencilOp::Increment, 255, 3, 255, 255},
+        {StencilOp::Decrement, 7, 3, 255, 6},
+        {StencilOp::Decrement, 0, 3, 255, 0},
+        {StencilOp::Invert, 0x5a, 3, 255, 0xa5},
+        {StencilOp::IncrementWrap, 7, 3, 255, 8},
+        {StencilOp::IncrementWrap, 255, 3, 255, 0},
+        {StencilOp::DecrementWrap, 7, 3, 255, 6},
+        {StencilOp::DecrementWrap, 0, 3, 255, 255},
+        {StencilOp::Replace, 0xf0, 0x35, 0x0f, 0xf5},
+        {StencilOp::Invert, 0x5a, 3, 0xf0, 0xaa},
+        {StencilOp::Zero, 0xff, 3, 0x81, 0x7e},
     };
     HandMaterial mark = hand_material(0), change = hand_material(0), paint = hand_material(1);
-    mark.pass().stencil = {"always", "replace", ""};
-    paint.pass().stencil = {"equal", "keep", ""};
+    mark.pass().stencil = {Compare::Always, StencilOp::Replace};
+    paint.pass().stencil = {Compare::Equal, StencilOp::Keep};
     // Where it happens: both tests pass, the stencil's fails, or the depth's alone.
     for (const std::string when : {"pass", "fail", "depthFail"}) {
-        Stencil stencil{.test = when == "fail" ? "never" : "always"};
-        change.pass().depth_test = when == "pass" ? "always" : "never";
+        Stencil stencil{.test = when == "fail" ? Compare::Never : Compare::Always};
+        change.pass().depth_test = when == "pass" ? Compare::Always : Compare::Never;
         for (const Case& each : kCases) {
-            SCOPED_TRACE(when + ": " + each.word + " of " + std::to_string(each.there));
-            (when == "pass" ? stencil.pass : when == "fail" ? stencil.fail : stencil.depth_fail) = each.word;
+            SCOPED_TRACE(when + ": " + std::string(to_string(each.op)) + " of " + std::to_string(each.there));
+            (when == "pass" ? stencil.pass : when == "fail" ? stencil.fail : stencil.depth_fail) = each.op;
             stencil.write_mask = each.write_mask;
             change.pass().stencil = stencil;
-            Frame frame{.targets = {target("rgba8"), target("depth", glm::vec4(1))},
+            Frame frame{.targets = {target(TargetFormat::Rgba8), target(TargetFormat::Depth, glm::vec4(1))},
                         .steps = {hand_step(mark, full, {}, {}, 1), hand_step(change, full, {}, {}, 1),
                                   hand_step(paint, full, {glm::vec4(1)}, {0}, 1)}};
             const int references[] = {each.there, each.reference, each.expected};
@@ -336,31 +348,31 @@ TEST_P(FrameTest, ChangesStencilAsItsWordsSay) {
 
 TEST_P(FrameTest, ComparesTheBitsOfTheStencilThatAreRead) {
     HandMaterial mark = hand_material(0), paint = hand_material(1);
-    mark.pass().stencil = {"always", "replace", ""};
-    const auto shows = [&](const std::string& test, int reference, int mask) {
+    mark.pass().stencil = {Compare::Always, StencilOp::Replace};
+    const auto shows = [&](Compare test, int reference, int mask) {
         paint.pass().stencil = {.test = test, .read_mask = mask};
-        Frame frame{.targets = {target("rgba8"), target("depth", glm::vec4(1))},
+        Frame frame{.targets = {target(TargetFormat::Rgba8), target(TargetFormat::Depth, glm::vec4(1))},
                     .steps = {hand_step(mark, full, {}, {}, 1), hand_step(paint, full, {glm::vec4(1)}, {0}, 1)}};
         frame.steps[0].stencil_reference = 0xa5;
         frame.steps[1].stencil_reference = std::uint8_t(reference);
         return pixel(draw(frame)) == glm::vec4(1);
     };
-    EXPECT_TRUE(shows("equal", 0x05, 0x0f));
-    EXPECT_FALSE(shows("equal", 0x05, 0xff));
-    EXPECT_TRUE(shows("less", 0x94, 0x0f));  // 4 < 5, though 0x94 < 0xa5 too
-    EXPECT_FALSE(shows("less", 0x0f, 0x0f));
-    EXPECT_TRUE(shows("equal", 0x12, 0));
+    EXPECT_TRUE(shows(Compare::Equal, 0x05, 0x0f));
+    EXPECT_FALSE(shows(Compare::Equal, 0x05, 0xff));
+    EXPECT_TRUE(shows(Compare::Less, 0x94, 0x0f));  // 4 < 5, though 0x94 < 0xa5 too
+    EXPECT_FALSE(shows(Compare::Less, 0x0f, 0x0f));
+    EXPECT_TRUE(shows(Compare::Equal, 0x12, 0));
 }
 
 TEST_P(FrameTest, ClearsTheStencilBeforeAStep) {
     HandMaterial mark = hand_material(0), paint = hand_material(1);
-    mark.pass().stencil = {"always", "replace", ""};
+    mark.pass().stencil = {Compare::Always, StencilOp::Replace};
     mark.pass().depth_write = true;
-    mark.pass().depth_test = "always";
-    paint.pass().stencil = {"equal", "keep", ""};
-    paint.pass().depth_test = "less";  // the depth stays: 0.5 is not less than 0.25 on the left
+    mark.pass().depth_test = Compare::Always;
+    paint.pass().stencil = {Compare::Equal, StencilOp::Keep};
+    paint.pass().depth_test = Compare::Less;  // the depth stays: 0.5 is not less than 0.25 on the left
     const Mesh left = clip_quad(-1, 0, 0.25f, 0.25f);
-    Frame frame{.targets = {target("rgba8"), target("depth", glm::vec4(1))},
+    Frame frame{.targets = {target(TargetFormat::Rgba8), target(TargetFormat::Depth, glm::vec4(1))},
                 .steps = {hand_step(mark, left, {}, {}, 1), hand_step(paint, full, {glm::vec4(1)}, {0}, 1)}};
     frame.steps[0].stencil_reference = 4;
     frame.steps[1].clears_stencil = true;
@@ -376,7 +388,7 @@ TEST_P(FrameTest, KeepsToItsArea) {
     material.pass().depth_write = true;
     // It sticks out on the right: its depth is 0.25 to 0.5 from the area's left edge to its right one.
     const Mesh wide = clip_quad(-1, 3, 0.25f, 0.75f);
-    Frame frame{.targets = {target("rgba8"), target("depth", glm::vec4(1))},
+    Frame frame{.targets = {target(TargetFormat::Rgba8), target(TargetFormat::Depth, glm::vec4(1))},
                 .steps = {hand_step(material, wide, {glm::vec4(1)}, {0}, 1)}};
     frame.steps[0].area = {.x = 1, .y = 3, .width = 5, .height = 2};
     const auto inside = [](int x, int y) { return x >= 1 && x < 6 && y >= 3 && y < 5; };
@@ -396,15 +408,16 @@ TEST_P(FrameTest, AveragesTheSamplesOfWhatIsShown) {
     HandMaterial material = hand_material(0);
     material.pass().depth_write = true;
     const Mesh plane = clip_quad(-1, 1, 0, 1);
-    const Image image =
-        draw({.targets = {target("depth")}, .steps = {hand_step(material, plane, {}, {}, 0)}, .samples = 4});
+    const Image image = draw(
+        {.targets = {target(TargetFormat::Depth)}, .steps = {hand_step(material, plane, {}, {}, 0)}, .samples = 4});
     ASSERT_EQ(image.width, 2);
     EXPECT_NEAR(image.at(0, 0)[0], 0.25f, 1e-6f);
     EXPECT_NEAR(image.at(1, 1)[0], 0.75f, 1e-6f);
 }
 
 TEST_P(FrameTest, WithoutStepsIsWhatWasCleared) {
-    EXPECT_EQ(pixel(draw({.targets = {target("rgba16f", {0.5f, -2, 3, 0.25f})}}), 4, 4), glm::vec4(0.5f, -2, 3, 0.25f));
+    EXPECT_EQ(pixel(draw({.targets = {target(TargetFormat::Rgba16F, {0.5f, -2, 3, 0.25f})}}), 4, 4),
+              glm::vec4(0.5f, -2, 3, 0.25f));
 }
 
 // --- mistakes
@@ -415,38 +428,39 @@ TEST_P(FrameTest, ThatDoesNotFitTogetherIsAnError) {
         void (*spoil)(Frame&, HandMaterial&);
     };
     for (const Case& each : {
-             Case{"'rgba9' is not a format", [](Frame& f, HandMaterial&) { f.targets[0].format = "rgba9"; }},
-             Case{"0 x 8 pixels", [](Frame& f, HandMaterial&) { f.targets[0].width = 0; }},
-             Case{"shows a target that it does not have", [](Frame& f, HandMaterial&) { f.shown = 2; }},
-             Case{"at least one sample", [](Frame& f, HandMaterial&) { f.samples = 0; }},
-             Case{"names a target", [](Frame& f, HandMaterial&) { f.steps[0].targets = {7}; }},
-             Case{"names a target", [](Frame& f, HandMaterial&) { f.steps[0].reads[0].target = 7; }},
-             Case{"writes 1 targets and is given 0", [](Frame& f, HandMaterial&) { f.steps[0].targets = {}; }},
-             Case{"differ in size", [](Frame& f, HandMaterial&) { f.targets[1].height = 9; }},
-             Case{"takes 'a depth' for a colour", [](Frame& f, HandMaterial&) { f.steps[0].targets = {1}; }},
-             Case{"takes 'a rgba8' for depth", [](Frame& f, HandMaterial&) { f.steps[0].depth = 0; }},
-             Case{"not inside 'a rgba8'", [](Frame& f, HandMaterial&) { f.steps[0].area = {1, 0, 8, 8}; }},
-             Case{"filled the block 'Colors'", [](Frame& f, HandMaterial&) { f.steps[0].blocks.clear(); }},
-             Case{"loaded the texture 'earlier'", [](Frame& f, HandMaterial&) { f.steps[0].reads.clear(); }},
-             Case{"no texture 'later'", [](Frame& f, HandMaterial&) { f.steps[0].reads.push_back({"later", 0}); }},
-             Case{"'add' is not a blend factor",
-                  [](Frame&, HandMaterial& m) { m.pass().targets[0].blend.source = "add"; }},
-             Case{"'deeper' is not a stencil test", [](Frame&, HandMaterial& m) { m.pass().stencil.test = "deeper"; }},
-             Case{"'turn' is not what becomes", [](Frame&, HandMaterial& m) { m.pass().stencil.pass = "turn"; }},
+             Case{"0 x 8 pixels", [](Frame&f, HandMaterial&) { f.targets[0].width = 0; }},
+             Case{"shows a target that it does not have", [](Frame&f, HandMaterial&) { f.shown = 2; }},
+             Case{"at least one sample", [](Frame&f, HandMaterial&) { f.samples = 0; }},
+             Case{"names a target", [](Frame&f, HandMaterial&) { f.steps[0].targets = {7}; }},
+             Case{"names a target", [](Frame&f, HandMaterial&) { f.steps[0].reads[0].target = 7; }},
+             Case{"writes 1 targets and is given 0", [](Frame&f, HandMaterial&) { f.steps[0].targets = {}; }},
+             Case{"differ in size", [](Frame&f, HandMaterial&) { f.targets[1].height = 9; }},
+             Case{"takes 'a depth' for a colour", [](Frame&f, HandMaterial&) { f.steps[0].targets = {1}; }},
+             Case{"takes 'a rgba8' for depth", [](Frame&f, HandMaterial&) { f.steps[0].depth = 0; }},
+             Case{"not inside 'a rgba8'",
+                  [](Frame&f, HandMaterial&) {
+                      f.steps[0].area = {1, 0, 8, 8};
+                  }},
+             Case{"filled the block 'Colors'", [](Frame&f, HandMaterial&) { f.steps[0].blocks.clear(); }},
+             Case{"loaded the texture 'earlier'", [](Frame&f, HandMaterial&) { f.steps[0].reads.clear(); }},
+             Case{"no texture 'later'",
+                  [](Frame&f, HandMaterial&) {
+                      f.steps[0].reads.push_back({"later", 0});
+                  }},
              Case{"draws into nothing",
-                  [](Frame& f, HandMaterial& m) {
+                  [](Frame&f, HandMaterial&m) {
                       m.pass().targets.clear();
                       f.steps[0].targets.clear();
                       f.steps[0].depth = -1;
                   }},
              Case{"'a rgba8' twice",
-                  [](Frame& f, HandMaterial& m) {
+                  [](Frame&f, HandMaterial&m) {
                       m.pass().targets.resize(2);
                       f.steps[0].targets = {0, 0};
                   }},
          }) {
         HandMaterial material = hand_material(1, true);
-        Frame frame{.targets = {target("rgba8"), target("depth")},
+        Frame frame{.targets = {target(TargetFormat::Rgba8), target(TargetFormat::Depth)},
                     .steps = {hand_step(material, full, {glm::vec4(1)}, {0}, 1)}};
         frame.steps[0].reads = {{.texture = "earlier", .target = 0}};
         each.spoil(frame, material);
@@ -461,19 +475,19 @@ TEST_P(FrameTest, ThatDoesNotFitTogetherIsAnError) {
 // A ball into three targets and depth, then what is there brightened through blending where the stencil says so.
 TEST_F(Frames, AreTheSameOnBoth) {
     HandMaterial ball = hand_material(3), light = hand_material(1, true);
-    ball.pass().cull = "back";
-    ball.pass().depth_test = "less";
+    ball.pass().cull = Cull::Back;
+    ball.pass().depth_test = Compare::Less;
     ball.pass().depth_write = true;
-    ball.pass().stencil = {"always", "replace", ""};
-    light.pass().stencil = {"equal", "keep", ""};
-    light.pass().targets[0].blend.source = "src_alpha";
-    light.pass().targets[0].blend.destination = "one";
+    ball.pass().stencil = {Compare::Always, StencilOp::Replace};
+    light.pass().stencil = {Compare::Equal, StencilOp::Keep};
+    light.pass().targets[0].blend.source = BlendFactor::SourceAlpha;
+    light.pass().targets[0].blend.destination = BlendFactor::One;
     Mesh sphere = make_sphere(0.8f, 24, 12);
     for (Vertex& vertex : sphere.vertices) vertex.position.z = 0.5f - 0.5f * vertex.position.z;  // nearer is less
     constexpr int kLarge = 33;
     Frame frame{
-        .targets = {target("rgba16f", glm::vec4(0.125f), kLarge), target("rgb10a2", {}, kLarge),
-                    target("rgba8", {}, kLarge), target("depth", glm::vec4(1), kLarge)},
+        .targets = {target(TargetFormat::Rgba16F, glm::vec4(0.125f), kLarge), target(TargetFormat::Rgb10A2, {}, kLarge),
+                    target(TargetFormat::Rgba8, {}, kLarge), target(TargetFormat::Depth, glm::vec4(1), kLarge)},
         .steps = {hand_step(ball, sphere, {{1, 0.5f, 0.25f, 0.5f}, glm::vec4(0.3f), glm::vec4(0.7f)}, {0, 1, 2}, 3),
                   hand_step(light, full, {{0.25f, 0.5f, 1, 0.5f}}, {0}, 3),
                   hand_step(light, full, {{0.25f, 0.5f, 1, 0.5f}}, {0}, 3)}};
@@ -486,8 +500,7 @@ TEST_F(Frames, AreTheSameOnBoth) {
         for (std::size_t i = 0; i < gpu.pixels.size(); i++)
             largest = std::max(largest, std::abs(gpu.pixels[i] - cpu.pixels[i]));
         // Halves may be rounded either way, twice: numbers are below 4.
-        EXPECT_LE(largest, frame.shown == 0 ? 2 * std::ldexp(1.0f, 1 - 10) : 1e-6f)
-            << frame.targets[frame.shown].format;
+        EXPECT_LE(largest, frame.shown == 0 ? 2 * std::ldexp(1.0f, 1 - 10) : 1e-6f) << frame.targets[frame.shown].name;
         EXPECT_NE(pixel(gpu, kLarge / 2, kLarge / 2), pixel(gpu, 0, 0));
     }
 }

@@ -1,5 +1,5 @@
 // Which light reaches an object in which way, and a light as spherical harmonics.
-#include "runtime/frame/light_split.h"
+#include "runtime/lights/light_split.h"
 
 #include <gtest/gtest.h>
 

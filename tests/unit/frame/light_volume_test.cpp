@@ -1,5 +1,5 @@
 // Hulls of lights hold all that the light reaches, and face outwards.
-#include "runtime/frame/light_volume.h"
+#include "runtime/lights/light_volume.h"
 
 #include <gtest/gtest.h>
 

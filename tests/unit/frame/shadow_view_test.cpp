@@ -1,5 +1,5 @@
 // Shadow maps hold what casts, stay still, and are where the atlas says; cookies lie as their light looks.
-#include "runtime/frame/shadow_view.h"
+#include "runtime/lights/shadow_view.h"
 
 #include <gtest/gtest.h>
 

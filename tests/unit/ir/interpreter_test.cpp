@@ -84,7 +84,7 @@ std::shared_ptr<const TextureData> texture(std::vector<TextureLevel> levels, pat
 }
 
 // 4 x 1 texels of red 1, 2, 4, 8.
-std::shared_ptr<const TextureData> powers(const std::string& wrap, const std::string& filter) {
+std::shared_ptr<const TextureData> powers(Wrap wrap, Filter filter) {
     return texture({level(4, 1,
                           [](int x, int) {
                               return std::array{float(1 << x), 0.0f, 0.0f, 1.0f};
@@ -93,12 +93,12 @@ std::shared_ptr<const TextureData> powers(const std::string& wrap, const std::st
 }
 
 // Every level one colour: its own number in red.
-std::shared_ptr<const TextureData> numbered(int size, const std::string& filter) {
+std::shared_ptr<const TextureData> numbered(int size, Filter filter) {
     std::vector<TextureLevel> levels;
     for (int s = size, n = 0; s >= 1; s /= 2, ++n) {
         levels.push_back(level(s, s, [&](int, int) { return std::array{float(n), 0.0f, 0.0f, 1.0f}; }));
     }
-    return texture(std::move(levels), {.wrap = "repeat", .filter = filter});
+    return texture(std::move(levels), {.wrap = Wrap::Repeat, .filter = filter});
 }
 
 double red_at_level(std::shared_ptr<const TextureData> data, double u, double v, double lod) {
@@ -217,28 +217,28 @@ TEST(Interpreter, BlocksAreReadAsStd140) {
 
 TEST(InterpreterTexture, Wraps) {
     // One step left of the texture, and one to its right.
-    const auto outside = [](const char* wrap) {
-        const auto data = powers(wrap, "nearest");
+    const auto outside = [](Wrap wrap) {
+        const auto data = powers(wrap, Filter::Nearest);
         return std::pair(red_at_level(data, -0.125, 0.5, 0), red_at_level(data, 1.375, 0.5, 0));
     };
-    EXPECT_EQ(outside("repeat"), std::pair(8.0, 2.0));
-    EXPECT_EQ(outside("clamp"), std::pair(1.0, 8.0));
-    EXPECT_EQ(outside("mirror"), std::pair(1.0, 4.0));
-    EXPECT_EQ(red_at_level(powers("mirror", "nearest"), -1.125, 0.5, 0), 8);
-    EXPECT_EQ(red_at_level(powers("repeat", "nearest"), 1000.125, 0.5, 0), 1);
+    EXPECT_EQ(outside(Wrap::Repeat), std::pair(8.0, 2.0));
+    EXPECT_EQ(outside(Wrap::Clamp), std::pair(1.0, 8.0));
+    EXPECT_EQ(outside(Wrap::Mirror), std::pair(1.0, 4.0));
+    EXPECT_EQ(red_at_level(powers(Wrap::Mirror, Filter::Nearest), -1.125, 0.5, 0), 8);
+    EXPECT_EQ(red_at_level(powers(Wrap::Repeat, Filter::Nearest), 1000.125, 0.5, 0), 1);
     for (double far : {1e30, -1e30, HUGE_VAL, -HUGE_VAL, std::nan("")}) {
-        const double red = red_at_level(powers("repeat", "linear"), far, far, 0);
+        const double red = red_at_level(powers(Wrap::Repeat, Filter::Linear), far, far, 0);
         EXPECT_TRUE(red >= 1 && red <= 8) << far;
     }
 }
 
 TEST(InterpreterTexture, Filters) {
-    EXPECT_EQ(red_at_level(powers("clamp", "nearest"), 0.26, 0.5, 0), 2);
-    EXPECT_EQ(red_at_level(powers("clamp", "linear"), 0.125, 0.5, 0), 1);      // the centre of a texel
-    EXPECT_EQ(red_at_level(powers("clamp", "linear"), 0.25, 0.5, 0), 1.5);     // the edge of two
-    EXPECT_EQ(red_at_level(powers("clamp", "linear"), 0.3125, 0.5, 0), 1.75);  // a quarter of the first
-    EXPECT_EQ(red_at_level(powers("clamp", "linear"), 0, 0.5, 0), 1);
-    EXPECT_EQ(red_at_level(powers("repeat", "linear"), 0, 0.5, 0), 4.5);
+    EXPECT_EQ(red_at_level(powers(Wrap::Clamp, Filter::Nearest), 0.26, 0.5, 0), 2);
+    EXPECT_EQ(red_at_level(powers(Wrap::Clamp, Filter::Linear), 0.125, 0.5, 0), 1);      // the centre of a texel
+    EXPECT_EQ(red_at_level(powers(Wrap::Clamp, Filter::Linear), 0.25, 0.5, 0), 1.5);     // the edge of two
+    EXPECT_EQ(red_at_level(powers(Wrap::Clamp, Filter::Linear), 0.3125, 0.5, 0), 1.75);  // a quarter of the first
+    EXPECT_EQ(red_at_level(powers(Wrap::Clamp, Filter::Linear), 0, 0.5, 0), 1);
+    EXPECT_EQ(red_at_level(powers(Wrap::Repeat, Filter::Linear), 0, 0.5, 0), 4.5);
     const auto checker = texture({level(2, 2, [](int x, int y) {
         return std::array{float(10 * y + x), 0.f, 0.f, 1.f};
     })});
@@ -247,7 +247,7 @@ TEST(InterpreterTexture, Filters) {
 }
 
 TEST(InterpreterTexture, ExplicitLevels) {
-    const auto linear = numbered(8, "linear"), nearest = numbered(8, "nearest");
+    const auto linear = numbered(8, Filter::Linear), nearest = numbered(8, Filter::Nearest);
     EXPECT_EQ(red_at_level(linear, 0.5, 0.5, 1.25), 1.25);
     EXPECT_EQ(red_at_level(linear, 0.5, 0.5, -2), 0);
     EXPECT_EQ(red_at_level(linear, 0.5, 0.5, 99), 3);
@@ -268,7 +268,7 @@ TEST(InterpreterTexture, TheQuadChoosesTheLevel) {
             args.push_back(stage.scalar(more[0]));
         }
         Interpreter interpreter = stage.finish(stage.b.emit(op, kFloat4, args));
-        interpreter.set_texture("_MainTex", numbered(16, "linear"));
+        interpreter.set_texture("_MainTex", numbered(16, Filter::Linear));
         const QuadOutputs out = interpreter.run(quad_at(0.3, 0.6, dx, dy));
         for (const Flat& lane : out.lanes) EXPECT_EQ(lane[0], out.lanes[0][0]);
         return out.lanes[0][0];
@@ -338,15 +338,15 @@ TEST(InterpreterTexture, AnyTextureMayBeReadByAnySampler) {
         return b.extract(b.emit(Op::SampleLevel, {stage.texture(), sampler, stage.uv, stage.scalar(0)}), 0);
     };
     Interpreter interpreter = stage.finish(b.construct(kFloat2, std::array{read(stage.sampler()), read(mask_sampler)}));
-    interpreter.set_texture("_MainTex", powers("repeat", "nearest"));
-    interpreter.set_texture("_Mask", powers("clamp", "nearest"));
+    interpreter.set_texture("_MainTex", powers(Wrap::Repeat, Filter::Nearest));
+    interpreter.set_texture("_Mask", powers(Wrap::Clamp, Filter::Nearest));
     EXPECT_EQ(interpreter.run(quad_at(-0.125, 0.5)).lanes[0], (Flat{8, 1}));
 }
 
 // --- cubes. Expected texels are worked out from the table in Vulkan's "Cube Map Face Selection".
 
 // Red is 100 for each face, 10 for each row and 1 for each column.
-std::shared_ptr<const TextureData> counted_cube(int size, const std::string& filter) {
+std::shared_ptr<const TextureData> counted_cube(int size, Filter filter) {
     TextureLevel texels{.width = size, .height = size, .texels = {}};
     for (int face = 0; face < 6; ++face) {
         const TextureLevel side = level(size, size, [&](int x, int y) {
@@ -357,7 +357,7 @@ std::shared_ptr<const TextureData> counted_cube(int size, const std::string& fil
     return std::make_shared<TextureData>(TextureData{.levels = {texels}, .sampler = {.filter = filter}, .faces = 6});
 }
 
-std::shared_ptr<const TextureData> numbered_cube(int size, const std::string& filter) {
+std::shared_ptr<const TextureData> numbered_cube(int size, Filter filter) {
     TextureData cube = *numbered(size, filter);
     cube.faces = 6;
     for (TextureLevel& one : cube.levels) {
@@ -378,7 +378,7 @@ double red_of_cube(std::shared_ptr<const TextureData> data, std::array<double, 3
 }
 
 TEST(InterpreterCube, ADirectionChoosesAFaceAndATexel) {
-    const auto cube = counted_cube(4, "nearest");
+    const auto cube = counted_cube(4, Filter::Nearest);
     EXPECT_EQ(red_of_cube(cube, {2, -0.5, 1.5}), 20);    // +X: s -z, t -y
     EXPECT_EQ(red_of_cube(cube, {-2, -0.5, 1.5}), 123);  // -X: s z, t -y
     EXPECT_EQ(red_of_cube(cube, {0.5, 2, 1.5}), 232);    // +Y: s x, t z
@@ -397,7 +397,7 @@ TEST(InterpreterCube, ADirectionChoosesAFaceAndATexel) {
 
 // Two texels a side: a texel's middle is at 0.5 or -0.5 of the face's half, a quarter of a texel from the edge at 0.75.
 TEST(InterpreterCube, FiltersOverItsEdges) {
-    const auto cube = counted_cube(2, "linear");
+    const auto cube = counted_cube(2, Filter::Linear);
     EXPECT_EQ(red_of_cube(cube, {0.5, 0.5, 1}), 401);  // the middle of a texel
     EXPECT_EQ(red_of_cube(cube, {0, 0, 1}), 405.5);    // the middle of a face
     EXPECT_EQ(red_of_cube(cube, {1, 0.5, 1}), 200.5);  // half of +Z's (1, 0), half of +X's (0, 0)
@@ -413,7 +413,7 @@ TEST(InterpreterCube, FiltersOverItsEdges) {
 
 // Three texels meet at a corner: +Z's (1, 0), +X's (0, 0) and +Y's (1, 1). The fourth is their mean.
 TEST(InterpreterCube, FiltersAtItsCorners) {
-    const auto cube = counted_cube(2, "linear");
+    const auto cube = counted_cube(2, Filter::Linear);
     const double sum = 401 + 0 + 211;
     EXPECT_NEAR(red_of_cube(cube, {1, 1, 1}), sum / 3, 1e-12);
     // A quarter of a texel from both edges.
@@ -422,11 +422,11 @@ TEST(InterpreterCube, FiltersAtItsCorners) {
     // -X's (0, 1), -Y's (0, 1) and -Z's (1, 1).
     EXPECT_NEAR(red_of_cube(cube, {-1, -1, -1}), (110 + 310 + 511) / 3.0, 1e-12);
     // A face of one texel is all corners.
-    EXPECT_NEAR(red_of_cube(counted_cube(1, "linear"), {1, 1, 1}), (400 + 0 + 200) / 3.0, 1e-12);
+    EXPECT_NEAR(red_of_cube(counted_cube(1, Filter::Linear), {1, 1, 1}), (400 + 0 + 200) / 3.0, 1e-12);
 }
 
 TEST(InterpreterCube, Levels) {
-    const auto linear = numbered_cube(8, "linear"), nearest = numbered_cube(8, "nearest");
+    const auto linear = numbered_cube(8, Filter::Linear), nearest = numbered_cube(8, Filter::Nearest);
     EXPECT_EQ(red_of_cube(linear, {1, 2, 3}, 1.25), 1.25);
     EXPECT_EQ(red_of_cube(linear, {1, 2, 3}, -2), 0);
     EXPECT_NEAR(red_of_cube(linear, {1, 2, 3}, 99), 3, 1e-12);
@@ -447,7 +447,7 @@ TEST(InterpreterCube, Levels) {
             args.push_back(b.constant(kFloat3, {dy[0], dy[1], 0}));
         }
         Interpreter interpreter = stage.finish(b.emit(op, kFloat4, args));
-        interpreter.set_texture("_MainTex", numbered_cube(16, "linear"));
+        interpreter.set_texture("_MainTex", numbered_cube(16, Filter::Linear));
         return interpreter.run(quad_at(-0.5, 0.125, dx, dy)).lanes[0].at(0);
     };
     const double texel = 0.125;
@@ -462,10 +462,10 @@ TEST(InterpreterCube, Levels) {
 
 TEST(InterpreterCube, WhatIsNoCubeIsWhite) {
     EXPECT_EQ(red_of_cube(nullptr, {0, 0, 1}), 1);
-    EXPECT_EQ(red_of_cube(numbered(8, "linear"), {0, 0, 1}, 2), 1);
+    EXPECT_EQ(red_of_cube(numbered(8, Filter::Linear), {0, 0, 1}, 2), 1);
     // And there is nothing in the direction of nothing.
-    EXPECT_EQ(red_of_cube(numbered_cube(8, "linear"), {0, 0, 0}, 2), 0);
-    EXPECT_EQ(red_of_cube(numbered_cube(8, "linear"), {std::nan(""), 1, 0}, 2), 0);
+    EXPECT_EQ(red_of_cube(numbered_cube(8, Filter::Linear), {0, 0, 0}, 2), 0);
+    EXPECT_EQ(red_of_cube(numbered_cube(8, Filter::Linear), {std::nan(""), 1, 0}, 2), 0);
 }
 
 // The language's Texture2D: a struct of texture, sampler and numbers, handed to a function.
@@ -491,6 +491,6 @@ TEST(InterpreterTexture, TexturesTravelInStructs) {
     const Value made = b.construct(bundle, std::array{stage.texture(), stage.sampler(), b.splat_constant(kFloat4, 0),
                                                       b.constant(kFloat4, {2, 1, 0, 0})});
     Interpreter interpreter = stage.finish(b.call(FunctionId{0}, std::array{made, stage.uv}));
-    interpreter.set_texture("_MainTex", powers("repeat", "nearest"));
+    interpreter.set_texture("_MainTex", powers(Wrap::Repeat, Filter::Nearest));
     EXPECT_EQ(interpreter.run(quad_at(0.3125, 0.5)).lanes[0], (Flat{4, 0, 0, 1}));
 }

@@ -182,7 +182,7 @@ TEST(DefaultTextures, HoldWhatAFileWould) {
     EXPECT_TRUE(default_texture("grey").pixels.empty());
 }
 
-Texture texture(const std::string& name, const std::string& usage, const std::string& default_value) {
+Texture texture(const std::string& name, TextureUsage usage, const std::string& default_value) {
     Texture result;
     result.name = name;
     result.usage = usage;
@@ -193,8 +193,8 @@ Texture texture(const std::string& name, const std::string& usage, const std::st
 // IEC 61966-2-1: 0.5 stored is ((0.5 + 0.055) / 1.055)^2.4 of light.
 TEST(DefaultTextures, OfColorsAreDecoded) {
     Reflection reflection;
-    reflection.textures = {texture("color", "color", "gray"), texture("data", "data", "gray"),
-                           texture("chosen", "color", "white")};
+    reflection.textures = {texture("color", TextureUsage::Color, "gray"), texture("data", TextureUsage::Data, "gray"),
+                           texture("chosen", TextureUsage::Color, "white")};
     for (const bool exact : {false, true}) {
         const std::vector<LoadedTexture> loaded = load_textures(reflection, "", {{"chosen", "gray"}}, exact).textures;
         ASSERT_EQ(loaded.size(), 3u);
@@ -210,7 +210,8 @@ TEST(DefaultTextures, OfColorsAreDecoded) {
 TEST_F(ImageFile, ColorTexturesAreDecodedAndDataIsNot) {
     ASSERT_EQ(save_png_as_is(path("t.png"), make_image(4, 4, 0.2f, 0.4f, 0.6f, 0.8f)), "");
     Reflection reflection;
-    reflection.textures = {texture("color", "color", "white"), texture("data", "data", path("t.png"))};
+    reflection.textures = {texture("color", TextureUsage::Color, "white"),
+                           texture("data", TextureUsage::Data, path("t.png"))};
     reflection.textures[1].default_value = "t.png";
     const std::vector<LoadedTexture> loaded =
         load_textures(reflection, path(""), {{"color", path("t.png")}}, false).textures;
@@ -232,9 +233,9 @@ TEST_F(ImageFile, EveryTextureThatCannotBeLoadedIsNamed) {
     std::filesystem::resize_file(path("half.png"), 80);
     Reflection reflection;
     reflection.textures = {
-        texture("_A", "color", "none.png"), texture("_B", "color", "white"), texture("_C", "data", "text.png"),
-        texture("_D", "data", "half.png"),
-        texture("_E", "data", "../" + std::filesystem::path(path("")).parent_path().filename().string())};
+        texture("_A", TextureUsage::Color, "none.png"), texture("_B", TextureUsage::Color, "white"),
+        texture("_C", TextureUsage::Data, "text.png"), texture("_D", TextureUsage::Data, "half.png"),
+        texture("_E", TextureUsage::Data, "../" + std::filesystem::path(path("")).parent_path().filename().string())};
     const LoadedTextures loaded = load_textures(reflection, path(""), {}, false);
     EXPECT_EQ(loaded.textures.size(), 1u);
     ASSERT_EQ(loaded.errors.size(), 4u);

@@ -11,7 +11,8 @@ namespace {
 std::vector<std::string> codes_of(const std::string& graph) {
     const Compiler compiler;
     RenderMachine machine;
-    const RenderOutcome outcome = render(compiler, {.graph = graph, .size = 24, .samples = 2, .via = "cpu"}, machine);
+    const RenderOutcome outcome =
+        render(compiler, {.graph = graph, .size = 24, .samples = 2, .options = {.via = "cpu"}}, machine);
     EXPECT_TRUE(outcome.ok) << outcome.error;
     std::vector<std::string> codes;
     for (const Diagnostic& diagnostic : outcome.diagnostics) codes.push_back(diagnostic.code);

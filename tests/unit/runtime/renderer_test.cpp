@@ -73,10 +73,10 @@ Block block(std::string name, std::uint32_t set, std::uint32_t binding, std::uin
     return result;
 }
 
-Property property(std::string name, std::string type, std::array<double, 4> value, std::uint32_t offset) {
+Property property(std::string name, PropertyType type, std::array<double, 4> value, std::uint32_t offset) {
     Property result;
     result.name = std::move(name);
-    result.type = std::move(type);
+    result.type = type;
     result.value = value;
     result.block = "Material";
     result.offset = offset;
@@ -96,9 +96,11 @@ Reflection make_reflection() {
         block("Material", 2, 0, 80,
               {member("_Amount", "float", 0), member("_Direction", "float3", 16), member("_Tint", "float4", 32),
                member("_Mode", "int", 48), member("_MainTex_ST", "float4", 64)})};
-    r.properties = {property("_Amount", "float", {0.25}, 0), property("_Direction", "float3", {1, 2, 3}, 16),
-                    property("_Tint", "color", {0.1, 0.2, 0.3, 0.4}, 32), property("_Mode", "enum", {0}, 48),
-                    property("_MainTex", "texture2d", {}, 0)};
+    r.properties = {property("_Amount", PropertyType::Float, {0.25}, 0),
+                    property("_Direction", PropertyType::Float3, {1, 2, 3}, 16),
+                    property("_Tint", PropertyType::Color, {0.1, 0.2, 0.3, 0.4}, 32),
+                    property("_Mode", PropertyType::Enum, {0}, 48),
+                    property("_MainTex", PropertyType::Texture2D, {}, 0)};
     Texture texture;
     texture.name = "_MainTex";
     texture.tiling = "_MainTex_ST";
@@ -221,17 +223,17 @@ TEST_F(RendererTest, PictureIsUprightAndFrontsAreCounterClockwise) {
     EXPECT_EQ(image.at(32, 32)[3], 1);
     EXPECT_EQ(image.at(0, 0)[0], -9);
 
-    reflection.passes[0].cull = "front";
+    reflection.passes[0].cull = Cull::Front;
     Image inside = draw("vec4(position_ws, gl_FrontFacing ? 1 : 0)");
     EXPECT_LT(inside.at(32, 32)[2], -0.9f);
     EXPECT_EQ(inside.at(32, 32)[3], 0);
 
-    reflection.passes[0].cull = "off";  // now the depth test alone decides
+    reflection.passes[0].cull = Cull::Off;  // now the depth test alone decides
     EXPECT_GT(draw("vec4(position_ws, 1)").at(32, 32)[2], 0.9f);
-    reflection.passes[0].depth_test = "always";
-    reflection.passes[0].cull = "back";
+    reflection.passes[0].depth_test = Compare::Always;
+    reflection.passes[0].cull = Cull::Back;
     EXPECT_GT(draw("vec4(position_ws, 1)").at(32, 32)[2], 0.9f);
-    reflection.passes[0].depth_test = "never";
+    reflection.passes[0].depth_test = Compare::Never;
     EXPECT_EQ(draw("vec4(position_ws, 1)").at(32, 32)[2], -9);
 }
 
@@ -260,7 +262,7 @@ TEST_F(RendererTest, SamplesAreAveraged) {
 TEST_F(RendererTest, TexturesArriveWithTheirMipLevels) {
     Image texels = make_image(2, 2);
     for (int i = 0; i < 4; i++) texels.pixels[4 * std::size_t(i)] = float(i) / 4;
-    TextureData data{.levels = mip_chain(texels), .sampler = {.wrap = "clamp", .filter = "nearest"}};
+    TextureData data{.levels = mip_chain(texels), .sampler = {.wrap = Wrap::Clamp, .filter = Filter::Nearest}};
     textures = {{.name = "_MainTex", .data = std::make_shared<const TextureData>(data)}};
     scene = fullscreen_scene(2, 2);
     Image image = draw("textureLod(sampler2D(_MainTex, sampler_MainTex), uv, 0)");
@@ -295,8 +297,8 @@ TEST_F(RendererTest, BranchesOnAUniform) {
 }
 
 TEST_F(RendererTest, BlendsAsThePassSays) {
-    reflection.passes[0].targets[0].blend.source = "src_alpha";
-    reflection.passes[0].targets[0].blend.destination = "one_minus_src_alpha";
+    reflection.passes[0].targets[0].blend.source = BlendFactor::SourceAlpha;
+    reflection.passes[0].targets[0].blend.destination = BlendFactor::OneMinusSourceAlpha;
     scene = fullscreen_scene(2, 2);
     scene.background = {1, 0, 0, 1};
     EXPECT_NEAR(draw("vec4(0, 1, 0, 0.25)").at(0, 0)[0], 0.75f, 1e-6);
@@ -311,10 +313,9 @@ TEST_F(RendererTest, WhatCannotBeDrawnIsAnError) {
     for (Case each :
          {Case{"no pass 'forward'", [](Reflection&r, Scene&) { r.passes[0].name = "other"; }},
           Case{"writes 3 targets", [](Reflection&r, Scene&) { r.passes[0].targets.resize(3); }},
-          Case{"does not draw meshes", [](Reflection&r, Scene&) { r.passes[0].draws = "fullscreen"; }},
+          Case{"does not draw meshes", [](Reflection&r, Scene&) { r.passes[0].draws = PassDraws::Fullscreen; }},
           Case{"no vertex input 'wind'", [](Reflection&r, Scene&) { r.passes[0].vertex_inputs[0].name = "wind"; }},
           Case{"filled the block 'Fog'", [](Reflection&r, Scene&) { r.blocks.push_back(block("Fog", 3, 0, 16, {})); }},
-          Case{"not a depth test", [](Reflection&r, Scene&) { r.passes[0].depth_test = "deeper"; }},
           Case{"is not between 1 and", [](Reflection&, Scene&s) { s.width = 0; }},
           Case{"is not between 1 and", [](Reflection&, Scene&s) { s.samples = 10000; }},
           Case{"no mesh", [](Reflection&, Scene&s) { s.mesh = {}; }}}) {

@@ -1,4 +1,4 @@
-#include "runtime/picture/snapshot_file.h"
+#include "runtime/snapshot/snapshot_file.h"
 
 #include <gtest/gtest.h>
 
@@ -45,8 +45,8 @@ TEST_F(SnapshotFileTest, ShowsASceneOfItsNameWhereThereIsNoGraph) {
 }
 
 TEST_F(SnapshotFileTest, ThePathIsAWordOrAFileBesideIt) {
-    EXPECT_EQ(read(R"({ "patina": 1, "path": "deferred" })").file->request.path, "deferred");
-    EXPECT_EQ(read(R"({ "patina": 1, "path": "mine.pass.hlsl" })").file->request.path,
+    EXPECT_EQ(read(R"({ "patina": 1, "path": "deferred" })").file->request.options.path, "deferred");
+    EXPECT_EQ(read(R"({ "patina": 1, "path": "mine.pass.hlsl" })").file->request.options.path,
               (folder / "mine.pass.hlsl").string());
 }
 
@@ -67,10 +67,10 @@ TEST_F(SnapshotFileTest, ReadsEverything) {
     EXPECT_EQ(request.size, 64);
     EXPECT_EQ(request.samples, 1);
     EXPECT_EQ(request.time, 1.5);
-    EXPECT_EQ(request.preview, "mask");
+    EXPECT_EQ(request.options.preview, "mask");
     EXPECT_EQ(request.camera, "fov=40");
     EXPECT_EQ(request.ambient, "0.2");
-    EXPECT_EQ(request.via, "cpu");
+    EXPECT_EQ(request.options.via, "cpu");
     EXPECT_EQ(request.lights, (std::vector<std::string>{"directional", "point range=3"}));
     EXPECT_EQ(request.overrides, (std::map<std::string, std::string>{{"_Roughness", "0.25"},
                                                                      {"_Tint", "1,0,0.5"},

@@ -212,8 +212,8 @@ TEST_F(WorldOfFile, LoadsCookies) {
     const std::vector<Light>& lights = file.world.view.lights;
     ASSERT_TRUE(lights[0].cookie && lights[1].cookie);
     EXPECT_EQ(lights[0].cookie_size, 3);
-    EXPECT_EQ(lights[0].cookie->sampler.wrap, "repeat");
-    EXPECT_EQ(lights[1].cookie->sampler.wrap, "clamp");
+    EXPECT_EQ(lights[0].cookie->sampler.wrap, Wrap::Repeat);
+    EXPECT_EQ(lights[1].cookie->sampler.wrap, Wrap::Clamp);
     ASSERT_EQ(lights[0].cookie->levels.size(), 2u);
     EXPECT_EQ(lights[0].cookie->levels[0].texels[0], 0.25f);
     EXPECT_EQ(lights[0].cookie->levels[0].texels[4], 0.75f);

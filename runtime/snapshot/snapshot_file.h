@@ -25,8 +25,8 @@ struct Tolerance {
 };
 
 struct SnapshotFile {
-    RenderRequest
-        request{};  // files in it are resolved against the snapshot's folder; 128 pixels and 2 samples if unsaid
+    // Its files are resolved against the snapshot's folder; 128 pixels and 2 samples where the file does not say.
+    RenderRequest request{};
     Tolerance tolerance{};
 };
 

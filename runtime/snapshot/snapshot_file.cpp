@@ -1,4 +1,4 @@
-#include "runtime/picture/snapshot_file.h"
+#include "runtime/snapshot/snapshot_file.h"
 
 #include <fmt/format.h>
 #include <rapidjson/error/en.h>
@@ -145,12 +145,16 @@ std::string json_reason(rapidjson::ParseErrorCode code) {
 
 struct TextKey {
     std::string_view path;
-    std::string RenderRequest::*member;
+    std::string& (*text)(RenderRequest&);
 };
 constexpr TextKey kTextKeys[] = {
-    {"graph", &RenderRequest::graph},     {"mesh", &RenderRequest::mesh},    {"camera", &RenderRequest::camera},
-    {"ambient", &RenderRequest::ambient}, {"node", &RenderRequest::preview}, {"via", &RenderRequest::via},
-    {"path", &RenderRequest::path},
+    {"graph", [](RenderRequest& request) -> std::string& { return request.graph; }},
+    {"mesh", [](RenderRequest& request) -> std::string& { return request.mesh; }},
+    {"camera", [](RenderRequest& request) -> std::string& { return request.camera; }},
+    {"ambient", [](RenderRequest& request) -> std::string& { return request.ambient; }},
+    {"node", [](RenderRequest& request) -> std::string& { return request.options.preview; }},
+    {"via", [](RenderRequest& request) -> std::string& { return request.options.via; }},
+    {"path", [](RenderRequest& request) -> std::string& { return request.options.path; }},
 };
 struct WholeKey {
     std::string_view path;
@@ -225,7 +229,7 @@ Problem apply(const Entry& entry, const std::filesystem::path& folder, SnapshotF
 
     if (const TextKey* key = find_key(kTextKeys, entry.path)) {
         if (entry.kind == Entry::Kind::Bool) return {"'" + entry.path + "' must be a text"};
-        request.*key->member = entry.text;
+        key->text(request) = entry.text;
         return {};
     }
     double value = 0;
@@ -302,7 +306,7 @@ ReadSnapshot read_snapshot(const std::string& path) {
     RenderRequest& request = file.request;
     if (request.graph.empty()) request.graph = default_graph(folder, stem);
     request.graph = (folder / request.graph).string();
-    if (request.path.ends_with(".hlsl")) request.path = (folder / request.path).string();
+    if (request.options.path.ends_with(".hlsl")) request.options.path = (folder / request.options.path).string();
     ReadSnapshot read{.file = std::move(file), .error = {}};
     read.path_place.file = path;
     for (const Entry& entry : flat.entries) {

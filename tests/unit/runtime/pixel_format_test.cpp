@@ -1,5 +1,5 @@
 // What the formats of render targets keep of a number.
-#include "runtime/frame/target_format.h"
+#include "runtime/frame/pixel_format.h"
 
 #include <gtest/gtest.h>
 
@@ -50,24 +50,23 @@ TEST(HalfBits, RoundToTheNearestAndTiesToEven) {
     EXPECT_EQ(rounded(-1e30f), -kInfinity);
 }
 
-TEST(TargetFormat, LaysOutItsBytesAsVulkanDoes) {
-    const auto bytes = [](const char* format, const glm::vec4& value) {
+TEST(PixelFormat, LaysOutItsBytesAsVulkanDoes) {
+    const auto bytes = [](TargetFormat format, const glm::vec4& value) {
         std::array<std::byte, 16> pixel{};
-        target_format(format)->store(value, pixel.data());
+        pixel_format(format).store(value, pixel.data());
         std::array<int, 8> result{};
         for (std::size_t i = 0; i < result.size(); i++) result[i] = int(pixel[i]);
         return result;
     };
-    EXPECT_EQ(bytes("rgba8", {0, 1 / 255.0f, 0.5f, 1}), (std::array{0, 1, 128, 255, 0, 0, 0, 0}));
+    EXPECT_EQ(bytes(TargetFormat::Rgba8, {0, 1 / 255.0f, 0.5f, 1}), (std::array{0, 1, 128, 255, 0, 0, 0, 0}));
     // 1 | 2 << 10 | 3 << 20 | 2 << 30, the lowest byte first.
-    EXPECT_EQ(bytes("rgb10a2", {1 / 1023.0f, 2 / 1023.0f, 3 / 1023.0f, 2 / 3.0f}),
+    EXPECT_EQ(bytes(TargetFormat::Rgb10A2, {1 / 1023.0f, 2 / 1023.0f, 3 / 1023.0f, 2 / 3.0f}),
               (std::array{0x01, 0x08, 0x30, 0x80, 0, 0, 0, 0}));
-    EXPECT_EQ(bytes("rgba16f", {1, -2, 0, 0.5f}), (std::array{0, 0x3c, 0, 0xc0, 0, 0, 0, 0x38}));
-    EXPECT_EQ(bytes("r32f", {1, 2, 3, 4}), (std::array{0, 0, 0x80, 0x3f, 0, 0, 0, 0}));
-    EXPECT_EQ(bytes("rgba8", glm::vec4(std::nanf(""))), (std::array{0, 0, 0, 0, 0, 0, 0, 0}));
+    EXPECT_EQ(bytes(TargetFormat::Rgba16F, {1, -2, 0, 0.5f}), (std::array{0, 0x3c, 0, 0xc0, 0, 0, 0, 0x38}));
+    EXPECT_EQ(bytes(TargetFormat::R32F, {1, 2, 3, 4}), (std::array{0, 0, 0x80, 0x3f, 0, 0, 0, 0}));
+    EXPECT_EQ(bytes(TargetFormat::Rgba8, glm::vec4(std::nanf(""))), (std::array{0, 0, 0, 0, 0, 0, 0, 0}));
     // 0.7 as a float is just below 178.5 / 255.
-    EXPECT_EQ(bytes("rgba8", glm::vec4(0.7f))[0], 178);
-    EXPECT_EQ(target_format("rgba9"), nullptr);
+    EXPECT_EQ(bytes(TargetFormat::Rgba8, glm::vec4(0.7f))[0], 178);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "runtime/frame/light_split.h"
+#include "runtime/lights/light_split.h"
 
 #include <algorithm>
 #include <cmath>

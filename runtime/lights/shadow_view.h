@@ -19,8 +19,8 @@
 #include <optional>
 #include <span>
 
-#include "runtime/frame/frame.h"
-#include "runtime/frame/shadow_fit.h"
+#include "runtime/lights/shadow_fit.h"
+#include "runtime/picture/area.h"
 #include "runtime/scene/view.h"
 
 namespace patina::runtime {
@@ -40,7 +40,7 @@ struct ShadowView {
     View view{};                   // the light's, with its biases
     glm::mat4 world_to_shadow{1};  // world -> clip of the map: x and y -1 to 1, y up, z 0 near to 1 far, biased
     glm::vec4 tile{1, 1, 0, 0};    // uv of the map, 0 to 1 from the top left -> uv of the atlas: scale xy, offset zw
-    FrameArea area{};              // the same in texels of the atlas
+    PixelArea area{};              // the same in texels of the atlas
     float strength = 1;            // 0 to 1: how dark
 };
 

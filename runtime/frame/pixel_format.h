@@ -1,24 +1,21 @@
-// The formats of render targets: what each keeps of a colour, and its bytes as Vulkan lays them out. The CPU stores its
-// pixels in these bytes, and the GPU's are read back by the same rules.
+// The formats of render targets as bytes: what each keeps of a colour, laid out as Vulkan lays it out. The CPU stores
+// its pixels in these bytes, and the GPU's are read back by the same rules.
 //
-//   const TargetFormat* format = target_format("rgba8");
-//   format->store({0.5f, 0, 0, 1}, bytes);   // 128, 0, 0, 255
+//   const PixelFormat& format = pixel_format(TargetFormat::Rgba8);
+//   format.store({0.5f, 0, 0, 1}, bytes);   // 128, 0, 0, 255
 #pragma once
-
-#include <vulkan/vulkan.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <string_view>
 
+#include "patina/words.h"
 #include "runtime/picture/image.h"
 
 namespace patina::runtime {
 
-struct TargetFormat {
-    std::string_view word;
-    VkFormat vulkan;
+struct PixelFormat {
+    TargetFormat word;
     std::size_t bytes;  // of a pixel; depth: without its stencil
     bool is_depth;
     bool is_normalized;  // holds 0 to 1, and blends what is clamped to that
@@ -27,11 +24,10 @@ struct TargetFormat {
     glm::vec4 (*load)(const std::byte* pixel);
 };
 
-// rgba8 | rgb10a2 | rgba16f | rgba32f | r32f | depth. Null: there is no such format.
-const TargetFormat* target_format(std::string_view word);
+const PixelFormat& pixel_format(TargetFormat word);
 
 // Rows of pixels from the top, without gaps -> linear floats.
-Image image_of(const TargetFormat& format, int width, int height, const std::byte* pixels);
+Image image_of(const PixelFormat& format, int width, int height, const std::byte* pixels);
 
 // IEEE 754 binary16, to nearest, ties to even; too large becomes infinite, NaN stays NaN.
 std::uint16_t half_bits(float value);

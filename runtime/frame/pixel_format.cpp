@@ -1,8 +1,9 @@
-#include "runtime/frame/target_format.h"
+#include "runtime/frame/pixel_format.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 
 namespace patina::runtime {
 namespace {
@@ -66,24 +67,24 @@ glm::vec4 load_red(const std::byte* pixel) {
     return {bits_at<float>(pixel), 0, 0, 1};
 }
 
-constexpr TargetFormat kFormats[] = {
-    {"rgba8", VK_FORMAT_R8G8B8A8_UNORM, 4, false, true, store_rgba8, load_rgba8},
-    {"rgb10a2", VK_FORMAT_A2B10G10R10_UNORM_PACK32, 4, false, true, store_rgb10a2, load_rgb10a2},
-    {"rgba16f", VK_FORMAT_R16G16B16A16_SFLOAT, 8, false, false, store_rgba16f, load_rgba16f},
-    {"rgba32f", VK_FORMAT_R32G32B32A32_SFLOAT, 16, false, false, store_rgba32f, load_rgba32f},
-    {"r32f", VK_FORMAT_R32_SFLOAT, 4, false, false, store_red, load_red},
-    {"depth", VK_FORMAT_D32_SFLOAT_S8_UINT, 4, true, false, store_red, load_red},
+constexpr PixelFormat kFormats[] = {
+    {TargetFormat::Rgba8, 4, false, true, store_rgba8, load_rgba8},
+    {TargetFormat::Rgb10A2, 4, false, true, store_rgb10a2, load_rgb10a2},
+    {TargetFormat::Rgba16F, 8, false, false, store_rgba16f, load_rgba16f},
+    {TargetFormat::Rgba32F, 16, false, false, store_rgba32f, load_rgba32f},
+    {TargetFormat::R32F, 4, false, false, store_red, load_red},
+    {TargetFormat::Depth, 4, true, false, store_red, load_red},
 };
+static_assert(std::size(kFormats) == kWords<TargetFormat>.size());
 
 }  // namespace
 
-const TargetFormat* target_format(std::string_view word) {
-    for (const TargetFormat& format : kFormats)
-        if (format.word == word) return &format;
-    return nullptr;
+const PixelFormat& pixel_format(TargetFormat word) {
+    return *std::find_if(std::begin(kFormats), std::end(kFormats),
+                         [&](const PixelFormat& format) { return format.word == word; });
 }
 
-Image image_of(const TargetFormat& format, int width, int height, const std::byte* pixels) {
+Image image_of(const PixelFormat& format, int width, int height, const std::byte* pixels) {
     Image image{.width = width, .height = height, .pixels = std::vector<float>(4 * std::size_t(width) * height)};
     for (std::size_t i = 0; i < std::size_t(width) * height; i++) {
         const glm::vec4 value = format.load(pixels + i * format.bytes);

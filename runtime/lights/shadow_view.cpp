@@ -1,4 +1,4 @@
-#include "runtime/frame/shadow_view.h"
+#include "runtime/lights/shadow_view.h"
 
 #include <algorithm>
 #include <cmath>

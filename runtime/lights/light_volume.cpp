@@ -1,4 +1,4 @@
-#include "runtime/frame/light_volume.h"
+#include "runtime/lights/light_volume.h"
 
 #include <algorithm>
 #include <array>

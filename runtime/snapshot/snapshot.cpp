@@ -1,4 +1,4 @@
-#include "runtime/picture/snapshot.h"
+#include "runtime/snapshot/snapshot.h"
 
 #include <fmt/format.h>
 
@@ -103,10 +103,10 @@ SnapshotCase run_case(const Compiler& compiler, const fs::path& stem, const std:
         return result;
     }
     RenderRequest& request = read.file->request;
-    if (!options.via.empty()) request.via = options.via;
-    request.device = options.device;
-    request.validation = options.validation;
-    request.include_dirs = options.include_dirs;
+    if (!options.via.empty()) request.options.via = options.via;
+    request.options.device = options.device;
+    request.options.validation = options.validation;
+    request.options.include_dirs = options.include_dirs;
     result.tolerance = read.file->tolerance;
 
     RenderOutcome outcome = render(compiler, request, machine);

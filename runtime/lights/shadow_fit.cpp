@@ -1,4 +1,4 @@
-#include "runtime/frame/shadow_fit.h"
+#include "runtime/lights/shadow_fit.h"
 
 #include <algorithm>
 #include <array>

@@ -14,6 +14,9 @@
 // that the groups add up to what one loop over all lights gives. Spots are never per vertex, because Unity's vertex
 // lights of the forward path are points alone (Shade4PointLights).
 //
+// The room `lights`: what a light of a scene reaches, and what it sees for its shadow map. It knows no material's
+// values and no passes.
+//
 //   LightSplit split = split_lights(scene.lights, world_bounds(mesh, matrix), world.pixel_light_count);
 #pragma once
 

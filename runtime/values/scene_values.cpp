@@ -1,4 +1,4 @@
-#include "runtime/scene/scene_values.h"
+#include "runtime/values/scene_values.h"
 
 #include <algorithm>
 

@@ -2,6 +2,8 @@
 // it is what it should look like. A plain run never writes there: what was rendered, and the difference, go to
 // `received_dir`.
 //
+// The room `snapshot`: reads such files, has them rendered and compares. It draws nothing itself.
+//
 //   { "patina": 1, "mesh": "torus", "size": 128, "set": { "_Roughness": 0.2 }, "tolerance": { "share": 0.01 } }
 //
 //   SnapshotReport report = run_snapshots(compiler, "tests/graphs/metal", {.received_dir = "out"}, machine);
@@ -13,8 +15,8 @@
 #include <vector>
 
 #include "runtime/picture/compare.h"
-#include "runtime/picture/snapshot_file.h"
 #include "runtime/render/render_request.h"
+#include "runtime/snapshot/snapshot_file.h"
 
 namespace patina::runtime {
 

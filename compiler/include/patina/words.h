@@ -1,0 +1,314 @@
+// The fixed words of graphs, passes and scenes: an enum for each choice, and one table that says how each value is
+// written. Readers, writers, the reflection's JSON and the runtime all use these tables.
+//
+//   to_string(Compare::LessEqual)       // "lessEqual"
+//   from_word<Compare>("lessEqual")     // Compare::LessEqual; nothing if there is no such word
+//   for (const Word<Cull>& word : kWords<Cull>) ...
+//
+// A new word is a new enumerator and a row of its table. The order of a table is the order in which messages and the
+// JSON Schema list the words.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace patina {
+
+template <class E>
+struct Word {
+    std::string_view text;
+    E value;
+};
+
+// The table of an enum: an array of Word<E>. An enum that has no words has no table.
+struct NoWords {};
+template <class E>
+inline constexpr NoWords kWords{};
+
+template <class E>
+concept HasWords = requires {
+    kWords<E>.size();
+};
+
+// Empty for a value that stands for the absence of a word.
+template <HasWords E>
+constexpr std::string_view to_string(E value) {
+    for (const Word<E>& word : kWords<E>) {
+        if (word.value == value) return word.text;
+    }
+    return {};
+}
+
+template <HasWords E>
+constexpr std::optional<E> from_word(std::string_view text) {
+    for (const Word<E>& word : kWords<E>) {
+        if (word.text == text) return word.value;
+    }
+    return std::nullopt;
+}
+
+// --- properties and textures
+
+enum class PropertyType { Float, Float2, Float3, Float4, Color, Int, Bool, Enum, Texture2D };
+template <>
+inline constexpr auto kWords<PropertyType> = std::to_array<Word<PropertyType>>({
+    {"float", PropertyType::Float},
+    {"float2", PropertyType::Float2},
+    {"float3", PropertyType::Float3},
+    {"float4", PropertyType::Float4},
+    {"color", PropertyType::Color},
+    {"int", PropertyType::Int},
+    {"bool", PropertyType::Bool},
+    {"enum", PropertyType::Enum},
+    {"texture2d", PropertyType::Texture2D},
+});
+
+// When a property gets its value: when something is drawn; when a pipeline is made; when the graph is compiled; for
+// each instance that is drawn.
+enum class Binding { Uniform, Specialization, Variant, Instance };
+template <>
+inline constexpr auto kWords<Binding> = std::to_array<Word<Binding>>({
+    {"uniform", Binding::Uniform},
+    {"specialization", Binding::Specialization},
+    {"variant", Binding::Variant},
+    {"instance", Binding::Instance},
+});
+
+// Color: sRGB, decoded when it is sampled. Data: linear. Normal: tangent space, 2x - 1.
+enum class TextureUsage { Color, Data, Normal };
+template <>
+inline constexpr auto kWords<TextureUsage> = std::to_array<Word<TextureUsage>>({
+    {"color", TextureUsage::Color},
+    {"data", TextureUsage::Data},
+    {"normal", TextureUsage::Normal},
+});
+
+enum class TextureDimension { Flat, Cube };
+template <>
+inline constexpr auto kWords<TextureDimension> = std::to_array<Word<TextureDimension>>({
+    {"2d", TextureDimension::Flat},
+    {"cube", TextureDimension::Cube},
+});
+
+enum class Wrap { Repeat, Clamp, Mirror };
+template <>
+inline constexpr auto kWords<Wrap> = std::to_array<Word<Wrap>>({
+    {"repeat", Wrap::Repeat},
+    {"clamp", Wrap::Clamp},
+    {"mirror", Wrap::Mirror},
+});
+
+// Linear is trilinear.
+enum class Filter { Linear, Nearest };
+template <>
+inline constexpr auto kWords<Filter> = std::to_array<Word<Filter>>({
+    {"linear", Filter::Linear},
+    {"nearest", Filter::Nearest},
+});
+
+// --- the fixed-function state of a pass
+
+enum class Stage { Vertex, Fragment };
+template <>
+inline constexpr auto kWords<Stage> = std::to_array<Word<Stage>>({
+    {"vertex", Stage::Vertex},
+    {"fragment", Stage::Fragment},
+});
+
+enum class SurfaceKind { Opaque, Cutout, Fade, Transparent, Additive, Multiply };
+template <>
+inline constexpr auto kWords<SurfaceKind> = std::to_array<Word<SurfaceKind>>({
+    {"opaque", SurfaceKind::Opaque},
+    {"cutout", SurfaceKind::Cutout},
+    {"fade", SurfaceKind::Fade},
+    {"transparent", SurfaceKind::Transparent},
+    {"additive", SurfaceKind::Additive},
+    {"multiply", SurfaceKind::Multiply},
+});
+
+// The faces that are not drawn. Front faces are counter-clockwise.
+enum class Cull { Back, Front, Off };
+template <>
+inline constexpr auto kWords<Cull> = std::to_array<Word<Cull>>({
+    {"back", Cull::Back},
+    {"front", Cull::Front},
+    {"off", Cull::Off},
+});
+
+// The new depth to the depth that is there, or (reference & read mask) to the stencil that is there.
+enum class Compare { Never, Less, Equal, LessEqual, Greater, NotEqual, GreaterEqual, Always };
+template <>
+inline constexpr auto kWords<Compare> = std::to_array<Word<Compare>>({
+    {"never", Compare::Never},
+    {"less", Compare::Less},
+    {"equal", Compare::Equal},
+    {"lessEqual", Compare::LessEqual},
+    {"greater", Compare::Greater},
+    {"notEqual", Compare::NotEqual},
+    {"greaterEqual", Compare::GreaterEqual},
+    {"always", Compare::Always},
+});
+
+// Increment and Decrement stop at 255 and at 0; the others of that name go on at the other end.
+enum class StencilOp { Keep, Zero, Replace, Increment, Decrement, Invert, IncrementWrap, DecrementWrap };
+template <>
+inline constexpr auto kWords<StencilOp> = std::to_array<Word<StencilOp>>({
+    {"keep", StencilOp::Keep},
+    {"zero", StencilOp::Zero},
+    {"replace", StencilOp::Replace},
+    {"increment", StencilOp::Increment},
+    {"decrement", StencilOp::Decrement},
+    {"invert", StencilOp::Invert},
+    {"incrementWrap", StencilOp::IncrementWrap},
+    {"decrementWrap", StencilOp::DecrementWrap},
+});
+
+// What a stencil is compared with: a number that the material states, which has no word; or a number that the materials
+// of one lighting pass share.
+enum class StencilReference { Stated, Lighting };
+template <>
+inline constexpr auto kWords<StencilReference> = std::to_array<Word<StencilReference>>({
+    {"lighting", StencilReference::Lighting},
+});
+
+// What a pixel, or what is in the target, is multiplied by before the two are added. Source is the pixel.
+enum class BlendFactor {
+    One,
+    Zero,
+    SourceAlpha,
+    OneMinusSourceAlpha,
+    TargetAlpha,
+    OneMinusTargetAlpha,
+    SourceColor,
+    TargetColor,
+    OneMinusSourceColor,
+    OneMinusTargetColor
+};
+template <>
+inline constexpr auto kWords<BlendFactor> = std::to_array<Word<BlendFactor>>({
+    {"one", BlendFactor::One},
+    {"zero", BlendFactor::Zero},
+    {"src_alpha", BlendFactor::SourceAlpha},
+    {"one_minus_src_alpha", BlendFactor::OneMinusSourceAlpha},
+    {"dst_alpha", BlendFactor::TargetAlpha},
+    {"one_minus_dst_alpha", BlendFactor::OneMinusTargetAlpha},
+    {"src_color", BlendFactor::SourceColor},
+    {"dst_color", BlendFactor::TargetColor},
+    {"one_minus_src_color", BlendFactor::OneMinusSourceColor},
+    {"one_minus_dst_color", BlendFactor::OneMinusTargetColor},
+});
+
+// How a target holds a pixel. Depth (32-bit float, with 8 bits of stencil) is the format of depth targets only: a pass
+// cannot ask for it.
+enum class TargetFormat { Rgba8, Rgb10A2, Rgba16F, Rgba32F, R32F, Depth };
+template <>
+inline constexpr auto kWords<TargetFormat> = std::to_array<Word<TargetFormat>>({
+    {"rgba8", TargetFormat::Rgba8},
+    {"rgb10a2", TargetFormat::Rgb10A2},
+    {"rgba16f", TargetFormat::Rgba16F},
+    {"rgba32f", TargetFormat::Rgba32F},
+    {"r32f", TargetFormat::R32F},
+    {"depth", TargetFormat::Depth},
+});
+
+// --- what a pass draws
+
+enum class PassDraws { Objects, Fullscreen, LightVolumes };
+template <>
+inline constexpr auto kWords<PassDraws> = std::to_array<Word<PassDraws>>({
+    {"objects", PassDraws::Objects},
+    {"fullscreen", PassDraws::Fullscreen},
+    {"light-volumes", PassDraws::LightVolumes},
+});
+
+// Light: once for each of its lights, which is then the only one that it sees.
+enum class PassEach { Once, Light };
+template <>
+inline constexpr auto kWords<PassEach> = std::to_array<Word<PassEach>>({
+    {"once", PassEach::Once},
+    {"light", PassEach::Light},
+});
+
+// The lights that a pass is given. Main: the brightest directional one, while the others come as vertex lights and in
+// the ambient light. MainOnly: without those. Further: those that count per pixel, without the main one. Local: point
+// and spot. Shadowed: those that cast shadows; the pass draws their shadow maps.
+enum class PassLights { All, Main, MainOnly, Further, Directional, Local, Shadowed, None };
+template <>
+inline constexpr auto kWords<PassLights> = std::to_array<Word<PassLights>>({
+    {"all", PassLights::All},
+    {"main", PassLights::Main},
+    {"main-only", PassLights::MainOnly},
+    {"further", PassLights::Further},
+    {"directional", PassLights::Directional},
+    {"local", PassLights::Local},
+    {"shadowed", PassLights::Shadowed},
+    {"none", PassLights::None},
+});
+
+// The cameras that a pass works for. With another camera, a material takes the path's fallback.
+enum class PassCamera { Any, Perspective };
+template <>
+inline constexpr auto kWords<PassCamera> = std::to_array<Word<PassCamera>>({
+    {"any", PassCamera::Any},
+    {"perspective", PassCamera::Perspective},
+});
+
+// --- scenes
+
+enum class LightKind { Directional, Point, Spot };
+template <>
+inline constexpr auto kWords<LightKind> = std::to_array<Word<LightKind>>({
+    {"directional", LightKind::Directional},
+    {"point", LightKind::Point},
+    {"spot", LightKind::Spot},
+});
+
+// What a rendering path that cannot compute every light per pixel does with this one.
+enum class LightImportance { Auto, Important, NotImportant };
+template <>
+inline constexpr auto kWords<LightImportance> = std::to_array<Word<LightImportance>>({
+    {"auto", LightImportance::Auto},
+    {"important", LightImportance::Important},
+    {"notImportant", LightImportance::NotImportant},
+});
+
+// What mirrors show: the studio, or what the ambient light says.
+enum class SceneEnvironment { Studio, None };
+template <>
+inline constexpr auto kWords<SceneEnvironment> = std::to_array<Word<SceneEnvironment>>({
+    {"studio", SceneEnvironment::Studio},
+    {"none", SceneEnvironment::None},
+});
+
+// None: there is no fog; it has no word.
+enum class FogMode { None, Linear, Exponential, ExponentialSquared };
+template <>
+inline constexpr auto kWords<FogMode> = std::to_array<Word<FogMode>>({
+    {"linear", FogMode::Linear},
+    {"exp", FogMode::Exponential},
+    {"exp2", FogMode::ExponentialSquared},
+});
+
+// How shadows and lightmaps that were baked go together with the shadows of moving objects. ShadowMask: the darker of
+// both. DistanceShadowMask: baked shadows where real-time ones have faded. Subtractive: lightmaps hold the main light,
+// too.
+enum class LightMixing { ShadowMask, DistanceShadowMask, Subtractive };
+template <>
+inline constexpr auto kWords<LightMixing> = std::to_array<Word<LightMixing>>({
+    {"shadowMask", LightMixing::ShadowMask},
+    {"distanceShadowMask", LightMixing::DistanceShadowMask},
+    {"subtractive", LightMixing::Subtractive},
+});
+
+// How the texels of a lightmap hold light; pictures of 8 bits a channel are decoded from sRGB first. Hdr: as it is.
+// Rgbm: with a factor in alpha; up to 5 in gamma space. DoubleLdr: half of it; up to 2 in gamma space.
+enum class LightmapEncoding { Hdr, Rgbm, DoubleLdr };
+template <>
+inline constexpr auto kWords<LightmapEncoding> = std::to_array<Word<LightmapEncoding>>({
+    {"hdr", LightmapEncoding::Hdr},
+    {"rgbm", LightmapEncoding::Rgbm},
+    {"dldr", LightmapEncoding::DoubleLdr},
+});
+
+}  // namespace patina

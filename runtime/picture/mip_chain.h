@@ -1,0 +1,17 @@
+// The mip levels of a texture, box-filtered in linear light.
+//
+//   TextureData data{.levels = mip_chain(image)};
+#pragma once
+
+#include <vector>
+
+#include "patina/interpret.h"
+#include "runtime/picture/image.h"
+
+namespace patina::runtime {
+
+// Linear image -> all levels down to 1 x 1. A level is half the one before, rounded down; each texel averages the area
+// that it covers, so odd sizes keep the mean too.
+std::vector<TextureLevel> mip_chain(const Image& linear);
+
+}  // namespace patina::runtime

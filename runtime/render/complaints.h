@@ -1,0 +1,30 @@
+// What is said of a compiled material that can be drawn, but not as its author may think: textures that the CPU samples
+// otherwise, cookies that do not fit into a draw, values that no engine has. Reads reflections, and changes nothing.
+//
+//   if (auto warning = anisotropy_warning(material.graph, reflection)) diagnostics.push_back(*warning);
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "patina/patina.h"
+#include "runtime/scene/scene.h"
+
+namespace patina::runtime {
+
+// About a file as a whole: the reflection knows no lines.
+Diagnostic complaint(const std::string& file, Severity severity, std::string code, std::string message);
+
+// The CPU reference samples without anisotropy. Of textures that `pass` reads; empty: that any pass reads.
+std::optional<Diagnostic> anisotropy_warning(const std::string& graph, const Reflection& reflection,
+                                             std::string_view pass = {});
+
+// A draw binds one cookie (engine_values.h), whatever lights it loops over.
+std::vector<Diagnostic> cookie_warnings(const std::string& graph, const Reflection& reflection, const Scene& view);
+
+// A pass file may declare values of an engine that only its author's engine has.
+std::vector<Diagnostic> unknown_value_warnings(const std::string& pass_file, const Reflection& reflection);
+
+}  // namespace patina::runtime

@@ -1,0 +1,66 @@
+#include "runtime/render/prepare_material.h"
+
+#include <filesystem>
+
+#include "runtime/render/complaints.h"
+#include "runtime/values/scene_values.h"
+
+namespace patina::runtime {
+namespace {
+
+void load(const WorldMaterial& material, bool exact, PreparedMaterial& made) {
+    const std::string folder = std::filesystem::path(material.graph).parent_path().string();
+    made.loaded = load_textures(made.compiled.reflection, folder, made.values.textures, exact);
+    for (std::size_t i = 0; i < made.loaded.errors.size(); ++i) {
+        const ScenePlace* place = place_of_value(material, made.loaded.failed[i]);
+        made.diagnostics.push_back(
+            place ? diagnostic_at(*place, "bad-texture", made.loaded.errors[i])
+                  : complaint(material.graph, Severity::Error, "bad-texture", made.loaded.errors[i]));
+    }
+}
+
+}  // namespace
+
+CompileOptions compile_options(const RenderOptions& options) {
+    CompileOptions made;
+    made.path = options.path;
+    made.switches = options.switches;
+    made.include_dirs = options.include_dirs;
+    made.preview = options.preview;
+    return made;
+}
+
+Result compile_material(const Compiler& compiler, const WorldMaterial& material, CompileOptions options) {
+    Result made = compiler.compile_file(material.graph, options);
+    if (!made.ok || material.overrides.empty()) return made;
+    const Spelling spelling = material.set.empty() ? Spelling::Words : Spelling::Json;
+    const auto wanted = keywords_of(made.reflection, material.overrides, spelling);
+    if (wanted.empty()) return made;
+    options.switches.insert(options.switches.end(), wanted.begin(), wanted.end());
+    return compiler.compile_file(material.graph, options);
+}
+
+PreparedMaterial prepare_material(const WorldMaterial& material, Result compiled, bool exact_textures) {
+    PreparedMaterial made{.compiled = std::move(compiled)};
+    if (!made.compiled.ok) return made;
+    const Reflection& reflection = made.compiled.reflection;
+    SceneFaults faults = check_values(reflection, material);
+    made.diagnostics = std::move(faults.diagnostics);
+    if (!faults.ok) return made;
+    Outcome<MaterialValues> values = material_values(reflection, material.overrides);
+    if (!values) {
+        made.error = material.name.empty() ? values.error : material.name + ": " + values.error;
+        return made;
+    }
+    made.values = std::move(values.value);
+    for (const std::string& warning : made.values.warnings) {
+        // What a scene file gives has been said at its place.
+        if (material.set.empty())
+            made.diagnostics.push_back(complaint(material.graph, Severity::Warning, "soft-range", warning));
+    }
+    load(material, exact_textures, made);
+    made.ok = made.loaded.errors.empty();
+    return made;
+}
+
+}  // namespace patina::runtime

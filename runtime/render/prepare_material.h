@@ -1,0 +1,38 @@
+// A material made ready for draws: compiled with the variants that its values ask for, its values read, its textures
+// loaded. A picture of one material, a world and a trace all prepare their materials here. It opens no device.
+//
+//   Result compiled = compile_material(compiler, material, compile_options(options));
+//   PreparedMaterial made = prepare_material(material, std::move(compiled), options.exact_textures);
+//   if (made.ok) fill_blocks(made.compiled.reflection, made.values, scene);
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "patina/patina.h"
+#include "runtime/render/render_options.h"
+#include "runtime/scene/world.h"
+#include "runtime/values/material_values.h"
+#include "runtime/values/textures.h"
+
+namespace patina::runtime {
+
+// What the compiler must know of how a picture is drawn. Who wants other texts, or programs, says so in what it gets.
+CompileOptions compile_options(const RenderOptions& options);
+
+// Values may ask for other variants than the graph's own: then the graph is compiled once more, for them.
+Result compile_material(const Compiler& compiler, const WorldMaterial& material, CompileOptions options);
+
+struct PreparedMaterial {
+    bool ok = false;
+    Result compiled{};
+    MaterialValues values{};
+    LoadedTextures loaded{};                // the material's own
+    std::vector<Diagnostic> diagnostics{};  // of its values and textures; those of the compiler are in `compiled`
+    std::string error{};                    // what is wrong with a value that no scene file gives
+};
+
+// Not ok if `compiled` is not.
+PreparedMaterial prepare_material(const WorldMaterial& material, Result compiled, bool exact_textures);
+
+}  // namespace patina::runtime

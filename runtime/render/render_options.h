@@ -1,0 +1,41 @@
+// How a picture is drawn and what comes of it: what a request for one material and one for a world have in common.
+//
+//   RenderOptions options{.path = "deferred", .via = "cpu"};
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "patina/patina.h"
+#include "runtime/picture/image.h"
+
+namespace patina::runtime {
+
+struct RenderOptions {
+    std::string path = "forward";  // a rendering path, or a file x.pass.hlsl
+    // As CompileOptions::switches; a world asks for more of them by what it holds.
+    std::vector<std::pair<std::string, std::string>> switches{};
+    std::string preview{};        // a port to look at, unlit: "mask", "rust.amount"; empty: the material
+    std::string via = "glsl";     // glsl | hlsl | cpu
+    std::string device{};         // part of a GPU's name; empty: the software renderer
+    bool validation = false;      // Khronos validation layer; its messages become errors
+    bool exact_textures = false;  // float texels on the GPU, to compare it with the CPU
+    bool exact_targets = false;   // every colour target in 32-bit floats, whatever the passes say
+    bool stated_formats = false;  // the picture too is drawn in the format that the passes state, not in 32-bit floats
+    int shadow_atlas_size = 2048;
+    std::vector<std::string> include_dirs{};
+    std::function<void(double)> progress{};  // via cpu: given the share that is done, 0 to 1
+};
+
+struct RenderOutcome {
+    bool ok = false;
+    Image image;                          // linear
+    std::vector<Diagnostic> diagnostics;  // of the compiler and of glslang; warnings too
+    std::string error;                    // what else went wrong: a word of the request, a file, the device
+    std::size_t draws = 0;                // calls that drew the image, shadow maps among them
+    bool missing_machine = false;         // `error` is about this machine: no Vulkan device, or one with too low limits
+};
+
+}  // namespace patina::runtime
