@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "patina/complaints.h"
 #include "patina/validate.h"
 #include "runtime/scene/scene_values.h"
 #include "runtime/scene/view.h"
@@ -294,8 +295,9 @@ private:
         made.loaded = load_textures(reflection, folder, made.values.textures, options_.exact_textures);
         for (std::size_t i = 0; i < made.loaded.errors.size(); ++i) {
             const ScenePlace* place = place_of_value(material, made.loaded.failed[i]);
-            report({place ? diagnostic_at(*place, "bad-texture", made.loaded.errors[i])
-                          : complaint(material.graph, Severity::Error, "bad-texture", made.loaded.errors[i])});
+            report({place ? diagnostic_at(*place, std::string(code_of(Complaint::BadTexture)), made.loaded.errors[i])
+                          : complaint(material.graph, Severity::Error, std::string(code_of(Complaint::BadTexture)),
+                                      made.loaded.errors[i])});
         }
         if (is_drawing_) add_engine_textures(made.loaded.textures, reflection, world_.view);
         return made.loaded.errors.empty();
@@ -338,7 +340,7 @@ private:
             if (!known.contains(key)) {
                 Outcome<Image> image = load_image(file);
                 if (!image) {
-                    report({diagnostic_at(place, "bad-texture", image.error)});
+                    report({diagnostic_at(place, std::string(code_of(Complaint::BadTexture)), image.error)});
                     ok_ = false;
                     return;
                 }
