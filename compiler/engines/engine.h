@@ -77,10 +77,10 @@ struct Engine {
 
     // How the engine keeps the values of a material, by type; empty: as the shader reads them.
     std::map<std::string, std::string, std::less<>> storage;
-    std::string texture_sizes;              // what a texture's size is called behind its name; empty: there is none
+    std::string texture_sizes;  // what a texture's size is called behind its name; empty: there is none
     SamplerNames samplers = SamplerNames::OfProperties;
-    std::uint32_t most_varyings = 0;        // vectors from the vertex stage to the fragment stage
-    std::string varyings_note;              // what of the engine's own takes some; may be empty
+    std::uint32_t most_varyings = 0;  // vectors from the vertex stage to the fragment stage
+    std::string varyings_note;        // what of the engine's own takes some; may be empty
     std::uint32_t most_block_bytes = 0;
     Names names;
 

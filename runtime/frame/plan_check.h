@@ -1,5 +1,5 @@
-// Whether a world and its compiled materials can become a frame: everything is there, every pass asks for what a list of
-// draws can give, and the camera is one that the passes work for. Whether the frame itself holds together is
+// Whether a world and its compiled materials can become a frame: everything is there, every pass asks for what a list
+// of draws can give, and the camera is one that the passes work for. Whether the frame itself holds together is
 // frame_check.h.
 //
 //   if (std::string error = plan_error(world, materials, options); !error.empty()) return Failure{error};

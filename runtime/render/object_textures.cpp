@@ -2,6 +2,8 @@
 
 #include <map>
 
+#include "patina/complaints.h"
+
 namespace patina::runtime {
 
 ObjectTextures load_object_textures(const World& world) {
@@ -15,7 +17,8 @@ ObjectTextures load_object_textures(const World& world) {
         if (!known.contains(key)) {
             Outcome<Image> image = load_image(file);
             if (!image) {
-                made.diagnostics.push_back(diagnostic_at(place, "bad-texture", image.error));
+                made.diagnostics.push_back(
+                    diagnostic_at(place, std::string(code_of(Complaint::BadTexture)), image.error));
                 made.ok = false;
                 return;
             }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "patina/complaints.h"
 #include "runtime/render/complaints.h"
 #include "runtime/values/scene_values.h"
 
@@ -14,8 +15,9 @@ void load(const WorldMaterial& material, bool exact, PreparedMaterial& made) {
     for (std::size_t i = 0; i < made.loaded.errors.size(); ++i) {
         const ScenePlace* place = place_of_value(material, made.loaded.failed[i]);
         made.diagnostics.push_back(
-            place ? diagnostic_at(*place, "bad-texture", made.loaded.errors[i])
-                  : complaint(material.graph, Severity::Error, "bad-texture", made.loaded.errors[i]));
+            place ? diagnostic_at(*place, std::string(code_of(Complaint::BadTexture)), made.loaded.errors[i])
+                  : complaint(material.graph, Severity::Error, std::string(code_of(Complaint::BadTexture)),
+                              made.loaded.errors[i]));
     }
 }
 

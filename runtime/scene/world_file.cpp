@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <utility>
 
+#include "patina/complaints.h"
 #include "runtime/picture/mip_chain.h"
 #include "runtime/scene/scene_text.h"
 #include "runtime/scene/view.h"
@@ -83,7 +84,8 @@ Light make_light(const SceneLight& light, WorldFile& file) {
         made.cookie = std::move(cookie.value);
         file.dependencies.push_back(light.cookie.path);
     } else {
-        file.diagnostics.push_back(diagnostic_at(light.cookie.place, "bad-texture", cookie.error));
+        file.diagnostics.push_back(
+            diagnostic_at(light.cookie.place, std::string(code_of(Complaint::BadTexture)), cookie.error));
     }
     return made;
 }

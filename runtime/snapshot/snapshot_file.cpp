@@ -13,6 +13,8 @@
 #include <set>
 #include <vector>
 
+#include "patina/complaints.h"
+
 namespace patina::runtime {
 namespace {
 
@@ -27,7 +29,7 @@ struct Place {
 // What is wrong, for a diagnostic. No message: nothing.
 struct Problem {
     std::string message{};
-    const char* code = "bad-snapshot";
+    std::string_view code = code_of(Complaint::BadSnapshot);
     std::string hint{};
 
     explicit operator bool() const { return !message.empty(); }
@@ -59,7 +61,7 @@ struct Flattener : rapidjson::BaseReaderHandler<rapidjson::UTF8<>, Flattener> {
 
     explicit Flattener(const rapidjson::StringStream& from) : stream(from) {}
 
-    bool fail(std::string why, const char* code = Problem{}.code) {
+    bool fail(std::string why, std::string_view code = Problem{}.code) {
         problem = {.message = std::move(why), .code = code};
         return false;
     }
