@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/base/spelling.h"
 #include "compiler/languages/body.h"
 
 namespace patina::targets {
@@ -20,22 +21,13 @@ constexpr Fallback kFallbacks[] = {
     {Op::Length, "size"},       {Op::Distance, "size"},     {Op::Normalize, "direction"}, {Op::Cross, "perpendicular"},
     {Op::Reflect, "reflected"}, {Op::Refract, "refracted"}, {Op::Lerp, "blend"},          {Op::Select, "choice"},
     {Op::Sample, "texel"},      {Op::SampleBias, "texel"},  {Op::SampleLevel, "texel"},   {Op::SampleGrad, "texel"},
-    {Op::TexelLoad, "texel"},   {Op::TextureSize, "size"},  {Op::Ddx, "slope_x"},         {Op::Ddy, "slope_y"},
+    {Op::TexelLoad, "texel"},   {Op::TextureSize, "size"},  {Op::Ddx, "slopeX"},          {Op::Ddy, "slopeY"},
     {Op::Fwidth, "slope"},      {Op::Pow, "power"},         {Op::Exp, "power"},           {Op::Exp2, "power"},
     {Op::Sqrt, "root"},         {Op::Less, "test"},         {Op::LessEqual, "test"},      {Op::Greater, "test"},
     {Op::GreaterEqual, "test"}, {Op::Equal, "test"},        {Op::NotEqual, "test"},       {Op::And, "test"},
     {Op::Or, "test"},           {Op::Not, "test"},          {Op::Index, "element"},       {Op::Saturate, "limited"},
     {Op::Min, "limited"},       {Op::Max, "limited"},       {Op::Clamp, "limited"},       {Op::Transpose, "transposed"},
 };
-
-// "lighting_surface" -> "ls"
-std::string initials(std::string_view name) {
-    std::string letters;
-    for (std::size_t i = 0; i < name.size(); ++i) {
-        if (name[i] != '_' && (i == 0 || name[i - 1] == '_')) letters += name[i];
-    }
-    return letters;
-}
 
 constexpr std::string_view kLoopIndices[] = {"i", "j", "k", "l"};
 
@@ -109,17 +101,17 @@ void Body::find_member_names() {
 std::string Body::name_without_hint(Value v) const {
     const Inst& inst = function_[v];
     if (inst.type.kind == Kind::Struct) {
-        const std::string name = snake_case(writer_.plain(writer_.module.structs[inst.type.ref].name));
+        const std::string name = camel_case(writer_.plain(writer_.module.structs[inst.type.ref].name));
         return writer_.names.is_free(name) ? name : initials(name);
     }
     if (!member_of_[v.index].empty()) return std::string(member_of_[v.index]);
     if (inst.op == Op::Construct && inst.type.is_matrix()) return "basis";
-    if (inst.op == Op::Call) return snake_case(writer_.plain(writer_.module.functions[inst.data].name));
+    if (inst.op == Op::Call) return camel_case(writer_.plain(writer_.module.functions[inst.data].name));
     // A step on the way to a node's value is called after the node.
     const std::string_view id = inst.origin ? std::string_view(writer_.module.origins[inst.origin.index].id) : "";
     const std::string_view last = id.substr(id.rfind('/') + 1);
     const std::string_view step = fallback_name(inst.op);
-    return step.starts_with(last) ? std::string(step) : fmt::format("{}_{}", last, step);
+    return step.starts_with(last) ? std::string(step) : joined(last, step);
 }
 
 std::string Body::target(std::uint32_t id) {
@@ -427,7 +419,7 @@ void Body::print_yields(Value yield, Value structure) {
         if (next == pending.end()) {
             const auto waiting =
                 std::find_if(pending.begin(), pending.end(), [](const Pending& p) { return p.ready.empty(); });
-            waiting->ready = writer_.names.declare("next_" + names_[waiting->variable]);
+            waiting->ready = writer_.names.declare(joined("next", names_[waiting->variable]));
             const std::string target = writer_.declaration(function_[waiting->value].type, waiting->ready);
             statement(origin_of(*waiting), fmt::format("{} = {};", target, expression(waiting->value).text));
             continue;

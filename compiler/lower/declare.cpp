@@ -146,7 +146,7 @@ EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations&
             emitter.set_extern(&variable, global);
             if (const nodelang::Attribute* reads = variable.attribute("reads"))
                 made.reads[global.index] = nodelang::attribute_text(*reads);
-            add_resource(module, texture + "_sampler", ir::Kind::Sampler, set, slot, variable.span);
+            add_resource(module, texture + "Sampler", ir::Kind::Sampler, set, slot, variable.span);
             ++slot;
             continue;
         }

@@ -102,7 +102,7 @@ ir::FunctionId lower_surface(Lowering& lowering, std::vector<const Input*>& memb
     const CheckedGraph& graph = *lowering.material.graph;
     ir::Function function{};
     function.name = "surface";
-    if (tool_of(lowering.session)) function.name = "get_surface";  // beside others, which take a `surface`
+    if (tool_of(lowering.session)) function.name = "getSurface";  // beside others, which take a `surface`
     if (lowering.out.keeps_functions) function.comment = "What the graph says of the surface.";
     ir::Builder builder(module, function, lowering.emitter.options());
     GraphScope scope(lowering, graph, builder, false);

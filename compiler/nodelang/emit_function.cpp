@@ -54,7 +54,7 @@ const Emitter::Instance& Emitter::instantiate(const FunctionDecl& function, cons
             name += enumeration->values[static_cast<std::size_t>(*arguments[i].constant)];
         }
     }
-    if (half && !function.attribute("foreign")) name += "_half";  // that is known by one name
+    if (half && !function.attribute("foreign")) name += "Half";  // that is known by one name
     if (const auto found = instances_.find(key); found != instances_.end()) {
         if (found->second.is_passing) answers_for_now();
         return found->second;

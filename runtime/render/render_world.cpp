@@ -348,7 +348,7 @@ private:
                               .format = TexelFormat::Float32};
             }
             object_textures_[object].push_back(known[key]);
-            object_textures_[object].back().name = name + "_texture";
+            object_textures_[object].back().name = name + "Texture";
         };
         for (std::size_t i = 0; i < world_.objects.size(); ++i) {
             const WorldObject& object = world_.objects[i];
