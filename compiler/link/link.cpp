@@ -243,16 +243,16 @@ private:
 
     Value builtin(SemanticId semantic) {
         static constexpr std::pair<std::string_view, ir::Builtin> kWords[] = {
-            {"front_facing", ir::Builtin::FrontFacing},
-            {"frag_coord", ir::Builtin::FragCoord},
-            {"vertex_index", ir::Builtin::VertexIndex},
-            {"instance_index", ir::Builtin::InstanceIndex}};
+            {"frontFacing", ir::Builtin::FrontFacing},
+            {"fragCoord", ir::Builtin::FragCoord},
+            {"vertexIndex", ir::Builtin::VertexIndex},
+            {"instanceIndex", ir::Builtin::InstanceIndex}};
         const auto& declared = *linked_.lowered.semantics[semantic.index].declaration->variable->attribute("builtin");
         const ir::Semantic& info = module_.semantics[semantic.index];
         // Known to the vertex stage alone, which hands it on as it is.
-        if (!in_vertex_stage() && nodelang::attribute_text(declared) == "instance_index") return varying(semantic);
+        if (!in_vertex_stage() && nodelang::attribute_text(declared) == "instanceIndex") return varying(semantic);
         // Triangles have no back yet: vertices see the front.
-        if (in_vertex_stage() && nodelang::attribute_text(declared) == "front_facing") {
+        if (in_vertex_stage() && nodelang::attribute_text(declared) == "frontFacing") {
             return builder_.constant(info.type, {1});
         }
         ir::StageVariable variable{.name = info.name, .type = info.type, .semantic = {}};

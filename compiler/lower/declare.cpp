@@ -118,7 +118,7 @@ void declare_foreign(const Stages& stages, const nodelang::Declarations& declara
         const nodelang::VariableDecl* replaced = given.variable ? declarations.variable(given.what) : nullptr;
         if (!replaced || !replaced->attribute("extern")) continue;
         emitter.share_extern(replaced, given.variable);
-        if (replaced->attribute("per_object"))
+        if (replaced->attribute("perObject"))
             emitter.module().globals[emitter.extern_global(*given.variable)->index].is_of_object = true;
     }
 }
@@ -165,7 +165,7 @@ EngineGlobals declare_engine(const Stages& stages, const nodelang::Declarations&
         const auto index = static_cast<std::uint32_t>(block - module.blocks.begin());
         const ir::GlobalId global = add_block_global(module, index, std::string(variable.name), type, variable.span);
         emitter.set_extern(&variable, global);
-        if (variable.attribute("per_object")) made.per_object.insert(global.index);
+        if (variable.attribute("perObject")) made.per_object.insert(global.index);
     }
     declare_foreign(stages, declarations, emitter);
     for (const nodelang::VariableDecl* older : stages.repeated) {

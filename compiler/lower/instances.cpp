@@ -16,7 +16,7 @@ std::uint32_t instance_semantic(const Lowered& lowered) {
     const auto is_instance = [](const SemanticRecipe& recipe) {
         const nodelang::VariableDecl* variable = recipe.declaration ? recipe.declaration->variable : nullptr;
         const nodelang::Attribute* builtin = variable ? variable->attribute("builtin") : nullptr;
-        return builtin && nodelang::attribute_text(*builtin) == "instance_index";
+        return builtin && nodelang::attribute_text(*builtin) == "instanceIndex";
     };
     const auto found = std::find_if(lowered.semantics.begin(), lowered.semantics.end(), is_instance);
     return static_cast<std::uint32_t>(found - lowered.semantics.begin());

@@ -51,7 +51,7 @@ ir::FunctionId lower_lighting(Lowering& lowering, const FunctionDecl& slot, cons
     bool per_light = false;
     for (const nodelang::ParamDecl& param : slot.params) {
         const bool is_light = std::any_of(param.attributes.begin(), param.attributes.end(),
-                                          [](const nodelang::Attribute& a) { return a.name == "per_light"; });
+                                          [](const nodelang::Attribute& a) { return a.name == "perLight"; });
         per_light = per_light || is_light;
         const Type type = lowering.emitter.type(param.type, scope.scope());
         function.params.push_back({std::string(param.name), type, is_light ? ir::Rate::Light : ir::Rate::Pixel});

@@ -111,7 +111,7 @@ private:
     // A pass file may ask a stage for what it does not have.
     void check_builtin(const SemanticDecl& semantic, const Place& place) {
         const std::string_view word = nodelang::attribute_text(*semantic.variable->attribute("builtin"));
-        const bool is_of_pixel = word == "frag_coord", is_of_vertex = word.ends_with("_index");
+        const bool is_of_pixel = word == "fragCoord", is_of_vertex = word.ends_with("Index");
         if (place.at_vertex ? is_of_pixel : is_of_vertex)
             lowering_.session.diagnostics.report(Code::NoSuchStageValue, place.span, semantic.name,
                                                  place.at_vertex ? "vertex" : "fragment");

@@ -81,7 +81,7 @@ Typed Emitter::call(const FunctionDecl& function, const Declarations& home, std:
     std::vector<Argument> gathered;
     gathered.reserve(function.params.size());
     if (!gather_arguments(function, home, arguments, scope, span, gathered)) return {};
-    half = half && !function.attribute("in_float");
+    half = half && !function.attribute("inFloat");
     return call_gathered(function, home, arguments, gathered, scope, span, half);
 }
 

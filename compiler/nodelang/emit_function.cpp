@@ -134,7 +134,7 @@ Emitter::Instance Emitter::emit_function(const FunctionDecl& function, const Dec
     if (const Attribute* foreign = function.attribute("foreign")) {
         made.linkage = ir::Linkage::Foreign;
         made.spelling = attribute_text(*foreign);
-        made.is_of_object = function.attribute("per_object") != nullptr;
+        made.is_of_object = function.attribute("perObject") != nullptr;
         builder.ret(builder.zero(made.result));
         module_.functions.push_back(std::move(made));
         instance.id = {static_cast<std::uint32_t>(module_.functions.size() - 1)};
@@ -200,7 +200,7 @@ ir::FunctionId Emitter::outer_function(const FunctionDecl& function, const Decla
             diagnostics_.report(Code::MissingInput, param.span, function.name, param.name)
                 .note(
                     "nothing calls it with arguments: the default of a parameter is a semantic that it reads, "
-                    "'float3 position = position_ws'");
+                    "'float3 position = positionWS'");
             return {};
         }
         Scope outside{.builder = &builder, .declarations = &home, .environment = &environment};

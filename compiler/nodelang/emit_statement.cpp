@@ -74,7 +74,7 @@ bool Emitter::statements(const Statements& list, std::size_t first, Scope& scope
                 const Typed condition = expression_as(*stmt.value, ir::kBool, scope, "the condition");
                 if (!condition.ok()) break;
                 if (scope.builder->depth() > 0 || !scope.flow.empty()) {
-                    diagnostics_.report(Code::DerivativeInFlow, stmt.span, "discard_if", scope.flow);
+                    diagnostics_.report(Code::DerivativeInFlow, stmt.span, "discardIf", scope.flow);
                     break;
                 }
                 scope.builder->emit(Op::DiscardIf, Type::none(), {condition.value});

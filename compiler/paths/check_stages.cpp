@@ -37,7 +37,7 @@ struct BuiltinRow {
     std::string_view name, type;
 };
 constexpr BuiltinRow kBuiltins[] = {
-    {"front_facing", "bool"}, {"frag_coord", "float4"}, {"vertex_index", "int"}, {"instance_index", "int"}};
+    {"frontFacing", "bool"}, {"fragCoord", "float4"}, {"vertexIndex", "int"}, {"instanceIndex", "int"}};
 
 bool is_in(Words words, std::string_view word) {
     return std::find(words.begin(), words.end(), word) != words.end();
@@ -160,7 +160,7 @@ private:
         }
         if (declarations_.parent && !decl.is_const) again(decl);
         if (is_of_pass(sources_, decl.span)) {
-            for (const std::string_view name : {"attribute", "given", "vertex_output"}) {
+            for (const std::string_view name : {"attribute", "given", "vertexOutput"}) {
                 if (const Attribute* attribute = decl.attribute(name))
                     bad(attribute->span, name,
                         "cannot stand in a pass file: what meshes and lighting graphs hold is "
@@ -217,7 +217,7 @@ private:
 
     void builtin(const VariableDecl& decl, const Attribute& attribute) {
         if (attribute.args.size() != 1)
-            return bad(attribute.span, "builtin", "reads like this: [builtin(\"front_facing\")]");
+            return bad(attribute.span, "builtin", "reads like this: [builtin(\"frontFacing\")]");
         std::vector<std::string_view> known;
         for (const BuiltinRow& row : kBuiltins) known.push_back(row.name);
         one_of(*attribute.args[0], known, "a value of the rasteriser");
@@ -273,9 +273,9 @@ private:
         }
         if (const Attribute* attribute = decl.attribute("foreign")) foreign_function(decl, *attribute);
         texts_of(decl.attributes, diagnostics_);
-        const Attribute* of_object = decl.attribute("per_object");
+        const Attribute* of_object = decl.attribute("perObject");
         if (of_object && !decl.attribute("foreign"))
-            bad(of_object->span, "per_object", "stands before a value of the engine or a [foreign] function");
+            bad(of_object->span, "perObject", "stands before a value of the engine or a [foreign] function");
         for (const Attribute& attribute : decl.attributes) {
             const bool is_tools = attribute.name == "text" || attribute.name == "tag" || attribute.name == "decodes";
             if (is_tools && !is_for_tool(attribute.span)) foreign(attribute, attribute.span);
@@ -329,7 +329,7 @@ private:
         const Expr& what = *attribute.args[0];
         if (attribute.args.size() == 1 && !is_for_tool(attribute.span))
             return bad(attribute.span, "gives",
-                       "takes what is given and the passes: [gives(\"position_ws\", \"mine\")]");
+                       "takes what is given and the passes: [gives(\"positionWS\", \"mine\")]");
         for (std::size_t i = 1; i < attribute.args.size(); ++i) {
             const Expr& to = *attribute.args[i];
             if (!pass(to)) continue;
@@ -452,7 +452,7 @@ private:
 
     void unpack(const FunctionDecl& decl, const Attribute& attribute) {
         if (attribute.args.size() != 1)
-            return bad(attribute.span, "unpack", "reads like this: [unpack(\"pack_surface\")]");
+            return bad(attribute.span, "unpack", "reads like this: [unpack(\"packSurface\")]");
         const FunctionDecl* packer = slot(*attribute.args[0]);
         if (!packer) return;
         if (!packer->attribute("pack"))

@@ -45,7 +45,7 @@ public:
             add({.name = variable.name,
                  .source = *source,
                  .variable = &variable,
-                 .is_vertex_output = variable.attribute("vertex_output") != nullptr,
+                 .is_vertex_output = variable.attribute("vertexOutput") != nullptr,
                  .is_of_pass = is_of_pass(sources_, variable.span)});
         }
     }
@@ -75,7 +75,7 @@ public:
                                      .path = stem(sources_.resolve(function.span.begin).file)});
             if (attribute.args.empty())
                 diagnostics_.report(Code::BadAttribute, attribute.span, "gives",
-                                    "takes what is given, and passes: [gives(\"position_ws\", \"mine\")]");
+                                    "takes what is given, and passes: [gives(\"positionWS\", \"mine\")]");
         }
     }
 

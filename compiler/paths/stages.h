@@ -37,7 +37,7 @@ struct SemanticDecl {
     bool is_of_pass = false;                           // declared in a pass file: no graph can read it
 };
 
-// [blend("fade", "src_alpha", "one")]: surfaces of this kind take part, blended so.
+// [blend("fade", "srcAlpha", "one")]: surfaces of this kind take part, blended so.
 struct BlendRow {
     std::string_view surface;  // empty: every kind
     Blend blend{};
@@ -67,7 +67,7 @@ struct PassDecl {
     bool is_older_vertex = false, is_older_fragment = false;
 };
 
-// [gives("position_ws", "deferred-light")]: these passes' own recipe of a semantic, or their own body of an [extern]
+// [gives("positionWS", "deferred-light")]: these passes' own recipe of a semantic, or their own body of an [extern]
 // function. Without passes: of all passes of the same file, in both stages; then it may also be a value that an
 // included file declares, in the place of an attribute or an [extern] value, and replace any function of the library.
 struct GivenDecl {

@@ -33,14 +33,14 @@ constexpr StencilWord kStencilOps[] = {
 constexpr BlendWord kBlendFactors[] = {
     {"zero", VK_BLEND_FACTOR_ZERO, 0, 0, Operand::SourceAlpha},
     {"one", VK_BLEND_FACTOR_ONE, 1, 0, Operand::SourceAlpha},
-    {"src_color", VK_BLEND_FACTOR_SRC_COLOR, 0, 1, Operand::SourceColor},
-    {"one_minus_src_color", VK_BLEND_FACTOR_ONE_MINUS_SRC_COLOR, 1, -1, Operand::SourceColor},
-    {"dst_color", VK_BLEND_FACTOR_DST_COLOR, 0, 1, Operand::TargetColor},
-    {"one_minus_dst_color", VK_BLEND_FACTOR_ONE_MINUS_DST_COLOR, 1, -1, Operand::TargetColor},
-    {"src_alpha", VK_BLEND_FACTOR_SRC_ALPHA, 0, 1, Operand::SourceAlpha},
-    {"one_minus_src_alpha", VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA, 1, -1, Operand::SourceAlpha},
-    {"dst_alpha", VK_BLEND_FACTOR_DST_ALPHA, 0, 1, Operand::TargetAlpha},
-    {"one_minus_dst_alpha", VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA, 1, -1, Operand::TargetAlpha},
+    {"srcColor", VK_BLEND_FACTOR_SRC_COLOR, 0, 1, Operand::SourceColor},
+    {"oneMinusSrcColor", VK_BLEND_FACTOR_ONE_MINUS_SRC_COLOR, 1, -1, Operand::SourceColor},
+    {"dstColor", VK_BLEND_FACTOR_DST_COLOR, 0, 1, Operand::TargetColor},
+    {"oneMinusDstColor", VK_BLEND_FACTOR_ONE_MINUS_DST_COLOR, 1, -1, Operand::TargetColor},
+    {"srcAlpha", VK_BLEND_FACTOR_SRC_ALPHA, 0, 1, Operand::SourceAlpha},
+    {"oneMinusSrcAlpha", VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA, 1, -1, Operand::SourceAlpha},
+    {"dstAlpha", VK_BLEND_FACTOR_DST_ALPHA, 0, 1, Operand::TargetAlpha},
+    {"oneMinusDstAlpha", VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA, 1, -1, Operand::TargetAlpha},
 };
 
 struct CullWord {

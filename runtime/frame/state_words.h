@@ -30,7 +30,7 @@ struct StencilWord {
     int (*change)(int there, int reference);  // 0 to 255
 };
 
-// zero | one | src_color | one_minus_src_color | dst_color | ... | one_minus_dst_alpha: base + slope * operand
+// zero | one | srcColor | oneMinusSrcColor | dstColor | ... | oneMinusDstAlpha: base + slope * operand
 struct BlendWord {
     enum class Operand { SourceColor, SourceAlpha, TargetColor, TargetAlpha };
     std::string_view word;

@@ -160,11 +160,11 @@ private:
         set("cookies", any_light([](const Light& light) { return light.cookie != nullptr; }));
         set("fog", view.fog.mode != FogMode::None);
         set("lightmap", variant.lightmap);
-        set("shadow_mask", variant.shadow_mask);
+        set("shadowMask", variant.shadow_mask);
         const MixedLighting& mixed = view.mixed_lighting;
         set("subtractive", variant.lightmap && mixed.mode == LightMixing::Subtractive);
-        set("distance_shadow_mask", mixed.mode == LightMixing::DistanceShadowMask);
-        set("shadows_fade", mixed.shadow_distance.has_value());
+        set("distanceShadowMask", mixed.mode == LightMixing::DistanceShadowMask);
+        set("shadowsFade", mixed.shadow_distance.has_value());
         switches.insert(switches.end(), options_.switches.begin(), options_.switches.end());
         return switches;
     }
@@ -218,7 +218,7 @@ private:
         const std::vector<Light>& lights = world_.view.lights;
         const auto cookies = std::count_if(lights.begin(), lights.end(), [](const Light& l) { return has_cookie(l); });
         for (const Pass& pass : reflection.passes) {
-            const bool is_read = std::count(pass.textures.begin(), pass.textures.end(), "light_cookie") > 0;
+            const bool is_read = std::count(pass.textures.begin(), pass.textures.end(), "lightCookie") > 0;
             if (cookies < 2 || !is_read || pass.each != "once" || pass.lights != "all") continue;
             report({complaint(material.graph, Severity::Warning, "one-cookie",
                               fmt::format("the pass '{}' draws all lights at once and has one of their {} cookies, the "
@@ -353,7 +353,7 @@ private:
         for (std::size_t i = 0; i < world_.objects.size(); ++i) {
             const WorldObject& object = world_.objects[i];
             load(i, "lightmap", object.lightmap, object.lightmap_place, true);
-            load(i, "shadow_mask", object.shadow_mask, object.shadow_mask_place, false);
+            load(i, "shadowMask", object.shadow_mask, object.shadow_mask_place, false);
         }
     }
 

@@ -114,8 +114,8 @@ public:
                                   "ddx",
                                   "Sample",
                                   "uv0",
-                                  "vertex_color",
-                                  "front_facing",
+                                  "vertexColor",
+                                  "frontFacing",
                                   "light",
                                   "time",
                                   "Surface",
@@ -125,14 +125,14 @@ public:
                                   "given",
                                   "node",
                                   "member",
-                                  "per_object",
+                                  "perObject",
                                   "\"\"",
                                   "\"all\"",
                                   "\"Object\"",
                                   "[",
                                   "[ 3 ]",
-                                  "position_os",
-                                  "opaque_color"}) {
+                                  "positionOS",
+                                  "opaqueColor"}) {
             pool_.push_back(token);
         }
     }
@@ -240,7 +240,7 @@ constexpr std::string_view kGraph = R"json({
   "patina": 1, "workflow": "metallic-roughness", "lighting": "unity-brdf1", "render": { "surface": "cutout" },
   "properties": [ { "name": "_MainTex", "type": "texture2d", "default": "white" } ],
   "nodes": [ { "id": "albedo", "node": "SampleTexture2D", "in": { "texture": "$_MainTex" } } ],
-  "surface": { "baseColor": "albedo.rgb", "alpha": "albedo.a", "emission": "= @vertex_color.rgb" }
+  "surface": { "baseColor": "albedo.rgb", "alpha": "albedo.a", "emission": "= @vertexColor.rgb" }
 })json";
 constexpr std::string_view kToon = R"json({
   "patina": 1, "workflow": "metallic-roughness", "lighting": "toon",

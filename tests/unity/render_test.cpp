@@ -162,7 +162,7 @@ Image in_unity(const Material& material, const runtime::Scene& scene, const Keyw
         if (i > 0) {
             const bool fades = reflection.surface == "fade";
             made.pass.depth_write = false;
-            made.pass.targets.front().blend = {.source = fades ? "src_alpha" : "one",
+            made.pass.targets.front().blend = {.source = fades ? "srcAlpha" : "one",
                                                .destination = "one",
                                                .source_alpha = "zero",
                                                .destination_alpha = "one"};

