@@ -151,7 +151,7 @@ TEST(Shaders, LocalsDoNotHideGlobals) {
     f.module.blocks.push_back(
         {.name = "Material", .set = 0, .slot = 0, .size = 16, .members = {{.name = "tint", .type = kFloat}}});
     const Value local = f.named(f.b->emit(Op::Sin, {f.b->param(0)}), "tint");
-    EXPECT_EQ(f.glsl(f.b->emit(Op::Mul, {local, f.read({0})})), "float tint_2 = sin(a);\nreturn tint_2 * tint;\n");
+    EXPECT_EQ(f.glsl(f.b->emit(Op::Mul, {local, f.read({0})})), "float tint2 = sin(a);\nreturn tint2 * tint;\n");
 }
 
 TEST(Shaders, CommentsNameNodesAndLinesKnowThem) {
