@@ -53,7 +53,7 @@ struct Inst {
     std::uint32_t operand_count = 0;
     std::uint32_t data = 0;  // meaning is the op's; see ops.def
     OriginId origin{};       // the graph node that it comes from
-    NameId name{};           // hint; a value with a name hint is printed as a statement of its own
+    NameId name{};           // hint (ir/hints.h); a value with a name is printed as a statement of its own
 };
 
 struct Block {
@@ -255,8 +255,8 @@ struct Module {
 
     NameId intern(std::string_view name);
     Type array_of(Type element, std::uint32_t count);
-    std::string type_name(Type type) const;  // HLSL spelling: "float3", "Surface", "float[4]"
-    std::string_view name_of(NameId id) const { return id ? std::string_view(names[id.index]) : std::string_view(); }
+    std::string type_name(Type type) const;     // HLSL spelling: "float3", "Surface", "float[4]"
+    std::string_view name_of(NameId id) const;  // empty: it has none; hint_of (ir/hints.h) says more
 
 private:
     void index_name(std::uint32_t index);
