@@ -42,7 +42,7 @@ float DistributionBlinnPhong(
 /// The Blinn-Phong exponent whose highlight is as wide as that of a microfacet surface of the given roughness.
 ///
 /// formula: 2 / alpha^2 - 2, from 0.0001 to 19998
-/// source: Walter et al., EGSR 2007, section 5.2 (alpha_p = 2 alphaB^-2 - 2)
+/// source: Walter et al., EGSR 2007, section 5.2 (alphaP = 2 alphaB^-2 - 2)
 /// test: BlinnPhongExponentFromAlpha(0.5) == 6
 /// test: BlinnPhongExponentFromAlpha(0.0625) == 510
 /// test: BlinnPhongExponentFromAlpha(0.5625) == 4.320987654320987
