@@ -28,7 +28,7 @@ constexpr std::array<std::string_view, 1> kStencilReferences = {"lighting"};
 constexpr std::array<std::string_view, 4> kTargetTypes = {"float", "float2", "float3", "float4"};
 constexpr std::array<std::string_view, 5> kFormats = {"rgba8", "rgb10a2", "rgba16f", "rgba32f", "r32f"};
 constexpr std::array<std::string_view, 10> kBlendFactors = {
-    "one",       "zero",      "srcAlpha",           "oneMinusSrcAlpha", "dstAlpha", "oneMinusDstAlpha",
+    "one",      "zero",     "srcAlpha",         "oneMinusSrcAlpha", "dstAlpha", "oneMinusDstAlpha",
     "srcColor", "dstColor", "oneMinusSrcColor", "oneMinusDstColor"};
 
 template <class Table>

@@ -137,8 +137,7 @@ TEST(UnityNames, OfKeywordsAreOneChoiceEach) {
 
 // What only the engine of the other targets has is free here.
 TEST(UnityNames, OfPropertiesAreKept) {
-    const std::string text =
-        shader(material(R"("properties": [ { "name": "lightCount", "type": "float", "default": 1 },
+    const std::string text = shader(material(R"("properties": [ { "name": "lightCount", "type": "float", "default": 1 },
         { "name": "Material", "type": "float", "default": 1 }, { "name": "Surface", "type": "float", "default": 1 },
         { "name": "albedo", "type": "float", "default": 1 }, { "name": "DotClamped_", "type": "float", "default": 1 } ],
       "nodes": [ { "id": "albedo", "expr": "$albedo * $Surface" } ],
@@ -151,8 +150,7 @@ TEST(UnityNames, OfPropertiesAreKept) {
 
 // What an entry function takes is its own: another function may have a parameter of that name.
 TEST(UnityNames, OfParametersAreFreeInOtherFunctions) {
-    const std::string text =
-        shader(material(R"("surface": { "normalOS": "@normalOS" }, "render": { "cull": "off" })"));
+    const std::string text = shader(material(R"("surface": { "normalOS": "@normalOS" }, "render": { "cull": "off" })"));
     EXPECT_TRUE(has(text, "half4 frag(v2f i, bool frontFacing : SV_IsFrontFace)")) << text;
     EXPECT_TRUE(has(text, "Surface getSurface(float3 normalOS, bool frontFacing)")) << text;
 }

@@ -148,13 +148,11 @@ class UnityQueueOf : public ::testing::TestWithParam<Added> {};
 // where that has left its depth.
 TEST_P(UnityQueueOf, APassIsToldWhereItMayBeSeen) {
     const Added& each = GetParam();
-    const Result result =
-        of_text(R"({ "patina": 1, "workflow": "unlit", "surface": { "color": 1 },
-        "render": { )" +
-                each.material +
-                R"( }, "nodes": [ { "id": "shell", "expr": "@positionOS * 1.1", "stage": "vertex" } ],
+    const Result result = of_text(R"({ "patina": 1, "workflow": "unlit", "surface": { "color": 1 },
+        "render": { )" + each.material +
+                                  R"( }, "nodes": [ { "id": "shell", "expr": "@positionOS * 1.1", "stage": "vertex" } ],
         "passes": [ { "name": "other", "vertex": { "positionOS": "shell" } }, )" +
-                added("shown", each.pass) + " ] }");
+                                  added("shown", each.pass) + " ] }");
     ASSERT_TRUE(result.ok) << to_text(first_error(result));
     std::string said;
     for (const Diagnostic& d : result.diagnostics) {

@@ -499,14 +499,14 @@ TEST(CanonicalHash, SeesWhatIsComputed) {
     EXPECT_EQ(hashes.size(), std::size(texts));
     EXPECT_EQ(hash_of("a.graph.json", unlit("= float3($_P + $_Q)"), {}),
               hash_of("b.graph.json", unlit("= float3($_Q + $_P)"), {}));
-    EXPECT_EQ(hash_of("a.graph.json",
-                      unlit("= float3(wave)",
-                            R"json({ "id": "wave", "expr": "sin(@positionOS.x)", "stage": "vertex" })json"),
-                      {}),
-              hash_of("b.graph.json",
-                      unlit("= float3(swell)",
-                            R"json({ "id": "swell", "expr": "sin(@positionOS.x)", "stage": "vertex" })json"),
-                      {}));
+    EXPECT_EQ(
+        hash_of("a.graph.json",
+                unlit("= float3(wave)", R"json({ "id": "wave", "expr": "sin(@positionOS.x)", "stage": "vertex" })json"),
+                {}),
+        hash_of(
+            "b.graph.json",
+            unlit("= float3(swell)", R"json({ "id": "swell", "expr": "sin(@positionOS.x)", "stage": "vertex" })json"),
+            {}));
 }
 
 // --- what nodes bring and hand over

@@ -322,8 +322,7 @@ protected:
             texture.sampler_binding = texture.binding + 2;
             made.textures.push_back(texture);
         }
-        pass.vertex_inputs = {
-            {"positionOS", "float3", 0, ""}, {"normalOS", "float3", 1, ""}, {"uv0", "float2", 2, ""}};
+        pass.vertex_inputs = {{"positionOS", "float3", 0, ""}, {"normalOS", "float3", 1, ""}, {"uv0", "float2", 2, ""}};
         return made;
     }
 

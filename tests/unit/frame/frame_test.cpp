@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(Both, FrameTest, testing::Values(true, false),
 TEST_P(FrameTest, BlendsByEveryPairOfWords) {
     const glm::vec4 source(0.25f, 0.5f, 0.75f, 0.5f), before(0.5f, 0.25f, 1, 0.75f), one(1);
     const std::vector<std::pair<std::string, glm::vec4>> words = {
-        {"zero", glm::vec4(0)},          {"one", one},
+        {"zero", glm::vec4(0)},         {"one", one},
         {"srcColor", source},           {"oneMinusSrcColor", one - source},
         {"dstColor", before},           {"oneMinusDstColor", one - before},
         {"srcAlpha", glm::vec4(0.5f)},  {"oneMinusSrcAlpha", glm::vec4(0.5f)},
