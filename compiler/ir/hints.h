@@ -1,6 +1,6 @@
-// What a value's name hint says. A hint of the author's is a plain word. A value that an inlined call brought in knows the
-// function, too: the printer names the result of a call that nobody named after the function, and tells two locals of one
-// name apart by it instead of by a number.
+// What a value's name hint says. A hint of the author's is a plain word. A value that an inlined call brought in knows
+// the function, too: the printer names the result of a call that nobody named after the function, and tells two locals
+// of one name apart by it instead of by a number.
 //
 //   NameId m = inlined_local(module, "SchlickWeight", module.intern("m"));
 //   hint_of(module, m)       // name "m", callee "schlickWeight": on a clash it is schlickWeightM

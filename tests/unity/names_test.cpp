@@ -11,7 +11,7 @@ TEST(UnityNames, KeepOutOfTheWayOfTheIncludes) {
       "surface": { "metallic": "SPOT", "smoothness": "= SPOT * SPOT" })"));
     EXPECT_FALSE(has(text, "float SPOT ")) << text;
     EXPECT_FALSE(has(text, "float shadow ")) << text;
-    EXPECT_FALSE(has(text, "DisneyDiffuse_2(")) << text;
+    EXPECT_FALSE(has(text, "DisneyDiffuse2(")) << text;
     EXPECT_TRUE(has(text, "DisneyDiffuseTerm(")) << text;
 }
 

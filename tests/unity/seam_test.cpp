@@ -120,7 +120,7 @@ TEST(UnitySeam, LeavesEmissionToTheFirstPass) {
     ASSERT_LT(end, text.size()) << text;
     const std::string added = text.substr(begin, end - begin);
     EXPECT_TRUE(has(text, "float3 glow = AmbientLight(")) << text;
-    EXPECT_TRUE(has(added, " get_surface_FORWARD_DELTA(")) << text;
+    EXPECT_TRUE(has(added, " getSurfaceForwardDelta(")) << text;
     EXPECT_FALSE(has(added, "AmbientLight(")) << text;
     EXPECT_FALSE(has(added, "emission")) << text;
 }

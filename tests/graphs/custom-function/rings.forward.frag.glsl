@@ -29,10 +29,10 @@ RingsSharpResult RingsSharp(vec2 uv)
         sum += amount / frequency;
         frequency *= 2.0;
     }
-    RingsSharpResult rings_sharp_result;
-    rings_sharp_result.value = sum * 0.5;
-    rings_sharp_result.outwards = radius > 0.0 ? fromMiddle / radius : vec2(0.0);
-    return rings_sharp_result;
+    RingsSharpResult ringsSharpResult;
+    ringsSharpResult.value = sum * 0.5;
+    ringsSharpResult.outwards = radius > 0.0 ? fromMiddle / radius : vec2(0.0);
+    return ringsSharpResult;
 }
 
 void main()

@@ -35,10 +35,10 @@ RingsSharpResult RingsSharp(float2 uv)
         sum += amount / frequency;
         frequency *= 2.0;
     }
-    RingsSharpResult rings_sharp_result;
-    rings_sharp_result.value = sum * 0.5;
-    rings_sharp_result.outwards = radius > 0.0 ? fromMiddle / radius : float2(0.0, 0.0);
-    return rings_sharp_result;
+    RingsSharpResult ringsSharpResult;
+    ringsSharpResult.value = sum * 0.5;
+    ringsSharpResult.outwards = radius > 0.0 ? fromMiddle / radius : float2(0.0, 0.0);
+    return ringsSharpResult;
 }
 
 FragmentOutput main(FragmentInput input)

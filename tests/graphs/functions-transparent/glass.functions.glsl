@@ -74,8 +74,7 @@ layout(set = Glassset, binding = 0, std140) uniform GlassMaterial
 };
 
 // The surface as the graph describes it, in the words of its workflow.
-//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the
-//     viewer.
+//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
 GlassSurface Glasssurface(vec3 geometryNormalWS)
 {
     GlassSurface surface;
@@ -112,9 +111,8 @@ GlassPremultiplyAlphaResult GlassPremultiplyAlpha(vec3 diffuseColor, float alpha
 
 // The surface of this point, as its lighting takes it. A cutout surface is not drawn where its alpha is below
 // alphaClip.
-//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the
-//     viewer.
-GlassLightingSurface Glasslighting_surface(vec3 geometryNormalWS)
+//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
+GlassLightingSurface GlasslightingSurface(vec3 geometryNormalWS)
 {
     GlassSurface material = Glasssurface(geometryNormalWS);
 

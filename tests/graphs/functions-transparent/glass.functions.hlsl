@@ -72,8 +72,7 @@ cbuffer GlassMaterial : register(b0, Glassset)
 };
 
 // The surface as the graph describes it, in the words of its workflow.
-//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the
-//     viewer.
+//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
 GlassSurface Glasssurface(float3 geometryNormalWS)
 {
     GlassSurface surface;
@@ -110,9 +109,8 @@ GlassPremultiplyAlphaResult GlassPremultiplyAlpha(float3 diffuseColor, float alp
 
 // The surface of this point, as its lighting takes it. A cutout surface is not drawn where its alpha is below
 // alphaClip.
-//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the
-//     viewer.
-GlassLightingSurface Glasslighting_surface(float3 geometryNormalWS)
+//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
+GlassLightingSurface GlasslightingSurface(float3 geometryNormalWS)
 {
     GlassSurface material = Glasssurface(geometryNormalWS);
 

@@ -108,14 +108,12 @@ vec3 Sail_UnpackNormalRedGreen(vec4 encoded, float scale)
 // A normal from tangent space, in the world.
 vec3 Sail_NormalTangentToWorld(vec3 normalTS, vec3 normal, vec3 tangent, vec3 bitangent)
 {
-    vec3 direction = normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
-    return direction;
+    return normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
 }
 
 // The surface as the graph describes it, in the words of its workflow.
 //   uv0: First texture coordinates; v grows downwards, as texels are stored.
-//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the
-//     viewer.
+//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
 //   tangentWS: Mesh tangent in world space, unit
 //   bitangentWS: Bitangent in world space: cross(normal, tangent) with the mesh's handedness.
 //   sway: interpolated, from vertexSway()
@@ -125,8 +123,8 @@ Sail_Surface Sail_surface(vec2 uv0, vec3 geometryNormalWS, vec3 tangentWS, vec3 
     vec4 albedo = texture(sampler2D(Sail_MainTex, Sail_sampler_MainTex), uv0);
 
     // SampleNormalMap "bump"
-    vec4 bump_texel = texture(sampler2D(Sail_BumpMap, Sail_sampler_BumpMap), uv0);
-    vec3 bump = Sail_UnpackNormalRedGreen(bump_texel, 1.0);
+    vec4 bumpTexel = texture(sampler2D(Sail_BumpMap, Sail_sampler_BumpMap), uv0);
+    vec3 bump = Sail_UnpackNormalRedGreen(bumpTexel, 1.0);
 
     Sail_Surface surface;
     surface.baseColor = albedo.xyz * Sail_Tint.xyz;
@@ -194,13 +192,11 @@ vec3 Sail_FresnelSchlick(vec3 f0, float cosine, float f90)
 // The surface of this point, as its lighting takes it. A cutout surface is not drawn where its alpha is below
 // alphaClip.
 //   uv0: First texture coordinates; v grows downwards, as texels are stored.
-//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the
-//     viewer.
+//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
 //   tangentWS: Mesh tangent in world space, unit
 //   bitangentWS: Bitangent in world space: cross(normal, tangent) with the mesh's handedness.
 //   sway: interpolated, from vertexSway()
-Sail_LightingSurface Sail_lightingSurface(vec2 uv0, vec3 geometryNormalWS, vec3 tangentWS, vec3 bitangentWS,
-    float sway)
+Sail_LightingSurface Sail_lightingSurface(vec2 uv0, vec3 geometryNormalWS, vec3 tangentWS, vec3 bitangentWS, float sway)
 {
     Sail_Surface material = Sail_surface(uv0, geometryNormalWS, tangentWS, bitangentWS, sway);
 
@@ -231,8 +227,8 @@ vec3 Sail_direct(Sail_LightingSurface surface, Sail_Light light, vec3 viewDirWS)
     float ndotl = clamp(cosine, 0.0, 1.0);
 
     // NdotV "ndotv"
-    float cosine_2 = dot(surface.normalWS, viewDirWS);
-    float ndotv = clamp(abs(cosine_2), 0.0, 1.0);
+    float ndotvCosine = dot(surface.normalWS, viewDirWS);
+    float ndotv = clamp(abs(ndotvCosine), 0.0, 1.0);
 
     // HalfVector "halfVector"
     vec3 halfVector = Sail_HalfVector(viewDirWS, light.direction);

@@ -106,14 +106,12 @@ float3 Sail_UnpackNormalRedGreen(float4 encoded, float scale)
 // A normal from tangent space, in the world.
 float3 Sail_NormalTangentToWorld(float3 normalTS, float3 normal, float3 tangent, float3 bitangent)
 {
-    float3 direction = normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
-    return direction;
+    return normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
 }
 
 // The surface as the graph describes it, in the words of its workflow.
 //   uv0: First texture coordinates; v grows downwards, as texels are stored.
-//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the
-//     viewer.
+//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
 //   tangentWS: Mesh tangent in world space, unit
 //   bitangentWS: Bitangent in world space: cross(normal, tangent) with the mesh's handedness.
 //   sway: interpolated, from vertexSway()
@@ -123,8 +121,8 @@ Sail_Surface Sail_surface(float2 uv0, float3 geometryNormalWS, float3 tangentWS,
     float4 albedo = Sail_MainTex.Sample(Sail_sampler_MainTex, uv0);
 
     // SampleNormalMap "bump"
-    float4 bump_texel = Sail_BumpMap.Sample(Sail_sampler_BumpMap, uv0);
-    float3 bump = Sail_UnpackNormalRedGreen(bump_texel, 1.0);
+    float4 bumpTexel = Sail_BumpMap.Sample(Sail_sampler_BumpMap, uv0);
+    float3 bump = Sail_UnpackNormalRedGreen(bumpTexel, 1.0);
 
     Sail_Surface surface;
     surface.baseColor = albedo.xyz * Sail_Tint.xyz;
@@ -192,13 +190,12 @@ float3 Sail_FresnelSchlick(float3 f0, float cosine, float f90)
 // The surface of this point, as its lighting takes it. A cutout surface is not drawn where its alpha is below
 // alphaClip.
 //   uv0: First texture coordinates; v grows downwards, as texels are stored.
-//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the
-//     viewer.
+//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
 //   tangentWS: Mesh tangent in world space, unit
 //   bitangentWS: Bitangent in world space: cross(normal, tangent) with the mesh's handedness.
 //   sway: interpolated, from vertexSway()
-Sail_LightingSurface Sail_lightingSurface(float2 uv0, float3 geometryNormalWS, float3 tangentWS,
-    float3 bitangentWS, float sway)
+Sail_LightingSurface Sail_lightingSurface(float2 uv0, float3 geometryNormalWS, float3 tangentWS, float3 bitangentWS,
+    float sway)
 {
     Sail_Surface material = Sail_surface(uv0, geometryNormalWS, tangentWS, bitangentWS, sway);
 
@@ -229,8 +226,8 @@ float3 Sail_direct(Sail_LightingSurface surface, Sail_Light light, float3 viewDi
     float ndotl = saturate(cosine);
 
     // NdotV "ndotv"
-    float cosine_2 = dot(surface.normalWS, viewDirWS);
-    float ndotv = saturate(abs(cosine_2));
+    float ndotvCosine = dot(surface.normalWS, viewDirWS);
+    float ndotv = saturate(abs(ndotvCosine));
 
     // HalfVector "halfVector"
     float3 halfVector = Sail_HalfVector(viewDirWS, light.direction);

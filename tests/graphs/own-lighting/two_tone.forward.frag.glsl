@@ -95,7 +95,7 @@ void main()
 
     int count = min(lightCount, 16);
 
-    float tone_sum = _Edge + 0.03;
+    float toneSum = _Edge + 0.03;
 
     vec3 directSum = vec3(0.0);
     for (int i = 0; i < count; ++i) {
@@ -105,13 +105,12 @@ void main()
         float cosine = dot(geometryNormalWS, light.direction);
         float ndotl = clamp(cosine, 0.0, 1.0);
 
-        float tone = smoothstep(_Edge, tone_sum, ndotl * light.shadow);
+        float tone = smoothstep(_Edge, toneSum, ndotl * light.shadow);
 
         directSum += mix(vec3(0.029556835, 0.014443844, 0.06847817), setup, tone) * light.color * light.attenuation;
     }
-    vec3 evaluateSH9 = EvaluateSH9(geometryNormalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz,
-        ambientSH[3].xyz, ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz,
-        ambientSH[8].xyz);
-    vec3 indirect = setup * evaluateSH9;
+    vec3 ambientOrBaked = EvaluateSH9(geometryNormalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz,
+        ambientSH[3].xyz, ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
+    vec3 indirect = setup * ambientOrBaked;
     outColor = vec4(directSum + indirect, 1.0);
 }

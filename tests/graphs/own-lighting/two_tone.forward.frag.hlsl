@@ -102,7 +102,7 @@ FragmentOutput main(FragmentInput input)
 
     int count = min(lightCount, 16);
 
-    float tone_sum = _Edge + 0.03;
+    float toneSum = _Edge + 0.03;
 
     float3 directSum = float3(0.0, 0.0, 0.0);
     for (int i = 0; i < count; ++i) {
@@ -112,14 +112,13 @@ FragmentOutput main(FragmentInput input)
         float cosine = dot(geometryNormalWS, light.direction);
         float ndotl = saturate(cosine);
 
-        float tone = smoothstep(_Edge, tone_sum, ndotl * light.shadow);
+        float tone = smoothstep(_Edge, toneSum, ndotl * light.shadow);
 
         directSum += lerp(float3(0.029556835, 0.014443844, 0.06847817), setup, tone) * light.color * light.attenuation;
     }
-    float3 evaluateSH9 = EvaluateSH9(geometryNormalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz,
-        ambientSH[3].xyz, ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz,
-        ambientSH[8].xyz);
-    float3 indirect = setup * evaluateSH9;
+    float3 ambientOrBaked = EvaluateSH9(geometryNormalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz,
+        ambientSH[3].xyz, ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
+    float3 indirect = setup * ambientOrBaked;
     FragmentOutput output;
     output.color = float4(directSum + indirect, 1.0);
     return output;

@@ -62,9 +62,9 @@ layout(set = 1, binding = 0, std140) uniform Material
 {
     vec4 glTint;
     float a_b;
-    float a_b_2;
-    float Material_2;
-    float light_count_2;
+    float a_b2;
+    float Material2;
+    float lightCount2;
     float main_;
 };
 
@@ -88,10 +88,10 @@ Surface surface(vec2 uv0, vec3 geometryNormalWS)
 
     Surface s;
     s.baseColor = out_;
-    s.metallic = a_b * a_b_2;
-    s.roughness = Material_2;
+    s.metallic = a_b * a_b2;
+    s.roughness = Material2;
     s.normalWS = geometryNormalWS;
-    s.occlusion = light_count_2 * main_;
+    s.occlusion = lightCount2 * main_;
     s.emission = vec3(0.0);
     return s;
 }
@@ -187,24 +187,24 @@ void main()
     float ndotv = clamp(abs(cosine), 0.0, 1.0);
 
     // DisneyDiffuse "diffuse"
-    float diffuse_product = 2.0 * material.roughness;
+    float diffuseProduct = 2.0 * material.roughness;
     float m = clamp(1.0 - ndotv, 0.0, 1.0);
     float m2 = m * m;
-    float diffuse_product_2 = m2 * m2 * m;
+    float schlickWeight = m2 * m2 * m;
 
     // AlphaFromRoughness "alpha"
     float alpha = max(material.roughness * material.roughness, 0.002);
 
     // VisibilitySmithJointApproximate "visibility"
-    float visibility_difference = 1.0 - alpha;
-    float visibility_sum = ndotv * visibility_difference + alpha;
+    float visibilityDifference = 1.0 - alpha;
+    float visibilitySum = ndotv * visibilityDifference + alpha;
 
     // DistributionGGXUnity "distribution"
     float a2 = alpha * alpha;
-    float distribution_product = 0.31830987 * a2;
+    float distributionProduct = 0.31830987 * a2;
 
     // FresnelSchlick "fresnel"
-    vec3 fresnel_difference = 1.0 - setup.f0;
+    vec3 fresnelDifference = 1.0 - setup.f0;
 
     float hasSpecular = any(greaterThan(setup.f0, vec3(0.0))) ? 1.0 : 0.0;
 
@@ -213,8 +213,8 @@ void main()
         Light light = lightAt(i, vPositionWS);
 
         // NdotL "ndotl"
-        float cosine_2 = dot(normalWS, light.direction);
-        float ndotl = clamp(cosine_2, 0.0, 1.0);
+        float ndotlCosine = dot(normalWS, light.direction);
+        float ndotl = clamp(ndotlCosine, 0.0, 1.0);
 
         // HalfVector "halfVector"
         vec3 halfVector = HalfVector(viewDirWS, light.direction);
@@ -225,20 +225,20 @@ void main()
         // LdotH "ldoth"
         float ldoth = clamp(dot(light.direction, halfVector), 0.0, 1.0);
 
-        float f90 = 0.5 + diffuse_product * ldoth * ldoth;
-        float diffuse_difference = f90 - 1.0;
-        float lightScatter = 1.0 + diffuse_difference * SchlickWeight(ndotl);
-        float viewScatter = 1.0 + diffuse_difference * diffuse_product_2;
+        float f90 = 0.5 + diffuseProduct * ldoth * ldoth;
+        float diffuseDifference = f90 - 1.0;
+        float lightScatter = 1.0 + diffuseDifference * SchlickWeight(ndotl);
+        float viewScatter = 1.0 + diffuseDifference * schlickWeight;
         float diffuse = lightScatter * viewScatter;
 
-        float viewPart = ndotl * visibility_sum;
-        float lightPart = ndotv * (ndotl * visibility_difference + alpha);
+        float viewPart = ndotl * visibilitySum;
+        float lightPart = ndotv * (ndotl * visibilityDifference + alpha);
         float visibility = 0.5 / (viewPart + lightPart + 1e-05);
 
         float spread = (ndoth * a2 - ndoth) * ndoth + 1.0;
-        float distribution = distribution_product / (spread * spread + 1e-07);
+        float distribution = distributionProduct / (spread * spread + 1e-07);
 
-        vec3 fresnel = setup.f0 + fresnel_difference * SchlickWeight(ldoth);
+        vec3 fresnel = setup.f0 + fresnelDifference * SchlickWeight(ldoth);
 
         vec3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * hasSpecular * fresnel;
 
@@ -253,9 +253,8 @@ void main()
     vec3 reflected = reflect(-viewDirWS, normalWS);
 
     // EnvironmentRadiance "environment"
-    float mip_from_roughness = MipFromRoughness(clamp(material.roughness, 0.0, 1.0), 5.0);
-    vec4 environmentTexel = textureLod(samplerCube(environmentMap, environmentMapSampler), reflected,
-        mip_from_roughness);
+    float mipFromRoughness = MipFromRoughness(clamp(material.roughness, 0.0, 1.0), 5.0);
+    vec4 environmentTexel = textureLod(samplerCube(environmentMap, environmentMapSampler), reflected, mipFromRoughness);
 
     // SurfaceReduction "reduction"
     float reduction = 1.0 / (a2 + 1.0);

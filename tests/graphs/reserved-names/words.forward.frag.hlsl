@@ -61,9 +61,9 @@ cbuffer Material : register(b0, space1)
 {
     float4 glTint;
     float a_b;
-    float a_b_2;
-    float Material_2;
-    float light_count_2;
+    float a_b2;
+    float Material2;
+    float lightCount2;
     float main_;
 };
 
@@ -94,10 +94,10 @@ Surface surface(float2 uv0, float3 geometryNormalWS)
 
     Surface s;
     s.baseColor = out_;
-    s.metallic = a_b * a_b_2;
-    s.roughness = Material_2;
+    s.metallic = a_b * a_b2;
+    s.roughness = Material2;
     s.normalWS = geometryNormalWS;
-    s.occlusion = light_count_2 * main_;
+    s.occlusion = lightCount2 * main_;
     s.emission = float3(0.0, 0.0, 0.0);
     return s;
 }
@@ -179,8 +179,7 @@ float MipFromRoughness(float roughness, float steps)
 
 FragmentOutput main(FragmentInput input)
 {
-    float3 viewDirWS = normalize(lerp(cameraPositionWS - input.positionWS, -cameraForwardWS,
-        viewIsOrthographic));
+    float3 viewDirWS = normalize(lerp(cameraPositionWS - input.positionWS, -cameraForwardWS, viewIsOrthographic));
     float3 geometryNormalWS = normalize(input.vertexNormalWS);
     Surface material = surface(input.uv0, geometryNormalWS);
 
@@ -195,24 +194,24 @@ FragmentOutput main(FragmentInput input)
     float ndotv = saturate(abs(cosine));
 
     // DisneyDiffuse "diffuse"
-    float diffuse_product = 2.0 * material.roughness;
+    float diffuseProduct = 2.0 * material.roughness;
     float m = saturate(1.0 - ndotv);
     float m2 = m * m;
-    float diffuse_product_2 = m2 * m2 * m;
+    float schlickWeight = m2 * m2 * m;
 
     // AlphaFromRoughness "alpha"
     float alpha = max(material.roughness * material.roughness, 0.002);
 
     // VisibilitySmithJointApproximate "visibility"
-    float visibility_difference = 1.0 - alpha;
-    float visibility_sum = ndotv * visibility_difference + alpha;
+    float visibilityDifference = 1.0 - alpha;
+    float visibilitySum = ndotv * visibilityDifference + alpha;
 
     // DistributionGGXUnity "distribution"
     float a2 = alpha * alpha;
-    float distribution_product = 0.31830987 * a2;
+    float distributionProduct = 0.31830987 * a2;
 
     // FresnelSchlick "fresnel"
-    float3 fresnel_difference = 1.0 - setup.f0;
+    float3 fresnelDifference = 1.0 - setup.f0;
 
     float hasSpecular = any(setup.f0 > 0.0) ? 1.0 : 0.0;
 
@@ -221,8 +220,8 @@ FragmentOutput main(FragmentInput input)
         Light light = lightAt(i, input.positionWS);
 
         // NdotL "ndotl"
-        float cosine_2 = dot(normalWS, light.direction);
-        float ndotl = saturate(cosine_2);
+        float ndotlCosine = dot(normalWS, light.direction);
+        float ndotl = saturate(ndotlCosine);
 
         // HalfVector "halfVector"
         float3 halfVector = HalfVector(viewDirWS, light.direction);
@@ -233,20 +232,20 @@ FragmentOutput main(FragmentInput input)
         // LdotH "ldoth"
         float ldoth = saturate(dot(light.direction, halfVector));
 
-        float f90 = 0.5 + diffuse_product * ldoth * ldoth;
-        float diffuse_difference = f90 - 1.0;
-        float lightScatter = 1.0 + diffuse_difference * SchlickWeight(ndotl);
-        float viewScatter = 1.0 + diffuse_difference * diffuse_product_2;
+        float f90 = 0.5 + diffuseProduct * ldoth * ldoth;
+        float diffuseDifference = f90 - 1.0;
+        float lightScatter = 1.0 + diffuseDifference * SchlickWeight(ndotl);
+        float viewScatter = 1.0 + diffuseDifference * schlickWeight;
         float diffuse = lightScatter * viewScatter;
 
-        float viewPart = ndotl * visibility_sum;
-        float lightPart = ndotv * (ndotl * visibility_difference + alpha);
+        float viewPart = ndotl * visibilitySum;
+        float lightPart = ndotv * (ndotl * visibilityDifference + alpha);
         float visibility = 0.5 / (viewPart + lightPart + 1e-05);
 
         float spread = (ndoth * a2 - ndoth) * ndoth + 1.0;
-        float distribution = distribution_product / (spread * spread + 1e-07);
+        float distribution = distributionProduct / (spread * spread + 1e-07);
 
-        float3 fresnel = setup.f0 + fresnel_difference * SchlickWeight(ldoth);
+        float3 fresnel = setup.f0 + fresnelDifference * SchlickWeight(ldoth);
 
         float3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * hasSpecular * fresnel;
 
@@ -261,8 +260,8 @@ FragmentOutput main(FragmentInput input)
     float3 reflected = reflect(-viewDirWS, normalWS);
 
     // EnvironmentRadiance "environment"
-    float mip_from_roughness = MipFromRoughness(saturate(material.roughness), 5.0);
-    float4 environmentTexel = environmentMap.SampleLevel(environmentMapSampler, reflected, mip_from_roughness);
+    float mipFromRoughness = MipFromRoughness(saturate(material.roughness), 5.0);
+    float4 environmentTexel = environmentMap.SampleLevel(environmentMapSampler, reflected, mipFromRoughness);
 
     // SurfaceReduction "reduction"
     float reduction = 1.0 / (a2 + 1.0);

@@ -103,15 +103,14 @@ vec3 UnpackNormalRedGreen(vec4 encoded, float scale)
 // A normal from tangent space, in the world.
 vec3 NormalTangentToWorld(vec3 normalTS, vec3 normal, vec3 tangent, vec3 bitangent)
 {
-    vec3 direction = normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
-    return direction;
+    return normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
 }
 
 Surface surface(vec2 uv0, vec3 geometryNormalWS, vec3 tangentWS, vec3 bitangentWS)
 {
     // SampleNormalMap "bumps"
-    vec4 bumps_texel = texture(sampler2D(_NormalTex, sampler_NormalTex), uv0);
-    vec3 bumps = UnpackNormalRedGreen(bumps_texel, 1.0);
+    vec4 bumpsTexel = texture(sampler2D(_NormalTex, sampler_NormalTex), uv0);
+    vec3 bumps = UnpackNormalRedGreen(bumpsTexel, 1.0);
 
     Surface s;
     s.baseColor = _Glaze.xyz;
@@ -127,11 +126,11 @@ Surface surface(vec2 uv0, vec3 geometryNormalWS, vec3 tangentWS, vec3 bitangentW
 SpecularSetupMonochromeResult SpecularSetupMonochrome(vec3 baseColor, vec3 specular)
 {
     float oneMinusReflectivity = 1.0 - max(max(specular.x, specular.y), specular.z);
-    SpecularSetupMonochromeResult specular_setup_monochrome_result;
-    specular_setup_monochrome_result.diffuseColor = baseColor * oneMinusReflectivity;
-    specular_setup_monochrome_result.f0 = specular;
-    specular_setup_monochrome_result.oneMinusReflectivity = oneMinusReflectivity;
-    return specular_setup_monochrome_result;
+    SpecularSetupMonochromeResult specularSetupMonochromeResult;
+    specularSetupMonochromeResult.diffuseColor = baseColor * oneMinusReflectivity;
+    specularSetupMonochromeResult.f0 = specular;
+    specularSetupMonochromeResult.oneMinusReflectivity = oneMinusReflectivity;
+    return specularSetupMonochromeResult;
 }
 
 vec3 fittedBaseColor(vec3 scattered, vec3 specular, float metallic)
@@ -156,8 +155,8 @@ float metallicFitError(vec3 scattered, vec3 specular, float metallic)
     MetallicSetupResult metallicSetupResult = MetallicSetup(baseColor, metallic);
     vec3 offDiffuse = abs(metallicSetupResult.diffuseColor - scattered);
     vec3 offSpecular = abs(metallicSetupResult.f0 - specular);
-    float limited = max(max(offSpecular.x, offSpecular.y), offSpecular.z);
-    return max(max(max(offDiffuse.x, offDiffuse.y), offDiffuse.z), limited);
+    float specularStrengthLargest = max(max(offSpecular.x, offSpecular.y), offSpecular.z);
+    return max(max(max(offDiffuse.x, offDiffuse.y), offDiffuse.z), specularStrengthLargest);
 }
 
 // The metallic/roughness description of a specular/gloss surface, exact where one exists and the nearest elsewhere.
@@ -171,10 +170,10 @@ MetallicFromSpecularQuickResult MetallicFromSpecularQuick(vec3 diffuse, vec3 spe
     float root = sqrt(max(halfB * halfB - 0.04 * c, 0.0));
     float plain = halfB > 0.0 ? (s - 0.04) / max(halfB + root, 1e-06) : (root - halfB) / 0.04;
     float metallic = clamp(s <= 0.04 ? 0.0 : plain, 0.0, 1.0);
-    MetallicFromSpecularQuickResult metallic_from_specular_quick_result;
-    metallic_from_specular_quick_result.metallic = metallic;
-    metallic_from_specular_quick_result.error = metallicFitError(scattered, specular, metallic);
-    return metallic_from_specular_quick_result;
+    MetallicFromSpecularQuickResult metallicFromSpecularQuickResult;
+    metallicFromSpecularQuickResult.metallic = metallic;
+    metallicFromSpecularQuickResult.error = metallicFitError(scattered, specular, metallic);
+    return metallicFromSpecularQuickResult;
 }
 
 // The inverse square law, with a window that ends it smoothly at the light's range.
@@ -254,8 +253,8 @@ void main()
     // MetallicFromSpecular "metal"
     MetallicFromSpecularQuickResult metal = MetallicFromSpecularQuick(material.baseColor, material.specular);
 
-    float product = 0.96 * (1.0 - metal.metallic);
-    float oneMinusReflectivity = mix(product, setup.oneMinusReflectivity, clamp(metal.error * 50.0, 0.0, 1.0));
+    float oneMinusReflectivity = mix(0.96 * (1.0 - metal.metallic), setup.oneMinusReflectivity,
+        clamp(metal.error * 50.0, 0.0, 1.0));
     float roughness = 1.0 - material.glossiness;
     vec3 normalWS = normalize(material.normalWS);
     int count = min(lightCount, 16);
@@ -265,24 +264,24 @@ void main()
     float ndotv = clamp(abs(cosine), 0.0, 1.0);
 
     // DisneyDiffuse "diffuse"
-    float diffuse_product = 2.0 * roughness;
+    float diffuseProduct = 2.0 * roughness;
     float m = clamp(1.0 - ndotv, 0.0, 1.0);
     float m2 = m * m;
-    float diffuse_product_2 = m2 * m2 * m;
+    float schlickWeight = m2 * m2 * m;
 
     // AlphaFromRoughness "alpha"
     float alpha = max(roughness * roughness, 0.002);
 
     // VisibilitySmithJointApproximate "visibility"
-    float visibility_difference = 1.0 - alpha;
-    float visibility_sum = ndotv * visibility_difference + alpha;
+    float visibilityDifference = 1.0 - alpha;
+    float visibilitySum = ndotv * visibilityDifference + alpha;
 
     // DistributionGGXUnity "distribution"
     float a2 = alpha * alpha;
-    float distribution_product = 0.31830987 * a2;
+    float distributionProduct = 0.31830987 * a2;
 
     // FresnelSchlick "fresnel"
-    vec3 fresnel_difference = 1.0 - setup.f0;
+    vec3 fresnelDifference = 1.0 - setup.f0;
 
     float hasSpecular = any(greaterThan(setup.f0, vec3(0.0))) ? 1.0 : 0.0;
 
@@ -291,8 +290,8 @@ void main()
         Light light = lightAt(i, vPositionWS);
 
         // NdotL "ndotl"
-        float cosine_2 = dot(normalWS, light.direction);
-        float ndotl = clamp(cosine_2, 0.0, 1.0);
+        float ndotlCosine = dot(normalWS, light.direction);
+        float ndotl = clamp(ndotlCosine, 0.0, 1.0);
 
         // HalfVector "halfVector"
         vec3 halfVector = HalfVector(viewDirWS, light.direction);
@@ -303,20 +302,20 @@ void main()
         // LdotH "ldoth"
         float ldoth = clamp(dot(light.direction, halfVector), 0.0, 1.0);
 
-        float f90 = 0.5 + diffuse_product * ldoth * ldoth;
-        float diffuse_difference = f90 - 1.0;
-        float lightScatter = 1.0 + diffuse_difference * SchlickWeight(ndotl);
-        float viewScatter = 1.0 + diffuse_difference * diffuse_product_2;
+        float f90 = 0.5 + diffuseProduct * ldoth * ldoth;
+        float diffuseDifference = f90 - 1.0;
+        float lightScatter = 1.0 + diffuseDifference * SchlickWeight(ndotl);
+        float viewScatter = 1.0 + diffuseDifference * schlickWeight;
         float diffuse = lightScatter * viewScatter;
 
-        float viewPart = ndotl * visibility_sum;
-        float lightPart = ndotv * (ndotl * visibility_difference + alpha);
+        float viewPart = ndotl * visibilitySum;
+        float lightPart = ndotv * (ndotl * visibilityDifference + alpha);
         float visibility = 0.5 / (viewPart + lightPart + 1e-05);
 
         float spread = (ndoth * a2 - ndoth) * ndoth + 1.0;
-        float distribution = distribution_product / (spread * spread + 1e-07);
+        float distribution = distributionProduct / (spread * spread + 1e-07);
 
-        vec3 fresnel = setup.f0 + fresnel_difference * SchlickWeight(ldoth);
+        vec3 fresnel = setup.f0 + fresnelDifference * SchlickWeight(ldoth);
 
         vec3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * hasSpecular * fresnel;
 
@@ -331,9 +330,8 @@ void main()
     vec3 reflected = reflect(-viewDirWS, normalWS);
 
     // EnvironmentRadiance "environment"
-    float mip_from_roughness = MipFromRoughness(clamp(roughness, 0.0, 1.0), 5.0);
-    vec4 environmentTexel = textureLod(samplerCube(environmentMap, environmentMapSampler), reflected,
-        mip_from_roughness);
+    float mipFromRoughness = MipFromRoughness(clamp(roughness, 0.0, 1.0), 5.0);
+    vec4 environmentTexel = textureLod(samplerCube(environmentMap, environmentMapSampler), reflected, mipFromRoughness);
 
     // SurfaceReduction "reduction"
     float reduction = 1.0 / (a2 + 1.0);

@@ -109,15 +109,14 @@ float3 UnpackNormalRedGreen(float4 encoded, float scale)
 // A normal from tangent space, in the world.
 float3 NormalTangentToWorld(float3 normalTS, float3 normal, float3 tangent, float3 bitangent)
 {
-    float3 direction = normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
-    return direction;
+    return normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
 }
 
 Surface surface(float2 uv0, float3 geometryNormalWS, float3 tangentWS, float3 bitangentWS)
 {
     // SampleNormalMap "bumps"
-    float4 bumps_texel = _NormalTex.Sample(sampler_NormalTex, uv0);
-    float3 bumps = UnpackNormalRedGreen(bumps_texel, 1.0);
+    float4 bumpsTexel = _NormalTex.Sample(sampler_NormalTex, uv0);
+    float3 bumps = UnpackNormalRedGreen(bumpsTexel, 1.0);
 
     Surface s;
     s.baseColor = _Glaze.xyz;
@@ -133,11 +132,11 @@ Surface surface(float2 uv0, float3 geometryNormalWS, float3 tangentWS, float3 bi
 SpecularSetupMonochromeResult SpecularSetupMonochrome(float3 baseColor, float3 specular)
 {
     float oneMinusReflectivity = 1.0 - max(max(specular.x, specular.y), specular.z);
-    SpecularSetupMonochromeResult specular_setup_monochrome_result;
-    specular_setup_monochrome_result.diffuseColor = baseColor * oneMinusReflectivity;
-    specular_setup_monochrome_result.f0 = specular;
-    specular_setup_monochrome_result.oneMinusReflectivity = oneMinusReflectivity;
-    return specular_setup_monochrome_result;
+    SpecularSetupMonochromeResult specularSetupMonochromeResult;
+    specularSetupMonochromeResult.diffuseColor = baseColor * oneMinusReflectivity;
+    specularSetupMonochromeResult.f0 = specular;
+    specularSetupMonochromeResult.oneMinusReflectivity = oneMinusReflectivity;
+    return specularSetupMonochromeResult;
 }
 
 float3 fittedBaseColor(float3 scattered, float3 specular, float metallic)
@@ -162,8 +161,8 @@ float metallicFitError(float3 scattered, float3 specular, float metallic)
     MetallicSetupResult metallicSetupResult = MetallicSetup(baseColor, metallic);
     float3 offDiffuse = abs(metallicSetupResult.diffuseColor - scattered);
     float3 offSpecular = abs(metallicSetupResult.f0 - specular);
-    float limited = max(max(offSpecular.x, offSpecular.y), offSpecular.z);
-    return max(max(max(offDiffuse.x, offDiffuse.y), offDiffuse.z), limited);
+    float specularStrengthLargest = max(max(offSpecular.x, offSpecular.y), offSpecular.z);
+    return max(max(max(offDiffuse.x, offDiffuse.y), offDiffuse.z), specularStrengthLargest);
 }
 
 // The metallic/roughness description of a specular/gloss surface, exact where one exists and the nearest elsewhere.
@@ -177,10 +176,10 @@ MetallicFromSpecularQuickResult MetallicFromSpecularQuick(float3 diffuse, float3
     float root = sqrt(max(halfB * halfB - 0.04 * c, 0.0));
     float plain = halfB > 0.0 ? (s - 0.04) / max(halfB + root, 1e-06) : (root - halfB) / 0.04;
     float metallic = saturate(s <= 0.04 ? 0.0 : plain);
-    MetallicFromSpecularQuickResult metallic_from_specular_quick_result;
-    metallic_from_specular_quick_result.metallic = metallic;
-    metallic_from_specular_quick_result.error = metallicFitError(scattered, specular, metallic);
-    return metallic_from_specular_quick_result;
+    MetallicFromSpecularQuickResult metallicFromSpecularQuickResult;
+    metallicFromSpecularQuickResult.metallic = metallic;
+    metallicFromSpecularQuickResult.error = metallicFitError(scattered, specular, metallic);
+    return metallicFromSpecularQuickResult;
 }
 
 // The inverse square law, with a window that ends it smoothly at the light's range.
@@ -249,8 +248,7 @@ float MipFromRoughness(float roughness, float steps)
 
 FragmentOutput main(FragmentInput input)
 {
-    float3 viewDirWS = normalize(lerp(cameraPositionWS - input.positionWS, -cameraForwardWS,
-        viewIsOrthographic));
+    float3 viewDirWS = normalize(lerp(cameraPositionWS - input.positionWS, -cameraForwardWS, viewIsOrthographic));
     float3 geometryNormalWS = normalize(input.vertexNormalWS);
     float3 tangentWS = normalize(input.vertexTangentWS.xyz);
     float3 bitangentWS = cross(geometryNormalWS, tangentWS) * input.vertexTangentWS.w;
@@ -262,8 +260,8 @@ FragmentOutput main(FragmentInput input)
     // MetallicFromSpecular "metal"
     MetallicFromSpecularQuickResult metal = MetallicFromSpecularQuick(material.baseColor, material.specular);
 
-    float product = 0.96 * (1.0 - metal.metallic);
-    float oneMinusReflectivity = lerp(product, setup.oneMinusReflectivity, saturate(metal.error * 50.0));
+    float oneMinusReflectivity = lerp(0.96 * (1.0 - metal.metallic), setup.oneMinusReflectivity,
+        saturate(metal.error * 50.0));
     float roughness = 1.0 - material.glossiness;
     float3 normalWS = normalize(material.normalWS);
     int count = min(lightCount, 16);
@@ -273,24 +271,24 @@ FragmentOutput main(FragmentInput input)
     float ndotv = saturate(abs(cosine));
 
     // DisneyDiffuse "diffuse"
-    float diffuse_product = 2.0 * roughness;
+    float diffuseProduct = 2.0 * roughness;
     float m = saturate(1.0 - ndotv);
     float m2 = m * m;
-    float diffuse_product_2 = m2 * m2 * m;
+    float schlickWeight = m2 * m2 * m;
 
     // AlphaFromRoughness "alpha"
     float alpha = max(roughness * roughness, 0.002);
 
     // VisibilitySmithJointApproximate "visibility"
-    float visibility_difference = 1.0 - alpha;
-    float visibility_sum = ndotv * visibility_difference + alpha;
+    float visibilityDifference = 1.0 - alpha;
+    float visibilitySum = ndotv * visibilityDifference + alpha;
 
     // DistributionGGXUnity "distribution"
     float a2 = alpha * alpha;
-    float distribution_product = 0.31830987 * a2;
+    float distributionProduct = 0.31830987 * a2;
 
     // FresnelSchlick "fresnel"
-    float3 fresnel_difference = 1.0 - setup.f0;
+    float3 fresnelDifference = 1.0 - setup.f0;
 
     float hasSpecular = any(setup.f0 > 0.0) ? 1.0 : 0.0;
 
@@ -299,8 +297,8 @@ FragmentOutput main(FragmentInput input)
         Light light = lightAt(i, input.positionWS);
 
         // NdotL "ndotl"
-        float cosine_2 = dot(normalWS, light.direction);
-        float ndotl = saturate(cosine_2);
+        float ndotlCosine = dot(normalWS, light.direction);
+        float ndotl = saturate(ndotlCosine);
 
         // HalfVector "halfVector"
         float3 halfVector = HalfVector(viewDirWS, light.direction);
@@ -311,20 +309,20 @@ FragmentOutput main(FragmentInput input)
         // LdotH "ldoth"
         float ldoth = saturate(dot(light.direction, halfVector));
 
-        float f90 = 0.5 + diffuse_product * ldoth * ldoth;
-        float diffuse_difference = f90 - 1.0;
-        float lightScatter = 1.0 + diffuse_difference * SchlickWeight(ndotl);
-        float viewScatter = 1.0 + diffuse_difference * diffuse_product_2;
+        float f90 = 0.5 + diffuseProduct * ldoth * ldoth;
+        float diffuseDifference = f90 - 1.0;
+        float lightScatter = 1.0 + diffuseDifference * SchlickWeight(ndotl);
+        float viewScatter = 1.0 + diffuseDifference * schlickWeight;
         float diffuse = lightScatter * viewScatter;
 
-        float viewPart = ndotl * visibility_sum;
-        float lightPart = ndotv * (ndotl * visibility_difference + alpha);
+        float viewPart = ndotl * visibilitySum;
+        float lightPart = ndotv * (ndotl * visibilityDifference + alpha);
         float visibility = 0.5 / (viewPart + lightPart + 1e-05);
 
         float spread = (ndoth * a2 - ndoth) * ndoth + 1.0;
-        float distribution = distribution_product / (spread * spread + 1e-07);
+        float distribution = distributionProduct / (spread * spread + 1e-07);
 
-        float3 fresnel = setup.f0 + fresnel_difference * SchlickWeight(ldoth);
+        float3 fresnel = setup.f0 + fresnelDifference * SchlickWeight(ldoth);
 
         float3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * hasSpecular * fresnel;
 
@@ -339,8 +337,8 @@ FragmentOutput main(FragmentInput input)
     float3 reflected = reflect(-viewDirWS, normalWS);
 
     // EnvironmentRadiance "environment"
-    float mip_from_roughness = MipFromRoughness(saturate(roughness), 5.0);
-    float4 environmentTexel = environmentMap.SampleLevel(environmentMapSampler, reflected, mip_from_roughness);
+    float mipFromRoughness = MipFromRoughness(saturate(roughness), 5.0);
+    float4 environmentTexel = environmentMap.SampleLevel(environmentMapSampler, reflected, mipFromRoughness);
 
     // SurfaceReduction "reduction"
     float reduction = 1.0 / (a2 + 1.0);

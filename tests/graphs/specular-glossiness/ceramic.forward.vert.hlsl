@@ -45,8 +45,7 @@ VertexOutput main(VertexInput input)
     output.uv0 = input.uv0;
     output.positionWS = positionWS.xyz;
     output.vertexNormalWS = normalize(mul(float4(input.normalOS, 0.0), worldToObject).xyz);
-    output.vertexTangentWS = float4(normalize(mul(objectToWorld, float4(input.tangentOS.xyz, 0.0)).xyz),
-        handedness);
+    output.vertexTangentWS = float4(normalize(mul(objectToWorld, float4(input.tangentOS.xyz, 0.0)).xyz), handedness);
     output.position = mul(worldToClip, float4(positionWS.xyz, 1.0));
     return output;
 }

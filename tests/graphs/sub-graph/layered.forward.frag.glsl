@@ -15,12 +15,12 @@ vec3 surface(vec2 uv0)
     // stripes "coarse"
     vec3 color = mix(vec3(0.9, 0.4, 0.1), vec3(0.1, 0.2, 0.6), edge);
 
-    float wave_2 = sin(uv0.y * 32.0 * 6.2831855);
+    float wave2 = sin(uv0.y * 32.0 * 6.2831855);
 
     // Smoothstep "fine/edge"
-    float edge_2 = smoothstep(-0.1, 0.1, wave_2);
+    float edge2 = smoothstep(-0.1, 0.1, wave2);
 
-    return color * edge_2;
+    return color * edge2;
 }
 
 void main()

@@ -102,9 +102,8 @@ void main()
     }
 
     // AmbientIrradiance "ambient"
-    vec3 ambient = EvaluateSH9(geometryNormalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz,
-        ambientSH[3].xyz, ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz,
-        ambientSH[8].xyz);
+    vec3 ambient = EvaluateSH9(geometryNormalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz, ambientSH[3].xyz,
+        ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
 
     vec3 indirect = setup * ambient;
     outColor = vec4(directSum + indirect, 1.0);

@@ -110,8 +110,7 @@ FragmentOutput main(FragmentInput input)
 
     // AmbientIrradiance "ambient"
     float3 ambient = EvaluateSH9(geometryNormalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz,
-        ambientSH[3].xyz, ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz,
-        ambientSH[8].xyz);
+        ambientSH[3].xyz, ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
 
     float3 indirect = setup * ambient;
     FragmentOutput output;

@@ -60,7 +60,7 @@ constexpr const char* kGlslHead = R"(#version 450
 #define float4x4 mat4
 #define mul(m, v) ((m) * (v))
 #define saturate(x) clamp(x, 0.0, 1.0)
-#define SAMPLE(kind, name, at, level) textureLod(sampler##kind(name, name##_sampler), at, level)
+#define SAMPLE(kind, name, at, level) textureLod(sampler##kind(name, name##Sampler), at, level)
 layout(set = 0, binding = 0, std140) uniform Engine {
     float4x4 worldToClip;
     float4x4 objectToWorld;
@@ -78,7 +78,7 @@ layout(set = 0, binding = 3) uniform sampler environmentMapSampler;
 layout(set = 0, binding = 4) uniform sampler splitSumTableSampler;
 )";
 constexpr const char* kHlslHead = R"(
-#define SAMPLE(kind, name, at, level) name.SampleLevel(name##_sampler, at, level)
+#define SAMPLE(kind, name, at, level) name.SampleLevel(name##Sampler, at, level)
 cbuffer Engine : register(b0, space0) {
     float4x4 worldToClip;
     float4x4 objectToWorld;

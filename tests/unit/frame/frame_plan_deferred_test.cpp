@@ -23,7 +23,7 @@ std::vector<Pass> deferred_passes() {
     sun.stencil = {.test = "equal", .pass = "keep", .reference = "lighting"};
     sun.targets = {target_of("color")};
     sun.blocks = {"Lights", "Camera"};
-    sun.textures = {"normal_texture"};
+    sun.textures = {"normalTexture"};
     Pass local = sun;
     local.name = "local";
     local.draws = "light-volumes";
@@ -33,7 +33,7 @@ std::vector<Pass> deferred_passes() {
 
 Reflection deferred() {
     Reflection reflection = reflection_of("deferred", deferred_passes());
-    reflection.textures = {texture_of("normal_texture", "gbufferNormal")};
+    reflection.textures = {texture_of("normalTexture", "gbufferNormal")};
     return reflection;
 }
 
@@ -59,7 +59,7 @@ TEST(DeferredFrame, LightsAreDrawnOnceForEachGroup) {
     EXPECT_EQ(lights_seen(frame.steps[7]), (Ints{0}));
     // The lighting passes read what the first has drawn.
     ASSERT_EQ(frame.steps[3].reads.size(), 1u);
-    EXPECT_EQ(frame.steps[3].reads[0].texture, "normal_texture");
+    EXPECT_EQ(frame.steps[3].reads[0].texture, "normalTexture");
     EXPECT_EQ(&frame.targets[frame.steps[3].reads[0].target], target(frame, "gbufferNormal"));
     EXPECT_TRUE(frame.steps[0].reads.empty());
 }
