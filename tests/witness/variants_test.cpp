@@ -563,7 +563,7 @@ TEST(Properties, OfSubgraphsHaveAnOrderThatNodesDoNotChange) {
                                      material(node("a", "sand") + "," + node("b", "moss"), "(b - a)"),
                                      material(node("zz", "moss") + "," + node("aa", "sand"), "(zz - aa)"),
                                      material(node("n", "ground"), "n"),
-                                     material(node("n", "groundTurned"), "n")};
+                                     material(node("n", "ground_turned"), "n")};
     const Result first = compiled(materials[0], files);
     for (const std::string& text : materials) {
         const Result result = compiled(text, files);
