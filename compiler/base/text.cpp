@@ -28,8 +28,18 @@ char lower(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
+// "normalWS" and "normalWS" are one word in two spellings.
+std::string spelled_alike(std::string_view word) {
+    std::string plain;
+    plain.reserve(word.size());
+    for (char c : word) {
+        if (c != '_') plain += lower(c);
+    }
+    return plain;
+}
+
 // Optimal string alignment distance, case-insensitive.
-std::size_t distance(std::string_view a, std::string_view b) {
+std::size_t distance_of_letters(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before(b.size() + 1), previous(b.size() + 1), current(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j) previous[j] = j;
     for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -45,6 +55,13 @@ std::size_t distance(std::string_view a, std::string_view b) {
         std::swap(previous, current);
     }
     return previous[b.size()];
+}
+
+// An underscore between words is no letter that has to change.
+std::size_t distance(std::string_view a, std::string_view b) {
+    const std::size_t as_written = distance_of_letters(a, b);
+    if (as_written == 0 || a.find('_') == a.npos) return as_written;
+    return std::min(as_written, distance_of_letters(spelled_alike(a), spelled_alike(b)));
 }
 
 // 123.4 is 1234 x 10^-1.
@@ -119,6 +136,10 @@ bool is_identifier(std::string_view text) {
 
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates) {
     if (word.size() > 256) return {};
+    const std::string plain = spelled_alike(word);
+    const auto same = std::find_if(candidates.begin(), candidates.end(),
+                                   [&](std::string_view candidate) { return spelled_alike(candidate) == plain; });
+    if (same != candidates.end() && !plain.empty()) return *same;
     std::string_view best;
     // A word of which every letter would have to change is no suggestion.
     std::size_t best_distance = std::min(std::max<std::size_t>(1, word.size() / 3) + 1, word.size());

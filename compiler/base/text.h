@@ -16,7 +16,8 @@ namespace patina {
 // [A-Za-z_][A-Za-z0-9_]*
 bool is_identifier(std::string_view text);
 
-// The candidate nearest to `word` by edit distance, or empty if none is near enough to suggest it. Case is ignored.
+// The candidate that `word` means: the one that differs by case and underscores only (normal_ws, normalWS), else the
+// nearest by edit distance, or empty if none is near enough.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 
 // Shortest text that reads back as the same value, as std::to_chars writes it: "0.5", "1", "1e-05".

@@ -160,7 +160,7 @@ Typed call(Emitter& emitter, const FunctionDecl& function, const Declarations& h
     std::vector<Argument> gathered;
     gathered.reserve(function.params.size());
     if (!gather_arguments(emitter, function, home, arguments, scope, span, gathered)) return {};
-    half = half && !function.attribute("in_float");
+    half = half && !function.attribute("inFloat");
     return call_gathered(emitter, function, home, arguments, gathered, scope, span, half);
 }
 

@@ -75,7 +75,7 @@ Instance emit_function(Emitter& emitter, const FunctionDecl& function, const Dec
     if (const Attribute* foreign = function.attribute("foreign")) {
         made.linkage = ir::Linkage::Foreign;
         made.spelling = attribute_text(*foreign);
-        made.is_of_object = function.attribute("per_object") != nullptr;
+        made.is_of_object = function.attribute("perObject") != nullptr;
         builder.ret(builder.zero(made.result));
         emitter.module.functions.push_back(std::move(made));
         instance.id = {static_cast<std::uint32_t>(emitter.module.functions.size() - 1)};
@@ -121,7 +121,7 @@ ir::FunctionId outer_function(Emitter& emitter, const FunctionDecl& function, co
             emitter.diagnostics.report(Code::MissingInput, param.span, function.name, param.name)
                 .note(
                     "nothing calls it with arguments: the default of a parameter is a semantic that it reads, "
-                    "'float3 position = position_ws'");
+                    "'float3 position = positionWS'");
             return {};
         }
         Scope outside{.builder = &builder, .declarations = &home, .environment = &environment};
@@ -164,7 +164,7 @@ std::string instance_name(const FunctionDecl& function, const Declarations& home
         if (enumeration) name += enumeration->values[static_cast<std::size_t>(*arguments[i].constant)];
     }
     // A foreign function is known by one name.
-    if (half && !function.attribute("foreign")) name += "_half";
+    if (half && !function.attribute("foreign")) name += "Half";
     return name;
 }
 

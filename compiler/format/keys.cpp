@@ -30,7 +30,7 @@ constexpr std::array kMaterial = {
     kPrecision,
     kProperties,
     kNodes,
-    KeyInfo{"vertex", "what the vertex stage moves: position_os, normal_os, tangent_os"},
+    KeyInfo{"vertex", "what the vertex stage moves: positionOS, normalOS, tangentOS"},
     KeyInfo{"surface", "the surface inputs of the workflow and of the lighting model"},
     KeyInfo{"render", "how the surface is drawn: opaque or cutout, culling, depth", ObjectKind::Render},
     KeyInfo{"passes", "further surfaces, each drawn in a pass of its own: an outline, a glow", ObjectKind::ExtraPass},

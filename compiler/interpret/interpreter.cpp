@@ -18,10 +18,10 @@ std::string_view builtin_name(ir::Builtin builtin) {
     switch (builtin) {
         case ir::Builtin::None: return "";
         case ir::Builtin::Position: return "position";
-        case ir::Builtin::FragCoord: return "frag_coord";
-        case ir::Builtin::FrontFacing: return "front_facing";
-        case ir::Builtin::VertexIndex: return "vertex_index";
-        case ir::Builtin::InstanceIndex: return "instance_index";
+        case ir::Builtin::FragCoord: return "fragCoord";
+        case ir::Builtin::FrontFacing: return "frontFacing";
+        case ir::Builtin::VertexIndex: return "vertexIndex";
+        case ir::Builtin::InstanceIndex: return "instanceIndex";
     }
     return "";
 }

@@ -362,7 +362,7 @@ void Builder::ret(Value value) {
 void Builder::name(Value value, NameId name) {
     if (!value || is_leaf(function_[value].op)) return;
     Inst& inst = function_.insts[value.index];
-    if (!inst.name) inst.name = name;
+    if (!inst.name || module_.name_of(inst.name).empty()) inst.name = name;
 }
 
 void Builder::rename(Value value, NameId name) {

@@ -136,7 +136,7 @@ std::string call(const Context& c) {
 
 std::string texture_size(const Context& c) {
     const bool is_texture = c.operand(0).kind == Kind::Texture2D || c.operand(0).kind == Kind::TextureCube;
-    if (!is_texture || c.operand(1) != kInt) return "texture_size takes a texture and an int";
+    if (!is_texture || c.operand(1) != kInt) return "textureSize takes a texture and an int";
     return expect(c, c.inst.type, Type::vector(Scalar::Int, 2), "the result");
 }
 

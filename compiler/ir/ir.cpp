@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "compiler/ir/hints.h"
+
 namespace patina::ir {
 namespace {
 
@@ -46,6 +48,10 @@ NameId Module::intern(std::string_view name) {
     names.emplace_back(name);
     index_name(made);
     return {made};
+}
+
+std::string_view Module::name_of(NameId id) const {
+    return hint_of(*this, id).name;
 }
 
 void Module::index_name(std::uint32_t index) {

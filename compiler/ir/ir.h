@@ -60,7 +60,7 @@ struct Inst {
     std::uint32_t operand_count = 0;
     std::uint32_t data = 0;  // what it means depends on the op: see ops.def
     OriginId origin{};       // the graph node that it comes from
-    NameId name{};           // a hint: a value that has one is printed as a statement of its own
+    NameId name{};           // a hint (ir/hints.h): a value that has one is printed as a statement of its own
 };
 
 struct Block {
@@ -280,8 +280,8 @@ struct Module {
 
     NameId intern(std::string_view name);
     Type array_of(Type element, std::uint32_t count);
-    std::string type_name(Type type) const;  // HLSL spelling: "float3", "Surface", "float[4]"
-    std::string_view name_of(NameId id) const { return id ? std::string_view(names[id.index]) : std::string_view(); }
+    std::string type_name(Type type) const;     // HLSL spelling: "float3", "Surface", "float[4]"
+    std::string_view name_of(NameId id) const;  // empty: it has none; hint_of (ir/hints.h) says more
 
 private:
     void index_name(std::uint32_t index);

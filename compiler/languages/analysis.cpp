@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/ir/hints.h"
 #include "compiler/ir/passes/passes.h"
 
 namespace patina::targets {
@@ -105,7 +106,7 @@ bool is_named_by_member(const Analysis& a, Value v, Value reader) {
     if (a[reader].op != Op::Construct || a[reader].type.kind != Kind::Struct) return false;
     const std::vector<Member>& members = a.module.structs[a[reader].type.ref].members;
     for (std::uint32_t i = 0; i < a.args(reader); ++i) {
-        if (a.arg(reader, i) == v) return members[i].name == a.module.name_of(a[v].name);
+        if (a.arg(reader, i) == v) return members[i].name == hint_of(a.module, a[v].name).local;
     }
     return false;
 }
@@ -126,7 +127,7 @@ bool must_stand(const Analysis& a, Value v) {
     if (is_statements(a, v)) return true;
     if (a.reads[v.index] > 1 || a.read_elsewhere[v.index]) return true;
     if (has_receiver(a, v)) return false;
-    if (inst.name) return !is_returned && !(reader && is_named_by_member(a, v, reader));
+    if (a.has_name(v)) return !is_returned && !(reader && is_named_by_member(a, v, reader));
     if (is_aggregate(inst.type)) return inst.op == Op::Call && !is_returned;
     const bool is_texel = info(inst.op).rule == TypeRule::Texel;
     return (is_texel || has(inst.op, Traits::Derivative)) && !is_returned;
@@ -183,8 +184,8 @@ private:
     }
     Cost cost_as_operand(Value v) const {
         if (!a_.stands[v.index]) return cost_[v.index];
-        const NameId name = a_[v].name;
-        return {0, name ? static_cast<unsigned>(a_.module.name_of(name).size()) : kNameWidth};
+        const std::string_view name = a_.module.name_of(a_[v].name);
+        return {0, name.empty() ? kNameWidth : static_cast<unsigned>(name.size())};
     }
     void measure(Value v) {
         Cost c{0, own_width(a_, v)};
@@ -274,7 +275,7 @@ bool Analysis::is_free(Value v) const {
     const Inst& inst = function[v];
     if (inst.op == Op::Extract) return !function[arg(v, 0)].type.is_matrix();
     if (inst.op == Op::Swizzle) return true;
-    return is_splat(function, v) && !inst.name;
+    return is_splat(function, v) && !has_name(v);
 }
 
 Analysis analyse(const Module& module, const Function& function, bool is_entry) {

@@ -31,6 +31,7 @@ struct Analysis {
     const ir::Inst& operator[](ir::Value v) const { return function.insts[v.index]; }
     ir::Value arg(ir::Value v, std::uint32_t i) const { return same_as[function.args(v)[i].index]; }
     std::uint32_t args(ir::Value v) const { return function[v].operand_count; }
+    bool has_name(ir::Value v) const { return !module.name_of(function[v].name).empty(); }
     bool is_read(ir::Value v) const { return reads[v.index] > 0; }
     bool is_live(ir::Value v) const;
     bool is_test(ir::Value v) const { return !tests.empty() && tests[v.index] != 0; }

@@ -89,6 +89,8 @@ private:
     }
     // ".member", "[2]", ".y"
     std::string part(ir::Type type, std::uint32_t index) const;
+    std::string declare(ir::NameId hint, std::string_view otherwise, ir::OriginId origin);
+    std::string_view node_of(ir::OriginId origin) const;
     std::string name_without_hint(ir::Value v) const;
     void find_member_names();
 

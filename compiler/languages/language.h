@@ -61,8 +61,8 @@ consteval SpellingTable by_op(const Spelling (&rows)[N]) {
 // How the entry function reads its inputs and writes its outputs.
 struct EntryPoint {
     std::string signature;                 // "void main()"
-    std::vector<Text> inputs;              // by parameter: "v_uv0", "input.uv0"
-    std::vector<std::string> outputs;      // by member of the result: "out_color", "output.color"
+    std::vector<Text> inputs;              // by parameter: "vUv0", "input.uv0"
+    std::vector<std::string> outputs;      // by member of the result: "outColor", "output.color"
     std::string before_return, at_return;  // statements around the assignments of the outputs; may be empty
     std::vector<std::string> names = {};   // that its signature declares
     std::vector<std::string> begin = {};   // statements before everything else

@@ -1,10 +1,8 @@
 #include "compiler/languages/names.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cctype>
 
+#include "compiler/base/spelling.h"
 #include "compiler/languages/print.h"
 
 namespace patina::targets {
@@ -48,10 +46,8 @@ std::string Names::declare(std::string_view wanted) {
     unsigned& number = entry->second;
     const std::string* name = &base;
     if (!is_free) {
-        // "k_" and a number would hold two underscores in a row.
-        const char* joint = base.ends_with('_') ? "" : "_";
         for (bool is_new = false; !is_new;) {
-            const auto made = next_.try_emplace(fmt::format("{}{}{}", base, joint, number++), 2);
+            const auto made = next_.try_emplace(numbered(base, number++), 2);
             name = &made.first->first;
             is_new = made.second;
         }
@@ -67,23 +63,6 @@ void Names::close() {
         next_.erase(next_.find(*taken->name));
     }
     scopes_.pop_back();
-}
-
-std::string snake_case(std::string_view name) {
-    const auto upper = [&](std::size_t i) {
-        return i < name.size() && std::isupper(static_cast<unsigned char>(name[i]));
-    };
-    const auto lower = [&](std::size_t i) {
-        return i < name.size() && std::islower(static_cast<unsigned char>(name[i]));
-    };
-    std::string snake;
-    for (std::size_t i = 0; i < name.size(); ++i) {
-        // A word begins at a capital after a small letter, and at the last capital of a row of them ("GGXTerm").
-        const bool begins = upper(i) && i > 0 && (!upper(i - 1) || lower(i + 1)) && name[i - 1] != '_';
-        if (begins) snake += '_';
-        snake += static_cast<char>(std::tolower(static_cast<unsigned char>(name[i])));
-    }
-    return snake;
 }
 
 }  // namespace patina::targets

@@ -3,7 +3,7 @@
 //
 //   Names names;
 //   names.declare("albedo");  // albedo
-//   names.declare("albedo");  // albedo_2
+//   names.declare("albedo");  // albedo2
 //   names.declare("texture"); // texture_
 #pragma once
 
@@ -34,8 +34,5 @@ private:
     std::unordered_map<std::string, unsigned> next_;  // taken names, and the number that the next one like it gets
     std::vector<std::vector<Taken>> scopes_;
 };
-
-// "DistributionGGX" -> "distribution_ggx", "LightingSurface" -> "lighting_surface"
-std::string snake_case(std::string_view name);
 
 }  // namespace patina::targets

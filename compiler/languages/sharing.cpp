@@ -2,6 +2,7 @@
 // nothing reads the other one after that, or nothing but members that the new value leaves as they are.
 #include <algorithm>
 
+#include "compiler/ir/hints.h"
 #include "compiler/languages/analysis.h"
 
 namespace patina::targets {
@@ -51,8 +52,10 @@ private:
     }
     void suggest(std::uint32_t id, NameId hint) {
         NameId& current = plan_.variables[find(id)].hint;
-        if (!current) current = hint;
+        if (!is_name(current)) current = hint;
     }
+
+    bool is_name(NameId hint) const { return !a_.module.name_of(hint).empty(); }
 
     // Whether a new value, made at `position` of `block`, may overwrite the variable of `old`.
     bool can_take_over(Value old, BlockId block, std::uint32_t position) {
@@ -101,7 +104,7 @@ private:
                 suggest(variable(old), inst.name);
                 return variable(old);
             }
-        } else if (!is_aggregate(inst.type) && inst.name) {
+        } else if (!is_aggregate(inst.type) && a_.has_name(v)) {
             if (const Value old = same_name_read_by(v)) return variable(old);
         }
         return make(v, inst.name, block);
@@ -109,8 +112,9 @@ private:
     // `x = x * 2`: the author's own variable, of which each assignment is a new value.
     Value same_name_read_by(Value v) {
         Value found;
+        const auto local = [&](Value each) { return hint_of(a_.module, a_[each].name).local; };
         for_each_read(plan_, a_.function, v, [&](Value read) {
-            const bool same = a_[read].name == a_[v].name && a_[read].type == a_[v].type;
+            const bool same = local(read) == local(v) && a_[read].type == a_[v].type;
             if (same && can_take_over(read, a_.block[v.index], a_.position[v.index])) found = read;
         });
         return found;
@@ -142,8 +146,8 @@ private:
             if (!a_.is_slot_read(v, i)) continue;
             const Value otherwise = yielded(else_block, i), then = yielded(then_block, i);
             NameId name = result_name(v, i);
-            if (!name) name = a_[then].name;
-            if (!name) name = a_[otherwise].name;
+            if (!is_name(name)) name = a_[then].name;
+            if (!is_name(name)) name = a_[otherwise].name;
             if (is_plain && can_take_over(otherwise, a_.block[v.index], a_.end[v.index])) {
                 const std::uint32_t id = find(variable(otherwise));
                 if (std::find(taken.begin(), taken.end(), id) == taken.end()) {
@@ -168,7 +172,7 @@ private:
         for (std::uint32_t i = 0; i < names.size(); ++i) {
             const Value initial = a_.arg(v, 2 + i);
             for (NameId name : {result_name(v, i), a_[initial].name, a_[yielded(body, i)].name}) {
-                if (!names[i]) names[i] = name;
+                if (!is_name(names[i])) names[i] = name;
             }
             if (can_take_over(initial, a_.block[v.index], a_.position[v.index])) {
                 const std::uint32_t id = find(variable(initial));

@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
+#include "compiler/base/spelling.h"
+#include "compiler/ir/hints.h"
 #include "compiler/languages/body.h"
 
 namespace patina::targets {
@@ -20,22 +23,13 @@ constexpr Fallback kFallbacks[] = {
     {Op::Length, "size"},       {Op::Distance, "size"},     {Op::Normalize, "direction"}, {Op::Cross, "perpendicular"},
     {Op::Reflect, "reflected"}, {Op::Refract, "refracted"}, {Op::Lerp, "blend"},          {Op::Select, "choice"},
     {Op::Sample, "texel"},      {Op::SampleBias, "texel"},  {Op::SampleLevel, "texel"},   {Op::SampleGrad, "texel"},
-    {Op::TexelLoad, "texel"},   {Op::TextureSize, "size"},  {Op::Ddx, "slope_x"},         {Op::Ddy, "slope_y"},
+    {Op::TexelLoad, "texel"},   {Op::TextureSize, "size"},  {Op::Ddx, "slopeX"},          {Op::Ddy, "slopeY"},
     {Op::Fwidth, "slope"},      {Op::Pow, "power"},         {Op::Exp, "power"},           {Op::Exp2, "power"},
     {Op::Sqrt, "root"},         {Op::Less, "test"},         {Op::LessEqual, "test"},      {Op::Greater, "test"},
     {Op::GreaterEqual, "test"}, {Op::Equal, "test"},        {Op::NotEqual, "test"},       {Op::And, "test"},
     {Op::Or, "test"},           {Op::Not, "test"},          {Op::Index, "element"},       {Op::Saturate, "limited"},
     {Op::Min, "limited"},       {Op::Max, "limited"},       {Op::Clamp, "limited"},       {Op::Transpose, "transposed"},
 };
-
-// "lighting_surface" -> "ls"
-std::string initials(std::string_view name) {
-    std::string letters;
-    for (std::size_t i = 0; i < name.size(); ++i) {
-        if (name[i] != '_' && (i == 0 || name[i - 1] == '_')) letters += name[i];
-    }
-    return letters;
-}
 
 constexpr std::string_view kLoopIndices[] = {"i", "j", "k", "l"};
 
@@ -106,27 +100,55 @@ void Body::find_member_names() {
     }
 }
 
+// The id of the node that an instruction comes from; empty: it comes from none.
+std::string_view Body::node_of(OriginId origin) const {
+    const std::string_view id = origin ? std::string_view(writer_.module.origins[origin.index].id) : "";
+    return id.substr(id.rfind('/') + 1);
+}
+
 std::string Body::name_without_hint(Value v) const {
     const Inst& inst = function_[v];
     if (inst.type.kind == Kind::Struct) {
-        const std::string name = snake_case(writer_.plain(writer_.module.structs[inst.type.ref].name));
+        const std::string name = camel_case(writer_.plain(writer_.module.structs[inst.type.ref].name));
         return writer_.names.is_free(name) ? name : initials(name);
     }
     if (!member_of_[v.index].empty()) return std::string(member_of_[v.index]);
     if (inst.op == Op::Construct && inst.type.is_matrix()) return "basis";
-    if (inst.op == Op::Call) return snake_case(writer_.plain(writer_.module.functions[inst.data].name));
+    if (const std::string_view callee = hint_of(writer_.module, inst.name).callee; !callee.empty()) {
+        return std::string(callee);
+    }
+    if (inst.op == Op::Call) {
+        const std::string name = camel_case(writer_.plain(writer_.module.functions[inst.data].name));
+        return writer_.names.is_free(name) ? name : joined(name, "Value");
+    }
     // A step on the way to a node's value is called after the node.
-    const std::string_view id = inst.origin ? std::string_view(writer_.module.origins[inst.origin.index].id) : "";
-    const std::string_view last = id.substr(id.rfind('/') + 1);
+    const std::string_view last = node_of(inst.origin);
     const std::string_view step = fallback_name(inst.op);
-    return step.starts_with(last) ? std::string(step) : fmt::format("{}_{}", last, step);
+    return step.starts_with(last) ? std::string(step) : joined(last, step);
+}
+
+// Two values may want one name, most of all locals of inlined functions. The second one then says where it comes from,
+// by the node or by the function, whichever is shorter.
+std::string Body::declare(NameId id, std::string_view otherwise, OriginId origin) {
+    const Hint hint = hint_of(writer_.module, id);
+    const std::string_view wanted = hint.name.empty() ? otherwise : hint.name;
+    if (hint.callee.empty() || writer_.names.is_free(safe_identifier(wanted))) return writer_.names.declare(wanted);
+    std::array whose = {node_of(origin), hint.callee};
+    if (whose[1].size() < whose[0].size()) std::swap(whose[0], whose[1]);
+    for (const std::string_view each : whose) {
+        if (each.empty() || each == wanted) continue;
+        const std::string longer = safe_identifier(joined(each, wanted));
+        if (writer_.names.is_free(longer)) return writer_.names.declare(longer);
+    }
+    return writer_.names.declare(wanted);
 }
 
 std::string Body::target(std::uint32_t id) {
     if (is_declared(id)) return names_[id];
     const Variable& variable = plan_.variables[id];
-    const std::string_view hint = writer_.module.name_of(variable.hint);
-    names_[id] = writer_.names.declare(hint.empty() ? name_without_hint(variable.like) : hint);
+    const bool has_name = !writer_.module.name_of(variable.hint).empty();
+    names_[id] = declare(variable.hint, has_name ? std::string() : name_without_hint(variable.like),
+                         function_[variable.like].origin);
     return writer_.declaration(variable.type, names_[id]);
 }
 
@@ -382,8 +404,7 @@ void Body::print_for(Value v) {
     const std::string fallback(kLoopIndices[std::min<std::size_t>(loops_, std::size(kLoopIndices) - 1)]);
     for (Value inside : function_.blocks[inst.data].insts) {
         if (function_[inside].op != Op::LoopIndex) continue;
-        const std::string_view hint = writer_.module.name_of(function_[inside].name);
-        index = writer_.names.declare(hint.empty() ? fallback : hint);
+        index = declare(function_[inside].name, fallback, inst.origin);
         if (is_variable(inside)) names_[plan_.variable[inside.index]] = index;
     }
     if (index.empty()) index = writer_.names.declare(fallback);
@@ -427,7 +448,7 @@ void Body::print_yields(Value yield, Value structure) {
         if (next == pending.end()) {
             const auto waiting =
                 std::find_if(pending.begin(), pending.end(), [](const Pending& p) { return p.ready.empty(); });
-            waiting->ready = writer_.names.declare("next_" + names_[waiting->variable]);
+            waiting->ready = writer_.names.declare(joined("next", names_[waiting->variable]));
             const std::string target = writer_.declaration(function_[waiting->value].type, waiting->ready);
             statement(origin_of(*waiting), fmt::format("{} = {};", target, expression(waiting->value).text));
             continue;

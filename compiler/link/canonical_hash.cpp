@@ -201,10 +201,10 @@ std::string_view word_of(Builtin builtin) {
     switch (builtin) {
         case Builtin::None: return "none";
         case Builtin::Position: return "position";
-        case Builtin::FragCoord: return "frag_coord";
-        case Builtin::FrontFacing: return "front_facing";
-        case Builtin::VertexIndex: return "vertex_index";
-        case Builtin::InstanceIndex: return "instance_index";
+        case Builtin::FragCoord: return "fragCoord";
+        case Builtin::FrontFacing: return "frontFacing";
+        case Builtin::VertexIndex: return "vertexIndex";
+        case Builtin::InstanceIndex: return "instanceIndex";
     }
     return {};
 }

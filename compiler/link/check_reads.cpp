@@ -152,7 +152,7 @@ void check_reads(graph::Session& session, const graph::Lowered& lowered, std::sp
                     .report(Code::PassRefused, function.name_span, pass.name,
                             fmt::format("it draws the screen and reads '{}', which belongs to an object", global.name))
                     .note(
-                        "the corners of the screen are position_os, and what is behind a pixel is what depth_texture "
+                        "the corners of the screen are positionOS, and what is behind a pixel is what depthTexture "
                         "says");
         }
     };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "compiler/base/spelling.h"
 #include "compiler/ir/passes/passes.h"
 #include "compiler/languages/names.h"
 
@@ -42,7 +43,8 @@ std::string doc_of(const graph::Lowered& lowered, std::string_view param) {
     for (std::size_t i = 0; i < lowered.semantics.size(); ++i) {
         if (lowered.module.semantics[i].name != param) continue;
         const graph::SemanticDecl* declared = lowered.semantics[i].declaration;
-        if (!declared) return lowered.semantics[i].recipe ? fmt::format("interpolated, from vertex_{}()", param) : "";
+        if (!declared)
+            return lowered.semantics[i].recipe ? fmt::format("interpolated, from {}()", joined("vertex", param)) : "";
         const std::string doc =
             nodelang::first_sentence(declared->function ? declared->function->doc : declared->variable->doc);
         return doc.substr(0, doc.find(". "));

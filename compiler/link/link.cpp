@@ -4,6 +4,7 @@
 #include <iterator>
 #include <map>
 
+#include "compiler/base/spelling.h"
 #include "compiler/ir/passes/passes.h"
 #include "compiler/ir/rebuild.h"
 
@@ -373,7 +374,7 @@ ir::Module link_vertex(const Linked& linked, const graph::LoweredPass& pass, ir:
     for (const auto& [semantic, global] : pass.attributes) {
         if (!linked.lowered.semantics[semantic.index].override) continue;
         const Value moved = entry.value(semantic);
-        outputs.push_back({.name = "moved_" + linked.lowered.module.semantics[semantic.index].name,
+        outputs.push_back({.name = joined("moved", linked.lowered.module.semantics[semantic.index].name),
                            .type = entry.builder().type(moved),
                            .spelling = linked.lowered.module.globals[global.index].spelling});
         values.push_back(moved);

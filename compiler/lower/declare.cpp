@@ -142,7 +142,7 @@ EngineGlobals declare_engine(const engines::Engine& engine, const PathDeclaratio
             const ir::GlobalId global = add_resource(module, texture, *kind, group, variable.span);
             emitter.known.externs[&variable] = global;
             if (each->is_target()) made.reads[global.index] = each->reads;
-            add_resource(module, texture + "_sampler", ir::Kind::Sampler, group, variable.span);
+            add_resource(module, texture + "Sampler", ir::Kind::Sampler, group, variable.span);
             continue;
         }
         const std::string_view name = engine.block_name(each->block);

@@ -400,7 +400,7 @@ namespace {
 
 // Whether a semantic is made of where its pixel lies. Which side is seen does not count: vertices see the front.
 bool reads_pixel(const PathDeclarations& paths, const SemanticDecl& semantic) {
-    if (semantic.source == Source::Builtin) return semantic.name != "front_facing";
+    if (semantic.source == Source::Builtin) return semantic.name != "frontFacing";
     if (!semantic.function) return false;
     return std::any_of(semantic.function->params.begin(), semantic.function->params.end(), [&](const auto& param) {
         const nodelang::Expr* read = param.initial;

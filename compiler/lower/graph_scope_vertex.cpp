@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "compiler/base/spelling.h"
 #include "compiler/base/text.h"
 #include "compiler/lower/graph_scope.h"
 
@@ -102,8 +103,8 @@ Typed GraphScope::interpolated(std::uint32_t index) {
         for (std::size_t output = 0; output < count; ++output) {
             ir::Function function{};
             function.always_inline = true;
-            std::string name = path;
-            std::replace(name.begin(), name.end(), '/', '_');
+            std::string name;
+            for (const std::string_view id : split(path, "/")) name = joined(name, id);
             ir::Builder builder(module, function, emitter.options);
             std::deque<std::unique_ptr<GraphScope>> keep;
             lowering_.vertex_readers.push_back({path, node.id_span, true, &graph_, {index}});
@@ -115,7 +116,7 @@ Typed GraphScope::interpolated(std::uint32_t index) {
             if (value.outputs) {
                 made.outputs = value.outputs;
                 count = value.outputs->names.size();
-                if (output > 0 || !value.outputs->has_primary) name += "_" + value.outputs->names[output];
+                if (output > 0 || !value.outputs->has_primary) name = joined(name, value.outputs->names[output]);
                 const Value part = builder.extract(value.value, static_cast<std::uint32_t>(output));
                 value = {.value = part, .type = builder.type(part)};
             }
@@ -136,11 +137,11 @@ Typed GraphScope::interpolated(std::uint32_t index) {
                                    [&](const ir::Semantic& s) { return s.name == wanted; });
             };
             if (is_taken(name)) {
-                int number = 2;
-                while (is_taken(fmt::format("{}_{}", name, number))) ++number;
-                name += fmt::format("_{}", number);
+                unsigned number = 2;
+                while (is_taken(numbered(name, number))) ++number;
+                name = numbered(name, number);
             }
-            function.name = "vertex_" + name;
+            function.name = joined("vertex", name);
             function.result = value.type;
             builder.ret(value.value);
             module.functions.push_back(std::move(function));

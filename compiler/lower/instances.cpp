@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "compiler/base/spelling.h"
+
 namespace patina::graph {
 namespace {
 
@@ -77,7 +79,7 @@ void index_reads(ir::Module& module, ir::Function& function, const std::set<std:
         if (is_new) array->second = add(Op::Global, module.globals[global].type, global);
         ir::Inst& read = function.insts[i];
         const std::string& name = module.globals[global].name;
-        if (!read.name) read.name = module.intern((name.starts_with('_') ? "own" : "own_") + name);
+        if (!read.name) read.name = module.intern(joined("own", name));
         read.op = Op::Index;
         read.type = elements[global];
         read.data = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "compiler/base/spelling.h"
 #include "compiler/format/words.h"
 #include "compiler/lower/instances.h"
 #include "compiler/lower/lowering.h"
@@ -104,7 +105,7 @@ void lower_vertex_outputs(Lowering& lowering) {
         const auto semantic = lowering.session.paths->semantic_index.find(port.name);
         if (semantic == lowering.session.paths->semantic_index.end()) continue;
         ir::Function function{};
-        function.name = "vertex_" + port.name;
+        function.name = joined("vertex", port.name);
         ir::Builder builder(module, function, lowering.emitter.options);
         GraphScope scope(lowering, graph, builder, true);
         if (!port.value) continue;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "compiler/base/spelling.h"
 #include "compiler/lower/lowering.h"
 
 namespace patina::graph {
@@ -47,10 +48,10 @@ private:
             const SemanticRecipe& semantic = lowering_.out.semantics[i];
             const std::string& name = module_.semantics[i].name;
             if (semantic.override)
-                add(semantic.override, "vertex_" + name, fmt::format("'{}' of the mesh, as the graph moves it.", name),
-                    true);
+                add(semantic.override, joined("vertex", name),
+                    fmt::format("'{}' of the mesh, as the graph moves it.", name), true);
             if (semantic.recipe && !semantic.declaration)
-                add(semantic.recipe, "vertex_" + name,
+                add(semantic.recipe, joined("vertex", name),
                     fmt::format(
                         "What is interpolated and given to the surface as '{}', of the mesh before the graph moves it.",
                         name),

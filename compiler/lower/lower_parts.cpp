@@ -3,8 +3,8 @@
 //
 //   [slot] [part("final", "sum.direct")] float3 added(LightingSurface surface, LightSum sum);
 //   [slot] [without("indirect", "EnvironmentRadiance")] float3 indirect_near(LightingSurface surface);
-//   [slot] [pack("direct", "added")] [holds("diffuseColor", "f0")] Extras pack_surface(LightingSurface surface);
-//   [slot] [unpack("pack_surface")] LightingSurface unpack_surface(LightingSurface surface, Extras extras);
+//   [slot] [pack("direct", "added")] [holds("diffuseColor", "f0")] Extras packSurface(LightingSurface surface);
+//   [slot] [unpack("packSurface")] LightingSurface unpackSurface(LightingSurface surface, Extras extras);
 #include <fmt/format.h>
 
 #include <algorithm>

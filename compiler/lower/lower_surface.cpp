@@ -129,7 +129,7 @@ ir::FunctionId lower_surface(Lowering& lowering, std::vector<const Input*>& memb
     return add_function(module, std::move(function));
 }
 
-// lighting_surface(): the workflow's set-up, over the surface.
+// lightingSurface(): the workflow's set-up, over the surface.
 ir::FunctionId lower_setup(Lowering& lowering, const FunctionDecl& slot, ir::FunctionId surface,
                            std::span<const Input* const> members) {
     ir::Module& module = lowering.out.module;

@@ -11,7 +11,7 @@ ir::Type input_type(Lowering& lowering, const Input& input);
 // surface(): everything that the workflow and the lighting model ask of the graph, in one struct. `members`: what its
 // members stand for.
 ir::FunctionId lower_surface(Lowering& lowering, std::vector<const Input*>& members);
-// lighting_surface(): the workflow's set-up, over the surface.
+// lightingSurface(): the workflow's set-up, over the surface.
 ir::FunctionId lower_setup(Lowering& lowering, const nodelang::FunctionDecl& slot, ir::FunctionId surface,
                            std::span<const Input* const> members);
 // Fills the slots that the material, its workflow and its lighting graph provide.

@@ -59,7 +59,7 @@ struct Stmt {
         If,       // if (value) body else alternative
         For,      // for (int name = value; name < limit; name++) body
         Return,   // value may be null
-        Discard,  // discard_if(value);
+        Discard,  // discardIf(value);
         Block,    // body
     };
     Kind kind = Kind::Block;

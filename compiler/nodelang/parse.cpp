@@ -10,8 +10,8 @@ namespace patina::nodelang {
 namespace {
 
 // What a declaration cannot be called. A graph may call its nodes as it likes: there these are words like any other.
-constexpr std::string_view kReserved[] = {"break",  "const",  "continue", "discard_if", "do",  "else",
-                                          "enum",   "false",  "for",      "if",         "out", "return",
+constexpr std::string_view kReserved[] = {"break",  "const",  "continue", "discardIf", "do",  "else",
+                                          "enum",   "false",  "for",      "if",        "out", "return",
                                           "struct", "switch", "true",     "while"};
 
 bool is_too_large(Text text, Diagnostics& diagnostics) {

@@ -57,7 +57,7 @@ const Stmt* Parser::statement() {
     if (now().is("[") || now().is_word("for")) return for_statement();
     if (now().is_word("if")) return if_statement();
     if (now().is_word("return")) return return_statement();
-    if (now().is_word("discard_if")) return discard_statement();
+    if (now().is_word("discardIf")) return discard_statement();
     if (now().is_word("const")) return declaration_statement();
     if (is_left_out(now())) {
         expected("a statement").note(std::string(kLoopShape));

@@ -38,10 +38,10 @@ constexpr std::array<std::string_view, 14> kUniforms = {"float", "float2", "floa
 constexpr std::array<std::string_view, 12> kVaryings = {"float", "float2", "float3", "float4", "half", "half2",
                                                         "half3", "half4",  "int",    "int2",   "int3", "int4"};
 constexpr std::size_t kMaxDepth = 64;  // of semantics that read semantics
-constexpr BuiltinWord kBuiltins[] = {{"front_facing", "bool", ir::Builtin::FrontFacing},
-                                     {"frag_coord", "float4", ir::Builtin::FragCoord},
-                                     {"vertex_index", "int", ir::Builtin::VertexIndex},
-                                     {"instance_index", "int", ir::Builtin::InstanceIndex}};
+constexpr BuiltinWord kBuiltins[] = {{"frontFacing", "bool", ir::Builtin::FrontFacing},
+                                     {"fragCoord", "float4", ir::Builtin::FragCoord},
+                                     {"vertexIndex", "int", ir::Builtin::VertexIndex},
+                                     {"instanceIndex", "int", ir::Builtin::InstanceIndex}};
 
 template <class Row, std::size_t N>
 std::vector<std::string_view> words_of(std::span<const Row, N> rows) {
@@ -170,7 +170,7 @@ private:
         }
         if (declarations_.parent && !decl.is_const) again(decl);
         if (is_of_pass(sources_, decl.span)) {
-            for (const std::string_view name : {"attribute", "given", "vertex_output"}) {
+            for (const std::string_view name : {"attribute", "given", "vertexOutput"}) {
                 if (const Attribute* attribute = decl.attribute(name))
                     bad(attribute->span, name,
                         "cannot stand in a pass file: what meshes and lighting graphs hold is "
@@ -225,7 +225,7 @@ private:
 
     void builtin(const VariableDecl& decl, const Attribute& attribute) {
         if (attribute.args.size() != 1)
-            return bad(attribute.span, "builtin", "reads like this: [builtin(\"front_facing\")]");
+            return bad(attribute.span, "builtin", "reads like this: [builtin(\"frontFacing\")]");
         one_of(*attribute.args[0], words_of(builtin_words()), "a value of the rasteriser");
         for (const BuiltinWord& row : kBuiltins) {
             if (row.text == attribute.args[0]->text && (row.type != decl.type.name || decl.type.array_size))
@@ -279,9 +279,9 @@ private:
         }
         if (const Attribute* attribute = decl.attribute("foreign")) foreign_function(decl, *attribute);
         texts_of(decl.attributes, diagnostics_);
-        const Attribute* of_object = decl.attribute("per_object");
+        const Attribute* of_object = decl.attribute("perObject");
         if (of_object && !decl.attribute("foreign"))
-            bad(of_object->span, "per_object", "stands before a value of the engine or a [foreign] function");
+            bad(of_object->span, "perObject", "stands before a value of the engine or a [foreign] function");
         for (const Attribute& attribute : decl.attributes) {
             const bool is_engines = attribute.name == "text" || attribute.name == "tag" || attribute.name == "decodes";
             if (is_engines && !is_of_engine(attribute.span)) foreign(attribute, attribute.span);
@@ -335,7 +335,7 @@ private:
         const Expr& what = *attribute.args[0];
         if (attribute.args.size() == 1 && !is_of_engine(attribute.span))
             return bad(attribute.span, "gives",
-                       "takes what is given and the passes: [gives(\"position_ws\", \"mine\")]");
+                       "takes what is given and the passes: [gives(\"positionWS\", \"mine\")]");
         for (std::size_t i = 1; i < attribute.args.size(); ++i) {
             const Expr& to = *attribute.args[i];
             if (!pass(to)) continue;
@@ -458,7 +458,7 @@ private:
 
     void unpack(const FunctionDecl& decl, const Attribute& attribute) {
         if (attribute.args.size() != 1)
-            return bad(attribute.span, "unpack", "reads like this: [unpack(\"pack_surface\")]");
+            return bad(attribute.span, "unpack", "reads like this: [unpack(\"packSurface\")]");
         const FunctionDecl* packer = slot(*attribute.args[0]);
         if (!packer) return;
         if (!packer->attribute("pack"))

@@ -129,8 +129,8 @@ private:
             uses.push_back({.name = pass.state.depth_target,
                             .format = TargetFormat::Depth,
                             .from_light = from_light,
-                            .attribute = "depth_target",
-                            .span = place_of(*pass.fragment, "depth_target")});
+                            .attribute = "depthTarget",
+                            .span = place_of(*pass.fragment, "depthTarget")});
         const StructDecl* structure = declarations_.structure(pass.fragment->result.name);
         for (const RenderTarget& target : pass.state.targets) {
             Span span = place_of(*pass.fragment, "target");

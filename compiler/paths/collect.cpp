@@ -46,7 +46,7 @@ public:
                  .source = *source,
                  .variable = &variable,
                  .builtin = builtin_of(variable),
-                 .is_vertex_output = variable.attribute("vertex_output") != nullptr,
+                 .is_vertex_output = variable.attribute("vertexOutput") != nullptr,
                  .is_of_pass = is_of_pass(sources_, variable.span)});
         }
     }
@@ -83,7 +83,7 @@ public:
                                     .path = stem(sources_.resolve(function.span.begin).file)});
             if (attribute.args.empty())
                 diagnostics_.report(Code::BadAttribute, attribute.span, "gives",
-                                    "takes what is given, and passes: [gives(\"position_ws\", \"mine\")]");
+                                    "takes what is given, and passes: [gives(\"positionWS\", \"mine\")]");
         }
     }
 
@@ -115,7 +115,7 @@ private:
         else
             made.reads = nodelang::attribute_text(*variable.attribute("reads"));
         if (const Attribute* with = variable.attribute("with")) made.with = attribute_words(*with);
-        made.is_per_object = variable.attribute("per_object") != nullptr;
+        made.is_per_object = variable.attribute("perObject") != nullptr;
     }
 
     void read_static(const VariableDecl& variable, const Attribute& attribute) {
@@ -151,7 +151,7 @@ private:
         }
         for (std::size_t i = 0; i < function.params.size(); ++i) {
             for (const Attribute& attribute : function.params[i].attributes) {
-                if (attribute.name == "per_light") made.light_param = i;
+                if (attribute.name == "perLight") made.light_param = i;
             }
         }
     }

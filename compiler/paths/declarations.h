@@ -85,7 +85,7 @@ struct SlotDecl {
         Part,     // [part("final", "sum.direct")]: what of another slot is linear in a value
         Without,  // [without("indirect", "EnvironmentRadiance")]: another slot without what a function gives
         Pack,     // [pack("direct")] [holds("f0")]: what those slots read and no target holds, as a struct of float4
-        Unpack,   // [unpack("pack_surface")]
+        Unpack,   // [unpack("packSurface")]
     };
     const nodelang::FunctionDecl* function = nullptr;
     Making making = Making::Graph;
@@ -116,7 +116,7 @@ struct DecoderDecl {
     std::vector<ir::StageText> texts;
 };
 
-// [blend("fade", "src_alpha", "one")]: surfaces of this kind take part, blended so.
+// [blend("fade", "srcAlpha", "one")]: surfaces of this kind take part, blended so.
 struct BlendRow {
     std::optional<SurfaceKind> surface{};  // nothing: every kind
     Blend blend{};
@@ -147,7 +147,7 @@ struct PassDecl {
     bool is_older_vertex = false, is_older_fragment = false;
 };
 
-// [gives("position_ws", "deferred-light")]: these passes' own recipe of a semantic, or their own body of an [extern]
+// [gives("positionWS", "deferred-light")]: these passes' own recipe of a semantic, or their own body of an [extern]
 // function. Without passes: of all passes of the same file, in both stages; then it may also be a value that an
 // included file declares, in the place of an attribute or an [extern] value, and replace any function of the library.
 struct GivenDecl {

@@ -148,13 +148,13 @@ constexpr StateRow kState[] = {
          p.has_cull = true;
          p.state.cull = in.word<Cull>("a way to cull");
      }},
-    {"blend", 2, 5, "[blend(\"fade\", \"src_alpha\", \"one\")] or, for every surface, [blend(\"one\", \"one\")]",
+    {"blend", 2, 5, "[blend(\"fade\", \"srcAlpha\", \"one\")] or, for every surface, [blend(\"one\", \"one\")]",
      read_blend},
     {"depth", 2, 2, "[depth(\"lessEqual\", \"keep\")]",
      [](Arguments& in, std::size_t, PassDecl& p) { read_depth(in, p); }},
-    {"depth_target", 1, 1, "[depth_target(\"depth\")]",
+    {"depthTarget", 1, 1, "[depthTarget(\"depth\")]",
      [](Arguments& in, std::size_t, PassDecl& p) { p.state.depth_target = in.text(); }},
-    {"depth_bias", 2, 2, "[depth_bias(1, 1.5)]",
+    {"depthBias", 2, 2, "[depthBias(1, 1.5)]",
      [](Arguments& in, std::size_t, PassDecl& p) {
          p.has_depth_bias = true;
          p.state.depth_bias = in.number();
@@ -204,7 +204,7 @@ void read_members(const nodelang::FunctionDecl& fragment, const nodelang::Struct
     for (const nodelang::MemberDecl& member : structure.members) {
         RenderTarget& target = pass.state.targets.emplace_back();
         target.location = static_cast<std::uint32_t>(pass.state.targets.size() - 1);
-        const Attribute* guard = member.attribute("only_if");
+        const Attribute* guard = member.attribute("onlyIf");
         pass.guards.push_back(guard ? nodelang::attribute_text(*guard) : std::string_view());
         if (const Attribute* attribute = member.attribute("target")) {
             read_target(*attribute, pass, diagnostics);

@@ -4,7 +4,7 @@
 ///
 /// formula: pcg3d: two rounds of v.x += v.y v.z, v.y += v.z v.x, v.z += v.x v.y on 1664525 v + 1013904223
 /// source: Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020
-float3 lattice_gradient(int3 cell) {
+float3 latticeGradient(int3 cell) {
     uint3 v = uint3(cell) * 1664525u + 1013904223u;
     v.x += v.y * v.z;
     v.y += v.z * v.x;
@@ -17,13 +17,13 @@ float3 lattice_gradient(int3 cell) {
 }
 
 float corner(int3 cell, float3 offset, int x, int y, int z) {
-    return dot(lattice_gradient(cell + int3(x, y, z)), offset - float3(float(x), float(y), float(z)));
+    return dot(latticeGradient(cell + int3(x, y, z)), offset - float3(float(x), float(y), float(z)));
 }
 
 /// Gradient noise, zero at whole numbers.
 ///
 /// source: Perlin, "Improving Noise", SIGGRAPH 2002
-float gradient_noise(float3 position) {
+float gradientNoise(float3 position) {
     int3 cell = int3(floor(position));
     float3 offset = position - floor(position);
     float3 t = offset * offset * offset * (offset * (offset * 6 - 15) + 10);
@@ -40,14 +40,14 @@ float gradient_noise(float3 position) {
 /// test: Noise3(float3(0.5, 0, -0.25), 4) == 0.5
 [node("Examples/Noise 3D")]
 float Noise3(
-    float3 position = position_os,   ///< where
+    float3 position = positionOS,   ///< where
     [range(0, 100)] float scale = 4  ///< cells of the coarsest octave in one unit
 ) {
     float sum = 0;
     float weight = 0.5;
     float3 place = position * scale;
     for (int i = 0; i < 5; i++) {
-        sum += weight * gradient_noise(place);
+        sum += weight * gradientNoise(place);
         place = place * 2;
         weight = weight * 0.5;
     }

@@ -6,14 +6,14 @@
 [node("Examples/Relief")]
 float3 Relief(
     [unit("m")] float height,               ///< above the mesh, along its normal
-    float3 normal = geometry_normal_ws,     ///< unit normal of the mesh, in the world
-    [hidden] float3 position = position_ws  ///< where this pixel is, in the world
+    float3 normal = geometryNormalWS,     ///< unit normal of the mesh, in the world
+    [hidden] float3 position = positionWS  ///< where this pixel is, in the world
 ) {
     float3 right = ddx(position);
     float3 down = ddy(position);
-    float3 across_right = cross(down, normal);
-    float3 across_down = cross(normal, right);
-    float area = dot(right, across_right);
-    float3 slope = sign(area) * (ddx(height) * across_right + ddy(height) * across_down);
+    float3 acrossRight = cross(down, normal);
+    float3 acrossDown = cross(normal, right);
+    float area = dot(right, acrossRight);
+    float3 slope = sign(area) * (ddx(height) * acrossRight + ddy(height) * acrossDown);
     return normalize(abs(area) * normal - slope);
 }

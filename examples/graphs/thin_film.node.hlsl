@@ -15,8 +15,8 @@ float3 ThinFilm(
     [range(1, 3)] float index = 1.5                        ///< refractive index of the film
 ) {
     const float3 wavelengths = float3(650, 532, 450);
-    float sine_inside = sqrt(saturate(1 - cosine * cosine)) / index;
-    float cosine_inside = sqrt(1 - sine_inside * sine_inside);
-    float3 wave = sin(6.283185307179586 * index * thickness * cosine_inside / wavelengths);
+    float sineInside = sqrt(saturate(1 - cosine * cosine)) / index;
+    float cosineInside = sqrt(1 - sineInside * sineInside);
+    float3 wave = sin(6.283185307179586 * index * thickness * cosineInside / wavelengths);
     return wave * wave;
 }

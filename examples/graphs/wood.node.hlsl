@@ -5,7 +5,7 @@
 /// test: Wood(float3(0, 3, 2), 0, 1.4) == 1
 [node("Examples/Wood")]
 float Wood(
-    float3 position = position_os,     ///< in the log
+    float3 position = positionOS,     ///< in the log
     float wobble = 0,                  ///< moves the rings, in rings: noise makes them uneven
     [range(0, 50)] float rings = 8,    ///< in one unit from the middle
     out float fibre                    ///< fine streaks along the log, 0 to 1

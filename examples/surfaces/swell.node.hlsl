@@ -12,7 +12,7 @@
 /// test: Swell(float3(0.3, -0.2, 0), 1, 0, 0.5, 2).normal == float3(0, 0, 1)
 [node("Examples/Swell")]
 float3 Swell(
-    float3 position = position_os,                ///< a point of the plane
+    float3 position = positionOS,                ///< a point of the plane
     [unit("m")] float wavelength = 1.2,           ///< of the longest wave
     [unit("m")] float amplitude = 0.05,           ///< of the longest wave
     [range(0, 1)] float steepness = 0.6,          ///< 0: round as a sine, 1: the crests come to a point
@@ -23,8 +23,8 @@ float3 Swell(
 ) {
     const float2 directions[4] = { float2(0.8, 0.6), float2(0.96, -0.28), float2(0.28, 0.96), float2(0.6, -0.8) };
     float3 moved = position;
-    float3 along_x = float3(1, 0, 0);
-    float3 along_y = float3(0, 1, 0);
+    float3 alongX = float3(1, 0, 0);
+    float3 alongY = float3(0, 1, 0);
     float share = 1;
     float total = 0;
     for (int i = 0; i < 4; i++) {
@@ -37,13 +37,13 @@ float3 Swell(
         // With q k a summed over the waves at most 1, no wave turns over.
         float q = steepness / (4 * max(k * a, 1e-4));
         moved += float3(q * a * d * c, a * s);
-        along_x += k * a * d.x * float3(-q * d * s, c);
-        along_y += k * a * d.y * float3(-q * d * s, c);
+        alongX += k * a * d.x * float3(-q * d * s, c);
+        alongY += k * a * d.y * float3(-q * d * s, c);
         total += a;
         share = share * 0.5;
     }
-    normal = normalize(cross(along_x, along_y));
-    tangent = normalize(along_x);
+    normal = normalize(cross(alongX, alongY));
+    tangent = normalize(alongX);
     crest = (moved.z - position.z) / max(total, 1e-4);
     return moved;
 }

@@ -18,12 +18,12 @@ enum CameraProjection {
 [node("Input/Depth/Linear Eye Depth")]
 float LinearEyeDepth(
     [range(0, 1)] float depth,                               ///< of the depth buffer
-    [range(0.001, 100)] [unit("m")] float near_plane = 0.1,  ///< distance of the near plane
-    [range(0.1, 10000)] [unit("m")] float far_plane = 100,   ///< distance of the far plane
+    [range(0.001, 100)] [unit("m")] float nearPlane = 0.1,  ///< distance of the near plane
+    [range(0.1, 10000)] [unit("m")] float farPlane = 100,   ///< distance of the far plane
     const CameraProjection projection = Perspective          ///< the camera's
 ) {
-    if (projection == Orthographic) { return lerp(near_plane, far_plane, depth); }
-    return near_plane * far_plane / lerp(far_plane, near_plane, depth);
+    if (projection == Orthographic) { return lerp(nearPlane, farPlane, depth); }
+    return nearPlane * farPlane / lerp(farPlane, nearPlane, depth);
 }
 
 /// The same distance as a share of the far plane's: 1 there, and 0 at the camera.
@@ -37,11 +37,11 @@ float LinearEyeDepth(
 [node("Input/Depth/Linear 01 Depth")]
 float Linear01Depth(
     [range(0, 1)] float depth,                               ///< of the depth buffer
-    [range(0.001, 100)] [unit("m")] float near_plane = 0.1,  ///< distance of the near plane
-    [range(0.1, 10000)] [unit("m")] float far_plane = 100,   ///< distance of the far plane
+    [range(0.001, 100)] [unit("m")] float nearPlane = 0.1,  ///< distance of the near plane
+    [range(0.1, 10000)] [unit("m")] float farPlane = 100,   ///< distance of the far plane
     const CameraProjection projection = Perspective          ///< the camera's
 ) {
-    return LinearEyeDepth(depth, near_plane, far_plane, projection) / far_plane;
+    return LinearEyeDepth(depth, nearPlane, farPlane, projection) / farPlane;
 }
 
 /// The point in clip space that a pixel and its depth stand for; its w is 1.
@@ -51,16 +51,16 @@ float Linear01Depth(
 /// test: ClipFromScreen(float2(0.75, 1), 1) == float4(0.5, -1, 1, 1)
 [node("Input/Depth/Clip from Screen")]
 float4 ClipFromScreen(
-    float2 uv = screen_uv,     ///< position on the screen, 0 to 1 from the top left
+    float2 uv = screenUV,     ///< position on the screen, 0 to 1 from the top left
     [range(0, 1)] float depth  ///< of the depth buffer
 ) {
     return float4(2 * uv.x - 1, 1 - 2 * uv.y, depth, 1);
 }
 
-/// The point in the world that a pixel and its depth stand for. `clip_to_world` is the inverse of the camera's view and
+/// The point in the world that a pixel and its depth stand for. `clipToWorld` is the inverse of the camera's view and
 /// projection.
-[in_float]
-float3 WorldFromDepth(float2 uv, float depth, float4x4 clip_to_world) {
-    float4 point_ws = mul(clip_to_world, ClipFromScreen(uv, depth));
-    return point_ws.xyz / point_ws.w;
+[inFloat]
+float3 WorldFromDepth(float2 uv, float depth, float4x4 clipToWorld) {
+    float4 pointWS = mul(clipToWorld, ClipFromScreen(uv, depth));
+    return pointWS.xyz / pointWS.w;
 }

@@ -23,7 +23,7 @@ float Time(
 /// test: ScreenUV(float2(0.25, 0.75)) == float2(0.25, 0.75)
 [node("Input/Screen UV")]
 float2 ScreenUV(
-    [hidden] float2 position = screen_uv  ///< the pixel
+    [hidden] float2 position = screenUV  ///< the pixel
 ) {
     return position;
 }
@@ -33,7 +33,7 @@ float2 ScreenUV(
 /// test: CameraPosition(float3(1, 2, 3)) == float3(1, 2, 3)
 [node("Input/Camera Position")]
 float3 CameraPosition(
-    [hidden] [unit("m")] float3 position = camera_position_ws  ///< the camera
+    [hidden] [unit("m")] float3 position = cameraPositionWS  ///< the camera
 ) {
     return position;
 }
@@ -43,7 +43,7 @@ float3 CameraPosition(
 /// test: ObjectPosition(float3(1, 2, 3)) == float3(1, 2, 3)
 [node("Input/Object Position")]
 float3 ObjectPosition(
-    [hidden] [unit("m")] float3 position = object_position_ws  ///< the object's origin
+    [hidden] [unit("m")] float3 position = objectPositionWS  ///< the object's origin
 ) {
     return position;
 }

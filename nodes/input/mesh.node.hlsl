@@ -1,4 +1,4 @@
-// What the mesh and the camera bring to a pixel. A link such as "@normal_ws" reads the same values; as nodes they offer
+// What the mesh and the camera bring to a pixel. A link such as "@normalWS" reads the same values; as nodes they offer
 // a choice of space and show up in an editor.
 
 /// The coordinate system of a position or a direction.
@@ -28,11 +28,11 @@ enum UvChannel {
 [node("Input/Position")]
 float3 Position(
     const Space space = World,                ///< the coordinate system
-    [hidden] float3 in_object = position_os,  ///< read in object space
-    [hidden] float3 in_world = position_ws,   ///< read in world space
-    [hidden] float3 in_view = position_vs     ///< read in view space
+    [hidden] float3 inObject = positionOS,  ///< read in object space
+    [hidden] float3 inWorld = positionWS,   ///< read in world space
+    [hidden] float3 inView = positionVS     ///< read in view space
 ) {
-    return space == Object ? in_object : space == World ? in_world : in_view;
+    return space == Object ? inObject : space == World ? inWorld : inView;
 }
 
 /// The direction that points out of the surface: the mesh's interpolated normal, unit length.
@@ -45,11 +45,11 @@ float3 Position(
 [node("Input/Normal")]
 float3 Normal(
     const Space space = World,              ///< the coordinate system
-    [hidden] float3 in_object = normal_os,  ///< read in object space
-    [hidden] float3 in_world = normal_ws,   ///< read in world space
-    [hidden] float3 in_view = normal_vs     ///< read in view space
+    [hidden] float3 inObject = normalOS,  ///< read in object space
+    [hidden] float3 inWorld = normalWS,   ///< read in world space
+    [hidden] float3 inView = normalVS     ///< read in view space
 ) {
-    return space == Object ? in_object : space == World ? in_world : in_view;
+    return space == Object ? inObject : space == World ? inWorld : inView;
 }
 
 /// The unit direction from the surface to the camera.
@@ -59,12 +59,12 @@ float3 Normal(
 [node("Input/View Direction")]
 float3 ViewDirection(
     const SurfaceSpace space = World,             ///< the coordinate system
-    [hidden] float3 in_world = view_dir_ws,       ///< read in world space
-    [hidden] float3 normal = geometry_normal_ws,  ///< the frame, for tangent space
-    [hidden] float3 tangent = tangent_ws,         ///< the frame, for tangent space
-    [hidden] float3 bitangent = bitangent_ws      ///< the frame, for tangent space
+    [hidden] float3 inWorld = viewDirWS,       ///< read in world space
+    [hidden] float3 normal = geometryNormalWS,  ///< the frame, for tangent space
+    [hidden] float3 tangent = tangentWS,         ///< the frame, for tangent space
+    [hidden] float3 bitangent = bitangentWS      ///< the frame, for tangent space
 ) {
-    return space == World ? in_world : WorldToTangent(in_world, normal, tangent, bitangent);
+    return space == World ? inWorld : WorldToTangent(inWorld, normal, tangent, bitangent);
 }
 
 /// The mesh's texture coordinates: (0, 0) is a picture's upper left corner.
@@ -85,7 +85,7 @@ float2 UV(
 /// test: VertexColor(float4(0.1, 0.2, 0.3, 0.4)) == float4(0.1, 0.2, 0.3, 0.4)
 [node("Input/Vertex Color")]
 float4 VertexColor(
-    [hidden] float4 color = vertex_color  ///< the attribute
+    [hidden] float4 color = vertexColor  ///< the attribute
 ) {
     return color;
 }

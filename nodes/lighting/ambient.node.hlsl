@@ -23,7 +23,7 @@ const float SH_DIFFERENCE = 0.13656855382400989;  // sqrt(15 / (256 pi))
 /// test: EvaluateSH9(float3(0, 0, -1), 0.886226925, 0, 1.023326708, 0, 0, 0, 0.495415912, 0, 0) == float3(0, 0, 0)
 [node("Lighting/Ambient/Evaluate SH9")]
 float3 EvaluateSH9(
-    float3 normal = normal_ws,  ///< unit normal in the world
+    float3 normal = normalWS,  ///< unit normal in the world
     float3 sh0,                 ///< l = 0: the mean, over sqrt(4 pi)
     float3 sh1,                 ///< l = 1: along y
     float3 sh2,                 ///< l = 1: along z
@@ -82,9 +82,9 @@ float SurfaceReduction(
 [node("Lighting/Ambient/Grazing Term")] [range(0, 1)]
 float GrazingTerm(
     [range(0, 1)] float smoothness = 0.5,              ///< 1 - perceptual roughness
-    [range(0, 1)] float one_minus_reflectivity = 0.96  ///< share of the light that is not mirrored
+    [range(0, 1)] float oneMinusReflectivity = 0.96  ///< share of the light that is not mirrored
 ) {
-    return saturate(smoothness + 1 - one_minus_reflectivity);
+    return saturate(smoothness + 1 - oneMinusReflectivity);
 }
 
 /// Which axis a basis of spherical harmonics calls up.
@@ -102,23 +102,23 @@ enum SHOrder {
 /// test: SHBasis(float3(0.6, 0, 0.8)).l0 == 0.28209479177387814
 /// test: SHBasis(float3(0.6, 0, 0.8)).l1 == float3(0, 0.390882009522336, 0.29316150714175193)
 /// test: SHBasis(float3(0.6, 0, 0.8)).l2 == float4(0, 0, 0.29016024003231855, 0.5244232466841979)
-/// test: SHBasis(float3(0.6, 0, 0.8)).l2_last == 0.19665871750657424
+/// test: SHBasis(float3(0.6, 0, 0.8)).l2Last == 0.19665871750657424
 /// test: SHBasis(float3(0.6, 0.8, 0), YUp).l1 == float3(0, 0.390882009522336, 0.29316150714175193)
 [node("Lighting/Ambient/SH Basis")]
 void SHBasis(
-    float3 direction = normal_ws,  ///< unit direction
+    float3 direction = normalWS,  ///< unit direction
     const SHOrder order = ZUp,     ///< which axis is up
     out float l0,                  ///< the constant
     out float3 l1,                 ///< m = -1, 0, 1
     out float4 l2,                 ///< m = -2, -1, 0, 1
-    out float l2_last              ///< m = 2
+    out float l2Last              ///< m = 2
 ) {
     float3 n = order == ZUp ? direction : direction.xzy;
     l0 = 0.28209479177387814;
     l1 = 0.4886025119029199 * n.yzx;
     l2 = float4(1.0925484305920792 * n.x * n.y, 1.0925484305920792 * n.y * n.z,
                 0.31539156525252005 * (3 * n.z * n.z - 1), 1.0925484305920792 * n.x * n.z);
-    l2_last = 0.5462742152960396 * (n.x * n.x - n.y * n.y);
+    l2Last = 0.5462742152960396 * (n.x * n.x - n.y * n.y);
 }
 
 /// What the cosine of incidence does to each order of spherical harmonics.
@@ -145,7 +145,7 @@ void PackSH9(
     float l0,       ///< coefficient of l = 0
     float3 l1,      ///< of l = 1: m = -1, 0, 1
     float4 l2,      ///< of l = 2: m = -2, -1, 0, 1
-    float l2_last,  ///< of l = 2: m = 2
+    float l2Last,  ///< of l = 2: m = 2
     out float4 a,   ///< for the linear part
     out float4 b,   ///< for the first four of the quadratic part
     out float c     ///< for the fifth
@@ -153,7 +153,7 @@ void PackSH9(
     float polar = l2.z * SH_POLAR;
     a = float4(l1.z * SH_LINEAR, l1.x * SH_LINEAR, l1.y * SH_LINEAR, l0 * SH_CONSTANT - polar);
     b = float4(l2.x * SH_PRODUCT, l2.y * SH_PRODUCT, 3 * polar, l2.w * SH_PRODUCT);
-    c = l2_last * SH_DIFFERENCE;
+    c = l2Last * SH_DIFFERENCE;
 }
 
 /// The constant and linear part of Unity's packed ambient light.
@@ -164,7 +164,7 @@ void PackSH9(
 /// test: EvaluateSHLinear(float3(0.6, 0.8, 0), float4(1, 2, 3, 4), 0, 0) == float3(6.2, 0, 0)
 [node("Lighting/Ambient/Evaluate SH Linear")]
 float3 EvaluateSHLinear(
-    float3 normal = normal_ws,  ///< unit normal in the world
+    float3 normal = normalWS,  ///< unit normal in the world
     float4 ar,                  ///< of red
     float4 ag,                  ///< of green
     float4 ab                   ///< of blue
@@ -181,7 +181,7 @@ float3 EvaluateSHLinear(
 /// test: EvaluateSHQuadratic(float3(0.6, 0.8, 0), 1, 0, 0, float3(1, 0, 2)) == float3(0.2, 0, -0.56)
 [node("Lighting/Ambient/Evaluate SH Quadratic")]
 float3 EvaluateSHQuadratic(
-    float3 normal = normal_ws,  ///< unit normal in the world
+    float3 normal = normalWS,  ///< unit normal in the world
     float4 br,                  ///< of red
     float4 bg,                  ///< of green
     float4 bb,                  ///< of blue
@@ -298,14 +298,14 @@ float MipFromRoughness(
 [node("Lighting/Ambient/Box Projected Direction")]
 float3 BoxProjectedDirection(
     float3 direction,                           ///< reflected direction; its length does not matter
-    [unit("m")] float3 position = position_ws,  ///< the point that reflects, inside the box
+    [unit("m")] float3 position = positionWS,  ///< the point that reflects, inside the box
     [unit("m")] float3 center = 0,              ///< where the cube map was taken
-    [unit("m")] float3 box_min = -1,            ///< smallest corner of the box
-    [unit("m")] float3 box_max = 1              ///< largest corner of the box
+    [unit("m")] float3 boxMin = -1,            ///< smallest corner of the box
+    [unit("m")] float3 boxMax = 1              ///< largest corner of the box
 ) {
-    float3 wall = direction > 0 ? box_max : box_min;
-    float3 is_along = step(abs(direction), 1e-6);
-    float3 times = (wall - position) / (direction + is_along) + is_along * 60000;
+    float3 wall = direction > 0 ? boxMax : boxMin;
+    float3 isAlong = step(abs(direction), 1e-6);
+    float3 times = (wall - position) / (direction + isAlong) + isAlong * 60000;
     float nearest = min(min(times.x, times.y), times.z);
     return position - center + direction * nearest;
 }
@@ -330,16 +330,16 @@ float3 DecodeHDR(
 
 /// Where a view-space normal reads a picture of a lit ball: a normal that points up reads the top of the picture.
 ///
-/// formula: (0.5 + 0.5 n.x, 0.5 - 0.5 n.y), n = normalize(normal_vs); where v grows upwards it is 0.5 n.xy + 0.5
+/// formula: (0.5 + 0.5 n.x, 0.5 - 0.5 n.y), n = normalize(normalVS); where v grows upwards it is 0.5 n.xy + 0.5
 /// source: Sloan et al., "The Lit Sphere", Graphics Interface 2001
 /// test: MatcapUV(float3(0, 0, 1)) == float2(0.5, 0.5)
 /// test: MatcapUV(float3(0.6, 0, 0.8)) == float2(0.8, 0.5)
 /// test: MatcapUV(float3(0, -3, 4)) == float2(0.5, 0.8)
 [node("Lighting/Ambient/Matcap UV")] [range(0, 1)]
 float2 MatcapUV(
-    float3 normal_vs = float3(0, 0, 1)  ///< normal in view space: x right, y up, z to the viewer
+    float3 normalVS = float3(0, 0, 1)  ///< normal in view space: x right, y up, z to the viewer
 ) {
-    return normal_vs.xy * rsqrt(max(dot(normal_vs, normal_vs), 1e-7)) * float2(0.5, -0.5) + 0.5;
+    return normalVS.xy * rsqrt(max(dot(normalVS, normalVS), 1e-7)) * float2(0.5, -0.5) + 0.5;
 }
 
 /// Ambient occlusion, weakened or strengthened.

@@ -14,7 +14,7 @@ float InverseSquareAttenuation(
     [range(0, 100)] [unit("m")] float distance = 1,  ///< from the light
     [range(0.01, 100)] [unit("m")] float range = 10  ///< where the light ends
 ) {
-    return distance_attenuation(distance * distance, max(range, 1e-4));
+    return distanceAttenuation(distance * distance, max(range, 1e-4));
 }
 
 /// A formula for the falloff that Unity's built-in point lights read from a texture.
@@ -27,9 +27,9 @@ float InverseSquareAttenuation(
 /// test: UnityAttenuation(1.2) == 0
 [node("Lighting/Attenuation/Unity Falloff")] [range(0, 1)]
 float UnityAttenuation(
-    [range(0, 1)] float distance_over_range = 0.5  ///< distance from the light, in units of its range
+    [range(0, 1)] float distanceOverRange = 0.5  ///< distance from the light, in units of its range
 ) {
-    float x = distance_over_range;
+    float x = distanceOverRange;
     return saturate(saturate(5 * (1 - x)) / (1 + 25 * x * x));
 }
 
@@ -60,12 +60,12 @@ float RangeAttenuation(
 /// test: SpotAttenuation(float3(0.8, 0, 0.6), float3(0, 0, -1), 0.9, 0.7) == 0
 [node("Lighting/Attenuation/Spot Cone")] [range(0, 1)]
 float SpotAttenuation(
-    float3 light_dir = light.direction,  ///< unit direction to the light
+    float3 lightDir = light.direction,  ///< unit direction to the light
     float3 axis = float3(0, -1, 0),      ///< unit direction that the spot shines along
     [range(-1, 1)] float inner = 0.9,    ///< cosine of half the angle of full light
     [range(-1, 1)] float outer = 0.8     ///< cosine of half the angle where it ends
 ) {
-    float cone = saturate((-dot(light_dir, axis) - outer) / max(inner - outer, 0.001));
+    float cone = saturate((-dot(lightDir, axis) - outer) / max(inner - outer, 0.001));
     return cone * cone;
 }
 
@@ -77,10 +77,10 @@ float SpotAttenuation(
 /// test: VertexLightAttenuation(0, 25) == 1
 [node("Lighting/Attenuation/Vertex Light")] [range(0, 1)]
 float VertexLightAttenuation(
-    [range(0, 10000)] float distance_squared = 1,  ///< from the light, in square metres
+    [range(0, 10000)] float distanceSquared = 1,  ///< from the light, in square metres
     [range(0, 1000)] float falloff = 0.25          ///< 25 / range^2
 ) {
-    return 1 / (1 + distance_squared * falloff);
+    return 1 / (1 + distanceSquared * falloff);
 }
 
 /// Lambert's light of four point lights at once, as Unity computes it in each vertex.
@@ -91,20 +91,20 @@ float VertexLightAttenuation(
 /// test: FourPointLights(float3(0, 0, 0), float3(0, 1, 0), 0, 0, 0, 1, 1, 1, 1, 1) == float3(0, 0, 0)
 [node("Lighting/Attenuation/Four Point Lights")]
 float3 FourPointLights(
-    [unit("m")] float3 position = position_ws,  ///< the point that is lit
-    float3 normal = normal_ws,                  ///< unit normal
-    [unit("m")] float4 light_x,                 ///< positions of the four lights: their x
-    [unit("m")] float4 light_y,                 ///< their y
-    [unit("m")] float4 light_z,                 ///< their z
+    [unit("m")] float3 position = positionWS,  ///< the point that is lit
+    float3 normal = normalWS,                  ///< unit normal
+    [unit("m")] float4 lightX,                 ///< positions of the four lights: their x
+    [unit("m")] float4 lightY,                 ///< their y
+    [unit("m")] float4 lightZ,                 ///< their z
     [color] float3 color0,                      ///< colour of the first light
     [color] float3 color1,                      ///< of the second
     [color] float3 color2,                      ///< of the third
     [color] float3 color3,                      ///< of the fourth
     float4 falloff                              ///< 25 / range^2 of each
 ) {
-    float4 x = light_x - position.x;
-    float4 y = light_y - position.y;
-    float4 z = light_z - position.z;
+    float4 x = lightX - position.x;
+    float4 y = lightY - position.y;
+    float4 z = lightZ - position.z;
     // A light in the very point must not give 0 * infinity.
     float4 squared = max(x * x + y * y + z * z, 1e-6);
     float4 ndotl = max((x * normal.x + y * normal.y + z * normal.z) * rsqrt(squared), 0);

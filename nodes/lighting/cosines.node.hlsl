@@ -25,11 +25,11 @@ float CosineBetween(float3 from, float3 to, const CosineMode mode) {
 /// test: NdotL(float3(0, 0, 1), float3(0.6, 0, -0.8), Signed) == -0.8
 [node("Lighting/Cosine/N.L")] [range(-1, 1)]
 float NdotL(
-    float3 normal = normal_ws,           ///< unit normal
-    float3 light_dir = light.direction,  ///< unit direction to the light
+    float3 normal = normalWS,           ///< unit normal
+    float3 lightDir = light.direction,  ///< unit direction to the light
     const CosineMode mode = Clamped      ///< what becomes of a light behind the surface
 ) {
-    return CosineBetween(normal, light_dir, mode);
+    return CosineBetween(normal, lightDir, mode);
 }
 
 /// The cosine between normal and view: 1 where the surface faces the viewer, 0 at its outline.
@@ -41,8 +41,8 @@ float NdotL(
 /// test: NdotV(float3(0, 0, 1), float3(0, 0.6, -0.8), Signed) == -0.8
 [node("Lighting/Cosine/N.V")] [range(-1, 1)]
 float NdotV(
-    float3 normal = normal_ws,       ///< unit normal
-    float3 view = view_dir_ws,       ///< unit direction to the viewer
+    float3 normal = normalWS,       ///< unit normal
+    float3 view = viewDirWS,       ///< unit direction to the viewer
     const CosineMode mode = Clamped  ///< what becomes of a normal that is turned away
 ) {
     return CosineBetween(normal, view, mode);
@@ -60,10 +60,10 @@ float NdotV(
 /// test: HalfVector(float3(0, 0, 1), float3(0, 0, -1)) == float3(0, 0, 0)
 [node("Lighting/Half Vector")] [range(-1, 1)]
 float3 HalfVector(
-    float3 view = view_dir_ws,          ///< unit direction to the viewer
-    float3 light_dir = light.direction  ///< unit direction to the light
+    float3 view = viewDirWS,          ///< unit direction to the viewer
+    float3 lightDir = light.direction  ///< unit direction to the light
 ) {
-    float3 sum = light_dir + view;
+    float3 sum = lightDir + view;
     return sum * rsqrt(max(dot(sum, sum), 0.001));
 }
 
@@ -74,10 +74,10 @@ float3 HalfVector(
 /// test: NdotH(float3(0, 0, 1), float3(0.6, 0, -0.8)) == 0
 [node("Lighting/Cosine/N.H")] [range(0, 1)]
 float NdotH(
-    float3 normal = normal_ws,  ///< unit normal
-    float3 half_vector          ///< unit half vector
+    float3 normal = normalWS,  ///< unit normal
+    float3 halfVector          ///< unit half vector
 ) {
-    return saturate(dot(normal, half_vector));
+    return saturate(dot(normal, halfVector));
 }
 
 /// The cosine between light and half vector, which is also that between view and half vector: the argument of Fresnel.
@@ -87,8 +87,8 @@ float NdotH(
 /// test: LdotH(float3(0, 0, 1), float3(0, 0, -1)) == 0
 [node("Lighting/Cosine/L.H")] [range(0, 1)]
 float LdotH(
-    float3 light_dir = light.direction,  ///< unit direction to the light
-    float3 half_vector                   ///< unit half vector
+    float3 lightDir = light.direction,  ///< unit direction to the light
+    float3 halfVector                   ///< unit half vector
 ) {
-    return saturate(dot(light_dir, half_vector));
+    return saturate(dot(lightDir, halfVector));
 }

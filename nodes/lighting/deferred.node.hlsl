@@ -8,7 +8,7 @@
 /// test: EncodeGBufferNormal(float3(-0.48, 0.6, 0.64)) == float3(0.26, 0.8, 0.82)
 [node("Lighting/Deferred/Encode Normal")] [range(0, 1)]
 float3 EncodeGBufferNormal(
-    float3 normal = normal_ws  ///< unit normal
+    float3 normal = normalWS  ///< unit normal
 ) {
     return normal * 0.5 + 0.5;
 }

@@ -78,9 +78,9 @@ float DisneyDiffuse(
     [range(0, 1)] float roughness = 0.5  ///< perceptual roughness
 ) {
     float f90 = 0.5 + 2 * roughness * ldoth * ldoth;
-    float light_scatter = 1 + (f90 - 1) * SchlickWeight(ndotl);
-    float view_scatter = 1 + (f90 - 1) * SchlickWeight(ndotv);
-    return light_scatter * view_scatter;
+    float lightScatter = 1 + (f90 - 1) * SchlickWeight(ndotl);
+    float viewScatter = 1 + (f90 - 1) * SchlickWeight(ndotv);
+    return lightScatter * viewScatter;
 }
 
 /// Which fit of Oren and Nayar's model OrenNayarDiffuse computes.

@@ -11,16 +11,16 @@
 /// test: LightVector(float4(3, 5, 5, 1), float3(1, 1, 1)).direction == float3(1 / 3, 2 / 3, 2 / 3)
 [node("Lighting/Direction/Light Vector")]
 float3 LightVector(
-    float4 light_position = float4(0, 1, 0, 0),  ///< xyz: position, or direction to the light; w: 1 or 0
-    [unit("m")] float3 position = position_ws,   ///< the point that is lit
+    float4 lightPosition = float4(0, 1, 0, 0),  ///< xyz: position, or direction to the light; w: 1 or 0
+    [unit("m")] float3 position = positionWS,   ///< the point that is lit
     [range(-1, 1)] out float3 direction,         ///< unit direction to the light
     [unit("m")] out float distance               ///< length of the vector
 ) {
-    float3 to_light = light_position.xyz - position * light_position.w;
-    float squared = max(dot(to_light, to_light), 1e-7);
-    direction = to_light * rsqrt(squared);
+    float3 toLight = lightPosition.xyz - position * lightPosition.w;
+    float squared = max(dot(toLight, toLight), 1e-7);
+    direction = toLight * rsqrt(squared);
     distance = sqrt(squared);
-    return to_light;
+    return toLight;
 }
 
 /// The direction half-way between light and viewer, of unit length wherever there is one.
@@ -34,10 +34,10 @@ float3 LightVector(
 /// test: HalfVectorExact(float3(0, 0, 1), float3(0, 1, 0)) == float3(0, 0.7071067811865476, 0.7071067811865476)
 [node("Lighting/Half Vector Exact")] [range(-1, 1)]
 float3 HalfVectorExact(
-    float3 view = view_dir_ws,          ///< unit direction to the viewer
-    float3 light_dir = light.direction  ///< unit direction to the light
+    float3 view = viewDirWS,          ///< unit direction to the viewer
+    float3 lightDir = light.direction  ///< unit direction to the light
 ) {
-    float3 sum = light_dir + view;
+    float3 sum = lightDir + view;
     return sum * rsqrt(max(dot(sum, sum), 1e-7));
 }
 
@@ -49,8 +49,8 @@ float3 HalfVectorExact(
 /// test: ReflectionVector(float3(0, 1, 0), float3(0, 1, 0)) == float3(0, 1, 0)
 [node("Lighting/Direction/Reflection Vector")] [range(-1, 1)]
 float3 ReflectionVector(
-    float3 direction = view_dir_ws,  ///< unit direction to the viewer (or to the light: the mirror works both ways)
-    float3 normal = normal_ws        ///< unit normal
+    float3 direction = viewDirWS,  ///< unit direction to the viewer (or to the light: the mirror works both ways)
+    float3 normal = normalWS        ///< unit normal
 ) {
     return reflect(-direction, normal);
 }
@@ -64,11 +64,11 @@ float3 ReflectionVector(
 /// test: LdotV(float3(0, 0, 1), float3(0.6, 0, -0.8), Absolute) == 0.8
 [node("Lighting/Cosine/L.V")] [range(-1, 1)]
 float LdotV(
-    float3 light_dir = light.direction,  ///< unit direction to the light
-    float3 view = view_dir_ws,           ///< unit direction to the viewer
+    float3 lightDir = light.direction,  ///< unit direction to the light
+    float3 view = viewDirWS,           ///< unit direction to the viewer
     const CosineMode mode = Signed       ///< what becomes of a light opposite to the viewer
 ) {
-    return CosineBetween(light_dir, view, mode);
+    return CosineBetween(lightDir, view, mode);
 }
 
 /// The cosine between the mirrored light and the view: the argument of Phong's highlight.
@@ -79,11 +79,11 @@ float LdotV(
 /// test: RdotV(float3(0, 0, 1), float3(0.6, 0, 0.8), float3(0, 0, 1)) == 0.8
 [node("Lighting/Cosine/R.V")] [range(0, 1)]
 float RdotV(
-    float3 normal = normal_ws,           ///< unit normal
-    float3 light_dir = light.direction,  ///< unit direction to the light
-    float3 view = view_dir_ws            ///< unit direction to the viewer
+    float3 normal = normalWS,           ///< unit normal
+    float3 lightDir = light.direction,  ///< unit direction to the light
+    float3 view = viewDirWS            ///< unit direction to the viewer
 ) {
-    return saturate(dot(ReflectionVector(light_dir, normal), view));
+    return saturate(dot(ReflectionVector(lightDir, normal), view));
 }
 
 /// The cosine between normal and view, with the normal tilted to the viewer where it looks away.
@@ -95,16 +95,16 @@ float RdotV(
 /// source: Unity built-in shaders, BRDF1 with UNITY_HANDLE_CORRECTLY_NEGATIVE_NDOTV
 /// test: NdotVShifted(float3(0, 0, 1), float3(0, 0.6, 0.8)) == 0.8
 /// test: NdotVShifted(float3(0, 0, 1), float3(0, 0.8, -0.6)) == 0.00001 within 1e-2
-/// test: NdotVShifted(float3(0, 0, 1), float3(0.6, 0, 0.8)).shifted_normal == float3(0, 0, 1)
+/// test: NdotVShifted(float3(0, 0, 1), float3(0.6, 0, 0.8)).shiftedNormal == float3(0, 0, 1)
 [node("Lighting/Cosine/N.V Shifted")] [range(0, 1)]
 float NdotVShifted(
-    float3 normal = normal_ws,  ///< unit normal
-    float3 view = view_dir_ws,  ///< unit direction to the viewer
-    out float3 shifted_normal   ///< the tilted normal, for the other cosines; no longer quite unit length
+    float3 normal = normalWS,  ///< unit normal
+    float3 view = viewDirWS,  ///< unit direction to the viewer
+    out float3 shiftedNormal   ///< the tilted normal, for the other cosines; no longer quite unit length
 ) {
     float cosine = dot(normal, view);
-    shifted_normal = cosine < 0 ? normal + view * (1e-5 - cosine) : normal;
-    return saturate(dot(shifted_normal, view));
+    shiftedNormal = cosine < 0 ? normal + view * (1e-5 - cosine) : normal;
+    return saturate(dot(shiftedNormal, view));
 }
 
 /// A frame of unit vectors at right angles, from an interpolated normal and tangent.
@@ -113,17 +113,17 @@ float NdotVShifted(
 /// test: TangentFrame(float3(0, 0, 2), float4(3, 0, 3, 1)) == float3(1, 0, 0)
 /// test: TangentFrame(float3(0, 0, 2), float4(3, 0, 3, 1)).bitangent == float3(0, 1, 0)
 /// test: TangentFrame(float3(0, 0, 2), float4(3, 0, 3, -1)).bitangent == float3(0, -1, 0)
-/// test: TangentFrame(float3(0, 0, 2), float4(3, 0, 3, 1)).unit_normal == float3(0, 0, 1)
+/// test: TangentFrame(float3(0, 0, 2), float4(3, 0, 3, 1)).unitNormal == float3(0, 0, 1)
 [node("Lighting/Direction/Tangent Frame")] [range(-1, 1)]
 float3 TangentFrame(
-    float3 normal = geometry_normal_ws,    ///< normal, of any length but zero
+    float3 normal = geometryNormalWS,    ///< normal, of any length but zero
     float4 tangent = float4(1, 0, 0, 1),   ///< xyz: tangent, not along the normal; w: handedness, 1 or -1
     [range(-1, 1)] out float3 bitangent,   ///< unit bitangent
-    [range(-1, 1)] out float3 unit_normal  ///< unit normal
+    [range(-1, 1)] out float3 unitNormal  ///< unit normal
 ) {
-    unit_normal = normalize(normal);
-    float3 along = tangent.xyz - unit_normal * dot(unit_normal, tangent.xyz);
-    float3 unit_tangent = along * rsqrt(max(dot(along, along), 1e-7));
-    bitangent = cross(unit_normal, unit_tangent) * tangent.w;
-    return unit_tangent;
+    unitNormal = normalize(normal);
+    float3 along = tangent.xyz - unitNormal * dot(unitNormal, tangent.xyz);
+    float3 unitTangent = along * rsqrt(max(dot(along, along), 1e-7));
+    bitangent = cross(unitNormal, unitTangent) * tangent.w;
+    return unitTangent;
 }

@@ -42,7 +42,7 @@ float DistributionBlinnPhong(
 /// The Blinn-Phong exponent whose highlight is as wide as that of a microfacet surface of the given roughness.
 ///
 /// formula: 2 / alpha^2 - 2, from 0.0001 to 19998
-/// source: Walter et al., EGSR 2007, section 5.2 (alpha_p = 2 alpha_b^-2 - 2)
+/// source: Walter et al., EGSR 2007, section 5.2 (alphaP = 2 alphaB^-2 - 2)
 /// test: BlinnPhongExponentFromAlpha(0.5) == 6
 /// test: BlinnPhongExponentFromAlpha(0.0625) == 510
 /// test: BlinnPhongExponentFromAlpha(0.5625) == 4.320987654320987
@@ -177,12 +177,12 @@ float MinimalistPeak(float ndoth, float alpha) {
 /// test: DistributionGGXMobile(float3(0, 1, 0), float3(0, 1, 0), 0.001) == 20850.570784583026
 [node("Lighting/Distribution/GGX Mobile")]
 float DistributionGGXMobile(
-    float3 normal = normal_ws,        ///< unit normal
-    float3 half_vector,               ///< unit half vector
+    float3 normal = normalWS,        ///< unit normal
+    float3 halfVector,               ///< unit half vector
     [range(0, 1)] float alpha = 0.25  ///< roughness squared
 ) {
-    float3 across = cross(normal, half_vector);
-    float a = dot(normal, half_vector) * alpha;
+    float3 across = cross(normal, halfVector);
+    float a = dot(normal, halfVector) * alpha;
     float p = alpha / max(dot(across, across) + a * a, 6e-8);
     // Just above the square root of 65504: the square of anything larger could be infinite in half precision.
     p = min(p, 255.9375);
@@ -273,11 +273,11 @@ float DistributionGGXAnisotropic(
     [range(0, 1)] float ndoth,            ///< cosine of normal and half vector
     [range(-1, 1)] float tdoth,           ///< cosine of tangent and half vector
     [range(-1, 1)] float bdoth,           ///< cosine of bitangent and half vector
-    [range(0.001, 1)] float alpha_t = 0.25,  ///< roughness squared along the tangent
-    [range(0.001, 1)] float alpha_b = 0.25   ///< roughness squared along the bitangent
+    [range(0.001, 1)] float alphaT = 0.25,  ///< roughness squared along the tangent
+    [range(0.001, 1)] float alphaB = 0.25   ///< roughness squared along the bitangent
 ) {
-    float at = max(alpha_t, 1e-4);
-    float ab = max(alpha_b, 1e-4);
+    float at = max(alphaT, 1e-4);
+    float ab = max(alphaB, 1e-4);
     float x = tdoth / at;
     float y = bdoth / ab;
     float spread = x * x + y * y + ndoth * ndoth;

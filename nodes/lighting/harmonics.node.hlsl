@@ -16,7 +16,7 @@
 /// test: SumSH9(float3(0.6, 0.8, 0), ZUp, 0, 1, 0, 1, 1, 0, 0, 0, 1) == 1.055509983065395
 [node("Lighting/Ambient/Sum SH9")]
 float3 SumSH9(
-    float3 direction = normal_ws,  ///< unit direction
+    float3 direction = normalWS,  ///< unit direction
     const SHOrder order = ZUp,     ///< which axis is up
     float3 sh0,                    ///< l = 0
     float3 sh1,                    ///< l = 1: along y; y-up: along z
@@ -32,7 +32,7 @@ float3 SumSH9(
     float4 l2 = SHBasis(direction, order).l2;
     float3 sum = sh0 * SHBasis(direction, order).l0 + sh1 * l1.x + sh2 * l1.y + sh3 * l1.z;
     sum += sh4 * l2.x + sh5 * l2.y + sh6 * l2.z + sh7 * l2.w;
-    return sum + sh8 * SHBasis(direction, order).l2_last;
+    return sum + sh8 * SHBasis(direction, order).l2Last;
 }
 
 /// Nine coefficients of one environment for the other up axis: the y-up ones from the z-up ones, and back.
@@ -90,10 +90,10 @@ void SwapSHAxes(
 /// test: SHDirectionalLight(float3(0, 0, 1), float3(1, 0, 0)) == 0.09375
 [node("Lighting/Ambient/SH Directional Light")]
 float SHDirectionalLight(
-    float3 normal = normal_ws,          ///< unit normal
-    float3 light_dir = light.direction  ///< unit direction to the light
+    float3 normal = normalWS,          ///< unit normal
+    float3 lightDir = light.direction  ///< unit direction to the light
 ) {
-    float c = dot(normal, light_dir);
+    float c = dot(normal, lightDir);
     return 0.25 + 0.5 * c + 0.15625 * (3 * c * c - 1);
 }
 
@@ -110,7 +110,7 @@ float SHDirectionalLight(
 /// test: StudioSkySH(float3(0, 1, 0), Gamma) == float3(0.710004776159182, 0.7971024527280397, 0.8952774649119528)
 [node("Lighting/Ambient/Studio Sky SH")]
 float3 StudioSkySH(
-    float3 normal = normal_ws,         ///< unit normal in the world, y up
+    float3 normal = normalWS,         ///< unit normal in the world, y up
     const WorkingSpace space = Linear  ///< colour space that lighting is computed in
 ) {
     float3 sum = SumSH9(normal, YUp, float3(1.81877, 1.86597, 1.7507), float3(0.155764, 0.164684, 0.186911),

@@ -8,12 +8,12 @@ enum SplitSumVisibility {
 };
 
 // asinh, which the language has not.
-float inverse_sinh(float x) {
+float inverseSinh(float x) {
     return log(x + sqrt(x * x + 1));
 }
 
 // 4 V (n.l) (v.h) / (n.h): what is left of the BRDF times n.l when half vectors are drawn by GGX.
-float split_sum_weight(float ndotl, float ndotv, float ndoth, float vdoth, float alpha, const SplitSumVisibility form) {
+float splitSumWeight(float ndotl, float ndotv, float ndoth, float vdoth, float alpha, const SplitSumVisibility form) {
     float visibility = VisibilitySmithJoint(ndotl, ndotv, alpha);
     if (form == SmithJointApproximate) { visibility = VisibilitySmithJointApproximate(ndotl, ndotv, alpha, 0); }
     if (form == SchlickAmbient) { visibility = VisibilitySchlick(ndotl, ndotv, sqrt(alpha), Ambient); }
@@ -43,13 +43,13 @@ float SplitSumIntegral(
     out float total                                    ///< scale + offset: the share of light that one bounce sends back
 ) {
     float alpha = roughness * roughness;
-    float view_sine = sqrt(max(1 - ndotv * ndotv, 0));
-    float view_angle = acos(clamp(ndotv, 0, 1));
+    float viewSine = sqrt(max(1 - ndotv * ndotv, 0));
+    float viewAngle = acos(clamp(ndotv, 0, 1));
     float scale = 0;
     offset = 0;
     for (int segment = 0; segment < 2; segment++) {
-        float begin = segment == 0 ? 0 : inverse_sinh(tan(0.25 * PI - 0.5 * view_angle) / alpha);
-        float end = inverse_sinh(tan(0.25 * PI + (float(segment) - 0.5) * view_angle) / alpha);
+        float begin = segment == 0 ? 0 : inverseSinh(tan(0.25 * PI - 0.5 * viewAngle) / alpha);
+        float end = inverseSinh(tan(0.25 * PI + (float(segment) - 0.5) * viewAngle) / alpha);
         for (int i = 0; i < samples; i++) {
             // Points crowd at both ends, where the integrand has a root.
             float s = (float(i) + 0.5) / float(samples);
@@ -60,13 +60,13 @@ float SplitSumIntegral(
             float sine = tangent * ndoth;
             float density = 2 * sinh(x) / (cosh(x) * cosh(x) * cosh(x));
             // Beyond this azimuth the light is below the horizon.
-            float edge = (ndotv / (2 * ndoth) - ndotv * ndoth) / max(view_sine * sine, 1e-7);
+            float edge = (ndotv / (2 * ndoth) - ndotv * ndoth) / max(viewSine * sine, 1e-7);
             float last = acos(clamp(edge, -1, 1));
             for (int k = 0; k < samples / 2; k++) {
                 float azimuth = last * (float(k) + 0.5) / float(samples / 2);
-                float vdoth = view_sine * sine * cos(azimuth) + ndotv * ndoth;
+                float vdoth = viewSine * sine * cos(azimuth) + ndotv * ndoth;
                 float ndotl = max(2 * vdoth * ndoth - ndotv, 1e-7);
-                float weight = split_sum_weight(ndotl, ndotv, ndoth, vdoth, alpha, visibility);
+                float weight = splitSumWeight(ndotl, ndotv, ndoth, vdoth, alpha, visibility);
                 float share = density * step * last / (PI * float(samples / 2));
                 float fresnel = SchlickWeight(vdoth);
                 scale += (1 - fresnel) * weight * share;

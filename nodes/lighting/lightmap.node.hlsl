@@ -5,7 +5,7 @@
 /// What the light would add here is taken away again, as far as the shadow goes, but not below the shadow colour, and
 /// nothing gets brighter.
 ///
-/// formula: min(m, lerp(max(m - color saturate(n.l) (1 - attenuation), shadow_color), m, fade))
+/// formula: min(m, lerp(max(m - color saturate(n.l) (1 - attenuation), shadowColor), m, fade))
 /// source: Unity built-in shaders, SubtractMainLightWithRealtimeAttenuationFromLightmap
 /// test: SubtractMainLight(float3(0.8, 0.7, 0.6), float3(0, 0, 1), float3(0.8660254037844386, 0, 0.5), float3(1, 0.9, 0.8), 0, float3(0.2, 0.2, 0.25)) == float3(0.3, 0.25, 0.25)
 /// test: SubtractMainLight(float3(0.8, 0.7, 0.6), float3(0, 0, 1), float3(0.8660254037844386, 0, 0.5), float3(1, 0.9, 0.8), 0.5, float3(0.2, 0.2, 0.25)) == float3(0.55, 0.475, 0.4)
@@ -14,15 +14,15 @@
 [node("Lighting/Lightmap/Subtract Main Light")]
 float3 SubtractMainLight(
     [color] float3 lightmap = 1,         ///< light of the lightmap, E / pi
-    float3 normal = normal_ws,           ///< unit normal
-    float3 light_dir = light.direction,  ///< unit direction to the main light
-    [color] float3 light_color = 1,      ///< the main light's colour times intensity, E / pi
+    float3 normal = normalWS,           ///< unit normal
+    float3 lightDir = light.direction,  ///< unit direction to the main light
+    [color] float3 lightColor = 1,      ///< the main light's colour times intensity, E / pi
     [range(0, 1)] float attenuation = 1, ///< how much of it arrives: 0 is in shadow
-    [color] float3 shadow_color = 0,     ///< what no shadow falls below
+    [color] float3 shadowColor = 0,     ///< what no shadow falls below
     [range(0, 1)] float fade = 0         ///< how much of the shadow is left out; 1 - strength of the light's shadows
 ) {
-    float3 taken = light_color * (saturate(dot(normal, light_dir)) * (1 - attenuation));
-    float3 shadowed = max(lightmap - taken, shadow_color);
+    float3 taken = lightColor * (saturate(dot(normal, lightDir)) * (1 - attenuation));
+    float3 shadowed = max(lightmap - taken, shadowColor);
     return min(lightmap, lerp(shadowed, lightmap, fade));
 }
 
@@ -88,8 +88,8 @@ float4 EncodeRGBM(
 float3 DirectionalLightmap(
     [color] float3 lightmap = 1,     ///< light on the surface without bumps, decoded
     [range(0, 1)] float4 direction,  ///< xyz: 0.5 d + 0.5, d to the light, short if spread; w: the dividend without bumps
-    float3 normal = normal_ws        ///< unit normal
+    float3 normal = normalWS        ///< unit normal
 ) {
-    float half_lambert = dot(normal, direction.xyz - 0.5) + 0.5;
-    return lightmap * (half_lambert / max(direction.w, 1e-4));
+    float halfLambert = dot(normal, direction.xyz - 0.5) + 0.5;
+    return lightmap * (halfLambert / max(direction.w, 1e-4));
 }

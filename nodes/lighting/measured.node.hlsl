@@ -3,7 +3,7 @@
 /// The row of a MERL table that an angle between normal and half vector falls in. Rows are narrow near zero, where the
 /// highlight is: each ends at the square of its number.
 ///
-/// formula: floor(sqrt(90 theta_half / 1 degree)), from 0 to 89
+/// formula: floor(sqrt(90 thetaHalf / 1 degree)), from 0 to 89
 /// source: Matusik et al., "A Data-Driven Reflectance Model", SIGGRAPH 2003, and the reader that comes with the tables
 /// test: MerlThetaHalfIndex(0) == 0
 /// test: MerlThetaHalfIndex(0.017453292519943295) == 9
@@ -12,20 +12,20 @@
 /// test: MerlThetaHalfIndex(1.5707963267948966) == 89
 [node("Lighting/Measured/MERL Theta Half Index")] [range(0, 89)]
 float MerlThetaHalfIndex(
-    [range(0, 1.5707963)] [unit("rad")] float theta_half = 0  ///< angle between normal and half vector
+    [range(0, 1.5707963)] [unit("rad")] float thetaHalf = 0  ///< angle between normal and half vector
 ) {
-    float degrees = theta_half * INV_PI * 180;
+    float degrees = thetaHalf * INV_PI * 180;
     // A little is added so that an angle that rounding left just below a border counts as on it.
     return clamp(floor(sqrt(max(degrees, 0) * 90) + 0.0001), 0, 89);
 }
 
 // One texel of a table: `row` is the angle of the half vector's, `line` that of the difference vector's.
-float3 measured_texel(Texture2D table, int row, int line, int column, int2 counts) {
+float3 measuredTexel(Texture2D table, int row, int line, int column, int2 counts) {
     return table.Load(int2(column, row * counts.y + line), 0).rgb;
 }
 
 // Between the texels of one row of half vectors, linear in both angles of the difference vector.
-float3 measured_row(Texture2D table, int row, float line, float column, int2 counts) {
+float3 measuredRow(Texture2D table, int row, float line, float column, int2 counts) {
     int low = clamp(int(floor(line)), 0, counts.y - 1);
     int high = min(low + 1, counts.y - 1);
     float share = clamp(line - float(low), 0, 1);
@@ -34,9 +34,9 @@ float3 measured_row(Texture2D table, int row, float line, float column, int2 cou
     int right = left + 1 >= counts.x ? int(0) : left + 1;
     float way = column - float(left);
     int begin = left < 0 ? counts.x - 1 : left;
-    float3 below = lerp(measured_texel(table, row, low, begin, counts), measured_texel(table, row, low, right, counts), way);
+    float3 below = lerp(measuredTexel(table, row, low, begin, counts), measuredTexel(table, row, low, right, counts), way);
     float3 above =
-        lerp(measured_texel(table, row, high, begin, counts), measured_texel(table, row, high, right, counts), way);
+        lerp(measuredTexel(table, row, high, begin, counts), measuredTexel(table, row, high, right, counts), way);
     return lerp(below, above, share);
 }
 
@@ -53,32 +53,32 @@ float3 measured_row(Texture2D table, int row, float line, float column, int2 cou
 [node("Lighting/Measured/Measured BRDF")]
 float3 MeasuredBRDF(
     Texture2D table,                    ///< as `patina import` makes it; usage "data"
-    float3 normal = normal_ws,          ///< unit normal
-    float3 light_dir = light.direction, ///< unit direction to the light
-    float3 view = view_dir_ws           ///< unit direction to the viewer
+    float3 normal = normalWS,          ///< unit normal
+    float3 lightDir = light.direction, ///< unit direction to the light
+    float3 view = viewDirWS           ///< unit direction to the viewer
 ) {
     int2 size = table.Size(0);
     int rows = max(int(floor(sqrt(float(size.y)) + 0.5)), 1);
     int2 counts = int2(size.x, rows);
-    float3 half_vector = HalfVectorExact(view, light_dir);
+    float3 halfVector = HalfVectorExact(view, lightDir);
 
-    float3 across = cross(normal, half_vector);
+    float3 across = cross(normal, halfVector);
     float sine = length(across);
-    float theta_half = atan2(sine, max(dot(normal, half_vector), 0));
+    float thetaHalf = atan2(sine, max(dot(normal, halfVector), 0));
     // Where the two are one, any direction across will do.
-    float3 helper = abs(half_vector.y) < 0.9 ? float3(0, 1, 0) : float3(1, 0, 0);
-    float3 y = sine > 1e-5 ? across / max(sine, 1e-5) : normalize(cross(helper, half_vector));
-    float3 x = cross(y, half_vector);
-    float theta_difference = atan2(length(cross(half_vector, light_dir)), max(dot(half_vector, light_dir), 0));
-    float2 around = float2(dot(light_dir, x), dot(light_dir, y));
+    float3 helper = abs(halfVector.y) < 0.9 ? float3(0, 1, 0) : float3(1, 0, 0);
+    float3 y = sine > 1e-5 ? across / max(sine, 1e-5) : normalize(cross(helper, halfVector));
+    float3 x = cross(y, halfVector);
+    float thetaDifference = atan2(length(cross(halfVector, lightDir)), max(dot(halfVector, lightDir), 0));
+    float2 around = float2(dot(lightDir, x), dot(lightDir, y));
     float phi = dot(around, around) > 1e-7 ? atan2(around.y, around.x) : 0;
     float turn = frac(phi * INV_PI);
 
-    float row = sqrt(saturate(theta_half * 2 * INV_PI)) * float(rows) - 0.5;
-    float line = saturate(theta_difference * 2 * INV_PI) * float(rows) - 0.5;
+    float row = sqrt(saturate(thetaHalf * 2 * INV_PI)) * float(rows) - 0.5;
+    float line = saturate(thetaDifference * 2 * INV_PI) * float(rows) - 0.5;
     float column = turn * float(size.x) - 0.5;
     int low = clamp(int(floor(row)), 0, rows - 1);
     int high = min(low + 1, rows - 1);
-    return lerp(measured_row(table, low, line, column, counts), measured_row(table, high, line, column, counts),
+    return lerp(measuredRow(table, low, line, column, counts), measuredRow(table, high, line, column, counts),
                 clamp(row - float(low), 0, 1));
 }

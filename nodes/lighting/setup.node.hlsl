@@ -13,50 +13,50 @@ enum EnergyConservation {
 /// A dielectric mirrors 4 % of the light looked at straight, without colour, and scatters the rest; a metal mirrors in
 /// its own colour and scatters nothing.
 ///
-/// formula: f0 = lerp(0.04, base_color, metallic); diffuse = base_color 0.96 (1 - metallic)
+/// formula: f0 = lerp(0.04, baseColor, metallic); diffuse = baseColor 0.96 (1 - metallic)
 /// source: the metallic workflow of Unity's Standard shader, in linear colour space
-/// test: MetallicSetup(float3(0.8, 0.4, 0.1), 0.3).diffuse_color == float3(0.5376, 0.2688, 0.0672)
+/// test: MetallicSetup(float3(0.8, 0.4, 0.1), 0.3).diffuseColor == float3(0.5376, 0.2688, 0.0672)
 /// test: MetallicSetup(float3(0.8, 0.4, 0.1), 0.3).f0 == float3(0.268, 0.148, 0.058)
-/// test: MetallicSetup(float3(0.8, 0.4, 0.1), 0.3).one_minus_reflectivity == 0.672
-/// test: MetallicSetup(float3(0.8, 0.4, 0.1), 1).diffuse_color == float3(0, 0, 0)
+/// test: MetallicSetup(float3(0.8, 0.4, 0.1), 0.3).oneMinusReflectivity == 0.672
+/// test: MetallicSetup(float3(0.8, 0.4, 0.1), 1).diffuseColor == float3(0, 0, 0)
 /// test: MetallicSetup(float3(0.8, 0.4, 0.1), 1).f0 == float3(0.8, 0.4, 0.1)
 [node("Lighting/Setup/Metallic")]
 void MetallicSetup(
-    [color] float3 base_color = 0.5,                ///< colour of the surface
+    [color] float3 baseColor = 0.5,                ///< colour of the surface
     [range(0, 1)] float metallic = 0,               ///< 0 is a dielectric, 1 a metal
-    [range(0, 1)] out float3 diffuse_color,         ///< colour of the scattered light
+    [range(0, 1)] out float3 diffuseColor,         ///< colour of the scattered light
     [range(0, 1)] out float3 f0,                    ///< reflectance looked at straight
-    [range(0, 1)] out float one_minus_reflectivity  ///< share of the light that is not mirrored
+    [range(0, 1)] out float oneMinusReflectivity  ///< share of the light that is not mirrored
 ) {
     const float dielectric = 0.04;
-    one_minus_reflectivity = (1 - dielectric) * (1 - metallic);
-    diffuse_color = base_color * one_minus_reflectivity;
-    f0 = lerp(dielectric, base_color, metallic);
+    oneMinusReflectivity = (1 - dielectric) * (1 - metallic);
+    diffuseColor = baseColor * oneMinusReflectivity;
+    f0 = lerp(dielectric, baseColor, metallic);
 }
 
 /// Diffuse colour and reflectance of a surface whose reflectance is given.
 ///
 /// formula: f0 = specular
-/// formula: monochrome: diffuse = base_color (1 - max(specular)); colored: diffuse = base_color (1 - specular)
+/// formula: monochrome: diffuse = baseColor (1 - max(specular)); colored: diffuse = baseColor (1 - specular)
 /// source: the specular workflow of Unity's Standard shader
-/// test: SpecularSetup(float3(1, 1, 1), float3(0.5, 0.2, 0.1)).diffuse_color == float3(0.5, 0.5, 0.5)
-/// test: SpecularSetup(float3(1, 1, 1), float3(0.5, 0.2, 0.1), Colored).diffuse_color == float3(0.5, 0.8, 0.9)
-/// test: SpecularSetup(float3(1, 0.5, 0), float3(0.5, 0.2, 0.1), None).diffuse_color == float3(1, 0.5, 0)
+/// test: SpecularSetup(float3(1, 1, 1), float3(0.5, 0.2, 0.1)).diffuseColor == float3(0.5, 0.5, 0.5)
+/// test: SpecularSetup(float3(1, 1, 1), float3(0.5, 0.2, 0.1), Colored).diffuseColor == float3(0.5, 0.8, 0.9)
+/// test: SpecularSetup(float3(1, 0.5, 0), float3(0.5, 0.2, 0.1), None).diffuseColor == float3(1, 0.5, 0)
 /// test: SpecularSetup(float3(1, 1, 1), float3(0.5, 0.2, 0.1)).f0 == float3(0.5, 0.2, 0.1)
-/// test: SpecularSetup(float3(1, 1, 1), float3(0.1, 0.2, 0.75)).one_minus_reflectivity == 0.25
+/// test: SpecularSetup(float3(1, 1, 1), float3(0.1, 0.2, 0.75)).oneMinusReflectivity == 0.25
 [node("Lighting/Setup/Specular")]
 void SpecularSetup(
-    [color] float3 base_color = 0.5,                     ///< colour of the scattered light, before conservation
+    [color] float3 baseColor = 0.5,                     ///< colour of the scattered light, before conservation
     [color] float3 specular = 0.2,                       ///< reflectance looked at straight
     const EnergyConservation conservation = Monochrome,  ///< how the diffuse colour is scaled
-    [range(0, 1)] out float3 diffuse_color,              ///< colour of the scattered light
+    [range(0, 1)] out float3 diffuseColor,              ///< colour of the scattered light
     [range(0, 1)] out float3 f0,                         ///< reflectance looked at straight
-    [range(0, 1)] out float one_minus_reflectivity       ///< share of the light that is not mirrored
+    [range(0, 1)] out float oneMinusReflectivity       ///< share of the light that is not mirrored
 ) {
-    one_minus_reflectivity = 1 - max(max(specular.r, specular.g), specular.b);
-    diffuse_color = base_color;
-    if (conservation == Monochrome) { diffuse_color = base_color * one_minus_reflectivity; }
-    if (conservation == Colored) { diffuse_color = base_color * (1 - specular); }
+    oneMinusReflectivity = 1 - max(max(specular.r, specular.g), specular.b);
+    diffuseColor = baseColor;
+    if (conservation == Monochrome) { diffuseColor = baseColor * oneMinusReflectivity; }
+    if (conservation == Colored) { diffuseColor = baseColor * (1 - specular); }
     f0 = specular;
 }
 
@@ -152,16 +152,16 @@ float SpecularStrength(
 /// test: ConserveEnergy(float3(1, 1, 1), float3(0.5, 0.2, 0.1)) == float3(0.5, 0.5, 0.5)
 /// test: ConserveEnergy(float3(1, 1, 1), float3(0.5, 0.2, 0.1), Colored) == float3(0.5, 0.8, 0.9)
 /// test: ConserveEnergy(float3(1, 0.5, 0), float3(0.5, 0.2, 0.1), None) == float3(1, 0.5, 0)
-/// test: ConserveEnergy(float3(1, 1, 1), float3(0.5, 0.2, 0.1), Colored).one_minus_reflectivity == 0.5
+/// test: ConserveEnergy(float3(1, 1, 1), float3(0.5, 0.2, 0.1), Colored).oneMinusReflectivity == 0.5
 [node("Lighting/Setup/Conserve Energy")] [range(0, 1)]
 float3 ConserveEnergy(
     [color] float3 albedo = 0.5,                         ///< diffuse colour
     [color] float3 specular = 0.2,                       ///< reflectance looked at straight
     const EnergyConservation conservation = Monochrome,  ///< how it is scaled
-    [range(0, 1)] out float one_minus_reflectivity       ///< 1 - the strongest specular channel
+    [range(0, 1)] out float oneMinusReflectivity       ///< 1 - the strongest specular channel
 ) {
-    one_minus_reflectivity = SpecularSetup(albedo, specular, conservation).one_minus_reflectivity;
-    return SpecularSetup(albedo, specular, conservation).diffuse_color;
+    oneMinusReflectivity = SpecularSetup(albedo, specular, conservation).oneMinusReflectivity;
+    return SpecularSetup(albedo, specular, conservation).diffuseColor;
 }
 
 /// A diffuse colour for blending with pre-multiplied alpha: what is mirrored stays as the material fades.
@@ -169,17 +169,17 @@ float3 ConserveEnergy(
 /// formula: diffuse alpha; alpha' = 1 - r + alpha r, r = one minus reflectivity
 /// source: Unity built-in shaders, PreMultiplyAlpha
 /// test: PremultiplyAlpha(float3(0.5, 0.4, 0.3), 0.5, 0.2) == float3(0.25, 0.2, 0.15)
-/// test: PremultiplyAlpha(float3(0.5, 0.4, 0.3), 0.5, 0.2).out_alpha == 0.9
-/// test: PremultiplyAlpha(float3(0.5, 0.4, 0.3), 0, 0.96).out_alpha == 0.04
+/// test: PremultiplyAlpha(float3(0.5, 0.4, 0.3), 0.5, 0.2).outAlpha == 0.9
+/// test: PremultiplyAlpha(float3(0.5, 0.4, 0.3), 0, 0.96).outAlpha == 0.04
 [node("Lighting/Setup/Premultiply Alpha")] [range(0, 1)]
 float3 PremultiplyAlpha(
-    [color] float3 diffuse_color = 0.5,                 ///< colour of the scattered light
+    [color] float3 diffuseColor = 0.5,                 ///< colour of the scattered light
     [range(0, 1)] float alpha = 1,                      ///< coverage
-    [range(0, 1)] float one_minus_reflectivity = 0.96,  ///< share of the light that is not mirrored
-    [range(0, 1)] out float out_alpha                   ///< alpha to blend with: one, one minus source alpha
+    [range(0, 1)] float oneMinusReflectivity = 0.96,  ///< share of the light that is not mirrored
+    [range(0, 1)] out float outAlpha                   ///< alpha to blend with: one, one minus source alpha
 ) {
-    out_alpha = 1 - one_minus_reflectivity + alpha * one_minus_reflectivity;
-    return diffuse_color * alpha;
+    outAlpha = 1 - oneMinusReflectivity + alpha * oneMinusReflectivity;
+    return diffuseColor * alpha;
 }
 
 /// Smoothness, from perceptual roughness.
@@ -252,8 +252,8 @@ float RoughnessFromSpecPower(
 /// The specular workflow scales its diffuse colour by one minus the strongest specular channel; so that colour is
 /// given undone.
 ///
-/// formula: specular = lerp(0.04, base_color, metallic), glossiness = 1 - roughness,
-/// formula: diffuse = base_color 0.96 (1 - metallic) / (1 - max(specular))
+/// formula: specular = lerp(0.04, baseColor, metallic), glossiness = 1 - roughness,
+/// formula: diffuse = baseColor 0.96 (1 - metallic) / (1 - max(specular))
 /// source: the two set-ups of Unity's Standard shader, made equal
 /// test: SpecularFromMetallic(float3(0.8, 0.4, 0.1), 0, 0.3).specular == float3(0.04, 0.04, 0.04)
 /// test: SpecularFromMetallic(float3(0.8, 0.4, 0.1), 0, 0.3).diffuse == float3(0.8, 0.4, 0.1)
@@ -263,17 +263,17 @@ float RoughnessFromSpecPower(
 /// test: SpecularFromMetallic(float3(0.8, 0.4, 0.1), 0.5, 0.3).glossiness == 0.7
 [node("Lighting/Setup/Specular from Metallic")]
 void SpecularFromMetallic(
-    [color] float3 base_color = 0.5,      ///< colour of the surface
+    [color] float3 baseColor = 0.5,      ///< colour of the surface
     [range(0, 1)] float metallic = 0,     ///< 0 is a dielectric, 1 a metal
     [range(0, 1)] float roughness = 0.5,  ///< perceptual roughness
     [range(0, 1)] out float3 diffuse,     ///< base colour of the specular workflow
     [range(0, 1)] out float3 specular,    ///< reflectance looked at straight
     [range(0, 1)] out float glossiness    ///< 1 - roughness
 ) {
-    specular = MetallicSetup(base_color, metallic).f0;
+    specular = MetallicSetup(baseColor, metallic).f0;
     float rest = 1 - SpecularStrength(specular, Largest);
     // A white metal has no diffuse colour, whatever is divided by what is left.
-    diffuse = MetallicSetup(base_color, metallic).diffuse_color / max(rest, 1e-4);
+    diffuse = MetallicSetup(baseColor, metallic).diffuseColor / max(rest, 1e-4);
     glossiness = 1 - roughness;
 }
 
@@ -285,25 +285,25 @@ enum MetallicFit {
 
 // The base colour whose diffuse and specular colours are equally far off in each channel, for a given metallic: no other
 // is nearer. Exact where one is.
-float3 fitted_base_color(float3 scattered, float3 specular, float metallic) {
+float3 fittedBaseColor(float3 scattered, float3 specular, float metallic) {
     float dielectric = 1 - metallic;
     return saturate((scattered + specular - 0.04 * dielectric) / (0.96 * dielectric + metallic));
 }
 
 // The largest difference in any channel of the diffuse and the specular colour.
-float metallic_fit_error(float3 scattered, float3 specular, float metallic) {
-    float3 base_color = fitted_base_color(scattered, specular, metallic);
-    float3 off_diffuse = abs(MetallicSetup(base_color, metallic).diffuse_color - scattered);
-    float3 off_specular = abs(MetallicSetup(base_color, metallic).f0 - specular);
-    return max(SpecularStrength(off_diffuse, Largest), SpecularStrength(off_specular, Largest));
+float metallicFitError(float3 scattered, float3 specular, float metallic) {
+    float3 baseColor = fittedBaseColor(scattered, specular, metallic);
+    float3 offDiffuse = abs(MetallicSetup(baseColor, metallic).diffuseColor - scattered);
+    float3 offSpecular = abs(MetallicSetup(baseColor, metallic).f0 - specular);
+    return max(SpecularStrength(offDiffuse, Largest), SpecularStrength(offSpecular, Largest));
 }
 
 // The metallic of the smallest error: the best of 64, then the golden section between its neighbours.
-float best_metallic(float3 scattered, float3 specular, float quick) {
+float bestMetallic(float3 scattered, float3 specular, float quick) {
     float best = quick;
-    float least = metallic_fit_error(scattered, specular, quick);
+    float least = metallicFitError(scattered, specular, quick);
     for (int i = 0; i < 65; i++) {
-        float error = metallic_fit_error(scattered, specular, float(i) / 64);
+        float error = metallicFitError(scattered, specular, float(i) / 64);
         best = error < least ? float(i) / 64 : best;
         least = min(error, least);
     }
@@ -312,12 +312,12 @@ float best_metallic(float3 scattered, float3 specular, float quick) {
     for (int k = 0; k < 16; k++) {
         float a = lerp(high, low, 0.6180339887);
         float b = lerp(low, high, 0.6180339887);
-        bool left = metallic_fit_error(scattered, specular, a) < metallic_fit_error(scattered, specular, b);
+        bool left = metallicFitError(scattered, specular, a) < metallicFitError(scattered, specular, b);
         low = left ? low : a;
         high = left ? b : high;
     }
     float middle = 0.5 * (low + high);
-    return metallic_fit_error(scattered, specular, middle) < least ? middle : best;
+    return metallicFitError(scattered, specular, middle) < least ? middle : best;
 }
 
 /// The metallic/roughness description of a specular/gloss surface, exact where one exists and the nearest elsewhere.
@@ -331,9 +331,9 @@ float best_metallic(float3 scattered, float3 specular, float quick) {
 /// formula: 0.04 m^2 + (d / 0.96 + s - 0.08) m + 0.04 - s = 0; b = (d + s - 0.04 (1 - m)) / (0.96 (1 - m) + m)
 /// source: Khronos, KHR_materials_pbrSpecularGlossiness, appendix, with 0.96 for the diffuse share as here
 /// test: MetallicFromSpecular(float3(0.8, 0.4, 0.1), float3(0.04, 0.04, 0.04), 0.7).metallic == 0
-/// test: MetallicFromSpecular(float3(0.8, 0.4, 0.1), float3(0.04, 0.04, 0.04), 0.7).base_color == float3(0.8, 0.4, 0.1)
+/// test: MetallicFromSpecular(float3(0.8, 0.4, 0.1), float3(0.04, 0.04, 0.04), 0.7).baseColor == float3(0.8, 0.4, 0.1)
 /// test: MetallicFromSpecular(float3(0, 0, 0), float3(0.8, 0.4, 0.1), 0.7).metallic == 1
-/// test: MetallicFromSpecular(float3(0, 0, 0), float3(0.8, 0.4, 0.1), 0.7).base_color == float3(0.8, 0.4, 0.1)
+/// test: MetallicFromSpecular(float3(0, 0, 0), float3(0.8, 0.4, 0.1), 0.7).baseColor == float3(0.8, 0.4, 0.1)
 /// test: MetallicFromSpecular(float3(0, 0, 0), float3(0, 0, 0), 0.7).error == 0.04
 /// test: MetallicFromSpecular(float3(0, 0, 0), float3(0, 0, 0), 0.7, Best).error == 0 within 1e-3
 /// test: MetallicFromSpecular(float3(0.5, 0.5, 0.5), float3(0.2, 0.2, 0.2), 0.7).roughness == 0.3
@@ -343,7 +343,7 @@ void MetallicFromSpecular(
     [color] float3 specular = 0.04,        ///< reflectance looked at straight
     [range(0, 1)] float glossiness = 0.5,  ///< 1 - roughness
     const MetallicFit fit = Quick,         ///< where no description is exact
-    [range(0, 1)] out float3 base_color,   ///< colour of the surface
+    [range(0, 1)] out float3 baseColor,   ///< colour of the surface
     [range(0, 1)] out float metallic,      ///< 0 is a dielectric, 1 a metal
     [range(0, 1)] out float roughness,     ///< perceptual roughness
     [range(0, 1)] out float error          ///< largest difference in diffuse or specular colour
@@ -351,14 +351,14 @@ void MetallicFromSpecular(
     float3 scattered = diffuse * (1 - SpecularStrength(specular, Largest));
     float d = SpecularStrength(scattered, Largest);
     float s = SpecularStrength(specular, Largest);
-    float half_b = 0.5 * (d / 0.96 + s - 0.08);
+    float halfB = 0.5 * (d / 0.96 + s - 0.08);
     float c = 0.04 - s;
-    // The root between 0 and 1 of 0.04 m^2 + 2 half_b m + c, in the form that loses no digits for a small c.
-    float root = sqrt(max(half_b * half_b - 0.04 * c, 0));
-    float plain = half_b > 0 ? -c / max(half_b + root, 1e-6) : (root - half_b) / 0.04;
+    // The root between 0 and 1 of 0.04 m^2 + 2 halfB m + c, in the form that loses no digits for a small c.
+    float root = sqrt(max(halfB * halfB - 0.04 * c, 0));
+    float plain = halfB > 0 ? -c / max(halfB + root, 1e-6) : (root - halfB) / 0.04;
     metallic = saturate(s <= 0.04 ? 0 : plain);
-    if (fit == Best) { metallic = best_metallic(scattered, specular, metallic); }
-    base_color = fitted_base_color(scattered, specular, metallic);
+    if (fit == Best) { metallic = bestMetallic(scattered, specular, metallic); }
+    baseColor = fittedBaseColor(scattered, specular, metallic);
     roughness = 1 - glossiness;
-    error = metallic_fit_error(scattered, specular, metallic);
+    error = metallicFitError(scattered, specular, metallic);
 }

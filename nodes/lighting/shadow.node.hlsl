@@ -59,22 +59,22 @@ float SampleShadowTent5x5(
     float2 last = tile.zw + tile.xy - 0.5 * texel;
     float3 left = clamp((border.x + float3(-2.5, -1.5, -0.5)) * texel, first.x, last.x);
     float3 right = clamp((border.x + float3(0.5, 1.5, 2.5)) * texel, first.x, last.x);
-    float3 left_weights = TentWeights5(offset.x).before;
-    float3 right_weights = TentWeights5(offset.x).after;
+    float3 leftWeights = TentWeights5(offset.x).before;
+    float3 rightWeights = TentWeights5(offset.x).after;
     float lit = 0;
     for (int row = 0; row < 6; row++) {
-        float upper_edge = float(row) - 3;
-        float v = clamp((border.y + upper_edge + 0.5) * texel, first.y, last.y);
-        float3 left_depths = float3(map.SampleLevel(float2(left.x, v), 0).r, map.SampleLevel(float2(left.y, v), 0).r,
+        float upperEdge = float(row) - 3;
+        float v = clamp((border.y + upperEdge + 0.5) * texel, first.y, last.y);
+        float3 leftDepths = float3(map.SampleLevel(float2(left.x, v), 0).r, map.SampleLevel(float2(left.y, v), 0).r,
                                     map.SampleLevel(float2(left.z, v), 0).r);
-        float3 right_depths = float3(map.SampleLevel(float2(right.x, v), 0).r, map.SampleLevel(float2(right.y, v), 0).r,
+        float3 rightDepths = float3(map.SampleLevel(float2(right.x, v), 0).r, map.SampleLevel(float2(right.y, v), 0).r,
                                      map.SampleLevel(float2(right.z, v), 0).r);
-        float of_row = dot(left_weights, step(depth, left_depths)) + dot(right_weights, step(depth, right_depths));
-        float2 shares = Tent5Share(float3(upper_edge, upper_edge + 1, 0) - offset.y).xy;
-        lit += (shares.y - shares.x) * of_row;
+        float ofRow = dot(leftWeights, step(depth, leftDepths)) + dot(rightWeights, step(depth, rightDepths));
+        float2 shares = Tent5Share(float3(upperEdge, upperEdge + 1, 0) - offset.y).xy;
+        lit += (shares.y - shares.x) * ofRow;
     }
-    float2 from_middle = abs(uv - 0.5);
-    return max(from_middle.x, from_middle.y) <= 0.5 && depth <= 1 ? lit : 1;
+    float2 fromMiddle = abs(uv - 0.5);
+    return max(fromMiddle.x, fromMiddle.y) <= 0.5 && depth <= 1 ? lit : 1;
 }
 
 /// Where a surface is drawn into a shadow map: a little inside itself, the more the light grazes it, so that it does not
@@ -87,12 +87,12 @@ float SampleShadowTent5x5(
 /// test: ShadowNormalBias(float3(1, 2, 3), float3(0, 1, 0), float3(-0.8, -0.6, 0), 0.25) == float3(1, 1.8, 3)
 [node("Lighting/Shadow/Normal Bias")]
 float3 ShadowNormalBias(
-    [unit("m")] float3 position = position_ws,   ///< point of the surface
-    float3 normal = normal_ws,                   ///< unit normal
-    float3 light_dir = light.direction,          ///< unit direction to the light
+    [unit("m")] float3 position = positionWS,   ///< point of the surface
+    float3 normal = normalWS,                   ///< unit normal
+    float3 lightDir = light.direction,          ///< unit direction to the light
     [range(0, 1)] [unit("m")] float bias = 0.01  ///< how far inside, where the light only grazes it
 ) {
-    float cosine = dot(normal, light_dir);
+    float cosine = dot(normal, lightDir);
     return position - normal * (bias * sqrt(max(1 - cosine * cosine, 0)));
 }
 

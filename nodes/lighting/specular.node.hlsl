@@ -22,13 +22,13 @@ enum HighlightNormalization {
 /// test: PhongHighlight(float3(0, 0, 1), float3(0.8, 0, 0.6), float3(0.8, 0, 0.6), 0) == 0
 [node("Lighting/Specular/Phong")]
 float PhongHighlight(
-    float3 normal = normal_ws,                             ///< unit normal
-    float3 light_dir = light.direction,                    ///< unit direction to the light
-    float3 view = view_dir_ws,                             ///< unit direction to the viewer
+    float3 normal = normalWS,                             ///< unit normal
+    float3 lightDir = light.direction,                    ///< unit direction to the light
+    float3 view = viewDirWS,                             ///< unit direction to the viewer
     [range(0, 1000)] float exponent = 32,                  ///< sharpness
     const HighlightNormalization normalization = Classic  ///< how bright its middle is
 ) {
-    float lobe = HighlightLobe(RdotV(normal, light_dir, view), exponent);
+    float lobe = HighlightLobe(RdotV(normal, lightDir, view), exponent);
     return normalization == Classic ? lobe : lobe * (0.5 * exponent + 1);
 }
 
@@ -46,14 +46,14 @@ float PhongHighlight(
 /// test: BlinnPhongHighlight(float3(0, 0, 1), float3(0.6, 0, -0.8), float3(0.6, 0, -0.8), 8) == 0
 [node("Lighting/Specular/Blinn-Phong")]
 float BlinnPhongHighlight(
-    float3 normal = normal_ws,                             ///< unit normal
-    float3 light_dir = light.direction,                    ///< unit direction to the light
-    float3 view = view_dir_ws,                             ///< unit direction to the viewer
+    float3 normal = normalWS,                             ///< unit normal
+    float3 lightDir = light.direction,                    ///< unit direction to the light
+    float3 view = viewDirWS,                             ///< unit direction to the viewer
     [range(0, 1000)] float exponent = 32,                  ///< sharpness
     const HighlightNormalization normalization = Classic  ///< how bright its middle is
 ) {
     float e = exponent;
-    float lobe = HighlightLobe(NdotH(normal, HalfVectorExact(view, light_dir)), e);
+    float lobe = HighlightLobe(NdotH(normal, HalfVectorExact(view, lightDir)), e);
     if (normalization == Classic) { return lobe; }
     return lobe * ((e + 2) / (8 * (exp2(-0.5 * e) + e)) * (e + 4));
 }
@@ -79,15 +79,15 @@ float HighlightLobe(float cosine, float exponent) {
 /// test: MinimalistHighlight(float3(0, 0, 1), float3(0.6, 0, 0.8), float3(-0.6, 0, 0.8), 1, Gamma) == 0
 [node("Lighting/Specular/Minimalist")]
 float MinimalistHighlight(
-    float3 normal = normal_ws,             ///< unit normal
-    float3 light_dir = light.direction,    ///< unit direction to the light
-    float3 view = view_dir_ws,             ///< unit direction to the viewer
+    float3 normal = normalWS,             ///< unit normal
+    float3 lightDir = light.direction,    ///< unit direction to the light
+    float3 view = viewDirWS,             ///< unit direction to the viewer
     [range(0, 1)] float smoothness = 0.5,  ///< 1 - perceptual roughness
     const WorkingSpace space = Linear      ///< colour space that lighting is computed in
 ) {
-    float3 half_vector = HalfVector(view, light_dir);
-    float ndoth = NdotH(normal, half_vector);
-    float ldoth = LdotH(light_dir, half_vector);
+    float3 halfVector = HalfVector(view, lightDir);
+    float ndoth = NdotH(normal, halfVector);
+    float ldoth = LdotH(lightDir, halfVector);
     float alpha = AlphaFromSmoothness(smoothness);
     if (space == Gamma) { return MinimalistPeak(ndoth, alpha) / (max(ldoth, 0.32) * (1.5 + alpha)); }
     return PI * DistributionGGXMinimalist(ndoth, alpha) * VisibilityMinimalist(ldoth, alpha);

@@ -17,10 +17,10 @@ float VisibilitySmithJoint(
     [range(0, 1)] float alpha = 0.25  ///< roughness squared
 ) {
     float a2 = alpha * alpha;
-    float view_part = ndotl * sqrt(ndotv * ndotv * (1 - a2) + a2);
-    float light_part = ndotv * sqrt(ndotl * ndotl * (1 - a2) + a2);
+    float viewPart = ndotl * sqrt(ndotv * ndotv * (1 - a2) + a2);
+    float lightPart = ndotv * sqrt(ndotl * ndotl * (1 - a2) + a2);
     // Both are zero only at the very outline, where the factor n.l outside makes the light vanish.
-    return 0.5 / max(view_part + light_part, 1e-5);
+    return 0.5 / max(viewPart + lightPart, 1e-5);
 }
 
 /// Smith's masking-shadowing for GGX without its square roots.
@@ -43,9 +43,9 @@ float VisibilitySmithJointApproximate(
     [range(0, 1)] float alpha = 0.25,                ///< roughness squared
     [range(0.0000001, 0.001)] float guard = 0.00001  ///< added to the denominator
 ) {
-    float view_part = ndotl * (ndotv * (1 - alpha) + alpha);
-    float light_part = ndotv * (ndotl * (1 - alpha) + alpha);
-    return 0.5 / (view_part + light_part + guard);
+    float viewPart = ndotl * (ndotv * (1 - alpha) + alpha);
+    float lightPart = ndotv * (ndotl * (1 - alpha) + alpha);
+    return 0.5 / (viewPart + lightPart + guard);
 }
 
 /// Smith's masking-shadowing for GGX with light and view taken as independent.
@@ -63,9 +63,9 @@ float VisibilitySmithSeparable(
     [range(0, 1)] float alpha = 0.25  ///< roughness squared
 ) {
     float a2 = alpha * alpha;
-    float view_part = ndotv + sqrt(ndotv * ndotv * (1 - a2) + a2);
-    float light_part = ndotl + sqrt(ndotl * ndotl * (1 - a2) + a2);
-    return 1 / max(view_part * light_part, 1e-5);
+    float viewPart = ndotv + sqrt(ndotv * ndotv * (1 - a2) + a2);
+    float lightPart = ndotl + sqrt(ndotl * ndotl * (1 - a2) + a2);
+    return 1 / max(viewPart * lightPart, 1e-5);
 }
 
 /// Which k stands for a roughness in VisibilitySchlick.
@@ -317,12 +317,12 @@ float VisibilitySmithAnisotropic(
     [range(0, 1)] float ndotv,               ///< cosine of normal and view
     [range(-1, 1)] float tdotv,              ///< cosine of tangent and view
     [range(-1, 1)] float bdotv,              ///< cosine of bitangent and view
-    [range(0.001, 1)] float alpha_t = 0.25,  ///< roughness squared along the tangent
-    [range(0.001, 1)] float alpha_b = 0.25   ///< roughness squared along the bitangent
+    [range(0.001, 1)] float alphaT = 0.25,  ///< roughness squared along the tangent
+    [range(0.001, 1)] float alphaB = 0.25   ///< roughness squared along the bitangent
 ) {
-    float view_part = ndotl * length(float3(alpha_t * tdotv, alpha_b * bdotv, ndotv));
-    float light_part = ndotv * length(float3(alpha_t * tdotl, alpha_b * bdotl, ndotl));
-    return 0.5 / max(view_part + light_part, 1e-5);
+    float viewPart = ndotl * length(float3(alphaT * tdotv, alphaB * bdotv, ndotv));
+    float lightPart = ndotv * length(float3(alphaT * tdotl, alphaB * bdotl, ndotl));
+    return 0.5 / max(viewPart + lightPart, 1e-5);
 }
 
 /// A masking-shadowing factor G as a visibility term V: the correction factor of the Cook-Torrance BRDF.
@@ -370,10 +370,10 @@ float VisibilitySmithAnisotropicSeparable(
     [range(0, 1)] float ndotv,                ///< cosine of normal and view
     [range(-1, 1)] float tdotv,               ///< cosine of tangent and view
     [range(-1, 1)] float bdotv,               ///< cosine of bitangent and view
-    [range(0.001, 1)] float alpha_t = 0.25,   ///< roughness squared along the tangent
-    [range(0.001, 1)] float alpha_b = 0.25    ///< roughness squared along the bitangent
+    [range(0.001, 1)] float alphaT = 0.25,   ///< roughness squared along the tangent
+    [range(0.001, 1)] float alphaB = 0.25    ///< roughness squared along the bitangent
 ) {
-    float view_part = ndotv + length(float3(alpha_t * tdotv, alpha_b * bdotv, ndotv));
-    float light_part = ndotl + length(float3(alpha_t * tdotl, alpha_b * bdotl, ndotl));
-    return 1 / max(view_part * light_part, 1e-5);
+    float viewPart = ndotv + length(float3(alphaT * tdotv, alphaB * bdotv, ndotv));
+    float lightPart = ndotl + length(float3(alphaT * tdotl, alphaB * bdotl, ndotl));
+    return 1 / max(viewPart * lightPart, 1e-5);
 }

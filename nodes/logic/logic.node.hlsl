@@ -17,10 +17,10 @@ enum Comparison {
 [node("Logic/Branch")]
 floatN Branch(
     bool condition = true,  ///< which value is taken
-    floatN if_true = 1,     ///< the value where the condition holds
-    floatN if_false = 0     ///< the value where it does not
+    floatN ifTrue = 1,     ///< the value where the condition holds
+    floatN ifFalse = 0     ///< the value where it does not
 ) {
-    return condition ? if_true : if_false;
+    return condition ? ifTrue : ifFalse;
 }
 
 /// Whether a comparison of two numbers holds.

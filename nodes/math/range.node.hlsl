@@ -83,19 +83,19 @@ floatN InverseLerp(
 ///
 /// A value outside its range lands outside the other; Clamp or Saturate it where that is not wanted.
 ///
-/// formula: out_min + (out_max - out_min) (value - in_min) / (in_max - in_min)
+/// formula: outMin + (outMax - outMin) (value - inMin) / (inMax - inMin)
 /// test: Remap(0, -1, 1, 0, 1) == 0.5
 /// test: Remap(15, 10, 20, 100, 0) == 50
 /// test: Remap(float2(0, 2), 0, 1, 10, 20) == float2(10, 30)
 [node("Math/Remap")]
 floatN Remap(
     floatN value = 0,    ///< a number in the first range
-    floatN in_min = -1,  ///< where the first range begins
-    floatN in_max = 1,   ///< where it ends; not where it begins
-    floatN out_min = 0,  ///< where the second range begins
-    floatN out_max = 1   ///< where it ends
+    floatN inMin = -1,  ///< where the first range begins
+    floatN inMax = 1,   ///< where it ends; not where it begins
+    floatN outMin = 0,  ///< where the second range begins
+    floatN outMax = 1   ///< where it ends
 ) {
-    return lerp(out_min, out_max, InverseLerp(in_min, in_max, value));
+    return lerp(outMin, outMax, InverseLerp(inMin, inMax, value));
 }
 
 /// 1 where the value has reached the edge, else 0.

@@ -11,9 +11,9 @@ floatN SafeDivide(
     floatN divisor = 1,   ///< by what
     floatN fallback = 0   ///< the result where the divisor is zero
 ) {
-    floatN is_zero = step(abs(divisor), 1e-30);
+    floatN isZero = step(abs(divisor), 1e-30);
     // No mixture of the two: where the quotient is infinite, zero times it would be no number.
-    return is_zero > 0.5 ? fallback : dividend / (divisor + is_zero);
+    return isZero > 0.5 ? fallback : dividend / (divisor + isZero);
 }
 
 /// A power of anything: a base below zero counts as zero, and zero to a power of zero or less is zero.
@@ -28,8 +28,8 @@ floatN SafePower(
     floatN exponent = 2  ///< to which power
 ) {
     // Of anything else the power of one is taken, so that no infinity is multiplied away.
-    floatN is_positive = 1 - step(base, 0);
-    return pow(max(base, 0) + (1 - is_positive), exponent) * is_positive;
+    floatN isPositive = 1 - step(base, 0);
+    return pow(max(base, 0) + (1 - isPositive), exponent) * isPositive;
 }
 
 /// The value itself where it is a finite number, else another.

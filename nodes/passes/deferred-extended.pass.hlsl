@@ -8,45 +8,45 @@ struct SurfaceExtras {
     float4 third;
 };
 
-[slot] [pack("direct", "added")] [holds("diffuseColor", "f0", "roughness", "normal_ws", "occlusion")]
-SurfaceExtras pack_surface(LightingSurface surface);
-[slot] [unpack("pack_surface")]
-LightingSurface unpack_surface(LightingSurface surface, SurfaceExtras extras);
+[slot] [pack("direct", "added")] [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")]
+SurfaceExtras packSurface(LightingSurface surface);
+[slot] [unpack("packSurface")]
+LightingSurface unpackSurface(LightingSurface surface, SurfaceExtras extras);
 
 struct GBufferExtended {
-    [target("gbuffer_diffuse", "rgba8")] float4 diffuse;
-    [target("gbuffer_specular", "rgba8")] float4 specular;
-    [target("gbuffer_normal", "rgb10a2")] float4 normal;
+    [target("gbufferDiffuse", "rgba8")] float4 diffuse;
+    [target("gbufferSpecular", "rgba8")] float4 specular;
+    [target("gbufferNormal", "rgb10a2")] float4 normal;
     [target("color", "rgba16f")] float4 light;
-    [target("gbuffer_extra1", "rgba16f")] float4 extra1;
-    [target("gbuffer_extra2", "rgba16f")] float4 extra2;
-    [target("gbuffer_extra3", "rgba16f")] float4 extra3;
+    [target("gbufferExtra1", "rgba16f")] float4 extra1;
+    [target("gbufferExtra2", "rgba16f")] float4 extra2;
+    [target("gbufferExtra3", "rgba16f")] float4 extra3;
 };
 
-[reads("gbuffer_extra1")] Texture2D gbuffer_extra1_texture;
-[reads("gbuffer_extra2")] Texture2D gbuffer_extra2_texture;
-[reads("gbuffer_extra3")] Texture2D gbuffer_extra3_texture;
+[reads("gbufferExtra1")] Texture2D gbufferExtra1Texture;
+[reads("gbufferExtra2")] Texture2D gbufferExtra2Texture;
+[reads("gbufferExtra3")] Texture2D gbufferExtra3Texture;
 
 [inline]
-LightingSurface told_in_full(float2 uv) {
+LightingSurface toldInFull(float2 uv) {
     SurfaceExtras extras;
-    extras.first = gbuffer_extra1_texture.SampleLevel(uv, 0);
-    extras.second = gbuffer_extra2_texture.SampleLevel(uv, 0);
-    extras.third = gbuffer_extra3_texture.SampleLevel(uv, 0);
-    return unpack_surface(told(uv), extras);
+    extras.first = gbufferExtra1Texture.SampleLevel(uv, 0);
+    extras.second = gbufferExtra2Texture.SampleLevel(uv, 0);
+    extras.third = gbufferExtra3Texture.SampleLevel(uv, 0);
+    return unpackSurface(told(uv), extras);
 }
 
-[pass("gbuffer-extended")] [fragment] [lights("none")] [camera("perspective")] [needs("pack_surface")]
-[excludes("subtractive", "shadow_mask")]
+[pass("gbuffer-extended")] [fragment] [lights("none")] [camera("perspective")] [needs("packSurface")]
+[excludes("subtractive", "shadowMask")]
 [fallback("forward")] [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
 [stencil("always", "replace", "lighting")]
-GBufferExtended gbuffer_extended_fragment(float3 position = position_ws) {
-    LightingSurface lit = lighting_surface();
-    if (alpha_clip) {
-        discard_if(lit.alpha < lit.alphaClip);
+GBufferExtended gbufferExtendedFragment(float3 position = positionWS) {
+    LightingSurface lit = lightingSurface();
+    if (alphaClip) {
+        discardIf(lit.alpha < lit.alphaClip);
     }
     GBuffer plain = stored(lit, position);
-    SurfaceExtras extras = pack_surface(lit);
+    SurfaceExtras extras = packSurface(lit);
     GBufferExtended made;
     made.diffuse = plain.diffuse;
     made.specular = plain.specular;
@@ -59,28 +59,28 @@ GBufferExtended gbuffer_extended_fragment(float3 position = position_ws) {
 }
 
 [pass("extended-directional")] [fragment] [draws("fullscreen")] [each("light")] [lights("directional")]
-[needs("added", "pack_surface")] [fallback("forward")]
-[holds("diffuseColor", "f0", "roughness", "normal_ws", "occlusion", "pack_surface")]
+[needs("added", "packSurface")] [fallback("forward")]
+[holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion", "packSurface")]
 [cull("off")] [depth("always", "keep")] [stencil("equal", "keep", "lighting")] [blend("one", "one")]
-float4 extended_directional(float2 uv = screen_uv, float3 position = position_ws) {
-    return float4(faded_by_fog(added_by_light(told_in_full(uv), position), position), 0);
+float4 extendedDirectional(float2 uv = screenUV, float3 position = positionWS) {
+    return float4(fadedByFog(addedByLight(toldInFull(uv), position), position), 0);
 }
 
 [pass("extended-local")] [fragment] [draws("light-volumes")] [each("light")] [lights("local")]
-[needs("added", "pack_surface")] [fallback("forward")]
-[holds("diffuseColor", "f0", "roughness", "normal_ws", "occlusion", "pack_surface")]
+[needs("added", "packSurface")] [fallback("forward")]
+[holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion", "packSurface")]
 [cull("front")] [depth("greaterEqual", "keep")] [stencil("equal", "keep", "lighting")] [blend("one", "one")]
-float4 extended_local(float2 uv = screen_uv, float3 position = position_ws) {
-    return float4(faded_by_fog(added_by_light(told_in_full(uv), position), position), 0);
+float4 extendedLocal(float2 uv = screenUV, float3 position = positionWS) {
+    return float4(fadedByFog(addedByLight(toldInFull(uv), position), position), 0);
 }
 
 [pass("extended-reflections")] [fragment] [draws("fullscreen")] [lights("none")] [optional]
-[needs("reflected", "added_indirect", "pack_surface")]
-[holds("diffuseColor", "f0", "roughness", "normal_ws", "occlusion", "pack_surface")]
+[needs("reflected", "addedIndirect", "packSurface")]
+[holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion", "packSurface")]
 [cull("off")] [depth("always", "keep")] [stencil("equal", "keep", "lighting")] [blend("one", "one")]
-float4 extended_reflections(float2 uv = screen_uv, float3 position = position_ws) {
-    LightingSurface lit = told_in_full(uv);
+float4 extendedReflections(float2 uv = screenUV, float3 position = positionWS) {
+    LightingSurface lit = toldInFull(uv);
     LightSum mirrored;
     mirrored.indirect = reflected(lit);
-    return float4(faded_by_fog(added_indirect(lit, mirrored), position), 0);
+    return float4(fadedByFog(addedIndirect(lit, mirrored), position), 0);
 }

@@ -2,21 +2,21 @@
 // pass turns it into the picture, up to a light of 11 (DecodeLightLdr). Reflections are part of the G-buffer's light.
 
 struct GBufferLdr {
-    [target("gbuffer_diffuse", "rgba8")] float4 diffuse;
-    [target("gbuffer_specular", "rgba8")] float4 specular;
-    [target("gbuffer_normal", "rgb10a2")] float4 normal;
-    [target("gbuffer_light", "rgb10a2")] float4 light;
+    [target("gbufferDiffuse", "rgba8")] float4 diffuse;
+    [target("gbufferSpecular", "rgba8")] float4 specular;
+    [target("gbufferNormal", "rgb10a2")] float4 normal;
+    [target("gbufferLight", "rgb10a2")] float4 light;
 };
 
-[reads("gbuffer_light")] Texture2D gbuffer_light_texture;
+[reads("gbufferLight")] Texture2D gbufferLightTexture;
 
 [pass("gbuffer-ldr")] [fragment] [lights("none")] [camera("perspective")] [fallback("forward")]
-[excludes("subtractive", "shadow_mask")]
+[excludes("subtractive", "shadowMask")]
 [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")] [stencil("always", "replace", "lighting")]
-GBufferLdr gbuffer_ldr_fragment(float3 position = position_ws) {
-    LightingSurface lit = lighting_surface();
-    if (alpha_clip) {
-        discard_if(lit.alpha < lit.alphaClip);
+GBufferLdr gbufferLdrFragment(float3 position = positionWS) {
+    LightingSurface lit = lightingSurface();
+    if (alphaClip) {
+        discardIf(lit.alpha < lit.alphaClip);
     }
     GBuffer plain = stored(lit, position);
     GBufferLdr made;
@@ -28,23 +28,23 @@ GBufferLdr gbuffer_ldr_fragment(float3 position = position_ws) {
 }
 
 [pass("ldr-directional")] [fragment] [draws("fullscreen")] [each("light")] [lights("directional")]
-[needs("added")] [holds("diffuseColor", "f0", "roughness", "normal_ws", "occlusion")] [fallback("forward")]
-[cull("off")] [depth("always", "keep")] [stencil("equal", "keep", "lighting")] [blend("dst_color", "zero")]
-[target("gbuffer_light", "rgb10a2")]
-float4 ldr_directional(float2 uv = screen_uv, float3 position = position_ws) {
-    return float4(EncodeLightLdr(faded_by_fog(added_by_light(told(uv), position), position)), 1);
+[needs("added")] [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")] [fallback("forward")]
+[cull("off")] [depth("always", "keep")] [stencil("equal", "keep", "lighting")] [blend("dstColor", "zero")]
+[target("gbufferLight", "rgb10a2")]
+float4 ldrDirectional(float2 uv = screenUV, float3 position = positionWS) {
+    return float4(EncodeLightLdr(fadedByFog(addedByLight(told(uv), position), position)), 1);
 }
 
 [pass("ldr-local")] [fragment] [draws("light-volumes")] [each("light")] [lights("local")]
-[needs("added")] [holds("diffuseColor", "f0", "roughness", "normal_ws", "occlusion")] [fallback("forward")]
-[cull("front")] [depth("greaterEqual", "keep")] [stencil("equal", "keep", "lighting")] [blend("dst_color", "zero")]
-[target("gbuffer_light", "rgb10a2")]
-float4 ldr_local(float2 uv = screen_uv, float3 position = position_ws) {
-    return float4(EncodeLightLdr(faded_by_fog(added_by_light(told(uv), position), position)), 1);
+[needs("added")] [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")] [fallback("forward")]
+[cull("front")] [depth("greaterEqual", "keep")] [stencil("equal", "keep", "lighting")] [blend("dstColor", "zero")]
+[target("gbufferLight", "rgb10a2")]
+float4 ldrLocal(float2 uv = screenUV, float3 position = positionWS) {
+    return float4(EncodeLightLdr(fadedByFog(addedByLight(told(uv), position), position)), 1);
 }
 
 [pass("ldr-resolve")] [fragment] [draws("fullscreen")] [lights("none")] [cull("off")] [depth("always", "keep")]
 [stencil("equal", "keep", "lighting")] [blend("one", "zero")]
-float4 ldr_resolve(float2 uv = screen_uv) {
-    return float4(DecodeLightLdr(gbuffer_light_texture.SampleLevel(uv, 0).rgb), 1);
+float4 ldrResolve(float2 uv = screenUV) {
+    return float4(DecodeLightLdr(gbufferLightTexture.SampleLevel(uv, 0).rgb), 1);
 }

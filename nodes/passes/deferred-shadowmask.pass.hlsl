@@ -3,27 +3,27 @@
 // source: Unity's built-in shaders, UnityStandardCore (RT4, SV_Target4)
 
 struct GBufferShadowmask {
-    [target("gbuffer_diffuse", "rgba8")] float4 diffuse;
-    [target("gbuffer_specular", "rgba8")] float4 specular;
-    [target("gbuffer_normal", "rgb10a2")] float4 normal;
+    [target("gbufferDiffuse", "rgba8")] float4 diffuse;
+    [target("gbufferSpecular", "rgba8")] float4 specular;
+    [target("gbufferNormal", "rgb10a2")] float4 normal;
     [target("color", "rgba16f")] float4 light;
-    [target("gbuffer_shadowmask", "rgba8")] float4 shadows;
+    [target("gbufferShadowMask", "rgba8")] float4 shadows;
 };
 
-[reads("gbuffer_shadowmask")] [with("deferred-shadowmask")] Texture2D gbuffer_shadowmask_texture;
+[reads("gbufferShadowMask")] [with("deferred-shadowmask")] Texture2D gbufferShadowMaskTexture;
 
 [gives("shadow", "shadowmask-directional", "shadowmask-local")]
-float shadow_with_gbuffer(int index, float3 position, float2 uv = screen_uv) {
-    return masked_shadow(index, position, gbuffer_shadowmask_texture.SampleLevel(uv, 0));
+float shadowWithGbuffer(int index, float3 position, float2 uv = screenUV) {
+    return maskedShadow(index, position, gbufferShadowMaskTexture.SampleLevel(uv, 0));
 }
 
 [pass("gbuffer-shadowmask")] [fragment] [lights("none")] [camera("perspective")] [fallback("forward")]
 [excludes("subtractive")] [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
 [stencil("always", "replace", "lighting")]
-GBufferShadowmask gbuffer_shadowmask_fragment(float3 position = position_ws, float4 shadows = shadows_of_lightmap) {
-    LightingSurface lit = lighting_surface();
-    if (alpha_clip) {
-        discard_if(lit.alpha < lit.alphaClip);
+GBufferShadowmask gbufferShadowMaskFragment(float3 position = positionWS, float4 shadows = shadowsOfLightmap) {
+    LightingSurface lit = lightingSurface();
+    if (alphaClip) {
+        discardIf(lit.alpha < lit.alphaClip);
     }
     GBuffer plain = stored(lit, position);
     GBufferShadowmask made;
@@ -36,25 +36,25 @@ GBufferShadowmask gbuffer_shadowmask_fragment(float3 position = position_ws, flo
 }
 
 [pass("shadowmask-directional")] [fragment] [draws("fullscreen")] [each("light")] [lights("directional")]
-[needs("added")] [holds("diffuseColor", "f0", "roughness", "normal_ws", "occlusion")] [fallback("forward")]
+[needs("added")] [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")] [fallback("forward")]
 [cull("off")] [depth("always", "keep")] [stencil("equal", "keep", "lighting")] [blend("one", "one")]
-float4 shadowmask_directional(float2 uv = screen_uv, float3 position = position_ws) {
-    return float4(faded_by_fog(added_by_light(told(uv), position), position), 0);
+float4 shadowMaskDirectional(float2 uv = screenUV, float3 position = positionWS) {
+    return float4(fadedByFog(addedByLight(told(uv), position), position), 0);
 }
 
 [pass("shadowmask-local")] [fragment] [draws("light-volumes")] [each("light")] [lights("local")]
-[needs("added")] [holds("diffuseColor", "f0", "roughness", "normal_ws", "occlusion")] [fallback("forward")]
+[needs("added")] [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")] [fallback("forward")]
 [cull("front")] [depth("greaterEqual", "keep")] [stencil("equal", "keep", "lighting")] [blend("one", "one")]
-float4 shadowmask_local(float2 uv = screen_uv, float3 position = position_ws) {
-    return float4(faded_by_fog(added_by_light(told(uv), position), position), 0);
+float4 shadowMaskLocal(float2 uv = screenUV, float3 position = positionWS) {
+    return float4(fadedByFog(addedByLight(told(uv), position), position), 0);
 }
 
 [pass("shadowmask-reflections")] [fragment] [draws("fullscreen")] [lights("none")] [optional]
-[needs("reflected", "added_indirect")] [holds("diffuseColor", "f0", "roughness", "normal_ws", "occlusion")]
+[needs("reflected", "addedIndirect")] [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")]
 [cull("off")] [depth("always", "keep")] [stencil("equal", "keep", "lighting")] [blend("one", "one")]
-float4 shadowmask_reflections(float2 uv = screen_uv, float3 position = position_ws) {
+float4 shadowMaskReflections(float2 uv = screenUV, float3 position = positionWS) {
     LightingSurface lit = told(uv);
     LightSum mirrored;
     mirrored.indirect = reflected(lit);
-    return float4(faded_by_fog(added_indirect(lit, mirrored), position), 0);
+    return float4(fadedByFog(addedIndirect(lit, mirrored), position), 0);
 }

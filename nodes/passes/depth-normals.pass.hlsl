@@ -3,11 +3,11 @@
 
 [pass("depth-normals")] [fragment] [lights("none")] [target("color", "rgba8")]
 [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
-float4 depth_normals_fragment(float3 position = position_ws) {
-    LightingSurface lit = lighting_surface();
-    if (alpha_clip) {
-        discard_if(lit.alpha < lit.alphaClip);
+float4 depthNormalsFragment(float3 position = positionWS) {
+    LightingSurface lit = lightingSurface();
+    if (alphaClip) {
+        discardIf(lit.alpha < lit.alphaClip);
     }
-    float share = saturate(-position_vs(position).z / clip_planes.y);
-    return float4(EncodeNormalStereographic(normal_vs(lit.normal_ws)), EncodeFloatRG(share));
+    float share = saturate(-positionVS(position).z / clipPlanes.y);
+    return float4(EncodeNormalStereographic(normalVS(lit.normalWS)), EncodeFloatRG(share));
 }

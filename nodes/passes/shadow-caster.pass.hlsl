@@ -6,18 +6,18 @@
 // far apart differ by at most 3 |dz/dx| + 3 |dz/dy|, the rasteriser knows the larger of both, and so no plane shadows itself.
 
 [pass("shadow-caster")] [vertex]
-float4 caster_vertex(float3 position = position_ws, float3 normal = vertex_normal_ws) {
-    float3 to_light = view_dir_ws(position);
-    float w = max(mul(world_to_clip, float4(position, 1)).w, 0);  // a spot's texels grow with it
-    float3 inside = ShadowNormalBias(position, normal, to_light, shadow_normal_bias * w);
-    return mul(world_to_clip, float4(inside - to_light * shadow_bias, 1));
+float4 casterVertex(float3 position = positionWS, float3 normal = vertexNormalWS) {
+    float3 toLight = viewDirWS(position);
+    float w = max(mul(worldToClip, float4(position, 1)).w, 0);  // a spot's texels grow with it
+    float3 inside = ShadowNormalBias(position, normal, toLight, shadowNormalBias * w);
+    return mul(worldToClip, float4(inside - toLight * shadowBias, 1));
 }
 
-[pass("shadow-caster")] [fragment] [each("light")] [lights("shadowed")] [depth_target("shadow_map")]
-[depth("lessEqual", "write")] [depth_bias(1, 6)] [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
-void caster_fragment() {
-    if (alpha_clip) {
-        LightingSurface lit = lighting_surface();
-        discard_if(lit.alpha < lit.alphaClip);
+[pass("shadow-caster")] [fragment] [each("light")] [lights("shadowed")] [depthTarget("shadowMap")]
+[depth("lessEqual", "write")] [depthBias(1, 6)] [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
+void casterFragment() {
+    if (alphaClip) {
+        LightingSurface lit = lightingSurface();
+        discardIf(lit.alpha < lit.alphaClip);
     }
 }

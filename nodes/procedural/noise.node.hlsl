@@ -66,8 +66,8 @@ float ValueNoise(
 }
 
 /// The height over a point of the slope that a lattice point was given: random in the square from -1 to 1.
-float SlopeAt(int2 cell, float2 from_corner) {
-    return dot(RandomAt(cell) * 2 - 1, from_corner);
+float SlopeAt(int2 cell, float2 fromCorner) {
+    return dot(RandomAt(cell) * 2 - 1, fromCorner);
 }
 
 /// Gradient noise between -1 and 1; GradientNoise and FractalNoise are made of it.

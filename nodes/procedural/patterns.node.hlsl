@@ -39,8 +39,8 @@ float Bricks(
     float2 corner = floor(position);
     local = position - corner;
     random = RandomAt(int2(corner)).x;
-    float2 to_edge = min(local, 1 - local) / count;
-    return smoothstep(mortar, mortar + bevel, min(to_edge.x, to_edge.y));
+    float2 toEdge = min(local, 1 - local) / count;
+    return smoothstep(mortar, mortar + bevel, min(toEdge.x, toEdge.y));
 }
 
 /// The distance to the nearest of points strewn about, one in each cell: cells as of skin, stones or foam.
@@ -59,7 +59,7 @@ float Voronoi(
     [range(0, 100)] float scale = 8,  ///< cells in one unit of uv
     [range(0, 1)] float jitter = 1,   ///< how far the points are from their cell's centre: 0 makes a grid
     out float random,                 ///< a random number for each point, from 0 to 1
-    out float2 to_point               ///< from here to the nearest point, in cells
+    out float2 toPoint               ///< from here to the nearest point, in cells
 ) {
     float2 position = uv * scale;
     float2 corner = floor(position);
@@ -67,14 +67,14 @@ float Voronoi(
     float nearest = 8;  // squared; more than any distance within nine cells
     for (int j = -1; j < 2; j++) {
         for (int i = -1; i < 2; i++) {
-            int2 step_to = int2(i, j);
-            float2 hash = RandomAt(cell + step_to);
-            float2 away = float2(step_to) + 0.5 + (hash - 0.5) * jitter - (position - corner);
+            int2 stepTo = int2(i, j);
+            float2 hash = RandomAt(cell + stepTo);
+            float2 away = float2(stepTo) + 0.5 + (hash - 0.5) * jitter - (position - corner);
             float squared = dot(away, away);
             if (squared < nearest) {
                 nearest = squared;
                 random = hash.x;
-                to_point = away;
+                toPoint = away;
             }
         }
     }

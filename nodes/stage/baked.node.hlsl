@@ -9,69 +9,69 @@
 /// Lightmaps hold the main light, too; what its real-time shadow takes away is taken out of them.
 [switch] bool subtractive;
 /// Shadows of up to four lights lie in a shadow mask of the object.
-[switch] bool shadow_mask;
+[switch] bool shadowMask;
 /// Baked shadows count only where real-time ones have faded; else the darker of both does.
-[switch] bool distance_shadow_mask;
+[switch] bool distanceShadowMask;
 /// Real-time shadows end at a distance.
-[switch] bool shadows_fade;
+[switch] bool shadowsFade;
 
-[extern] [with("lightmap")] Texture2D lightmap_texture;
-[extern("Object")] [per_object] [with("lightmap")] float4 lightmap_decode;  // the instructions of DecodeHDR
-[extern("Lights")] [with("subtractive")] int main_light;        // slot of the light that lightmaps hold; -1: not here
-[extern("Lights")] [with("subtractive")] float4 shadow_color;   // rgb: what its shadow does not darken further
-[extern] [with("shadow_mask")] Texture2D shadow_mask_texture;   // of each texel four lights: 1 lit, 0 in shadow
-[extern("Lights")] [with("shadow_mask", "deferred-shadowmask")] float4 light_mask[16];  // 1 in the light's channel of
+[extern] [with("lightmap")] Texture2D lightmapTexture;
+[extern("Object")] [perObject] [with("lightmap")] float4 lightmapDecode;  // the instructions of DecodeHDR
+[extern("Lights")] [with("subtractive")] int mainLight;        // slot of the light that lightmaps hold; -1: not here
+[extern("Lights")] [with("subtractive")] float4 shadowColor;   // rgb: what its shadow does not darken further
+[extern] [with("shadowMask")] Texture2D shadowMaskTexture;   // of each texel four lights: 1 lit, 0 in shadow
+[extern("Lights")] [with("shadowMask", "deferred-shadowmask")] float4 lightMask[16];  // 1 in the light's channel of
                                                                                         // shadow masks; all 0: none
-[extern("Lights")] [with("shadows_fade")] float2 shadow_fade;   // scale and offset of ShadowFade
+[extern("Lights")] [with("shadowsFade")] float2 shadowFade;   // scale and offset of ShadowFade
 
 /// Light of the lightmap at its coordinates, E / pi.
-float3 lightmap_light(float2 uv) {
+float3 lightmapLight(float2 uv) {
     if (!lightmap) { return float3(0); }
-    return DecodeHDR(lightmap_texture.SampleLevel(uv, 0), lightmap_decode);
+    return DecodeHDR(lightmapTexture.SampleLevel(uv, 0), lightmapDecode);
 }
 
 /// The baked shadows at the coordinates of the lightmap: one light a channel.
-float4 lightmap_shadows(float2 uv) {
-    if (!shadow_mask) { return float4(1); }
-    return shadow_mask_texture.SampleLevel(uv, 0);
+float4 lightmapShadows(float2 uv) {
+    if (!shadowMask) { return float4(1); }
+    return shadowMaskTexture.SampleLevel(uv, 0);
 }
 
 /// How much of the main light its real-time shadow leaves where lightmaps hold that light, were the shadow quite dark.
-float main_light_left(float3 position) {
+float mainLightLeft(float3 position) {
     if (!subtractive) { return 1; }
-    int map = shadow_map_of(max(main_light, 0));
+    int map = shadowMapOf(max(mainLight, 0));
     float left = 1;
-    if (main_light >= 0 && map >= 0) { left = shadow_in_map(map, position); }
-    if (shadows_fade) { left = MixRealtimeAndBakedShadow(left, 1, faded_shadow(position), RealtimeOnly); }
+    if (mainLight >= 0 && map >= 0) { left = shadowInMap(map, position); }
+    if (shadowsFade) { left = MixRealtimeAndBakedShadow(left, 1, fadedShadow(position), RealtimeOnly); }
     return left;
 }
 
-/// What stands in the place of AmbientIrradiance on an object with a lightmap. `left`: main_light_left().
-float3 baked_light(float3 normal, float3 light, float left) {
+/// What stands in the place of AmbientIrradiance on an object with a lightmap. `left`: mainLightLeft().
+float3 bakedLight(float3 normal, float3 light, float left) {
     if (!subtractive) { return light; }
-    int slot = max(main_light, 0);
-    float3 shaded = SubtractMainLight(light, normal, normalize(light_position[slot].xyz), light_color[slot].rgb, left,
-                                      shadow_color.rgb, 1 - strength_of_shadow(slot));
-    return main_light >= 0 ? shaded : light;
+    int slot = max(mainLight, 0);
+    float3 shaded = SubtractMainLight(light, normal, normalize(lightPosition[slot].xyz), lightColor[slot].rgb, left,
+                                      shadowColor.rgb, 1 - strengthOfShadow(slot));
+    return mainLight >= 0 ? shaded : light;
 }
 
 /// How far real-time shadows have faded at a point: 0 not at all, 1 there are none.
-float faded_shadow(float3 position) {
-    if (!shadows_fade) { return 0; }
-    return ShadowFade(dot(position - camera_position_ws, camera_forward_ws), shadow_fade.x, shadow_fade.y);
+float fadedShadow(float3 position) {
+    if (!shadowsFade) { return 0; }
+    return ShadowFade(dot(position - cameraPositionWS, cameraForwardWS), shadowFade.x, shadowFade.y);
 }
 
 /// Real-time and baked shadow of the light in slot `index`, as one.
-float mixed_shadow(int index, float3 position, float baked) {
-    float realtime = realtime_shadow(index, position);
-    float fade = faded_shadow(position);
-    if (distance_shadow_mask) { return MixRealtimeAndBakedShadow(realtime, baked, fade, DistanceShadowmask); }
+float mixedShadow(int index, float3 position, float baked) {
+    float realtime = realtimeShadow(index, position);
+    float fade = fadedShadow(position);
+    if (distanceShadowMask) { return MixRealtimeAndBakedShadow(realtime, baked, fade, DistanceShadowmask); }
     return MixRealtimeAndBakedShadow(realtime, baked, fade, Shadowmask);
 }
 
 /// `shadow`, of an object whose shadow mask holds `mask` here.
-float masked_shadow(int index, float3 position, float4 mask) {
-    float4 channel = light_mask[index];
+float maskedShadow(int index, float3 position, float4 mask) {
+    float4 channel = lightMask[index];
     float baked = any(channel > 0) ? ShadowMaskChannel(mask, channel) : 1;
-    return mixed_shadow(index, position, baked);
+    return mixedShadow(index, position, baked);
 }

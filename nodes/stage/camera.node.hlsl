@@ -3,73 +3,73 @@
 /// Seconds since the start.
 [extern("Frame")] [semantic("uniform")] float time;
 /// Size of the picture in pixels.
-[extern("Frame")] [semantic("uniform")] float2 screen_size;
+[extern("Frame")] [semantic("uniform")] float2 screenSize;
 
-[extern("Camera")] float4x4 world_to_clip;
-[extern("Camera")] float4x4 world_to_view;
+[extern("Camera")] float4x4 worldToClip;
+[extern("Camera")] float4x4 worldToView;
 /// Camera position in world space.
-[extern("Camera")] [semantic("uniform")] float3 camera_position_ws;
-[extern("Camera")] float view_is_orthographic;  // 1 or 0
+[extern("Camera")] [semantic("uniform")] float3 cameraPositionWS;
+[extern("Camera")] float viewIsOrthographic;  // 1 or 0
 /// Direction that the camera looks along in world space, unit.
-[extern("Camera")] [semantic("uniform")] float3 camera_forward_ws;
+[extern("Camera")] [semantic("uniform")] float3 cameraForwardWS;
 
-[extern("Camera")] float shadow_bias;         // of a light's own view: metres that everything is moved away from it
-[extern("Camera")] float4x4 clip_to_world;
-[extern("Camera")] float2 clip_planes;        // distances of the near and the far plane, metres
-[extern("Camera")] float shadow_normal_bias;  // of a light's own view: metres that a surface is moved inside, for w of clip space 1
+[extern("Camera")] float shadowBias;         // of a light's own view: metres that everything is moved away from it
+[extern("Camera")] float4x4 clipToWorld;
+[extern("Camera")] float2 clipPlanes;        // distances of the near and the far plane, metres
+[extern("Camera")] float shadowNormalBias;  // of a light's own view: metres that a surface is moved inside, for w of clip space 1
 
 /// Direction from the surface to the camera in world space, unit.
 [semantic("pixel")]
-float3 view_dir_ws(float3 position = position_ws) {
-    return normalize(lerp(camera_position_ws - position, -camera_forward_ws, view_is_orthographic));
+float3 viewDirWS(float3 position = positionWS) {
+    return normalize(lerp(cameraPositionWS - position, -cameraForwardWS, viewIsOrthographic));
 }
 
 /// Position in view space: the camera looks along -z.
 [semantic("pixel")]
-float3 position_vs(float3 position = position_ws) {
-    return mul(world_to_view, float4(position, 1)).xyz;
+float3 positionVS(float3 position = positionWS) {
+    return mul(worldToView, float4(position, 1)).xyz;
 }
 
 /// Normal in view space, unit.
 [semantic("pixel")]
-float3 normal_vs(float3 normal = normal_ws) {
-    return normalize(mul(world_to_view, float4(normal, 0)).xyz);
+float3 normalVS(float3 normal = normalWS) {
+    return normalize(mul(worldToView, float4(normal, 0)).xyz);
 }
 
-[reads("color")] Texture2D color_texture;
-[reads("depth")] Texture2D depth_texture;
+[reads("color")] Texture2D colorTexture;
+[reads("depth")] Texture2D depthTexture;
 
 /// What has been drawn so far at a place of the screen, linear. The material is drawn after all that do not read it.
 [node("Input/Scene/Scene Color")]
 float3 SceneColor(
-    float2 uv = screen_uv  ///< position on the screen, 0 to 1 from the top left
+    float2 uv = screenUV  ///< position on the screen, 0 to 1 from the top left
 ) {
-    return color_texture.SampleLevel(uv, 0).rgb;
+    return colorTexture.SampleLevel(uv, 0).rgb;
 }
 
 /// Distance in metres, along the camera's axis, of what has been drawn so far at a place of the screen.
-[node("Input/Scene/Scene Depth")] [in_float]
+[node("Input/Scene/Scene Depth")] [inFloat]
 float SceneDepth(
-    float2 uv = screen_uv  ///< position on the screen, 0 to 1 from the top left
+    float2 uv = screenUV  ///< position on the screen, 0 to 1 from the top left
 ) {
-    float3 behind = WorldFromDepth(uv, depth_texture.SampleLevel(uv, 0).r, clip_to_world);
-    return dot(behind - camera_position_ws, camera_forward_ws);
+    float3 behind = WorldFromDepth(uv, depthTexture.SampleLevel(uv, 0).r, clipToWorld);
+    return dot(behind - cameraPositionWS, cameraForwardWS);
 }
 
 /// What has been drawn so far behind this pixel, linear. The material is drawn after all that do not read it.
 [semantic("pixel")]
-float3 scene_color(float2 uv = screen_uv) {
+float3 sceneColor(float2 uv = screenUV) {
     return SceneColor(uv);
 }
 
 /// Distance in metres, along the camera's axis, of what has been drawn so far behind this pixel.
 [semantic("pixel")]
-float scene_depth(float2 uv = screen_uv) {
+float sceneDepth(float2 uv = screenUV) {
     return SceneDepth(uv);
 }
 
 /// Position on the screen, 0 to 1 from the top left.
 [semantic("pixel")]
-float2 screen_uv(float4 pixel = frag_coord) {
-    return pixel.xy / screen_size;
+float2 screenUV(float4 pixel = fragCoord) {
+    return pixel.xy / screenSize;
 }

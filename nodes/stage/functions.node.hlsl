@@ -2,25 +2,25 @@
 // `patina compile --functions` writes. [export] says under which name, behind the prefix.
 
 /// The surface of this point, as its lighting takes it. A cutout surface is not drawn where its alpha is below alphaClip.
-[export("lighting_surface")]
-LightingSurface exported_surface() {
-    return as_lit(lighting_surface());
+[export("lightingSurface")]
+LightingSurface exportedSurface() {
+    return asLit(lightingSurface());
 }
 
 /// What one light adds to LightSum.direct.
 [export("direct")]
-float3 exported_direct(LightingSurface surface, Light light) {
+float3 exportedDirect(LightingSurface surface, Light light) {
     return direct(surface, light);
 }
 
 /// LightSum.indirect: all light that comes from no single light.
 [export("indirect")]
-float3 exported_indirect(LightingSurface surface) {
+float3 exportedIndirect(LightingSurface surface) {
     return indirect(surface);
 }
 
 /// The colour of the surface, linear.
 [export("final")]
-float3 exported_final(LightingSurface surface, LightSum sum) {
+float3 exportedFinal(LightingSurface surface, LightSum sum) {
     return final(surface, sum);
 }

@@ -3,11 +3,11 @@
 
 /// The surface that the material and its workflow make of this point.
 [slot]
-LightingSurface lighting_surface();
+LightingSurface lightingSurface();
 
 /// What one light adds, as the lighting graph says.
 [slot]
-float3 direct(LightingSurface surface, [per_light] Light light);
+float3 direct(LightingSurface surface, [perLight] Light light);
 
 /// What all light adds that comes from no single light, as the lighting graph says.
 [slot]
@@ -27,22 +27,22 @@ float3 added(LightingSurface surface, LightSum sum);
 
 /// `added`, of the light that is alone in the list.
 [inline]
-float3 added_by_light(LightingSurface surface, float3 position) {
-    float3 from_light = direct(surface, light_at(0, position));
+float3 addedByLight(LightingSurface surface, float3 position) {
+    float3 fromLight = direct(surface, lightAt(0, position));
     LightSum one;
-    one.direct = from_light;
+    one.direct = fromLight;
     return added(surface, one);
 }
 
 /// `final` over all lights of the list.
 [inline]
-float3 lit_by_all(LightingSurface surface, float3 position) {
-    float3 direct_sum = float3(0);
-    [light] for (int i = 0; i < min(light_count, MAX_LIGHTS); i++) {
-        direct_sum += direct(surface, light_at(i, position));
+float3 litByAll(LightingSurface surface, float3 position) {
+    float3 directSum = float3(0);
+    [light] for (int i = 0; i < min(lightCount, MAX_LIGHTS); i++) {
+        directSum += direct(surface, lightAt(i, position));
     }
     LightSum total;
-    total.direct = direct_sum;
+    total.direct = directSum;
     total.indirect = indirect(surface);
     return final(surface, total);
 }

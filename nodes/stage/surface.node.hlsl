@@ -9,7 +9,7 @@ struct LightingSurface {
     float metallic;               ///< 0 dielectric, 1 metal
     float oneMinusReflectivity;   ///< what the specular reflection leaves to the diffuse one
     float roughness;              ///< perceptual roughness, 0 to 1
-    float3 normal_ws;             ///< shaded normal in world space, unit
+    float3 normalWS;             ///< shaded normal in world space, unit
     float occlusion;              ///< ambient occlusion: 1 open, 0 closed
     [hdr] float3 emission;        ///< radiance that the surface sends out by itself
     float alpha;                  ///< coverage
@@ -36,18 +36,18 @@ float smoothness(LightingSurface surface) {
 /// The colour of an unlit surface as what it sends out: a transparent one has no highlight that would stay without it, and
 /// shows its colour only as far as it covers what is behind it.
 [inline]
-float3 shown_unlit_color(float3 color, float alpha) {
+float3 shownUnlitColor(float3 color, float alpha) {
     return premultiplied ? color * alpha : color;
 }
 
 /// The surface as it is lit: a transparent one scatters light only as far as it covers what is behind it, and still
 /// mirrors as if it were whole.
 [inline]
-LightingSurface as_lit(LightingSurface whole) {
+LightingSurface asLit(LightingSurface whole) {
     LightingSurface surface = whole;
     if (premultiplied) {
         surface.diffuseColor = PremultiplyAlpha(whole.diffuseColor, whole.alpha, whole.oneMinusReflectivity).out;
-        surface.alpha = PremultiplyAlpha(whole.diffuseColor, whole.alpha, whole.oneMinusReflectivity).out_alpha;
+        surface.alpha = PremultiplyAlpha(whole.diffuseColor, whole.alpha, whole.oneMinusReflectivity).outAlpha;
     }
     return surface;
 }

@@ -31,9 +31,9 @@ float4 SampleTexture2DLevel(
 float4 SampleTexture2DGrad(
     Texture2D texture,      ///< what is read
     float2 uv = uv0,        ///< where, before the texture's own tiling
-    float2 smooth_uv = uv0  ///< the coordinates before they were moved: how they differ between pixels chooses the level
+    float2 smoothUV = uv0  ///< the coordinates before they were moved: how they differ between pixels chooses the level
 ) {
-    float2 unmoved = smooth_uv * texture.tiling.xy;
+    float2 unmoved = smoothUV * texture.tiling.xy;
     return texture.SampleGrad(uv * texture.tiling.xy + texture.tiling.zw, ddx(unmoved), ddy(unmoved));
 }
 

@@ -44,13 +44,13 @@ float2 Rotate(
 float2 PolarCoordinates(
     float2 uv = uv0,         ///< texture coordinates
     float2 center = 0.5,     ///< where the distance is zero
-    float radial_scale = 1,  ///< factor on the distance
-    float angular_scale = 1  ///< factor on the direction: a whole number gives that many rays
+    float radialScale = 1,  ///< factor on the distance
+    float angularScale = 1  ///< factor on the direction: a whole number gives that many rays
 ) {
-    float2 from_center = uv - center;
-    float radius = length(from_center) * 2;
-    float turns = atan2(from_center.y, from_center.x) / TWO_PI;
-    return float2(radius * radial_scale, turns * angular_scale);
+    float2 fromCenter = uv - center;
+    float radius = length(fromCenter) * 2;
+    float turns = atan2(fromCenter.y, fromCenter.x) / TWO_PI;
+    return float2(radius * radialScale, turns * angularScale);
 }
 
 /// Texture coordinates of one frame of a flip-book: frames in rows, the first at the upper left.

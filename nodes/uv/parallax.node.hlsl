@@ -2,7 +2,7 @@
 // units of uv. Directions are in tangent space, whose y points up in the texture's picture while v grows downwards.
 
 // A step in the surface's plane, as a step of uv.
-float2 uv_of_tangent(float2 tangent) {
+float2 uvOfTangent(float2 tangent) {
     return float2(tangent.x, -tangent.y);
 }
 
@@ -11,7 +11,7 @@ float2 uv_of_tangent(float2 tangent) {
 /// One step, so it is right for shallow relief only: ParallaxOcclusion hides what lies behind. Half of the height lies
 /// above the surface and half below. The 0.42 keeps the offset below 1.2 heights at the outline.
 ///
-/// formula: height (texel - 0.5) v.xy / (v.z + 0.42), v = normalize(view_ts); uv runs against v.y
+/// formula: height (texel - 0.5) v.xy / (v.z + 0.42), v = normalize(viewTS); uv runs against v.y
 /// source: Kaneko et al., "Detailed Shape Representation with Parallax Mapping", ICAT 2001; Welsh, "Parallax Mapping",
 /// source: ShaderX 3, 2004; the 0.42: Unity built-in shaders, ParallaxOffset1Step
 /// test: ParallaxOffset(1, 0.08, float3(0.6, 0, 0.8)) == float2(0.019672131147540985, 0)
@@ -23,10 +23,10 @@ float2 uv_of_tangent(float2 tangent) {
 float2 ParallaxOffset(
     [range(0, 1)] float texel = 0.5,           ///< of the height map: 0 is deep, 1 high
     [range(0.005, 0.08)] float height = 0.02,  ///< between the deepest and the highest point, in units of uv
-    float3 view_ts                             ///< direction to the viewer in tangent space: WorldToTangent gives it
+    float3 viewTS                             ///< direction to the viewer in tangent space: WorldToTangent gives it
 ) {
-    float3 view = view_ts * rsqrt(max(dot(view_ts, view_ts), 1e-6));
-    return (texel * height - 0.5 * height) * uv_of_tangent(view.xy) / (max(view.z, 0) + 0.42);
+    float3 view = viewTS * rsqrt(max(dot(viewTS, viewTS), 1e-6));
+    return (texel * height - 0.5 * height) * uvOfTangent(view.xy) / (max(view.z, 0) + 0.42);
 }
 
 /// How far to move the texture coordinates to what is seen of a height map's relief, high parts hiding what lies behind.
@@ -47,12 +47,12 @@ float2 ParallaxOcclusion(
     Texture2D texture,                       ///< the height map, in red: 0 is deep, 1 the surface itself
     float2 uv = uv0,                         ///< where the surface is looked at, before the texture's own tiling
     [range(0, 0.2)] float height = 0.05,     ///< how deep 0 lies, in units of uv
-    float3 view_ts,                          ///< direction to the viewer in tangent space: WorldToTangent gives it
-    [range(1, 128)] float fewest_steps = 8,  ///< along a view straight down
-    [range(1, 128)] float most_steps = 32    ///< along the surface
+    float3 viewTS,                          ///< direction to the viewer in tangent space: WorldToTangent gives it
+    [range(1, 128)] float fewestSteps = 8,  ///< along a view straight down
+    [range(1, 128)] float mostSteps = 32    ///< along the surface
 ) {
-    float3 view = view_ts * rsqrt(max(dot(view_ts, view_ts), 1e-6));
-    float2 deepest = -uv_of_tangent(view.xy) * (height / max(view.z, 0.1));
+    float3 view = viewTS * rsqrt(max(dot(viewTS, viewTS), 1e-6));
+    float2 deepest = -uvOfTangent(view.xy) * (height / max(view.z, 0.1));
 
     // Where the loop reads, no neighbouring pixels are known: what is a texel's share of a pixel is found before.
     float2 start = uv * texture.tiling.xy + texture.tiling.zw;
@@ -60,7 +60,7 @@ float2 ParallaxOcclusion(
     float2 right = ddx(start);
     float2 down = ddy(start);
 
-    int steps = min(int(ceil(max(lerp(most_steps, fewest_steps, saturate(view.z)), 1))), 128);
+    int steps = min(int(ceil(max(lerp(mostSteps, fewestSteps, saturate(view.z)), 1))), 128);
     float stride = 1 / float(steps);
     float above = 1 - texture.SampleGrad(start, right, down).r;
     float seen = above > 0 ? -1 : 0;  // t; below 0: not yet

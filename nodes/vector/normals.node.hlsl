@@ -140,12 +140,12 @@ float3 DetailNormal(
 /// test: NormalTangentToWorld(float3(0, 2, 0), float3(0, 1, 0), float3(0, 0, 1), float3(1, 0, 0)) == float3(1, 0, 0)
 [node("Vector/Normal/Tangent to World")]
 float3 NormalTangentToWorld(
-    float3 normal_ts = float3(0, 0, 1),  ///< unit normal in tangent space
-    float3 normal = geometry_normal_ws,  ///< unit normal of the mesh, in the world
-    float3 tangent = tangent_ws,         ///< unit direction of growing u
-    float3 bitangent = bitangent_ws      ///< unit direction that is up in the texture's picture
+    float3 normalTS = float3(0, 0, 1),  ///< unit normal in tangent space
+    float3 normal = geometryNormalWS,  ///< unit normal of the mesh, in the world
+    float3 tangent = tangentWS,         ///< unit direction of growing u
+    float3 bitangent = bitangentWS      ///< unit direction that is up in the texture's picture
 ) {
-    return normalize(tangent * normal_ts.x + bitangent * normal_ts.y + normal * normal_ts.z);
+    return normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
 }
 
 /// A direction of the world, in tangent space: its parts along the surface and away from it.
@@ -155,10 +155,10 @@ float3 NormalTangentToWorld(
 /// test: WorldToTangent(float3(1, 2, 3), float3(-1, 2, 2), float3(2, -1, 2), float3(2, 2, -1)) == float3(6, 3, 9)
 [node("Vector/Normal/World to Tangent")]
 float3 WorldToTangent(
-    float3 direction = view_dir_ws,      ///< any vector in the world
-    float3 normal = geometry_normal_ws,  ///< unit normal of the mesh, in the world
-    float3 tangent = tangent_ws,         ///< unit direction of growing u
-    float3 bitangent = bitangent_ws      ///< unit direction that is up in the texture's picture
+    float3 direction = viewDirWS,      ///< any vector in the world
+    float3 normal = geometryNormalWS,  ///< unit normal of the mesh, in the world
+    float3 tangent = tangentWS,         ///< unit direction of growing u
+    float3 bitangent = bitangentWS      ///< unit direction that is up in the texture's picture
 ) {
     return float3(dot(tangent, direction), dot(bitangent, direction), dot(normal, direction));
 }
@@ -179,9 +179,9 @@ const float STEREOGRAPHIC_SCALE = 1.7777;
 /// test: EncodeNormalStereographic(float3(0, 0, -1)) == float2(0.5, 0.5)
 [node("Vector/Normal/Encode Stereographic")]
 float2 EncodeNormalStereographic(
-    float3 normal_vs = normal_vs  ///< unit normal in view space: x right, y up, z to the viewer
+    float3 normalVS = normalVS  ///< unit normal in view space: x right, y up, z to the viewer
 ) {
-    return normal_vs.xy * (0.5 / STEREOGRAPHIC_SCALE / max(1 + normal_vs.z, 1e-4)) + 0.5;
+    return normalVS.xy * (0.5 / STEREOGRAPHIC_SCALE / max(1 + normalVS.z, 1e-4)) + 0.5;
 }
 
 /// The view-space normal that EncodeNormalStereographic wrote.

@@ -85,7 +85,7 @@ float Distance(
 [node("Vector/Reflect")]
 float3 Reflect(
     float3 incident,           ///< towards the surface: for a view vector, its negative
-    float3 normal = normal_ws  ///< unit normal of the mirror
+    float3 normal = normalWS  ///< unit normal of the mirror
 ) {
     return reflect(incident, normal);
 }
@@ -99,7 +99,7 @@ float3 Reflect(
 [node("Vector/Refract")]
 float3 Refract(
     float3 incident,                    ///< unit vector towards the surface
-    float3 normal = normal_ws,          ///< unit normal, on the side the ray comes from
+    float3 normal = normalWS,          ///< unit normal, on the side the ray comes from
     [range(0.4, 2.5)] float eta = 0.75  ///< index of refraction before over behind: air into water is 0.75
 ) {
     return refract(incident, normal, eta);

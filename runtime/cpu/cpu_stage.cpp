@@ -18,7 +18,7 @@ void append_attribute(const Vertex& vertex, const VertexSource& source, unsigned
 }
 
 bool is_instance(const StageValue& input) {
-    return input.is_builtin && input.name == "instance_index";
+    return input.is_builtin && input.name == "instanceIndex";
 }
 
 }  // namespace
@@ -80,9 +80,9 @@ Outcome<std::vector<InputSource>> fragment_sources(const Interpreter& vertex, co
         InputSource source{.kind = input.is_flat ? InputSource::Kind::Flat : InputSource::Kind::Varying,
                            .components = input.components};
         if (input.is_builtin) {
-            if (input.name == "front_facing")
+            if (input.name == "frontFacing")
                 source.kind = InputSource::Kind::FrontFacing;
-            else if (input.name == "frag_coord")
+            else if (input.name == "fragCoord")
                 source.kind = InputSource::Kind::FragCoord;
             else
                 return Failure{"the CPU renderer has no '" + input.name + "'"};

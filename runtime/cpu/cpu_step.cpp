@@ -22,7 +22,7 @@ Interpreter& bound_stage(const CpuStep& step, std::optional<Interpreter>& place,
 
 // --- before the pixels
 
-// What Vulkan adds to the depth of each of the triangle's pixels: `depth_bias` times the least difference of depths
+// What Vulkan adds to the depth of each of the triangle's pixels: `depthBias` times the least difference of depths
 // near the largest of the corners', which for 32-bit floats is 2^(exponent - 23), and `depth_slope_bias` times how
 // much depth changes from pixel to pixel.
 double depth_offset(const Pass& pass, const ScreenTriangle& triangle) {

@@ -143,7 +143,7 @@ std::span<const LoadedTexture> FrameBuilder::textures_of(const PlannedStep& step
     for (const Texture& texture : material.reflection->textures) {
         if (texture.is_material || !texture.reads.empty() || texture.dimension != TextureDimension::Flat) continue;
         if (!reads_texture(*step.pass, texture)) continue;
-        const Light* cookie = texture.name == "light_cookie" ? cookie_light(step.seen.lights) : nullptr;
+        const Light* cookie = texture.name == "lightCookie" ? cookie_light(step.seen.lights) : nullptr;
         if (has_own(step, texture.name))
             bound.push_back(*find_texture(options_.object_textures[*step.object], texture.name));
         else if (cookie)
@@ -162,7 +162,7 @@ void FrameBuilder::add(PlannedStep planned) {
     const DrawnMaterial& material = materials_[planned.material];
     const Pass& pass = *planned.pass;
     // A lightmap that is not there gives no light, whatever is bound.
-    planned.seen.lightmap_decode = has_own(planned, "lightmap_texture")
+    planned.seen.lightmap_decode = has_own(planned, "lightmapTexture")
                                        ? lightmap_decode(world_.objects[*planned.object].lightmap_encoding)
                                        : glm::vec4(0, 1, 0, 0);
 

@@ -49,7 +49,7 @@ struct FrameOptions {
     int shadow_atlas_size = 2048;  // texels along a side; even
     bool exact = false;            // every colour target in rgba32f
     std::optional<TargetFormat> shown_format = TargetFormat::Rgba32F;  // of "color"; nothing: as the passes say
-    // For each object of the world its textures of the engine ("lightmap_texture", "shadow_mask_texture"); may be
+    // For each object of the world its textures of the engine ("lightmapTexture", "shadowMaskTexture"); may be
     // shorter. Missing ones are white, and an object without a lightmap has no baked light.
     std::span<const std::vector<LoadedTexture>> object_textures{};
     // For each object of the world the values of its instances; may be shorter. Those that are not there have the

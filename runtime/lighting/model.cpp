@@ -155,11 +155,11 @@ Model::Model(const Compiler& compiler, const ModelChoice& choice, Precision prec
         const auto reads = [&](std::string_view name) {
             return std::find(pass.textures.begin(), pass.textures.end(), name) != pass.textures.end();
         };
-        if (reads("split_sum_table")) stage.set_texture("split_sum_table", split_sum_table());
-        impl_->reads_environment = impl_->reads_environment || reads("environment_map");
+        if (reads("splitSumTable")) stage.set_texture("splitSumTable", split_sum_table());
+        impl_->reads_environment = impl_->reads_environment || reads("environmentMap");
     }
-    stage.set_value("light_count", std::array{1.0});
-    stage.set_value("camera_forward_ws", std::array{0.0, 0.0, -1.0});
+    stage.set_value("lightCount", std::array{1.0});
+    stage.set_value("cameraForwardWS", std::array{0.0, 0.0, -1.0});
 }
 
 Model::~Model() = default;
@@ -184,23 +184,23 @@ Triple Model::Impl::run(const ModelPoint& given, const ModelLight& light, bool w
         if (largest > 0 && (largest > 1e6 || largest < 1e-6))
             for (double& component : *direction) component /= largest;
     }
-    stage->set_value("camera_position_ws", point.v);
-    stage->set_value("light_position", four(point.l));  // w = 0: a direction
-    stage->set_value("light_color", four(light.light));
-    stage->set_value("light_axis", std::array{0.0, 0.0, -1.0, 0.0});
-    stage->set_value("light_cone", std::array{-1.0, -2.0, 0.0, 0.0});
+    stage->set_value("cameraPositionWS", point.v);
+    stage->set_value("lightPosition", four(point.l));  // w = 0: a direction
+    stage->set_value("lightColor", four(light.light));
+    stage->set_value("lightAxis", std::array{0.0, 0.0, -1.0, 0.0});
+    stage->set_value("lightCone", std::array{-1.0, -2.0, 0.0, 0.0});
     const double mean = std::sqrt(4 * std::acos(-1.0));
-    stage->set_value("ambient_sh",
+    stage->set_value("ambientSH",
                      std::array{light.ambient[0] * mean, light.ambient[1] * mean, light.ambient[2] * mean});
-    if (reads_environment) stage->set_texture("environment_map", with_environment ? bright : dark);
+    if (reads_environment) stage->set_texture("environmentMap", with_environment ? bright : dark);
 
     QuadInputs quad;
     for (std::vector<double>& lane : quad.lanes) {
         for (const StageValue& input : stage->inputs()) {
             std::array<double, 4> value{};
-            if (input.name == "vertex_normal_ws") value = four(point.n);
-            if (input.name == "vertex_tangent_ws") value = {point.t[0], point.t[1], point.t[2], 1};
-            if (input.name == "front_facing") value[0] = 1;
+            if (input.name == "vertexNormalWS") value = four(point.n);
+            if (input.name == "vertexTangentWS") value = {point.t[0], point.t[1], point.t[2], 1};
+            if (input.name == "frontFacing") value[0] = 1;
             lane.insert(lane.end(), value.begin(), value.begin() + input.components);
         }
     }

@@ -11,7 +11,7 @@ float luminance(glm::vec3 color) {
     return glm::dot(color, glm::vec3(0.2126729f, 0.7151522f, 0.0721750f));
 }
 
-// distance_attenuation() of nodes/stage/lights.node.hlsl.
+// distanceAttenuation() of nodes/stage/lights.node.hlsl.
 float distance_attenuation(float distance, float range) {
     if (distance >= range) return 0;
     float squared = distance * distance, ratio = squared / (range * range);

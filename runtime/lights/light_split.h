@@ -46,7 +46,7 @@ std::optional<std::size_t> main_light(std::span<const Light> lights);
 // All lights as shaders want them: the main one, the other directional ones, then the rest in the scene's order.
 std::vector<std::size_t> light_order(std::span<const Light> lights);
 
-// The most of a light that arrives anywhere in a sphere, as distance and cone leave it: `light_at` of
+// The most of a light that arrives anywhere in a sphere, as distance and cone leave it: `lightAt` of
 // nodes/stage/lights.node.hlsl, with the nearest distance and the angle nearest to the axis. 0: out of reach.
 float attenuation_within(const Light& light, const Sphere& sphere);
 

@@ -38,7 +38,7 @@ std::vector<Diagnostic> cookie_warnings(const std::string& graph, const Reflecti
     const auto cookies =
         std::count_if(view.lights.begin(), view.lights.end(), [](const Light& light) { return has_cookie(light); });
     for (const Pass& pass : reflection.passes) {
-        const bool is_read = std::count(pass.textures.begin(), pass.textures.end(), "light_cookie") > 0;
+        const bool is_read = std::count(pass.textures.begin(), pass.textures.end(), "lightCookie") > 0;
         if (cookies < 2 || !is_read || pass.each != PassEach::Once || pass.lights != PassLights::All) continue;
         warnings.push_back(complaint(graph, Severity::Warning, "one-cookie",
                                      fmt::format("the pass '{}' draws all lights at once and has one of their {} "

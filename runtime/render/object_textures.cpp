@@ -27,12 +27,12 @@ ObjectTextures load_object_textures(const World& world) {
             known[key] = {.data = std::make_shared<const TextureData>(std::move(data)), .format = TexelFormat::Float32};
         }
         made.textures[object].push_back(known[key]);
-        made.textures[object].back().name = name + "_texture";
+        made.textures[object].back().name = name + "Texture";
     };
     for (std::size_t i = 0; i < world.objects.size(); ++i) {
         const WorldObject& object = world.objects[i];
         load(i, "lightmap", object.lightmap, object.lightmap_place, true);
-        load(i, "shadow_mask", object.shadow_mask, object.shadow_mask_place, false);
+        load(i, "shadowMask", object.shadow_mask, object.shadow_mask_place, false);
     }
     return made;
 }

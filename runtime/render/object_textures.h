@@ -14,7 +14,7 @@ namespace patina::runtime {
 
 struct ObjectTextures {
     bool ok = true;
-    std::vector<std::vector<LoadedTexture>> textures{};  // by object: "lightmap_texture", "shadow_mask_texture"
+    std::vector<std::vector<LoadedTexture>> textures{};  // by object: "lightmapTexture", "shadowMaskTexture"
     std::vector<Diagnostic> diagnostics{};               // of each file that cannot be loaded, at its place
 };
 ObjectTextures load_object_textures(const World& world);

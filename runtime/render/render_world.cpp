@@ -151,11 +151,11 @@ private:
         set("cookies", any_light([](const Light& light) { return light.cookie != nullptr; }));
         set("fog", view.fog.mode != FogMode::None);
         set("lightmap", variant.lightmap);
-        set("shadow_mask", variant.shadow_mask);
+        set("shadowMask", variant.shadow_mask);
         const MixedLighting& mixed = view.mixed_lighting;
         set("subtractive", variant.lightmap && mixed.mode == LightMixing::Subtractive);
-        set("distance_shadow_mask", mixed.mode == LightMixing::DistanceShadowMask);
-        set("shadows_fade", mixed.shadow_distance.has_value());
+        set("distanceShadowMask", mixed.mode == LightMixing::DistanceShadowMask);
+        set("shadowsFade", mixed.shadow_distance.has_value());
         switches.insert(switches.end(), options_.switches.begin(), options_.switches.end());
         return switches;
     }

@@ -41,24 +41,24 @@ EngineValue matrix(const glm::mat4& m) {
 
 void add_camera(Values& values, const View& view) {
     glm::mat4 to_clip = view.view_to_clip * view.world_to_view;
-    values["world_to_clip"] = matrix(to_clip);
+    values["worldToClip"] = matrix(to_clip);
     // In double: near planes close to the camera leave the inverse few digits in float.
-    values["clip_to_world"] = matrix(glm::mat4(glm::inverse(glm::dmat4(to_clip))));
-    values["world_to_view"] = matrix(view.world_to_view);
-    values["camera_position_ws"] = vector(view.position);
-    values["camera_forward_ws"] = vector(view.forward);
-    values["view_is_orthographic"] = scalar(view.is_parallel ? 1 : 0);
-    values["clip_planes"] = {2, {view.near_plane, view.far_plane}};
-    values["shadow_bias"] = scalar(view.bias);
-    values["shadow_normal_bias"] = scalar(view.normal_bias);
+    values["clipToWorld"] = matrix(glm::mat4(glm::inverse(glm::dmat4(to_clip))));
+    values["worldToView"] = matrix(view.world_to_view);
+    values["cameraPositionWS"] = vector(view.position);
+    values["cameraForwardWS"] = vector(view.forward);
+    values["viewIsOrthographic"] = scalar(view.is_parallel ? 1 : 0);
+    values["clipPlanes"] = {2, {view.near_plane, view.far_plane}};
+    values["shadowBias"] = scalar(view.bias);
+    values["shadowNormalBias"] = scalar(view.normal_bias);
 }
 
 void add_frame(Values& values, const Scene& scene) {
     values["time"] = scalar(scene.time);
-    values["screen_size"] = {2, {double(scene.width) * scene.samples, double(scene.height) * scene.samples}};
+    values["screenSize"] = {2, {double(scene.width) * scene.samples, double(scene.height) * scene.samples}};
     const Fog& fog = scene.fog;
-    values["fog_color"] = vector(glm::vec4(fog.color, 1));
-    values["fog_settings"] = vector(glm::vec4(static_cast<int>(fog.mode), fog.density, fog.start, fog.end));
+    values["fogColor"] = vector(glm::vec4(fog.color, 1));
+    values["fogSettings"] = vector(glm::vec4(static_cast<int>(fog.mode), fog.density, fog.start, fog.end));
 }
 
 // 1 in its channel of shadow masks; all 0: it has none.
@@ -86,16 +86,16 @@ void add_mixed_lighting(Values& values, const EngineScene& seen, std::span<const
     EngineValue masks{4, {}};
     for (const SeenLight& light : lights)
         append(masks, light.index < scene.lights.size() ? mask_of(scene.lights, light.index) : glm::vec4(0));
-    values["light_mask"] = masks;
-    values["main_light"] = scalar(mixed.mode == LightMixing::Subtractive ? main_slot(scene, lights) : -1);
-    values["shadow_color"] = vector(glm::vec4(mixed.shadow_color, 1));
+    values["lightMask"] = masks;
+    values["mainLight"] = scalar(mixed.mode == LightMixing::Subtractive ? main_slot(scene, lights) : -1);
+    values["shadowColor"] = vector(glm::vec4(mixed.shadow_color, 1));
     if (!mixed.shadow_distance) {
-        values["shadow_fade"] = {2, {0, 0}};
+        values["shadowFade"] = {2, {0, 0}};
         return;
     }
     const double distance = *mixed.shadow_distance;
     const double length = std::max(double(mixed.shadow_fade.value_or(*mixed.shadow_distance / 5)), 1e-3);
-    values["shadow_fade"] = {2, {1 / length, (length - distance) / length}};
+    values["shadowFade"] = {2, {1 / length, (length - distance) / length}};
 }
 
 // The lights that a pass loops over, and behind them those that it computes at vertices.
@@ -119,14 +119,14 @@ void add_lights(Values& values, const EngineScene& seen) {
         std::min({seen.vertex_lights.size(), kMostVertexLights, kMostLights - lights.size()});
     for (std::size_t i = 0; i < at_vertices; i++) add(seen.vertex_lights[i]);
     for (std::size_t i = lights.size() + at_vertices; i < kMostLights; i++) append(cone, glm::vec4(0, 0, 0, -1));
-    values["light_count"] = scalar(double(lights.size()));
-    values["vertex_light_count"] = scalar(double(at_vertices));
-    values["light_position"] = position;
-    values["light_color"] = color;
-    values["light_axis"] = axis;
-    values["light_cone"] = cone;
+    values["lightCount"] = scalar(double(lights.size()));
+    values["vertexLightCount"] = scalar(double(at_vertices));
+    values["lightPosition"] = position;
+    values["lightColor"] = color;
+    values["lightAxis"] = axis;
+    values["lightCone"] = cone;
     add_mixed_lighting(values, seen, lights);
-    values["world_to_cookie"] = matrix(cookie ? world_to_cookie(*cookie) : glm::mat4(1));
+    values["worldToCookie"] = matrix(cookie ? world_to_cookie(*cookie) : glm::mat4(1));
 }
 
 void add_shadow_maps(Values& values, std::span<const ShadowView> maps, int atlas_size) {
@@ -138,10 +138,10 @@ void add_shadow_maps(Values& values, std::span<const ShadowView> maps, int atlas
         append(tile, map.tile);
         strength[static_cast<int>(i)] = i < maps.size() ? map.strength : 0;
     }
-    values["world_to_shadow"] = to_shadow;
-    values["shadow_tile"] = tile;
-    values["shadow_strength"] = vector(strength);
-    values["shadow_texel"] = scalar(1.0 / atlas_size);
+    values["worldToShadow"] = to_shadow;
+    values["shadowTile"] = tile;
+    values["shadowStrength"] = vector(strength);
+    values["shadowTexel"] = scalar(1.0 / atlas_size);
 }
 
 }  // namespace
@@ -152,7 +152,7 @@ const Light* cookie_light(std::span<const SeenLight> lights) {
 }
 
 std::map<std::string, EngineValue> object_values(const glm::mat4& object_to_world) {
-    return {{"object_to_world", matrix(object_to_world)}, {"world_to_object", matrix(glm::inverse(object_to_world))}};
+    return {{"objectToWorld", matrix(object_to_world)}, {"worldToObject", matrix(glm::inverse(object_to_world))}};
 }
 
 std::map<std::string, EngineValue> engine_values(const EngineScene& seen) {
@@ -162,11 +162,11 @@ std::map<std::string, EngineValue> engine_values(const EngineScene& seen) {
     add_lights(values, seen);
     add_shadow_maps(values, seen.shadow_maps, seen.shadow_atlas_size);
     values.merge(object_values(seen.object_to_world));
-    values["lightmap_decode"] = vector(seen.lightmap_decode);
+    values["lightmapDecode"] = vector(seen.lightmap_decode);
 
     EngineValue ambient{4, {}};
     for (const glm::vec3& coefficient : seen.ambient.coefficients) append(ambient, glm::vec4(coefficient, 0));
-    values["ambient_sh"] = ambient;
+    values["ambientSH"] = ambient;
     return values;
 }
 

@@ -1,7 +1,7 @@
 // What a scene says for each value that nodes/stage/ declares as the engine's, by its name there: camera, object,
 // frame, lights and ambient light. Only numbers and names; material_values.h puts them where the reflection wants them.
 //
-//   engine_values(scene).at("light_color").numbers   // four for each light
+//   engine_values(scene).at("lightColor").numbers   // four for each light
 #pragma once
 
 #include <map>
@@ -41,7 +41,7 @@ struct EngineScene {
     const Scene* scene = nullptr;  // time, size and fog are its
     View view{};
     glm::mat4 object_to_world{1};
-    std::vector<SeenInstance> instances{};   // of a material that has some; empty: one at `object_to_world`
+    std::vector<SeenInstance> instances{};   // of a material that has some; empty: one at `objectToWorld`
     std::vector<SeenLight> lights{};         // at most kMostLights count
     std::vector<SeenLight> vertex_lights{};  // at most kMostVertexLights count
     SphericalHarmonics ambient{};
@@ -50,18 +50,18 @@ struct EngineScene {
     glm::vec4 lightmap_decode{1, 1, 0, 0};      // of Unity's DecodeHDR; these leave texels as they are
 };
 
-// Camera: world_to_clip, clip_to_world, world_to_view, camera_position_ws, camera_forward_ws, view_is_orthographic,
-// clip_planes (near, far), shadow_bias, shadow_normal_bias. Object: object_to_world, world_to_object,
-// lightmap_decode. Frame: time, screen_size (pixels, samples included), fog_color, fog_settings (mode 0 none, 1
-// linear, 2 exponential, 3 its square; density; start; end). Lights: light_count, light_position, light_color,
-// light_axis, light_cone (in the order given, those that count at vertices behind the others; slots without a light
-// have no shadow map), vertex_light_count, world_to_shadow, shadow_tile, shadow_strength, shadow_texel,
-// world_to_cookie (of cookie_light()), light_mask (1 in the channel of shadow masks that is the light's: lights that
-// cast shadows have one each, in the scene's order), main_light (slot of the light that subtractive lightmaps hold,
-// or -1), shadow_color, shadow_fade (scale and offset of ShadowFade). Ambient: ambient_sh.
+// Camera: worldToClip, clipToWorld, worldToView, cameraPositionWS, cameraForwardWS, viewIsOrthographic,
+// clipPlanes (near, far), shadowBias, shadowNormalBias. Object: objectToWorld, worldToObject,
+// lightmapDecode. Frame: time, screenSize (pixels, samples included), fogColor, fogSettings (mode 0 none, 1
+// linear, 2 exponential, 3 its square; density; start; end). Lights: lightCount, lightPosition, lightColor,
+// lightAxis, lightCone (in the order given, those that count at vertices behind the others; slots without a light
+// have no shadow map), vertexLightCount, worldToShadow, shadowTile, shadowStrength, shadowTexel,
+// worldToCookie (of cookie_light()), lightMask (1 in the channel of shadow masks that is the light's: lights that
+// cast shadows have one each, in the scene's order), mainLight (slot of the light that subtractive lightmaps hold,
+// or -1), shadowColor, shadowFade (scale and offset of ShadowFade). Ambient: ambientSH.
 std::map<std::string, EngineValue> engine_values(const EngineScene& seen);
 
-// What an object's place says: object_to_world, world_to_object.
+// What an object's place says: objectToWorld, worldToObject.
 std::map<std::string, EngineValue> object_values(const glm::mat4& object_to_world);
 
 // Of a single draw: all lights, those that are directional first, the main one at their head; no shadow map.

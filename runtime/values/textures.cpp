@@ -60,8 +60,8 @@ std::shared_ptr<const TextureData> map_of(const SphericalHarmonics& ambient) {
 }
 
 std::shared_ptr<const TextureData> engine_texture(const std::string& name, const Scene& scene) {
-    if (name == "split_sum_table") return split_sum_table();
-    if (name != "environment_map") return nullptr;
+    if (name == "splitSumTable") return split_sum_table();
+    if (name != "environmentMap") return nullptr;
     return scene.environment ? scene.environment->map() : map_of(scene.ambient);
 }
 

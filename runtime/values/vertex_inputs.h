@@ -1,7 +1,7 @@
 // Which part of a preview mesh's vertex each vertex input of a shader reads, by the input's name. One table for the
 // GPU's pipeline and the CPU's rasteriser.
 //
-//   const VertexSource* source = vertex_source("tangent_os");   // 4 floats at offsetof(Vertex, tangent)
+//   const VertexSource* source = vertex_source("tangentOS");   // 4 floats at offsetof(Vertex, tangent)
 #pragma once
 
 #include <cstddef>
@@ -20,10 +20,10 @@ struct VertexSource {
 // uv1 to uv3 read uv0: the preview meshes have one set. Null: no mesh has such an input.
 inline const VertexSource* vertex_source(std::string_view name) {
     static constexpr VertexSource kSources[] = {
-        {"position_os", offsetof(Vertex, position), 3},
-        {"normal_os", offsetof(Vertex, normal), 3},
-        {"tangent_os", offsetof(Vertex, tangent), 4},
-        {"vertex_color", offsetof(Vertex, color), 4},
+        {"positionOS", offsetof(Vertex, position), 3},
+        {"normalOS", offsetof(Vertex, normal), 3},
+        {"tangentOS", offsetof(Vertex, tangent), 4},
+        {"vertexColor", offsetof(Vertex, color), 4},
         {"uv0", offsetof(Vertex, uv0), 2},
         {"uv1", offsetof(Vertex, uv0), 2},
         {"uv2", offsetof(Vertex, uv0), 2},

@@ -4,7 +4,7 @@
     derive_brdf_values.py          compares; exit status 1 if a value differs
     derive_brdf_values.py --write  puts the derived value where one differs
 
-A row of the file says: term, inputs, expected (a number, a vector, or parts by name), group, rtol_f32 (how far single
+A row of the file says: term, inputs, expected (a number, a vector, or parts by name), group, rtolF32 (how far single
 precision may be off, relative), note. The terms are functions in brdf/, one family a file.
 """
 

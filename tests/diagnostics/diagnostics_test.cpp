@@ -247,10 +247,10 @@ TEST_P(Identifiers, AreNeverEmittedRaw) {
 INSTANTIATE_TEST_SUITE_P(Words, Identifiers,
                          ::testing::Values("texture", "float", "class", "main", "gl_x", "gl_Position", "a__b", "__x",
                                            "x_", "_", "if", "in", "out", "sampler", "half", "Light", "Surface",
-                                           "surface", "Material", "Camera", "position_os", "uv0", "saturate", "mix",
+                                           "surface", "Material", "Camera", "positionOS", "uv0", "saturate", "mix",
                                            "lerp", "vec3", "sample", "filter", "line", "point", "linear", "pass",
-                                           "true", "default", "int", "fract", "SV_Target", "in_uv0", "value", "at", "s",
-                                           "forward", "input", "WorD", "Texture2D", "register", "defined", "discard_if",
+                                           "true", "default", "int", "fract", "SV_Target", "inUv0", "value", "at", "s",
+                                           "forward", "input", "WorD", "Texture2D", "register", "defined", "discardIf",
                                            "return"));
 
 }  // namespace

@@ -175,7 +175,7 @@ TEST(ManualPage, OffersANodeThatCompiles) {
     int pasted = 0;
     for (const NodeInfo& node : compiler.nodes()) {
         const std::string page = run("patina node " + node.name, received_folder()).output;
-        const std::size_t begin = page.find("{ \"id\": \"my_node\"");
+        const std::size_t begin = page.find("{ \"id\": \"myNode\"");
         ASSERT_NE(begin, page.npos) << node.name;
         const std::string snippet = page.substr(begin, page.find('\n', begin) - begin);
         if (snippet.find("\"...\"") != snippet.npos) continue;

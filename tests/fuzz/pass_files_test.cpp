@@ -92,47 +92,15 @@ public:
             files_.push_back(tokens_of(file));
             for (const std::string& token : files_.back()) pool_.push_back(token);
         }
-        for (const char* token : {"0",
-                                  "-1",
-                                  "1e39",
-                                  "float",
-                                  "float2",
-                                  "int",
-                                  "bool",
-                                  "half",
-                                  "float4x4",
-                                  "Texture2D",
-                                  "TextureCube",
-                                  "SamplerState",
-                                  "Light",
-                                  "LightSum",
-                                  "LightingSurface",
-                                  "void",
-                                  "floatN",
-                                  "out",
-                                  "const",
-                                  "ddx",
-                                  "Sample",
-                                  "uv0",
-                                  "vertex_color",
-                                  "front_facing",
-                                  "light",
-                                  "time",
-                                  "Surface",
-                                  "static",
-                                  "attribute",
-                                  "builtin",
-                                  "given",
-                                  "node",
-                                  "member",
-                                  "per_object",
-                                  "\"\"",
-                                  "\"all\"",
-                                  "\"Object\"",
-                                  "[",
-                                  "[ 3 ]",
-                                  "position_os",
-                                  "opaque_color"}) {
+        for (const char* token : {"0",           "-1",           "1e39",        "float",       "float2",
+                                  "int",         "bool",         "half",        "float4x4",    "Texture2D",
+                                  "TextureCube", "SamplerState", "Light",       "LightSum",    "LightingSurface",
+                                  "void",        "floatN",       "out",         "const",       "ddx",
+                                  "Sample",      "uv0",          "vertexColor", "frontFacing", "light",
+                                  "time",        "Surface",      "static",      "attribute",   "builtin",
+                                  "given",       "node",         "member",      "perObject",   "\"\"",
+                                  "\"all\"",     "\"Object\"",   "[",           "[ 3 ]",       "positionOS",
+                                  "opaqueColor"}) {
             pool_.push_back(token);
         }
     }
@@ -240,7 +208,7 @@ constexpr std::string_view kGraph = R"json({
   "patina": 1, "workflow": "metallic-roughness", "lighting": "unity-brdf1", "render": { "surface": "cutout" },
   "properties": [ { "name": "_MainTex", "type": "texture2d", "default": "white" } ],
   "nodes": [ { "id": "albedo", "node": "SampleTexture2D", "in": { "texture": "$_MainTex" } } ],
-  "surface": { "baseColor": "albedo.rgb", "alpha": "albedo.a", "emission": "= @vertex_color.rgb" }
+  "surface": { "baseColor": "albedo.rgb", "alpha": "albedo.a", "emission": "= @vertexColor.rgb" }
 })json";
 constexpr std::string_view kToon = R"json({
   "patina": 1, "workflow": "metallic-roughness", "lighting": "toon",

@@ -60,23 +60,23 @@ TEST(Statics, AreTrueWhereAnyOfTheirPassesIsThere) {
     const std::string graph = written("white.graph.json", R"({ "patina": 1, "workflow": "metallic-roughness",
   "lighting": "lambert", "surface": { "baseColor": 1 } })");
     const std::string file = written("said.pass.hlsl", R"(
-[static("pass", "depth-only", "said-extra")] bool has_extra;
+[static("pass", "depth-only", "said-extra")] bool hasExtra;
 float said() {
     float sum = 0;
-    for (int i = 0; i < 3; i++) { sum += has_extra ? camera_position_ws.x : 2.0 * camera_position_ws.y; }
+    for (int i = 0; i < 3; i++) { sum += hasExtra ? cameraPositionWS.x : 2.0 * cameraPositionWS.y; }
     return sum;
 }
 [pass("said")] [pass("said-extra")] [vertex]
-float4 said_vertex(float3 position = position_ws) { return mul(world_to_clip, float4(position, 1)); }
-[pass("said")] [fragment] [blend("one", "zero")] float4 said_fragment() { return float4(said()); }
-[pass("said-extra")] [fragment] [optional] [blend("one", "one")] float4 said_extra() { return float4(said()); }
+float4 saidVertex(float3 position = positionWS) { return mul(worldToClip, float4(position, 1)); }
+[pass("said")] [fragment] [blend("one", "zero")] float4 saidFragment() { return float4(said()); }
+[pass("said-extra")] [fragment] [optional] [blend("one", "one")] float4 saidExtra() { return float4(said()); }
 )");
     const Result made = compiled(graph, file);
     ASSERT_TRUE(find_pass(made, "said-extra"));
     for (const Shader& shader : made.shaders) {
         if (shader.pass != "said" || shader.stage != Stage::Fragment) continue;
-        EXPECT_NE(shader.text.find("camera_position_ws.x"), shader.text.npos) << shader.text;
-        EXPECT_EQ(shader.text.find("camera_position_ws.y"), shader.text.npos) << shader.text;
+        EXPECT_NE(shader.text.find("cameraPositionWS.x"), shader.text.npos) << shader.text;
+        EXPECT_EQ(shader.text.find("cameraPositionWS.y"), shader.text.npos) << shader.text;
     }
 }
 

@@ -325,9 +325,9 @@ bool mentions(const Result& result, const std::string& name) {
 
 // Of fog and cookies, too.
 TEST(BakedLight, LeavesNoTraceWhereItIsOff) {
-    const std::vector<std::string> own = {"lightmap_texture", "lightmap_decode", "main_light",   "shadow_color",
-                                          "shadow_mask",      "light_mask",      "shadow_fade",  "uv1",
-                                          "fog_color",        "fog_settings",    "light_cookie", "world_to_cookie"};
+    const std::vector<std::string> own = {"lightmapTexture", "lightmapDecode", "mainLight",   "shadowColor",
+                                          "shadowMask",      "lightMask",      "shadowFade",  "uv1",
+                                          "fogColor",        "fogSettings",    "lightCookie", "worldToCookie"};
     for (const char* path :
          {"forward", "forward-add", "forward-directional", "vertex", "deferred", "deferred-extended", "deferred-ldr"})
         for (const std::string& name : own)
@@ -335,9 +335,9 @@ TEST(BakedLight, LeavesNoTraceWhereItIsOff) {
 }
 
 TEST(BakedLight, IsThereWhereASwitchIsOn) {
-    const std::pair<const char*, std::vector<std::string>> on[] = {{"fog", {"fog_color", "fog_settings"}},
-                                                                   {"cookies", {"light_cookie", "world_to_cookie"}},
-                                                                   {"lightmap", {"lightmap_texture", "uv1"}}};
+    const std::pair<const char*, std::vector<std::string>> on[] = {{"fog", {"fogColor", "fogSettings"}},
+                                                                   {"cookies", {"lightCookie", "worldToCookie"}},
+                                                                   {"lightmap", {"lightmapTexture", "uv1"}}};
     for (const auto& [name, values] : on)
         for (const std::string& value : values)
             EXPECT_TRUE(mentions(compiled(matt(), "forward", {{name, "true"}}), value)) << value;
@@ -346,14 +346,14 @@ TEST(BakedLight, IsThereWhereASwitchIsOn) {
 TEST(BakedLight, ReadsWhatItsSwitchesSay) {
     const Result with_map = compiled(matt(), "forward", {{"lightmap", "true"}});
     const Pass& pass = *find_pass(with_map, "forward");
-    EXPECT_TRUE(has(pass.textures, "lightmap_texture"));
-    EXPECT_FALSE(has(pass.textures, "shadow_mask_texture"));
+    EXPECT_TRUE(has(pass.textures, "lightmapTexture"));
+    EXPECT_FALSE(has(pass.textures, "shadowMaskTexture"));
     EXPECT_FALSE(has(pass.blocks, "Ambient"));  // it is not there to be read, too
-    const Result with_mask = compiled(matt(), "deferred-shadowmask", {{"shadow_mask", "true"}});
-    EXPECT_TRUE(has(find_pass(with_mask, "gbuffer-shadowmask")->textures, "shadow_mask_texture"));
+    const Result with_mask = compiled(matt(), "deferred-shadowmask", {{"shadowMask", "true"}});
+    EXPECT_TRUE(has(find_pass(with_mask, "gbuffer-shadowmask")->textures, "shadowMaskTexture"));
     EXPECT_EQ(find_pass(with_mask, "gbuffer-shadowmask")->targets.size(), 5u);
-    EXPECT_TRUE(has(find_pass(with_mask, "shadowmask-directional")->textures, "gbuffer_shadowmask_texture"));
-    EXPECT_FALSE(has(find_pass(with_mask, "shadowmask-directional")->textures, "shadow_mask_texture"));
+    EXPECT_TRUE(has(find_pass(with_mask, "shadowmask-directional")->textures, "gbufferShadowMaskTexture"));
+    EXPECT_FALSE(has(find_pass(with_mask, "shadowmask-directional")->textures, "shadowMaskTexture"));
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ Image drawn(const std::string& shown, const glm::mat4& object_to_world, const ch
                 fmt::format(R"json({{ "patina": 1, "workflow": "unlit", "nodes": [
   {{ "id": "waves", "node": "./swell.node.hlsl",
     "in": {{ "wavelength": {}, "amplitude": {}, "steepness": {} }} }}
-], "vertex": {{ "position_os": "waves", "normal_os": "waves.normal", "tangent_os": "waves.tangent" }},
+], "vertex": {{ "positionOS": "waves", "normalOS": "waves.normal", "tangentOS": "waves.tangent" }},
 "surface": {{ "color": "= float3({}{})" }} }})json",
                             kWavelength, kAmplitude, kSteepness, shown, shown == "@uv0" ? ", 0" : ""));
     add_object(world, graph, "plane", 128, object_to_world);
@@ -71,9 +71,9 @@ TEST(Displacement, MovesPlaceNormalAndTangentTogether) {
         for (const char* via : {"glsl", "hlsl", "cpu"}) {
             SCOPED_TRACE(via);
             const Image uv = drawn("@uv0", object_to_world, via);
-            const Image position = drawn("@position_ws", object_to_world, via);
-            const Image normal = drawn("@normal_ws", object_to_world, via);
-            const Image tangent = drawn("@tangent_ws", object_to_world, via);
+            const Image position = drawn("@positionWS", object_to_world, via);
+            const Image normal = drawn("@normalWS", object_to_world, via);
+            const Image tangent = drawn("@tangentWS", object_to_world, via);
             int compared = 0;
             for (int y = 0; y < kPixels; ++y) {
                 for (int x = 0; x < kPixels; ++x) {

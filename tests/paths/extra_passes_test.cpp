@@ -61,7 +61,7 @@ void expect_with(const std::string& pass, const Seen& expected) {
 }
 
 const std::string kLarger =
-    R"("vertex": { "position_os": "= 4 * @position_os" }, "surface": { "color": [1, 0, 0], "alpha": 0.5 })";
+    R"("vertex": { "positionOS": "= 4 * @positionOS" }, "surface": { "color": [1, 0, 0], "alpha": 0.5 })";
 
 TEST(ExtraPasses, AreDrawnByTheirQueue) {
     expect_with(kLarger + R"(, "render": { "depthTest": "always", "queue": 1999 })", {kGreen, kRed});
@@ -74,7 +74,7 @@ TEST(ExtraPasses, AreDrawnByTheirQueue) {
 
 // What it leaves out is the material's.
 TEST(ExtraPasses, TakeTheRestFromTheMaterial) {
-    expect_with(R"("vertex": { "position_os": "= 4 * @position_os" })", {kGreen, kGreen});
+    expect_with(R"("vertex": { "positionOS": "= 4 * @positionOS" })", {kGreen, kGreen});
     expect_with(R"("surface": { "color": [1, 0, 0] }, "render": { "depthTest": "always" })", {kRed, glm::vec3(0)});
 }
 
@@ -84,7 +84,7 @@ TEST(ExtraPasses, AreLitByAllLights) {
     add_object(
         world,
         squared(R"("workflow": "metallic-roughness", "lighting": "lambert", "surface": { "baseColor": [0.8, 0, 0] },
-  "vertex": { "position_os": "= 4 * @position_os" }, "render": { "depthWrite": false })",
+  "vertex": { "positionOS": "= 4 * @positionOS" }, "render": { "depthWrite": false })",
                 R"("metallic-roughness", "lighting": "lambert", "surface": { "baseColor": [0, 0.5, 0] },
   "render": { "queue": 2001 })"),
         "plane", 4, glm::scale(glm::mat4(1), glm::vec3(2)));
@@ -96,7 +96,7 @@ TEST(ExtraPasses, AreWhatAMaterialOfTheirOwnWouldBe) {
     const std::string ink = written("ink.graph.json", R"({ "patina": 1, "workflow": "unlit",
   "properties": [ { "name": "_Ink", "type": "color", "default": "#2a1e38" },
                   { "name": "_Width", "type": "float", "default": 0.03 } ],
-  "vertex": { "position_os": "= @position_os + @normal_os * $_Width" },
+  "vertex": { "positionOS": "= @positionOS + @normalOS * $_Width" },
   "surface": { "color": "$_Ink" }, "render": { "cull": "front", "bounds": 0.2 } })");
     const std::string plain = written("plain_toon.graph.json", R"({ "patina": 1, "workflow": "metallic-roughness",
   "lighting": "toon", "properties": [ { "name": "_Color", "type": "color", "default": "#e8703a" } ],

@@ -56,24 +56,24 @@ std::string quantised_with_extras() {
             text.replace(at, what.size(), with);
         EXPECT_EQ(count, 2) << what;
     };
-    replace("remembered(lighting_surface())", "remembered_in_full(lighting_surface())");
-    replace("\"occlusion\")]", "\"occlusion\", \"pack_surface\")]");
+    replace("remembered(lightingSurface())", "rememberedInFull(lightingSurface())");
+    replace("\"occlusion\")]", "\"occlusion\", \"packSurface\")]");
     return written("quantised_extended.pass.hlsl", text + R"(
 /// The device leaves out the bits that a half has no room for, where another rounds.
-[switch] bool cuts_to_halves;
+[switch] bool cutsToHalves;
 
 /// Eleven bits from the first that is not 0.
-float4 in_halves(float4 value) {
+float4 inHalves(float4 value) {
     float4 step = exp2(floor(log2(max(abs(value), 0.0001))) - 10);
-    return (cuts_to_halves ? trunc(value / step) : round(value / step)) * step;
+    return (cutsToHalves ? trunc(value / step) : round(value / step)) * step;
 }
 
-LightingSurface remembered_in_full(LightingSurface lit) {
-    SurfaceExtras extras = pack_surface(lit);
-    extras.first = in_halves(extras.first);
-    extras.second = in_halves(extras.second);
-    extras.third = in_halves(extras.third);
-    return unpack_surface(remembered(lit), extras);
+LightingSurface rememberedInFull(LightingSurface lit) {
+    SurfaceExtras extras = packSurface(lit);
+    extras.first = inHalves(extras.first);
+    extras.second = inHalves(extras.second);
+    extras.third = inHalves(extras.third);
+    return unpackSurface(remembered(lit), extras);
 })");
 }
 
@@ -86,7 +86,7 @@ public:
                         const std::string& path = "tests/paths/quantised.pass.hlsl") {
         for (const char* direction : {"", "upwards", "downwards"}) {
             RenderOptions options{.path = path, .switches = switches, .exact_targets = true};
-            options.switches.emplace_back("cuts_to_ten_bits", device_cuts_to_ten_bits() ? "true" : "false");
+            options.switches.emplace_back("cutsToTenBits", device_cuts_to_ten_bits() ? "true" : "false");
             if (*direction) options.switches.emplace_back(direction, "true");
             pictures_.push_back(draw(world, options));
         }
@@ -137,7 +137,7 @@ TEST(UnitysFormats, ExtendedIsForwardOverWhatIsRememberedAndPacked) {
         return world.materials[object.material].name == "lacquer";
     });
     const std::string path = quantised_with_extras();
-    const Remembered rounded(world, {}, path), cut(world, {{"cuts_to_halves", "true"}}, path);
+    const Remembered rounded(world, {}, path), cut(world, {{"cutsToHalves", "true"}}, path);
     for (bool stated_formats : {false, true}) {
         const Image image = draw(world, {.path = "deferred-extended", .stated_formats = stated_formats});
         const Difference far_from_rounded = rounded.difference_to(image), far_from_cut = cut.difference_to(image);
@@ -178,7 +178,7 @@ TEST(UnitysFormats, LogarithmicLightIsSixStepsAwayAtMost) {
     const World world = proof_scene_and_metals();
     ASSERT_EQ(world.view.lights.size(), 5u);
     const Image image = draw(world, {.path = "deferred-ldr", .stated_formats = true});
-    const Image expected = Remembered(world, {{"mirrors_at_once", "true"}}).nearest_to(image);
+    const Image expected = Remembered(world, {{"mirrorsAtOnce", "true"}}).nearest_to(image);
     double largest = 0;
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
         if (i % 4 != 3) largest = std::max(largest, std::abs(encoded(image.pixels[i]) - encoded(expected.pixels[i])));

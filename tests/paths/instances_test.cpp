@@ -27,7 +27,7 @@ std::string bead(const std::string& binding) {
                        binding + R"json(" },
   { "name": "_Rings", "type": "int", "default": 1, "as": ")json" +
                        binding + R"json(" } ],
-  "vertex": { "position_os": "= @position_os * (1 + $_Bulge * @position_os.y)" },
+  "vertex": { "positionOS": "= @positionOS * (1 + $_Bulge * @positionOS.y)" },
   "surface": { "baseColor": "= $_Color.rgb * (0.75 + 0.25 * sin(@uv0.y * 6.28 * float($_Rings)))",
                "roughness": "$_Roughness" },
   "render": { "bounds": 1 } })json");

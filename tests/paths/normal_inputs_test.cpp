@@ -15,7 +15,7 @@ const glm::dvec3 kGiven(0.48, 0.6, 0.64);
 std::string graph(const std::string& input, const std::string& cull) {
     return written(fmt::format("{}_{}.graph.json", input, cull),
                    fmt::format(R"({{ "patina": 1, "workflow": "metallic-roughness",
-  "lighting": {{ "direct": [0, 0, 0], "final": "@surface.normal_ws" }},
+  "lighting": {{ "direct": [0, 0, 0], "final": "@surface.normalWS" }},
   "surface": {{ "{}": [0.48, 0.6, 0.64] }}, "render": {{ "cull": "{}" }} }})",
                                input, cull));
 }
@@ -34,8 +34,8 @@ glm::dvec3 in_world(const std::string& input, const glm::dmat4& object_to_world)
     const auto of_normal = [&](const glm::dvec3& n) {
         return glm::normalize(glm::transpose(glm::inverse(linear)) * n);
     };
-    if (input == "normal_ws") return kGiven;
-    if (input == "normal_os") return of_normal(kGiven);
+    if (input == "normalWS") return kGiven;
+    if (input == "normalOS") return of_normal(kGiven);
     const glm::dvec3 along_u = glm::normalize(linear * glm::dvec3(1, 0, 0)), normal = of_normal({0, 0, 1});
     // In the plane, square to u, on the side that is up in the picture.
     glm::dvec3 up = glm::cross(normal, along_u);
@@ -45,8 +45,8 @@ glm::dvec3 in_world(const std::string& input, const glm::dmat4& object_to_world)
 
 TEST(NormalInputs, AreReadInTheirSpaceOnBothSides) {
     for (const Case& each : kCases) {
-        const glm::dvec3 out = in_world("normal_ts", each.object_to_world);
-        for (const char* input : {"normal_ts", "normal_os", "normal_ws"}) {
+        const glm::dvec3 out = in_world("normalTS", each.object_to_world);
+        for (const char* input : {"normalTS", "normalOS", "normalWS"}) {
             for (const double side : {1.0, -1.0}) {
                 for (const char* via : {"glsl", "hlsl", "cpu"}) {
                     SCOPED_TRACE(
@@ -57,7 +57,7 @@ TEST(NormalInputs, AreReadInTheirSpaceOnBothSides) {
                     add_object(world, graph(input, "off"), "plane", 1, glm::mat4(each.object_to_world));
                     const Image image = draw(world, {.via = via, .exact_targets = true});
                     // A normal of the world is taken as it is; the others are the sheet's, which shows its other side.
-                    const bool is_turned = side < 0 && input != std::string("normal_ws");
+                    const bool is_turned = side < 0 && input != std::string("normalWS");
                     const glm::dvec3 expected = in_world(input, each.object_to_world) * (is_turned ? -1.0 : 1.0);
                     for (int c = 0; c < 3; ++c)
                         EXPECT_NEAR(double(image.at(2, 2)[std::size_t(c)]), expected[c], 1e-5) << "channel " << c;
@@ -69,7 +69,7 @@ TEST(NormalInputs, AreReadInTheirSpaceOnBothSides) {
 
 // Seen from one side alone, nothing is turned.
 TEST(NormalInputs, AreNotTurnedWhereOneSideIsSeen) {
-    for (const char* input : {"normal_ts", "normal_os"}) {
+    for (const char* input : {"normalTS", "normalOS"}) {
         World world;
         world.view.width = world.view.height = 4;
         world.view.camera = {.position = {0, 0, 4}, .target = {0, 0, 0}, .fov = 2};

@@ -41,8 +41,8 @@ std::string graph(const std::string& name, const std::string& filter, const std:
 std::string occlusion(const std::string& name, const std::string& filter, int fewest, int most) {
     return graph(name, filter,
                  fmt::format(R"({{ "id": "offset", "node": "ParallaxOcclusion", "in": {{
-      "texture": "$_ParallaxMap", "height": "$_Parallax", "view_ts": "view",
-      "fewest_steps": {}, "most_steps": {} }} }})",
+      "texture": "$_ParallaxMap", "height": "$_Parallax", "viewTS": "view",
+      "fewestSteps": {}, "mostSteps": {} }} }})",
                              fewest, most));
 }
 
@@ -214,7 +214,7 @@ TEST(ParallaxOffset, MovesBothSidesOfAStepByItsFormula) {
     const std::string graph_file = graph("one_step.graph.json", "nearest", R"(
   { "id": "texel", "node": "SampleTexture2D", "in": { "texture": "$_ParallaxMap" } },
   { "id": "offset", "node": "ParallaxOffset",
-    "in": { "texel": "texel.r", "height": "$_Parallax", "view_ts": "view" } })");
+    "in": { "texel": "texel.r", "height": "$_Parallax", "viewTS": "view" } })");
     for (const int axis : {0, 1}) {
         for (const glm::vec3& from : kFrom) {
             for (const char* via : kWays) {

@@ -30,7 +30,7 @@ std::string rich_graph(const std::string& name, const std::string& render) {
     { "id": "holes", "node": "SampleTexture2D", "in": { "texture": "$_Holes", "uv": "@uv1" } }
   ],
   "surface": {
-    "baseColor": "paint.rgb", "normal_ts": "bumps", "emission": "$_Glow.rgb", "alpha": "holes.r", "alphaClip": "$_Cut"
+    "baseColor": "paint.rgb", "normalTS": "bumps", "emission": "$_Glow.rgb", "alpha": "holes.r", "alphaClip": "$_Cut"
   },
   "render": { "surface": ")" + render + R"(" }
 })");
@@ -72,7 +72,7 @@ TEST(Pruning, OpaqueDepthReadsNothingOfTheMaterial) {
         EXPECT_FALSE(has(depth.pass.blocks, "Ambient"));
         // The caster moves surfaces along their normals.
         const bool is_caster = depth.pass.name == "shadow-caster";
-        EXPECT_EQ(inputs_of(depth.pass), is_caster ? (Words{"position_os", "normal_os"}) : Words{"position_os"});
+        EXPECT_EQ(inputs_of(depth.pass), is_caster ? (Words{"positionOS", "normalOS"}) : Words{"positionOS"});
         EXPECT_TRUE(depth.pass.targets.empty());
     }
 }
@@ -86,7 +86,7 @@ TEST(Pruning, CutoutDepthReadsWhatAlphaNeeds) {
         EXPECT_FALSE(has(depth.pass.blocks, "Lights"));
         const bool is_caster = depth.pass.name == "shadow-caster";
         EXPECT_EQ(inputs_of(depth.pass),
-                  is_caster ? (Words{"position_os", "normal_os", "uv1"}) : (Words{"position_os", "uv1"}));
+                  is_caster ? (Words{"positionOS", "normalOS", "uv1"}) : (Words{"positionOS", "uv1"}));
     }
 }
 
@@ -205,7 +205,7 @@ TEST(Pruning, GBuffersHaveNoReflectionsThatComeLater) {
     const Result result = compiled(varying_graph(model), "deferred");
     const Pass *gbuffer = find_pass(result, "gbuffer"), *later = find_pass(result, "deferred-reflections");
     ASSERT_TRUE(gbuffer && later);
-    for (const char* texture : {"split_sum_table", "environment_map"}) {
+    for (const char* texture : {"splitSumTable", "environmentMap"}) {
         EXPECT_FALSE(has(gbuffer->textures, texture)) << texture;
         EXPECT_TRUE(has(later->textures, texture)) << texture;
     }
@@ -227,7 +227,7 @@ TEST(Pruning, VerticesEvaluateEachLightOnce) {
             const Shader* vertex = find_shader(result, "vertex", Stage::Vertex);
             ASSERT_TRUE(vertex);
             const std::size_t lights = model.name == "unlit" ? 0 : 1;
-            EXPECT_EQ(count(vertex->text, "= light_at("), lights) << vertex->text;
+            EXPECT_EQ(count(vertex->text, "= lightAt("), lights) << vertex->text;
         }
     }
 }
@@ -240,8 +240,8 @@ TEST(Pruning, VerticesHandOverNoConstants) {
         for (const Stage stage : {Stage::Vertex, Stage::Fragment}) {
             const Shader* shader = find_shader(result, "vertex", stage);
             ASSERT_TRUE(shader);
-            EXPECT_GT(count(shader->text, "v_light_by_diffuse"), 0u) << shader->text;
-            EXPECT_EQ(count(shader->text, "v_other"), 0u) << shader->text;
+            EXPECT_GT(count(shader->text, "vLightByDiffuse"), 0u) << shader->text;
+            EXPECT_EQ(count(shader->text, "vOther"), 0u) << shader->text;
         }
     }
 }

@@ -5,9 +5,9 @@
 [switch] bool upwards;
 [switch] bool downwards;
 /// What mirrors the surroundings is part of the ambient light.
-[switch] bool mirrors_at_once;
+[switch] bool mirrorsAtOnce;
 /// The device makes 16 bits of a number first, and leaves the last six of them out.
-[switch] bool cuts_to_ten_bits;
+[switch] bool cutsToTenBits;
 
 /// Steps that a number is moved by.
 float nudge() {
@@ -20,12 +20,12 @@ float nudge() {
 float3 stepped(float3 value, float steps) {
     return saturate(round(saturate(value) * steps + nudge()) / steps);
 }
-float3 in_bytes(float3 value) {
+float3 inBytes(float3 value) {
     return stepped(value, 255);
 }
 
-float3 in_ten_bits(float3 value) {
-    if (cuts_to_ten_bits) {
+float3 inTenBits(float3 value) {
+    if (cutsToTenBits) {
         return saturate(floor(round(saturate(value) * 65535 + 64 * nudge()) / 64) / 1023);
     }
     return stepped(value, 1023);
@@ -33,64 +33,64 @@ float3 in_ten_bits(float3 value) {
 
 LightingSurface remembered(LightingSurface lit) {
     LightingSurface kept;
-    kept.diffuseColor = in_bytes(lit.diffuseColor);
-    kept.occlusion = in_bytes(float3(lit.occlusion)).x;
-    kept.f0 = in_bytes(lit.f0);
-    kept.roughness = 1 - in_bytes(float3(lit.smoothness)).x;
-    kept.normal_ws = DecodeGBufferNormal(in_ten_bits(EncodeGBufferNormal(lit.normal_ws)));
+    kept.diffuseColor = inBytes(lit.diffuseColor);
+    kept.occlusion = inBytes(float3(lit.occlusion)).x;
+    kept.f0 = inBytes(lit.f0);
+    kept.roughness = 1 - inBytes(float3(lit.smoothness)).x;
+    kept.normalWS = DecodeGBufferNormal(inTenBits(EncodeGBufferNormal(lit.normalWS)));
     return kept;
 }
 
 /// The shadow mask as RT4 holds it.
 [gives("shadow", "quantised-lights")]
-float shadow_with_quantised_mask(int index, float3 position, float4 mask = shadows_of_lightmap) {
-    if (shadow_mask) {
-        return masked_shadow(index, position, float4(in_bytes(mask.rgb), in_bytes(float3(mask.a)).x));
+float shadowWithQuantisedMask(int index, float3 position, float4 mask = shadowsOfLightmap) {
+    if (shadowMask) {
+        return maskedShadow(index, position, float4(inBytes(mask.rgb), inBytes(float3(mask.a)).x));
     }
     return shadow(index, position);
 }
 
-[static("pass", "quantised-reflections")] bool reflects_in_the_end;
+[static("pass", "quantised-reflections")] bool reflectsInTheEnd;
 
 [pass("quantised-base")] [pass("quantised-lights")] [pass("quantised-reflections")] [vertex]
-float4 quantised_vertex(float3 position = position_ws) {
-    return mul(world_to_clip, float4(position, 1));
+float4 quantisedVertex(float3 position = positionWS) {
+    return mul(worldToClip, float4(position, 1));
 }
 
 /// Emission and ambient light, of the surface as it is.
 [pass("quantised-base")] [fragment] [lights("none")] [camera("perspective")] [fallback("forward")]
 [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
-float4 quantised_base(float3 position = position_ws) {
-    LightingSurface lit = lighting_surface();
-    if (alpha_clip) {
-        discard_if(lit.alpha < lit.alphaClip);
+float4 quantisedBase(float3 position = positionWS) {
+    LightingSurface lit = lightingSurface();
+    if (alphaClip) {
+        discardIf(lit.alpha < lit.alphaClip);
     }
     LightSum start;
-    if (reflects_in_the_end && !mirrors_at_once) { start.indirect = not_reflected(lit); }
+    if (reflectsInTheEnd && !mirrorsAtOnce) { start.indirect = notReflected(lit); }
     else { start.indirect = indirect(lit); }
-    return float4(in_fog(final(lit, start), position), 1);
+    return float4(inFog(final(lit, start), position), 1);
 }
 
 [pass("quantised-lights")] [fragment] [lights("all")] [needs("added")] [fallback("forward")]
-[holds("diffuseColor", "f0", "roughness", "normal_ws", "occlusion")] [depth("equal", "keep")]
+[holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")] [depth("equal", "keep")]
 [blend("opaque", "one", "one")] [blend("cutout", "one", "one")]
-float4 quantised_lights(float3 position = position_ws) {
-    LightingSurface kept = remembered(lighting_surface());
+float4 quantisedLights(float3 position = positionWS) {
+    LightingSurface kept = remembered(lightingSurface());
     LightSum total;
     total.direct = float3(0);
-    [light] for (int i = 0; i < min(light_count, MAX_LIGHTS); i++) {
-        total.direct += direct(kept, light_at(i, position));
+    [light] for (int i = 0; i < min(lightCount, MAX_LIGHTS); i++) {
+        total.direct += direct(kept, lightAt(i, position));
     }
-    return float4(faded_by_fog(added(kept, total), position), 0);
+    return float4(fadedByFog(added(kept, total), position), 0);
 }
 
-[pass("quantised-reflections")] [fragment] [lights("none")] [optional] [needs("reflected", "added_indirect")]
-[holds("diffuseColor", "f0", "roughness", "normal_ws", "occlusion")] [depth("equal", "keep")]
+[pass("quantised-reflections")] [fragment] [lights("none")] [optional] [needs("reflected", "addedIndirect")]
+[holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")] [depth("equal", "keep")]
 [blend("opaque", "one", "one")] [blend("cutout", "one", "one")]
-float4 quantised_reflections(float3 position = position_ws) {
-    LightingSurface kept = remembered(lighting_surface());
+float4 quantisedReflections(float3 position = positionWS) {
+    LightingSurface kept = remembered(lightingSurface());
     LightSum mirrored;
-    if (mirrors_at_once) { mirrored.indirect = float3(0); }
+    if (mirrorsAtOnce) { mirrored.indirect = float3(0); }
     else { mirrored.indirect = reflected(kept); }
-    return float4(faded_by_fog(added_indirect(kept, mirrored), position), 0);
+    return float4(fadedByFog(addedIndirect(kept, mirrored), position), 0);
 }

@@ -267,7 +267,7 @@ TEST(RenderState, BoundsSayWhereTheMeshIsDrawn) {
         World world = empty_world();
         world.view.lights = {{.kind = LightKind::Point, .position = {0, 0, 4}, .range = 2}};
         const std::string graph = written("lifted.graph.json", R"({ "patina": 1, "workflow": "metallic-roughness",
-  "lighting": "lambert", "vertex": { "position_os": "= @position_os + 3 * @normal_os" }, "surface": { "baseColor": 0.5 })" +
+  "lighting": "lambert", "vertex": { "positionOS": "= @positionOS + 3 * @normalOS" }, "surface": { "baseColor": 0.5 })" +
                                                                    bounds + " }");
         add_object(world, graph, "plane", 2, glm::mat4(1));
         return at(draw(world, {.path = "forward-add", .exact_targets = true}), 4, 4).r;
@@ -287,7 +287,7 @@ TEST(RenderState, BoundsOrderWhatBlends) {
     const auto lifted = [](const std::string& bounds) {
         World world = empty_world();
         add_object(world, written("lifted_fade.graph.json", R"json({ "patina": 1, "workflow": "unlit",
-  "vertex": { "position_os": "= @position_os + float3(0, 0, 0.5)" }, "surface": { "color": [0, 1, 0], "alpha": 0.5 },
+  "vertex": { "positionOS": "= @positionOS + float3(0, 0, 0.5)" }, "surface": { "color": [0, 1, 0], "alpha": 0.5 },
   "render": { "surface": "fade")json" + bounds + " } }"),
                    "plane", 2, wall(0));
         add_object(world, unlit("[1, 0, 0]", R"("surface": "fade")"), "plane", 2, wall(2));
@@ -303,7 +303,7 @@ TEST(RenderState, AMovedMeshDoesNotMoveTheScreen) {
     World world = empty_world();
     world.view.lights = {{.direction = {0, 0, 1}}};
     const std::string moved = written("moved.graph.json", R"json({ "patina": 1, "workflow": "metallic-roughness",
-  "lighting": "lambert", "vertex": { "position_os": "= @position_os + float3(1, 0, 0)" },
+  "lighting": "lambert", "vertex": { "positionOS": "= @positionOS + float3(1, 0, 0)" },
   "surface": { "baseColor": 0.5 } })json");
     add_object(world, moved, "plane", 2, glm::scale(glm::translate(glm::mat4(1), {-10, 0, 0}), glm::vec3(10)));
     const auto lit = float(0.5 * (1 - kDielectric));

@@ -368,7 +368,7 @@ TEST(Shadow, OfAFinerMapIsNearerToTheTruth) {
 // Cutout surfaces cast the shadow of what is left of them: here, of one half.
 TEST(Shadow, OfACutoutHasItsHoles) {
     const std::string caster = written("half.graph.json", R"json({ "patina": 1, "workflow": "unlit",
-  "surface": { "alpha": "= step(0, @position_os.z)" }, "render": { "surface": "cutout", "cull": "off" } })json");
+  "surface": { "alpha": "= step(0, @positionOS.z)" }, "render": { "surface": "cutout", "cull": "off" } })json");
     const World whole = scene(sun(), 128, plain_caster()), half = scene(sun(), 128, caster);
     const RenderOptions options{.path = "forward"};
     const Image of_whole = draw(whole, options), of_half = draw(half, options);

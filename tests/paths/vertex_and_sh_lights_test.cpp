@@ -15,7 +15,7 @@ constexpr const char* kVias[] = {"glsl", "hlsl", "cpu"};
 
 RenderOptions additive(const char* via, bool sh_per_vertex = false) {
     return {.path = "forward-add",
-            .switches = {{"sh_per_vertex", sh_per_vertex ? "true" : "false"}},
+            .switches = {{"shPerVertex", sh_per_vertex ? "true" : "false"}},
             .via = via,
             .exact_targets = true};
 }

@@ -27,8 +27,8 @@ const std::vector<Row>& rows() {
         // The middle, the walls and the corners of the default box.
         {"BoxProjectedDirection.position", {{0, 0, 0}, {1, 0, 0}, {-1, 1, 1}}, {-1, 1}},
         {"BoxProjectedDirection.center", {{0, 0, 0}, {0, 0.5, -1}}, {-1, 1}},
-        {"BoxProjectedDirection.box_min", numbers({-1}), {-2, -1}},
-        {"BoxProjectedDirection.box_max", numbers({1}), {1, 2}},
+        {"BoxProjectedDirection.boxMin", numbers({-1}), {-2, -1}},
+        {"BoxProjectedDirection.boxMax", numbers({1}), {1, 2}},
         {"BoxProjectedDirection.direction", {{0, 0, 1}, {-1, 0, 0}, {1, 1e-7, 0}, {3, -2, 1}}, {-2, 2}},
         {"DecodeHDR.encoded", {{0, 0, 0, 0}, {1, 1, 1, 0}, {1, 1, 1, 1}, {64, 1, 0, 1}}, {0, 1}},
         // Gamma space, RGBM and plain half floats: factor, exponent of alpha, whether alpha counts.
@@ -42,10 +42,10 @@ const std::vector<Row>& rows() {
          {{0, 0.1, 10, 30}, {1, 0, 10, 30}, {1, 0, 5, 5}, {2, 10, 0, 0}, {3, 10, 0, 0}, {3, 0, 0, 0}},
          {},
          true},
-        {"LightVector.light_position", {{0, 1, 0, 0}, {0, 0, 0, 1}, {5, -2, 3, 1}}, {}, true},
+        {"LightVector.lightPosition", {{0, 1, 0, 0}, {0, 0, 0, 1}, {5, -2, 3, 1}}, {}, true},
         {"LightVector.position", {{0, 0, 0}, {5, -2, 3}}},
         {"FourPointLights.falloff", numbers({0, 0.25, 1000}), {0, 25}},
-        {"MatcapUV.normal_vs", {{0, 0, 1}, {0, 0, -1}, {3, 0, 0}, {0.6, 0.8, 1e-4}, {0, 0, 0}}, {0.01, 2}},
+        {"MatcapUV.normalVS", {{0, 0, 1}, {0, 0, -1}, {3, 0, 0}, {0.6, 0.8, 1e-4}, {0, 0, 0}}, {0.01, 2}},
         {"NormalReconstructZ.xy", {{0, 0}, {1, 0}, {0.6, -0.8}, {1, 1}, {-3, 2}}, {-1, 1}},
         {"HueRotate.angle", numbers({0, 2, -7})},
         {"TangentFrame.normal", {{0, 0, 1}, {0, -3, 0}, {0.01, 0, 0}}, {0.01, 2}},
@@ -106,7 +106,7 @@ PortDomain port_domain(std::string_view node, const nodelang::ParamDecl& param) 
         for (const double z : {1.0, -1.0, 0.0, 1e-4, -1e-4, 0.6}) add({std::sqrt(1 - z * z), 0, z});
         add({0, 1, 0});
         // HalfVector is shorter where light and view are opposite.
-        if (param.name == "half_vector") add({0});
+        if (param.name == "halfVector") add({0});
     } else if (node == "PackSH9" || param.type.name == "float3" || param.type.name == "float4") {
         // Coefficients, colours beyond white, positions: any number.
         add({0});

@@ -211,8 +211,8 @@ std::string graph_of(const Form& form, const Output& output) {
     for (const ParamDecl& param : form.function->params) rows += !param.is_out && !param.is_const;
     std::string nodes;
     for (std::size_t i = 0; i < rows; ++i) {
-        const std::string row = "floor(@frag_coord.y) * " + std::to_string(rows) + " + " + std::to_string(i);
-        nodes += witness::load_node("a" + std::to_string(i), "@frag_coord.x", row) + ",\n";
+        const std::string row = "floor(@fragCoord.y) * " + std::to_string(rows) + " + " + std::to_string(i);
+        nodes += witness::load_node("a" + std::to_string(i), "@fragCoord.x", row) + ",\n";
     }
     nodes += R"({ "id": "value", "expr": ")" + call_text(form, output) + R"(" })";
     const std::string_view colors[] = {"float3(value, 0, 0)", "float3(value, 0)", "value", "value.xyz"};

@@ -222,12 +222,12 @@ TEST(Linearity, MembersThatAModelReads) {
         return names;
     };
     LoweredMaterial lambert(material_of("lambert", kWorkflow));
-    EXPECT_EQ(members(lambert, "direct"), (std::set<std::string>{"diffuseColor", "normal_ws"}));
-    EXPECT_EQ(members(lambert, "indirect"), (std::set<std::string>{"diffuseColor", "normal_ws", "occlusion"}));
+    EXPECT_EQ(members(lambert, "direct"), (std::set<std::string>{"diffuseColor", "normalWS"}));
+    EXPECT_EQ(members(lambert, "indirect"), (std::set<std::string>{"diffuseColor", "normalWS", "occlusion"}));
     EXPECT_EQ(members(lambert, "final"), (std::set<std::string>{"emission"}));
     // Smoothness is a member function of the surface, that reads the roughness.
     LoweredMaterial toon(material_of("toon", kWorkflow));
-    EXPECT_EQ(members(toon, "direct"), (std::set<std::string>{"baseColor", "roughness", "normal_ws", "bands",
+    EXPECT_EQ(members(toon, "direct"), (std::set<std::string>{"baseColor", "roughness", "normalWS", "bands",
                                                               "bandSoftness", "highlight", "rim", "rimWidth"}));
 }
 

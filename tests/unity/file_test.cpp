@@ -127,7 +127,7 @@ std::string with_values(const std::string& workflow, int count) {
     for (int i = 0; i < count; ++i) {
         const std::string n = std::to_string(i);
         nodes += (i == 0 ? "" : ",") + (R"({ "id": "v)" + n + R"(", "stage": "vertex", "expr": ")" + n +
-                                        R"(.5 * @position_os.xyzx * @position_os.yzxx" })");
+                                        R"(.5 * @positionOS.xyzx * @positionOS.yzxx" })");
         sum += " + sin(v" + n + ".rgb) * v" + n + ".a";
     }
     const std::string input = workflow == "unlit" ? "color" : "baseColor";
@@ -315,7 +315,7 @@ TEST(UnityUnlit, HasNoPassForLights) {
 // What a material reads of the picture makes it wait for it, and keeps it out of the G-buffer.
 TEST(UnityBackground, IsGrabbed) {
     const Result result = of_text(R"({ "patina": 1, "workflow": "metallic-smoothness", "lighting": "unity-brdf1",
-        "surface": { "baseColor": "@scene_color" } })");
+        "surface": { "baseColor": "@sceneColor" } })");
     ASSERT_TRUE(result.ok);
     ASSERT_EQ(result.diagnostics.size(), 1u);
     EXPECT_EQ(result.diagnostics.front().code, "pass-left-out");
@@ -329,14 +329,14 @@ TEST(UnityBackground, IsGrabbed) {
 TEST(UnityAttributes, AreRefusedInPassFilesOfOnesOwn) {
     for (const std::string declaration :
          {"[foreign] float4 _Sun;", "[foreign] float3 Sun(float3 position);",
-          "[gives(\"view_dir_ws\")] float3 f() { return 0; }", "[text(\"pragma\", \"x\")] float3 f() { return 0; }",
+          "[gives(\"viewDirWS\")] float3 f() { return 0; }", "[text(\"pragma\", \"x\")] float3 f() { return 0; }",
           "[decodes(\"color\")] float3 f(float3 c) { return c; }"}) {
         CompileOptions options;
         options.path = "./mine.pass.hlsl";
         options.loader = [&](const std::string& path) -> std::optional<std::string> {
             if (path.ends_with(".graph.json")) return material("\"surface\": {}");
             return declaration + R"(
-[pass("mine")] [vertex] float4 mine_vertex(float3 position = position_ws) { return mul(world_to_clip, float4(position, 1)); }
+[pass("mine")] [vertex] float4 mineVertex(float3 position = positionWS) { return mul(worldToClip, float4(position, 1)); }
 [pass("mine")] [fragment] [lights("none")] [blend("opaque", "one", "zero")] float4 mine() { return float4(1); }
 )";
         };
@@ -356,7 +356,7 @@ TEST(UnitySeam, IsRefusedWhereUnityHasNothingLikeIt) {
     const Diagnostic in_add = first_error(added);
     EXPECT_EQ(in_add.code, "pass-refused");
     EXPECT_EQ(in_add.node, "sky") << to_text(in_add);
-    EXPECT_TRUE(has(in_add.message, "'ForwardAdd'") && has(in_add.message, "ambient_sh")) << in_add.message;
+    EXPECT_TRUE(has(in_add.message, "'ForwardAdd'") && has(in_add.message, "ambientSH")) << in_add.message;
     const Result at_vertices = of_text(R"({ "patina": 1, "workflow": "metallic-smoothness",
         "nodes": [ { "id": "lit", "expr": "@light.color", "stage": "vertex" } ], "surface": { "baseColor": "lit" } })");
     EXPECT_FALSE(at_vertices.ok);
@@ -376,7 +376,7 @@ TEST(UnityKeywords, AreTestedInFewWords) {
           "nodes": [ { "id": "t", "node": "SampleTexture2D", "in": { "texture": "$_MainTex" } }, )" +
                       nodes + R"( ], "surface": { "color": ")" + color + R"(" } })");
     };
-    const std::string other = text(R"({ "id": "d", "expr": "$_C != X && $_C != Y ? t.rgb : @normal_ws" })", "d");
+    const std::string other = text(R"({ "id": "d", "expr": "$_C != X && $_C != Y ? t.rgb : @normalWS" })", "d");
     EXPECT_TRUE(has(other, "#if defined(_C_Z) || defined(_C_W)\n")) << other;
     const std::string first = text(R"({ "id": "d", "expr": "$_C == X || $_C != Y && $_C == X ? t.rgb : 0.5" })", "d");
     EXPECT_TRUE(has(first, "#if !defined(_C_Y) && !defined(_C_Z) && !defined(_C_W)\n")) << first;
@@ -451,7 +451,7 @@ TEST(UnityLines, AreMapped) {
 TEST(UnityLines, OfAddedPassesAreMapped) {
     const Result result = for_unity("tests/unity/graphs/passes.graph.json");
     const Shader& shader = result.shaders.front();
-    const std::size_t at = shader.text.find("float3 position_os = v.vertex.xyz + v.normal * _Width;");
+    const std::size_t at = shader.text.find("float3 positionOS = v.vertex.xyz + v.normal * _Width;");
     ASSERT_NE(at, std::string::npos);
     const auto line =
         static_cast<int>(std::count(shader.text.begin(), shader.text.begin() + std::ptrdiff_t(at), '\n')) + 1;

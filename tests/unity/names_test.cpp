@@ -11,7 +11,7 @@ TEST(UnityNames, KeepOutOfTheWayOfTheIncludes) {
       "surface": { "metallic": "SPOT", "smoothness": "= SPOT * SPOT" })"));
     EXPECT_FALSE(has(text, "float SPOT ")) << text;
     EXPECT_FALSE(has(text, "float shadow ")) << text;
-    EXPECT_FALSE(has(text, "DisneyDiffuse_2(")) << text;
+    EXPECT_FALSE(has(text, "DisneyDiffuse2(")) << text;
     EXPECT_TRUE(has(text, "DisneyDiffuseTerm(")) << text;
 }
 
@@ -137,13 +137,12 @@ TEST(UnityNames, OfKeywordsAreOneChoiceEach) {
 
 // What only the engine of the other targets has is free here.
 TEST(UnityNames, OfPropertiesAreKept) {
-    const std::string text =
-        shader(material(R"("properties": [ { "name": "light_count", "type": "float", "default": 1 },
+    const std::string text = shader(material(R"("properties": [ { "name": "lightCount", "type": "float", "default": 1 },
         { "name": "Material", "type": "float", "default": 1 }, { "name": "Surface", "type": "float", "default": 1 },
         { "name": "albedo", "type": "float", "default": 1 }, { "name": "DotClamped_", "type": "float", "default": 1 } ],
       "nodes": [ { "id": "albedo", "expr": "$albedo * $Surface" } ],
-      "surface": { "metallic": "= albedo * $light_count * $Material", "smoothness": "= albedo * $DotClamped_" })"));
-    for (const std::string name : {"light_count", "Material", "Surface", "albedo", "DotClamped_"}) {
+      "surface": { "metallic": "= albedo * $lightCount * $Material", "smoothness": "= albedo * $DotClamped_" })"));
+    for (const std::string name : {"lightCount", "Material", "Surface", "albedo", "DotClamped_"}) {
         EXPECT_TRUE(has(text, " " + name + " (\"")) << name;
         EXPECT_TRUE(has(text, "float " + name + ";\n")) << name;
     }
@@ -151,10 +150,9 @@ TEST(UnityNames, OfPropertiesAreKept) {
 
 // What an entry function takes is its own: another function may have a parameter of that name.
 TEST(UnityNames, OfParametersAreFreeInOtherFunctions) {
-    const std::string text =
-        shader(material(R"("surface": { "normal_os": "@normal_os" }, "render": { "cull": "off" })"));
-    EXPECT_TRUE(has(text, "half4 frag(v2f i, bool front_facing : SV_IsFrontFace)")) << text;
-    EXPECT_TRUE(has(text, "Surface get_surface(float3 normal_os, bool front_facing)")) << text;
+    const std::string text = shader(material(R"("surface": { "normalOS": "@normalOS" }, "render": { "cull": "off" })"));
+    EXPECT_TRUE(has(text, "half4 frag(v2f i, bool frontFacing : SV_IsFrontFace)")) << text;
+    EXPECT_TRUE(has(text, "Surface getSurface(float3 normalOS, bool frontFacing)")) << text;
 }
 
 // One that an include declares for materials is read from there.

@@ -31,25 +31,25 @@ const std::vector<std::string>& values() {
                                                      "EnvironmentRadiance(float3(0, 1, 0), 0.5).x",
                                                      "SplitSumTable(0.5, 0.5).scale",
                                                      "@time",
-                                                     "@screen_size.x",
-                                                     "@camera_position_ws.x",
-                                                     "@camera_forward_ws.x",
-                                                     "@position_vs.z",
-                                                     "@normal_vs.x",
+                                                     "@screenSize.x",
+                                                     "@cameraPositionWS.x",
+                                                     "@cameraForwardWS.x",
+                                                     "@positionVS.z",
+                                                     "@normalVS.x",
                                                      "SceneColor(@uv0).x",
                                                      "SceneDepth(@uv0)",
-                                                     "@screen_uv.x",
-                                                     "@object_position_ws.x",
-                                                     "@vertex_color.r",
-                                                     "@tangent_ws.x",
-                                                     "@view_dir_ws.x"};
+                                                     "@screenUV.x",
+                                                     "@objectPositionWS.x",
+                                                     "@vertexColor.r",
+                                                     "@tangentWS.x",
+                                                     "@viewDirWS.x"};
     return kValues;
 }
 
 // Graphs that read the value in every place from where a stage is made.
 std::vector<std::string> graphs(const std::string& value) {
     const std::string lit = R"({ "patina": 1, "workflow": "metallic-smoothness", )";
-    return {lit + R"("vertex": { "position_os": "= @position_os * )" + value +
+    return {lit + R"("vertex": { "positionOS": "= @positionOS * )" + value +
                 R"(" }, "surface": { "baseColor": 0.5 }, "render": { "bounds": 1 } })",
             lit + R"("nodes": [ { "id": "pinned", "stage": "vertex", "expr": ")" + value +
                 R"(" } ], "surface": { "metallic": "pinned" } })",
@@ -74,7 +74,7 @@ std::vector<std::string> graphs(const std::string& value) {
 })"};
 }
 
-// "float4 light_position[16];", "UNITY_DECLARE_TEXCUBE(environment_map);"
+// "float4 lightPosition[16];", "UNITY_DECLARE_TEXCUBE(environmentMap);"
 bool declares(const std::string& text, const std::string& name) {
     return has(text, " " + name + ";") || has(text, " " + name + "[") || has(text, "(" + name + ");");
 }
@@ -109,18 +109,18 @@ TEST(UnitySeam, HasNoLightAtTheVertices) {
     EXPECT_EQ(first_error(result).code, "pass-refused");
     EXPECT_EQ(first_error(result).line, 1);
     EXPECT_EQ(first_error(result).column, 78) << to_text(first_error(result));
-    EXPECT_TRUE(has(first_error(result).message, "its vertex stage reads 'light_position'"));
+    EXPECT_TRUE(has(first_error(result).message, "its vertex stage reads 'lightPosition'"));
 }
 
 // What only the first pass has may be read by what only the first pass shows.
 TEST(UnitySeam, LeavesEmissionToTheFirstPass) {
     const std::string text = shader(material(R"("surface": { "emission": "glow" },
-      "nodes": [ { "id": "glow", "node": "AmbientIrradiance", "in": { "normal": "@normal_ws" } } ])"));
+      "nodes": [ { "id": "glow", "node": "AmbientIrradiance", "in": { "normal": "@normalWS" } } ])"));
     const std::size_t begin = text.find(R"("LightMode" = "ForwardAdd")"), end = text.find("ENDCG", begin);
     ASSERT_LT(end, text.size()) << text;
     const std::string added = text.substr(begin, end - begin);
     EXPECT_TRUE(has(text, "float3 glow = AmbientLight(")) << text;
-    EXPECT_TRUE(has(added, " get_surface_FORWARD_DELTA(")) << text;
+    EXPECT_TRUE(has(added, " getSurfaceForwardDelta(")) << text;
     EXPECT_FALSE(has(added, "AmbientLight(")) << text;
     EXPECT_FALSE(has(added, "emission")) << text;
 }

@@ -80,7 +80,7 @@ std::string preamble(const Reflection& reflection, const std::vector<std::string
         if (block.is_material && values == Values::OfFile) continue;
         text += declared(block);
         for (const BlockMember& member : block.members) {
-            if (member.name == "object_to_world" && member.array_count > 0) text += "#define STAND_IN_INSTANCES\n";
+            if (member.name == "objectToWorld" && member.array_count > 0) text += "#define STAND_IN_INSTANCES\n";
         }
     }
     for (const Texture& texture : reflection.textures) {
@@ -88,7 +88,7 @@ std::string preamble(const Reflection& reflection, const std::vector<std::string
             text += fmt::format("#define REGISTER_{0} register({1})\n#define REGISTER_sampler{0} register({2})\n",
                                 texture.identifier, texture.hlsl_register, texture.sampler_register);
             text += fmt::format("#define TEXEL_{} {}\n", texture.identifier,
-                                texture.usage == TextureUsage::Color ? "handed_over" : "as_it_is");
+                                texture.usage == TextureUsage::Color ? "handedOver" : "as_it_is");
             if (values == Values::OfRuntime)
                 text += fmt::format("#define {0}_TexelSize size_of({0})\n", texture.identifier);
         } else if (texture.dimension == TextureDimension::Cube) {
@@ -151,7 +151,7 @@ Shader stage(const LabPass& pass, const Reflection& reflection, Stage stage, con
     for (const Property& property : reflection.properties) {
         const bool is_decoded = pass.program.find("LinearColor(" + property.identifier + ")") != std::string::npos;
         if (property.type == PropertyType::Color && is_decoded && values == Values::OfRuntime)
-            text += fmt::format("#define {0} handed_over({0})\n", property.identifier);
+            text += fmt::format("#define {0} handedOver({0})\n", property.identifier);
     }
     text += fmt::format("#define {} main\n", stage == Stage::Vertex ? "vert" : "frag");
     text += with_includes(program, seen);
@@ -166,7 +166,7 @@ Shader stage(const LabPass& pass, const Reflection& reflection, Stage stage, con
 
 std::vector<VertexInput> appdata_full() {
     std::vector<VertexInput> inputs;
-    for (const char* name : {"position_os", "tangent_os", "normal_os", "uv0", "uv1", "uv2", "uv3", "vertex_color"}) {
+    for (const char* name : {"positionOS", "tangentOS", "normalOS", "uv0", "uv1", "uv2", "uv3", "vertexColor"}) {
         inputs.push_back({.name = name,
                           .type = "float4",
                           .location = static_cast<std::uint32_t>(inputs.size()),

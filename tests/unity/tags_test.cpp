@@ -16,14 +16,14 @@ TEST(UnityBatching, IsOffWhereAnObjectKnowsItsSpace) {
                                     "graphs/outlined", "surfaces/dimples"})
         EXPECT_TRUE(has(for_unity("examples/" + graph + ".graph.json").shaders.front().text, kAlone)) << graph;
     for (const std::string surface :
-         {R"("baseColor": "= @position_os * @position_os")", R"("baseColor": "= @normal_os * @normal_os")",
-          R"("baseColor": "= @tangent_os.xyz * 0.5")", R"("baseColor": "= @object_position_ws * 0.5")"})
+         {R"("baseColor": "= @positionOS * @positionOS")", R"("baseColor": "= @normalOS * @normalOS")",
+          R"("baseColor": "= @tangentOS.xyz * 0.5")", R"("baseColor": "= @objectPositionWS * 0.5")"})
         EXPECT_TRUE(has(shader(material("\"surface\": { " + surface + " }")), kAlone)) << surface;
-    EXPECT_TRUE(has(shader(material(R"("nodes": [ { "id": "height", "expr": "@position_os.y", "stage": "vertex" } ],
+    EXPECT_TRUE(has(shader(material(R"("nodes": [ { "id": "height", "expr": "@positionOS.y", "stage": "vertex" } ],
       "surface": { "metallic": "= height * 0.5"
          })")),
                     kAlone));
-    EXPECT_TRUE(has(shader(material(R"("vertex": { "position_os": "= float3(@uv0, 0) * 0.5"
+    EXPECT_TRUE(has(shader(material(R"("vertex": { "positionOS": "= float3(@uv0, 0) * 0.5"
 })")),
                     kAlone));
 }  // namespace
@@ -31,8 +31,8 @@ TEST(UnityBatching, IsOffWhereAnObjectKnowsItsSpace) {
 TEST(UnityBatching, IsLeftToUnityElsewhere) {
     EXPECT_FALSE(has(for_unity("tests/unity/graphs/standard.graph.json").shaders.front().text, "DisableBatching"));
     for (const std::string surface :
-         {R"("baseColor": "= @position_ws * 0.5")", R"("baseColor": "= @normal_ws * 0.5")",
-          R"("normal_ts": "= float3(@uv0.x, 0, 1) * 0.5")", R"("baseColor": "= float3(@screen_uv, 0) * 0.5")"})
+         {R"("baseColor": "= @positionWS * 0.5")", R"("baseColor": "= @normalWS * 0.5")",
+          R"("normalTS": "= float3(@uv0.x, 0, 1) * 0.5")", R"("baseColor": "= float3(@screenUV, 0) * 0.5")"})
         EXPECT_FALSE(has(shader(material("\"surface\": { " + surface + " }")), "DisableBatching")) << surface;
 }
 
@@ -148,13 +148,11 @@ class UnityQueueOf : public ::testing::TestWithParam<Added> {};
 // where that has left its depth.
 TEST_P(UnityQueueOf, APassIsToldWhereItMayBeSeen) {
     const Added& each = GetParam();
-    const Result result =
-        of_text(R"({ "patina": 1, "workflow": "unlit", "surface": { "color": 1 },
-        "render": { )" +
-                each.material +
-                R"( }, "nodes": [ { "id": "shell", "expr": "@position_os * 1.1", "stage": "vertex" } ],
-        "passes": [ { "name": "other", "vertex": { "position_os": "shell" } }, )" +
-                added("shown", each.pass) + " ] }");
+    const Result result = of_text(R"({ "patina": 1, "workflow": "unlit", "surface": { "color": 1 },
+        "render": { )" + each.material +
+                                  R"( }, "nodes": [ { "id": "shell", "expr": "@positionOS * 1.1", "stage": "vertex" } ],
+        "passes": [ { "name": "other", "vertex": { "positionOS": "shell" } }, )" +
+                                  added("shown", each.pass) + " ] }");
     ASSERT_TRUE(result.ok) << to_text(first_error(result));
     std::string said;
     for (const Diagnostic& d : result.diagnostics) {

@@ -21,12 +21,12 @@ std::string words_of(const std::vector<Diagnostic>& diagnostics) {
 constexpr const char* kPath = "values.pass.hlsl";
 constexpr const char* kPass = R"(
 [pass("values")] [vertex]
-float4 values_vertex(float3 position = position_ws) { return mul(world_to_clip, float4(position, 1)); }
+float4 valuesVertex(float3 position = positionWS) { return mul(worldToClip, float4(position, 1)); }
 
 [pass("values")] [fragment] [lights("all")] [blend("one", "zero")]
-float4 values_fragment(float3 position = position_ws) {
-    LightingSurface lit = lighting_surface();
-    return float4(lit_by_all(lit, position), lit.alpha);
+float4 valuesFragment(float3 position = positionWS) {
+    LightingSurface lit = lightingSurface();
+    return float4(litByAll(lit, position), lit.alpha);
 }
 )";
 

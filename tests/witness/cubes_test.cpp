@@ -65,7 +65,7 @@ protected:
 
 TEST_F(CubesTest, EveryDirectionAndLevelReadsTheSameTexels) {
     const auto material = bench->compile(R"({ "patina": 1, "workflow": "unlit", "properties": [ )" + data_property() +
-                                         " ],\n\"nodes\": [ " + load_node("t", "@frag_coord.x", "@frag_coord.y") +
+                                         " ],\n\"nodes\": [ " + load_node("t", "@fragCoord.x", "@fragCoord.y") +
                                          R"(,
 { "id": "seen", "node": "EnvironmentRadiance", "in": { "direction": "= t.xyz", "roughness": "= t.w" } } ],
 "surface": { "color": "seen" } })");

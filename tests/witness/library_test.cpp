@@ -70,7 +70,7 @@ std::vector<Batch> batches_of(const std::vector<NodeTest>& tests) {
 std::string graph_of(const Batch& batch, std::size_t components, bool is_bool) {
     std::string nodes;
     for (std::size_t i = 0; i < batch.tests[0].arguments.size(); ++i)
-        nodes += load_node("a" + std::to_string(i), "@frag_coord.x", std::to_string(i)) + ",\n";
+        nodes += load_node("a" + std::to_string(i), "@fragCoord.x", std::to_string(i)) + ",\n";
     nodes += R"({ "id": "value", "expr": ")" + batch.expression + R"(" })";
     const std::string_view kColors[] = {"float3(value, 0, 0)", "float3(value, 0)", "value", "value.xyz"};
     const std::string color = is_bool ? "float3(value ? 1 : 0, 0, 0)" : std::string(kColors[components - 1]);

@@ -54,11 +54,11 @@ protected:
         const auto material =
             bench->compile(R"({ "patina": 1, "workflow": "unlit", "properties": [ )" + data_property() +
                            R"(, { "name": "_Table", "type": "texture2d", "usage": "data" } ],
-"nodes": [ )" + load_node("n", "@frag_coord.x", "0") +
-                           ",\n" + load_node("l", "@frag_coord.x", "1") + ",\n" + load_node("v", "@frag_coord.x", "2") +
+"nodes": [ )" + load_node("n", "@fragCoord.x", "0") +
+                           ",\n" + load_node("l", "@fragCoord.x", "1") + ",\n" + load_node("v", "@fragCoord.x", "2") +
                            R"(,
 { "id": "f", "node": "MeasuredBRDF",
-  "in": { "table": "$_Table", "normal": "= n.xyz", "light_dir": "= l.xyz", "view": "= v.xyz" } } ],
+  "in": { "table": "$_Table", "normal": "= n.xyz", "lightDir": "= l.xyz", "view": "= v.xyz" } } ],
 "surface": { "color": "f" } })");
         if (!material) return {};
         const int width = static_cast<int>(places.size());
@@ -216,8 +216,8 @@ constexpr const char* kAnalytic = R"json({ "patina": 1, "workflow": "metallic-ro
 { "id": "ndotl", "node": "NdotL" },
 { "id": "ndotv", "node": "NdotV" },
 { "id": "h", "node": "HalfVectorExact" },
-{ "id": "ndoth", "node": "NdotH", "in": { "half_vector": "h" } },
-{ "id": "ldoth", "node": "LdotH", "in": { "half_vector": "h" } },
+{ "id": "ndoth", "node": "NdotH", "in": { "halfVector": "h" } },
+{ "id": "ldoth", "node": "LdotH", "in": { "halfVector": "h" } },
 { "id": "d", "node": "DistributionGGX", "in": { "ndoth": "ndoth", "alpha": "$_Alpha" } },
 { "id": "v", "node": "VisibilitySmithJoint", "in": { "ndotl": "ndotl", "ndotv": "ndotv", "alpha": "$_Alpha" } },
 { "id": "f", "node": "FresnelSchlick", "in": { "cosine": "ldoth", "f0": "$_F0" } },

@@ -99,7 +99,7 @@ TEST_F(PassFunctionsTest, ATentOverAShadowMapStaysInItsTile) {
     const Image map = depths();
     // Each map a little beyond its borders.
     const auto at = [](int pixel) { return (pixel + 0.5) / kSide * 1.25 - 0.125; };
-    expect_all(R"json({ "id": "uv", "expr": "@frag_coord.xy * 1.25 / 32 - 0.125" },
+    expect_all(R"json({ "id": "uv", "expr": "@fragCoord.xy * 1.25 / 32 - 0.125" },
         { "id": "first", "node": "SampleShadowTent5x5",
           "in": { "map": "$_Data", "uv": "uv", "depth": 0.5, "texel": 0.0625, "tile": [0.5, 0.5, 0, 0] } },
         { "id": "last", "node": "SampleShadowTent5x5",
@@ -116,11 +116,11 @@ TEST_F(PassFunctionsTest, ATentOverAShadowMapStaysInItsTile) {
 TEST_F(PassFunctionsTest, ACookieIsProjectedForwardOnly) {
     Image cookie = runtime::make_image(4, 4);
     for (int i = 0; i < 16; ++i) cookie.at(i % 4, i / 4)[0] = float(i + 1) / 16;
-    expect_all(R"json({ "id": "w", "expr": "@frag_coord.x < 16 ? 2 : -2" },
+    expect_all(R"json({ "id": "w", "expr": "@fragCoord.x < 16 ? 2 : -2" },
         { "id": "spot", "node": "CookieAttenuation",
-          "in": { "cookie": "$_Data", "place": "= float4(@frag_coord.xy / 8, 0.75, w)" } },
+          "in": { "cookie": "$_Data", "place": "= float4(@fragCoord.xy / 8, 0.75, w)" } },
         { "id": "sun", "node": "CookieAttenuation",
-          "in": { "cookie": "$_Data", "place": "= float4(@frag_coord.xy / 8, -3, 1)" } })json",
+          "in": { "cookie": "$_Data", "place": "= float4(@fragCoord.xy / 8, -3, 1)" } })json",
                "float3(spot, sun, 0)", cookie, 1e-6, [&](int x, int y) {
                    // A texel is four pixels of the spot's wide, and two of the sun's.
                    const auto seen = [&](int pixels) {
@@ -157,7 +157,7 @@ TEST_F(PassFunctionsTest, WhatACameraSeesIsFoundAgainFromItsDepth) {
             "/// A place.\n[node(\"Custom/Place\")]\nfloat3 Place(float3 seen) {\n"
             "    return WorldFromDepth(seen.xy, seen.z, float4x4(" +
             rows_of(glm::inverse(world_to_clip)) + "));\n}\n";
-        expect_all(load_node("t", "@frag_coord.x", "@frag_coord.y") +
+        expect_all(load_node("t", "@fragCoord.x", "@fragCoord.y") +
                        R"(, { "id": "place", "node": "./Place.node.hlsl", "in": { "seen": "= t.xyz" } })",
                    "place", seen, 2e-4, point, {{"Place.node.hlsl", file}});
     }

@@ -68,7 +68,7 @@ protected:
 // With b the centre of the quad's left (upper) pixel, (b + 1)^2 - b^2 = 2 b + 1 is the difference in both of its
 // columns (rows). All of it is exact in floats.
 TEST_F(QuadsTest, DerivativesAreDifferencesWithinTheQuad) {
-    const auto witnesses = all_witnesses(R"({ "id": "p", "expr": "@frag_coord.xy" })",
+    const auto witnesses = all_witnesses(R"({ "id": "p", "expr": "@fragCoord.xy" })",
                                          "float3(ddx(p.x * p.y), ddy(p.x * p.y), ddx(p.x * p.x * p.y))",
                                          "fwidth(p.x * p.x + p.y * p.y * 0.5)", white());
     expect_all(witnesses, 0, [](int column, int row) -> std::array<double, 4> {
@@ -95,9 +95,9 @@ std::shared_ptr<const TextureData> numbered_levels(Filter filter) {
 
 // Texels a pixel, as powers of two: the same within a quad, so that the coordinate's derivatives are these numbers.
 constexpr const char* kCoordinate = R"json(
-    { "id": "quad", "expr": "floor(@frag_coord.xy * 0.5)" },
+    { "id": "quad", "expr": "floor(@fragCoord.xy * 0.5)" },
     { "id": "power", "expr": "float2(quad.x * 0.62 - 2, quad.y * 0.27 - 1.5)" },
-    { "id": "at", "expr": "@frag_coord.xy * exp2(power) / 64" })json";
+    { "id": "at", "expr": "@fragCoord.xy * exp2(power) / 64" })json";
 
 // Vulkan's rule where the coordinate runs along the axes: the larger of the two rates.
 double level_of_detail(int x, int y) {
@@ -129,7 +129,7 @@ TEST_F(QuadsTest, SamplesTakeTheMipLevelOfTheirQuad) {
 
 // What is read jumps by several textures from pixel to pixel; the level is that of the coordinate which does not.
 TEST_F(QuadsTest, SamplesWhereCoordinatesJumpTakeTheLevelOfTheOnesThatDoNot) {
-    const std::string jumping = R"json(, { "id": "jump", "expr": "at + 9.3 * frac(@frag_coord.xy * 0.37)" })json";
+    const std::string jumping = R"json(, { "id": "jump", "expr": "at + 9.3 * frac(@fragCoord.xy * 0.37)" })json";
     const auto witnesses = all_witnesses(kCoordinate + jumping, "float3(SampleTexture2DGrad($_Data, jump, at).r, 0, 0)",
                                          "1", numbered_levels(Filter::Nearest));
     expect_all(witnesses, 0, [](int x, int y) -> std::array<double, 4> {
@@ -177,7 +177,7 @@ double sum_at(int x, int y) {
 
 TEST_F(QuadsTest, LoopsOfDifferentLengthMeetAgain) {
     const auto witnesses = all_witnesses(
-        R"json({ "id": "pixel", "expr": "floor(@frag_coord.xy)" },
+        R"json({ "id": "pixel", "expr": "floor(@fragCoord.xy)" },
            { "id": "count", "expr": "fmod(pixel.x * 3 + pixel.y * 5, 20)" },
            { "id": "loop", "node": "./Diverging.node.hlsl", "in": { "count": "count" } })json",
         "float3(loop, loop.thirds, ddx(loop))", "ddy(loop)", white(), {{"Diverging.node.hlsl", kDiverging}});

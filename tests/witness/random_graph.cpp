@@ -142,12 +142,12 @@ constexpr Guard kGuards[] = {
     {"Tangent.angle", "clamp(#, -1, 1)"},
     {"InverseLerp.to", "(abs(#) + 5)"},
     {"InverseLerp.from", "clamp(#, -4, 4)"},
-    {"Remap.in_min", "clamp(#, -4, 4)"},
-    {"Remap.in_max", "(abs(#) + 5)"},
+    {"Remap.inMin", "clamp(#, -4, 4)"},
+    {"Remap.inMax", "(abs(#) + 5)"},
     {"Smoothstep.edge0", "clamp(#, -4, 4)"},
     {"Smoothstep.edge1", "(abs(#) + 5)"},
     {"Normalize.value", "(abs(#) + 0.125)"},
-    {"NormalTangentToWorld.normal_ts", "(abs(#) + 0.5)"},
+    {"NormalTangentToWorld.normalTS", "(abs(#) + 0.5)"},
     {"NormalTangentToWorld.normal", "(abs(#) + 0.5)"},
     {"NormalBlend.base", "(abs(#) + 0.5)"},
     {"NormalBlend.detail", "(abs(#) + 0.5)"},
@@ -167,13 +167,13 @@ constexpr Guard kGuards[] = {
     {"DistributionBeckmann.ndoth", "clamp(#, 0.5, 1)"},
     {"DistributionBeckmann.alpha", "clamp(#, 0.5, 1)"},
     {"DistributionBlinnPhongRoughness.ndoth", "clamp(#, 0.5, 1)"},
-    {"DistributionGGXAnisotropic.alpha_t", "clamp(#, 0.125, 1)"},
-    {"DistributionGGXAnisotropic.alpha_b", "clamp(#, 0.125, 1)"},
+    {"DistributionGGXAnisotropic.alphaT", "clamp(#, 0.125, 1)"},
+    {"DistributionGGXAnisotropic.alphaB", "clamp(#, 0.125, 1)"},
     {"DistributionBlinnPhong.exponent", "(abs(#) + 1)"},
     {"PhongHighlight.exponent", "(abs(#) + 1)"},
     {"BlinnPhongHighlight.exponent", "(abs(#) + 1)"},
     {"BlinnPhongHighlight.view", "(abs(#) + 0.5)"},
-    {"BlinnPhongHighlight.light_dir", "(abs(#) + 0.5)"},
+    {"BlinnPhongHighlight.lightDir", "(abs(#) + 0.5)"},
     {"PhongHighlightUnity.smoothness", "clamp(#, 0.25, 0.75)"},
     {"MinimalistHighlight.smoothness", "clamp(#, 0, 0.75)"},
     {"SampleGGXCosine.u", "clamp(#, 0, 0.9)"},
@@ -182,7 +182,7 @@ constexpr Guard kGuards[] = {
     {"EncodeLightLdr.color", "clamp(#, -4, 4)"},
     {"DecodeLightLdr.encoded", "(abs(#) + 0.125)"},
     {"DecodeGBufferNormal.encoded", "(abs(#) + 1)"},
-    {"ParallaxOffset.view_ts", "(abs(#) + 0.5)"},
+    {"ParallaxOffset.viewTS", "(abs(#) + 0.5)"},
     {"SafeDivide.divisor", "(abs(#) + 0.5)"},
     {"SafePower.base", "(abs(#) + 0.25)"},
     {"SafePower.exponent", "clamp(#, -2, 2)"},
@@ -194,33 +194,33 @@ constexpr Guard kGuards[] = {
     {"BoxProjectedDirection.direction", "(abs(#) + 0.5)"},
     // A product of four, which a half must hold.
     {"RdotV.normal", "clamp(#, -2, 2)"},
-    {"RdotV.light_dir", "clamp(#, -2, 2)"},
+    {"RdotV.lightDir", "clamp(#, -2, 2)"},
     {"RdotV.view", "clamp(#, -2, 2)"},
     // Which texel of a cube lies in the direction of nothing, no one says.
     {"EnvironmentRadiance.direction", "((abs(#) + 0.5) * float3(-1, 1, -1))"},
-    {"MatcapUV.normal_vs", "(abs(#) + 0.5)"},
+    {"MatcapUV.normalVS", "(abs(#) + 0.5)"},
     {"HalfVectorExact.view", "(abs(#) + 0.5)"},
-    {"HalfVectorExact.light_dir", "(abs(#) + 0.5)"},
-    {"LightVector.light_position", "(abs(#) + 5)"},
+    {"HalfVectorExact.lightDir", "(abs(#) + 0.5)"},
+    {"LightVector.lightPosition", "(abs(#) + 5)"},
     {"LightVector.position", "clamp(#, -2, 2)"},
     {"InverseSquareAttenuation.distance", "(abs(#) + 0.5)"},
-    {"FourPointLights.light_z", "(abs(#) + 5)"},
+    {"FourPointLights.lightZ", "(abs(#) + 5)"},
     {"FourPointLights.position", "clamp(#, -2, 2)"},
     {"CookieUV.place", "(abs(#) + 0.5)"},
     {"DecodeLightmap.encoded", "(abs(#) + 0.25)"},
     {"DirectionalLightmap.direction", "clamp(#, 0.125, 1)"},
     // Times 255: of a larger half the fraction is not known.
     {"EncodeFloatRG.value", "(# * 0.0078125)"},
-    {"EncodeNormalStereographic.normal_vs", "(abs(#) + 0.5)"},
+    {"EncodeNormalStereographic.normalVS", "(abs(#) + 0.5)"},
     {"FogExponential.density", "clamp(#, 0, 1)"},
     {"FogExponentialSquared.density", "clamp(#, 0, 0.5)"},
     {"FogFactor.settings", "(clamp(#, 0, 0.5) * float4(6, 1, 1, 1) + float4(0, 0, 0, 5))"},
     {"FogLinear.start", "clamp(#, 0, 4)"},
     {"FogLinear.end", "(abs(#) + 5)"},
-    {"LinearEyeDepth.near_plane", "clamp(#, 0.5, 2)"},
-    {"LinearEyeDepth.far_plane", "(abs(#) + 3)"},
-    {"Linear01Depth.near_plane", "clamp(#, 0.5, 2)"},
-    {"Linear01Depth.far_plane", "(abs(#) + 3)"},
+    {"LinearEyeDepth.nearPlane", "clamp(#, 0.5, 2)"},
+    {"LinearEyeDepth.farPlane", "(abs(#) + 3)"},
+    {"Linear01Depth.nearPlane", "clamp(#, 0.5, 2)"},
+    {"Linear01Depth.farPlane", "(abs(#) + 3)"},
     // Never along one another.
     {"TangentFrame.normal", "(abs(#) + 0.5)"},
     {"TangentFrame.tangent", "(float4(1, -1, 0.25, 1) + clamp(#, -0.125, 0.125))"},
@@ -245,12 +245,12 @@ public:
 )";
         for (int i = 0; i < kLayers; ++i) {
             const std::string id = "t" + std::to_string(i);
-            json_ += load_node(id, "@frag_coord.x", "@frag_coord.y + " + std::to_string(i * kSide));
+            json_ += load_node(id, "@fragCoord.x", "@fragCoord.y + " + std::to_string(i * kSide));
             json_ += ",\n";
             values_.push_back({id, 4, 2});
         }
         values_.insert(values_.end(), {{"$_Amount", 1, 1}, {"$_Axis", 3, 2}, {"@time", 1, 1}});
-        values_.push_back({"(@frag_coord.xy * 0.125)", 2, 1});
+        values_.push_back({"(@fragCoord.xy * 0.125)", 2, 1});
         const int count = 5 + dice_.below(26);
         for (int i = 0; i < count; ++i) {
             const int kind = dice_.below(100);

@@ -167,7 +167,7 @@ std::string term_graph(const Compiler& compiler, const Json& term, const RowInpu
                        const std::vector<std::size_t>& widths) {
     Writer writer{.compiler = compiler, .term = term, .inputs = inputs};
     for (std::size_t i = 0; i < inputs.texels.size(); ++i)
-        writer.add(load_node("t" + std::to_string(i), "@frag_coord.x", std::to_string(i)));
+        writer.add(load_node("t" + std::to_string(i), "@fragCoord.x", std::to_string(i)));
     if (term.HasMember("let")) {
         for (const auto& member : term["let"].GetObject()) {
             const std::string name = member.name.GetString();
@@ -193,7 +193,7 @@ std::string term_graph(const Compiler& compiler, const Json& term, const RowInpu
     std::string all;
     for (std::size_t i = 0; i + 1 < widths.size(); ++i)
         all +=
-            "@frag_coord.y < " + std::to_string(i + 1) + " ? " + padded("part" + std::to_string(i), widths[i]) + " : ";
+            "@fragCoord.y < " + std::to_string(i + 1) + " ? " + padded("part" + std::to_string(i), widths[i]) + " : ";
     all += padded("part" + std::to_string(widths.size() - 1), widths.back());
     writer.add_expression("all", all);
     return R"({ "patina": 1, "workflow": "unlit", "properties": [ )" + data_property() + " ],\n\"nodes\": [\n" +

@@ -96,7 +96,7 @@ protected:
         const std::vector<double> expected = expected_numbers(row);
         ASSERT_EQ(actual.size(), expected.size()) << shown(row);
         const bool is_quadrature = is_integral(row["term"].GetString());
-        const double relative = is_quadrature ? 1e-3 : row["rtol_f32"].GetDouble();
+        const double relative = is_quadrature ? 1e-3 : row["rtolF32"].GetDouble();
         for (std::size_t i = 0; i < expected.size(); ++i) {
             EXPECT_LE(std::abs(actual[i] - expected[i]), std::max(1e-6, relative * std::abs(expected[i])))
                 << (target == Target::Glsl ? "GLSL: " : "HLSL: ") << shown(row) << "\n  number " << i << " is "

@@ -491,22 +491,22 @@ TEST(CanonicalHash, SeesWhatIsComputed) {
         unlit("= float3($_Q - $_P)"),
         unlit("= float3(@uv0, 0)"),
         unlit("= float3(@uv0.yx, 0)"),
-        unlit("= float3(wave)", R"json({ "id": "wave", "expr": "sin(@position_os.x)" })json"),
-        unlit("= float3(wave)", R"json({ "id": "wave", "expr": "sin(@position_os.x)", "stage": "vertex" })json"),
-        unlit("= float3(wave)", R"json({ "id": "wave", "expr": "sin(@position_os.y)", "stage": "vertex" })json")};
+        unlit("= float3(wave)", R"json({ "id": "wave", "expr": "sin(@positionOS.x)" })json"),
+        unlit("= float3(wave)", R"json({ "id": "wave", "expr": "sin(@positionOS.x)", "stage": "vertex" })json"),
+        unlit("= float3(wave)", R"json({ "id": "wave", "expr": "sin(@positionOS.y)", "stage": "vertex" })json")};
     std::set<std::string> hashes;
     for (const std::string& text : texts) hashes.insert(hash_of("a.graph.json", text, {}));
     EXPECT_EQ(hashes.size(), std::size(texts));
     EXPECT_EQ(hash_of("a.graph.json", unlit("= float3($_P + $_Q)"), {}),
               hash_of("b.graph.json", unlit("= float3($_Q + $_P)"), {}));
-    EXPECT_EQ(hash_of("a.graph.json",
-                      unlit("= float3(wave)",
-                            R"json({ "id": "wave", "expr": "sin(@position_os.x)", "stage": "vertex" })json"),
-                      {}),
-              hash_of("b.graph.json",
-                      unlit("= float3(swell)",
-                            R"json({ "id": "swell", "expr": "sin(@position_os.x)", "stage": "vertex" })json"),
-                      {}));
+    EXPECT_EQ(
+        hash_of("a.graph.json",
+                unlit("= float3(wave)", R"json({ "id": "wave", "expr": "sin(@positionOS.x)", "stage": "vertex" })json"),
+                {}),
+        hash_of(
+            "b.graph.json",
+            unlit("= float3(swell)", R"json({ "id": "swell", "expr": "sin(@positionOS.x)", "stage": "vertex" })json"),
+            {}));
 }
 
 // --- what nodes bring and hand over
@@ -676,7 +676,7 @@ TEST(Interpolators, ThatAreOneOrKnownAreNotHandedOnTwice) {
     };
     const Result plain = compiled(text("x", "y", "c", false));
     const std::string& shader = plain.shaders[1].text;
-    EXPECT_NE(shader.find("vec3 material = surface(v_uv0, v_x);"), std::string::npos) << shader;
+    EXPECT_NE(shader.find("vec3 material = surface(vUv0, vX);"), std::string::npos) << shader;
     for (const bool turned : {false, true}) {
         EXPECT_EQ(stage_hashes(compiled(text("x", "y", "c", turned))), stage_hashes(plain));
         EXPECT_EQ(stage_hashes(compiled(text("q", "b", "z", turned))), stage_hashes(plain));

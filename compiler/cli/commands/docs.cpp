@@ -84,15 +84,15 @@ void add_semantics(Pages& pages, const Compiler& compiler) {
         {"pixel", "Of the pixel",
          "Computed where they are read. The `vertex` block, and a node that is pinned to the vertex stage, are "
          "computed "
-         "before there are pixels: `@frag_coord`, `@front_facing`, `@screen_uv`, `@scene_color`, `@scene_depth` and "
+         "before there are pixels: `@fragCoord`, `@frontFacing`, `@screenUV`, `@sceneColor`, `@sceneDepth` and "
          "neighbouring pixels are not there."},
         {"uniform", "Of the frame and of the object", "The same for all that is drawn at once."},
         {"lighting", "In a lighting graph", "Handed to it by the material; a material cannot read them."},
     };
     std::string text = std::string(kWritten) +
                        "# Semantics\n\nWhat mesh, camera, engine and light provide, read as `@uv0` in a port or an "
-                       "expression of a [graph](graph-format.md#values). Lengths are metres, `_os`, `_ws`, `_vs` and "
-                       "`_ts` are object, world, view and tangent space ([conventions](conventions.md)).\n";
+                       "expression of a [graph](graph-format.md#values). Lengths are metres, `OS`, `WS`, `VS` and "
+                       "`TS` are object, world, view and tangent space ([conventions](conventions.md)).\n";
     for (const Rate& rate : kRates) {
         std::string rows;
         for (const SemanticInfo& semantic : compiler.semantics()) {

@@ -167,7 +167,7 @@ Exit evaluate(const Console& console, const Arguments& arguments) {
 void add_eval(Program& program) {
     CLI::App& command = add_command(
         program, "eval",
-        {"patina eval Lerp from=0 to=10 t=0.25", "patina eval NdotL normal=0,0,1 light_dir=0,0.6,0.8",
+        {"patina eval Lerp from=0 to=10 t=0.25", "patina eval NdotL normal=0,0,1 lightDir=0,0.6,0.8",
          "patina eval DistributionGGX ndoth=0.9 alpha=0.25 --json",
          "patina eval DistributionGGX ndoth=0..1:101 alpha=0.25 >ggx.csv", "patina eval wave.node.hlsl uv=0.5,0.5",
          "patina eval --model unity-brdf1 n=0,0,1 l=0,0.6,0.8 v=0,0,1 baseColor=1,0.8,0.2 metallic=1",

@@ -211,7 +211,7 @@ std::string as_json(const Arguments& arguments, const runtime::TraceOutcome& out
     key("values").StartArray();
     for (const Row& row : rows) write_row(writer, row);
     writer.EndArray();
-    if (trace.is_covered) write_color(writer, "sample_color", trace.sample_color);
+    if (trace.is_covered) write_color(writer, "sampleColor", trace.sample_color);
     write_color(writer, "color", trace.color);
     writer.EndObject();
     return std::string(buffer.GetString()) + "\n";

@@ -61,7 +61,7 @@ void write_port(Writer& writer, const PortInfo& port) {
         docs.push_back(enumerator.doc);
     }
     write_texts(writer, "values", names);
-    write_texts(writer, "value_docs", docs);
+    write_texts(writer, "valueDocs", docs);
     writer.EndObject();
 }
 

@@ -32,7 +32,7 @@ bool is_word(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-// What an expression reads by '@': "surface.f0", "normal_ws". If no semantic has such a member, it is a swizzle.
+// What an expression reads by '@': "surface.f0", "normalWS". If no semantic has such a member, it is a swizzle.
 void collect_semantics(std::string_view text, std::span<const SemanticInfo> known, std::vector<bool>& read) {
     for (std::size_t at = text.find('@'); at != text.npos; at = text.find('@', at + 1)) {
         std::size_t end = at + 1;

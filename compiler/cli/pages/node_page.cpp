@@ -52,7 +52,7 @@ std::string example(const NodeInfo& node, const std::string& name) {
     // A graph names a file relative to its own folder.
     const std::string file = "./" + std::filesystem::path(name).filename().generic_string();
     const std::string id =
-        fmt::format("{{ \"id\": \"my_node\", \"node\": \"{}\"", name.ends_with(".hlsl") ? file : name);
+        fmt::format("{{ \"id\": \"myNode\", \"node\": \"{}\"", name.ends_with(".hlsl") ? file : name);
     return inputs.empty() ? id + " }" : id + ", \"in\": { " + inputs + " } }";
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "compiler/base/spelling.h"
 #include "compiler/ir/passes/passes.h"
 #include "compiler/languages/body.h"
 #include "compiler/languages/hlsl/hlsl.h"
@@ -312,8 +313,7 @@ Module legalize(Module made, const engines::Engine& engine) {
     made = branch_on_keywords(std::move(made));
     // A keyword that is on is a macro: no constant can have its name.
     for (Global& global : made.globals) {
-        if (global.is_keyword())
-            global.name = "is" + std::string(global.name.starts_with('_') ? "" : "_") + global.name;
+        if (global.is_keyword()) global.name = joined("is", global.name);
     }
     return made;
 }

@@ -21,7 +21,7 @@ class Vertices {
 public:
     Vertices(const ir::Module& module, const graph::LoweredPass& pass, const ir::Module& semantics) : module_(module) {
         for (const auto& [semantic, global] : pass.attributes) {
-            if (semantics.semantics[semantic.index].name.ends_with("_os")) mesh_.push_back(global.index);
+            if (semantics.semantics[semantic.index].name.ends_with("OS")) mesh_.push_back(global.index);
         }
     }
 

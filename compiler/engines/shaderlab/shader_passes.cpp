@@ -7,6 +7,7 @@
 #include <cctype>
 #include <utility>
 
+#include "compiler/base/spelling.h"
 #include "compiler/engines/shaderlab/dialect.h"
 #include "compiler/engines/shaderlab/shader_file.h"
 #include "compiler/ir/verify.h"
@@ -45,7 +46,7 @@ std::vector<Declaration> declarations(const targets::Printed& printed) {
 // What means something else outside of the pass is called after it.
 void rename(ir::Module& stage, const std::vector<std::string>& taken, std::string_view pass) {
     const auto rename_if_taken = [&](std::string& name) {
-        if (std::find(taken.begin(), taken.end(), name) != taken.end()) name = fmt::format("{}_{}", name, pass);
+        if (std::find(taken.begin(), taken.end(), name) != taken.end()) name = joined(name, camel_case(pass));
     };
     for (ir::Function& function : stage.functions) rename_if_taken(function.name);
     for (ir::Struct& structure : stage.structs) rename_if_taken(structure.name);

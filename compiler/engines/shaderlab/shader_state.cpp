@@ -30,7 +30,7 @@ std::string queue_word(int queue) {
 
 namespace {
 
-// "one_minus_src_alpha" -> "OneMinusSrcAlpha", "notEqual" -> "NotEqual"
+// "oneMinusSrcAlpha" -> "OneMinusSrcAlpha", "notEqual" -> "NotEqual"
 std::string in_capitals(std::string_view word) {
     std::string made;
     for (std::size_t i = 0; i < word.size(); ++i) {

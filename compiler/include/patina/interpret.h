@@ -41,9 +41,9 @@ struct QuadOutputs {
 };
 
 struct StageValue {
-    std::string name;  // input: position_os, uv0, a varying's name; or front_facing, frag_coord
+    std::string name;  // input: positionOS, uv0, a varying's name; or frontFacing, fragCoord
     unsigned components = 1;
-    bool is_builtin = false;  // "position" output; "front_facing" (0 or 1), "frag_coord", "instance_index" inputs
+    bool is_builtin = false;  // "position" output; "frontFacing" (0 or 1), "fragCoord", "instanceIndex" inputs
     bool is_flat = false;     // whole numbers: a triangle has one
 };
 

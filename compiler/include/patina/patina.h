@@ -185,11 +185,11 @@ struct SemanticInfo {
 // What a workflow or a lighting model may be given: an input of the surface, or a property.
 struct ModelInputInfo {
     std::string name, type;
-    std::string default_value;  // as written: "[0.5, 0.5, 0.5]", "\"@geometry_normal_ws\""; empty: none
+    std::string default_value;  // as written: "[0.5, 0.5, 0.5]", "\"@geometryNormalWS\""; empty: none
     std::string doc;
     std::optional<std::array<double, 2>> range{};
     std::vector<std::string> values{};  // of an enum
-    std::string gives{};                // this input is another way to say that one: "normal_ws"
+    std::string gives{};                // this input is another way to say that one: "normalWS"
     bool is_variant = false;            // a property that is known when the graph is compiled
 };
 struct ModelNodeInfo {

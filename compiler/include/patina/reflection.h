@@ -47,7 +47,7 @@ struct Texture {
     TextureUsage usage = TextureUsage::Color;
     std::string default_value;  // white | black | gray | bump, or a file: its path from the compiled graph's folder
     bool is_material = true;    // false: the engine's own, which has no default
-    std::string reads{};        // the target of another pass that is to be bound here: "gbuffer_normal", "depth"
+    std::string reads{};        // the target of another pass that is to be bound here: "gbufferNormal", "depth"
     std::uint32_t set = 0;
     std::uint32_t binding = 0;
     std::string hlsl_register;  // "t0, space1"
@@ -78,7 +78,7 @@ struct Property {
 };
 
 struct VertexInput {
-    std::string name;  // position_os, normal_os, tangent_os (w: handedness of the bitangent), uv0.., vertex_color
+    std::string name;  // positionOS, normalOS, tangentOS (w: handedness of the bitangent), uv0.., vertexColor
     std::string type;
     std::uint32_t location = 0;
     std::string hlsl_semantic;

@@ -189,14 +189,14 @@ template <>
 inline constexpr auto kWords<BlendFactor> = std::to_array<Word<BlendFactor>>({
     {"one", BlendFactor::One},
     {"zero", BlendFactor::Zero},
-    {"src_alpha", BlendFactor::SourceAlpha},
-    {"one_minus_src_alpha", BlendFactor::OneMinusSourceAlpha},
-    {"dst_alpha", BlendFactor::TargetAlpha},
-    {"one_minus_dst_alpha", BlendFactor::OneMinusTargetAlpha},
-    {"src_color", BlendFactor::SourceColor},
-    {"dst_color", BlendFactor::TargetColor},
-    {"one_minus_src_color", BlendFactor::OneMinusSourceColor},
-    {"one_minus_dst_color", BlendFactor::OneMinusTargetColor},
+    {"srcAlpha", BlendFactor::SourceAlpha},
+    {"oneMinusSrcAlpha", BlendFactor::OneMinusSourceAlpha},
+    {"dstAlpha", BlendFactor::TargetAlpha},
+    {"oneMinusDstAlpha", BlendFactor::OneMinusTargetAlpha},
+    {"srcColor", BlendFactor::SourceColor},
+    {"dstColor", BlendFactor::TargetColor},
+    {"oneMinusSrcColor", BlendFactor::OneMinusSourceColor},
+    {"oneMinusDstColor", BlendFactor::OneMinusTargetColor},
 });
 
 // How a target holds a pixel. Depth (32-bit float, with 8 bits of stencil) is the format of depth targets only: a pass

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <unordered_map>
 #include <utility>
 
+#include "compiler/ir/hints.h"
 #include "compiler/ir/passes/dependence.h"
 #include "compiler/ir/passes/passes.h"
 #include "compiler/ir/rebuild.h"
@@ -30,6 +32,7 @@ struct Callee {
     bool always = false;
     std::size_t nesting = 0;
     std::vector<std::pair<std::uint64_t, bool>> verdicts;  // by settled parameters: does anything become hoistable
+    std::unordered_map<std::uint32_t, NameId> locals;      // by hint in the callee: the hint where it is inlined
 };
 
 // How deep blocks are nested. The index of a block is higher than that of the block around it.
@@ -55,7 +58,10 @@ Callee describe(const Module& module, const Function& function) {
     // To make a struct takes a line for each member. Stages that share the function should not repeat these.
     const bool is_shared = function.linkage == Linkage::Exported && function.result.kind == Kind::Struct;
     const bool is_wanted = function.always_inline || takes_opaque || (work <= kSmall && !is_shared);
-    return {.always = is_wanted && !ir::is_elsewhere(function), .nesting = nesting_of(function), .verdicts = {}};
+    return {.always = is_wanted && !ir::is_elsewhere(function),
+            .nesting = nesting_of(function),
+            .verdicts = {},
+            .locals = {}};
 }
 
 bool has_settled_work(const Function& callee, std::uint64_t params) {
@@ -182,18 +188,38 @@ private:
                       return rewrite(c, v, depth + 1);
                   }};
         copy_body(copy);
-        name_result(outer.to, result, call.name, before);
+        name_locals(outer.to, call, before);
+        name_result(outer.to, result, call, before);
         return result;
     }
 
-    // The call's name replaces the name that the callee gives its result: it says what the value is to the reader.
-    static void name_result(Builder& to, Value result, NameId name, std::size_t before) {
-        if (!result || !name) return;
-        if (result.index >= before) {
-            to.rename(result, name);
-        } else {
-            to.name(result, name);
+    void name_locals(Builder& to, const Inst& call, std::size_t before) {
+        Callee& callee = callees_[call.data];
+        for (std::size_t i = before; i < to.function().insts.size(); i++) {
+            const Value value{static_cast<std::uint32_t>(i)};
+            const NameId name = to[value].name;
+            if (!name) continue;
+            NameId& local = callee.locals[name.index];
+            if (!local) local = inlined_local(module_, module_.functions[call.data].name, name);
+            to.rename(value, local);
         }
+    }
+
+    // The call's name replaces the name that the callee gives its result: it says what the value is to the reader. If
+    // the call has none, the callee's name says it. A struct is called after its type, and a texel is a texel, unless
+    // the callee names them.
+    void name_result(Builder& to, Value result, const Inst& call, std::size_t before) {
+        if (!result) return;
+        const bool is_made_here = result.index >= before;
+        NameId name = call.name;
+        const bool says_itself = to[result].type.kind == Kind::Struct || info(to[result].op).rule == TypeRule::Texel;
+        if (!name && is_made_here && !says_itself)
+            name = inlined_result(module_, module_.functions[call.data].name, to[result].name);
+        if (!name) return;
+        if (is_made_here)
+            to.rename(result, name);
+        else
+            to.name(result, name);
     }
 
     Module& module_;

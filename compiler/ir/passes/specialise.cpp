@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "compiler/base/spelling.h"
 #include "compiler/ir/passes/dependence.h"
 #include "compiler/ir/passes/passes.h"
 #include "compiler/ir/rebuild.h"
@@ -195,13 +196,13 @@ private:
         for (Function& function : module_.functions) {
             if (!used.insert(function.name).second) clashing.push_back(&function);
         }
-        std::map<std::string, int> last;
+        std::map<std::string, unsigned> last;
         for (Function* function : clashing) {
-            int& number = last.try_emplace(function->name, 1).first->second;
+            unsigned& number = last.try_emplace(function->name, 1).first->second;
             std::string name;
             do {
                 number++;
-                name = function->name + "_" + std::to_string(number);
+                name = numbered(function->name, number);
             } while (!used.insert(name).second);
             function->name = std::move(name);
         }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "compiler/base/spelling.h"
 #include "compiler/languages/body.h"
 #include "compiler/languages/literals.h"
 
@@ -162,13 +163,13 @@ std::string_view builtin_name(Builtin builtin) {
     return {};
 }
 
-// Attributes are in_NAME, what goes from stage to stage v_NAME, render targets out_NAME.
+// Attributes are inName, what goes from stage to stage vName, render targets outName.
 std::string declare_variable(Writer& w, const StageVariable& variable, bool is_input) {
     const bool is_vertex = w.module.stage.kind == StageKind::Vertex;
-    const std::string_view prefix = is_input != is_vertex ? "v_" : is_input ? "in_" : "out_";
-    const std::string name = w.names.declare(std::string(prefix) + variable.name);
+    const std::string_view prefix = is_input != is_vertex ? "v" : is_input ? "in" : "out";
+    const std::string name = w.names.declare(joined(prefix, variable.name));
     // Vulkan wants integers flat in the fragment stage's inputs; elsewhere the word means nothing.
-    const bool is_flat = (variable.flat || variable.type.is_integer()) && prefix == "v_";
+    const bool is_flat = (variable.flat || variable.type.is_integer()) && prefix == "v";
     w.line(0, fmt::format("layout(location = {}) {}{} {};", variable.location, is_flat ? "flat " : "",
                           is_input ? "in" : "out", w.declaration(Writer::stored(variable.type), name)));
     return name;

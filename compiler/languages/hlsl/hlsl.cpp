@@ -72,7 +72,7 @@ bool statement(Body& body, Value v) {
     const std::string texture = at_least(Precedence::Postfix, body.expression(body.arg(v, 0))),
                       level = body.argument(v, 1);
     const std::string width = body.declare_helper("width"), height = body.declare_helper("height");
-    const std::string levels = body.declare_helper("level_count");
+    const std::string levels = body.declare_helper("levelCount");
     body.statement(v, fmt::format("uint {}, {}, {};", width, height, levels));
     body.statement(v, fmt::format("{}.GetDimensions({}, {}, {}, {});", texture, level, width, height, levels));
     body.statement(v, fmt::format("{} = int2({}, {});", body.target(v), width, height));

@@ -156,9 +156,9 @@ half MixedShadow(float3 position, half attenuation, float4 ambient)
 }
 
 // Light of the reflection probes from a direction, blurred as a surface of that perceptual roughness mirrors it.
-half3 ReflectedLight(half3 direction, half roughness, float3 position, bool reads_probes)
+half3 ReflectedLight(half3 direction, half roughness, float3 position, bool readsProbes)
 {
-    if (!reads_probes) return 0;
+    if (!readsProbes) return 0;
     Unity_GlossyEnvironmentData environment;
     UNITY_INITIALIZE_OUTPUT(Unity_GlossyEnvironmentData, environment);
     environment.roughness = roughness;

@@ -5,64 +5,64 @@
 
 // --- the mesh and the camera
 
-[foreign("v.vertex.xyz")] [gives("position_os")] float3 mesh_position;
-[foreign("v.normal")] [gives("normal_os")] float3 mesh_normal;
-[foreign("v.tangent")] [gives("tangent_os")] float4 mesh_tangent;
-[foreign("v.texcoord.xy")] [gives("uv0")] float2 mesh_uv0;
-[foreign("v.texcoord1.xy")] [gives("uv1")] float2 mesh_uv1;
-[foreign("v.color")] [gives("vertex_color")] float4 mesh_color;
+[foreign("v.vertex.xyz")] [gives("positionOS")] float3 meshPosition;
+[foreign("v.normal")] [gives("normalOS")] float3 meshNormal;
+[foreign("v.tangent")] [gives("tangentOS")] float4 meshTangent;
+[foreign("v.texcoord.xy")] [gives("uv0")] float2 meshUv0;
+[foreign("v.texcoord1.xy")] [gives("uv1")] float2 meshUv1;
+[foreign("v.color")] [gives("vertexColor")] float4 meshColor;
 
-[foreign] [gives("object_to_world")] float4x4 unity_ObjectToWorld;
-[foreign] [gives("world_to_object")] float4x4 unity_WorldToObject;
+[foreign] [gives("objectToWorld")] float4x4 unity_ObjectToWorld;
+[foreign] [gives("worldToObject")] float4x4 unity_WorldToObject;
 [foreign] float4 unity_WorldTransformParams;  // w: -1 where the object is mirrored
 
-[foreign("_Time.y")] [gives("time")] float unity_seconds;
-[foreign("_ScreenParams.xy")] [gives("screen_size")] float2 unity_screen_size;
-[foreign("UNITY_MATRIX_VP")] [gives("world_to_clip")] float4x4 unity_world_to_clip;
-[foreign("UNITY_MATRIX_V")] [gives("world_to_view")] float4x4 unity_world_to_view;
-[foreign] [gives("camera_position_ws")] float3 _WorldSpaceCameraPos;
-[foreign("unity_OrthoParams.w")] [gives("view_is_orthographic")] float unity_is_orthographic;
-[foreign("(-UNITY_MATRIX_V[2].xyz)")] [gives("camera_forward_ws")] float3 unity_camera_forward;
-[foreign("UNITY_MATRIX_V[2].xyz")] float3 unity_camera_backward;
-[foreign("_ProjectionParams.yz")] [gives("clip_planes")] float2 unity_clip_planes;
+[foreign("_Time.y")] [gives("time")] float unitySeconds;
+[foreign("_ScreenParams.xy")] [gives("screenSize")] float2 unityScreenSize;
+[foreign("UNITY_MATRIX_VP")] [gives("worldToClip")] float4x4 unityWorldToClip;
+[foreign("UNITY_MATRIX_V")] [gives("worldToView")] float4x4 unityWorldToView;
+[foreign] [gives("cameraPositionWS")] float3 _WorldSpaceCameraPos;
+[foreign("unity_OrthoParams.w")] [gives("viewIsOrthographic")] float unityIsOrthographic;
+[foreign("(-UNITY_MATRIX_V[2].xyz)")] [gives("cameraForwardWS")] float3 unityCameraForward;
+[foreign("UNITY_MATRIX_V[2].xyz")] float3 unityCameraBackward;
+[foreign("_ProjectionParams.yz")] [gives("clipPlanes")] float2 unityClipPlanes;
 
-[foreign] [per_object] float4 UnityObjectToClipPos(float3 position);
-[foreign] [per_object] float3 UnityObjectToWorldNormal(float3 normal);
-[foreign] [per_object] float3 UnityObjectToWorldDir(float3 direction);
+[foreign] [perObject] float4 UnityObjectToClipPos(float3 position);
+[foreign] [perObject] float3 UnityObjectToWorldNormal(float3 normal);
+[foreign] [perObject] float3 UnityObjectToWorldDir(float3 direction);
 [foreign] float3 UnityWorldSpaceViewDir(float3 position);
 
-[gives("normal_object_to_world")]
-float3 unity_normal(float3 normal) {
+[gives("normalObjectToWorld")]
+float3 unityNormal(float3 normal) {
     return UnityObjectToWorldNormal(normal);
 }
 
-[gives("vertex_tangent_ws")]
-float4 unity_tangent(float4 tangent = tangent_os) {
+[gives("vertexTangentWS")]
+float4 unityTangent(float4 tangent = tangentOS) {
     return float4(UnityObjectToWorldDir(tangent.xyz), tangent.w * unity_WorldTransformParams.w);
 }
 
-[gives("view_dir_ws")]
-float3 unity_view_dir(float3 position = position_ws) {
-    float3 to_viewer = lerp(UnityWorldSpaceViewDir(position), unity_camera_backward, unity_is_orthographic);
-    return normalize(to_viewer);
+[gives("viewDirWS")]
+float3 unityViewDir(float3 position = positionWS) {
+    float3 toViewer = lerp(UnityWorldSpaceViewDir(position), unityCameraBackward, unityIsOrthographic);
+    return normalize(toViewer);
 }
 
 // Where the pixel is on the screen. The origin is Unity's, the lower left.
 [foreign] float4 ComputeScreenPos(float4 position);
 
 [semantic("vertex")]
-float4 screen_pos(float3 position = position_os) {
+float4 screenPos(float3 position = positionOS) {
     return ComputeScreenPos(UnityObjectToClipPos(position));
 }
 
-[gives("screen_uv")]
-float2 unity_screen_uv(float4 position = screen_pos) {
+[gives("screenUV")]
+float2 unityScreenUV(float4 position = screenPos) {
     return position.xy / position.w;
 }
 
 /// Unity's texture coordinates grow upwards, as tangent space does.
-[gives("uv_of_tangent")]
-float2 unity_uv_of_tangent(float2 tangent) {
+[gives("uvOfTangent")]
+float2 unityUvOfTangent(float2 tangent) {
     return tangent;
 }
 
@@ -105,36 +105,36 @@ float MainAttenuation(float3 position);
 float4 AmbientOrLightmapUV(float3 position, float3 normal);
 
 [foreign] [text("include", "UnityPBSLighting.cginc")]
-float3 AmbientLight(float3 normal, float3 position, float attenuation, float4 ambient_or_lightmap_uv);
+float3 AmbientLight(float3 normal, float3 position, float attenuation, float4 ambientOrLightmapUV);
 [foreign] [text("include", "UnityPBSLighting.cginc")]
-float MixedShadow(float3 position, float attenuation, float4 ambient_or_lightmap_uv);
+float MixedShadow(float3 position, float attenuation, float4 ambientOrLightmapUV);
 [foreign] [text("include", "UnityPBSLighting.cginc")]
-float3 ReflectedLight(float3 direction, float roughness, float3 position, bool reads_probes);
+float3 ReflectedLight(float3 direction, float roughness, float3 position, bool readsProbes);
 [foreign] bool BufferReadsProbes();
 
 [semantic("pixel")]
-float attenuation(float3 position = position_ws) {
+float attenuation(float3 position = positionWS) {
     return Attenuation(position);
 }
 [gives("attenuation", "unity-forward-base")]
-float unity_main_attenuation(float3 position = position_ws) {
+float unityMainAttenuation(float3 position = positionWS) {
     return MainAttenuation(position);
 }
 /// Lights are added to the G-buffer later, with their shadows.
 [gives("attenuation", "unity-deferred")]
-float unity_no_attenuation() {
+float unityNoAttenuation() {
     return 1;
 }
 
 [semantic("vertex")]
-float4 ambient_or_lightmap_uv(float3 position = position_ws, float3 normal = vertex_normal_ws) {
+float4 ambientOrLightmapUV(float3 position = positionWS, float3 normal = vertexNormalWS) {
     return AmbientOrLightmapUV(position, normal);
 }
 
 /// The main light. Its shadow is the real-time one, or mixed with a baked one; in subtractive lighting nothing of the
 /// light is left, where a lightmap holds it.
-[gives("light_at", "unity-forward-base")]
-Light unity_main_light(int index, float3 position, float left = attenuation, float4 ambient = ambient_or_lightmap_uv) {
+[gives("lightAt", "unity-forward-base")]
+Light unityMainLight(int index, float3 position, float left = attenuation, float4 ambient = ambientOrLightmapUV) {
     Light light;
     light.direction = _WorldSpaceLightPos0.xyz;
     light.color = LightColor();
@@ -146,8 +146,8 @@ Light unity_main_light(int index, float3 position, float left = attenuation, flo
 }
 
 /// Each further light. What shadow, distance, cone and cookie leave of it is one number in Unity.
-[gives("light_at", "unity-forward-add")]
-Light unity_further_light(int index, float3 position, float left = attenuation) {
+[gives("lightAt", "unity-forward-add")]
+Light unityFurtherLight(int index, float3 position, float left = attenuation) {
     Light light;
     light.direction = normalize(UnityWorldSpaceLightDir(position));
     light.color = LightColor();
@@ -159,31 +159,31 @@ Light unity_further_light(int index, float3 position, float left = attenuation) 
 }
 
 [gives("AmbientIrradiance", "unity-forward-base", "unity-deferred")]
-float3 unity_ambient(float3 normal, float3 position = position_ws, float left = attenuation,
-                     float4 ambient = ambient_or_lightmap_uv) {
+float3 unityAmbient(float3 normal, float3 position = positionWS, float left = attenuation,
+                     float4 ambient = ambientOrLightmapUV) {
     return AmbientLight(normal, position, left, ambient);
 }
 
 [gives("EnvironmentRadiance", "unity-forward-base", "unity-deferred")]
-float3 unity_reflection(float3 direction, float roughness, float3 position = position_ws, bool probes = reads_probes) {
+float3 unityReflection(float3 direction, float roughness, float3 position = positionWS, bool probes = readsProbes) {
     return ReflectedLight(direction, roughness, position, probes);
 }
 
 [semantic("pixel")]
-bool reads_probes() {
+bool readsProbes() {
     return true;
 }
 /// Whether reflections come from the probes in this pass: to the G-buffer Unity adds them later, where the project says so.
-[gives("reads_probes", "unity-deferred")]
-bool unity_buffer_reads_probes() {
+[gives("readsProbes", "unity-deferred")]
+bool unityBufferReadsProbes() {
     return BufferReadsProbes();
 }
 
 /// Unity has no table of the split sum. This is a fit of it, by quotients of polynomials: least squares on a grid of 22
 /// by 21 values of sqrt(n.v) and roughness, of the integral for GGX with Smith's exact joint visibility. It is within 0.04
 /// of the scale and within 0.07 of the offset everywhere, and in the root of the mean square within 0.015 of both.
-[gives("split_sum_share")]
-float2 fitted_split_sum(float roughness, float ndotv) {
+[gives("splitSumShare")]
+float2 fittedSplitSum(float roughness, float ndotv) {
     float r = roughness;
     float u = sqrt(ndotv);
     float r2 = r * r;
@@ -206,11 +206,11 @@ float3 BackgroundColor(float2 uv);
 float BackgroundDepth(float2 uv);
 
 [gives("SceneColor", "unity-forward-base", "unity-forward-add")]
-float3 unity_scene_color(float2 uv) {
+float3 unitySceneColor(float2 uv) {
     return BackgroundColor(uv);
 }
 [gives("SceneDepth", "unity-forward-base", "unity-forward-add")]
-float unity_scene_depth(float2 uv) {
+float unitySceneDepth(float2 uv) {
     return BackgroundDepth(uv);
 }
 
@@ -226,7 +226,7 @@ float4 InFog(float4 color, float4 fog);
 /// A pixel as it is blended: fog covers as much as the surface does, dims what is only added, and takes away from what
 /// the picture is multiplied by.
 [inline]
-float4 unity_pixel(float3 color, float alpha) {
+float4 unityPixel(float3 color, float alpha) {
     float4 fog = unity_FogColor;
     if (premultiplied) { fog = float4(unity_FogColor.rgb * alpha, 0); }
     if (adds) { fog = float4(0); }
@@ -243,7 +243,7 @@ float4 unity_pixel(float3 color, float alpha) {
 [text("vertex begin", "UNITY_SETUP_INSTANCE_ID(v);", "UNITY_INITIALIZE_OUTPUT(v2f, o);",
       "UNITY_TRANSFER_INSTANCE_ID(v, o);", "UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);")]
 [text("fragment begin", "UNITY_SETUP_INSTANCE_ID(i);", "UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);")]
-float4 unity_vertex(float3 position = position_os) {
+float4 unityVertex(float3 position = positionOS) {
     return UnityObjectToClipPos(position);
 }
 
@@ -251,20 +251,20 @@ float4 unity_vertex(float3 position = position_os) {
 [tag("Name", "FORWARD")] [tag("LightMode", "ForwardBase")]
 [text("pragma", "multi_compile_instancing")]
 [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
-[blend("fade", "src_alpha", "one_minus_src_alpha", "one", "one_minus_src_alpha")]
-[blend("transparent", "one", "one_minus_src_alpha")] [blend("additive", "one", "one", "zero", "one")]
-[blend("multiply", "dst_color", "zero", "zero", "one")]
-float4 unity_forward_base(float3 position = position_ws) {
-    LightingSurface surface = as_lit(lighting_surface());
-    if (alpha_clip) {
-        discard_if(surface.alpha < surface.alphaClip);
+[blend("fade", "srcAlpha", "oneMinusSrcAlpha", "one", "oneMinusSrcAlpha")]
+[blend("transparent", "one", "oneMinusSrcAlpha")] [blend("additive", "one", "one", "zero", "one")]
+[blend("multiply", "dstColor", "zero", "zero", "one")]
+float4 unityForwardBase(float3 position = positionWS) {
+    LightingSurface surface = asLit(lightingSurface());
+    if (alphaClip) {
+        discardIf(surface.alpha < surface.alphaClip);
     }
-    float3 from_light = direct(surface, light_at(0, position));
-    float3 from_around = indirect(surface);
+    float3 fromLight = direct(surface, lightAt(0, position));
+    float3 fromAround = indirect(surface);
     LightSum sum;
-    sum.direct = from_light;
-    sum.indirect = from_around;
-    return unity_pixel(final(surface, sum), surface.alpha);
+    sum.direct = fromLight;
+    sum.indirect = fromAround;
+    return unityPixel(final(surface, sum), surface.alpha);
 }
 
 [pass("unity-forward-add")] [fragment] [each("light")] [lights("further")] [needs("added", "direct")]
@@ -272,13 +272,13 @@ float4 unity_forward_base(float3 position = position_ws) {
 [text("pragma", "multi_compile_fwdadd_fullshadows")]
 [depth("lessEqual", "keep")]
 [blend("opaque", "one", "one", "zero", "one")] [blend("cutout", "one", "one", "zero", "one")]
-[blend("fade", "src_alpha", "one", "zero", "one")] [blend("transparent", "one", "one", "zero", "one")]
-float4 unity_forward_add(float3 position = position_ws) {
-    LightingSurface surface = as_lit(lighting_surface());
-    if (alpha_clip) {
-        discard_if(surface.alpha < surface.alphaClip);
+[blend("fade", "srcAlpha", "one", "zero", "one")] [blend("transparent", "one", "one", "zero", "one")]
+float4 unityForwardAdd(float3 position = positionWS) {
+    LightingSurface surface = asLit(lightingSurface());
+    if (alphaClip) {
+        discardIf(surface.alpha < surface.alphaClip);
     }
-    float3 color = added_by_light(surface, position);
+    float3 color = addedByLight(surface, position);
     return InFog(float4(ProjectColor(color), fades ? surface.alpha : 0), float4(0));
 }
 
@@ -288,7 +288,7 @@ float4 unity_forward_add(float3 position = position_ws) {
 [text("vertex begin", "UNITY_SETUP_INSTANCE_ID(v);", "UNITY_INITIALIZE_OUTPUT(v2f, o);",
       "UNITY_TRANSFER_INSTANCE_ID(v, o);", "UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);")]
 [text("vertex end", "TRANSFER_SHADOW_CASTER_NORMALOFFSET(o)")]
-void unity_caster_vertex() {
+void unityCasterVertex() {
 }
 
 [pass("unity-shadow-caster")] [fragment] [lights("none")] [optional]
@@ -298,27 +298,27 @@ void unity_caster_vertex() {
 [text("fragment begin", "UNITY_SETUP_INSTANCE_ID(i);", "UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);")]
 [text("fragment end", "SHADOW_CASTER_FRAGMENT(i)")]
 [depth("lessEqual", "write")] [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
-void unity_caster() {
-    if (alpha_clip) {
-        LightingSurface surface = lighting_surface();
-        discard_if(surface.alpha < surface.alphaClip);
+void unityCaster() {
+    if (alphaClip) {
+        LightingSurface surface = lightingSurface();
+        discardIf(surface.alpha < surface.alphaClip);
     }
 }
 
 // The G-buffer of Unity's deferred path, as UnityStandardDataToGbuffer fills it.
 struct UnityTargets {
-    [target("gbuffer_diffuse", "rgba8")] float4 diffuse;    // diffuse colour, occlusion
-    [target("gbuffer_specular", "rgba8")] float4 specular;  // f0, smoothness
-    [target("gbuffer_normal", "rgb10a2")] float4 normal;    // in the world, 0.5 n + 0.5
+    [target("gbufferDiffuse", "rgba8")] float4 diffuse;    // diffuse colour, occlusion
+    [target("gbufferSpecular", "rgba8")] float4 specular;  // f0, smoothness
+    [target("gbufferNormal", "rgb10a2")] float4 normal;    // in the world, 0.5 n + 0.5
     [target("color", "rgba16f")] float4 light;              // emission and ambient light
-    [target("gbuffer_shadow_mask", "rgba8")] [only_if("defined(SHADOWS_SHADOWMASK) && UNITY_ALLOWED_MRT_COUNT > 4")]
-    float4 shadow_mask;
+    [target("gbufferShadowMask", "rgba8")] [onlyIf("defined(SHADOWS_SHADOWMASK) && UNITY_ALLOWED_MRT_COUNT > 4")]
+    float4 shadowMask;
 };
 
 /// Without high dynamic range Unity keeps the light as 2^-light.
 [foreign] float3 StoredLight(float3 color);
 [foreign] [text("include", "UnityPBSLighting.cginc")]
-float4 BakedShadows(float4 ambient_or_lightmap_uv, float3 position);
+float4 BakedShadows(float4 ambientOrLightmapUV, float3 position);
 
 /// Only what is lit by the model that Unity's own lighting passes compute. Of an object that has this pass the deferred
 /// path draws no other one, and its stencil says which pixels are lit.
@@ -329,19 +329,19 @@ float4 BakedShadows(float4 ambient_or_lightmap_uv, float3 position);
 [text("pragma", "exclude_renderers nomrt", "multi_compile_prepassfinal", "multi_compile_instancing")]
 [text("include", "UnityCG.cginc")]
 [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
-UnityTargets unity_deferred(float3 position = position_ws, float4 ambient = ambient_or_lightmap_uv) {
-    LightingSurface surface = lighting_surface();
-    if (alpha_clip) {
-        discard_if(surface.alpha < surface.alphaClip);
+UnityTargets unityDeferred(float3 position = positionWS, float4 ambient = ambientOrLightmapUV) {
+    LightingSurface surface = lightingSurface();
+    if (alphaClip) {
+        discardIf(surface.alpha < surface.alphaClip);
     }
-    float3 from_around = indirect(surface);
+    float3 fromAround = indirect(surface);
     LightSum sum;
-    sum.indirect = from_around;
+    sum.indirect = fromAround;
     UnityTargets made;
     made.diffuse = float4(ProjectColor(surface.diffuseColor), surface.occlusion);
     made.specular = float4(ProjectColor(surface.f0), surface.smoothness);
-    made.normal = float4(0.5 + 0.5 * surface.normal_ws, 1);
+    made.normal = float4(0.5 + 0.5 * surface.normalWS, 1);
     made.light = float4(StoredLight(ProjectColor(final(surface, sum))), 1);
-    made.shadow_mask = BakedShadows(ambient, position);
+    made.shadowMask = BakedShadows(ambient, position);
     return made;
 }

@@ -6,11 +6,11 @@ float brightness() {
 }
 
 [pass("answers")] [vertex]
-float4 answers_vertex(float3 position = position_ws) {
-    return mul(world_to_clip, float4(position, 1));
+float4 answersVertex(float3 position = positionWS) {
+    return mul(worldToClip, float4(position, 1));
 }
 
 [pass("answers")] [fragment] [blend("one", "zero")]
-float4 answers_fragment(float bright = brightness) {
+float4 answersFragment(float bright = brightness) {
     return float4(bright);
 }

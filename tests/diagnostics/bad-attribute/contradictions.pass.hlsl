@@ -9,14 +9,14 @@ struct Second {
 
 [pass("volumes")] [pass("screen")] [pass("idle")] [pass("early")] [pass("first")] [pass("second")] [pass("depth")]
 [pass("caster")] [vertex]
-float4 shared_vertex(float3 position = position_os) {
+float4 sharedVertex(float3 position = positionOS) {
     return float4(position.xy, 0, 1);
 }
 
 [pass("volumes")] [fragment] [draws("light-volumes")] [lights("all")] [blend("one", "one")]
 float4 volumes() { return float4(1); }
 
-[pass("screen")] [fragment] [draws("fullscreen")] [lights("shadowed")] [depth_target("shadow_map")]
+[pass("screen")] [fragment] [draws("fullscreen")] [lights("shadowed")] [depthTarget("shadowMap")]
 void screen() {}
 
 [pass("idle")] [fragment] [each("light")] [lights("none")]
@@ -43,5 +43,5 @@ Second second() {
 [pass("depth")] [fragment] [lights("none")] [target("depth", "rgba8")]
 float4 depth() { return float4(1); }
 
-[pass("caster")] [fragment] [lights("shadowed")] [each("light")] [depth_target("shadow_map")]
+[pass("caster")] [fragment] [lights("shadowed")] [each("light")] [depthTarget("shadowMap")]
 float4 caster() { return float4(1); }

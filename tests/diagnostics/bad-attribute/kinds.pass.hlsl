@@ -1,9 +1,9 @@
 [pass("mine")] [vertex]
-float4 mine_vertex(float3 position = position_ws) {
-    return mul(world_to_clip, float4(position, 1));
+float4 mineVertex(float3 position = positionWS) {
+    return mul(worldToClip, float4(position, 1));
 }
-[pass("mine")] [fragment] [draws(objects)] [depth_bias("steep", 1)] [draws("objects")] [depth_target("")]
+[pass("mine")] [fragment] [draws(objects)] [depthBias("steep", 1)] [draws("objects")] [depthTarget("")]
 [blend("opaque", "one", "zero")] [blend("fade", "one", "one")] [blend("opaque", "one", "one")]
-float4 mine_fragment() {
+float4 mineFragment() {
     return float4(1);
 }

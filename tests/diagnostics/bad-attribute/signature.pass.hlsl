@@ -1,13 +1,13 @@
 [pass("mine")] [vertex]
-float4 mine_vertex(float3 position = position_ws) {
-    return mul(world_to_clip, float4(position, 1));
+float4 mineVertex(float3 position = positionWS) {
+    return mul(worldToClip, float4(position, 1));
 }
 [pass("mine")] [fragment]
-float4 mine_fragment(float3 position = position_ws) {
-    return float4(lit_by_all(lighting_surface(), position), 1);
+float4 mineFragment(float3 position = positionWS) {
+    return float4(litByAll(lightingSurface(), position), 1);
 }
 
 [gives("shadow", "mine")]
-float half_shadow(int index) {
+float halfShadow(int index) {
     return 0.5;
 }

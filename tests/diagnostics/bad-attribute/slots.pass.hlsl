@@ -3,25 +3,25 @@ struct Thin {
 };
 
 [pass("mine")] [vertex]
-float4 mine_vertex(float3 position = position_ws) {
-    return mul(world_to_clip, float4(position, 1));
+float4 mineVertex(float3 position = positionWS) {
+    return mul(worldToClip, float4(position, 1));
 }
 [pass("mine")] [fragment]
-float4 mine_fragment(float3 position = position_ws) {
-    return float4(lit_by_all(lighting_surface(), position), 1);
+float4 mineFragment(float3 position = positionWS) {
+    return float4(litByAll(lightingSurface(), position), 1);
 }
 
 [slot]
-float3 filled_by_nobody(LightingSurface surface);
+float3 filledByNobody(LightingSurface surface);
 [slot] [part("final")]
-float3 of_what(LightingSurface surface, LightSum sum);
+float3 ofWhat(LightingSurface surface, LightSum sum);
 [slot] [part("final", "sum.direct")]
-float3 unlike_final(LightingSurface surface);
+float3 unlikeFinal(LightingSurface surface);
 [slot] [pack("direct")] [holds("f0")]
 Thin packed(LightingSurface surface);
 [slot] [pack]
-SurfaceExtras packed_of_nothing(LightingSurface surface);
+SurfaceExtras packedOfNothing(LightingSurface surface);
 [slot] [unpack("direct")]
 LightingSurface unpacked(LightingSurface surface, SurfaceExtras extras);
-[slot] [unpack("pack_surface")]
-LightingSurface unpacked_of_nothing(LightingSurface surface);
+[slot] [unpack("packSurface")]
+LightingSurface unpackedOfNothing(LightingSurface surface);

@@ -1,19 +1,19 @@
-[reads("depth")] float depth_number;
-[reads] Texture2D of_nothing;
-[extern] float of_no_block;
-[extern("Frame")] Light no_number;
-[extern("Material")] float of_the_material;
-[static("surface", "cutout")] float no_answer;
-[static] bool no_question;
-[switch] int many_ways;
-[attribute(7, "TEXCOORD7")] float4 of_no_mesh;
-[given] float4 of_no_graph;
+[reads("depth")] float depthNumber;
+[reads] Texture2D ofNothing;
+[extern] float ofNoBlock;
+[extern("Frame")] Light noNumber;
+[extern("Material")] float ofTheMaterial;
+[static("surface", "cutout")] float noAnswer;
+[static] bool noQuestion;
+[switch] int manyWays;
+[attribute(7, "TEXCOORD7")] float4 ofNoMesh;
+[given] float4 ofNoGraph;
 
 [pass("mine")] [vertex]
-float4 mine_vertex(float3 position = position_ws) {
-    return mul(world_to_clip, float4(position, 1));
+float4 mineVertex(float3 position = positionWS) {
+    return mul(worldToClip, float4(position, 1));
 }
 [pass("mine")] [fragment]
-float4 mine_fragment(float3 position = position_ws) {
-    return float4(lit_by_all(lighting_surface(), position), 1);
+float4 mineFragment(float3 position = positionWS) {
+    return float4(litByAll(lightingSurface(), position), 1);
 }

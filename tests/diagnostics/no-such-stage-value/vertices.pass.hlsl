@@ -1,13 +1,13 @@
 [semantic("vertex")]
-float2 pixel(float4 at = frag_coord) {
+float2 pixel(float4 at = fragCoord) {
     return at.xy;
 }
 
 [pass("mine")] [vertex]
-float4 mine_vertex(float3 position = position_ws) {
-    return mul(world_to_clip, float4(position, 1));
+float4 mineVertex(float3 position = positionWS) {
+    return mul(worldToClip, float4(position, 1));
 }
 [pass("mine")] [fragment]
-float4 mine_fragment(float2 at = pixel) {
+float4 mineFragment(float2 at = pixel) {
     return float4(at, 0, 1);
 }

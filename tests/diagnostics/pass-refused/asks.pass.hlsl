@@ -1,8 +1,8 @@
 [pass("mine")] [vertex]
-float4 mine_vertex(float3 position = position_ws) {
-    return mul(world_to_clip, float4(position, 1));
+float4 mineVertex(float3 position = positionWS) {
+    return mul(worldToClip, float4(position, 1));
 }
 [pass("mine")] [fragment]
-float4 mine_fragment(float3 position = position_ws) {
-    LightSum sum; return float4(added(lighting_surface(), sum), 1);
+float4 mineFragment(float3 position = positionWS) {
+    LightSum sum; return float4(added(lightingSurface(), sum), 1);
 }

@@ -12,10 +12,10 @@ float4 own(float4 value = own) {
 }
 
 [pass("mine")] [vertex]
-float4 mine_vertex(float3 position = position_ws) {
-    return mul(world_to_clip, float4(position, 1));
+float4 mineVertex(float3 position = positionWS) {
+    return mul(worldToClip, float4(position, 1));
 }
 [pass("mine")] [fragment]
-float4 mine_fragment(float3 position = first) {
-    return float4(lit_by_all(lighting_surface(), position), 1);
+float4 mineFragment(float3 position = first) {
+    return float4(litByAll(lightingSurface(), position), 1);
 }

@@ -284,10 +284,10 @@ float s70() {
 }
 
 [pass("mine")] [vertex]
-float4 mine_vertex(float3 position = position_ws) {
-    return mul(world_to_clip, float4(position, 1));
+float4 mineVertex(float3 position = positionWS) {
+    return mul(worldToClip, float4(position, 1));
 }
 [pass("mine")] [fragment]
-float4 mine_fragment(float value = s0) {
+float4 mineFragment(float value = s0) {
     return float4(value);
 }

@@ -11,10 +11,10 @@ struct Stored {
 };
 
 [pass("mine")] [vertex]
-float4 mine_vertex(float3 position = position_ws) {
-    return mul(world_to_clip, float4(position, 1));
+float4 mineVertex(float3 position = positionWS) {
+    return mul(worldToClip, float4(position, 1));
 }
 [pass("mine")] [fragment]
-Stored mine_fragment(float3 position = position_ws) {
+Stored mineFragment(float3 position = positionWS) {
     Stored made; return made;
 }

@@ -5,28 +5,28 @@ struct Stored {
 };
 
 [pass("mine")] [vertex]
-float3 mine_vertex(float3 position = position_ws) {
+float3 mineVertex(float3 position = positionWS) {
     return position;
 }
 [pass("mine")] [fragment]
-Stored mine_fragment(float3 position = position_ws) {
+Stored mineFragment(float3 position = positionWS) {
     Stored made; return made;
 }
 
 [pass("other")] [vertex]
-float4 other_vertex(float3 position = position_ws) {
+float4 otherVertex(float3 position = positionWS) {
     return float4(position, 1);
 }
 [pass("other")] [fragment]
-bool other_fragment() {
+bool otherFragment() {
     return true;
 }
 [semantic("vertex")]
-Light sun(float3 position = position_ws) {
-    return light_at(0, position);
+Light sun(float3 position = positionWS) {
+    return lightAt(0, position);
 }
-[gives("position_ws", "mine")]
+[gives("positionWS", "mine")]
 float height() {
     return 1;
 }
-[builtin("front_facing")] float side;
+[builtin("frontFacing")] float side;

@@ -1,14 +1,14 @@
 [pass("mine")] [vertex]
-float4 mine_vertex(float3 position = position_ws) {
-    return mul(world_to_clip, float4(position, 1));
+float4 mineVertex(float3 position = positionWS) {
+    return mul(worldToClip, float4(position, 1));
 }
 [pass("mine")] [fragment] [needs("aded")]
-float4 mine_fragment(float3 position = position_ws) {
-    return float4(lit_by_all(lighting_surface(), position), 1);
+float4 mineFragment(float3 position = positionWS) {
+    return float4(litByAll(lightingSurface(), position), 1);
 }
 
-[static("slot", "aded")] bool has_added;
+[static("slot", "aded")] bool hasAdded;
 [slot] [part("finl", "sum.direct")]
-float3 half_of_it(LightingSurface surface, LightSum sum);
-[slot] [unpack("pack_surfaces")]
+float3 halfOfIt(LightingSurface surface, LightSum sum);
+[slot] [unpack("packSurfaces")]
 LightingSurface unpacked(LightingSurface surface, SurfaceExtras extras);

@@ -1,16 +1,16 @@
 [switch("shadow-castr")] bool casts;
-[static("pass", "gbufer")] bool has_surfaces;
+[static("pass", "gbufer")] bool hasSurfaces;
 
 [pass("mine")] [vertex]
-float4 mine_vertex(float3 position = position_ws) {
-    return mul(world_to_clip, float4(position, 1));
+float4 mineVertex(float3 position = positionWS) {
+    return mul(worldToClip, float4(position, 1));
 }
 [pass("mine")] [fragment]
-float4 mine_fragment(float3 position = position_ws) {
-    return float4(lit_by_all(lighting_surface(), position), 1);
+float4 mineFragment(float3 position = positionWS) {
+    return float4(litByAll(lightingSurface(), position), 1);
 }
 
-[gives("position_ws", "mien")]
+[gives("positionWS", "mien")]
 float3 origin() {
     return float3(0);
 }

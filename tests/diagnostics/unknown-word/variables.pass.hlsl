@@ -1,14 +1,14 @@
-[static("surfaces", "cutout")] bool asks_nothing;
-[static("surface", "cutuot")] bool asks_surface;
-[static("cull", "of")] bool asks_cull;
+[static("surfaces", "cutout")] bool asksNothing;
+[static("surface", "cutuot")] bool asksSurface;
+[static("cull", "of")] bool asksCull;
 [builtin("fragcoord")] float4 pixel;
-[reads("gbuffer_normals")] Texture2D normals;
+[reads("gbufferNormals")] Texture2D normals;
 
 [pass("mine")] [vertex]
-float4 mine_vertex(float3 position = position_ws) {
-    return mul(world_to_clip, float4(position, 1));
+float4 mineVertex(float3 position = positionWS) {
+    return mul(worldToClip, float4(position, 1));
 }
 [pass("mine")] [fragment]
-float4 mine_fragment(float3 position = position_ws) {
-    return float4(lit_by_all(lighting_surface(), position), 1);
+float4 mineFragment(float3 position = positionWS) {
+    return float4(litByAll(lightingSurface(), position), 1);
 }

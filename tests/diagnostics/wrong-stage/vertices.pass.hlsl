@@ -4,10 +4,10 @@ float2 slope(float2 uv = uv0) {
 }
 
 [pass("mine")] [vertex]
-float4 mine_vertex(float3 position = position_ws) {
-    return mul(world_to_clip, float4(position, 1));
+float4 mineVertex(float3 position = positionWS) {
+    return mul(worldToClip, float4(position, 1));
 }
 [pass("mine")] [fragment]
-float4 mine_fragment(float2 uv = slope) {
+float4 mineFragment(float2 uv = slope) {
     return float4(uv, 0, 1);
 }

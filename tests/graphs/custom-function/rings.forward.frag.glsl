@@ -8,8 +8,8 @@ struct RingsSharpResult
     vec2 outwards;
 };
 
-layout(location = 0) in vec2 v_uv0;
-layout(location = 0) out vec4 out_color;
+layout(location = 0) in vec2 vUv0;
+layout(location = 0) out vec4 outColor;
 
 float ring(float radius, float frequency)
 {
@@ -19,8 +19,8 @@ float ring(float radius, float frequency)
 // Rings around the middle, each finer than the one before.
 RingsSharpResult RingsSharp(vec2 uv)
 {
-    vec2 from_middle = uv - 0.5;
-    float radius = length(from_middle);
+    vec2 fromMiddle = uv - 0.5;
+    float radius = length(fromMiddle);
     float sum = 0.0;
     float frequency = 1.0;
     for (int i = 0; i < 6; ++i) {
@@ -29,17 +29,17 @@ RingsSharpResult RingsSharp(vec2 uv)
         sum += amount / frequency;
         frequency *= 2.0;
     }
-    RingsSharpResult rings_sharp_result;
-    rings_sharp_result.value = sum * 0.5;
-    rings_sharp_result.outwards = radius > 0.0 ? from_middle / radius : vec2(0.0);
-    return rings_sharp_result;
+    RingsSharpResult ringsSharpResult;
+    ringsSharpResult.value = sum * 0.5;
+    ringsSharpResult.outwards = radius > 0.0 ? fromMiddle / radius : vec2(0.0);
+    return ringsSharpResult;
 }
 
 void main()
 {
     // Rings "rings"
-    RingsSharpResult rings = RingsSharp(v_uv0);
+    RingsSharpResult rings = RingsSharp(vUv0);
 
     vec3 emission = vec3(rings.value, rings.outwards);
-    out_color = vec4(emission, 1.0);
+    outColor = vec4(emission, 1.0);
 }

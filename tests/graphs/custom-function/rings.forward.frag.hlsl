@@ -25,8 +25,8 @@ float ring(float radius, float frequency)
 // Rings around the middle, each finer than the one before.
 RingsSharpResult RingsSharp(float2 uv)
 {
-    float2 from_middle = uv - 0.5;
-    float radius = length(from_middle);
+    float2 fromMiddle = uv - 0.5;
+    float radius = length(fromMiddle);
     float sum = 0.0;
     float frequency = 1.0;
     for (int i = 0; i < 6; ++i) {
@@ -35,10 +35,10 @@ RingsSharpResult RingsSharp(float2 uv)
         sum += amount / frequency;
         frequency *= 2.0;
     }
-    RingsSharpResult rings_sharp_result;
-    rings_sharp_result.value = sum * 0.5;
-    rings_sharp_result.outwards = radius > 0.0 ? from_middle / radius : float2(0.0, 0.0);
-    return rings_sharp_result;
+    RingsSharpResult ringsSharpResult;
+    ringsSharpResult.value = sum * 0.5;
+    ringsSharpResult.outwards = radius > 0.0 ? fromMiddle / radius : float2(0.0, 0.0);
+    return ringsSharpResult;
 }
 
 FragmentOutput main(FragmentInput input)

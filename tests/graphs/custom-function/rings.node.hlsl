@@ -16,9 +16,9 @@ float Rings(
     const RingShape shape = Soft,  ///< how a ring fades
     out float2 outwards            ///< away from the middle
 ) {
-    float2 from_middle = uv - 0.5;
-    float radius = length(from_middle);
-    outwards = radius > 0 ? from_middle / radius : float2(0);
+    float2 fromMiddle = uv - 0.5;
+    float radius = length(fromMiddle);
+    outwards = radius > 0 ? fromMiddle / radius : float2(0);
     float sum = 0;
     float frequency = 1;
     for (int i = 0; i < min(count, 16); i++) {

@@ -11,20 +11,20 @@ struct Light
 
 cbuffer Lights : register(b2, space0)
 {
-    int light_count;
+    int lightCount;
     float _pad0;
     float _pad1;
     float _pad2;
-    float4 light_position[16];
-    float4 light_color[16];
-    float4 light_axis[16];
-    float4 light_cone[16];
-    int vertex_light_count;
+    float4 lightPosition[16];
+    float4 lightColor[16];
+    float4 lightAxis[16];
+    float4 lightCone[16];
+    int vertexLightCount;
 };
 
 cbuffer Ambient : register(b5, space0)
 {
-    float4 ambient_sh[9];
+    float4 ambientSH[9];
 };
 
 Texture2D _LeafTex : register(t0, space1);
@@ -33,9 +33,9 @@ SamplerState sampler_LeafTex : register(s0, space1);
 struct FragmentInput
 {
     float2 uv0 : TEXCOORD0;
-    float3 position_ws : TEXCOORD1;
-    float3 vertex_normal_ws : TEXCOORD2;
-    bool front_facing : SV_IsFrontFace;
+    float3 positionWS : TEXCOORD1;
+    float3 vertexNormalWS : TEXCOORD2;
+    bool frontFacing : SV_IsFrontFace;
 };
 
 struct FragmentOutput
@@ -44,33 +44,33 @@ struct FragmentOutput
 };
 
 // Diffuse colour and reflectance of a surface between plastic and metal.
-float3 MetallicSetup(float3 base_color, float metallic)
+float3 MetallicSetup(float3 baseColor, float metallic)
 {
-    float one_minus_reflectivity = 0.96 * (1.0 - metallic);
-    return base_color * one_minus_reflectivity;
+    float oneMinusReflectivity = 0.96 * (1.0 - metallic);
+    return baseColor * oneMinusReflectivity;
 }
 
 // The inverse square law, with a window that ends it smoothly at the light's range.
-float distance_attenuation(float distance_squared, float range)
+float distanceAttenuation(float distanceSquared, float range)
 {
-    float ratio = distance_squared / (range * range);
+    float ratio = distanceSquared / (range * range);
     float window = saturate(1.0 - ratio * ratio);
-    return window * window / max(distance_squared, 1e-04);
+    return window * window / max(distanceSquared, 1e-04);
 }
 
 // The light in slot `index` of the list, as seen from `position` (world space).
-Light light_at(int index, float3 position)
+Light lightAt(int index, float3 position)
 {
     int slot = clamp(index, 0, 15);
-    float4 place = light_position[slot];
-    float4 color = light_color[slot];
-    bool is_local = place.w > 0.5;
-    float3 to_light = place.xyz - (is_local ? position : float3(0.0, 0.0, 0.0));
-    float distance_squared = dot(to_light, to_light);
-    float3 direction = to_light * rsqrt(max(distance_squared, 1e-12));
-    float attenuation = is_local ? distance_attenuation(distance_squared, color.w) : 1.0;
-    float cosine = -dot(light_axis[slot].xyz, direction);
-    float4 cone = light_cone[slot];
+    float4 place = lightPosition[slot];
+    float4 color = lightColor[slot];
+    bool isLocal = place.w > 0.5;
+    float3 toLight = place.xyz - (isLocal ? position : float3(0.0, 0.0, 0.0));
+    float distanceSquared = dot(toLight, toLight);
+    float3 direction = toLight * rsqrt(max(distanceSquared, 1e-12));
+    float attenuation = isLocal ? distanceAttenuation(distanceSquared, color.w) : 1.0;
+    float cosine = -dot(lightAxis[slot].xyz, direction);
+    float4 cone = lightCone[slot];
     float spot = saturate((cosine - cone.y) / max(cone.x - cone.y, 0.001));
     Light light;
     light.direction = direction;
@@ -95,8 +95,8 @@ float3 EvaluateSH9(float3 normal, float3 sh0, float3 sh1, float3 sh2, float3 sh3
 
 FragmentOutput main(FragmentInput input)
 {
-    float3 normal = normalize(input.vertex_normal_ws);
-    float3 geometry_normal_ws = input.front_facing ? normal : -normal;
+    float3 normal = normalize(input.vertexNormalWS);
+    float3 geometryNormalWS = input.frontFacing ? normal : -normal;
 
     // SampleTexture2D "leaf"
     float4 leaf = _LeafTex.Sample(sampler_LeafTex, input.uv0);
@@ -104,27 +104,27 @@ FragmentOutput main(FragmentInput input)
     // MetallicSetup "setup"
     float3 setup = MetallicSetup(leaf.xyz, 0.0);
 
-    float3 normal_ws = normalize(geometry_normal_ws);
+    float3 normalWS = normalize(geometryNormalWS);
     if (leaf.w < 0.4) discard;
-    int count = min(light_count, 16);
-    float3 direct_sum = float3(0.0, 0.0, 0.0);
+    int count = min(lightCount, 16);
+    float3 directSum = float3(0.0, 0.0, 0.0);
     for (int i = 0; i < count; ++i) {
-        Light light = light_at(i, input.position_ws);
+        Light light = lightAt(i, input.positionWS);
 
         // NdotL "ndotl"
-        float cosine = dot(normal_ws, light.direction);
+        float cosine = dot(normalWS, light.direction);
         float ndotl = saturate(cosine);
 
         float3 radiance = light.color * (light.attenuation * light.shadow);
-        direct_sum += setup * ndotl * radiance;
+        directSum += setup * ndotl * radiance;
     }
 
     // AmbientIrradiance "ambient"
-    float3 ambient = EvaluateSH9(normal_ws, ambient_sh[0].xyz, ambient_sh[1].xyz, ambient_sh[2].xyz, ambient_sh[3].xyz,
-        ambient_sh[4].xyz, ambient_sh[5].xyz, ambient_sh[6].xyz, ambient_sh[7].xyz, ambient_sh[8].xyz);
+    float3 ambient = EvaluateSH9(normalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz, ambientSH[3].xyz,
+        ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
 
     float3 indirect = setup * ambient;
     FragmentOutput output;
-    output.color = float4(direct_sum + indirect, 1.0);
+    output.color = float4(directSum + indirect, 1.0);
     return output;
 }

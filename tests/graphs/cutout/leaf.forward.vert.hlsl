@@ -3,45 +3,45 @@
 
 cbuffer Camera : register(b1, space0)
 {
-    float4x4 world_to_clip;
-    float4x4 world_to_view;
-    float3 camera_position_ws;
-    float view_is_orthographic;
-    float3 camera_forward_ws;
-    float shadow_bias;
-    float4x4 clip_to_world;
-    float2 clip_planes;
-    float shadow_normal_bias;
+    float4x4 worldToClip;
+    float4x4 worldToView;
+    float3 cameraPositionWS;
+    float viewIsOrthographic;
+    float3 cameraForwardWS;
+    float shadowBias;
+    float4x4 clipToWorld;
+    float2 clipPlanes;
+    float shadowNormalBias;
 };
 
 cbuffer Object : register(b4, space0)
 {
-    float4x4 object_to_world;
-    float4x4 world_to_object;
+    float4x4 objectToWorld;
+    float4x4 worldToObject;
 };
 
 struct VertexInput
 {
-    float3 position_os : POSITION;
+    float3 positionOS : POSITION;
     float2 uv0 : TEXCOORD0;
-    float3 normal_os : NORMAL;
+    float3 normalOS : NORMAL;
 };
 
 struct VertexOutput
 {
     float2 uv0 : TEXCOORD0;
-    float3 position_ws : TEXCOORD1;
-    float3 vertex_normal_ws : TEXCOORD2;
+    float3 positionWS : TEXCOORD1;
+    float3 vertexNormalWS : TEXCOORD2;
     float4 position : SV_Position;
 };
 
 VertexOutput main(VertexInput input)
 {
-    float4 position_ws = mul(object_to_world, float4(input.position_os, 1.0));
+    float4 positionWS = mul(objectToWorld, float4(input.positionOS, 1.0));
     VertexOutput output;
     output.uv0 = input.uv0;
-    output.position_ws = position_ws.xyz;
-    output.vertex_normal_ws = normalize(mul(float4(input.normal_os, 0.0), world_to_object).xyz);
-    output.position = mul(world_to_clip, float4(position_ws.xyz, 1.0));
+    output.positionWS = positionWS.xyz;
+    output.vertexNormalWS = normalize(mul(float4(input.normalOS, 0.0), worldToObject).xyz);
+    output.position = mul(worldToClip, float4(positionWS.xyz, 1.0));
     return output;
 }

@@ -4,26 +4,26 @@
 
 layout(set = 0, binding = 1, std140) uniform Camera
 {
-    mat4 world_to_clip;
-    mat4 world_to_view;
-    vec3 camera_position_ws;
-    float view_is_orthographic;
-    vec3 camera_forward_ws;
-    float shadow_bias;
-    mat4 clip_to_world;
-    vec2 clip_planes;
-    float shadow_normal_bias;
+    mat4 worldToClip;
+    mat4 worldToView;
+    vec3 cameraPositionWS;
+    float viewIsOrthographic;
+    vec3 cameraForwardWS;
+    float shadowBias;
+    mat4 clipToWorld;
+    vec2 clipPlanes;
+    float shadowNormalBias;
 };
 
 layout(set = 0, binding = 4, std140) uniform Object
 {
-    mat4 object_to_world;
-    mat4 world_to_object;
+    mat4 objectToWorld;
+    mat4 worldToObject;
 };
 
-layout(location = 0) in vec3 in_position_os;
+layout(location = 0) in vec3 inPositionOS;
 
 void main()
 {
-    gl_Position = world_to_clip * vec4((object_to_world * vec4(in_position_os, 1.0)).xyz, 1.0);
+    gl_Position = worldToClip * vec4((objectToWorld * vec4(inPositionOS, 1.0)).xyz, 1.0);
 }

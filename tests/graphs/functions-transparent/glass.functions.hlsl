@@ -18,7 +18,7 @@ struct GlassLightingSurface
     float metallic;
     float oneMinusReflectivity;
     float roughness;
-    float3 normal_ws;
+    float3 normalWS;
     float occlusion;
     float3 emission;
     float alpha;
@@ -46,7 +46,7 @@ struct GlassSurface
     float3 baseColor;
     float metallic;
     float roughness;
-    float3 normal_ws;
+    float3 normalWS;
     float occlusion;
     float3 emission;
     float alpha;
@@ -55,15 +55,15 @@ struct GlassSurface
 
 struct GlassMetallicSetupResult
 {
-    float3 diffuse_color;
+    float3 diffuseColor;
     float3 f0;
-    float one_minus_reflectivity;
+    float oneMinusReflectivity;
 };
 
 struct GlassPremultiplyAlphaResult
 {
     float3 value;
-    float out_alpha;
+    float outAlpha;
 };
 
 cbuffer GlassMaterial : register(b0, Glassset)
@@ -72,15 +72,14 @@ cbuffer GlassMaterial : register(b0, Glassset)
 };
 
 // The surface as the graph describes it, in the words of its workflow.
-//   geometry_normal_ws: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the
-//     viewer.
-GlassSurface Glasssurface(float3 geometry_normal_ws)
+//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
+GlassSurface Glasssurface(float3 geometryNormalWS)
 {
     GlassSurface surface;
     surface.baseColor = Glass_Tint.xyz;
     surface.metallic = 0.0;
     surface.roughness = 0.5;
-    surface.normal_ws = geometry_normal_ws;
+    surface.normalWS = geometryNormalWS;
     surface.occlusion = 1.0;
     surface.emission = float3(0.0, 0.0, 0.0);
     surface.alpha = Glass_Tint.w;
@@ -89,49 +88,48 @@ GlassSurface Glasssurface(float3 geometry_normal_ws)
 }
 
 // Diffuse colour and reflectance of a surface between plastic and metal.
-GlassMetallicSetupResult GlassMetallicSetup(float3 base_color, float metallic)
+GlassMetallicSetupResult GlassMetallicSetup(float3 baseColor, float metallic)
 {
-    float one_minus_reflectivity = 0.96 * (1.0 - metallic);
-    GlassMetallicSetupResult metallic_setup_result;
-    metallic_setup_result.diffuse_color = base_color * one_minus_reflectivity;
-    metallic_setup_result.f0 = lerp(float3(0.04, 0.04, 0.04), base_color, metallic);
-    metallic_setup_result.one_minus_reflectivity = one_minus_reflectivity;
-    return metallic_setup_result;
+    float oneMinusReflectivity = 0.96 * (1.0 - metallic);
+    GlassMetallicSetupResult metallicSetupResult;
+    metallicSetupResult.diffuseColor = baseColor * oneMinusReflectivity;
+    metallicSetupResult.f0 = lerp(float3(0.04, 0.04, 0.04), baseColor, metallic);
+    metallicSetupResult.oneMinusReflectivity = oneMinusReflectivity;
+    return metallicSetupResult;
 }
 
 // A diffuse colour for blending with pre-multiplied alpha: what is mirrored stays as the material fades.
-GlassPremultiplyAlphaResult GlassPremultiplyAlpha(float3 diffuse_color, float alpha, float one_minus_reflectivity)
+GlassPremultiplyAlphaResult GlassPremultiplyAlpha(float3 diffuseColor, float alpha, float oneMinusReflectivity)
 {
-    GlassPremultiplyAlphaResult premultiply_alpha_result;
-    premultiply_alpha_result.value = diffuse_color * alpha;
-    premultiply_alpha_result.out_alpha = 1.0 - one_minus_reflectivity + alpha * one_minus_reflectivity;
-    return premultiply_alpha_result;
+    GlassPremultiplyAlphaResult premultiplyAlphaResult;
+    premultiplyAlphaResult.value = diffuseColor * alpha;
+    premultiplyAlphaResult.outAlpha = 1.0 - oneMinusReflectivity + alpha * oneMinusReflectivity;
+    return premultiplyAlphaResult;
 }
 
 // The surface of this point, as its lighting takes it. A cutout surface is not drawn where its alpha is below
 // alphaClip.
-//   geometry_normal_ws: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the
-//     viewer.
-GlassLightingSurface Glasslighting_surface(float3 geometry_normal_ws)
+//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
+GlassLightingSurface GlasslightingSurface(float3 geometryNormalWS)
 {
-    GlassSurface material = Glasssurface(geometry_normal_ws);
+    GlassSurface material = Glasssurface(geometryNormalWS);
 
     // MetallicSetup "setup"
     GlassMetallicSetupResult setup = GlassMetallicSetup(material.baseColor, material.metallic);
 
-    GlassPremultiplyAlphaResult premultiply_alpha_result = GlassPremultiplyAlpha(setup.diffuse_color, material.alpha,
-        setup.one_minus_reflectivity);
+    GlassPremultiplyAlphaResult premultiplyAlphaResult = GlassPremultiplyAlpha(setup.diffuseColor, material.alpha,
+        setup.oneMinusReflectivity);
     GlassLightingSurface surface;
-    surface.diffuseColor = premultiply_alpha_result.value;
+    surface.diffuseColor = premultiplyAlphaResult.value;
     surface.f0 = setup.f0;
     surface.baseColor = material.baseColor;
     surface.metallic = material.metallic;
-    surface.oneMinusReflectivity = setup.one_minus_reflectivity;
+    surface.oneMinusReflectivity = setup.oneMinusReflectivity;
     surface.roughness = material.roughness;
-    surface.normal_ws = normalize(material.normal_ws);
+    surface.normalWS = normalize(material.normalWS);
     surface.occlusion = material.occlusion;
     surface.emission = material.emission;
-    surface.alpha = premultiply_alpha_result.out_alpha;
+    surface.alpha = premultiplyAlphaResult.outAlpha;
     surface.alphaClip = material.alphaClip;
     return surface;
 }
@@ -140,7 +138,7 @@ GlassLightingSurface Glasslighting_surface(float3 geometry_normal_ws)
 float3 Glassdirect(GlassLightingSurface surface, GlassLight light)
 {
     // NdotL "ndotl"
-    float cosine = dot(surface.normal_ws, light.direction);
+    float cosine = dot(surface.normalWS, light.direction);
     float ndotl = saturate(cosine);
 
     float3 radiance = light.color * (light.attenuation * light.shadow);
@@ -151,7 +149,7 @@ float3 Glassdirect(GlassLightingSurface surface, GlassLight light)
 float3 Glassindirect(GlassLightingSurface surface)
 {
     // AmbientIrradiance "ambient"
-    float3 ambient = AmbientIrradiance(surface.normal_ws);
+    float3 ambient = AmbientIrradiance(surface.normalWS);
 
     return surface.diffuseColor * ambient * surface.occlusion;
 }

@@ -36,7 +36,7 @@ struct Sail_LightingSurface
     float metallic;
     float oneMinusReflectivity;
     float roughness;
-    vec3 normal_ws;
+    vec3 normalWS;
     float occlusion;
     vec3 emission;
     float alpha;
@@ -64,7 +64,7 @@ struct Sail_Surface
     vec3 baseColor;
     float metallic;
     float roughness;
-    vec3 normal_ws;
+    vec3 normalWS;
     float occlusion;
     vec3 emission;
     float alpha;
@@ -73,9 +73,9 @@ struct Sail_Surface
 
 struct Sail_MetallicSetupResult
 {
-    vec3 diffuse_color;
+    vec3 diffuseColor;
     vec3 f0;
-    float one_minus_reflectivity;
+    float oneMinusReflectivity;
 };
 
 layout(set = Sail_set, binding = 0, std140) uniform Sail_Material
@@ -106,33 +106,31 @@ vec3 Sail_UnpackNormalRedGreen(vec4 encoded, float scale)
 }
 
 // A normal from tangent space, in the world.
-vec3 Sail_NormalTangentToWorld(vec3 normal_ts, vec3 normal, vec3 tangent, vec3 bitangent)
+vec3 Sail_NormalTangentToWorld(vec3 normalTS, vec3 normal, vec3 tangent, vec3 bitangent)
 {
-    vec3 direction = normalize(tangent * normal_ts.x + bitangent * normal_ts.y + normal * normal_ts.z);
-    return direction;
+    return normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
 }
 
 // The surface as the graph describes it, in the words of its workflow.
 //   uv0: First texture coordinates; v grows downwards, as texels are stored.
-//   geometry_normal_ws: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the
-//     viewer.
-//   tangent_ws: Mesh tangent in world space, unit
-//   bitangent_ws: Bitangent in world space: cross(normal, tangent) with the mesh's handedness.
-//   sway: interpolated, from vertex_sway()
-Sail_Surface Sail_surface(vec2 uv0, vec3 geometry_normal_ws, vec3 tangent_ws, vec3 bitangent_ws, float sway)
+//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
+//   tangentWS: Mesh tangent in world space, unit
+//   bitangentWS: Bitangent in world space: cross(normal, tangent) with the mesh's handedness.
+//   sway: interpolated, from vertexSway()
+Sail_Surface Sail_surface(vec2 uv0, vec3 geometryNormalWS, vec3 tangentWS, vec3 bitangentWS, float sway)
 {
     // SampleTexture2D "albedo"
     vec4 albedo = texture(sampler2D(Sail_MainTex, Sail_sampler_MainTex), uv0);
 
     // SampleNormalMap "bump"
-    vec4 bump_texel = texture(sampler2D(Sail_BumpMap, Sail_sampler_BumpMap), uv0);
-    vec3 bump = Sail_UnpackNormalRedGreen(bump_texel, 1.0);
+    vec4 bumpTexel = texture(sampler2D(Sail_BumpMap, Sail_sampler_BumpMap), uv0);
+    vec3 bump = Sail_UnpackNormalRedGreen(bumpTexel, 1.0);
 
     Sail_Surface surface;
     surface.baseColor = albedo.xyz * Sail_Tint.xyz;
     surface.metallic = 0.0;
     surface.roughness = 0.5 + 0.2 * sway;
-    surface.normal_ws = Sail_NormalTangentToWorld(bump, geometry_normal_ws, tangent_ws, bitangent_ws);
+    surface.normalWS = Sail_NormalTangentToWorld(bump, geometryNormalWS, tangentWS, bitangentWS);
     surface.occlusion = 1.0;
     surface.emission = vec3(0.0);
     surface.alpha = 1.0;
@@ -141,20 +139,20 @@ Sail_Surface Sail_surface(vec2 uv0, vec3 geometry_normal_ws, vec3 tangent_ws, ve
 }
 
 // Diffuse colour and reflectance of a surface between plastic and metal.
-Sail_MetallicSetupResult Sail_MetallicSetup(vec3 base_color, float metallic)
+Sail_MetallicSetupResult Sail_MetallicSetup(vec3 baseColor, float metallic)
 {
-    float one_minus_reflectivity = 0.96 * (1.0 - metallic);
-    Sail_MetallicSetupResult metallic_setup_result;
-    metallic_setup_result.diffuse_color = base_color * one_minus_reflectivity;
-    metallic_setup_result.f0 = mix(vec3(0.04), base_color, metallic);
-    metallic_setup_result.one_minus_reflectivity = one_minus_reflectivity;
-    return metallic_setup_result;
+    float oneMinusReflectivity = 0.96 * (1.0 - metallic);
+    Sail_MetallicSetupResult metallicSetupResult;
+    metallicSetupResult.diffuseColor = baseColor * oneMinusReflectivity;
+    metallicSetupResult.f0 = mix(vec3(0.04), baseColor, metallic);
+    metallicSetupResult.oneMinusReflectivity = oneMinusReflectivity;
+    return metallicSetupResult;
 }
 
 // The direction half-way between the light and the viewer: the normal of a mirror that shows one to the other.
-vec3 Sail_HalfVector(vec3 view, vec3 light_dir)
+vec3 Sail_HalfVector(vec3 view, vec3 lightDir)
 {
-    vec3 sum = light_dir + view;
+    vec3 sum = lightDir + view;
     return sum * inversesqrt(max(dot(sum, sum), 0.001));
 }
 
@@ -172,9 +170,9 @@ float Sail_VisibilitySmithJoint(float ndotl, float ndotv, float alpha)
 {
     float a2 = alpha * alpha;
     float difference = 1.0 - a2;
-    float view_part = ndotl * sqrt(ndotv * ndotv * difference + a2);
-    float light_part = ndotv * sqrt(ndotl * ndotl * difference + a2);
-    return 0.5 / max(view_part + light_part, 1e-05);
+    float viewPart = ndotl * sqrt(ndotv * ndotv * difference + a2);
+    float lightPart = ndotv * sqrt(ndotl * ndotl * difference + a2);
+    return 0.5 / max(viewPart + lightPart, 1e-05);
 }
 
 // How far a surface is on the way from its straight reflectance to its grazing one.
@@ -194,27 +192,25 @@ vec3 Sail_FresnelSchlick(vec3 f0, float cosine, float f90)
 // The surface of this point, as its lighting takes it. A cutout surface is not drawn where its alpha is below
 // alphaClip.
 //   uv0: First texture coordinates; v grows downwards, as texels are stored.
-//   geometry_normal_ws: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the
-//     viewer.
-//   tangent_ws: Mesh tangent in world space, unit
-//   bitangent_ws: Bitangent in world space: cross(normal, tangent) with the mesh's handedness.
-//   sway: interpolated, from vertex_sway()
-Sail_LightingSurface Sail_lighting_surface(vec2 uv0, vec3 geometry_normal_ws, vec3 tangent_ws, vec3 bitangent_ws,
-    float sway)
+//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
+//   tangentWS: Mesh tangent in world space, unit
+//   bitangentWS: Bitangent in world space: cross(normal, tangent) with the mesh's handedness.
+//   sway: interpolated, from vertexSway()
+Sail_LightingSurface Sail_lightingSurface(vec2 uv0, vec3 geometryNormalWS, vec3 tangentWS, vec3 bitangentWS, float sway)
 {
-    Sail_Surface material = Sail_surface(uv0, geometry_normal_ws, tangent_ws, bitangent_ws, sway);
+    Sail_Surface material = Sail_surface(uv0, geometryNormalWS, tangentWS, bitangentWS, sway);
 
     // MetallicSetup "setup"
     Sail_MetallicSetupResult setup = Sail_MetallicSetup(material.baseColor, material.metallic);
 
     Sail_LightingSurface surface;
-    surface.diffuseColor = setup.diffuse_color;
+    surface.diffuseColor = setup.diffuseColor;
     surface.f0 = setup.f0;
     surface.baseColor = material.baseColor;
     surface.metallic = material.metallic;
-    surface.oneMinusReflectivity = setup.one_minus_reflectivity;
+    surface.oneMinusReflectivity = setup.oneMinusReflectivity;
     surface.roughness = material.roughness;
-    surface.normal_ws = normalize(material.normal_ws);
+    surface.normalWS = normalize(material.normalWS);
     surface.occlusion = material.occlusion;
     surface.emission = material.emission;
     surface.alpha = material.alpha;
@@ -223,25 +219,25 @@ Sail_LightingSurface Sail_lighting_surface(vec2 uv0, vec3 geometry_normal_ws, ve
 }
 
 // What one light adds to LightSum.direct.
-//   view_dir_ws: Direction from the surface to the camera in world space, unit.
-vec3 Sail_direct(Sail_LightingSurface surface, Sail_Light light, vec3 view_dir_ws)
+//   viewDirWS: Direction from the surface to the camera in world space, unit.
+vec3 Sail_direct(Sail_LightingSurface surface, Sail_Light light, vec3 viewDirWS)
 {
     // NdotL "ndotl"
-    float cosine = dot(surface.normal_ws, light.direction);
+    float cosine = dot(surface.normalWS, light.direction);
     float ndotl = clamp(cosine, 0.0, 1.0);
 
     // NdotV "ndotv"
-    float cosine_2 = dot(surface.normal_ws, view_dir_ws);
-    float ndotv = clamp(abs(cosine_2), 0.0, 1.0);
+    float ndotvCosine = dot(surface.normalWS, viewDirWS);
+    float ndotv = clamp(abs(ndotvCosine), 0.0, 1.0);
 
-    // HalfVector "half_vector"
-    vec3 half_vector = Sail_HalfVector(view_dir_ws, light.direction);
+    // HalfVector "halfVector"
+    vec3 halfVector = Sail_HalfVector(viewDirWS, light.direction);
 
     // NdotH "ndoth"
-    float ndoth = clamp(dot(surface.normal_ws, half_vector), 0.0, 1.0);
+    float ndoth = clamp(dot(surface.normalWS, halfVector), 0.0, 1.0);
 
     // LdotH "vdoth"
-    float vdoth = clamp(dot(light.direction, half_vector), 0.0, 1.0);
+    float vdoth = clamp(dot(light.direction, halfVector), 0.0, 1.0);
 
     // AlphaFromRoughness "alpha"
     float alpha = max(surface.roughness * surface.roughness, 0.002);
@@ -266,11 +262,11 @@ vec3 Sail_direct(Sail_LightingSurface surface, Sail_Light light, vec3 view_dir_w
 }
 
 // LightSum.indirect: all light that comes from no single light.
-//   view_dir_ws: Direction from the surface to the camera in world space, unit.
-vec3 Sail_indirect(Sail_LightingSurface surface, vec3 view_dir_ws)
+//   viewDirWS: Direction from the surface to the camera in world space, unit.
+vec3 Sail_indirect(Sail_LightingSurface surface, vec3 viewDirWS)
 {
     // NdotV "ndotv"
-    float cosine = dot(surface.normal_ws, view_dir_ws);
+    float cosine = dot(surface.normalWS, viewDirWS);
     float ndotv = clamp(abs(cosine), 0.0, 1.0);
 
     vec3 f0 = mix(vec3(0.04), surface.baseColor, surface.metallic);
@@ -283,10 +279,10 @@ vec3 Sail_indirect(Sail_LightingSurface surface, vec3 view_dir_ws)
     vec3 reflectance = f0 * table.scale + table.offset;
 
     // AmbientIrradiance "ambient"
-    vec3 ambient = AmbientIrradiance(surface.normal_ws);
+    vec3 ambient = AmbientIrradiance(surface.normalWS);
 
     // ReflectionVector "reflected"
-    vec3 reflected = reflect(-view_dir_ws, surface.normal_ws);
+    vec3 reflected = reflect(-viewDirWS, surface.normalWS);
 
     // EnvironmentRadiance "environment"
     vec3 environment = EnvironmentRadiance(reflected, surface.roughness);

@@ -34,7 +34,7 @@ struct Sail_LightingSurface
     float metallic;
     float oneMinusReflectivity;
     float roughness;
-    float3 normal_ws;
+    float3 normalWS;
     float occlusion;
     float3 emission;
     float alpha;
@@ -62,7 +62,7 @@ struct Sail_Surface
     float3 baseColor;
     float metallic;
     float roughness;
-    float3 normal_ws;
+    float3 normalWS;
     float occlusion;
     float3 emission;
     float alpha;
@@ -71,9 +71,9 @@ struct Sail_Surface
 
 struct Sail_MetallicSetupResult
 {
-    float3 diffuse_color;
+    float3 diffuseColor;
     float3 f0;
-    float one_minus_reflectivity;
+    float oneMinusReflectivity;
 };
 
 cbuffer Sail_Material : register(b0, Sail_set)
@@ -104,33 +104,31 @@ float3 Sail_UnpackNormalRedGreen(float4 encoded, float scale)
 }
 
 // A normal from tangent space, in the world.
-float3 Sail_NormalTangentToWorld(float3 normal_ts, float3 normal, float3 tangent, float3 bitangent)
+float3 Sail_NormalTangentToWorld(float3 normalTS, float3 normal, float3 tangent, float3 bitangent)
 {
-    float3 direction = normalize(tangent * normal_ts.x + bitangent * normal_ts.y + normal * normal_ts.z);
-    return direction;
+    return normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
 }
 
 // The surface as the graph describes it, in the words of its workflow.
 //   uv0: First texture coordinates; v grows downwards, as texels are stored.
-//   geometry_normal_ws: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the
-//     viewer.
-//   tangent_ws: Mesh tangent in world space, unit
-//   bitangent_ws: Bitangent in world space: cross(normal, tangent) with the mesh's handedness.
-//   sway: interpolated, from vertex_sway()
-Sail_Surface Sail_surface(float2 uv0, float3 geometry_normal_ws, float3 tangent_ws, float3 bitangent_ws, float sway)
+//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
+//   tangentWS: Mesh tangent in world space, unit
+//   bitangentWS: Bitangent in world space: cross(normal, tangent) with the mesh's handedness.
+//   sway: interpolated, from vertexSway()
+Sail_Surface Sail_surface(float2 uv0, float3 geometryNormalWS, float3 tangentWS, float3 bitangentWS, float sway)
 {
     // SampleTexture2D "albedo"
     float4 albedo = Sail_MainTex.Sample(Sail_sampler_MainTex, uv0);
 
     // SampleNormalMap "bump"
-    float4 bump_texel = Sail_BumpMap.Sample(Sail_sampler_BumpMap, uv0);
-    float3 bump = Sail_UnpackNormalRedGreen(bump_texel, 1.0);
+    float4 bumpTexel = Sail_BumpMap.Sample(Sail_sampler_BumpMap, uv0);
+    float3 bump = Sail_UnpackNormalRedGreen(bumpTexel, 1.0);
 
     Sail_Surface surface;
     surface.baseColor = albedo.xyz * Sail_Tint.xyz;
     surface.metallic = 0.0;
     surface.roughness = 0.5 + 0.2 * sway;
-    surface.normal_ws = Sail_NormalTangentToWorld(bump, geometry_normal_ws, tangent_ws, bitangent_ws);
+    surface.normalWS = Sail_NormalTangentToWorld(bump, geometryNormalWS, tangentWS, bitangentWS);
     surface.occlusion = 1.0;
     surface.emission = float3(0.0, 0.0, 0.0);
     surface.alpha = 1.0;
@@ -139,20 +137,20 @@ Sail_Surface Sail_surface(float2 uv0, float3 geometry_normal_ws, float3 tangent_
 }
 
 // Diffuse colour and reflectance of a surface between plastic and metal.
-Sail_MetallicSetupResult Sail_MetallicSetup(float3 base_color, float metallic)
+Sail_MetallicSetupResult Sail_MetallicSetup(float3 baseColor, float metallic)
 {
-    float one_minus_reflectivity = 0.96 * (1.0 - metallic);
-    Sail_MetallicSetupResult metallic_setup_result;
-    metallic_setup_result.diffuse_color = base_color * one_minus_reflectivity;
-    metallic_setup_result.f0 = lerp(float3(0.04, 0.04, 0.04), base_color, metallic);
-    metallic_setup_result.one_minus_reflectivity = one_minus_reflectivity;
-    return metallic_setup_result;
+    float oneMinusReflectivity = 0.96 * (1.0 - metallic);
+    Sail_MetallicSetupResult metallicSetupResult;
+    metallicSetupResult.diffuseColor = baseColor * oneMinusReflectivity;
+    metallicSetupResult.f0 = lerp(float3(0.04, 0.04, 0.04), baseColor, metallic);
+    metallicSetupResult.oneMinusReflectivity = oneMinusReflectivity;
+    return metallicSetupResult;
 }
 
 // The direction half-way between the light and the viewer: the normal of a mirror that shows one to the other.
-float3 Sail_HalfVector(float3 view, float3 light_dir)
+float3 Sail_HalfVector(float3 view, float3 lightDir)
 {
-    float3 sum = light_dir + view;
+    float3 sum = lightDir + view;
     return sum * rsqrt(max(dot(sum, sum), 0.001));
 }
 
@@ -170,9 +168,9 @@ float Sail_VisibilitySmithJoint(float ndotl, float ndotv, float alpha)
 {
     float a2 = alpha * alpha;
     float difference = 1.0 - a2;
-    float view_part = ndotl * sqrt(ndotv * ndotv * difference + a2);
-    float light_part = ndotv * sqrt(ndotl * ndotl * difference + a2);
-    return 0.5 / max(view_part + light_part, 1e-05);
+    float viewPart = ndotl * sqrt(ndotv * ndotv * difference + a2);
+    float lightPart = ndotv * sqrt(ndotl * ndotl * difference + a2);
+    return 0.5 / max(viewPart + lightPart, 1e-05);
 }
 
 // How far a surface is on the way from its straight reflectance to its grazing one.
@@ -192,27 +190,26 @@ float3 Sail_FresnelSchlick(float3 f0, float cosine, float f90)
 // The surface of this point, as its lighting takes it. A cutout surface is not drawn where its alpha is below
 // alphaClip.
 //   uv0: First texture coordinates; v grows downwards, as texels are stored.
-//   geometry_normal_ws: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the
-//     viewer.
-//   tangent_ws: Mesh tangent in world space, unit
-//   bitangent_ws: Bitangent in world space: cross(normal, tangent) with the mesh's handedness.
-//   sway: interpolated, from vertex_sway()
-Sail_LightingSurface Sail_lighting_surface(float2 uv0, float3 geometry_normal_ws, float3 tangent_ws,
-    float3 bitangent_ws, float sway)
+//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
+//   tangentWS: Mesh tangent in world space, unit
+//   bitangentWS: Bitangent in world space: cross(normal, tangent) with the mesh's handedness.
+//   sway: interpolated, from vertexSway()
+Sail_LightingSurface Sail_lightingSurface(float2 uv0, float3 geometryNormalWS, float3 tangentWS, float3 bitangentWS,
+    float sway)
 {
-    Sail_Surface material = Sail_surface(uv0, geometry_normal_ws, tangent_ws, bitangent_ws, sway);
+    Sail_Surface material = Sail_surface(uv0, geometryNormalWS, tangentWS, bitangentWS, sway);
 
     // MetallicSetup "setup"
     Sail_MetallicSetupResult setup = Sail_MetallicSetup(material.baseColor, material.metallic);
 
     Sail_LightingSurface surface;
-    surface.diffuseColor = setup.diffuse_color;
+    surface.diffuseColor = setup.diffuseColor;
     surface.f0 = setup.f0;
     surface.baseColor = material.baseColor;
     surface.metallic = material.metallic;
-    surface.oneMinusReflectivity = setup.one_minus_reflectivity;
+    surface.oneMinusReflectivity = setup.oneMinusReflectivity;
     surface.roughness = material.roughness;
-    surface.normal_ws = normalize(material.normal_ws);
+    surface.normalWS = normalize(material.normalWS);
     surface.occlusion = material.occlusion;
     surface.emission = material.emission;
     surface.alpha = material.alpha;
@@ -221,25 +218,25 @@ Sail_LightingSurface Sail_lighting_surface(float2 uv0, float3 geometry_normal_ws
 }
 
 // What one light adds to LightSum.direct.
-//   view_dir_ws: Direction from the surface to the camera in world space, unit.
-float3 Sail_direct(Sail_LightingSurface surface, Sail_Light light, float3 view_dir_ws)
+//   viewDirWS: Direction from the surface to the camera in world space, unit.
+float3 Sail_direct(Sail_LightingSurface surface, Sail_Light light, float3 viewDirWS)
 {
     // NdotL "ndotl"
-    float cosine = dot(surface.normal_ws, light.direction);
+    float cosine = dot(surface.normalWS, light.direction);
     float ndotl = saturate(cosine);
 
     // NdotV "ndotv"
-    float cosine_2 = dot(surface.normal_ws, view_dir_ws);
-    float ndotv = saturate(abs(cosine_2));
+    float ndotvCosine = dot(surface.normalWS, viewDirWS);
+    float ndotv = saturate(abs(ndotvCosine));
 
-    // HalfVector "half_vector"
-    float3 half_vector = Sail_HalfVector(view_dir_ws, light.direction);
+    // HalfVector "halfVector"
+    float3 halfVector = Sail_HalfVector(viewDirWS, light.direction);
 
     // NdotH "ndoth"
-    float ndoth = saturate(dot(surface.normal_ws, half_vector));
+    float ndoth = saturate(dot(surface.normalWS, halfVector));
 
     // LdotH "vdoth"
-    float vdoth = saturate(dot(light.direction, half_vector));
+    float vdoth = saturate(dot(light.direction, halfVector));
 
     // AlphaFromRoughness "alpha"
     float alpha = max(surface.roughness * surface.roughness, 0.002);
@@ -264,11 +261,11 @@ float3 Sail_direct(Sail_LightingSurface surface, Sail_Light light, float3 view_d
 }
 
 // LightSum.indirect: all light that comes from no single light.
-//   view_dir_ws: Direction from the surface to the camera in world space, unit.
-float3 Sail_indirect(Sail_LightingSurface surface, float3 view_dir_ws)
+//   viewDirWS: Direction from the surface to the camera in world space, unit.
+float3 Sail_indirect(Sail_LightingSurface surface, float3 viewDirWS)
 {
     // NdotV "ndotv"
-    float cosine = dot(surface.normal_ws, view_dir_ws);
+    float cosine = dot(surface.normalWS, viewDirWS);
     float ndotv = saturate(abs(cosine));
 
     float3 f0 = lerp(float3(0.04, 0.04, 0.04), surface.baseColor, surface.metallic);
@@ -281,10 +278,10 @@ float3 Sail_indirect(Sail_LightingSurface surface, float3 view_dir_ws)
     float3 reflectance = f0 * table.scale + table.offset;
 
     // AmbientIrradiance "ambient"
-    float3 ambient = AmbientIrradiance(surface.normal_ws);
+    float3 ambient = AmbientIrradiance(surface.normalWS);
 
     // ReflectionVector "reflected"
-    float3 reflected = reflect(-view_dir_ws, surface.normal_ws);
+    float3 reflected = reflect(-viewDirWS, surface.normalWS);
 
     // EnvironmentRadiance "environment"
     float3 environment = EnvironmentRadiance(reflected, surface.roughness);

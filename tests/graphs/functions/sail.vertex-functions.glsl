@@ -19,17 +19,17 @@ layout(set = Sail_set, binding = 0, std140) uniform Sail_Material
 
 // What is interpolated and given to the surface as 'sway', of the mesh before the graph moves it.
 //   time: Seconds since the start.
-//   position_ws: Position in world space.
-float Sail_vertex_sway(float time, vec3 position_ws)
+//   positionWS: Position in world space.
+float Sail_vertexSway(float time, vec3 positionWS)
 {
-    return sin(position_ws.y * 3.0 + time);
+    return sin(positionWS.y * 3.0 + time);
 }
 
-// 'position_os' of the mesh, as the graph moves it.
+// 'positionOS' of the mesh, as the graph moves it.
 //   time: Seconds since the start.
-//   position_os: Vertex position in object space; in the fragment stage after displacement.
-//   normal_os: Vertex normal in object space, unit.
-vec3 Sail_vertex_position_os(float time, vec3 position_os, vec3 normal_os)
+//   positionOS: Vertex position in object space; in the fragment stage after displacement.
+//   normalOS: Vertex normal in object space, unit.
+vec3 Sail_vertexPositionOS(float time, vec3 positionOS, vec3 normalOS)
 {
-    return position_os + normal_os * (sin(position_os.x * 20.0 + time) * Sail_Height);
+    return positionOS + normalOS * (sin(positionOS.x * 20.0 + time) * Sail_Height);
 }

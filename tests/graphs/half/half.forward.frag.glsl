@@ -8,7 +8,7 @@ layout(set = 1, binding = 0, std140) uniform Material
     vec4 _Color;
 };
 
-layout(location = 0) out vec4 out_color;
+layout(location = 0) out vec4 outColor;
 
 vec3 surface()
 {
@@ -23,5 +23,5 @@ vec3 surface()
 void main()
 {
     vec3 material = surface();
-    out_color = vec4(material, 1.0);
+    outColor = vec4(material, 1.0);
 }

@@ -3,26 +3,26 @@
 
 cbuffer Camera : register(b1, space0)
 {
-    float4x4 world_to_clip;
-    float4x4 world_to_view;
-    float3 camera_position_ws;
-    float view_is_orthographic;
-    float3 camera_forward_ws;
-    float shadow_bias;
-    float4x4 clip_to_world;
-    float2 clip_planes;
-    float shadow_normal_bias;
+    float4x4 worldToClip;
+    float4x4 worldToView;
+    float3 cameraPositionWS;
+    float viewIsOrthographic;
+    float3 cameraForwardWS;
+    float shadowBias;
+    float4x4 clipToWorld;
+    float2 clipPlanes;
+    float shadowNormalBias;
 };
 
 cbuffer Object : register(b4, space0)
 {
-    float4x4 object_to_world;
-    float4x4 world_to_object;
+    float4x4 objectToWorld;
+    float4x4 worldToObject;
 };
 
 struct VertexInput
 {
-    float3 position_os : POSITION;
+    float3 positionOS : POSITION;
 };
 
 struct VertexOutput
@@ -33,6 +33,6 @@ struct VertexOutput
 VertexOutput main(VertexInput input)
 {
     VertexOutput output;
-    output.position = mul(world_to_clip, float4(mul(object_to_world, float4(input.position_os, 1.0)).xyz, 1.0));
+    output.position = mul(worldToClip, float4(mul(objectToWorld, float4(input.positionOS, 1.0)).xyz, 1.0));
     return output;
 }

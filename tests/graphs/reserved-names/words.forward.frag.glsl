@@ -4,9 +4,9 @@
 
 struct MetallicSetupResult
 {
-    vec3 diffuse_color;
+    vec3 diffuseColor;
     vec3 f0;
-    float one_minus_reflectivity;
+    float oneMinusReflectivity;
 };
 
 struct Surface
@@ -14,7 +14,7 @@ struct Surface
     vec3 baseColor;
     float metallic;
     float roughness;
-    vec3 normal_ws;
+    vec3 normalWS;
     float occlusion;
     vec3 emission;
 };
@@ -29,56 +29,56 @@ struct Light
 
 layout(set = 0, binding = 1, std140) uniform Camera
 {
-    mat4 world_to_clip;
-    mat4 world_to_view;
-    vec3 camera_position_ws;
-    float view_is_orthographic;
-    vec3 camera_forward_ws;
-    float shadow_bias;
-    mat4 clip_to_world;
-    vec2 clip_planes;
-    float shadow_normal_bias;
+    mat4 worldToClip;
+    mat4 worldToView;
+    vec3 cameraPositionWS;
+    float viewIsOrthographic;
+    vec3 cameraForwardWS;
+    float shadowBias;
+    mat4 clipToWorld;
+    vec2 clipPlanes;
+    float shadowNormalBias;
 };
 
 layout(set = 0, binding = 2, std140) uniform Lights
 {
-    int light_count;
+    int lightCount;
     float _pad0;
     float _pad1;
     float _pad2;
-    vec4 light_position[16];
-    vec4 light_color[16];
-    vec4 light_axis[16];
-    vec4 light_cone[16];
-    int vertex_light_count;
+    vec4 lightPosition[16];
+    vec4 lightColor[16];
+    vec4 lightAxis[16];
+    vec4 lightCone[16];
+    int vertexLightCount;
 };
 
 layout(set = 0, binding = 5, std140) uniform Ambient
 {
-    vec4 ambient_sh[9];
+    vec4 ambientSH[9];
 };
 
 layout(set = 1, binding = 0, std140) uniform Material
 {
     vec4 glTint;
     float a_b;
-    float a_b_2;
-    float Material_2;
-    float light_count_2;
+    float a_b2;
+    float Material2;
+    float lightCount2;
     float main_;
 };
 
-layout(set = 0, binding = 6) uniform textureCube environment_map;
-layout(set = 0, binding = 8) uniform sampler environment_map_sampler;
+layout(set = 0, binding = 6) uniform textureCube environmentMap;
+layout(set = 0, binding = 8) uniform sampler environmentMapSampler;
 layout(set = 1, binding = 1) uniform texture2D texture_;
 layout(set = 1, binding = 2) uniform sampler samplertexture;
 
-layout(location = 0) in vec2 v_uv0;
-layout(location = 1) in vec3 v_position_ws;
-layout(location = 2) in vec3 v_vertex_normal_ws;
-layout(location = 0) out vec4 out_color;
+layout(location = 0) in vec2 vUv0;
+layout(location = 1) in vec3 vPositionWS;
+layout(location = 2) in vec3 vVertexNormalWS;
+layout(location = 0) out vec4 outColor;
 
-Surface surface(vec2 uv0, vec3 geometry_normal_ws)
+Surface surface(vec2 uv0, vec3 geometryNormalWS)
 {
     // SampleTexture2D "float"
     vec4 float_ = texture(sampler2D(texture_, samplertexture), uv0);
@@ -88,46 +88,46 @@ Surface surface(vec2 uv0, vec3 geometry_normal_ws)
 
     Surface s;
     s.baseColor = out_;
-    s.metallic = a_b * a_b_2;
-    s.roughness = Material_2;
-    s.normal_ws = geometry_normal_ws;
-    s.occlusion = light_count_2 * main_;
+    s.metallic = a_b * a_b2;
+    s.roughness = Material2;
+    s.normalWS = geometryNormalWS;
+    s.occlusion = lightCount2 * main_;
     s.emission = vec3(0.0);
     return s;
 }
 
 // Diffuse colour and reflectance of a surface between plastic and metal.
-MetallicSetupResult MetallicSetup(vec3 base_color, float metallic)
+MetallicSetupResult MetallicSetup(vec3 baseColor, float metallic)
 {
-    float one_minus_reflectivity = 0.96 * (1.0 - metallic);
-    MetallicSetupResult metallic_setup_result;
-    metallic_setup_result.diffuse_color = base_color * one_minus_reflectivity;
-    metallic_setup_result.f0 = mix(vec3(0.04), base_color, metallic);
-    metallic_setup_result.one_minus_reflectivity = one_minus_reflectivity;
-    return metallic_setup_result;
+    float oneMinusReflectivity = 0.96 * (1.0 - metallic);
+    MetallicSetupResult metallicSetupResult;
+    metallicSetupResult.diffuseColor = baseColor * oneMinusReflectivity;
+    metallicSetupResult.f0 = mix(vec3(0.04), baseColor, metallic);
+    metallicSetupResult.oneMinusReflectivity = oneMinusReflectivity;
+    return metallicSetupResult;
 }
 
 // The inverse square law, with a window that ends it smoothly at the light's range.
-float distance_attenuation(float distance_squared, float range)
+float distanceAttenuation(float distanceSquared, float range)
 {
-    float ratio = distance_squared / (range * range);
+    float ratio = distanceSquared / (range * range);
     float window = clamp(1.0 - ratio * ratio, 0.0, 1.0);
-    return window * window / max(distance_squared, 1e-04);
+    return window * window / max(distanceSquared, 1e-04);
 }
 
 // The light in slot `index` of the list, as seen from `position` (world space).
-Light light_at(int index, vec3 position)
+Light lightAt(int index, vec3 position)
 {
     int slot = clamp(index, 0, 15);
-    vec4 place = light_position[slot];
-    vec4 color = light_color[slot];
-    bool is_local = place.w > 0.5;
-    vec3 to_light = place.xyz - (is_local ? position : vec3(0.0));
-    float distance_squared = dot(to_light, to_light);
-    vec3 direction = to_light * inversesqrt(max(distance_squared, 1e-12));
-    float attenuation = is_local ? distance_attenuation(distance_squared, color.w) : 1.0;
-    float cosine = -dot(light_axis[slot].xyz, direction);
-    vec4 cone = light_cone[slot];
+    vec4 place = lightPosition[slot];
+    vec4 color = lightColor[slot];
+    bool isLocal = place.w > 0.5;
+    vec3 toLight = place.xyz - (isLocal ? position : vec3(0.0));
+    float distanceSquared = dot(toLight, toLight);
+    vec3 direction = toLight * inversesqrt(max(distanceSquared, 1e-12));
+    float attenuation = isLocal ? distanceAttenuation(distanceSquared, color.w) : 1.0;
+    float cosine = -dot(lightAxis[slot].xyz, direction);
+    vec4 cone = lightCone[slot];
     float spot = clamp((cosine - cone.y) / max(cone.x - cone.y, 0.001), 0.0, 1.0);
     Light light;
     light.direction = direction;
@@ -138,9 +138,9 @@ Light light_at(int index, vec3 position)
 }
 
 // The direction half-way between the light and the viewer: the normal of a mirror that shows one to the other.
-vec3 HalfVector(vec3 view, vec3 light_dir)
+vec3 HalfVector(vec3 view, vec3 lightDir)
 {
-    vec3 sum = light_dir + view;
+    vec3 sum = lightDir + view;
     return sum * inversesqrt(max(dot(sum, sum), 0.001));
 }
 
@@ -172,101 +172,100 @@ float MipFromRoughness(float roughness, float steps)
 
 void main()
 {
-    vec3 view_dir_ws = normalize(mix(camera_position_ws - v_position_ws, -camera_forward_ws, view_is_orthographic));
-    vec3 geometry_normal_ws = normalize(v_vertex_normal_ws);
-    Surface material = surface(v_uv0, geometry_normal_ws);
+    vec3 viewDirWS = normalize(mix(cameraPositionWS - vPositionWS, -cameraForwardWS, viewIsOrthographic));
+    vec3 geometryNormalWS = normalize(vVertexNormalWS);
+    Surface material = surface(vUv0, geometryNormalWS);
 
     // MetallicSetup "setup"
     MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
 
-    vec3 normal_ws = normalize(material.normal_ws);
-    int count = min(light_count, 16);
+    vec3 normalWS = normalize(material.normalWS);
+    int count = min(lightCount, 16);
 
     // NdotV "ndotv"
-    float cosine = dot(normal_ws, view_dir_ws);
+    float cosine = dot(normalWS, viewDirWS);
     float ndotv = clamp(abs(cosine), 0.0, 1.0);
 
     // DisneyDiffuse "diffuse"
-    float diffuse_product = 2.0 * material.roughness;
+    float diffuseProduct = 2.0 * material.roughness;
     float m = clamp(1.0 - ndotv, 0.0, 1.0);
     float m2 = m * m;
-    float diffuse_product_2 = m2 * m2 * m;
+    float schlickWeight = m2 * m2 * m;
 
     // AlphaFromRoughness "alpha"
     float alpha = max(material.roughness * material.roughness, 0.002);
 
     // VisibilitySmithJointApproximate "visibility"
-    float visibility_difference = 1.0 - alpha;
-    float visibility_sum = ndotv * visibility_difference + alpha;
+    float visibilityDifference = 1.0 - alpha;
+    float visibilitySum = ndotv * visibilityDifference + alpha;
 
     // DistributionGGXUnity "distribution"
     float a2 = alpha * alpha;
-    float distribution_product = 0.31830987 * a2;
+    float distributionProduct = 0.31830987 * a2;
 
     // FresnelSchlick "fresnel"
-    vec3 fresnel_difference = 1.0 - setup.f0;
+    vec3 fresnelDifference = 1.0 - setup.f0;
 
-    float has_specular = any(greaterThan(setup.f0, vec3(0.0))) ? 1.0 : 0.0;
+    float hasSpecular = any(greaterThan(setup.f0, vec3(0.0))) ? 1.0 : 0.0;
 
-    vec3 direct_sum = vec3(0.0);
+    vec3 directSum = vec3(0.0);
     for (int i = 0; i < count; ++i) {
-        Light light = light_at(i, v_position_ws);
+        Light light = lightAt(i, vPositionWS);
 
         // NdotL "ndotl"
-        float cosine_2 = dot(normal_ws, light.direction);
-        float ndotl = clamp(cosine_2, 0.0, 1.0);
+        float ndotlCosine = dot(normalWS, light.direction);
+        float ndotl = clamp(ndotlCosine, 0.0, 1.0);
 
-        // HalfVector "half_vector"
-        vec3 half_vector = HalfVector(view_dir_ws, light.direction);
+        // HalfVector "halfVector"
+        vec3 halfVector = HalfVector(viewDirWS, light.direction);
 
         // NdotH "ndoth"
-        float ndoth = clamp(dot(normal_ws, half_vector), 0.0, 1.0);
+        float ndoth = clamp(dot(normalWS, halfVector), 0.0, 1.0);
 
         // LdotH "ldoth"
-        float ldoth = clamp(dot(light.direction, half_vector), 0.0, 1.0);
+        float ldoth = clamp(dot(light.direction, halfVector), 0.0, 1.0);
 
-        float f90 = 0.5 + diffuse_product * ldoth * ldoth;
-        float diffuse_difference = f90 - 1.0;
-        float light_scatter = 1.0 + diffuse_difference * SchlickWeight(ndotl);
-        float view_scatter = 1.0 + diffuse_difference * diffuse_product_2;
-        float diffuse = light_scatter * view_scatter;
+        float f90 = 0.5 + diffuseProduct * ldoth * ldoth;
+        float diffuseDifference = f90 - 1.0;
+        float lightScatter = 1.0 + diffuseDifference * SchlickWeight(ndotl);
+        float viewScatter = 1.0 + diffuseDifference * schlickWeight;
+        float diffuse = lightScatter * viewScatter;
 
-        float view_part = ndotl * visibility_sum;
-        float light_part = ndotv * (ndotl * visibility_difference + alpha);
-        float visibility = 0.5 / (view_part + light_part + 1e-05);
+        float viewPart = ndotl * visibilitySum;
+        float lightPart = ndotv * (ndotl * visibilityDifference + alpha);
+        float visibility = 0.5 / (viewPart + lightPart + 1e-05);
 
         float spread = (ndoth * a2 - ndoth) * ndoth + 1.0;
-        float distribution = distribution_product / (spread * spread + 1e-07);
+        float distribution = distributionProduct / (spread * spread + 1e-07);
 
-        vec3 fresnel = setup.f0 + fresnel_difference * SchlickWeight(ldoth);
+        vec3 fresnel = setup.f0 + fresnelDifference * SchlickWeight(ldoth);
 
-        vec3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * has_specular * fresnel;
+        vec3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * hasSpecular * fresnel;
 
         vec3 radiance = light.color * (light.attenuation * light.shadow);
-        direct_sum += (setup.diffuse_color * (diffuse * ndotl) + specular) * radiance;
+        directSum += (setup.diffuseColor * (diffuse * ndotl) + specular) * radiance;
     }
 
     // AmbientIrradiance "ambient"
-    vec3 ambient = EvaluateSH9(normal_ws, ambient_sh[0].xyz, ambient_sh[1].xyz, ambient_sh[2].xyz, ambient_sh[3].xyz,
-        ambient_sh[4].xyz, ambient_sh[5].xyz, ambient_sh[6].xyz, ambient_sh[7].xyz, ambient_sh[8].xyz);
+    vec3 ambient = EvaluateSH9(normalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz, ambientSH[3].xyz,
+        ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
 
-    vec3 reflected = reflect(-view_dir_ws, normal_ws);
+    vec3 reflected = reflect(-viewDirWS, normalWS);
 
     // EnvironmentRadiance "environment"
-    float mip_from_roughness = MipFromRoughness(clamp(material.roughness, 0.0, 1.0), 5.0);
-    vec4 environment_texel = textureLod(samplerCube(environment_map, environment_map_sampler), reflected,
-        mip_from_roughness);
+    float mipFromRoughness = MipFromRoughness(clamp(material.roughness, 0.0, 1.0), 5.0);
+    vec4 environmentTexel = textureLod(samplerCube(environmentMap, environmentMapSampler), reflected, mipFromRoughness);
 
     // SurfaceReduction "reduction"
     float reduction = 1.0 / (a2 + 1.0);
 
     // GrazingTerm "grazing"
     float smoothness = 1.0 - material.roughness;
-    float grazing = clamp(smoothness + 1.0 - setup.one_minus_reflectivity, 0.0, 1.0);
+    float grazing = clamp(smoothness + 1.0 - setup.oneMinusReflectivity, 0.0, 1.0);
 
     // FresnelLerp "reflectance"
     vec3 reflectance = mix(setup.f0, vec3(grazing), SchlickWeight(ndotv));
 
-    vec3 indirect = (setup.diffuse_color * ambient + reduction * reflectance * environment_texel.xyz) * material.occlusion;
-    out_color = vec4(direct_sum + indirect + material.emission, 1.0);
+    vec3 indirect = (setup.diffuseColor * ambient + reduction * reflectance * environmentTexel.xyz) * material.occlusion;
+    outColor = vec4(directSum + indirect + material.emission, 1.0);
 }

@@ -4,35 +4,35 @@
 
 layout(set = 0, binding = 1, std140) uniform Camera
 {
-    mat4 world_to_clip;
-    mat4 world_to_view;
-    vec3 camera_position_ws;
-    float view_is_orthographic;
-    vec3 camera_forward_ws;
-    float shadow_bias;
-    mat4 clip_to_world;
-    vec2 clip_planes;
-    float shadow_normal_bias;
+    mat4 worldToClip;
+    mat4 worldToView;
+    vec3 cameraPositionWS;
+    float viewIsOrthographic;
+    vec3 cameraForwardWS;
+    float shadowBias;
+    mat4 clipToWorld;
+    vec2 clipPlanes;
+    float shadowNormalBias;
 };
 
 layout(set = 0, binding = 4, std140) uniform Object
 {
-    mat4 object_to_world;
-    mat4 world_to_object;
+    mat4 objectToWorld;
+    mat4 worldToObject;
 };
 
-layout(location = 0) in vec3 in_position_os;
-layout(location = 1) in vec2 in_uv0;
-layout(location = 2) in vec3 in_normal_os;
-layout(location = 0) out vec2 v_uv0;
-layout(location = 1) out vec3 v_position_ws;
-layout(location = 2) out vec3 v_vertex_normal_ws;
+layout(location = 0) in vec3 inPositionOS;
+layout(location = 1) in vec2 inUv0;
+layout(location = 2) in vec3 inNormalOS;
+layout(location = 0) out vec2 vUv0;
+layout(location = 1) out vec3 vPositionWS;
+layout(location = 2) out vec3 vVertexNormalWS;
 
 void main()
 {
-    vec4 position_ws = object_to_world * vec4(in_position_os, 1.0);
-    v_uv0 = in_uv0;
-    v_position_ws = position_ws.xyz;
-    v_vertex_normal_ws = normalize((vec4(in_normal_os, 0.0) * world_to_object).xyz);
-    gl_Position = world_to_clip * vec4(position_ws.xyz, 1.0);
+    vec4 positionWS = objectToWorld * vec4(inPositionOS, 1.0);
+    vUv0 = inUv0;
+    vPositionWS = positionWS.xyz;
+    vVertexNormalWS = normalize((vec4(inNormalOS, 0.0) * worldToObject).xyz);
+    gl_Position = worldToClip * vec4(positionWS.xyz, 1.0);
 }

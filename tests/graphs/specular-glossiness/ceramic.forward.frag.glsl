@@ -4,14 +4,14 @@
 
 struct SpecularSetupMonochromeResult
 {
-    vec3 diffuse_color;
+    vec3 diffuseColor;
     vec3 f0;
-    float one_minus_reflectivity;
+    float oneMinusReflectivity;
 };
 
 struct MetallicSetupResult
 {
-    vec3 diffuse_color;
+    vec3 diffuseColor;
     vec3 f0;
 };
 
@@ -20,7 +20,7 @@ struct Surface
     vec3 baseColor;
     vec3 specular;
     float glossiness;
-    vec3 normal_ws;
+    vec3 normalWS;
     float occlusion;
     vec3 emission;
 };
@@ -41,33 +41,33 @@ struct Light
 
 layout(set = 0, binding = 1, std140) uniform Camera
 {
-    mat4 world_to_clip;
-    mat4 world_to_view;
-    vec3 camera_position_ws;
-    float view_is_orthographic;
-    vec3 camera_forward_ws;
-    float shadow_bias;
-    mat4 clip_to_world;
-    vec2 clip_planes;
-    float shadow_normal_bias;
+    mat4 worldToClip;
+    mat4 worldToView;
+    vec3 cameraPositionWS;
+    float viewIsOrthographic;
+    vec3 cameraForwardWS;
+    float shadowBias;
+    mat4 clipToWorld;
+    vec2 clipPlanes;
+    float shadowNormalBias;
 };
 
 layout(set = 0, binding = 2, std140) uniform Lights
 {
-    int light_count;
+    int lightCount;
     float _pad0;
     float _pad1;
     float _pad2;
-    vec4 light_position[16];
-    vec4 light_color[16];
-    vec4 light_axis[16];
-    vec4 light_cone[16];
-    int vertex_light_count;
+    vec4 lightPosition[16];
+    vec4 lightColor[16];
+    vec4 lightAxis[16];
+    vec4 lightCone[16];
+    int vertexLightCount;
 };
 
 layout(set = 0, binding = 5, std140) uniform Ambient
 {
-    vec4 ambient_sh[9];
+    vec4 ambientSH[9];
 };
 
 layout(set = 1, binding = 0, std140) uniform Material
@@ -76,16 +76,16 @@ layout(set = 1, binding = 0, std140) uniform Material
     float _Glossiness;
 };
 
-layout(set = 0, binding = 6) uniform textureCube environment_map;
-layout(set = 0, binding = 8) uniform sampler environment_map_sampler;
+layout(set = 0, binding = 6) uniform textureCube environmentMap;
+layout(set = 0, binding = 8) uniform sampler environmentMapSampler;
 layout(set = 1, binding = 1) uniform texture2D _NormalTex;
 layout(set = 1, binding = 2) uniform sampler sampler_NormalTex;
 
-layout(location = 0) in vec2 v_uv0;
-layout(location = 1) in vec3 v_position_ws;
-layout(location = 2) in vec3 v_vertex_normal_ws;
-layout(location = 3) in vec4 v_vertex_tangent_ws;
-layout(location = 0) out vec4 out_color;
+layout(location = 0) in vec2 vUv0;
+layout(location = 1) in vec3 vPositionWS;
+layout(location = 2) in vec3 vVertexNormalWS;
+layout(location = 3) in vec4 vVertexTangentWS;
+layout(location = 0) out vec4 outColor;
 
 // The z of a unit normal, from its x and y.
 vec3 NormalReconstructZ(vec2 xy)
@@ -101,63 +101,62 @@ vec3 UnpackNormalRedGreen(vec4 encoded, float scale)
 }
 
 // A normal from tangent space, in the world.
-vec3 NormalTangentToWorld(vec3 normal_ts, vec3 normal, vec3 tangent, vec3 bitangent)
+vec3 NormalTangentToWorld(vec3 normalTS, vec3 normal, vec3 tangent, vec3 bitangent)
 {
-    vec3 direction = normalize(tangent * normal_ts.x + bitangent * normal_ts.y + normal * normal_ts.z);
-    return direction;
+    return normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
 }
 
-Surface surface(vec2 uv0, vec3 geometry_normal_ws, vec3 tangent_ws, vec3 bitangent_ws)
+Surface surface(vec2 uv0, vec3 geometryNormalWS, vec3 tangentWS, vec3 bitangentWS)
 {
     // SampleNormalMap "bumps"
-    vec4 bumps_texel = texture(sampler2D(_NormalTex, sampler_NormalTex), uv0);
-    vec3 bumps = UnpackNormalRedGreen(bumps_texel, 1.0);
+    vec4 bumpsTexel = texture(sampler2D(_NormalTex, sampler_NormalTex), uv0);
+    vec3 bumps = UnpackNormalRedGreen(bumpsTexel, 1.0);
 
     Surface s;
     s.baseColor = _Glaze.xyz;
     s.specular = vec3(0.05);
     s.glossiness = _Glossiness;
-    s.normal_ws = NormalTangentToWorld(bumps, geometry_normal_ws, tangent_ws, bitangent_ws);
+    s.normalWS = NormalTangentToWorld(bumps, geometryNormalWS, tangentWS, bitangentWS);
     s.occlusion = 1.0;
     s.emission = vec3(0.0);
     return s;
 }
 
 // Diffuse colour and reflectance of a surface whose reflectance is given.
-SpecularSetupMonochromeResult SpecularSetupMonochrome(vec3 base_color, vec3 specular)
+SpecularSetupMonochromeResult SpecularSetupMonochrome(vec3 baseColor, vec3 specular)
 {
-    float one_minus_reflectivity = 1.0 - max(max(specular.x, specular.y), specular.z);
-    SpecularSetupMonochromeResult specular_setup_monochrome_result;
-    specular_setup_monochrome_result.diffuse_color = base_color * one_minus_reflectivity;
-    specular_setup_monochrome_result.f0 = specular;
-    specular_setup_monochrome_result.one_minus_reflectivity = one_minus_reflectivity;
-    return specular_setup_monochrome_result;
+    float oneMinusReflectivity = 1.0 - max(max(specular.x, specular.y), specular.z);
+    SpecularSetupMonochromeResult specularSetupMonochromeResult;
+    specularSetupMonochromeResult.diffuseColor = baseColor * oneMinusReflectivity;
+    specularSetupMonochromeResult.f0 = specular;
+    specularSetupMonochromeResult.oneMinusReflectivity = oneMinusReflectivity;
+    return specularSetupMonochromeResult;
 }
 
-vec3 fitted_base_color(vec3 scattered, vec3 specular, float metallic)
+vec3 fittedBaseColor(vec3 scattered, vec3 specular, float metallic)
 {
     float dielectric = 1.0 - metallic;
     return clamp((scattered + specular - 0.04 * dielectric) / (0.96 * dielectric + metallic), 0.0, 1.0);
 }
 
 // Diffuse colour and reflectance of a surface between plastic and metal.
-MetallicSetupResult MetallicSetup(vec3 base_color, float metallic)
+MetallicSetupResult MetallicSetup(vec3 baseColor, float metallic)
 {
-    float one_minus_reflectivity = 0.96 * (1.0 - metallic);
-    MetallicSetupResult metallic_setup_result;
-    metallic_setup_result.diffuse_color = base_color * one_minus_reflectivity;
-    metallic_setup_result.f0 = mix(vec3(0.04), base_color, metallic);
-    return metallic_setup_result;
+    float oneMinusReflectivity = 0.96 * (1.0 - metallic);
+    MetallicSetupResult metallicSetupResult;
+    metallicSetupResult.diffuseColor = baseColor * oneMinusReflectivity;
+    metallicSetupResult.f0 = mix(vec3(0.04), baseColor, metallic);
+    return metallicSetupResult;
 }
 
-float metallic_fit_error(vec3 scattered, vec3 specular, float metallic)
+float metallicFitError(vec3 scattered, vec3 specular, float metallic)
 {
-    vec3 base_color = fitted_base_color(scattered, specular, metallic);
-    MetallicSetupResult metallic_setup_result = MetallicSetup(base_color, metallic);
-    vec3 off_diffuse = abs(metallic_setup_result.diffuse_color - scattered);
-    vec3 off_specular = abs(metallic_setup_result.f0 - specular);
-    float limited = max(max(off_specular.x, off_specular.y), off_specular.z);
-    return max(max(max(off_diffuse.x, off_diffuse.y), off_diffuse.z), limited);
+    vec3 baseColor = fittedBaseColor(scattered, specular, metallic);
+    MetallicSetupResult metallicSetupResult = MetallicSetup(baseColor, metallic);
+    vec3 offDiffuse = abs(metallicSetupResult.diffuseColor - scattered);
+    vec3 offSpecular = abs(metallicSetupResult.f0 - specular);
+    float specularStrengthLargest = max(max(offSpecular.x, offSpecular.y), offSpecular.z);
+    return max(max(max(offDiffuse.x, offDiffuse.y), offDiffuse.z), specularStrengthLargest);
 }
 
 // The metallic/roughness description of a specular/gloss surface, exact where one exists and the nearest elsewhere.
@@ -166,38 +165,38 @@ MetallicFromSpecularQuickResult MetallicFromSpecularQuick(vec3 diffuse, vec3 spe
     float s = max(max(specular.x, specular.y), specular.z);
     vec3 scattered = diffuse * (1.0 - s);
     float d = max(max(scattered.x, scattered.y), scattered.z);
-    float half_b = 0.5 * (d / 0.96 + s - 0.08);
+    float halfB = 0.5 * (d / 0.96 + s - 0.08);
     float c = 0.04 - s;
-    float root = sqrt(max(half_b * half_b - 0.04 * c, 0.0));
-    float plain = half_b > 0.0 ? (s - 0.04) / max(half_b + root, 1e-06) : (root - half_b) / 0.04;
+    float root = sqrt(max(halfB * halfB - 0.04 * c, 0.0));
+    float plain = halfB > 0.0 ? (s - 0.04) / max(halfB + root, 1e-06) : (root - halfB) / 0.04;
     float metallic = clamp(s <= 0.04 ? 0.0 : plain, 0.0, 1.0);
-    MetallicFromSpecularQuickResult metallic_from_specular_quick_result;
-    metallic_from_specular_quick_result.metallic = metallic;
-    metallic_from_specular_quick_result.error = metallic_fit_error(scattered, specular, metallic);
-    return metallic_from_specular_quick_result;
+    MetallicFromSpecularQuickResult metallicFromSpecularQuickResult;
+    metallicFromSpecularQuickResult.metallic = metallic;
+    metallicFromSpecularQuickResult.error = metallicFitError(scattered, specular, metallic);
+    return metallicFromSpecularQuickResult;
 }
 
 // The inverse square law, with a window that ends it smoothly at the light's range.
-float distance_attenuation(float distance_squared, float range)
+float distanceAttenuation(float distanceSquared, float range)
 {
-    float ratio = distance_squared / (range * range);
+    float ratio = distanceSquared / (range * range);
     float window = clamp(1.0 - ratio * ratio, 0.0, 1.0);
-    return window * window / max(distance_squared, 1e-04);
+    return window * window / max(distanceSquared, 1e-04);
 }
 
 // The light in slot `index` of the list, as seen from `position` (world space).
-Light light_at(int index, vec3 position)
+Light lightAt(int index, vec3 position)
 {
     int slot = clamp(index, 0, 15);
-    vec4 place = light_position[slot];
-    vec4 color = light_color[slot];
-    bool is_local = place.w > 0.5;
-    vec3 to_light = place.xyz - (is_local ? position : vec3(0.0));
-    float distance_squared = dot(to_light, to_light);
-    vec3 direction = to_light * inversesqrt(max(distance_squared, 1e-12));
-    float attenuation = is_local ? distance_attenuation(distance_squared, color.w) : 1.0;
-    float cosine = -dot(light_axis[slot].xyz, direction);
-    vec4 cone = light_cone[slot];
+    vec4 place = lightPosition[slot];
+    vec4 color = lightColor[slot];
+    bool isLocal = place.w > 0.5;
+    vec3 toLight = place.xyz - (isLocal ? position : vec3(0.0));
+    float distanceSquared = dot(toLight, toLight);
+    vec3 direction = toLight * inversesqrt(max(distanceSquared, 1e-12));
+    float attenuation = isLocal ? distanceAttenuation(distanceSquared, color.w) : 1.0;
+    float cosine = -dot(lightAxis[slot].xyz, direction);
+    vec4 cone = lightCone[slot];
     float spot = clamp((cosine - cone.y) / max(cone.x - cone.y, 0.001), 0.0, 1.0);
     Light light;
     light.direction = direction;
@@ -208,9 +207,9 @@ Light light_at(int index, vec3 position)
 }
 
 // The direction half-way between the light and the viewer: the normal of a mirror that shows one to the other.
-vec3 HalfVector(vec3 view, vec3 light_dir)
+vec3 HalfVector(vec3 view, vec3 lightDir)
 {
-    vec3 sum = light_dir + view;
+    vec3 sum = lightDir + view;
     return sum * inversesqrt(max(dot(sum, sum), 0.001));
 }
 
@@ -242,11 +241,11 @@ float MipFromRoughness(float roughness, float steps)
 
 void main()
 {
-    vec3 view_dir_ws = normalize(mix(camera_position_ws - v_position_ws, -camera_forward_ws, view_is_orthographic));
-    vec3 geometry_normal_ws = normalize(v_vertex_normal_ws);
-    vec3 tangent_ws = normalize(v_vertex_tangent_ws.xyz);
-    vec3 bitangent_ws = cross(geometry_normal_ws, tangent_ws) * v_vertex_tangent_ws.w;
-    Surface material = surface(v_uv0, geometry_normal_ws, tangent_ws, bitangent_ws);
+    vec3 viewDirWS = normalize(mix(cameraPositionWS - vPositionWS, -cameraForwardWS, viewIsOrthographic));
+    vec3 geometryNormalWS = normalize(vVertexNormalWS);
+    vec3 tangentWS = normalize(vVertexTangentWS.xyz);
+    vec3 bitangentWS = cross(geometryNormalWS, tangentWS) * vVertexTangentWS.w;
+    Surface material = surface(vUv0, geometryNormalWS, tangentWS, bitangentWS);
 
     // SpecularSetup "setup"
     SpecularSetupMonochromeResult setup = SpecularSetupMonochrome(material.baseColor, material.specular);
@@ -254,86 +253,85 @@ void main()
     // MetallicFromSpecular "metal"
     MetallicFromSpecularQuickResult metal = MetallicFromSpecularQuick(material.baseColor, material.specular);
 
-    float product = 0.96 * (1.0 - metal.metallic);
-    float oneMinusReflectivity = mix(product, setup.one_minus_reflectivity, clamp(metal.error * 50.0, 0.0, 1.0));
+    float oneMinusReflectivity = mix(0.96 * (1.0 - metal.metallic), setup.oneMinusReflectivity,
+        clamp(metal.error * 50.0, 0.0, 1.0));
     float roughness = 1.0 - material.glossiness;
-    vec3 normal_ws = normalize(material.normal_ws);
-    int count = min(light_count, 16);
+    vec3 normalWS = normalize(material.normalWS);
+    int count = min(lightCount, 16);
 
     // NdotV "ndotv"
-    float cosine = dot(normal_ws, view_dir_ws);
+    float cosine = dot(normalWS, viewDirWS);
     float ndotv = clamp(abs(cosine), 0.0, 1.0);
 
     // DisneyDiffuse "diffuse"
-    float diffuse_product = 2.0 * roughness;
+    float diffuseProduct = 2.0 * roughness;
     float m = clamp(1.0 - ndotv, 0.0, 1.0);
     float m2 = m * m;
-    float diffuse_product_2 = m2 * m2 * m;
+    float schlickWeight = m2 * m2 * m;
 
     // AlphaFromRoughness "alpha"
     float alpha = max(roughness * roughness, 0.002);
 
     // VisibilitySmithJointApproximate "visibility"
-    float visibility_difference = 1.0 - alpha;
-    float visibility_sum = ndotv * visibility_difference + alpha;
+    float visibilityDifference = 1.0 - alpha;
+    float visibilitySum = ndotv * visibilityDifference + alpha;
 
     // DistributionGGXUnity "distribution"
     float a2 = alpha * alpha;
-    float distribution_product = 0.31830987 * a2;
+    float distributionProduct = 0.31830987 * a2;
 
     // FresnelSchlick "fresnel"
-    vec3 fresnel_difference = 1.0 - setup.f0;
+    vec3 fresnelDifference = 1.0 - setup.f0;
 
-    float has_specular = any(greaterThan(setup.f0, vec3(0.0))) ? 1.0 : 0.0;
+    float hasSpecular = any(greaterThan(setup.f0, vec3(0.0))) ? 1.0 : 0.0;
 
-    vec3 direct_sum = vec3(0.0);
+    vec3 directSum = vec3(0.0);
     for (int i = 0; i < count; ++i) {
-        Light light = light_at(i, v_position_ws);
+        Light light = lightAt(i, vPositionWS);
 
         // NdotL "ndotl"
-        float cosine_2 = dot(normal_ws, light.direction);
-        float ndotl = clamp(cosine_2, 0.0, 1.0);
+        float ndotlCosine = dot(normalWS, light.direction);
+        float ndotl = clamp(ndotlCosine, 0.0, 1.0);
 
-        // HalfVector "half_vector"
-        vec3 half_vector = HalfVector(view_dir_ws, light.direction);
+        // HalfVector "halfVector"
+        vec3 halfVector = HalfVector(viewDirWS, light.direction);
 
         // NdotH "ndoth"
-        float ndoth = clamp(dot(normal_ws, half_vector), 0.0, 1.0);
+        float ndoth = clamp(dot(normalWS, halfVector), 0.0, 1.0);
 
         // LdotH "ldoth"
-        float ldoth = clamp(dot(light.direction, half_vector), 0.0, 1.0);
+        float ldoth = clamp(dot(light.direction, halfVector), 0.0, 1.0);
 
-        float f90 = 0.5 + diffuse_product * ldoth * ldoth;
-        float diffuse_difference = f90 - 1.0;
-        float light_scatter = 1.0 + diffuse_difference * SchlickWeight(ndotl);
-        float view_scatter = 1.0 + diffuse_difference * diffuse_product_2;
-        float diffuse = light_scatter * view_scatter;
+        float f90 = 0.5 + diffuseProduct * ldoth * ldoth;
+        float diffuseDifference = f90 - 1.0;
+        float lightScatter = 1.0 + diffuseDifference * SchlickWeight(ndotl);
+        float viewScatter = 1.0 + diffuseDifference * schlickWeight;
+        float diffuse = lightScatter * viewScatter;
 
-        float view_part = ndotl * visibility_sum;
-        float light_part = ndotv * (ndotl * visibility_difference + alpha);
-        float visibility = 0.5 / (view_part + light_part + 1e-05);
+        float viewPart = ndotl * visibilitySum;
+        float lightPart = ndotv * (ndotl * visibilityDifference + alpha);
+        float visibility = 0.5 / (viewPart + lightPart + 1e-05);
 
         float spread = (ndoth * a2 - ndoth) * ndoth + 1.0;
-        float distribution = distribution_product / (spread * spread + 1e-07);
+        float distribution = distributionProduct / (spread * spread + 1e-07);
 
-        vec3 fresnel = setup.f0 + fresnel_difference * SchlickWeight(ldoth);
+        vec3 fresnel = setup.f0 + fresnelDifference * SchlickWeight(ldoth);
 
-        vec3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * has_specular * fresnel;
+        vec3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * hasSpecular * fresnel;
 
         vec3 radiance = light.color * (light.attenuation * light.shadow);
-        direct_sum += (setup.diffuse_color * (diffuse * ndotl) + specular) * radiance;
+        directSum += (setup.diffuseColor * (diffuse * ndotl) + specular) * radiance;
     }
 
     // AmbientIrradiance "ambient"
-    vec3 ambient = EvaluateSH9(normal_ws, ambient_sh[0].xyz, ambient_sh[1].xyz, ambient_sh[2].xyz, ambient_sh[3].xyz,
-        ambient_sh[4].xyz, ambient_sh[5].xyz, ambient_sh[6].xyz, ambient_sh[7].xyz, ambient_sh[8].xyz);
+    vec3 ambient = EvaluateSH9(normalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz, ambientSH[3].xyz,
+        ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
 
-    vec3 reflected = reflect(-view_dir_ws, normal_ws);
+    vec3 reflected = reflect(-viewDirWS, normalWS);
 
     // EnvironmentRadiance "environment"
-    float mip_from_roughness = MipFromRoughness(clamp(roughness, 0.0, 1.0), 5.0);
-    vec4 environment_texel = textureLod(samplerCube(environment_map, environment_map_sampler), reflected,
-        mip_from_roughness);
+    float mipFromRoughness = MipFromRoughness(clamp(roughness, 0.0, 1.0), 5.0);
+    vec4 environmentTexel = textureLod(samplerCube(environmentMap, environmentMapSampler), reflected, mipFromRoughness);
 
     // SurfaceReduction "reduction"
     float reduction = 1.0 / (a2 + 1.0);
@@ -345,6 +343,6 @@ void main()
     // FresnelLerp "reflectance"
     vec3 reflectance = mix(setup.f0, vec3(grazing), SchlickWeight(ndotv));
 
-    vec3 indirect = (setup.diffuse_color * ambient + reduction * reflectance * environment_texel.xyz) * material.occlusion;
-    out_color = vec4(direct_sum + indirect + material.emission, 1.0);
+    vec3 indirect = (setup.diffuseColor * ambient + reduction * reflectance * environmentTexel.xyz) * material.occlusion;
+    outColor = vec4(directSum + indirect + material.emission, 1.0);
 }

@@ -3,14 +3,14 @@
 
 struct SpecularSetupMonochromeResult
 {
-    float3 diffuse_color;
+    float3 diffuseColor;
     float3 f0;
-    float one_minus_reflectivity;
+    float oneMinusReflectivity;
 };
 
 struct MetallicSetupResult
 {
-    float3 diffuse_color;
+    float3 diffuseColor;
     float3 f0;
 };
 
@@ -19,7 +19,7 @@ struct Surface
     float3 baseColor;
     float3 specular;
     float glossiness;
-    float3 normal_ws;
+    float3 normalWS;
     float occlusion;
     float3 emission;
 };
@@ -40,33 +40,33 @@ struct Light
 
 cbuffer Camera : register(b1, space0)
 {
-    float4x4 world_to_clip;
-    float4x4 world_to_view;
-    float3 camera_position_ws;
-    float view_is_orthographic;
-    float3 camera_forward_ws;
-    float shadow_bias;
-    float4x4 clip_to_world;
-    float2 clip_planes;
-    float shadow_normal_bias;
+    float4x4 worldToClip;
+    float4x4 worldToView;
+    float3 cameraPositionWS;
+    float viewIsOrthographic;
+    float3 cameraForwardWS;
+    float shadowBias;
+    float4x4 clipToWorld;
+    float2 clipPlanes;
+    float shadowNormalBias;
 };
 
 cbuffer Lights : register(b2, space0)
 {
-    int light_count;
+    int lightCount;
     float _pad0;
     float _pad1;
     float _pad2;
-    float4 light_position[16];
-    float4 light_color[16];
-    float4 light_axis[16];
-    float4 light_cone[16];
-    int vertex_light_count;
+    float4 lightPosition[16];
+    float4 lightColor[16];
+    float4 lightAxis[16];
+    float4 lightCone[16];
+    int vertexLightCount;
 };
 
 cbuffer Ambient : register(b5, space0)
 {
-    float4 ambient_sh[9];
+    float4 ambientSH[9];
 };
 
 cbuffer Material : register(b0, space1)
@@ -75,17 +75,17 @@ cbuffer Material : register(b0, space1)
     float _Glossiness;
 };
 
-TextureCube environment_map : register(t0, space0);
-SamplerState environment_map_sampler : register(s0, space0);
+TextureCube environmentMap : register(t0, space0);
+SamplerState environmentMapSampler : register(s0, space0);
 Texture2D _NormalTex : register(t0, space1);
 SamplerState sampler_NormalTex : register(s0, space1);
 
 struct FragmentInput
 {
     float2 uv0 : TEXCOORD0;
-    float3 position_ws : TEXCOORD1;
-    float3 vertex_normal_ws : TEXCOORD2;
-    float4 vertex_tangent_ws : TEXCOORD3;
+    float3 positionWS : TEXCOORD1;
+    float3 vertexNormalWS : TEXCOORD2;
+    float4 vertexTangentWS : TEXCOORD3;
 };
 
 struct FragmentOutput
@@ -107,63 +107,62 @@ float3 UnpackNormalRedGreen(float4 encoded, float scale)
 }
 
 // A normal from tangent space, in the world.
-float3 NormalTangentToWorld(float3 normal_ts, float3 normal, float3 tangent, float3 bitangent)
+float3 NormalTangentToWorld(float3 normalTS, float3 normal, float3 tangent, float3 bitangent)
 {
-    float3 direction = normalize(tangent * normal_ts.x + bitangent * normal_ts.y + normal * normal_ts.z);
-    return direction;
+    return normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
 }
 
-Surface surface(float2 uv0, float3 geometry_normal_ws, float3 tangent_ws, float3 bitangent_ws)
+Surface surface(float2 uv0, float3 geometryNormalWS, float3 tangentWS, float3 bitangentWS)
 {
     // SampleNormalMap "bumps"
-    float4 bumps_texel = _NormalTex.Sample(sampler_NormalTex, uv0);
-    float3 bumps = UnpackNormalRedGreen(bumps_texel, 1.0);
+    float4 bumpsTexel = _NormalTex.Sample(sampler_NormalTex, uv0);
+    float3 bumps = UnpackNormalRedGreen(bumpsTexel, 1.0);
 
     Surface s;
     s.baseColor = _Glaze.xyz;
     s.specular = float3(0.05, 0.05, 0.05);
     s.glossiness = _Glossiness;
-    s.normal_ws = NormalTangentToWorld(bumps, geometry_normal_ws, tangent_ws, bitangent_ws);
+    s.normalWS = NormalTangentToWorld(bumps, geometryNormalWS, tangentWS, bitangentWS);
     s.occlusion = 1.0;
     s.emission = float3(0.0, 0.0, 0.0);
     return s;
 }
 
 // Diffuse colour and reflectance of a surface whose reflectance is given.
-SpecularSetupMonochromeResult SpecularSetupMonochrome(float3 base_color, float3 specular)
+SpecularSetupMonochromeResult SpecularSetupMonochrome(float3 baseColor, float3 specular)
 {
-    float one_minus_reflectivity = 1.0 - max(max(specular.x, specular.y), specular.z);
-    SpecularSetupMonochromeResult specular_setup_monochrome_result;
-    specular_setup_monochrome_result.diffuse_color = base_color * one_minus_reflectivity;
-    specular_setup_monochrome_result.f0 = specular;
-    specular_setup_monochrome_result.one_minus_reflectivity = one_minus_reflectivity;
-    return specular_setup_monochrome_result;
+    float oneMinusReflectivity = 1.0 - max(max(specular.x, specular.y), specular.z);
+    SpecularSetupMonochromeResult specularSetupMonochromeResult;
+    specularSetupMonochromeResult.diffuseColor = baseColor * oneMinusReflectivity;
+    specularSetupMonochromeResult.f0 = specular;
+    specularSetupMonochromeResult.oneMinusReflectivity = oneMinusReflectivity;
+    return specularSetupMonochromeResult;
 }
 
-float3 fitted_base_color(float3 scattered, float3 specular, float metallic)
+float3 fittedBaseColor(float3 scattered, float3 specular, float metallic)
 {
     float dielectric = 1.0 - metallic;
     return saturate((scattered + specular - 0.04 * dielectric) / (0.96 * dielectric + metallic));
 }
 
 // Diffuse colour and reflectance of a surface between plastic and metal.
-MetallicSetupResult MetallicSetup(float3 base_color, float metallic)
+MetallicSetupResult MetallicSetup(float3 baseColor, float metallic)
 {
-    float one_minus_reflectivity = 0.96 * (1.0 - metallic);
-    MetallicSetupResult metallic_setup_result;
-    metallic_setup_result.diffuse_color = base_color * one_minus_reflectivity;
-    metallic_setup_result.f0 = lerp(float3(0.04, 0.04, 0.04), base_color, metallic);
-    return metallic_setup_result;
+    float oneMinusReflectivity = 0.96 * (1.0 - metallic);
+    MetallicSetupResult metallicSetupResult;
+    metallicSetupResult.diffuseColor = baseColor * oneMinusReflectivity;
+    metallicSetupResult.f0 = lerp(float3(0.04, 0.04, 0.04), baseColor, metallic);
+    return metallicSetupResult;
 }
 
-float metallic_fit_error(float3 scattered, float3 specular, float metallic)
+float metallicFitError(float3 scattered, float3 specular, float metallic)
 {
-    float3 base_color = fitted_base_color(scattered, specular, metallic);
-    MetallicSetupResult metallic_setup_result = MetallicSetup(base_color, metallic);
-    float3 off_diffuse = abs(metallic_setup_result.diffuse_color - scattered);
-    float3 off_specular = abs(metallic_setup_result.f0 - specular);
-    float limited = max(max(off_specular.x, off_specular.y), off_specular.z);
-    return max(max(max(off_diffuse.x, off_diffuse.y), off_diffuse.z), limited);
+    float3 baseColor = fittedBaseColor(scattered, specular, metallic);
+    MetallicSetupResult metallicSetupResult = MetallicSetup(baseColor, metallic);
+    float3 offDiffuse = abs(metallicSetupResult.diffuseColor - scattered);
+    float3 offSpecular = abs(metallicSetupResult.f0 - specular);
+    float specularStrengthLargest = max(max(offSpecular.x, offSpecular.y), offSpecular.z);
+    return max(max(max(offDiffuse.x, offDiffuse.y), offDiffuse.z), specularStrengthLargest);
 }
 
 // The metallic/roughness description of a specular/gloss surface, exact where one exists and the nearest elsewhere.
@@ -172,38 +171,38 @@ MetallicFromSpecularQuickResult MetallicFromSpecularQuick(float3 diffuse, float3
     float s = max(max(specular.x, specular.y), specular.z);
     float3 scattered = diffuse * (1.0 - s);
     float d = max(max(scattered.x, scattered.y), scattered.z);
-    float half_b = 0.5 * (d / 0.96 + s - 0.08);
+    float halfB = 0.5 * (d / 0.96 + s - 0.08);
     float c = 0.04 - s;
-    float root = sqrt(max(half_b * half_b - 0.04 * c, 0.0));
-    float plain = half_b > 0.0 ? (s - 0.04) / max(half_b + root, 1e-06) : (root - half_b) / 0.04;
+    float root = sqrt(max(halfB * halfB - 0.04 * c, 0.0));
+    float plain = halfB > 0.0 ? (s - 0.04) / max(halfB + root, 1e-06) : (root - halfB) / 0.04;
     float metallic = saturate(s <= 0.04 ? 0.0 : plain);
-    MetallicFromSpecularQuickResult metallic_from_specular_quick_result;
-    metallic_from_specular_quick_result.metallic = metallic;
-    metallic_from_specular_quick_result.error = metallic_fit_error(scattered, specular, metallic);
-    return metallic_from_specular_quick_result;
+    MetallicFromSpecularQuickResult metallicFromSpecularQuickResult;
+    metallicFromSpecularQuickResult.metallic = metallic;
+    metallicFromSpecularQuickResult.error = metallicFitError(scattered, specular, metallic);
+    return metallicFromSpecularQuickResult;
 }
 
 // The inverse square law, with a window that ends it smoothly at the light's range.
-float distance_attenuation(float distance_squared, float range)
+float distanceAttenuation(float distanceSquared, float range)
 {
-    float ratio = distance_squared / (range * range);
+    float ratio = distanceSquared / (range * range);
     float window = saturate(1.0 - ratio * ratio);
-    return window * window / max(distance_squared, 1e-04);
+    return window * window / max(distanceSquared, 1e-04);
 }
 
 // The light in slot `index` of the list, as seen from `position` (world space).
-Light light_at(int index, float3 position)
+Light lightAt(int index, float3 position)
 {
     int slot = clamp(index, 0, 15);
-    float4 place = light_position[slot];
-    float4 color = light_color[slot];
-    bool is_local = place.w > 0.5;
-    float3 to_light = place.xyz - (is_local ? position : float3(0.0, 0.0, 0.0));
-    float distance_squared = dot(to_light, to_light);
-    float3 direction = to_light * rsqrt(max(distance_squared, 1e-12));
-    float attenuation = is_local ? distance_attenuation(distance_squared, color.w) : 1.0;
-    float cosine = -dot(light_axis[slot].xyz, direction);
-    float4 cone = light_cone[slot];
+    float4 place = lightPosition[slot];
+    float4 color = lightColor[slot];
+    bool isLocal = place.w > 0.5;
+    float3 toLight = place.xyz - (isLocal ? position : float3(0.0, 0.0, 0.0));
+    float distanceSquared = dot(toLight, toLight);
+    float3 direction = toLight * rsqrt(max(distanceSquared, 1e-12));
+    float attenuation = isLocal ? distanceAttenuation(distanceSquared, color.w) : 1.0;
+    float cosine = -dot(lightAxis[slot].xyz, direction);
+    float4 cone = lightCone[slot];
     float spot = saturate((cosine - cone.y) / max(cone.x - cone.y, 0.001));
     Light light;
     light.direction = direction;
@@ -214,9 +213,9 @@ Light light_at(int index, float3 position)
 }
 
 // The direction half-way between the light and the viewer: the normal of a mirror that shows one to the other.
-float3 HalfVector(float3 view, float3 light_dir)
+float3 HalfVector(float3 view, float3 lightDir)
 {
-    float3 sum = light_dir + view;
+    float3 sum = lightDir + view;
     return sum * rsqrt(max(dot(sum, sum), 0.001));
 }
 
@@ -249,12 +248,11 @@ float MipFromRoughness(float roughness, float steps)
 
 FragmentOutput main(FragmentInput input)
 {
-    float3 view_dir_ws = normalize(lerp(camera_position_ws - input.position_ws, -camera_forward_ws,
-        view_is_orthographic));
-    float3 geometry_normal_ws = normalize(input.vertex_normal_ws);
-    float3 tangent_ws = normalize(input.vertex_tangent_ws.xyz);
-    float3 bitangent_ws = cross(geometry_normal_ws, tangent_ws) * input.vertex_tangent_ws.w;
-    Surface material = surface(input.uv0, geometry_normal_ws, tangent_ws, bitangent_ws);
+    float3 viewDirWS = normalize(lerp(cameraPositionWS - input.positionWS, -cameraForwardWS, viewIsOrthographic));
+    float3 geometryNormalWS = normalize(input.vertexNormalWS);
+    float3 tangentWS = normalize(input.vertexTangentWS.xyz);
+    float3 bitangentWS = cross(geometryNormalWS, tangentWS) * input.vertexTangentWS.w;
+    Surface material = surface(input.uv0, geometryNormalWS, tangentWS, bitangentWS);
 
     // SpecularSetup "setup"
     SpecularSetupMonochromeResult setup = SpecularSetupMonochrome(material.baseColor, material.specular);
@@ -262,85 +260,85 @@ FragmentOutput main(FragmentInput input)
     // MetallicFromSpecular "metal"
     MetallicFromSpecularQuickResult metal = MetallicFromSpecularQuick(material.baseColor, material.specular);
 
-    float product = 0.96 * (1.0 - metal.metallic);
-    float oneMinusReflectivity = lerp(product, setup.one_minus_reflectivity, saturate(metal.error * 50.0));
+    float oneMinusReflectivity = lerp(0.96 * (1.0 - metal.metallic), setup.oneMinusReflectivity,
+        saturate(metal.error * 50.0));
     float roughness = 1.0 - material.glossiness;
-    float3 normal_ws = normalize(material.normal_ws);
-    int count = min(light_count, 16);
+    float3 normalWS = normalize(material.normalWS);
+    int count = min(lightCount, 16);
 
     // NdotV "ndotv"
-    float cosine = dot(normal_ws, view_dir_ws);
+    float cosine = dot(normalWS, viewDirWS);
     float ndotv = saturate(abs(cosine));
 
     // DisneyDiffuse "diffuse"
-    float diffuse_product = 2.0 * roughness;
+    float diffuseProduct = 2.0 * roughness;
     float m = saturate(1.0 - ndotv);
     float m2 = m * m;
-    float diffuse_product_2 = m2 * m2 * m;
+    float schlickWeight = m2 * m2 * m;
 
     // AlphaFromRoughness "alpha"
     float alpha = max(roughness * roughness, 0.002);
 
     // VisibilitySmithJointApproximate "visibility"
-    float visibility_difference = 1.0 - alpha;
-    float visibility_sum = ndotv * visibility_difference + alpha;
+    float visibilityDifference = 1.0 - alpha;
+    float visibilitySum = ndotv * visibilityDifference + alpha;
 
     // DistributionGGXUnity "distribution"
     float a2 = alpha * alpha;
-    float distribution_product = 0.31830987 * a2;
+    float distributionProduct = 0.31830987 * a2;
 
     // FresnelSchlick "fresnel"
-    float3 fresnel_difference = 1.0 - setup.f0;
+    float3 fresnelDifference = 1.0 - setup.f0;
 
-    float has_specular = any(setup.f0 > 0.0) ? 1.0 : 0.0;
+    float hasSpecular = any(setup.f0 > 0.0) ? 1.0 : 0.0;
 
-    float3 direct_sum = float3(0.0, 0.0, 0.0);
+    float3 directSum = float3(0.0, 0.0, 0.0);
     for (int i = 0; i < count; ++i) {
-        Light light = light_at(i, input.position_ws);
+        Light light = lightAt(i, input.positionWS);
 
         // NdotL "ndotl"
-        float cosine_2 = dot(normal_ws, light.direction);
-        float ndotl = saturate(cosine_2);
+        float ndotlCosine = dot(normalWS, light.direction);
+        float ndotl = saturate(ndotlCosine);
 
-        // HalfVector "half_vector"
-        float3 half_vector = HalfVector(view_dir_ws, light.direction);
+        // HalfVector "halfVector"
+        float3 halfVector = HalfVector(viewDirWS, light.direction);
 
         // NdotH "ndoth"
-        float ndoth = saturate(dot(normal_ws, half_vector));
+        float ndoth = saturate(dot(normalWS, halfVector));
 
         // LdotH "ldoth"
-        float ldoth = saturate(dot(light.direction, half_vector));
+        float ldoth = saturate(dot(light.direction, halfVector));
 
-        float f90 = 0.5 + diffuse_product * ldoth * ldoth;
-        float diffuse_difference = f90 - 1.0;
-        float light_scatter = 1.0 + diffuse_difference * SchlickWeight(ndotl);
-        float view_scatter = 1.0 + diffuse_difference * diffuse_product_2;
-        float diffuse = light_scatter * view_scatter;
+        float f90 = 0.5 + diffuseProduct * ldoth * ldoth;
+        float diffuseDifference = f90 - 1.0;
+        float lightScatter = 1.0 + diffuseDifference * SchlickWeight(ndotl);
+        float viewScatter = 1.0 + diffuseDifference * schlickWeight;
+        float diffuse = lightScatter * viewScatter;
 
-        float view_part = ndotl * visibility_sum;
-        float light_part = ndotv * (ndotl * visibility_difference + alpha);
-        float visibility = 0.5 / (view_part + light_part + 1e-05);
+        float viewPart = ndotl * visibilitySum;
+        float lightPart = ndotv * (ndotl * visibilityDifference + alpha);
+        float visibility = 0.5 / (viewPart + lightPart + 1e-05);
 
         float spread = (ndoth * a2 - ndoth) * ndoth + 1.0;
-        float distribution = distribution_product / (spread * spread + 1e-07);
+        float distribution = distributionProduct / (spread * spread + 1e-07);
 
-        float3 fresnel = setup.f0 + fresnel_difference * SchlickWeight(ldoth);
+        float3 fresnel = setup.f0 + fresnelDifference * SchlickWeight(ldoth);
 
-        float3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * has_specular * fresnel;
+        float3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * hasSpecular * fresnel;
 
         float3 radiance = light.color * (light.attenuation * light.shadow);
-        direct_sum += (setup.diffuse_color * (diffuse * ndotl) + specular) * radiance;
+        directSum += (setup.diffuseColor * (diffuse * ndotl) + specular) * radiance;
     }
 
     // AmbientIrradiance "ambient"
-    float3 ambient = EvaluateSH9(normal_ws, ambient_sh[0].xyz, ambient_sh[1].xyz, ambient_sh[2].xyz, ambient_sh[3].xyz,
-        ambient_sh[4].xyz, ambient_sh[5].xyz, ambient_sh[6].xyz, ambient_sh[7].xyz, ambient_sh[8].xyz);
+    float3 ambient = EvaluateSH9(normalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz, ambientSH[3].xyz,
+        ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
 
-    float3 reflected = reflect(-view_dir_ws, normal_ws);
+    float3 reflected = reflect(-viewDirWS, normalWS);
 
     // EnvironmentRadiance "environment"
-    float mip_from_roughness = MipFromRoughness(saturate(roughness), 5.0);
-    float4 environment_texel = environment_map.SampleLevel(environment_map_sampler, reflected, mip_from_roughness);
+    float mipFromRoughness = MipFromRoughness(saturate(roughness), 5.0);
+    float4 environmentTexel = environmentMap.SampleLevel(environmentMapSampler, reflected, mipFromRoughness);
 
     // SurfaceReduction "reduction"
     float reduction = 1.0 / (a2 + 1.0);
@@ -352,8 +350,8 @@ FragmentOutput main(FragmentInput input)
     // FresnelLerp "reflectance"
     float3 reflectance = lerp(setup.f0, grazing.xxx, SchlickWeight(ndotv));
 
-    float3 indirect = (setup.diffuse_color * ambient + reduction * reflectance * environment_texel.xyz) * material.occlusion;
+    float3 indirect = (setup.diffuseColor * ambient + reduction * reflectance * environmentTexel.xyz) * material.occlusion;
     FragmentOutput output;
-    output.color = float4(direct_sum + indirect + material.emission, 1.0);
+    output.color = float4(directSum + indirect + material.emission, 1.0);
     return output;
 }

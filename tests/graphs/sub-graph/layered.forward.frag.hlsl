@@ -21,12 +21,12 @@ float3 surface(float2 uv0)
     // stripes "coarse"
     float3 color = lerp(float3(0.9, 0.4, 0.1), float3(0.1, 0.2, 0.6), edge);
 
-    float wave_2 = sin(uv0.y * 32.0 * 6.2831855);
+    float wave2 = sin(uv0.y * 32.0 * 6.2831855);
 
     // Smoothstep "fine/edge"
-    float edge_2 = smoothstep(-0.1, 0.1, wave_2);
+    float edge2 = smoothstep(-0.1, 0.1, wave2);
 
-    return color * edge_2;
+    return color * edge2;
 }
 
 FragmentOutput main(FragmentInput input)

@@ -7,13 +7,13 @@ layout(set = 1, binding = 0, std140) uniform Material
     vec4 _Color;
 };
 
-layout(location = 0) in vec2 v_uv0;
-layout(location = 0) out vec4 out_color;
+layout(location = 0) in vec2 vUv0;
+layout(location = 0) out vec4 outColor;
 
 void main()
 {
-    float grey = _Color.z * 0.25 + v_uv0.y;
+    float grey = _Color.z * 0.25 + vUv0.y;
 
     vec3 emission = _Color.zyx * grey;
-    out_color = vec4(emission, 1.0);
+    outColor = vec4(emission, 1.0);
 }

@@ -11,8 +11,8 @@ layout(set = 1, binding = 0, std140) uniform Material
 layout(set = 1, binding = 1) uniform texture2D _MainTex;
 layout(set = 1, binding = 2) uniform sampler sampler_MainTex;
 
-layout(location = 0) in vec2 v_uv0;
-layout(location = 0) out vec4 out_color;
+layout(location = 0) in vec2 vUv0;
+layout(location = 0) out vec4 outColor;
 
 vec3 surface(vec2 uv0)
 {
@@ -24,6 +24,6 @@ vec3 surface(vec2 uv0)
 
 void main()
 {
-    vec3 material = surface(v_uv0);
-    out_color = vec4(material, 1.0);
+    vec3 material = surface(vUv0);
+    outColor = vec4(material, 1.0);
 }

@@ -12,54 +12,54 @@ struct Light
 
 layout(set = 0, binding = 2, std140) uniform Lights
 {
-    int light_count;
+    int lightCount;
     float _pad0;
     float _pad1;
     float _pad2;
-    vec4 light_position[16];
-    vec4 light_color[16];
-    vec4 light_axis[16];
-    vec4 light_cone[16];
-    int vertex_light_count;
+    vec4 lightPosition[16];
+    vec4 lightColor[16];
+    vec4 lightAxis[16];
+    vec4 lightCone[16];
+    int vertexLightCount;
 };
 
 layout(set = 0, binding = 5, std140) uniform Ambient
 {
-    vec4 ambient_sh[9];
+    vec4 ambientSH[9];
 };
 
-layout(location = 0) in vec3 v_position_ws;
-layout(location = 1) in vec3 v_vertex_normal_ws;
-layout(location = 0) out vec4 out_color;
+layout(location = 0) in vec3 vPositionWS;
+layout(location = 1) in vec3 vVertexNormalWS;
+layout(location = 0) out vec4 outColor;
 
 // Diffuse colour and reflectance of a surface between plastic and metal.
-vec3 MetallicSetup(vec3 base_color, float metallic)
+vec3 MetallicSetup(vec3 baseColor, float metallic)
 {
-    float one_minus_reflectivity = 0.96 * (1.0 - metallic);
-    return base_color * one_minus_reflectivity;
+    float oneMinusReflectivity = 0.96 * (1.0 - metallic);
+    return baseColor * oneMinusReflectivity;
 }
 
 // The inverse square law, with a window that ends it smoothly at the light's range.
-float distance_attenuation(float distance_squared, float range)
+float distanceAttenuation(float distanceSquared, float range)
 {
-    float ratio = distance_squared / (range * range);
+    float ratio = distanceSquared / (range * range);
     float window = clamp(1.0 - ratio * ratio, 0.0, 1.0);
-    return window * window / max(distance_squared, 1e-04);
+    return window * window / max(distanceSquared, 1e-04);
 }
 
 // The light in slot `index` of the list, as seen from `position` (world space).
-Light light_at(int index, vec3 position)
+Light lightAt(int index, vec3 position)
 {
     int slot = clamp(index, 0, 15);
-    vec4 place = light_position[slot];
-    vec4 color = light_color[slot];
-    bool is_local = place.w > 0.5;
-    vec3 to_light = place.xyz - (is_local ? position : vec3(0.0));
-    float distance_squared = dot(to_light, to_light);
-    vec3 direction = to_light * inversesqrt(max(distance_squared, 1e-12));
-    float attenuation = is_local ? distance_attenuation(distance_squared, color.w) : 1.0;
-    float cosine = -dot(light_axis[slot].xyz, direction);
-    vec4 cone = light_cone[slot];
+    vec4 place = lightPosition[slot];
+    vec4 color = lightColor[slot];
+    bool isLocal = place.w > 0.5;
+    vec3 toLight = place.xyz - (isLocal ? position : vec3(0.0));
+    float distanceSquared = dot(toLight, toLight);
+    vec3 direction = toLight * inversesqrt(max(distanceSquared, 1e-12));
+    float attenuation = isLocal ? distanceAttenuation(distanceSquared, color.w) : 1.0;
+    float cosine = -dot(lightAxis[slot].xyz, direction);
+    vec4 cone = lightCone[slot];
     float spot = clamp((cosine - cone.y) / max(cone.x - cone.y, 0.001), 0.0, 1.0);
     Light light;
     light.direction = direction;
@@ -83,29 +83,28 @@ vec3 EvaluateSH9(vec3 normal, vec3 sh0, vec3 sh1, vec3 sh2, vec3 sh3, vec3 sh4, 
 
 void main()
 {
-    vec3 geometry_normal_ws = normalize(v_vertex_normal_ws);
+    vec3 geometryNormalWS = normalize(vVertexNormalWS);
 
     // MetallicSetup "setup"
     vec3 setup = MetallicSetup(vec3(0.06847817, 0.21223076, 0.43415365), 0.0);
 
-    int count = min(light_count, 16);
-    vec3 direct_sum = vec3(0.0);
+    int count = min(lightCount, 16);
+    vec3 directSum = vec3(0.0);
     for (int i = 0; i < count; ++i) {
-        Light light = light_at(i, v_position_ws);
+        Light light = lightAt(i, vPositionWS);
 
         // NdotL "ndotl"
-        float cosine = dot(geometry_normal_ws, light.direction);
+        float cosine = dot(geometryNormalWS, light.direction);
         float ndotl = clamp(cosine, 0.0, 1.0);
 
         vec3 radiance = light.color * (light.attenuation * light.shadow);
-        direct_sum += setup * ndotl * radiance;
+        directSum += setup * ndotl * radiance;
     }
 
     // AmbientIrradiance "ambient"
-    vec3 ambient = EvaluateSH9(geometry_normal_ws, ambient_sh[0].xyz, ambient_sh[1].xyz, ambient_sh[2].xyz,
-        ambient_sh[3].xyz, ambient_sh[4].xyz, ambient_sh[5].xyz, ambient_sh[6].xyz, ambient_sh[7].xyz,
-        ambient_sh[8].xyz);
+    vec3 ambient = EvaluateSH9(geometryNormalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz, ambientSH[3].xyz,
+        ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
 
     vec3 indirect = setup * ambient;
-    out_color = vec4(direct_sum + indirect, 1.0);
+    outColor = vec4(directSum + indirect, 1.0);
 }

@@ -11,26 +11,26 @@ struct Light
 
 cbuffer Lights : register(b2, space0)
 {
-    int light_count;
+    int lightCount;
     float _pad0;
     float _pad1;
     float _pad2;
-    float4 light_position[16];
-    float4 light_color[16];
-    float4 light_axis[16];
-    float4 light_cone[16];
-    int vertex_light_count;
+    float4 lightPosition[16];
+    float4 lightColor[16];
+    float4 lightAxis[16];
+    float4 lightCone[16];
+    int vertexLightCount;
 };
 
 cbuffer Ambient : register(b5, space0)
 {
-    float4 ambient_sh[9];
+    float4 ambientSH[9];
 };
 
 struct FragmentInput
 {
-    float3 position_ws : TEXCOORD0;
-    float3 vertex_normal_ws : TEXCOORD1;
+    float3 positionWS : TEXCOORD0;
+    float3 vertexNormalWS : TEXCOORD1;
 };
 
 struct FragmentOutput
@@ -39,33 +39,33 @@ struct FragmentOutput
 };
 
 // Diffuse colour and reflectance of a surface between plastic and metal.
-float3 MetallicSetup(float3 base_color, float metallic)
+float3 MetallicSetup(float3 baseColor, float metallic)
 {
-    float one_minus_reflectivity = 0.96 * (1.0 - metallic);
-    return base_color * one_minus_reflectivity;
+    float oneMinusReflectivity = 0.96 * (1.0 - metallic);
+    return baseColor * oneMinusReflectivity;
 }
 
 // The inverse square law, with a window that ends it smoothly at the light's range.
-float distance_attenuation(float distance_squared, float range)
+float distanceAttenuation(float distanceSquared, float range)
 {
-    float ratio = distance_squared / (range * range);
+    float ratio = distanceSquared / (range * range);
     float window = saturate(1.0 - ratio * ratio);
-    return window * window / max(distance_squared, 1e-04);
+    return window * window / max(distanceSquared, 1e-04);
 }
 
 // The light in slot `index` of the list, as seen from `position` (world space).
-Light light_at(int index, float3 position)
+Light lightAt(int index, float3 position)
 {
     int slot = clamp(index, 0, 15);
-    float4 place = light_position[slot];
-    float4 color = light_color[slot];
-    bool is_local = place.w > 0.5;
-    float3 to_light = place.xyz - (is_local ? position : float3(0.0, 0.0, 0.0));
-    float distance_squared = dot(to_light, to_light);
-    float3 direction = to_light * rsqrt(max(distance_squared, 1e-12));
-    float attenuation = is_local ? distance_attenuation(distance_squared, color.w) : 1.0;
-    float cosine = -dot(light_axis[slot].xyz, direction);
-    float4 cone = light_cone[slot];
+    float4 place = lightPosition[slot];
+    float4 color = lightColor[slot];
+    bool isLocal = place.w > 0.5;
+    float3 toLight = place.xyz - (isLocal ? position : float3(0.0, 0.0, 0.0));
+    float distanceSquared = dot(toLight, toLight);
+    float3 direction = toLight * rsqrt(max(distanceSquared, 1e-12));
+    float attenuation = isLocal ? distanceAttenuation(distanceSquared, color.w) : 1.0;
+    float cosine = -dot(lightAxis[slot].xyz, direction);
+    float4 cone = lightCone[slot];
     float spot = saturate((cosine - cone.y) / max(cone.x - cone.y, 0.001));
     Light light;
     light.direction = direction;
@@ -90,31 +90,30 @@ float3 EvaluateSH9(float3 normal, float3 sh0, float3 sh1, float3 sh2, float3 sh3
 
 FragmentOutput main(FragmentInput input)
 {
-    float3 geometry_normal_ws = normalize(input.vertex_normal_ws);
+    float3 geometryNormalWS = normalize(input.vertexNormalWS);
 
     // MetallicSetup "setup"
     float3 setup = MetallicSetup(float3(0.06847817, 0.21223076, 0.43415365), 0.0);
 
-    int count = min(light_count, 16);
-    float3 direct_sum = float3(0.0, 0.0, 0.0);
+    int count = min(lightCount, 16);
+    float3 directSum = float3(0.0, 0.0, 0.0);
     for (int i = 0; i < count; ++i) {
-        Light light = light_at(i, input.position_ws);
+        Light light = lightAt(i, input.positionWS);
 
         // NdotL "ndotl"
-        float cosine = dot(geometry_normal_ws, light.direction);
+        float cosine = dot(geometryNormalWS, light.direction);
         float ndotl = saturate(cosine);
 
         float3 radiance = light.color * (light.attenuation * light.shadow);
-        direct_sum += setup * ndotl * radiance;
+        directSum += setup * ndotl * radiance;
     }
 
     // AmbientIrradiance "ambient"
-    float3 ambient = EvaluateSH9(geometry_normal_ws, ambient_sh[0].xyz, ambient_sh[1].xyz, ambient_sh[2].xyz,
-        ambient_sh[3].xyz, ambient_sh[4].xyz, ambient_sh[5].xyz, ambient_sh[6].xyz, ambient_sh[7].xyz,
-        ambient_sh[8].xyz);
+    float3 ambient = EvaluateSH9(geometryNormalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz,
+        ambientSH[3].xyz, ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
 
     float3 indirect = setup * ambient;
     FragmentOutput output;
-    output.color = float4(direct_sum + indirect, 1.0);
+    output.color = float4(directSum + indirect, 1.0);
     return output;
 }

@@ -6,26 +6,26 @@ layout(set = 0, binding = 0, std140) uniform Frame
 {
     float time;
     float _pad0;
-    vec2 screen_size;
+    vec2 screenSize;
 };
 
 layout(set = 0, binding = 1, std140) uniform Camera
 {
-    mat4 world_to_clip;
-    mat4 world_to_view;
-    vec3 camera_position_ws;
-    float view_is_orthographic;
-    vec3 camera_forward_ws;
-    float shadow_bias;
-    mat4 clip_to_world;
-    vec2 clip_planes;
-    float shadow_normal_bias;
+    mat4 worldToClip;
+    mat4 worldToView;
+    vec3 cameraPositionWS;
+    float viewIsOrthographic;
+    vec3 cameraForwardWS;
+    float shadowBias;
+    mat4 clipToWorld;
+    vec2 clipPlanes;
+    float shadowNormalBias;
 };
 
 layout(set = 0, binding = 4, std140) uniform Object
 {
-    mat4 object_to_world;
-    mat4 world_to_object;
+    mat4 objectToWorld;
+    mat4 worldToObject;
 };
 
 layout(set = 1, binding = 0, std140) uniform Material
@@ -33,31 +33,31 @@ layout(set = 1, binding = 0, std140) uniform Material
     float _Height;
 };
 
-layout(location = 0) in vec3 in_position_os;
-layout(location = 1) in vec3 in_normal_os;
-layout(location = 0) out vec3 v_position_ws;
-layout(location = 1) out vec3 v_vertex_normal_ws;
+layout(location = 0) in vec3 inPositionOS;
+layout(location = 1) in vec3 inNormalOS;
+layout(location = 0) out vec3 vPositionWS;
+layout(location = 1) out vec3 vVertexNormalWS;
 
-vec3 vertex_position_os(vec3 position_os, vec3 normal_os)
+vec3 vertexPositionOS(vec3 positionOS, vec3 normalOS)
 {
-    float phase = position_os.x * 20.0 + time;
+    float phase = positionOS.x * 20.0 + time;
 
-    return position_os + normal_os * (sin(phase) * _Height);
+    return positionOS + normalOS * (sin(phase) * _Height);
 }
 
-vec3 vertex_normal_os(vec3 position_os, vec3 normal_os)
+vec3 vertexNormalOS(vec3 positionOS, vec3 normalOS)
 {
-    float phase = position_os.x * 20.0 + time;
+    float phase = positionOS.x * 20.0 + time;
 
-    return normalize(normal_os - vec3(cos(phase) * _Height * 20.0, 0.0, 0.0));
+    return normalize(normalOS - vec3(cos(phase) * _Height * 20.0, 0.0, 0.0));
 }
 
 void main()
 {
-    vec3 position_os = vertex_position_os(in_position_os, in_normal_os);
-    vec4 position_ws = object_to_world * vec4(position_os, 1.0);
-    vec3 normal_os = vertex_normal_os(in_position_os, in_normal_os);
-    v_position_ws = position_ws.xyz;
-    v_vertex_normal_ws = normalize((vec4(normal_os, 0.0) * world_to_object).xyz);
-    gl_Position = world_to_clip * vec4(position_ws.xyz, 1.0);
+    vec3 positionOS = vertexPositionOS(inPositionOS, inNormalOS);
+    vec4 positionWS = objectToWorld * vec4(positionOS, 1.0);
+    vec3 normalOS = vertexNormalOS(inPositionOS, inNormalOS);
+    vPositionWS = positionWS.xyz;
+    vVertexNormalWS = normalize((vec4(normalOS, 0.0) * worldToObject).xyz);
+    gl_Position = worldToClip * vec4(positionWS.xyz, 1.0);
 }

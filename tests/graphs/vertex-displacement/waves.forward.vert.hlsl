@@ -5,26 +5,26 @@ cbuffer Frame : register(b0, space0)
 {
     float time;
     float _pad0;
-    float2 screen_size;
+    float2 screenSize;
 };
 
 cbuffer Camera : register(b1, space0)
 {
-    float4x4 world_to_clip;
-    float4x4 world_to_view;
-    float3 camera_position_ws;
-    float view_is_orthographic;
-    float3 camera_forward_ws;
-    float shadow_bias;
-    float4x4 clip_to_world;
-    float2 clip_planes;
-    float shadow_normal_bias;
+    float4x4 worldToClip;
+    float4x4 worldToView;
+    float3 cameraPositionWS;
+    float viewIsOrthographic;
+    float3 cameraForwardWS;
+    float shadowBias;
+    float4x4 clipToWorld;
+    float2 clipPlanes;
+    float shadowNormalBias;
 };
 
 cbuffer Object : register(b4, space0)
 {
-    float4x4 object_to_world;
-    float4x4 world_to_object;
+    float4x4 objectToWorld;
+    float4x4 worldToObject;
 };
 
 cbuffer Material : register(b0, space1)
@@ -34,39 +34,39 @@ cbuffer Material : register(b0, space1)
 
 struct VertexInput
 {
-    float3 position_os : POSITION;
-    float3 normal_os : NORMAL;
+    float3 positionOS : POSITION;
+    float3 normalOS : NORMAL;
 };
 
 struct VertexOutput
 {
-    float3 position_ws : TEXCOORD0;
-    float3 vertex_normal_ws : TEXCOORD1;
+    float3 positionWS : TEXCOORD0;
+    float3 vertexNormalWS : TEXCOORD1;
     float4 position : SV_Position;
 };
 
-float3 vertex_position_os(float3 position_os, float3 normal_os)
+float3 vertexPositionOS(float3 positionOS, float3 normalOS)
 {
-    float phase = position_os.x * 20.0 + time;
+    float phase = positionOS.x * 20.0 + time;
 
-    return position_os + normal_os * (sin(phase) * _Height);
+    return positionOS + normalOS * (sin(phase) * _Height);
 }
 
-float3 vertex_normal_os(float3 position_os, float3 normal_os)
+float3 vertexNormalOS(float3 positionOS, float3 normalOS)
 {
-    float phase = position_os.x * 20.0 + time;
+    float phase = positionOS.x * 20.0 + time;
 
-    return normalize(normal_os - float3(cos(phase) * _Height * 20.0, 0.0, 0.0));
+    return normalize(normalOS - float3(cos(phase) * _Height * 20.0, 0.0, 0.0));
 }
 
 VertexOutput main(VertexInput input)
 {
-    float3 position_os = vertex_position_os(input.position_os, input.normal_os);
-    float4 position_ws = mul(object_to_world, float4(position_os, 1.0));
-    float3 normal_os = vertex_normal_os(input.position_os, input.normal_os);
+    float3 positionOS = vertexPositionOS(input.positionOS, input.normalOS);
+    float4 positionWS = mul(objectToWorld, float4(positionOS, 1.0));
+    float3 normalOS = vertexNormalOS(input.positionOS, input.normalOS);
     VertexOutput output;
-    output.position_ws = position_ws.xyz;
-    output.vertex_normal_ws = normalize(mul(float4(normal_os, 0.0), world_to_object).xyz);
-    output.position = mul(world_to_clip, float4(position_ws.xyz, 1.0));
+    output.positionWS = positionWS.xyz;
+    output.vertexNormalWS = normalize(mul(float4(normalOS, 0.0), worldToObject).xyz);
+    output.position = mul(worldToClip, float4(positionWS.xyz, 1.0));
     return output;
 }

@@ -317,7 +317,7 @@ TEST(ParseStatement, EveryKind) {
     EXPECT_EQ(body("for (int i = 0; i < min(count, 16); i++) { x += i; }"), "{ for i 0 (min() count 16){ x += i; } }");
     EXPECT_EQ(body("for (int i = 1; i < 4; ++i) x = i;"), "{ for i 1 4{ x = i; } }");
     EXPECT_EQ(body("[light] for (int i = 0; i < 4; i += 1) { }"), "{ [light] for i 0 4{ } }");
-    EXPECT_EQ(body("discard_if(a < b); { return; } ;"), "{ discard (< a b); { return; } }");
+    EXPECT_EQ(body("discardIf(a < b); { return; } ;"), "{ discard (< a b); { return; } }");
     EXPECT_EQ(body("return a ? b : c;"), "{ return (? a b c); }");
 }
 
@@ -480,8 +480,8 @@ enum BlendMode {
 enum One { A, };
 const float PI = 3.14;
 const float3 k[2] = { float3(1, 0, 0), { 0, 1, 0 } };
-[attribute(0, "POSITION")] float3 position_os;  ///< of the vertex
-[static("surface", "cutout")] bool alpha_clip;
+[attribute(0, "POSITION")] float3 positionOS;  ///< of the vertex
+[static("surface", "cutout")] bool alphaClip;
 [extern("Camera")] float4 lights[16];
 )");
     ASSERT_EQ(parsed->errors(), Errors{});

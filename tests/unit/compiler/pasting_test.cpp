@@ -25,10 +25,10 @@ constexpr const char* kRock = R"json({
   ],
   "nodes": [
     { "id": "albedo", "node": "SampleTexture2D", "in": { "texture": "$_MainTex" } },
-    { "id": "lifted", "expr": "@position_os + @normal_os * (sin(@position_os.x * 9 + @time) * $_Height)"
+    { "id": "lifted", "expr": "@positionOS + @normalOS * (sin(@positionOS.x * 9 + @time) * $_Height)"
 }
   ],
-  "vertex": { "position_os": "lifted" },
+  "vertex": { "positionOS": "lifted" },
   "surface": {
       "baseColor" : "albedo.rgb", "metallic" : "albedo.g", "roughness" : "$_Roughness"
   }
@@ -60,95 +60,95 @@ constexpr const char* kGlslHead = R"(#version 450
 #define float4x4 mat4
 #define mul(m, v) ((m) * (v))
 #define saturate(x) clamp(x, 0.0, 1.0)
-#define SAMPLE(kind, name, at, level) textureLod(sampler##kind(name, name##_sampler), at, level)
+#define SAMPLE(kind, name, at, level) textureLod(sampler##kind(name, name##Sampler), at, level)
 layout(set = 0, binding = 0, std140) uniform Engine {
-    float4x4 world_to_clip;
-    float4x4 object_to_world;
-    float4x4 world_to_object;
-    float3 camera_position_ws;
-    int light_count;
-    float4 light_position[16];
-    float4 light_color[16];
-    float4 ambient_sh[9];
+    float4x4 worldToClip;
+    float4x4 objectToWorld;
+    float4x4 worldToObject;
+    float3 cameraPositionWS;
+    int lightCount;
+    float4 lightPosition[16];
+    float4 lightColor[16];
+    float4 ambientSH[9];
     float time;
 };
-layout(set = 0, binding = 1) uniform textureCube environment_map;
-layout(set = 0, binding = 2) uniform texture2D split_sum_table;
-layout(set = 0, binding = 3) uniform sampler environment_map_sampler;
-layout(set = 0, binding = 4) uniform sampler split_sum_table_sampler;
+layout(set = 0, binding = 1) uniform textureCube environmentMap;
+layout(set = 0, binding = 2) uniform texture2D splitSumTable;
+layout(set = 0, binding = 3) uniform sampler environmentMapSampler;
+layout(set = 0, binding = 4) uniform sampler splitSumTableSampler;
 )";
 constexpr const char* kHlslHead = R"(
-#define SAMPLE(kind, name, at, level) name.SampleLevel(name##_sampler, at, level)
+#define SAMPLE(kind, name, at, level) name.SampleLevel(name##Sampler, at, level)
 cbuffer Engine : register(b0, space0) {
-    float4x4 world_to_clip;
-    float4x4 object_to_world;
-    float4x4 world_to_object;
-    float3 camera_position_ws;
-    int light_count;
-    float4 light_position[16];
-    float4 light_color[16];
-    float4 ambient_sh[9];
+    float4x4 worldToClip;
+    float4x4 objectToWorld;
+    float4x4 worldToObject;
+    float3 cameraPositionWS;
+    int lightCount;
+    float4 lightPosition[16];
+    float4 lightColor[16];
+    float4 ambientSH[9];
     float time;
 };
-TextureCube environment_map : register(t0, space0);
-Texture2D split_sum_table : register(t1, space0);
-SamplerState environment_map_sampler : register(s0, space0);
-SamplerState split_sum_table_sampler : register(s1, space0);
+TextureCube environmentMap : register(t0, space0);
+Texture2D splitSumTable : register(t1, space0);
+SamplerState environmentMapSampler : register(s0, space0);
+SamplerState splitSumTableSampler : register(s1, space0);
 )";
 
 // #NAME# is a call of that function with arguments that are called like its parameters; PREFIX is the material's.
 constexpr const char* kVertexBody = R"(
-float4 place(float3 position_os, float3 normal_os, out float3 position_ws, out float3 vertex_normal_ws) {
-    position_os = #vertex_position_os#;
-    position_ws = mul(object_to_world, float4(position_os, 1.0)).xyz;
-    vertex_normal_ws = normalize(mul(transpose(world_to_object), float4(normal_os, 0.0)).xyz);
-    return mul(world_to_clip, float4(position_ws, 1.0));
+float4 place(float3 positionOS, float3 normalOS, out float3 positionWS, out float3 vertexNormalWS) {
+    positionOS = #vertexPositionOS#;
+    positionWS = mul(objectToWorld, float4(positionOS, 1.0)).xyz;
+    vertexNormalWS = normalize(mul(transpose(worldToObject), float4(normalOS, 0.0)).xyz);
+    return mul(worldToClip, float4(positionWS, 1.0));
 }
 )";
 
 // Spherical harmonics: Ramamoorthi and Hanrahan 2001, eq. 3 and 9, over pi. The light: docs/conventions.md.
 constexpr const char* kFragmentBody = R"(
 float3 AmbientIrradiance(float3 n) {
-    float3 sum = 0.282095 * ambient_sh[0].xyz;
-    sum += 2.0 / 3.0 * 0.488603 * (ambient_sh[1].xyz * n.y + ambient_sh[2].xyz * n.z + ambient_sh[3].xyz * n.x);
-    sum += 0.25 * 1.092548 * (ambient_sh[4].xyz * n.x * n.y + ambient_sh[5].xyz * n.y * n.z);
-    sum += 0.25 * 1.092548 * ambient_sh[7].xyz * n.x * n.z;
-    sum += 0.25 * 0.315392 * ambient_sh[6].xyz * (3.0 * n.z * n.z - 1.0);
-    sum += 0.25 * 0.546274 * ambient_sh[8].xyz * (n.x * n.x - n.y * n.y);
+    float3 sum = 0.282095 * ambientSH[0].xyz;
+    sum += 2.0 / 3.0 * 0.488603 * (ambientSH[1].xyz * n.y + ambientSH[2].xyz * n.z + ambientSH[3].xyz * n.x);
+    sum += 0.25 * 1.092548 * (ambientSH[4].xyz * n.x * n.y + ambientSH[5].xyz * n.y * n.z);
+    sum += 0.25 * 1.092548 * ambientSH[7].xyz * n.x * n.z;
+    sum += 0.25 * 0.315392 * ambientSH[6].xyz * (3.0 * n.z * n.z - 1.0);
+    sum += 0.25 * 0.546274 * ambientSH[8].xyz * (n.x * n.x - n.y * n.y);
     return max(sum, float3(0.0, 0.0, 0.0));
 }
 
 float3 EnvironmentRadiance(float3 direction, float roughness) {
-    return SAMPLE(Cube, environment_map, direction, 5.0 * roughness * (1.7 - 0.7 * roughness)).xyz;
+    return SAMPLE(Cube, environmentMap, direction, 5.0 * roughness * (1.7 - 0.7 * roughness)).xyz;
 }
 
 SplitSumTableResult SplitSumTable(float roughness, float ndotv) {
     float2 place = float2(sqrt(saturate(ndotv)), saturate(roughness)) * (63.0 / 64.0) + 0.5 / 64.0;
     SplitSumTableResult result;
-    result.scale = SAMPLE(2D, split_sum_table, place, 0.0).x;
-    result.offset = SAMPLE(2D, split_sum_table, place, 0.0).y;
+    result.scale = SAMPLE(2D, splitSumTable, place, 0.0).x;
+    result.offset = SAMPLE(2D, splitSumTable, place, 0.0).y;
     return result;
 }
 
-float4 shade(float2 uv0, float3 position_ws, float3 vertex_normal_ws) {
-    float3 geometry_normal_ws = normalize(vertex_normal_ws);
-    float3 view_dir_ws = normalize(camera_position_ws - position_ws);
-    PREFIXLightingSurface surface = #lighting_surface#;
+float4 shade(float2 uv0, float3 positionWS, float3 vertexNormalWS) {
+    float3 geometryNormalWS = normalize(vertexNormalWS);
+    float3 viewDirWS = normalize(cameraPositionWS - positionWS);
+    PREFIXLightingSurface surface = #lightingSurface#;
     PREFIXLightSum sum;
     sum.direct = float3(0.0, 0.0, 0.0);
-    for (int i = 0; i < light_count; i++) {
-        float is_local = light_position[i].w;
-        float3 to_light = light_position[i].xyz - is_local * position_ws;
-        float distance_squared = dot(to_light, to_light);
-        float ratio = distance_squared / (light_color[i].w * light_color[i].w);
+    for (int i = 0; i < lightCount; i++) {
+        float isLocal = lightPosition[i].w;
+        float3 toLight = lightPosition[i].xyz - isLocal * positionWS;
+        float distanceSquared = dot(toLight, toLight);
+        float ratio = distanceSquared / (lightColor[i].w * lightColor[i].w);
         float window = saturate(1.0 - ratio * ratio);
         PREFIXLight light;
-        light.direction = normalize(to_light);
-        light.color = light_color[i].xyz;
-        light.attenuation = is_local > 0.5 ? window * window / distance_squared : 1.0;
+        light.direction = normalize(toLight);
+        light.color = lightColor[i].xyz;
+        light.attenuation = isLocal > 0.5 ? window * window / distanceSquared : 1.0;
         light.shadow = 1.0;
         light.index = i;
-        light.type = int(is_local);
+        light.type = int(isLocal);
         sum.direct += #direct#;
     }
     sum.indirect = #indirect#;
@@ -157,15 +157,15 @@ float4 shade(float2 uv0, float3 position_ws, float3 vertex_normal_ws) {
 )";
 
 constexpr const char* kGlslVertexMain = R"(
-layout(location = 0) in vec3 in_position;
-layout(location = 1) in vec3 in_normal;
-layout(location = 2) in vec2 in_uv;
+layout(location = 0) in vec3 inPosition;
+layout(location = 1) in vec3 inNormal;
+layout(location = 2) in vec2 inUv;
 layout(location = 0) out vec2 uv;
 layout(location = 1) out vec3 position;
 layout(location = 2) out vec3 normal;
 void main() {
-    uv = in_uv;
-    gl_Position = place(in_position, in_normal, position, normal);
+    uv = inUv;
+    gl_Position = place(inPosition, inNormal, position, normal);
 })";
 constexpr const char* kGlslFragmentMain = R"(
 layout(location = 0) in vec2 uv;
@@ -212,7 +212,7 @@ struct Material {
         }
         return {};
     }
-    // "Rock_direct(surface, light, view_dir_ws)"; a function that the material lacks: `otherwise`.
+    // "Rock_direct(surface, light, viewDirWS)"; a function that the material lacks: `otherwise`.
     std::string call(const std::string& name, const std::string& otherwise) const {
         for (const ShaderFunction& function : functions.reflection.functions) {
             if (function.name != prefix + name) continue;
@@ -254,8 +254,8 @@ protected:
         const Material& material = materials[used];
         const bool is_hlsl = target == Target::Hlsl, is_vertex = stage == Stage::Vertex;
         std::string body = is_vertex ? kVertexBody : kFragmentBody;
-        for (const char* name : {"vertex_position_os", "lighting_surface", "direct", "indirect", "final"})
-            replace_all(body, "#" + std::string(name) + "#", material.call(name, "position_os"));
+        for (const char* name : {"vertexPositionOS", "lightingSurface", "direct", "indirect", "final"})
+            replace_all(body, "#" + std::string(name) + "#", material.call(name, "positionOS"));
         replace_all(body, "PREFIX", material.prefix);
         Shader made;
         made.stage = stage;
@@ -296,14 +296,14 @@ protected:
                 }
             }
         };
-        add("world_to_clip", 0);
-        add("object_to_world", 64);
-        add("world_to_object", 128);
-        add("camera_position_ws", 192);
-        add("light_count", 204);
-        add("light_position", 208);
-        add("light_color", 464);
-        add("ambient_sh", 720);
+        add("worldToClip", 0);
+        add("objectToWorld", 64);
+        add("worldToObject", 128);
+        add("cameraPositionWS", 192);
+        add("lightCount", 204);
+        add("lightPosition", 208);
+        add("lightColor", 464);
+        add("ambientSH", 720);
         add("time", 864);
         EXPECT_EQ(engine.members.size(), 9u);
         engine.size = 880;
@@ -311,19 +311,18 @@ protected:
         made.passes = {forward.passes.front()};
         Pass& pass = made.passes.front();
         pass.blocks = {"Engine"};
-        pass.textures = {"environment_map", "split_sum_table"};
+        pass.textures = {"environmentMap", "splitSumTable"};
         for (const Texture& texture : made.textures) pass.textures.push_back(texture.name);
         for (const Block& block : made.blocks) {
             if (block.is_material) pass.blocks.push_back(block.name);
         }
         for (Texture texture : forward.textures) {
-            if (texture.name != "environment_map" && texture.name != "split_sum_table") continue;
-            texture.binding = texture.name == "environment_map" ? 1 : 2;
+            if (texture.name != "environmentMap" && texture.name != "splitSumTable") continue;
+            texture.binding = texture.name == "environmentMap" ? 1 : 2;
             texture.sampler_binding = texture.binding + 2;
             made.textures.push_back(texture);
         }
-        pass.vertex_inputs = {
-            {"position_os", "float3", 0, ""}, {"normal_os", "float3", 1, ""}, {"uv0", "float2", 2, ""}};
+        pass.vertex_inputs = {{"positionOS", "float3", 0, ""}, {"normalOS", "float3", 1, ""}, {"uv0", "float2", 2, ""}};
         return made;
     }
 

@@ -51,7 +51,7 @@ std::string shown(const std::string& port) {
     const Result result = preview(port);
     if (!result.ok) return result.diagnostics.empty() ? "?" : result.diagnostics[0].message;
     const std::string& text = result.shaders.back().text;
-    constexpr std::string_view kStart = "out_color = vec4(";
+    constexpr std::string_view kStart = "outColor = vec4(";
     const std::size_t at = text.find(kStart);
     if (at == text.npos) return text;
     return text.substr(at + kStart.size(), text.find(',', at) - at - kStart.size());

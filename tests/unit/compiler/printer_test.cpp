@@ -162,8 +162,8 @@ TEST(Statements, HintsNameValuesAndClashesAreNumbered) {
     const Value y = f.named(f.b->emit(Op::Cos, {f.b->param(0)}), "a");
     EXPECT_EQ(f.glsl(f.b->emit(Op::Add, {x, y})),
               "float texture_ = sin(a);\n"
-              "float a_2 = cos(a);\n"
-              "return texture_ + a_2;\n");
+              "float a2 = cos(a);\n"
+              "return texture_ + a2;\n");
 }
 
 TEST(Statements, AnAssignmentOfTheAuthorStaysOne) {
@@ -184,8 +184,8 @@ TEST(Statements, AnOldValueThatIsStillReadKeepsItsVariable) {
     const Value y = f.named(f.b->emit(Op::Mul, {x, f.b->param(1)}), "x");
     EXPECT_EQ(f.glsl(f.b->emit(Op::Add, {x, y})),
               "float x = sin(a);\n"
-              "float x_2 = x * b;\n"
-              "return x + x_2;\n");
+              "float x2 = x * b;\n"
+              "return x + x2;\n");
 }
 
 TEST(Statements, StructsAreFilledMemberByMember) {
@@ -337,9 +337,9 @@ TEST(Statements, CarriedValuesChangeAtOnce) {
               "float x = a;\n"
               "float y = b;\n"
               "for (int i = 0; i < 3; ++i) {\n"
-              "    float next_x = y;\n"
+              "    float nextX = y;\n"
               "    y = x + y;\n"
-              "    x = next_x;\n"
+              "    x = nextX;\n"
               "}\n"
               "return x - y;\n");
 }

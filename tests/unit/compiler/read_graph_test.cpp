@@ -173,7 +173,7 @@ TEST(ReadGraph, Material) {
         { "id": "a", "node": "SampleTexture2D", "in": { "texture": "$_T" }, "note": "hm" },
         { "id": "b", "expr": "a.r * 2", "stage": "vertex", "precision": "half" }
       ],
-      "vertex": { "position_os": "@position_os" },
+      "vertex": { "positionOS": "@positionOS" },
       "surface": { "color": "a", "alpha": 1 },
       "render": { "surface": "cutout", "cull": "off", "depthWrite": false, "depthTest": "lessEqual", "queue": 2450 },
       "meta": { "k": [1.0, /* c */ "\u0041",], }, "ui": { "a": null }
@@ -197,7 +197,7 @@ TEST(ReadGraph, Material) {
     EXPECT_EQ(g.nodes[1].stage, NodeStage::Vertex);
     EXPECT_EQ(g.nodes[1].precision, Precision::Half);
     EXPECT_EQ(r.text(g.nodes[1].expr->span), "a.r * 2");
-    EXPECT_EQ(g.vertex.at(0).name, "position_os");
+    EXPECT_EQ(g.vertex.at(0).name, "positionOS");
     EXPECT_EQ(g.surface.size(), 2u);
     EXPECT_EQ(g.render.surface, SurfaceKind::Cutout);
     EXPECT_EQ(g.render.cull, Cull::Off);

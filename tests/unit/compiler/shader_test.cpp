@@ -42,7 +42,7 @@ TEST(Legalize, VertexStagesSampleLevelZero) {
     const Value texel = f.b->emit(Op::Sample, kFloat4, {f.read(texture), f.read(sampler), f.b->param(0)});
     f.make_stage(texel, {{.name = "uv0", .type = kFloat2, .semantic = "TEXCOORD0"}}, StageKind::Vertex);
     // Named after the output that it becomes.
-    EXPECT_TRUE(contains(f.print("glsl"), "vec4 color = textureLod(sampler2D(_Height, sampler_Height), in_uv0, 0.0);"))
+    EXPECT_TRUE(contains(f.print("glsl"), "vec4 color = textureLod(sampler2D(_Height, sampler_Height), inUv0, 0.0);"))
         << f.print("glsl");
     EXPECT_TRUE(contains(f.print("hlsl"), "_Height.SampleLevel(sampler_Height, input.uv0, 0.0);"));
 }
@@ -85,13 +85,13 @@ layout(set = 1, binding = 0, std140) uniform Material
 layout(set = 1, binding = 1) uniform texture2D _MainTex;
 layout(set = 1, binding = 9) uniform sampler sampler_MainTex;
 
-layout(location = 0) in vec2 v_uv0;
-layout(location = 0) out vec4 out_color;
+layout(location = 0) in vec2 vUv0;
+layout(location = 0) out vec4 outColor;
 
 void main()
 {
-    vec4 albedo = texture(sampler2D(_MainTex, sampler_MainTex), v_uv0);
-    out_color = albedo * _Tint;
+    vec4 albedo = texture(sampler2D(_MainTex, sampler_MainTex), vUv0);
+    outColor = albedo * _Tint;
 }
 )");
     EXPECT_EQ(f.print("hlsl", {.header = "made by hand"}),
@@ -133,15 +133,15 @@ TEST(Shaders, StageInputsAreDeclaredByLocation) {
     Fixture f({kFloat4, kFloat, kFloat});
     const Value w = f.b->emit(Op::Mul, {f.b->param(1), f.b->param(2)});
     f.make_stage(f.b->emit(Op::Mul, {f.b->param(0), f.b->splat(w, 4)}),
-                 {{.name = "frag_coord", .type = kFloat4, .builtin = Builtin::FragCoord, .semantic = "SV_Position"},
+                 {{.name = "fragCoord", .type = kFloat4, .builtin = Builtin::FragCoord, .semantic = "SV_Position"},
                   {.name = "late", .type = kFloat, .location = 3, .semantic = "TEXCOORD3"},
                   {.name = "early", .type = kFloat, .location = 0, .semantic = "TEXCOORD0"}});
     EXPECT_TRUE(contains(f.print("hlsl"),
                          "    float early : TEXCOORD0;\n"
                          "    [[vk::location(3)]] float late : TEXCOORD3;\n"
-                         "    float4 frag_coord : SV_Position;\n"))
+                         "    float4 fragCoord : SV_Position;\n"))
         << f.print("hlsl");
-    EXPECT_TRUE(contains(f.print("glsl"), "out_color = gl_FragCoord * (v_late * v_early);"));
+    EXPECT_TRUE(contains(f.print("glsl"), "outColor = gl_FragCoord * (vLate * vEarly);"));
 }
 
 TEST(Shaders, LocalsDoNotHideGlobals) {
@@ -149,7 +149,7 @@ TEST(Shaders, LocalsDoNotHideGlobals) {
     f.module.globals.push_back({.name = "tint", .type = kFloat, .block = 0, .member = 0, .span = {}});
     f.module.blocks.push_back({.name = "Material", .size = 16, .members = {{.name = "tint", .type = kFloat}}});
     const Value local = f.named(f.b->emit(Op::Sin, {f.b->param(0)}), "tint");
-    EXPECT_EQ(f.glsl(f.b->emit(Op::Mul, {local, f.read({0})})), "float tint_2 = sin(a);\nreturn tint_2 * tint;\n");
+    EXPECT_EQ(f.glsl(f.b->emit(Op::Mul, {local, f.read({0})})), "float tint2 = sin(a);\nreturn tint2 * tint;\n");
 }
 
 TEST(Shaders, CommentsNameNodesAndLinesKnowThem) {
@@ -232,8 +232,8 @@ TEST(Shaders, TextureSizesAreAsked) {
     f.finish(f.b->emit(Op::TextureSize, kInt2, {f.read(texture), f.b->param(0)}));
     EXPECT_EQ(f.body("glsl"), "ivec2 size = textureSize(_MainTex, a);\nreturn size;\n");
     EXPECT_EQ(f.body("hlsl"),
-              "uint width, height, level_count;\n"
-              "_MainTex.GetDimensions(a, width, height, level_count);\n"
+              "uint width, height, levelCount;\n"
+              "_MainTex.GetDimensions(a, width, height, levelCount);\n"
               "int2 size = int2(width, height);\n"
               "return size;\n");
 }

@@ -65,7 +65,7 @@ TEST(Terms, EveryValueInFloat) {
     for (const Json& row : rows().GetArray()) {
         const std::string term = row["term"].GetString();
         const TermResult result = evaluate_term(compiler, term, inputs_of(row), true);
-        const double relative = is_integral(term) ? 1e-3 : row["rtol_f32"].GetDouble();
+        const double relative = is_integral(term) ? 1e-3 : row["rtolF32"].GetDouble();
         worst(row, result, relative, 1e-6);
     }
 }

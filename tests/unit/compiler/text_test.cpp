@@ -1,8 +1,10 @@
-// Numbers as text are what std::to_chars and std::from_chars make of them, though the compiler does without both.
+// Which known word an unknown one means, and numbers as text: these are what std::to_chars and std::from_chars make of
+// them, though the compiler does without both.
 #include "compiler/base/text.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -96,6 +98,37 @@ TEST(ReadNumber, TakesNothingElse) {
     EXPECT_EQ(read_number("0e999"), 0);
     EXPECT_EQ(read_number("1e999"), INFINITY);
     EXPECT_EQ(read_number("1e-999"), INFINITY);
+}
+
+using namespace std::string_view_literals;
+
+TEST(Nearest, FindsAWordByFewLetters) {
+    constexpr std::array kWords = {"roughness"sv, "metallic"sv, "normalWS"sv};
+    EXPECT_EQ(nearest("roughnes", kWords), "roughness");
+    EXPECT_EQ(nearest("mettalic", kWords), "metallic");
+    EXPECT_EQ(nearest("colour", kWords), "");
+}
+
+TEST(Nearest, UnderscoresAndCaseMakeNoDifference) {
+    constexpr std::array kWords = {"normalOS"sv, "normalWS"sv, "nearPlane"sv, "isLit"sv, "perObject"sv};
+    EXPECT_EQ(nearest("normal_ws", kWords), "normalWS");
+    EXPECT_EQ(nearest("normal_os", kWords), "normalOS");
+    EXPECT_EQ(nearest("near_plane", kWords), "nearPlane");
+    EXPECT_EQ(nearest("is_lit", kWords), "isLit");
+    EXPECT_EQ(nearest("PER_OBJECT", kWords), "perObject");
+}
+
+// Each underscore would count as a letter that is wrong.
+TEST(Nearest, AnOldSpellingWithAMistakeIsFound) {
+    constexpr std::array kWords = {"ambientOrLightmapUV"sv, "oneMinusSrcAlpha"sv, "normalWS"sv};
+    EXPECT_EQ(nearest("one_minus_src_aplha", kWords), "oneMinusSrcAlpha");
+    EXPECT_EQ(nearest("norml_ws", kWords), "normalWS");
+}
+
+TEST(Nearest, AWordThatDiffersByUnderscoresOnlyIsPreferred) {
+    constexpr std::array kWords = {"light_ax"sv, "lightAxis"sv, "_Tint"sv, "Tint2"sv};
+    EXPECT_EQ(nearest("light_axis", kWords), "lightAxis");
+    EXPECT_EQ(nearest("Tint", kWords), "_Tint");
 }
 
 }  // namespace

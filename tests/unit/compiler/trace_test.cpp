@@ -24,7 +24,7 @@ constexpr const char* kGraph = R"graph({
     { "id": "third", "expr": "$_Scale / 6" },
     { "id": "layers", "node": "./layers.subgraph.json", "in": { "x": "ramp" } },
     { "id": "spread", "node": "./spread.node.hlsl", "in": { "x": "ramp" } },
-    { "id": "lean", "expr": "@position_os.x * 3", "stage": "vertex" }
+    { "id": "lean", "expr": "@positionOS.x * 3", "stage": "vertex" }
   ],
   "surface": { "baseColor": "= float3(ramp, layers.sum, 0.25)",
                      "roughness" : 0.5, "emission" : "= float3(lean * 0)"
@@ -164,7 +164,7 @@ TEST_F(TraceTest, TheSetUpOfTheWorkflow) {
     const auto values = run(request(), 7, 20).trace.values;
     const double x = 2 * 7.5 / kSize;
     const std::vector<double> diffuse = {0.96 * x, 0.96 * (x / 2 + 0.125), 0.96 * 0.25};
-    expect(values, "workflow", "setup", "diffuse_color", diffuse);
+    expect(values, "workflow", "setup", "diffuseColor", diffuse);
     expect(values, "workflow", "setup", "f0", {0.04, 0.04, 0.04});
     expect(values, "workflow", "surface", "diffuseColor", diffuse);
     expect(values, "workflow", "surface", "roughness", {0.5});

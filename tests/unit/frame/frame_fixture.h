@@ -65,8 +65,8 @@ inline ir::Module vertex_module() {
     using namespace ir;
     Module module;
     Function entry{.name = "main"};
-    entry.params = {{.name = "position_os", .type = kFloat3}};
-    module.stage.inputs = {{.name = "position_os", .type = kFloat3, .semantic = "POSITION"}};
+    entry.params = {{.name = "positionOS", .type = kFloat3}};
+    module.stage.inputs = {{.name = "positionOS", .type = kFloat3, .semantic = "POSITION"}};
     module.stage.outputs = {
         {.name = "position", .type = kFloat4, .builtin = Builtin::Position, .semantic = "SV_Position"}};
     Builder b(module, entry, {.fold = false});
@@ -133,7 +133,7 @@ inline HandMaterial hand_material(unsigned outputs, bool reads = false) {
     pass.depth_write = false;
     for (std::uint32_t i = 0; i < outputs; i++)
         pass.targets.push_back({.name = "t" + std::to_string(i), .location = i});
-    pass.vertex_inputs = {{"position_os", "float3", 0, ""}};
+    pass.vertex_inputs = {{"positionOS", "float3", 0, ""}};
     if (reads) {
         Texture texture;
         texture.name = "earlier";
@@ -148,8 +148,8 @@ inline HandMaterial hand_material(unsigned outputs, bool reads = false) {
     made.program.stages = {{.pass = "hand", .stage = Stage::Vertex, .module = vertex_module()},
                            {.pass = "hand", .stage = Stage::Fragment, .module = fragment_module(outputs, reads)}};
     made.vertex = spirv_of(Stage::Vertex, R"(#version 450
-        layout(location = 0) in vec3 position_os;
-        void main() { gl_Position = vec4(position_os, 1); })");
+        layout(location = 0) in vec3 positionOS;
+        void main() { gl_Position = vec4(positionOS, 1); })");
     made.fragment = spirv_of(Stage::Fragment, fragment_text(outputs, reads));
     return made;
 }

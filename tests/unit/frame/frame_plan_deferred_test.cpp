@@ -14,7 +14,7 @@ std::vector<Pass> deferred_passes() {
     gbuffer.camera = PassCamera::Perspective;
     gbuffer.fallback = "forward";
     gbuffer.stencil = {.test = Compare::Always, .pass = StencilOp::Replace, .reference = StencilReference::Lighting};
-    gbuffer.targets = {target_of("gbuffer_normal", TargetFormat::Rgb10A2), target_of("color")};
+    gbuffer.targets = {target_of("gbufferNormal", TargetFormat::Rgb10A2), target_of("color")};
     Pass sun = gbuffer;
     sun.name = "sun";
     sun.draws = PassDraws::Fullscreen;
@@ -23,7 +23,7 @@ std::vector<Pass> deferred_passes() {
     sun.stencil = {.test = Compare::Equal, .pass = StencilOp::Keep, .reference = StencilReference::Lighting};
     sun.targets = {target_of("color")};
     sun.blocks = {"Lights", "Camera"};
-    sun.textures = {"normal_texture"};
+    sun.textures = {"normalTexture"};
     Pass local = sun;
     local.name = "local";
     local.draws = PassDraws::LightVolumes;
@@ -33,7 +33,7 @@ std::vector<Pass> deferred_passes() {
 
 Reflection deferred() {
     Reflection reflection = reflection_of("deferred", deferred_passes());
-    reflection.textures = {texture_of("normal_texture", "gbuffer_normal")};
+    reflection.textures = {texture_of("normalTexture", "gbufferNormal")};
     return reflection;
 }
 
@@ -59,8 +59,8 @@ TEST(DeferredFrame, LightsAreDrawnOnceForEachGroup) {
     EXPECT_EQ(lights_seen(frame.steps[7]), (Ints{0}));
     // The lighting passes read what the first has drawn.
     ASSERT_EQ(frame.steps[3].reads.size(), 1u);
-    EXPECT_EQ(frame.steps[3].reads[0].texture, "normal_texture");
-    EXPECT_EQ(&frame.targets[frame.steps[3].reads[0].target], target(frame, "gbuffer_normal"));
+    EXPECT_EQ(frame.steps[3].reads[0].texture, "normalTexture");
+    EXPECT_EQ(&frame.targets[frame.steps[3].reads[0].target], target(frame, "gbufferNormal"));
     EXPECT_TRUE(frame.steps[0].reads.empty());
 }
 
@@ -123,10 +123,10 @@ TEST(DeferredFrame, AVolumeStandsAroundItsLight) {
     stage.add_object(stage.add_material(deferred()));
     Frame frame = stage.plan();
     ASSERT_EQ(stage.story(frame), "gbuffer 0 | local volume | local volume");
-    std::vector<float> matrix = value(frame.steps[1], "object_to_world");
+    std::vector<float> matrix = value(frame.steps[1], "objectToWorld");
     EXPECT_EQ(matrix, (std::vector<float>{4, 0, 0, 0, 0, 4, 0, 0, 0, 0, 4, 0, 1, 2, 3, 1}));
     // The camera is within the second light: its volume is all that is seen.
-    EXPECT_EQ(value(frame.steps[2], "object_to_world")[0], 1);
+    EXPECT_EQ(value(frame.steps[2], "objectToWorld")[0], 1);
     EXPECT_EQ(frame.steps[2].mesh->vertices.size(), 8u);
 }
 

@@ -68,13 +68,13 @@ TEST(ForwardFrame, AllLightsAreSeenMainFirst) {
     stage.add_object(stage.add_material(reflection_of("forward", {forward_pass()})));
     Frame frame = stage.plan();
     EXPECT_EQ(lights_seen(frame.steps.at(0)), (Ints{2, 1, 0, 3}));
-    EXPECT_EQ(value(frame.steps[0], "light_cone")[3], -1);  // no shadow map
+    EXPECT_EQ(value(frame.steps[0], "lightCone")[3], -1);  // no shadow map
 }
 
 TEST(ForwardFrame, AnObjectHasItsOwnMatrix) {
     Stage stage;
     stage.add_object(stage.add_material(reflection_of("forward", {forward_pass()})), {1, 2, 3}, 0.5f);
-    std::vector<float> matrix = value(stage.plan().steps.at(0), "object_to_world");
+    std::vector<float> matrix = value(stage.plan().steps.at(0), "objectToWorld");
     EXPECT_EQ(matrix, (std::vector<float>{0.5f, 0, 0, 0, 0, 0.5f, 0, 0, 0, 0, 0.5f, 0, 1, 2, 3, 1}));
 }
 
@@ -160,7 +160,7 @@ TEST(AdditiveFrame, LightsThatAreLeftGoToTheBasePass) {
     Frame frame = stage.plan();
     EXPECT_EQ(stage.story(frame), "base 0 | add 0");
     EXPECT_EQ(lights_seen(frame.steps[0]), Ints{});
-    std::vector<float> colors = value(frame.steps[0], "light_color");
+    std::vector<float> colors = value(frame.steps[0], "lightColor");
     LightSplit split = split_lights(stage.world.view.lights, {.radius = 1}, 1);
     ASSERT_EQ(split.vertex.size(), 4u);
     for (std::size_t i = 0; i < 4; i++) EXPECT_EQ(colors[4 * i + 2], float(split.vertex[i])) << i;
@@ -168,12 +168,12 @@ TEST(AdditiveFrame, LightsThatAreLeftGoToTheBasePass) {
     SphericalHarmonics expected = stage.world.view.ambient;
     ASSERT_EQ(split.sh.size(), 2u);
     for (std::size_t i : split.sh) add_light(expected, stage.world.view.lights[i], {.radius = 1});
-    std::vector<float> ambient = value(frame.steps[0], "ambient_sh");
+    std::vector<float> ambient = value(frame.steps[0], "ambientSH");
     for (std::size_t i = 0; i < 9; i++)
         for (int c = 0; c < 3; c++) EXPECT_NEAR(ambient[4 * i + std::size_t(c)], expected.coefficients[i][c], 1e-4);
     // The additive pass has neither.
-    EXPECT_EQ(value(frame.steps[1], "vertex_light_count"), std::vector<float>{0});
-    EXPECT_NEAR(value(frame.steps[1], "ambient_sh")[8], 0, 1e-6);
+    EXPECT_EQ(value(frame.steps[1], "vertexLightCount"), std::vector<float>{0});
+    EXPECT_NEAR(value(frame.steps[1], "ambientSH")[8], 0, 1e-6);
 }
 
 TEST(AdditiveFrame, EveryLightThatReachesAnObjectIsSeenOnce) {
@@ -229,16 +229,16 @@ std::vector<Pass> with_caster(std::vector<Pass> passes) {
     caster.name = "caster";
     caster.each = PassEach::Light;
     caster.lights = PassLights::Shadowed;
-    caster.depth_target = "sun_map";
+    caster.depth_target = "sunMap";
     caster.targets.clear();
     passes.insert(passes.begin(), caster);
-    for (std::size_t i = 1; i < passes.size(); i++) passes[i].textures.push_back("sun_map_texture");
+    for (std::size_t i = 1; i < passes.size(); i++) passes[i].textures.push_back("sunMapTexture");
     return passes;
 }
 
 Reflection shadowed(std::vector<Pass> passes) {
     Reflection reflection = reflection_of("forward", with_caster(std::move(passes)));
-    reflection.textures = {texture_of("sun_map_texture", "sun_map")};
+    reflection.textures = {texture_of("sunMapTexture", "sunMap")};
     return reflection;
 }
 
@@ -264,7 +264,7 @@ TEST(ShadowFrame, EachLightThatCastsDrawsItsMapFirst) {
     EXPECT_EQ(stage.story(frame),
               "caster 0 | caster 1 | caster 3 | caster 0 | caster 1 | forward 1 | forward 2 | forward 3 | forward 0");
 
-    const FrameTarget* atlas = target(frame, "sun_map");
+    const FrameTarget* atlas = target(frame, "sunMap");
     EXPECT_EQ(atlas->width, 2048);
     EXPECT_EQ(atlas->height, 2048);
     EXPECT_EQ(atlas->format, TargetFormat::Depth);
@@ -276,17 +276,17 @@ TEST(ShadowFrame, EachLightThatCastsDrawsItsMapFirst) {
     EXPECT_GT(cone.area.x, 1024);
     EXPECT_EQ(lights_seen(sun), (Ints{1}));
     EXPECT_EQ(lights_seen(cone), (Ints{2}));
-    EXPECT_EQ(value(sun, "view_is_orthographic")[0], 1);
-    EXPECT_EQ(value(cone, "view_is_orthographic")[0], 0);
-    EXPECT_EQ(value(sun, "shadow_bias")[0], 0.125f);
-    EXPECT_NE(value(sun, "world_to_clip"), value(seen, "world_to_clip"));
+    EXPECT_EQ(value(sun, "viewIsOrthographic")[0], 1);
+    EXPECT_EQ(value(cone, "viewIsOrthographic")[0], 0);
+    EXPECT_EQ(value(sun, "shadowBias")[0], 0.125f);
+    EXPECT_NE(value(sun, "worldToClip"), value(seen, "worldToClip"));
 
     EXPECT_EQ(lights_seen(seen), (Ints{1, 0, 2}));
-    std::vector<float> cones = value(seen, "light_cone");
+    std::vector<float> cones = value(seen, "lightCone");
     EXPECT_EQ((Ints{int(cones[3]), int(cones[7]), int(cones[11])}), (Ints{0, -1, 1}));
-    EXPECT_EQ(value(seen, "shadow_texel")[0], 1.0f / 2048);
-    EXPECT_EQ(value(seen, "shadow_strength"), (std::vector<float>{0.75f, 1, 0, 0}));
-    EXPECT_EQ(value(seen, "shadow_bias")[0], 0);
+    EXPECT_EQ(value(seen, "shadowTexel")[0], 1.0f / 2048);
+    EXPECT_EQ(value(seen, "shadowStrength"), (std::vector<float>{0.75f, 1, 0, 0}));
+    EXPECT_EQ(value(seen, "shadowBias")[0], 0);
     ASSERT_EQ(seen.reads.size(), 1u);
     EXPECT_EQ(&frame.targets[seen.reads[0].target], atlas);
 }
@@ -297,9 +297,9 @@ TEST(ShadowFrame, WithoutCastingLightsThereIsOneLitTexel) {
     stage.add_object(stage.add_material(shadowed({forward_pass()})));
     Frame frame = stage.plan();
     EXPECT_EQ(stage.story(frame), "forward 0");
-    EXPECT_EQ(target(frame, "sun_map")->width, 1);
-    EXPECT_EQ(target(frame, "sun_map")->format, TargetFormat::Depth);
-    EXPECT_EQ(target(frame, "sun_map")->clear.x, 1);
+    EXPECT_EQ(target(frame, "sunMap")->width, 1);
+    EXPECT_EQ(target(frame, "sunMap")->format, TargetFormat::Depth);
+    EXPECT_EQ(target(frame, "sunMap")->clear.x, 1);
 
     // The same where nobody casts a shadow: the only pass that names the map reads it.
     Stage glass;
@@ -308,9 +308,9 @@ TEST(ShadowFrame, WithoutCastingLightsThereIsOneLitTexel) {
     reflection.passes.erase(reflection.passes.begin());
     glass.add_object(glass.add_material(reflection));
     frame = glass.plan();
-    EXPECT_EQ(target(frame, "sun_map")->width, 1);
-    EXPECT_EQ(target(frame, "sun_map")->clear.x, 1);
-    EXPECT_EQ(value(frame.steps[0], "light_cone")[3], -1);
+    EXPECT_EQ(target(frame, "sunMap")->width, 1);
+    EXPECT_EQ(target(frame, "sunMap")->clear.x, 1);
+    EXPECT_EQ(value(frame.steps[0], "lightCone")[3], -1);
 }
 
 TEST(ShadowFrame, RefusesWhatHasNoMap) {
@@ -355,9 +355,9 @@ TEST(ReadingFrame, WhatAnEarlierPassDrewIsReadInPlace) {
     Pass first = forward_pass(), second = forward_pass();
     first.name = "normals";
     first.targets = {target_of("normals")};
-    second.textures = {"normals_texture"};
+    second.textures = {"normalsTexture"};
     Reflection reflection = reflection_of("forward", {first, second});
-    reflection.textures = {texture_of("normals_texture", "normals")};
+    reflection.textures = {texture_of("normalsTexture", "normals")};
     stage.add_object(stage.add_material(reflection));
     stage.add_object(stage.add_material(reflection_of("forward", {forward_pass(2450)})));
     EXPECT_EQ(stage.story(), "normals 0 | forward 0 | forward 1");
@@ -384,17 +384,17 @@ TEST(EngineTextures, LightmapsAreTheObjectsAndCookiesTheLights) {
     Stage stage;
     Pass pass = forward_pass();
     pass.each = PassEach::Light;
-    pass.textures = {"_MainTex", "lightmap_texture", "light_cookie", "shadow_mask_texture"};
+    pass.textures = {"_MainTex", "lightmapTexture", "lightCookie", "shadowMaskTexture"};
     Reflection reflection = reflection_of("forward", {pass});
-    reflection.textures = {texture_of("_MainTex"), texture_of("lightmap_texture"), texture_of("light_cookie"),
-                           texture_of("shadow_mask_texture"), texture_of("unread")};
+    reflection.textures = {texture_of("_MainTex"), texture_of("lightmapTexture"), texture_of("lightCookie"),
+                           texture_of("shadowMaskTexture"), texture_of("unread")};
     reflection.textures[0].is_material = true;
     std::size_t material = stage.add_material(reflection);
     const std::vector<LoadedTexture> own = {{.name = "_MainTex", .data = texel(0.5f)}};
     stage.materials[material].textures = own;
     stage.add_object(material);
     stage.add_object(material);
-    const std::vector<std::vector<LoadedTexture>> of_objects = {{{.name = "lightmap_texture", .data = texel(0.25f)}}};
+    const std::vector<std::vector<LoadedTexture>> of_objects = {{{.name = "lightmapTexture", .data = texel(0.25f)}}};
     stage.options.object_textures = of_objects;
     Light lamp = point_light({0, 3, 0});
     lamp.kind = LightKind::Spot;
@@ -410,22 +410,22 @@ TEST(EngineTextures, LightmapsAreTheObjectsAndCookiesTheLights) {
     };
     for (std::size_t step = 0; step < 4; step++) {
         EXPECT_EQ(red(step, "_MainTex"), 0.5f);
-        EXPECT_EQ(red(step, "lightmap_texture"), step < 2 ? 0.25f : 1);
-        EXPECT_EQ(red(step, "shadow_mask_texture"), 1);
-        EXPECT_EQ(red(step, "light_cookie"), step % 2 ? 0.75f : 1);
+        EXPECT_EQ(red(step, "lightmapTexture"), step < 2 ? 0.25f : 1);
+        EXPECT_EQ(red(step, "shadowMaskTexture"), 1);
+        EXPECT_EQ(red(step, "lightCookie"), step % 2 ? 0.75f : 1);
         EXPECT_EQ(bound(frame.steps[step], "unread"), nullptr);
-        EXPECT_EQ(value(frame.steps[step], "light_axis")[3], step % 2 ? 1 : 0);
+        EXPECT_EQ(value(frame.steps[step], "lightAxis")[3], step % 2 ? 1 : 0);
         // An object without a lightmap has no baked light: its factor is 0.
-        EXPECT_EQ(value(frame.steps[step], "lightmap_decode"),
+        EXPECT_EQ(value(frame.steps[step], "lightmapDecode"),
                   (step < 2 ? std::vector<float>{1, 1, 0, 0} : std::vector<float>{0, 1, 0, 0}));
     }
 }
 
 TEST(EngineTextures, LiveAsLongAsTheFrame) {
     Pass pass = forward_pass();
-    pass.textures = {"lightmap_texture"};
+    pass.textures = {"lightmapTexture"};
     Reflection reflection = reflection_of("forward", {pass});
-    reflection.textures = {texture_of("lightmap_texture")};
+    reflection.textures = {texture_of("lightmapTexture")};
     Stage stage;
     stage.add_object(stage.add_material(reflection));
     Frame copy;
@@ -433,7 +433,7 @@ TEST(EngineTextures, LiveAsLongAsTheFrame) {
         Frame frame = stage.plan();
         copy = frame;
     }
-    EXPECT_EQ(bound(copy.steps.at(0), "lightmap_texture")->data->levels[0].texels, (std::vector<float>{1, 1, 1, 1}));
+    EXPECT_EQ(bound(copy.steps.at(0), "lightmapTexture")->data->levels[0].texels, (std::vector<float>{1, 1, 1, 1}));
 }
 
 // --- mistakes

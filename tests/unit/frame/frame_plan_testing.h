@@ -33,15 +33,15 @@ inline Reflection reflection_of(std::string path, std::vector<Pass> passes) {
         block.members = std::move(members);
     };
     add_block("Lights", 800,
-              {member("light_count", "int", 0), member("shadow_texel", "float", 4),
-               member("light_position", "float4", 16, 16), member("light_cone", "float4", 272, 16),
-               member("light_axis", "float4", 528, 16), member("shadow_strength", "float4", 784)});
-    add_block("VertexLights", 272, {member("vertex_light_count", "float", 0), member("light_color", "float4", 16, 16)});
+              {member("lightCount", "int", 0), member("shadowTexel", "float", 4),
+               member("lightPosition", "float4", 16, 16), member("lightCone", "float4", 272, 16),
+               member("lightAxis", "float4", 528, 16), member("shadowStrength", "float4", 784)});
+    add_block("VertexLights", 272, {member("vertexLightCount", "float", 0), member("lightColor", "float4", 16, 16)});
     add_block("Camera", 80,
-              {member("world_to_clip", "float4x4", 0), member("shadow_bias", "float", 64),
-               member("view_is_orthographic", "float", 68)});
-    add_block("Object", 80, {member("object_to_world", "float4x4", 0), member("lightmap_decode", "float4", 64)});
-    add_block("Ambient", 144, {member("ambient_sh", "float4", 0, 9)});
+              {member("worldToClip", "float4x4", 0), member("shadowBias", "float", 64),
+               member("viewIsOrthographic", "float", 68)});
+    add_block("Object", 80, {member("objectToWorld", "float4x4", 0), member("lightmapDecode", "float4", 64)});
+    add_block("Ambient", 144, {member("ambientSH", "float4", 0, 9)});
     add_block("Material", 16, {});
     reflection.blocks.back().is_material = true;
     return reflection;
@@ -69,8 +69,8 @@ inline std::vector<float> value(const FrameStep& step, const std::string& name) 
 // The true indices of the lights that a step sees, slot by slot.
 inline std::vector<int> lights_seen(const FrameStep& step) {
     std::vector<int> lights;
-    for (int i = 0; i < int(value(step, "light_count")[0]); i++)
-        lights.push_back(int(value(step, "light_cone")[std::size_t(4 * i + 2)]));
+    for (int i = 0; i < int(value(step, "lightCount")[0]); i++)
+        lights.push_back(int(value(step, "lightCone")[std::size_t(4 * i + 2)]));
     return lights;
 }
 

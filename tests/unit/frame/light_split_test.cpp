@@ -127,7 +127,7 @@ TEST(LightSplit, OrderOfSlotsIsMainDirectionalRest) {
     EXPECT_EQ(light_order(lights), (Indices{4, 1, 3, 0, 2}));
 }
 
-// light_at() of nodes/stage/lights.node.hlsl in double.
+// lightAt() of nodes/stage/lights.node.hlsl in double.
 double attenuation_at(const Light& light, glm::dvec3 place) {
     glm::dvec3 way = glm::dvec3(light.position) - place;
     double squared = glm::dot(way, way), ratio = squared / (double(light.range) * light.range);

@@ -18,7 +18,7 @@ namespace {
 
 using Flat = std::vector<double>;
 
-// A fragment stage with the inputs uv0 and frag_coord, a texture with its sampler, and one output.
+// A fragment stage with the inputs uv0 and fragCoord, a texture with its sampler, and one output.
 struct FragmentStage {
     Program program;
     ir::Module& module;
@@ -30,7 +30,7 @@ struct FragmentStage {
         : program{.stages = {{.pass = "forward", .stage = Stage::Fragment, .module = {}}}},
           module(program.stages[0].module),
           b(module, entry, {.fold = false}) {
-        entry.params = {{.name = "uv0", .type = kFloat2}, {.name = "frag_coord", .type = kFloat4}};
+        entry.params = {{.name = "uv0", .type = kFloat2}, {.name = "fragCoord", .type = kFloat4}};
         module.stage.inputs = {
             {.name = "uv0", .type = kFloat2, .semantic = "TEXCOORD0"},
             {.name = "at", .type = kFloat4, .builtin = Builtin::FragCoord, .semantic = "SV_Position"}};
@@ -118,7 +118,7 @@ TEST(Interpreter, NamesInputsAndOutputs) {
     EXPECT_EQ(interpreter.inputs()[0].name, "uv0");
     EXPECT_EQ(interpreter.inputs()[0].components, 2u);
     EXPECT_FALSE(interpreter.inputs()[0].is_builtin);
-    EXPECT_EQ(interpreter.inputs()[1].name, "frag_coord");
+    EXPECT_EQ(interpreter.inputs()[1].name, "fragCoord");
     EXPECT_TRUE(interpreter.inputs()[1].is_builtin);
     ASSERT_EQ(interpreter.outputs().size(), 1u);
     EXPECT_EQ(interpreter.outputs()[0].name, "color");

@@ -252,7 +252,7 @@ TEST(Specialise, NumbersVersionsThatStandSideBySide) {
     });
     set_entry(module, main);
     module = checked(specialise(std::move(module)));
-    EXPECT_EQ(names(module), (std::vector<std::string>{"f", "f_2", "f_3", "main"}));
+    EXPECT_EQ(names(module), (std::vector<std::string>{"f", "f2", "f3", "main"}));
     EXPECT_EQ(count(module.functions[0], Op::If), 1u);
 }
 

@@ -31,7 +31,7 @@ TEST(EngineValues, ClipToWorldIsTheWayBack) {
     scene.height = 200;
     auto values = engine_values(scene);
     const glm::dvec4 place(0.3, -0.2, 0.7, 1);
-    glm::dvec4 back = matrix(values, "clip_to_world") * (matrix(values, "world_to_clip") * place);
+    glm::dvec4 back = matrix(values, "clipToWorld") * (matrix(values, "worldToClip") * place);
     for (int i = 0; i < 3; i++) EXPECT_NEAR(back[i] / back.w, place[i], 1e-4);
 }
 
@@ -41,25 +41,25 @@ TEST(EngineValues, LightsOfASingleDrawKnowTheirNumbers) {
                     {.direction = {0, 5, 0}, .color = {8, 9, 10}},
                     {.direction = {1, 0, 0}, .color = {9, 10, 11}}};
     auto values = engine_values(scene);
-    Numbers cone = numbers(values, "light_cone");
+    Numbers cone = numbers(values, "lightCone");
     EXPECT_EQ((Numbers{cone[2], cone[6], cone[10]}), (Numbers{2, 1, 0}));     // the brighter sun comes first
     EXPECT_EQ((Numbers{cone[3], cone[7], cone[11]}), (Numbers{-1, -1, -1}));  // no shadow map
-    EXPECT_EQ(numbers(values, "light_count"), Numbers{3});
-    EXPECT_EQ(numbers(values, "shadow_strength"), (Numbers{0, 0, 0, 0}));
-    EXPECT_EQ(numbers(values, "shadow_texel"), Numbers{1});
+    EXPECT_EQ(numbers(values, "lightCount"), Numbers{3});
+    EXPECT_EQ(numbers(values, "shadowStrength"), (Numbers{0, 0, 0, 0}));
+    EXPECT_EQ(numbers(values, "shadowTexel"), Numbers{1});
 }
 
 TEST(EngineValues, FogIsItsModeAndNumbers) {
     Scene scene;
-    EXPECT_EQ(numbers(engine_values(scene), "fog_settings")[0], 0);
+    EXPECT_EQ(numbers(engine_values(scene), "fogSettings")[0], 0);
     scene.fog = {.mode = FogMode::ExponentialSquared, .color = {1, 2, 3}, .density = 0.5f, .start = 4, .end = 6};
     auto values = engine_values(scene);
-    EXPECT_EQ(numbers(values, "fog_settings"), (Numbers{3, 0.5, 4, 6}));
-    EXPECT_EQ(numbers(values, "fog_color")[2], 3);
+    EXPECT_EQ(numbers(values, "fogSettings"), (Numbers{3, 0.5, 4, 6}));
+    EXPECT_EQ(numbers(values, "fogColor")[2], 3);
     scene.fog.mode = FogMode::Linear;
-    EXPECT_EQ(numbers(engine_values(scene), "fog_settings")[0], 1);
+    EXPECT_EQ(numbers(engine_values(scene), "fogSettings")[0], 1);
     scene.fog.mode = FogMode::Exponential;
-    EXPECT_EQ(numbers(engine_values(scene), "fog_settings")[0], 2);
+    EXPECT_EQ(numbers(engine_values(scene), "fogSettings")[0], 2);
 }
 
 TEST(EngineValues, VertexLightsStandBehindTheOthers) {
@@ -71,10 +71,10 @@ TEST(EngineValues, VertexLightsStandBehindTheOthers) {
                      .lights = {{.light = &sun, .index = 4}},
                      .vertex_lights = {{.light = &first, .index = 2}, {.light = &second, .index = 7}}};
     auto values = engine_values(seen);
-    EXPECT_EQ(numbers(values, "light_count"), Numbers{1});
-    EXPECT_EQ(numbers(values, "vertex_light_count"), Numbers{2});
-    EXPECT_EQ(numbers(values, "light_position"), (Numbers{0, 1, 0, 0, 1, 2, 3, 1, 7, 8, 9, 1}));
-    EXPECT_EQ(numbers(values, "light_color"), (Numbers{9, 9, 9, 10, 4, 5, 6, 10, 1, 1, 2, 2}));
+    EXPECT_EQ(numbers(values, "lightCount"), Numbers{1});
+    EXPECT_EQ(numbers(values, "vertexLightCount"), Numbers{2});
+    EXPECT_EQ(numbers(values, "lightPosition"), (Numbers{0, 1, 0, 0, 1, 2, 3, 1, 7, 8, 9, 1}));
+    EXPECT_EQ(numbers(values, "lightColor"), (Numbers{9, 9, 9, 10, 4, 5, 6, 10, 1, 1, 2, 2}));
 }
 
 TEST(EngineValues, FourLightsCountAtVerticesAndSlotsWithoutALightHaveNoShadowMap) {
@@ -84,17 +84,17 @@ TEST(EngineValues, FourLightsCountAtVerticesAndSlotsWithoutALightHaveNoShadowMap
     for (std::size_t i = 0; i < 9; i++) {
         const double at_vertices = double(std::min<std::size_t>(seen.vertex_lights.size(), 4));
         auto values = engine_values(seen);
-        EXPECT_EQ(numbers(values, "vertex_light_count"), Numbers{at_vertices});
-        const Numbers cone = numbers(values, "light_cone");
+        EXPECT_EQ(numbers(values, "vertexLightCount"), Numbers{at_vertices});
+        const Numbers cone = numbers(values, "lightCone");
         ASSERT_EQ(cone.size(), 4 * kMostLights);
         for (std::size_t slot = 0; slot < kMostLights; slot++) EXPECT_EQ(cone[4 * slot + 3], -1) << slot;
         seen.vertex_lights.push_back({.light = &light});
     }
     seen.lights.assign(kMostLights, {.light = &light, .shadow_map = 2});  // no slot is left
     auto values = engine_values(seen);
-    EXPECT_EQ(numbers(values, "vertex_light_count"), Numbers{0});
-    EXPECT_EQ(numbers(values, "light_cone").size(), 4 * kMostLights);
-    EXPECT_EQ(numbers(values, "light_cone").back(), 2);
+    EXPECT_EQ(numbers(values, "vertexLightCount"), Numbers{0});
+    EXPECT_EQ(numbers(values, "lightCone").size(), 4 * kMostLights);
+    EXPECT_EQ(numbers(values, "lightCone").back(), 2);
 }
 
 TEST(EngineValues, ShadowMapsAreMatrixTileAndStrength) {
@@ -110,18 +110,18 @@ TEST(EngineValues, ShadowMapsAreMatrixTileAndStrength) {
                      .shadow_maps = std::span(&map, 1),
                      .shadow_atlas_size = 512};
     auto values = engine_values(seen);
-    EXPECT_EQ(numbers(values, "world_to_shadow").size(), 64u);
-    glm::dvec4 middle = matrix(values, "world_to_shadow") * glm::dvec4(3, 0, 1, 1);
+    EXPECT_EQ(numbers(values, "worldToShadow").size(), 64u);
+    glm::dvec4 middle = matrix(values, "worldToShadow") * glm::dvec4(3, 0, 1, 1);
     EXPECT_NEAR(middle.x, 0, 0.01);
     EXPECT_NEAR(middle.y, 0, 0.01);
-    EXPECT_EQ(numbers(values, "shadow_strength"), (Numbers{0.5, 0, 0, 0}));
-    EXPECT_EQ(numbers(values, "shadow_texel")[0], 1.0 / 512);
-    Numbers tile = numbers(values, "shadow_tile");
+    EXPECT_EQ(numbers(values, "shadowStrength"), (Numbers{0.5, 0, 0, 0}));
+    EXPECT_EQ(numbers(values, "shadowTexel")[0], 1.0 / 512);
+    Numbers tile = numbers(values, "shadowTile");
     EXPECT_EQ(tile.size(), 16u);
     EXPECT_GT(tile[2], 0.5);  // the last tile is at the lower right
     EXPECT_GT(tile[3], 0.5);
-    EXPECT_EQ(numbers(values, "light_cone")[2], 5);
-    EXPECT_EQ(numbers(values, "light_cone")[3], 0);
+    EXPECT_EQ(numbers(values, "lightCone")[2], 5);
+    EXPECT_EQ(numbers(values, "lightCone")[3], 0);
 }
 
 TEST(EngineValues, OneCookieIsBound) {
@@ -135,9 +135,9 @@ TEST(EngineValues, OneCookieIsBound) {
                      .lights = {{.light = &point}, {.light = &plain}, {.light = &sun}, {.light = &other}}};
     EXPECT_EQ(cookie_light(seen.lights), &sun);
     auto values = engine_values(seen);
-    Numbers axis = numbers(values, "light_axis");
+    Numbers axis = numbers(values, "lightAxis");
     EXPECT_EQ((Numbers{axis[3], axis[7], axis[11], axis[15]}), (Numbers{0, 0, 1, 0}));
-    glm::dvec4 uv = matrix(values, "world_to_cookie") * glm::dvec4(2, 2, 0, 1);
+    glm::dvec4 uv = matrix(values, "worldToCookie") * glm::dvec4(2, 2, 0, 1);
     EXPECT_NEAR(uv.x / uv.w, 0.75, 1e-6);
     EXPECT_NEAR(uv.y / uv.w, 0.25, 1e-6);
 }
@@ -151,7 +151,7 @@ TEST(EngineValues, LightsThatCastShadowsHaveChannelsOfMasks) {
                                 {.light = &scene.lights[0], .index = 0},
                                 {.light = &scene.lights[1], .index = 1}},
                      .vertex_lights = {{.light = &scene.lights[3], .index = 3}}};
-    EXPECT_EQ(numbers(engine_values(seen), "light_mask"), (Numbers{0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0}));
+    EXPECT_EQ(numbers(engine_values(seen), "lightMask"), (Numbers{0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0}));
 }
 
 TEST(EngineValues, SubtractiveLightmapsHoldTheMainLight) {
@@ -159,19 +159,19 @@ TEST(EngineValues, SubtractiveLightmapsHoldTheMainLight) {
     scene.lights = {{.color = {1, 1, 1}}, {.color = {2, 2, 2}}};
     EngineScene seen{.scene = &scene,
                      .lights = {{.light = &scene.lights[0], .index = 0}, {.light = &scene.lights[1], .index = 1}}};
-    EXPECT_EQ(numbers(engine_values(seen), "main_light"), Numbers{-1});
+    EXPECT_EQ(numbers(engine_values(seen), "mainLight"), Numbers{-1});
     scene.mixed_lighting = {.mode = LightMixing::Subtractive, .shadow_color = {1, 2, 3}};
-    EXPECT_EQ(numbers(engine_values(seen), "main_light"), Numbers{1});
-    EXPECT_EQ(numbers(engine_values(seen), "shadow_color")[2], 3);
+    EXPECT_EQ(numbers(engine_values(seen), "mainLight"), Numbers{1});
+    EXPECT_EQ(numbers(engine_values(seen), "shadowColor")[2], 3);
     seen.lights.pop_back();
-    EXPECT_EQ(numbers(engine_values(seen), "main_light"), Numbers{-1});
+    EXPECT_EQ(numbers(engine_values(seen), "mainLight"), Numbers{-1});
 }
 
 TEST(EngineValues, ShadowsFadeBeforeTheirDistance) {
     Scene scene;
-    EXPECT_EQ(numbers(engine_values(scene), "shadow_fade"), (Numbers{0, 0}));
+    EXPECT_EQ(numbers(engine_values(scene), "shadowFade"), (Numbers{0, 0}));
     const auto fade = [&](double distance) {
-        const Numbers line = numbers(engine_values(scene), "shadow_fade");
+        const Numbers line = numbers(engine_values(scene), "shadowFade");
         return line[0] * distance + line[1];
     };
     scene.mixed_lighting = {.shadow_distance = 50.0f};
@@ -186,12 +186,12 @@ TEST(EngineValues, AViewMayBeALights) {
     Scene scene;
     View view{.position = {1, 2, 3}, .forward = {0, -1, 0}, .is_parallel = true, .bias = 0.5f, .normal_bias = 0.25f};
     auto values = engine_values(EngineScene{.scene = &scene, .view = view});
-    EXPECT_EQ(numbers(values, "camera_position_ws"), (Numbers{1, 2, 3}));
-    EXPECT_EQ(numbers(values, "camera_forward_ws"), (Numbers{0, -1, 0}));
-    EXPECT_EQ(numbers(values, "view_is_orthographic"), Numbers{1});
-    EXPECT_EQ(numbers(values, "shadow_bias"), Numbers{0.5});
-    EXPECT_EQ(numbers(values, "shadow_normal_bias"), Numbers{0.25});
-    EXPECT_EQ(numbers(engine_values(scene), "shadow_bias"), Numbers{0});
+    EXPECT_EQ(numbers(values, "cameraPositionWS"), (Numbers{1, 2, 3}));
+    EXPECT_EQ(numbers(values, "cameraForwardWS"), (Numbers{0, -1, 0}));
+    EXPECT_EQ(numbers(values, "viewIsOrthographic"), Numbers{1});
+    EXPECT_EQ(numbers(values, "shadowBias"), Numbers{0.5});
+    EXPECT_EQ(numbers(values, "shadowNormalBias"), Numbers{0.25});
+    EXPECT_EQ(numbers(engine_values(scene), "shadowBias"), Numbers{0});
 }
 
 }  // namespace

@@ -12,37 +12,37 @@ namespace patina::runtime {
 namespace {
 
 constexpr const char* kVertex = R"(#version 450
-layout(location = 0) in vec3 position_os;
-layout(location = 1) in vec3 normal_os;
-layout(location = 2) in vec4 tangent_os;
+layout(location = 0) in vec3 positionOS;
+layout(location = 1) in vec3 normalOS;
+layout(location = 2) in vec4 tangentOS;
 layout(location = 3) in vec2 uv0;
 layout(location = 4) in vec4 color;
-layout(set = 0, binding = 0) uniform Camera { mat4 world_to_clip; vec3 camera_position_ws; };
-layout(set = 0, binding = 1) uniform Object { mat4 object_to_world; };
-layout(location = 0) out vec3 position_ws;
+layout(set = 0, binding = 0) uniform Camera { mat4 worldToClip; vec3 cameraPositionWS; };
+layout(set = 0, binding = 1) uniform Object { mat4 objectToWorld; };
+layout(location = 0) out vec3 positionWS;
 layout(location = 1) out vec3 normal;
 layout(location = 2) out vec4 tangent;
 layout(location = 3) out vec2 uv;
-layout(location = 4) out vec4 vertex_color;
+layout(location = 4) out vec4 vertexColor;
 void main() {
-    vec4 position = object_to_world * vec4(position_os, 1);
-    position_ws = position.xyz;
-    normal = normal_os;
-    tangent = tangent_os;
+    vec4 position = objectToWorld * vec4(positionOS, 1);
+    positionWS = position.xyz;
+    normal = normalOS;
+    tangent = tangentOS;
     uv = uv0;
-    vertex_color = color;
-    gl_Position = world_to_clip * position;
+    vertexColor = color;
+    gl_Position = worldToClip * position;
 }
 )";
 
 constexpr const char* kFragmentHead = R"(#version 450
-layout(location = 0) in vec3 position_ws;
+layout(location = 0) in vec3 positionWS;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 tangent;
 layout(location = 3) in vec2 uv;
-layout(location = 4) in vec4 vertex_color;
-layout(set = 0, binding = 0) uniform Camera { mat4 world_to_clip; vec3 camera_position_ws; };
-layout(set = 0, binding = 2) uniform Lights { int light_count; vec4 light_position[16]; vec4 light_color[16]; };
+layout(location = 4) in vec4 vertexColor;
+layout(set = 0, binding = 0) uniform Camera { mat4 worldToClip; vec3 cameraPositionWS; };
+layout(set = 0, binding = 2) uniform Lights { int lightCount; vec4 lightPosition[16]; vec4 lightColor[16]; };
 layout(set = 2, binding = 0) uniform Material {
     float _Amount; vec3 _Direction; vec4 _Tint; int _Mode; vec4 _MainTex_ST;
 };
@@ -87,11 +87,11 @@ Property property(std::string name, PropertyType type, std::array<double, 4> val
 Reflection make_reflection() {
     Reflection r;
     r.blocks = {
-        block("Camera", 0, 0, 80, {member("world_to_clip", "float4x4", 0), member("camera_position_ws", "float3", 64)}),
-        block("Object", 0, 1, 64, {member("object_to_world", "float4x4", 0)}),
+        block("Camera", 0, 0, 80, {member("worldToClip", "float4x4", 0), member("cameraPositionWS", "float3", 64)}),
+        block("Object", 0, 1, 64, {member("objectToWorld", "float4x4", 0)}),
         block("Lights", 0, 2, 528,
-              {member("light_count", "int", 0), member("light_position", "float4", 16, 16),
-               member("light_color", "float4", 272, 16)}),
+              {member("lightCount", "int", 0), member("lightPosition", "float4", 16, 16),
+               member("lightColor", "float4", 272, 16)}),
         // Set 1 stays empty on purpose.
         block("Material", 2, 0, 80,
               {member("_Amount", "float", 0), member("_Direction", "float3", 16), member("_Tint", "float4", 32),
@@ -112,7 +112,7 @@ Reflection make_reflection() {
     Pass pass;
     pass.name = "forward";
     pass.targets.resize(1);
-    const char* inputs[] = {"position_os", "normal_os", "tangent_os", "uv0", "vertex_color"};
+    const char* inputs[] = {"positionOS", "normalOS", "tangentOS", "uv0", "vertexColor"};
     for (std::uint32_t i = 0; i < 5; i++) pass.vertex_inputs.push_back({inputs[i], "float4", i, ""});
     pass.blocks = {"Camera", "Object", "Lights", "Material"};
     pass.textures = {"_MainTex"};
@@ -204,18 +204,18 @@ TEST_F(RendererTest, FillsPropertiesAtTheirOffsets) {
 TEST_F(RendererTest, FillsLightsDirectionalFirst) {
     lights = {{.kind = LightKind::Point, .position = {1, 2, 3}, .color = {4, 5, 6}, .range = 7},
               {.direction = {0, 2, 0}, .color = {8, 9, 10}}};
-    EXPECT_EQ(value_of("vec4(light_count)")[0], 2);
-    EXPECT_EQ(value_of("light_position[0]"), (std::vector<float>{0, 1, 0, 0}));
-    EXPECT_EQ(value_of("vec4(light_color[0].rgb, 0)"), (std::vector<float>{8, 9, 10, 0}));
-    EXPECT_EQ(value_of("light_position[1]"), (std::vector<float>{1, 2, 3, 1}));
-    EXPECT_EQ(value_of("light_color[1]"), (std::vector<float>{4, 5, 6, 7}));
+    EXPECT_EQ(value_of("vec4(lightCount)")[0], 2);
+    EXPECT_EQ(value_of("lightPosition[0]"), (std::vector<float>{0, 1, 0, 0}));
+    EXPECT_EQ(value_of("vec4(lightColor[0].rgb, 0)"), (std::vector<float>{8, 9, 10, 0}));
+    EXPECT_EQ(value_of("lightPosition[1]"), (std::vector<float>{1, 2, 3, 1}));
+    EXPECT_EQ(value_of("lightColor[1]"), (std::vector<float>{4, 5, 6, 7}));
 }
 
 TEST_F(RendererTest, PictureIsUprightAndFrontsAreCounterClockwise) {
     scene = default_scene("sphere");
     scene.width = scene.height = 64;
     scene.background = glm::vec4(-9);
-    Image image = draw("vec4(position_ws, gl_FrontFacing ? 1 : 0)");
+    Image image = draw("vec4(positionWS, gl_FrontFacing ? 1 : 0)");
     EXPECT_GT(image.at(32, 8)[1], 0.5f);  // up is up
     EXPECT_LT(image.at(32, 56)[1], -0.5f);
     EXPECT_LT(image.at(8, 32)[0], -0.5f);  // left is left
@@ -224,28 +224,28 @@ TEST_F(RendererTest, PictureIsUprightAndFrontsAreCounterClockwise) {
     EXPECT_EQ(image.at(0, 0)[0], -9);
 
     reflection.passes[0].cull = Cull::Front;
-    Image inside = draw("vec4(position_ws, gl_FrontFacing ? 1 : 0)");
+    Image inside = draw("vec4(positionWS, gl_FrontFacing ? 1 : 0)");
     EXPECT_LT(inside.at(32, 32)[2], -0.9f);
     EXPECT_EQ(inside.at(32, 32)[3], 0);
 
     reflection.passes[0].cull = Cull::Off;  // now the depth test alone decides
-    EXPECT_GT(draw("vec4(position_ws, 1)").at(32, 32)[2], 0.9f);
+    EXPECT_GT(draw("vec4(positionWS, 1)").at(32, 32)[2], 0.9f);
     reflection.passes[0].depth_test = Compare::Always;
     reflection.passes[0].cull = Cull::Back;
-    EXPECT_GT(draw("vec4(position_ws, 1)").at(32, 32)[2], 0.9f);
+    EXPECT_GT(draw("vec4(positionWS, 1)").at(32, 32)[2], 0.9f);
     reflection.passes[0].depth_test = Compare::Never;
-    EXPECT_EQ(draw("vec4(position_ws, 1)").at(32, 32)[2], -9);
+    EXPECT_EQ(draw("vec4(positionWS, 1)").at(32, 32)[2], -9);
 }
 
 TEST_F(RendererTest, ObjectMatrixMovesTheObject) {
     scene = default_scene("plane");
     scene.width = scene.height = 32;
     scene.object_to_world[3] = glm::vec4(0, 0, 0.5f, 1);
-    EXPECT_NEAR(draw("vec4(position_ws, 1)").at(16, 16)[2], 0.5f, 1e-6);
+    EXPECT_NEAR(draw("vec4(positionWS, 1)").at(16, 16)[2], 0.5f, 1e-6);
 }
 
 TEST_F(RendererTest, VertexColorsAreWhite) {
-    EXPECT_EQ(value_of("vertex_color"), (std::vector<float>{1, 1, 1, 1}));
+    EXPECT_EQ(value_of("vertexColor"), (std::vector<float>{1, 1, 1, 1}));
     EXPECT_EQ(value_of("tangent"), (std::vector<float>{1, 0, 0, 1}));
     EXPECT_EQ(value_of("vec4(normal, 0)"), (std::vector<float>{0, 0, 1, 0}));
 }

@@ -103,9 +103,9 @@ Shader "Patina/fade"
     }
 
     // Light of the reflection probes from a direction, blurred as a surface of that perceptual roughness mirrors it.
-    half3 ReflectedLight(half3 direction, half roughness, float3 position, bool reads_probes)
+    half3 ReflectedLight(half3 direction, half roughness, float3 position, bool readsProbes)
     {
-        if (!reads_probes) return 0;
+        if (!readsProbes) return 0;
         Unity_GlossyEnvironmentData environment;
         UNITY_INITIALIZE_OUTPUT(Unity_GlossyEnvironmentData, environment);
         environment.roughness = roughness;
@@ -119,7 +119,7 @@ Shader "Patina/fade"
         float3 f0;
         float oneMinusReflectivity;
         float roughness;
-        float3 normal_ws;
+        float3 normalWS;
         float occlusion;
         float3 emission;
         float alpha;
@@ -138,7 +138,7 @@ Shader "Patina/fade"
         float3 baseColor;
         float metallic;
         float smoothness;
-        float3 normal_ws;
+        float3 normalWS;
         float occlusion;
         float3 emission;
         float alpha;
@@ -146,19 +146,19 @@ Shader "Patina/fade"
 
     struct MetallicSetupResult
     {
-        float3 diffuse_color;
+        float3 diffuseColor;
         float3 f0;
-        float one_minus_reflectivity;
+        float oneMinusReflectivity;
     };
 
     // What the graph says of the surface.
-    Surface get_surface(float3 geometry_normal_ws)
+    Surface getSurface(float3 geometryNormalWS)
     {
         Surface surface;
         surface.baseColor = LinearColor(_Color).xyz;
         surface.metallic = 0.0;
         surface.smoothness = 0.7;
-        surface.normal_ws = geometry_normal_ws;
+        surface.normalWS = geometryNormalWS;
         surface.occlusion = 1.0;
         surface.emission = float3(0.0, 0.0, 0.0);
         surface.alpha = LinearColor(_Color).w;
@@ -166,30 +166,30 @@ Shader "Patina/fade"
     }
 
     // Diffuse colour and reflectance of a surface between plastic and metal.
-    MetallicSetupResult MetallicSetup(float3 base_color, float metallic)
+    MetallicSetupResult MetallicSetup(float3 baseColor, float metallic)
     {
-        float one_minus_reflectivity = 0.96 * (1.0 - metallic);
-        MetallicSetupResult metallic_setup_result;
-        metallic_setup_result.diffuse_color = base_color * one_minus_reflectivity;
-        metallic_setup_result.f0 = lerp(float3(0.04, 0.04, 0.04), base_color, metallic);
-        metallic_setup_result.one_minus_reflectivity = one_minus_reflectivity;
-        return metallic_setup_result;
+        float oneMinusReflectivity = 0.96 * (1.0 - metallic);
+        MetallicSetupResult metallicSetupResult;
+        metallicSetupResult.diffuseColor = baseColor * oneMinusReflectivity;
+        metallicSetupResult.f0 = lerp(float3(0.04, 0.04, 0.04), baseColor, metallic);
+        metallicSetupResult.oneMinusReflectivity = oneMinusReflectivity;
+        return metallicSetupResult;
     }
 
     // The surface that the material and its workflow make of this point.
-    LightingSurface lighting_surface(float3 geometry_normal_ws)
+    LightingSurface lightingSurface(float3 geometryNormalWS)
     {
-        Surface material = get_surface(geometry_normal_ws);
+        Surface material = getSurface(geometryNormalWS);
 
         // MetallicSetup "setup"
         MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
 
         LightingSurface ls;
-        ls.diffuseColor = setup.diffuse_color;
+        ls.diffuseColor = setup.diffuseColor;
         ls.f0 = setup.f0;
-        ls.oneMinusReflectivity = setup.one_minus_reflectivity;
+        ls.oneMinusReflectivity = setup.oneMinusReflectivity;
         ls.roughness = 1.0 - material.smoothness;
-        ls.normal_ws = normalize(material.normal_ws);
+        ls.normalWS = normalize(material.normalWS);
         ls.occlusion = material.occlusion;
         ls.emission = material.emission;
         ls.alpha = material.alpha;
@@ -198,9 +198,9 @@ Shader "Patina/fade"
 
     // The direction half-way between the light and the viewer: the normal of a mirror that shows one to the
     // other.
-    float3 HalfVector(float3 view, float3 light_dir)
+    float3 HalfVector(float3 view, float3 lightDir)
     {
-        float3 sum = light_dir + view;
+        float3 sum = lightDir + view;
         return sum * rsqrt(max(dot(sum, sum), 0.001));
     }
 
@@ -217,18 +217,18 @@ Shader "Patina/fade"
     {
         float f90 = 0.5 + 2.0 * roughness * ldoth * ldoth;
         float difference = f90 - 1.0;
-        float light_scatter = 1.0 + difference * SchlickWeight(ndotl);
-        float view_scatter = 1.0 + difference * SchlickWeight(ndotv);
-        return light_scatter * view_scatter;
+        float lightScatter = 1.0 + difference * SchlickWeight(ndotl);
+        float viewScatter = 1.0 + difference * SchlickWeight(ndotv);
+        return lightScatter * viewScatter;
     }
 
     // Smith's masking-shadowing for GGX without its square roots.
     float VisibilitySmithJointApproximate(float ndotl, float ndotv, float alpha, float guard)
     {
         float difference = 1.0 - alpha;
-        float view_part = ndotl * (ndotv * difference + alpha);
-        float light_part = ndotv * (ndotl * difference + alpha);
-        return 0.5 / (view_part + light_part + guard);
+        float viewPart = ndotl * (ndotv * difference + alpha);
+        float lightPart = ndotv * (ndotl * difference + alpha);
+        return 0.5 / (viewPart + lightPart + guard);
     }
 
     // GGX as Unity's Standard shader computes it: with 0.0000001 beside the square, which lowers the peak of
@@ -247,24 +247,24 @@ Shader "Patina/fade"
     }
 
     // What one light adds, as the lighting graph says.
-    float3 direct(LightingSurface surface, Light light, float3 view_dir_ws)
+    float3 direct(LightingSurface surface, Light light, float3 viewDirWS)
     {
         // NdotL "ndotl"
-        float cosine = dot(surface.normal_ws, light.direction);
+        float cosine = dot(surface.normalWS, light.direction);
         float ndotl = saturate(cosine);
 
         // NdotV "ndotv"
-        float cosine_2 = dot(surface.normal_ws, view_dir_ws);
+        float cosine_2 = dot(surface.normalWS, viewDirWS);
         float ndotv = saturate(abs(cosine_2));
 
-        // HalfVector "half_vector"
-        float3 half_vector = HalfVector(view_dir_ws, light.direction);
+        // HalfVector "halfVector"
+        float3 halfVector = HalfVector(viewDirWS, light.direction);
 
         // NdotH "ndoth"
-        float ndoth = saturate(dot(surface.normal_ws, half_vector));
+        float ndoth = saturate(dot(surface.normalWS, halfVector));
 
         // LdotH "ldoth"
-        float ldoth = saturate(dot(light.direction, half_vector));
+        float ldoth = saturate(dot(light.direction, halfVector));
 
         // DisneyDiffuse "diffuse"
         float diffuse = DisneyDiffuseTerm(ndotv, ndotl, ldoth, surface.roughness);
@@ -281,9 +281,9 @@ Shader "Patina/fade"
         // FresnelSchlick "fresnel"
         float3 fresnel = FresnelSchlick(surface.f0, ldoth, 1.0);
 
-        float has_specular = any(surface.f0 > 0.0) ? 1.0 : 0.0;
+        float hasSpecular = any(surface.f0 > 0.0) ? 1.0 : 0.0;
 
-        float3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * has_specular * fresnel;
+        float3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * hasSpecular * fresnel;
 
         float3 radiance = light.color * (light.attenuation * light.shadow);
         return (surface.diffuseColor * (diffuse * ndotl) + specular) * radiance;
@@ -314,9 +314,9 @@ Shader "Patina/fade"
             struct v2f
             {
                 float4 pos : SV_POSITION;
-                float3 position_ws : TEXCOORD0;
-                float3 vertex_normal_ws : TEXCOORD1;
-                float4 ambient_or_lightmap_uv : TEXCOORD2;
+                float3 positionWS : TEXCOORD0;
+                float3 vertexNormalWS : TEXCOORD1;
+                float4 ambientOrLightmapUV : TEXCOORD2;
                 UNITY_LIGHTING_COORDS(3, 4)
                 UNITY_FOG_COORDS(5)
                 UNITY_VERTEX_INPUT_INSTANCE_ID
@@ -324,23 +324,23 @@ Shader "Patina/fade"
             };
 
             // What all light adds that comes from no single light, as the lighting graph says.
-            float3 indirect(LightingSurface surface, float3 view_dir_ws, float3 position_ws, float attenuation,
-                float4 ambient_or_lightmap_uv, bool reads_probes)
+            float3 indirect(LightingSurface surface, float3 viewDirWS, float3 positionWS, float attenuation,
+                float4 ambientOrLightmapUV, bool readsProbes)
             {
                 // NdotV "ndotv"
-                float cosine = dot(surface.normal_ws, view_dir_ws);
+                float cosine = dot(surface.normalWS, viewDirWS);
                 float ndotv = saturate(abs(cosine));
 
                 // AlphaFromRoughness "alpha"
                 float alpha = max(surface.roughness * surface.roughness, 0.002);
 
                 // AmbientIrradiance "ambient"
-                float3 ambient = AmbientLight(surface.normal_ws, position_ws, attenuation, ambient_or_lightmap_uv);
+                float3 ambient = AmbientLight(surface.normalWS, positionWS, attenuation, ambientOrLightmapUV);
 
-                float3 reflected = reflect(-view_dir_ws, surface.normal_ws);
+                float3 reflected = reflect(-viewDirWS, surface.normalWS);
 
                 // EnvironmentRadiance "environment"
-                float3 environment = ReflectedLight(reflected, surface.roughness, position_ws, reads_probes);
+                float3 environment = ReflectedLight(reflected, surface.roughness, positionWS, readsProbes);
 
                 // SurfaceReduction "reduction"
                 float reduction = 1.0 / (alpha * alpha + 1.0);
@@ -364,12 +364,12 @@ Shader "Patina/fade"
                 UNITY_TRANSFER_INSTANCE_ID(v, o);
                 UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
 
-                float4 position_ws = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0));
-                float3 vertex_normal_ws = UnityObjectToWorldNormal(v.normal);
-                o.position_ws = position_ws.xyz;
-                o.vertex_normal_ws = vertex_normal_ws;
-                o.ambient_or_lightmap_uv = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, position_ws.xyz,
-                    vertex_normal_ws);
+                float4 positionWS = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0));
+                float3 vertexNormalWS = UnityObjectToWorldNormal(v.normal);
+                o.positionWS = positionWS.xyz;
+                o.vertexNormalWS = vertexNormalWS;
+                o.ambientOrLightmapUV = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, positionWS.xyz,
+                    vertexNormalWS);
                 o.pos = UnityObjectToClipPos(v.vertex.xyz);
                 UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);
                 UNITY_TRANSFER_FOG(o, o.pos);
@@ -381,21 +381,21 @@ Shader "Patina/fade"
                 UNITY_SETUP_INSTANCE_ID(i);
                 UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);
 
-                float3 to_viewer = lerp(UnityWorldSpaceViewDir(i.position_ws), UNITY_MATRIX_V[2].xyz,
+                float3 toViewer = lerp(UnityWorldSpaceViewDir(i.positionWS), UNITY_MATRIX_V[2].xyz,
                     unity_OrthoParams.w);
-                float3 view_dir_ws = normalize(to_viewer);
-                float3 geometry_normal_ws = normalize(i.vertex_normal_ws);
-                UNITY_LIGHT_ATTENUATION(attenuation, i, i.position_ws)
-                LightingSurface surface = lighting_surface(geometry_normal_ws);
+                float3 viewDirWS = normalize(toViewer);
+                float3 geometryNormalWS = normalize(i.vertexNormalWS);
+                UNITY_LIGHT_ATTENUATION(attenuation, i, i.positionWS)
+                LightingSurface surface = lightingSurface(geometryNormalWS);
                 Light light;
                 light.direction = _WorldSpaceLightPos0.xyz;
                 light.color = LinearColor(_LightColor0.rgb);
                 light.attenuation = 1.0;
-                light.shadow = MixedShadow(i.position_ws, attenuation, i.ambient_or_lightmap_uv);
-                float3 from_light = direct(surface, light, view_dir_ws);
-                float3 from_around = indirect(surface, view_dir_ws, i.position_ws, attenuation,
-                    i.ambient_or_lightmap_uv, true);
-                float4 color = float4(ProjectColor(from_light + from_around + surface.emission), surface.alpha);
+                light.shadow = MixedShadow(i.positionWS, attenuation, i.ambientOrLightmapUV);
+                float3 fromLight = direct(surface, light, viewDirWS);
+                float3 fromAround = indirect(surface, viewDirWS, i.positionWS, attenuation,
+                    i.ambientOrLightmapUV, true);
+                float4 color = float4(ProjectColor(fromLight + fromAround + surface.emission), surface.alpha);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, color, unity_FogColor);
                 return color;
             }
@@ -419,8 +419,8 @@ Shader "Patina/fade"
             struct v2f
             {
                 float4 pos : SV_POSITION;
-                float3 position_ws : TEXCOORD0;
-                float3 vertex_normal_ws : TEXCOORD1;
+                float3 positionWS : TEXCOORD0;
+                float3 vertexNormalWS : TEXCOORD1;
                 UNITY_LIGHTING_COORDS(2, 3)
                 UNITY_FOG_COORDS(4)
                 UNITY_VERTEX_INPUT_INSTANCE_ID
@@ -435,8 +435,8 @@ Shader "Patina/fade"
                 UNITY_TRANSFER_INSTANCE_ID(v, o);
                 UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
 
-                o.position_ws = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0)).xyz;
-                o.vertex_normal_ws = UnityObjectToWorldNormal(v.normal);
+                o.positionWS = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0)).xyz;
+                o.vertexNormalWS = UnityObjectToWorldNormal(v.normal);
                 o.pos = UnityObjectToClipPos(v.vertex.xyz);
                 UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);
                 UNITY_TRANSFER_FOG(o, o.pos);
@@ -448,19 +448,19 @@ Shader "Patina/fade"
                 UNITY_SETUP_INSTANCE_ID(i);
                 UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);
 
-                float3 to_viewer = lerp(UnityWorldSpaceViewDir(i.position_ws), UNITY_MATRIX_V[2].xyz,
+                float3 toViewer = lerp(UnityWorldSpaceViewDir(i.positionWS), UNITY_MATRIX_V[2].xyz,
                     unity_OrthoParams.w);
-                float3 view_dir_ws = normalize(to_viewer);
-                float3 geometry_normal_ws = normalize(i.vertex_normal_ws);
-                UNITY_LIGHT_ATTENUATION(attenuation, i, i.position_ws)
-                LightingSurface surface = lighting_surface(geometry_normal_ws);
+                float3 viewDirWS = normalize(toViewer);
+                float3 geometryNormalWS = normalize(i.vertexNormalWS);
+                UNITY_LIGHT_ATTENUATION(attenuation, i, i.positionWS)
+                LightingSurface surface = lightingSurface(geometryNormalWS);
                 Light light;
-                light.direction = normalize(UnityWorldSpaceLightDir(i.position_ws));
+                light.direction = normalize(UnityWorldSpaceLightDir(i.positionWS));
                 light.color = LinearColor(_LightColor0.rgb);
                 light.attenuation = attenuation;
                 light.shadow = 1.0;
-                float3 from_light = direct(surface, light, view_dir_ws);
-                float4 color = float4(ProjectColor(from_light), surface.alpha);
+                float3 fromLight = direct(surface, light, viewDirWS);
+                float4 color = float4(ProjectColor(fromLight), surface.alpha);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, color, float4(0.0, 0.0, 0.0, 0.0));
                 return color;
             }

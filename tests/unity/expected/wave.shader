@@ -111,9 +111,9 @@ Shader "Patina/Wave"
     }
 
     // Light of the reflection probes from a direction, blurred as a surface of that perceptual roughness mirrors it.
-    half3 ReflectedLight(half3 direction, half roughness, float3 position, bool reads_probes)
+    half3 ReflectedLight(half3 direction, half roughness, float3 position, bool readsProbes)
     {
-        if (!reads_probes) return 0;
+        if (!readsProbes) return 0;
         Unity_GlossyEnvironmentData environment;
         UNITY_INITIALIZE_OUTPUT(Unity_GlossyEnvironmentData, environment);
         environment.roughness = roughness;
@@ -152,7 +152,7 @@ Shader "Patina/Wave"
         float3 f0;
         float oneMinusReflectivity;
         float roughness;
-        float3 normal_ws;
+        float3 normalWS;
         float occlusion;
         float3 emission;
     };
@@ -170,20 +170,20 @@ Shader "Patina/Wave"
         float3 baseColor;
         float metallic;
         float smoothness;
-        float3 normal_ws;
+        float3 normalWS;
         float occlusion;
         float3 emission;
     };
 
     struct MetallicSetupResult
     {
-        float3 diffuse_color;
+        float3 diffuseColor;
         float3 f0;
-        float one_minus_reflectivity;
+        float oneMinusReflectivity;
     };
 
     // What the graph says of the surface.
-    Surface get_surface(float3 geometry_normal_ws, float phase)
+    Surface getSurface(float3 geometryNormalWS, float phase)
     {
         float foam = int(_Foam) != 0 ? smoothstep(0.5, 1.0, sin(phase)) : 0.0;
 
@@ -191,37 +191,37 @@ Shader "Patina/Wave"
         surface.baseColor = lerp(float3(0.02, 0.1, 0.2), float3(1.0, 1.0, 1.0), foam);
         surface.metallic = 0.0;
         surface.smoothness = 0.8;
-        surface.normal_ws = geometry_normal_ws;
+        surface.normalWS = geometryNormalWS;
         surface.occlusion = 1.0;
         surface.emission = float3(0.0, 0.0, 0.0);
         return surface;
     }
 
     // Diffuse colour and reflectance of a surface between plastic and metal.
-    MetallicSetupResult MetallicSetup(float3 base_color, float metallic)
+    MetallicSetupResult MetallicSetup(float3 baseColor, float metallic)
     {
-        float one_minus_reflectivity = 0.96 * (1.0 - metallic);
-        MetallicSetupResult metallic_setup_result;
-        metallic_setup_result.diffuse_color = base_color * one_minus_reflectivity;
-        metallic_setup_result.f0 = lerp(float3(0.04, 0.04, 0.04), base_color, metallic);
-        metallic_setup_result.one_minus_reflectivity = one_minus_reflectivity;
-        return metallic_setup_result;
+        float oneMinusReflectivity = 0.96 * (1.0 - metallic);
+        MetallicSetupResult metallicSetupResult;
+        metallicSetupResult.diffuseColor = baseColor * oneMinusReflectivity;
+        metallicSetupResult.f0 = lerp(float3(0.04, 0.04, 0.04), baseColor, metallic);
+        metallicSetupResult.oneMinusReflectivity = oneMinusReflectivity;
+        return metallicSetupResult;
     }
 
     // The surface that the material and its workflow make of this point.
-    LightingSurface lighting_surface(float3 geometry_normal_ws, float phase)
+    LightingSurface lightingSurface(float3 geometryNormalWS, float phase)
     {
-        Surface material = get_surface(geometry_normal_ws, phase);
+        Surface material = getSurface(geometryNormalWS, phase);
 
         // MetallicSetup "setup"
         MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
 
         LightingSurface ls;
-        ls.diffuseColor = setup.diffuse_color;
+        ls.diffuseColor = setup.diffuseColor;
         ls.f0 = setup.f0;
-        ls.oneMinusReflectivity = setup.one_minus_reflectivity;
+        ls.oneMinusReflectivity = setup.oneMinusReflectivity;
         ls.roughness = 1.0 - material.smoothness;
-        ls.normal_ws = normalize(material.normal_ws);
+        ls.normalWS = normalize(material.normalWS);
         ls.occlusion = material.occlusion;
         ls.emission = material.emission;
         return ls;
@@ -229,9 +229,9 @@ Shader "Patina/Wave"
 
     // The direction half-way between the light and the viewer: the normal of a mirror that shows one to the
     // other.
-    float3 HalfVector(float3 view, float3 light_dir)
+    float3 HalfVector(float3 view, float3 lightDir)
     {
-        float3 sum = light_dir + view;
+        float3 sum = lightDir + view;
         return sum * rsqrt(max(dot(sum, sum), 0.001));
     }
 
@@ -249,20 +249,20 @@ Shader "Patina/Wave"
     }
 
     // What one light adds, as the lighting graph says.
-    float3 direct(LightingSurface surface, Light light, float3 view_dir_ws)
+    float3 direct(LightingSurface surface, Light light, float3 viewDirWS)
     {
         // NdotL "ndotl"
-        float cosine = dot(surface.normal_ws, light.direction);
+        float cosine = dot(surface.normalWS, light.direction);
         float ndotl = saturate(cosine);
 
-        // HalfVector "half_vector"
-        float3 half_vector = HalfVector(view_dir_ws, light.direction);
+        // HalfVector "halfVector"
+        float3 halfVector = HalfVector(viewDirWS, light.direction);
 
         // NdotH "ndoth"
-        float ndoth = saturate(dot(surface.normal_ws, half_vector));
+        float ndoth = saturate(dot(surface.normalWS, halfVector));
 
         // LdotH "ldoth"
-        float ldoth = saturate(dot(light.direction, half_vector));
+        float ldoth = saturate(dot(light.direction, halfVector));
 
         // AlphaFromRoughness "alpha"
         float alpha = max(surface.roughness * surface.roughness, 0.0);
@@ -296,24 +296,24 @@ Shader "Patina/Wave"
     }
 
     // What all light adds that comes from no single light, as the lighting graph says.
-    float3 indirect(LightingSurface surface, float3 view_dir_ws, float3 position_ws, float attenuation,
-        float4 ambient_or_lightmap_uv, bool reads_probes)
+    float3 indirect(LightingSurface surface, float3 viewDirWS, float3 positionWS, float attenuation,
+        float4 ambientOrLightmapUV, bool readsProbes)
     {
         // NdotV "ndotv"
-        float cosine = dot(surface.normal_ws, view_dir_ws);
+        float cosine = dot(surface.normalWS, viewDirWS);
         float ndotv = saturate(cosine);
 
         // AlphaFromRoughness "alpha"
         float alpha = max(surface.roughness * surface.roughness, 0.0);
 
         // AmbientIrradiance "ambient"
-        float3 ambient = AmbientLight(surface.normal_ws, position_ws, attenuation, ambient_or_lightmap_uv);
+        float3 ambient = AmbientLight(surface.normalWS, positionWS, attenuation, ambientOrLightmapUV);
 
         // ReflectionVector "reflected"
-        float3 reflected = reflect(-view_dir_ws, surface.normal_ws);
+        float3 reflected = reflect(-viewDirWS, surface.normalWS);
 
         // EnvironmentRadiance "environment"
-        float3 environment = ReflectedLight(reflected, surface.roughness, position_ws, reads_probes);
+        float3 environment = ReflectedLight(reflected, surface.roughness, positionWS, readsProbes);
 
         // SurfaceReduction "reduction"
         float reduction = SurfaceReductionSimpleLinear(alpha);
@@ -329,20 +329,20 @@ Shader "Patina/Wave"
         return sum * surface.occlusion;
     }
 
-    float3 vertex_position_os(float3 position_os, float3 normal_os)
+    float3 vertexPositionOS(float3 positionOS, float3 normalOS)
     {
-        float phase = dot(position_os.xy, _Drift.xy) * float(int(_Waves)) + _Time.y;
+        float phase = dot(positionOS.xy, _Drift.xy) * float(int(_Waves)) + _Time.y;
 
         float high = int(_Sea) == 1 ? _Height : 0.5 * _Height;
 
-        return position_os + normal_os * (sin(phase) * high);
+        return positionOS + normalOS * (sin(phase) * high);
     }
 
-    float3 vertex_normal_os(float3 position_os, float3 normal_os)
+    float3 vertexNormalOS(float3 positionOS, float3 normalOS)
     {
-        float phase = dot(position_os.xy, _Drift.xy) * float(int(_Waves)) + _Time.y;
+        float phase = dot(positionOS.xy, _Drift.xy) * float(int(_Waves)) + _Time.y;
 
-        return normalize(normal_os + 0.3 * cos(phase) * float3(_Drift.xy, 0.0));
+        return normalize(normalOS + 0.3 * cos(phase) * float3(_Drift.xy, 0.0));
     }
 
     ENDCG
@@ -369,9 +369,9 @@ Shader "Patina/Wave"
             struct v2f
             {
                 float4 pos : SV_POSITION;
-                float3 position_ws : TEXCOORD0;
-                float3 vertex_normal_ws : TEXCOORD1;
-                float4 ambient_or_lightmap_uv : TEXCOORD2;
+                float3 positionWS : TEXCOORD0;
+                float3 vertexNormalWS : TEXCOORD1;
+                float4 ambientOrLightmapUV : TEXCOORD2;
                 float phase : TEXCOORD3;
                 UNITY_LIGHTING_COORDS(4, 5)
                 UNITY_FOG_COORDS(6)
@@ -387,44 +387,44 @@ Shader "Patina/Wave"
                 UNITY_TRANSFER_INSTANCE_ID(v, o);
                 UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
 
-                float3 position_os = vertex_position_os(v.vertex.xyz, v.normal);
-                float4 position_ws = mul(unity_ObjectToWorld, float4(position_os, 1.0));
-                float3 normal_os = vertex_normal_os(v.vertex.xyz, v.normal);
-                float3 vertex_normal_ws = UnityObjectToWorldNormal(normal_os);
-                o.position_ws = position_ws.xyz;
-                o.vertex_normal_ws = vertex_normal_ws;
-                o.ambient_or_lightmap_uv = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, position_ws.xyz,
-                    vertex_normal_ws);
+                float3 positionOS = vertexPositionOS(v.vertex.xyz, v.normal);
+                float4 positionWS = mul(unity_ObjectToWorld, float4(positionOS, 1.0));
+                float3 normalOS = vertexNormalOS(v.vertex.xyz, v.normal);
+                float3 vertexNormalWS = UnityObjectToWorldNormal(normalOS);
+                o.positionWS = positionWS.xyz;
+                o.vertexNormalWS = vertexNormalWS;
+                o.ambientOrLightmapUV = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, positionWS.xyz,
+                    vertexNormalWS);
                 o.phase = dot(v.vertex.xy, _Drift.xy) * float(int(_Waves)) + _Time.y;
-                o.pos = UnityObjectToClipPos(position_os);
-                v.vertex.xyz = position_os;
-                v.normal = normal_os;
+                o.pos = UnityObjectToClipPos(positionOS);
+                v.vertex.xyz = positionOS;
+                v.normal = normalOS;
                 UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);
                 UNITY_TRANSFER_FOG(o, o.pos);
                 return o;
             }
 
-            half4 frag(v2f i, bool front_facing : SV_IsFrontFace) : SV_Target
+            half4 frag(v2f i, bool frontFacing : SV_IsFrontFace) : SV_Target
             {
                 UNITY_SETUP_INSTANCE_ID(i);
                 UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);
 
-                float3 to_viewer = lerp(UnityWorldSpaceViewDir(i.position_ws), UNITY_MATRIX_V[2].xyz,
+                float3 toViewer = lerp(UnityWorldSpaceViewDir(i.positionWS), UNITY_MATRIX_V[2].xyz,
                     unity_OrthoParams.w);
-                float3 view_dir_ws = normalize(to_viewer);
-                float3 normal = normalize(i.vertex_normal_ws);
-                float3 geometry_normal_ws = front_facing ? normal : -normal;
-                UNITY_LIGHT_ATTENUATION(attenuation, i, i.position_ws)
-                LightingSurface surface = lighting_surface(geometry_normal_ws, i.phase);
+                float3 viewDirWS = normalize(toViewer);
+                float3 normal = normalize(i.vertexNormalWS);
+                float3 geometryNormalWS = frontFacing ? normal : -normal;
+                UNITY_LIGHT_ATTENUATION(attenuation, i, i.positionWS)
+                LightingSurface surface = lightingSurface(geometryNormalWS, i.phase);
                 Light light;
                 light.direction = _WorldSpaceLightPos0.xyz;
                 light.color = LinearColor(_LightColor0.rgb);
                 light.attenuation = 1.0;
-                light.shadow = MixedShadow(i.position_ws, attenuation, i.ambient_or_lightmap_uv);
-                float3 from_light = direct(surface, light, view_dir_ws);
-                float3 from_around = indirect(surface, view_dir_ws, i.position_ws, attenuation,
-                    i.ambient_or_lightmap_uv, true);
-                float4 color = float4(ProjectColor(from_light + from_around + surface.emission), 1.0);
+                light.shadow = MixedShadow(i.positionWS, attenuation, i.ambientOrLightmapUV);
+                float3 fromLight = direct(surface, light, viewDirWS);
+                float3 fromAround = indirect(surface, viewDirWS, i.positionWS, attenuation,
+                    i.ambientOrLightmapUV, true);
+                float4 color = float4(ProjectColor(fromLight + fromAround + surface.emission), 1.0);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, color, unity_FogColor);
                 return color;
             }
@@ -449,8 +449,8 @@ Shader "Patina/Wave"
             struct v2f
             {
                 float4 pos : SV_POSITION;
-                float3 position_ws : TEXCOORD0;
-                float3 vertex_normal_ws : TEXCOORD1;
+                float3 positionWS : TEXCOORD0;
+                float3 vertexNormalWS : TEXCOORD1;
                 float phase : TEXCOORD2;
                 UNITY_LIGHTING_COORDS(3, 4)
                 UNITY_FOG_COORDS(5)
@@ -466,38 +466,38 @@ Shader "Patina/Wave"
                 UNITY_TRANSFER_INSTANCE_ID(v, o);
                 UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
 
-                float3 position_os = vertex_position_os(v.vertex.xyz, v.normal);
-                float3 normal_os = vertex_normal_os(v.vertex.xyz, v.normal);
-                o.position_ws = mul(unity_ObjectToWorld, float4(position_os, 1.0)).xyz;
-                o.vertex_normal_ws = UnityObjectToWorldNormal(normal_os);
+                float3 positionOS = vertexPositionOS(v.vertex.xyz, v.normal);
+                float3 normalOS = vertexNormalOS(v.vertex.xyz, v.normal);
+                o.positionWS = mul(unity_ObjectToWorld, float4(positionOS, 1.0)).xyz;
+                o.vertexNormalWS = UnityObjectToWorldNormal(normalOS);
                 o.phase = dot(v.vertex.xy, _Drift.xy) * float(int(_Waves)) + _Time.y;
-                o.pos = UnityObjectToClipPos(position_os);
-                v.vertex.xyz = position_os;
-                v.normal = normal_os;
+                o.pos = UnityObjectToClipPos(positionOS);
+                v.vertex.xyz = positionOS;
+                v.normal = normalOS;
                 UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);
                 UNITY_TRANSFER_FOG(o, o.pos);
                 return o;
             }
 
-            half4 frag(v2f i, bool front_facing : SV_IsFrontFace) : SV_Target
+            half4 frag(v2f i, bool frontFacing : SV_IsFrontFace) : SV_Target
             {
                 UNITY_SETUP_INSTANCE_ID(i);
                 UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);
 
-                float3 to_viewer = lerp(UnityWorldSpaceViewDir(i.position_ws), UNITY_MATRIX_V[2].xyz,
+                float3 toViewer = lerp(UnityWorldSpaceViewDir(i.positionWS), UNITY_MATRIX_V[2].xyz,
                     unity_OrthoParams.w);
-                float3 view_dir_ws = normalize(to_viewer);
-                float3 normal = normalize(i.vertex_normal_ws);
-                float3 geometry_normal_ws = front_facing ? normal : -normal;
-                UNITY_LIGHT_ATTENUATION(attenuation, i, i.position_ws)
-                LightingSurface surface = lighting_surface(geometry_normal_ws, i.phase);
+                float3 viewDirWS = normalize(toViewer);
+                float3 normal = normalize(i.vertexNormalWS);
+                float3 geometryNormalWS = frontFacing ? normal : -normal;
+                UNITY_LIGHT_ATTENUATION(attenuation, i, i.positionWS)
+                LightingSurface surface = lightingSurface(geometryNormalWS, i.phase);
                 Light light;
-                light.direction = normalize(UnityWorldSpaceLightDir(i.position_ws));
+                light.direction = normalize(UnityWorldSpaceLightDir(i.positionWS));
                 light.color = LinearColor(_LightColor0.rgb);
                 light.attenuation = attenuation;
                 light.shadow = 1.0;
-                float3 from_light = direct(surface, light, view_dir_ws);
-                float4 color = float4(ProjectColor(from_light), 0.0);
+                float3 fromLight = direct(surface, light, viewDirWS);
+                float4 color = float4(ProjectColor(fromLight), 0.0);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, color, float4(0.0, 0.0, 0.0, 0.0));
                 return color;
             }
@@ -532,10 +532,10 @@ Shader "Patina/Wave"
                 UNITY_TRANSFER_INSTANCE_ID(v, o);
                 UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
 
-                float3 position_os = vertex_position_os(v.vertex.xyz, v.normal);
-                float3 normal_os = vertex_normal_os(v.vertex.xyz, v.normal);
-                v.vertex.xyz = position_os;
-                v.normal = normal_os;
+                float3 positionOS = vertexPositionOS(v.vertex.xyz, v.normal);
+                float3 normalOS = vertexNormalOS(v.vertex.xyz, v.normal);
+                v.vertex.xyz = positionOS;
+                v.normal = normalOS;
                 TRANSFER_SHADOW_CASTER_NORMALOFFSET(o)
                 return o;
             }
@@ -571,16 +571,16 @@ Shader "Patina/Wave"
                 half4 normal : SV_Target2;
                 half4 light : SV_Target3;
             #if defined(SHADOWS_SHADOWMASK) && UNITY_ALLOWED_MRT_COUNT > 4
-                half4 shadow_mask : SV_Target4;
+                half4 shadowMask : SV_Target4;
             #endif
             };
 
             struct v2f
             {
                 float4 pos : SV_POSITION;
-                float3 position_ws : TEXCOORD0;
-                float3 vertex_normal_ws : TEXCOORD1;
-                float4 ambient_or_lightmap_uv : TEXCOORD2;
+                float3 positionWS : TEXCOORD0;
+                float3 vertexNormalWS : TEXCOORD1;
+                float4 ambientOrLightmapUV : TEXCOORD2;
                 float phase : TEXCOORD3;
                 UNITY_VERTEX_INPUT_INSTANCE_ID
                 UNITY_VERTEX_OUTPUT_STEREO
@@ -594,43 +594,43 @@ Shader "Patina/Wave"
                 UNITY_TRANSFER_INSTANCE_ID(v, o);
                 UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
 
-                float3 position_os = vertex_position_os(v.vertex.xyz, v.normal);
-                float4 position_ws = mul(unity_ObjectToWorld, float4(position_os, 1.0));
-                float3 normal_os = vertex_normal_os(v.vertex.xyz, v.normal);
-                float3 vertex_normal_ws = UnityObjectToWorldNormal(normal_os);
-                o.position_ws = position_ws.xyz;
-                o.vertex_normal_ws = vertex_normal_ws;
-                o.ambient_or_lightmap_uv = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, position_ws.xyz,
-                    vertex_normal_ws);
+                float3 positionOS = vertexPositionOS(v.vertex.xyz, v.normal);
+                float4 positionWS = mul(unity_ObjectToWorld, float4(positionOS, 1.0));
+                float3 normalOS = vertexNormalOS(v.vertex.xyz, v.normal);
+                float3 vertexNormalWS = UnityObjectToWorldNormal(normalOS);
+                o.positionWS = positionWS.xyz;
+                o.vertexNormalWS = vertexNormalWS;
+                o.ambientOrLightmapUV = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, positionWS.xyz,
+                    vertexNormalWS);
                 o.phase = dot(v.vertex.xy, _Drift.xy) * float(int(_Waves)) + _Time.y;
-                o.pos = UnityObjectToClipPos(position_os);
-                v.vertex.xyz = position_os;
-                v.normal = normal_os;
+                o.pos = UnityObjectToClipPos(positionOS);
+                v.vertex.xyz = positionOS;
+                v.normal = normalOS;
                 return o;
             }
 
-            Targets frag(v2f i, bool front_facing : SV_IsFrontFace)
+            Targets frag(v2f i, bool frontFacing : SV_IsFrontFace)
             {
                 UNITY_SETUP_INSTANCE_ID(i);
                 UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);
 
-                float3 to_viewer = lerp(UnityWorldSpaceViewDir(i.position_ws), UNITY_MATRIX_V[2].xyz,
+                float3 toViewer = lerp(UnityWorldSpaceViewDir(i.positionWS), UNITY_MATRIX_V[2].xyz,
                     unity_OrthoParams.w);
-                float3 view_dir_ws = normalize(to_viewer);
-                float3 normal = normalize(i.vertex_normal_ws);
-                float3 geometry_normal_ws = front_facing ? normal : -normal;
-                bool reads_probes = BufferReadsProbes();
-                LightingSurface surface = lighting_surface(geometry_normal_ws, i.phase);
-                float3 from_around = indirect(surface, view_dir_ws, i.position_ws, 1.0, i.ambient_or_lightmap_uv,
-                    reads_probes);
+                float3 viewDirWS = normalize(toViewer);
+                float3 normal = normalize(i.vertexNormalWS);
+                float3 geometryNormalWS = frontFacing ? normal : -normal;
+                bool readsProbes = BufferReadsProbes();
+                LightingSurface surface = lightingSurface(geometryNormalWS, i.phase);
+                float3 fromAround = indirect(surface, viewDirWS, i.positionWS, 1.0, i.ambientOrLightmapUV,
+                    readsProbes);
                 float smoothness = 1.0 - surface.roughness;
                 Targets output;
                 output.diffuse = float4(ProjectColor(surface.diffuseColor), surface.occlusion);
                 output.specular = float4(ProjectColor(surface.f0), smoothness);
-                output.normal = float4(0.5 + 0.5 * surface.normal_ws, 1.0);
-                output.light = float4(StoredLight(ProjectColor(from_around + surface.emission)), 1.0);
+                output.normal = float4(0.5 + 0.5 * surface.normalWS, 1.0);
+                output.light = float4(StoredLight(ProjectColor(fromAround + surface.emission)), 1.0);
             #if defined(SHADOWS_SHADOWMASK) && UNITY_ALLOWED_MRT_COUNT > 4
-                output.shadow_mask = BakedShadows(i.ambient_or_lightmap_uv, i.position_ws);
+                output.shadowMask = BakedShadows(i.ambientOrLightmapUV, i.positionWS);
             #endif
                 return output;
             }

@@ -35,13 +35,13 @@ sampler2D _LightTextureB0;
 // The inverse square with a window that ends at the range, and a cone that fades between two cosines.
 float stand_in_attenuation(float3 position)
 {
-    if (light_position[0].w < 0.5) return 1;
-    float3 to_light = light_position[0].xyz - position;
-    float squared = dot(to_light, to_light), ratio = squared / (light_color[0].w * light_color[0].w);
+    if (lightPosition[0].w < 0.5) return 1;
+    float3 toLight = lightPosition[0].xyz - position;
+    float squared = dot(toLight, toLight), ratio = squared / (lightColor[0].w * lightColor[0].w);
     float window = saturate(1 - ratio * ratio);
-    float cosine = -dot(light_axis[0].xyz, normalize(to_light));
-    float spot = saturate((cosine - light_cone[0].y) / max(light_cone[0].x - light_cone[0].y, 0.001));
-    return window * window / max(squared, 0.0001) * (light_position[0].w > 1.5 ? spot * spot : 1);
+    float cosine = -dot(lightAxis[0].xyz, normalize(toLight));
+    float spot = saturate((cosine - lightCone[0].y) / max(lightCone[0].x - lightCone[0].y, 0.001));
+    return window * window / max(squared, 0.0001) * (lightPosition[0].w > 1.5 ? spot * spot : 1);
 }
 #define UNITY_LIGHT_ATTENUATION(destName, input, worldPos) \
     float3 lightCoord = worldPos;                          \

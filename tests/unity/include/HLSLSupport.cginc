@@ -65,16 +65,16 @@ half3 GammaToLinearSpace(half3 c)
     return half3(decoded_component(c.r), decoded_component(c.g), decoded_component(c.b));
 }
 // A colour as the project hands it over.
-float3 handed_over(float3 c)
+float3 handedOver(float3 c)
 {
 #ifdef UNITY_COLORSPACE_GAMMA
     c = LinearToGammaSpace(c);
 #endif
     return c;
 }
-float4 handed_over(float4 c)
+float4 handedOver(float4 c)
 {
-    return float4(handed_over(c.rgb), c.a);
+    return float4(handedOver(c.rgb), c.a);
 }
 float4 as_it_is(float4 c)
 {

@@ -42,7 +42,7 @@ struct appdata_full
 
 float4 UnityObjectToClipPos(float3 position)
 {
-    return mul(world_to_clip, mul(unity_ObjectToWorld, float4(position, 1)));
+    return mul(worldToClip, mul(unity_ObjectToWorld, float4(position, 1)));
 }
 float3 UnityObjectToWorldNormal(float3 normal)
 {
@@ -54,7 +54,7 @@ float3 UnityObjectToWorldDir(float3 direction)
 }
 float3 UnityWorldSpaceViewDir(float3 position)
 {
-    return camera_position_ws - position;
+    return cameraPositionWS - position;
 }
 float3 UnityWorldSpaceLightDir(float3 position)
 {
@@ -66,7 +66,7 @@ float4 ComputeScreenPos(float4 position)
 }
 float LinearEyeDepth(float depth)
 {
-    return clip_planes.x * clip_planes.y / lerp(clip_planes.y, clip_planes.x, depth);
+    return clipPlanes.x * clipPlanes.y / lerp(clipPlanes.y, clipPlanes.x, depth);
 }
 half3 UnpackNormal(half4 packednormal)
 {
@@ -94,10 +94,10 @@ float3 Shade4PointLights(float4 x, float4 y, float4 z, float3 c0, float3 c1, flo
 // What is far fades into fog; distances count along the camera's axis.
 float stand_in_fog(float distance)
 {
-    float linear_factor = saturate((fog_settings.w - distance) / (fog_settings.w - fog_settings.z));
-    float power = fog_settings.y * distance;
-    float factor = fog_settings.x < 1.5 ? linear_factor : fog_settings.x < 2.5 ? exp(-power) : exp(-power * power);
-    return fog_settings.x < 0.5 ? 1 : factor;
+    float linear_factor = saturate((fogSettings.w - distance) / (fogSettings.w - fogSettings.z));
+    float power = fogSettings.y * distance;
+    float factor = fogSettings.x < 1.5 ? linear_factor : fogSettings.x < 2.5 ? exp(-power) : exp(-power * power);
+    return fogSettings.x < 0.5 ? 1 : factor;
 }
 #if defined(FOG_LINEAR) || defined(FOG_EXP) || defined(FOG_EXP2)
 #define UNITY_FOG_COORDS(idx) float1 fogCoord : TEXCOORD##idx;
@@ -114,9 +114,9 @@ float stand_in_fog(float distance)
 #ifdef SHADOWS_CUBE
 #define V2F_SHADOW_CASTER float3 vec : TEXCOORD0; float4 pos : SV_POSITION
 #define TRANSFER_SHADOW_CASTER_NORMALOFFSET(o)                                     \
-    o.vec = mul(unity_ObjectToWorld, v.vertex).xyz - light_position[0].xyz; \
+    o.vec = mul(unity_ObjectToWorld, v.vertex).xyz - lightPosition[0].xyz; \
     o.pos = UnityObjectToClipPos(v.vertex.xyz);
-#define SHADOW_CASTER_FRAGMENT(i) return length(i.vec) / light_color[0].w;
+#define SHADOW_CASTER_FRAGMENT(i) return length(i.vec) / lightColor[0].w;
 #else
 #define V2F_SHADOW_CASTER float4 pos : SV_POSITION
 #define TRANSFER_SHADOW_CASTER_NORMALOFFSET(o) \

@@ -1,27 +1,27 @@
 // A stand-in for Unity's include of this name, written for these tests.
 #ifdef STAND_IN_INSTANCES  // the runtime's object is an array of them
-#define unity_ObjectToWorld object_to_world[0]
-#define unity_WorldToObject world_to_object[0]
+#define unity_ObjectToWorld objectToWorld[0]
+#define unity_WorldToObject worldToObject[0]
 #else
-#define unity_ObjectToWorld object_to_world
-#define unity_WorldToObject world_to_object
+#define unity_ObjectToWorld objectToWorld
+#define unity_WorldToObject worldToObject
 #endif
-#define UNITY_MATRIX_VP world_to_clip
-#define UNITY_MATRIX_V world_to_view
-#define _WorldSpaceCameraPos camera_position_ws
+#define UNITY_MATRIX_VP worldToClip
+#define UNITY_MATRIX_V worldToView
+#define _WorldSpaceCameraPos cameraPositionWS
 #define _Time float4(time / 20, time, time * 2, time * 3)
-#define _ScreenParams float4(screen_size, 1 + 1 / screen_size)
-#define _ProjectionParams float4(1, clip_planes.x, clip_planes.y, 1 / clip_planes.y)
-#define unity_OrthoParams float4(0, 0, 0, view_is_orthographic)
+#define _ScreenParams float4(screenSize, 1 + 1 / screenSize)
+#define _ProjectionParams float4(1, clipPlanes.x, clipPlanes.y, 1 / clipPlanes.y)
+#define unity_OrthoParams float4(0, 0, 0, viewIsOrthographic)
 #define unity_WorldTransformParams float4(0, 0, 0, determinant((float3x3)unity_ObjectToWorld) < 0 ? -1 : 1)
 
-#define _WorldSpaceLightPos0 float4(light_position[0].w < 0.5 ? normalize(light_position[0].xyz) : light_position[0].xyz, \
-                                    light_position[0].w < 0.5 ? 0 : 1)
+#define _WorldSpaceLightPos0 float4(lightPosition[0].w < 0.5 ? normalize(lightPosition[0].xyz) : lightPosition[0].xyz, \
+                                    lightPosition[0].w < 0.5 ? 0 : 1)
 #ifndef STAND_IN_FOG
-#define fog_color float4(0, 0, 0, 0)
-#define fog_settings float4(0, 0, 0, 0)
+#define fogColor float4(0, 0, 0, 0)
+#define fogSettings float4(0, 0, 0, 0)
 #endif
-#define unity_FogColor float4(handed_over(fog_color.rgb), 1)
+#define unity_FogColor float4(handedOver(fogColor.rgb), 1)
 
 static const float4 unity_4LightPosX0 = 0, unity_4LightPosY0 = 0, unity_4LightPosZ0 = 0, unity_4LightAtten0 = 0;
 static const float4 unity_LightColor[8] = {float4(0, 0, 0, 0), float4(0, 0, 0, 0), float4(0, 0, 0, 0),

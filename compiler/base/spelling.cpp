@@ -1,0 +1,69 @@
+#include "compiler/base/spelling.h"
+
+namespace patina {
+namespace {
+
+bool is_upper(char c) {
+    return c >= 'A' && c <= 'Z';
+}
+bool is_lower(char c) {
+    return c >= 'a' && c <= 'z';
+}
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+char upper(char c) {
+    return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c;
+}
+char lower(char c) {
+    return is_upper(c) ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+// Of capitals in a row at the front the last one stays, if a small letter follows: "GGXTerm" -> "ggxTerm".
+std::string with_small_start(std::string_view word) {
+    std::string made(word);
+    for (std::size_t i = 0; i < made.size() && is_upper(word[i]); ++i) {
+        if (i > 0 && i + 1 < word.size() && is_lower(word[i + 1])) break;
+        made[i] = lower(made[i]);
+    }
+    return made;
+}
+
+}  // namespace
+
+std::string camel_case(std::string_view name) {
+    std::string camel;
+    while (!name.empty()) {
+        std::size_t end = 0;
+        while (end < name.size() && (is_upper(name[end]) || is_lower(name[end]) || is_digit(name[end]))) ++end;
+        if (end > 0) {
+            const std::string word = with_small_start(name.substr(0, end));
+            camel = camel.empty() ? word : joined(camel, word);
+        }
+        name.remove_prefix(end < name.size() ? end + 1 : end);
+    }
+    return camel;
+}
+
+std::string joined(std::string_view first, std::string_view second) {
+    std::string made(first);
+    made += second;
+    if (!first.empty() && !second.empty()) made[first.size()] = upper(second[0]);
+    return made;
+}
+
+std::string numbered(std::string_view name, unsigned number) {
+    std::string made(name);
+    if (!name.empty() && is_digit(name.back())) made += '_';
+    return made + std::to_string(number);
+}
+
+std::string initials(std::string_view name) {
+    std::string letters;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        if (i == 0 || (is_upper(name[i]) && !is_upper(name[i - 1]))) letters += lower(name[i]);
+    }
+    return letters;
+}
+
+}  // namespace patina
