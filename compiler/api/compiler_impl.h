@@ -22,4 +22,10 @@ struct Compiler::Impl {
     void describe() const;
 };
 
+// The place for a library of an embedder's own, which has no public face yet: an engine, nodes and passes as files with
+// paths below nodes/.
+struct CompilerAccess {
+    static Compiler with_files(std::span<const nodelang::EmbeddedFile> more);
+};
+
 }  // namespace patina

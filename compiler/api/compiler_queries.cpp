@@ -108,6 +108,16 @@ std::string_view version() {
 Compiler::Compiler() : impl_(std::make_unique<Impl>()) {
     impl_->library = graph::load_library(nodelang::embedded_files());
 }
+Compiler::Compiler(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+
+Compiler CompilerAccess::with_files(std::span<const nodelang::EmbeddedFile> more) {
+    const auto own = nodelang::embedded_files();
+    std::vector<nodelang::EmbeddedFile> files(own.begin(), own.end());
+    files.insert(files.end(), more.begin(), more.end());
+    auto impl = std::make_unique<Compiler::Impl>();
+    impl->library = graph::load_library(files);
+    return Compiler(std::move(impl));
+}
 Compiler::~Compiler() = default;
 Compiler::Compiler(Compiler&&) noexcept = default;
 Compiler& Compiler::operator=(Compiler&&) noexcept = default;

@@ -40,12 +40,6 @@ enum class Variants { Chosen, Keywords };
 enum class Instances { Arrays, Engine };
 // What a sampler is called after: the property, or what the texture is called in the shader.
 enum class SamplerNames { OfProperties, OfTextures };
-// Where y of clip space grows.
-enum class ClipY { Up, Down };
-// z of clip space at the near and the far plane: 0 and 1, or 1 and 0.
-enum class ClipDepth { NearToFar, Reversed };
-// How a matrix lies in a uniform block.
-enum class MatrixOrder { Columns, Rows };
 
 struct Names {
     std::string owner;                             // of `taken` and `prefixes`, in words: "one of Unity's includes"
@@ -71,8 +65,7 @@ struct Engine {
     std::map<std::string, std::string, std::less<>> blocks;  // the library's name of a block -> the engine's
     std::vector<VertexInput> vertex_inputs;
 
-    ClipY clip_y = ClipY::Up;
-    ClipDepth clip_depth = ClipDepth::NearToFar;
+    ClipDepth clip_depth = ClipDepth::NearToFar;  // of what the camera sees; shadow maps are near to far
     MatrixOrder matrices = MatrixOrder::Columns;
 
     // How the engine keeps the values of a material, by type; empty: as the shader reads them.
@@ -117,21 +110,6 @@ template <>
 inline constexpr auto kWords<engines::SamplerNames> = std::to_array<Word<engines::SamplerNames>>({
     {"ofProperties", engines::SamplerNames::OfProperties},
     {"ofTextures", engines::SamplerNames::OfTextures},
-});
-template <>
-inline constexpr auto kWords<engines::ClipY> = std::to_array<Word<engines::ClipY>>({
-    {"up", engines::ClipY::Up},
-    {"down", engines::ClipY::Down},
-});
-template <>
-inline constexpr auto kWords<engines::ClipDepth> = std::to_array<Word<engines::ClipDepth>>({
-    {"nearToFar", engines::ClipDepth::NearToFar},
-    {"reversed", engines::ClipDepth::Reversed},
-});
-template <>
-inline constexpr auto kWords<engines::MatrixOrder> = std::to_array<Word<engines::MatrixOrder>>({
-    {"columns", engines::MatrixOrder::Columns},
-    {"rows", engines::MatrixOrder::Rows},
 });
 
 }  // namespace patina

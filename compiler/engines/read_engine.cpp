@@ -37,7 +37,6 @@ public:
         engine_.blocks = map(json, "blocks");
         if (const Json* inputs = json.find("vertexInputs")) vertex_inputs(*inputs);
         if (const Json* clip = object(json, "clip", EngineClip)) {
-            word(*clip, "y", "a direction of y", engine_.clip_y);
             word(*clip, "depth", "an order of depth", engine_.clip_depth);
         }
         word(json, "matrices", "an order of matrices", engine_.matrices);

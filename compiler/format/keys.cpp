@@ -305,8 +305,7 @@ constexpr std::array kEngineVertexInput = {
     KeyInfo{"location", "its location; otherwise those that a pass reads are numbered in order"},
 };
 constexpr std::array kEngineClip = {
-    KeyInfo{"y", "up or down", ObjectKind::Free, true},
-    KeyInfo{"depth", "nearToFar: 0 to 1; reversed: 1 to 0", ObjectKind::Free, true},
+    KeyInfo{"depth", "z of what the camera sees: nearToFar (0 to 1) or reversed (1 to 0)", ObjectKind::Free, true},
 };
 constexpr std::array kEngineLimits = {
     KeyInfo{"varyings", "vectors from the vertex stage to the fragment stage", ObjectKind::Free, true},

@@ -44,7 +44,8 @@ constexpr std::size_t kColumnStride = 16;
 
 class BlockReader {
 public:
-    BlockReader(const ir::Module& module, std::span<const std::byte> bytes) : module_(module), bytes_(bytes) {}
+    BlockReader(const ir::Module& module, const ir::UniformBlock& block, std::span<const std::byte> bytes)
+        : module_(module), block_(block), bytes_(bytes) {}
 
     // Appends the components of a value at `offset`, in the order of Resources::uniforms; what is beyond the end is 0.
     void read(ir::Type type, std::size_t offset, std::vector<double>& into) const {
@@ -59,11 +60,13 @@ private:
         return element.is_matrix() ? kColumnStride * element.cols : kColumnStride;
     }
 
-    // Matrices are columns in memory and rows in a value.
+    // A value holds a matrix by rows; a vector is one column.
     void read_numeric(ir::Type type, std::size_t offset, std::vector<double>& into) const {
+        const bool by_rows = block_.matrices_by_rows && type.is_matrix();
         for (unsigned row = 0; row < type.rows; ++row) {
             for (unsigned column = 0; column < type.cols; ++column) {
-                into.push_back(scalar(type.scalar, offset + column * kColumnStride + row * sizeof(float)));
+                const unsigned vector = by_rows ? row : column, component = by_rows ? column : row;
+                into.push_back(scalar(type.scalar, offset + vector * kColumnStride + component * sizeof(float)));
             }
         }
     }
@@ -83,6 +86,7 @@ private:
     }
 
     const ir::Module& module_;
+    const ir::UniformBlock& block_;
     std::span<const std::byte> bytes_;
 };
 
@@ -129,7 +133,7 @@ void Interpreter::set_block(std::string_view name, std::span<const std::byte> by
         if (!global.in_block() || module.blocks[global.block].name != name) continue;
         components.clear();
         const std::size_t offset = module.blocks[global.block].members[global.member].offset;
-        BlockReader(module, bytes).read(global.type, offset, components);
+        BlockReader(module, module.blocks[global.block], bytes).read(global.type, offset, components);
         interpret::set_uniform(impl_->machine, module, ir::GlobalId{i}, components);
     }
 }

@@ -38,9 +38,7 @@ void declare_statics(Lowering& lowering) {
         switch (asked.about) {
             case StaticDecl::About::Surface: return word == to_string(render.surface);
             case StaticDecl::About::Cull: return word == to_string(render.cull);
-            case StaticDecl::About::Clip:
-                return word == "reversed" ? engine.clip_depth == engines::ClipDepth::Reversed
-                                          : word == "yDown" && engine.clip_y == engines::ClipY::Down;
+            case StaticDecl::About::Clip: return word == to_string(engine.clip_depth);
             case StaticDecl::About::Slot:
             case StaticDecl::About::Pass: break;
         }
@@ -326,6 +324,7 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     keep_values(lowering);
     out.shifts = place_globals(out.module, engine);
     out.target_set = engine.places_of(ir::Group::Targets).set;
+    out.clip_depth = engine.clip_depth;
     declare_statics(lowering);
     extend_lighting_surface(lowering);
     declare_semantics(lowering);

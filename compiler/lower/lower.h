@@ -57,6 +57,7 @@ struct Lowered {
     std::set<std::uint32_t> instance_globals;       // which are arrays of as many
     std::vector<SetShifts> shifts;                  // by set: HLSL registers to bindings
     std::uint32_t target_set = 0;                   // of what other passes have drawn
+    ClipDepth clip_depth = ClipDepth::NearToFar;    // of what the camera sees
     bool keeps_functions = false;  // passes that show the surface leave functions as they are, to share their text
 };
 

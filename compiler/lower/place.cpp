@@ -37,7 +37,7 @@ std::vector<SetShifts> place_globals(ir::Module& module, const engines::Engine& 
         for (ir::UniformBlock& block : module.blocks) {
             if (block.group != group) continue;
             block.place = place(first.buffers++, shift->buffers);
-            block.matrices_by_rows = engine.matrices == engines::MatrixOrder::Rows;
+            block.matrices_by_rows = engine.matrices == MatrixOrder::Rows;
         }
         for (ir::Global& global : module.globals) {
             if (global.group != group || global.in_block()) continue;

@@ -42,6 +42,7 @@ Block reflect_block(const graph::Lowered& lowered, const ir::UniformBlock& block
                .binding = block.place.binding,
                .hlsl_register = hlsl_register('b', block.place),
                .size = block.size,
+               .matrices = block.matrices_by_rows ? MatrixOrder::Rows : MatrixOrder::Columns,
                .members = {}};
     for (const ir::BlockMember& member : block.members) {
         const bool is_array = member.type.kind == ir::Kind::Array;
@@ -212,6 +213,27 @@ void set_object_state(Pass& pass, const graph::PassDecl& declaration, const grap
     pass.queue = queue_of(render);
 }
 
+Compare mirrored(Compare test) {
+    switch (test) {
+        case Compare::Less: return Compare::Greater;
+        case Compare::LessEqual: return Compare::GreaterEqual;
+        case Compare::Greater: return Compare::Less;
+        case Compare::GreaterEqual: return Compare::LessEqual;
+        case Compare::Never:
+        case Compare::Equal:
+        case Compare::NotEqual:
+        case Compare::Always: break;
+    }
+    return test;
+}
+
+// Graphs and pass files speak of near and far; the state of a pass speaks of numbers.
+void reverse_depth(Pass& pass) {
+    pass.depth_test = mirrored(pass.depth_test);
+    pass.depth_bias = -pass.depth_bias;
+    pass.depth_slope_bias = -pass.depth_slope_bias;
+}
+
 Pass reflect_pass(const LinkedPass& linked) {
     const graph::Material& material = *linked.material;
     const graph::Lowered& lowered = *linked.lowered;
@@ -226,6 +248,7 @@ Pass reflect_pass(const LinkedPass& linked) {
         pass.bounds = render.bounds;
     }
     if (pass.draws == PassDraws::Objects) set_object_state(pass, declaration, render);
+    if (lowered.clip_depth == ClipDepth::Reversed && pass.lights != PassLights::Shadowed) reverse_depth(pass);
     if (const graph::BlendRow* blend = graph::blend_of(declaration, render.surface)) {
         for (RenderTarget& target : pass.targets) target.blend = blend->blend;
     }
@@ -306,6 +329,7 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
     made.moves_vertices = !graph.vertex.empty();
     made.bounds = graph.render.bounds;
     made.path = lowered.path;
+    made.clip_depth = lowered.clip_depth;
     made.most_instances = lowered.instances;
     for (const auto& [name, value] : lowered.switches) made.switches.push_back({.name = name, .value = value});
     made.meta = graph.meta;

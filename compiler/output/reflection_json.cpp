@@ -119,6 +119,7 @@ void write_block(Writer& writer, const Block& block) {
     json.number("binding", block.binding);
     json.text("register", block.hlsl_register);
     json.number("size", block.size);
+    if (block.matrices != MatrixOrder::Columns) json.text("matrices", to_string(block.matrices));
     json.list("members", block.members, [&](const BlockMember& member) {
         Json m(writer);
         m.text("name", member.name);
@@ -245,6 +246,7 @@ std::string Reflection::to_json() const {
         json.word("surface", surface);
         json.text("path", path);
         if (bounds) write_bounds(json, *bounds);
+        if (clip_depth != ClipDepth::NearToFar) json.text("clipDepth", to_string(clip_depth));
         if (most_instances > 0) json.number("mostInstances", most_instances);
         json.list("switches", switches, [&](const Switch& each) {
             Json one(writer);

@@ -30,7 +30,6 @@ constexpr StaticWord kStatics[] = {{"surface", StaticDecl::About::Surface},
                                    {"slot", StaticDecl::About::Slot},
                                    {"pass", StaticDecl::About::Pass},
                                    {"clip", StaticDecl::About::Clip}};
-constexpr std::array<std::string_view, 2> kClips = {"reversed", "yDown"};
 // std140 has places for these.
 constexpr std::array<std::string_view, 14> kUniforms = {"float", "float2", "float3",   "float4",  "int",
                                                         "int2",  "int3",   "int4",     "uint",    "uint2",
@@ -219,7 +218,7 @@ private:
             if (key.text == "cull") one_of(given, texts<Cull>(), "a way to cull");
             if (key.text == "slot") slot(given);
             if (key.text == "pass") pass(given);
-            if (key.text == "clip") one_of(given, kClips, "a convention of clip space");
+            if (key.text == "clip") one_of(given, texts<ClipDepth>(), "a convention of clip space");
         }
     }
 

@@ -31,8 +31,11 @@ Frame frame_of(const Draw& draw, const Pass& pass) {
     const int width = scene.width * scene.samples, height = scene.height * scene.samples;
     FrameTarget color{
         .name = "color", .format = TargetFormat::Rgba32F, .width = width, .height = height, .clear = scene.background};
-    FrameTarget depth{
-        .name = "depth", .format = TargetFormat::Depth, .width = width, .height = height, .clear = glm::vec4(1)};
+    FrameTarget depth{.name = "depth",
+                      .format = TargetFormat::Depth,
+                      .width = width,
+                      .height = height,
+                      .clear = glm::vec4(farthest(draw.reflection->clip_depth))};
     StagePair stages{.vertex_spirv = draw.vertex_spirv, .fragment_spirv = draw.fragment_spirv, .program = draw.program};
     FrameStep step{.reflection = draw.reflection,
                    .pass = &pass,

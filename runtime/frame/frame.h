@@ -29,6 +29,11 @@
 
 namespace patina::runtime {
 
+// The depth of what is nowhere: that of the far plane.
+constexpr float farthest(ClipDepth depth) {
+    return depth == ClipDepth::Reversed ? 0.0f : 1.0f;
+}
+
 // An image that steps draw into. It starts out as `clear` (depth: x; stencil: 0).
 struct FrameTarget {
     std::string name{};

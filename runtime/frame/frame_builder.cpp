@@ -67,6 +67,11 @@ std::optional<std::size_t> FrameBuilder::find_target(const std::string& name) co
     return std::nullopt;
 }
 
+// The depth of what is nowhere. Shadow maps are near to far, whatever the camera's view is.
+float FrameBuilder::farthest_of(const Pass& pass) const {
+    return pass.lights == PassLights::Shadowed ? 1.0f : farthest(world_.view.camera.clip_depth);
+}
+
 // `atlas_size`: texels along a side, or 0 for a target of the picture's size.
 std::string FrameBuilder::add_target(const std::string& material, const Pass& pass, const std::string& name,
                                      TargetFormat stated, int atlas_size) {
@@ -75,7 +80,7 @@ std::string FrameBuilder::add_target(const std::string& material, const Pass& pa
                        .format = format_of(name, stated),
                        .width = atlas_size ? atlas_size : picture.width,
                        .height = atlas_size ? atlas_size : picture.height,
-                       .clear = glm::vec4(stated == TargetFormat::Depth ? 1.0f : 0.0f)};
+                       .clear = glm::vec4(stated == TargetFormat::Depth ? farthest_of(pass) : 0.0f)};
     const std::optional<std::size_t> known = find_target(name);
     if (!known) {
         frame_.targets.push_back(std::move(target));
@@ -117,7 +122,7 @@ std::string FrameBuilder::make_targets(std::span<const std::size_t> used, bool h
                                           .format = TargetFormat::Depth,
                                           .width = 1,
                                           .height = 1,
-                                          .clear = glm::vec4(1)});
+                                          .clear = glm::vec4(farthest(world_.view.camera.clip_depth))});
             }
     return "";
 }

@@ -52,6 +52,7 @@ private:
     };
 
     TargetFormat format_of(const std::string& target, TargetFormat stated) const;
+    float farthest_of(const Pass& pass) const;
     std::string add_target(const std::string& material, const Pass& pass, const std::string& name, TargetFormat stated,
                            int atlas_size);
     bool changes_owner(const Stencil& stencil);

@@ -19,6 +19,7 @@ struct RenderOptions {
     std::vector<std::pair<std::string, std::string>> switches{};
     std::string preview{};        // a port to look at, unlit: "mask", "rust.amount"; empty: the material
     std::string via = "glsl";     // glsl | hlsl | cpu
+    std::string engine{};         // whose shaders are drawn; empty: the default one. It takes GLSL or HLSL for Vulkan
     std::string device{};         // part of a GPU's name; empty: the software renderer
     bool validation = false;      // Khronos validation layer; its messages become errors
     bool exact_textures = false;  // float texels on the GPU, to compare it with the CPU

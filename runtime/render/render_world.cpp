@@ -100,7 +100,8 @@ private:
         return near == drawn.end() ? error : fmt::format("{}; did you mean '{}' by '{}'?", error, kPicture, *near);
     }
 
-    Outcome<Frame> plan() const {
+    Outcome<Frame> plan() {
+        if (!compiled_.empty()) spread_.view.camera.clip_depth = compiled_.front()->compiled.reflection.clip_depth;
         return plan_frame(
             spread_, drawn_,
             {.path = path_name(),
@@ -112,7 +113,7 @@ private:
     }
 
     bool on_cpu() const { return options_.via == "cpu"; }
-    Target target() const { return options_.via == "hlsl" ? Target::Hlsl : Target::Glsl; }
+    Target target() const { return {.engine = options_.engine, .language = options_.via == "hlsl" ? "hlsl" : "glsl"}; }
 
     RenderOutcome failed(std::string error) {
         outcome_.ok = false;

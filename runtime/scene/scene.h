@@ -29,6 +29,7 @@ struct Camera {
     std::optional<float> orthographic_height{};  // world units; set: parallel projection
     bool clip_space = false;                     // positions are clip space already; all matrices are identity
     float near_plane = 0.05f, far_plane = 100;
+    ClipDepth clip_depth = ClipDepth::NearToFar;  // that its shaders expect (Reflection::clip_depth)
 };
 
 struct LightShadow {

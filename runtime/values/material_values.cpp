@@ -120,6 +120,7 @@ const Texture* tiled_texture(const Reflection& reflection, const std::string& wo
 struct Storage {
     bool is_float = true;
     unsigned rows = 1;
+    unsigned columns = 1;  // of a matrix
     unsigned vectors = 1;  // columns of a matrix, times elements of an array
     unsigned stride = 0;
 };
@@ -129,7 +130,7 @@ Storage storage(const BlockMember& member) {
     std::size_t digits = member.type.find_first_of("0123456789");
     std::string base = member.type.substr(0, digits);
     result.is_float = base == "float" || base == "half";
-    unsigned columns = 1;
+    unsigned& columns = result.columns;
     if (digits != std::string::npos) {
         result.rows = unsigned(member.type[digits] - '0');
         // "float3x4" has three rows and four columns, and std140 keeps a column in 16 bytes.
@@ -141,13 +142,17 @@ Storage storage(const BlockMember& member) {
 }
 
 // `numbers` hold `per_vector` of them for each vector of the member; both are cut to what the other has.
-void write(std::vector<std::byte>& bytes, const BlockMember& member, std::span<const double> numbers,
+void write(std::vector<std::byte>& bytes, const BlockMember& member, MatrixOrder order, std::span<const double> numbers,
            unsigned per_vector) {
     Storage shape = storage(member);
+    // Rows of a square matrix lie where its columns would.
+    const bool by_rows = order == MatrixOrder::Rows && shape.columns > 1;
     for (unsigned v = 0; v < shape.vectors; v++) {
         for (unsigned r = 0; r < std::min(shape.rows, per_vector); r++) {
             std::size_t index = std::size_t(v) * per_vector + r;
-            std::size_t offset = member.offset + std::size_t(v) * shape.stride + 4 * r;
+            const unsigned first = v / shape.columns * shape.columns;  // vector of the matrix
+            const unsigned vector = by_rows ? first + r : v, component = by_rows ? v - first : r;
+            std::size_t offset = member.offset + std::size_t(vector) * shape.stride + 4 * component;
             if (index >= numbers.size() || offset + 4 > bytes.size()) return;
             if (shape.is_float) {
                 auto value = float(numbers[index]);
@@ -209,12 +214,12 @@ std::vector<BlockBytes> fill_with(const Reflection& reflection, const MaterialVa
         for (const BlockMember& member : block.members) {
             if (member.is_of_instance) {
                 const EngineValue all = instance_numbers(member, block.name, reflection, values, instances, engine);
-                write(filled.bytes, member, all.numbers, all.per_vector);
+                write(filled.bytes, member, block.matrices, all.numbers, all.per_vector);
             } else if (block.is_material) {
                 std::optional<Numbers> numbers = material_number(member, block.name, reflection, values);
-                if (numbers) write(filled.bytes, member, *numbers, 4);
+                if (numbers) write(filled.bytes, member, block.matrices, *numbers, 4);
             } else if (auto found = engine.find(member.name); found != engine.end()) {
-                write(filled.bytes, member, found->second.numbers, found->second.per_vector);
+                write(filled.bytes, member, block.matrices, found->second.numbers, found->second.per_vector);
             }
         }
         result.push_back(std::move(filled));

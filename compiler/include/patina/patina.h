@@ -338,7 +338,9 @@ public:
     Formatted format(const std::string& path, std::string text) const;
 
 private:
+    friend struct CompilerAccess;
     struct Impl;
+    explicit Compiler(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };
 

@@ -12,7 +12,7 @@
 
 namespace patina {
 
-// A member of a uniform block. Types are spelled as in HLSL: "float", "float4", "int", "float4x4" (column-major).
+// A member of a uniform block. Types are spelled as in HLSL: "float", "float4", "int", "float4x4".
 struct BlockMember {
     std::string name;
     std::string type;
@@ -25,11 +25,12 @@ struct BlockMember {
 
 struct Block {
     std::string name;
-    bool is_material = false;   // the graph's own properties; other blocks are the engine's
-    std::uint32_t set = 0;      // Vulkan descriptor set = HLSL register space
-    std::uint32_t binding = 0;  // Vulkan binding, of GLSL and of HLSL after the shifts
-    std::string hlsl_register;  // "b0, space1"
-    std::uint32_t size = 0;     // bytes, a multiple of 16
+    bool is_material = false;                     // the graph's own properties; other blocks are the engine's
+    std::uint32_t set = 0;                        // Vulkan descriptor set = HLSL register space
+    std::uint32_t binding = 0;                    // Vulkan binding, of GLSL and of HLSL after the shifts
+    std::string hlsl_register;                    // "b0, space1"
+    std::uint32_t size = 0;                       // bytes, a multiple of 16
+    MatrixOrder matrices = MatrixOrder::Columns;  // what stands in 16 bytes each
     std::vector<BlockMember> members;
 };
 
@@ -172,9 +173,11 @@ struct Reflection {
     std::string name;
     std::string workflow, lighting;
     SurfaceKind surface = SurfaceKind::Opaque;
-    std::string path = "forward";      // the rendering path that the passes belong to
-    bool moves_vertices = false;       // the graph's vertex stage does: a mesh's bounds are not what is drawn
-    std::optional<Bounds> bounds{};    // what is, where the graph says so
+    std::string path = "forward";    // the rendering path that the passes belong to
+    bool moves_vertices = false;     // the graph's vertex stage does: a mesh's bounds are not what is drawn
+    std::optional<Bounds> bounds{};  // what is, where the graph says so
+    // Of what the camera sees; the passes' depth tests and biases agree with it. Shadow maps are near to far.
+    ClipDepth clip_depth = ClipDepth::NearToFar;
     std::uint32_t most_instances = 0;  // of an object in one draw; 0: a draw draws one object
     std::vector<Switch> switches{};
     std::vector<Property> properties;

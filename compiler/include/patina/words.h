@@ -136,6 +136,22 @@ inline constexpr auto kWords<Cull> = std::to_array<Word<Cull>>({
     {"off", Cull::Off},
 });
 
+// z of clip space at the near plane and at the far plane: 0 and 1, or 1 and 0.
+enum class ClipDepth { NearToFar, Reversed };
+template <>
+inline constexpr auto kWords<ClipDepth> = std::to_array<Word<ClipDepth>>({
+    {"nearToFar", ClipDepth::NearToFar},
+    {"reversed", ClipDepth::Reversed},
+});
+
+// How a matrix lies in a uniform block.
+enum class MatrixOrder { Columns, Rows };
+template <>
+inline constexpr auto kWords<MatrixOrder> = std::to_array<Word<MatrixOrder>>({
+    {"columns", MatrixOrder::Columns},
+    {"rows", MatrixOrder::Rows},
+});
+
 // The new depth to the depth that is there, or (reference & read mask) to the stencil that is there.
 enum class Compare { Never, Less, Equal, LessEqual, Greater, NotEqual, GreaterEqual, Always };
 template <>
