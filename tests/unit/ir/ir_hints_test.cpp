@@ -1,7 +1,7 @@
 // What the name hints of inlined values say.
-#include "compiler/ir/hints.h"
-
 #include <gtest/gtest.h>
+
+#include "compiler/ir/hints.h"
 
 namespace patina::ir {
 namespace {
@@ -20,7 +20,8 @@ TEST(Hints, ALocalKnowsTheFunctionThatItComesFrom) {
     const NameId local = inlined_local(module, "SchlickWeight", module.intern("m"));
     EXPECT_EQ(hint_of(module, local).name, "m");
     EXPECT_EQ(hint_of(module, local).callee, "schlickWeight");
-    EXPECT_EQ(inlined_local(module, "DisneyDiffuse", local), local) << "the innermost function is the one that says more";
+    EXPECT_EQ(inlined_local(module, "DisneyDiffuse", local), local)
+        << "the innermost function is the one that says more";
 }
 
 TEST(Hints, AResultWithoutANameIsWeaklyNamedAfterTheFunction) {
@@ -36,7 +37,8 @@ TEST(Hints, AResultThatTheFunctionNamesIsNamedAfterTheFunction) {
     const NameId result = inlined_result(module, "NormalTangentToWorld", module.intern("direction"));
     EXPECT_EQ(module.name_of(result), "normalTangentToWorld");
     EXPECT_EQ(hint_of(module, result).local, "direction");
-    EXPECT_EQ(module.name_of(inlined_result(module, "FromMap", result)), "fromMap") << "the outermost call has the result";
+    EXPECT_EQ(module.name_of(inlined_result(module, "FromMap", result)), "fromMap")
+        << "the outermost call has the result";
 }
 
 }  // namespace
