@@ -108,7 +108,7 @@ TEST(UnitySeam, HasNoLightAtTheVertices) {
     EXPECT_TRUE(result.shaders.empty());
     EXPECT_EQ(first_error(result).code, "pass-refused");
     EXPECT_EQ(first_error(result).line, 1);
-    EXPECT_EQ(first_error(result).column, 78) << to_text(first_error(result));
+    EXPECT_EQ(first_error(result).column, 77) << to_text(first_error(result));
     EXPECT_TRUE(has(first_error(result).message, "its vertex stage reads 'lightPosition'"));
 }
 

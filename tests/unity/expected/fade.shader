@@ -254,8 +254,8 @@ Shader "Patina/fade"
         float ndotl = saturate(cosine);
 
         // NdotV "ndotv"
-        float cosine_2 = dot(surface.normalWS, viewDirWS);
-        float ndotv = saturate(abs(cosine_2));
+        float ndotvCosine = dot(surface.normalWS, viewDirWS);
+        float ndotv = saturate(abs(ndotvCosine));
 
         // HalfVector "halfVector"
         float3 halfVector = HalfVector(viewDirWS, light.direction);
@@ -393,8 +393,8 @@ Shader "Patina/fade"
                 light.attenuation = 1.0;
                 light.shadow = MixedShadow(i.positionWS, attenuation, i.ambientOrLightmapUV);
                 float3 fromLight = direct(surface, light, viewDirWS);
-                float3 fromAround = indirect(surface, viewDirWS, i.positionWS, attenuation,
-                    i.ambientOrLightmapUV, true);
+                float3 fromAround = indirect(surface, viewDirWS, i.positionWS, attenuation, i.ambientOrLightmapUV,
+                    true);
                 float4 color = float4(ProjectColor(fromLight + fromAround + surface.emission), surface.alpha);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, color, unity_FogColor);
                 return color;

@@ -256,8 +256,8 @@ Shader "Patina/passes"
         float ndotl = saturate(cosine);
 
         // NdotV "ndotv"
-        float cosine_2 = dot(surface.normalWS, viewDirWS);
-        float ndotv = saturate(abs(cosine_2));
+        float ndotvCosine = dot(surface.normalWS, viewDirWS);
+        float ndotv = saturate(abs(ndotvCosine));
 
         // HalfVector "halfVector"
         float3 halfVector = HalfVector(viewDirWS, light.direction);
@@ -444,8 +444,8 @@ Shader "Patina/passes"
                 light.attenuation = 1.0;
                 light.shadow = MixedShadow(i.positionWS, attenuation, i.ambientOrLightmapUV);
                 float3 fromLight = direct(surface, light, viewDirWS);
-                float3 fromAround = indirect(surface, viewDirWS, i.positionWS, attenuation,
-                    i.ambientOrLightmapUV, true);
+                float3 fromAround = indirect(surface, viewDirWS, i.positionWS, attenuation, i.ambientOrLightmapUV,
+                    true);
                 float4 color = float4(ProjectColor(fromLight + fromAround + surface.emission), 1.0);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, color, unity_FogColor);
                 return color;
@@ -577,7 +577,7 @@ Shader "Patina/passes"
             #pragma vertex vert
             #pragma fragment frag
 
-            struct LightingSurface_lacquer
+            struct LightingSurfaceLacquer
             {
                 float3 diffuseColor;
                 float3 f0;
@@ -589,7 +589,7 @@ Shader "Patina/passes"
                 float alpha;
             };
 
-            struct Surface_lacquer
+            struct SurfaceLacquer
             {
                 float3 baseColor;
                 float metallic;
@@ -620,7 +620,7 @@ Shader "Patina/passes"
             };
 
             // What the graph says of the surface.
-            Surface_lacquer getSurfaceLacquer(float2 uv0, float3 geometryNormalWS)
+            SurfaceLacquer getSurfaceLacquer(float2 uv0, float3 geometryNormalWS)
             {
                 float3 value;
             #if defined(_WET_ON)
@@ -631,7 +631,7 @@ Shader "Patina/passes"
             #else
                 value = float3(1.0, 1.0, 1.0);
             #endif
-                Surface_lacquer surfaceLacquer;
+                SurfaceLacquer surfaceLacquer;
                 surfaceLacquer.baseColor = value;
                 surfaceLacquer.metallic = 0.0;
                 surfaceLacquer.roughness = 0.1;
@@ -643,14 +643,14 @@ Shader "Patina/passes"
             }
 
             // The surface that the material and its workflow make of this point.
-            LightingSurface_lacquer lightingSurfaceLacquer(float2 uv0, float3 geometryNormalWS)
+            LightingSurfaceLacquer lightingSurfaceLacquer(float2 uv0, float3 geometryNormalWS)
             {
-                Surface_lacquer material = getSurfaceLacquer(uv0, geometryNormalWS);
+                SurfaceLacquer material = getSurfaceLacquer(uv0, geometryNormalWS);
 
                 // MetallicSetup "setup"
                 MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
 
-                LightingSurface_lacquer lsl;
+                LightingSurfaceLacquer lsl;
                 lsl.diffuseColor = setup.diffuseColor;
                 lsl.f0 = setup.f0;
                 lsl.oneMinusReflectivity = setup.oneMinusReflectivity;
@@ -672,15 +672,15 @@ Shader "Patina/passes"
             }
 
             // What one light adds, as the lighting graph says.
-            float3 directLacquer(LightingSurface_lacquer surface, Light light, float3 viewDirWS)
+            float3 directLacquer(LightingSurfaceLacquer surface, Light light, float3 viewDirWS)
             {
                 // NdotL "ndotl"
                 float cosine = dot(surface.normalWS, light.direction);
                 float ndotl = saturate(cosine);
 
                 // NdotV "ndotv"
-                float cosine_2 = dot(surface.normalWS, viewDirWS);
-                float ndotv = saturate(abs(cosine_2));
+                float ndotvCosine = dot(surface.normalWS, viewDirWS);
+                float ndotv = saturate(abs(ndotvCosine));
 
                 // HalfVector "halfVector"
                 float3 halfVector = HalfVector(viewDirWS, light.direction);
@@ -715,7 +715,7 @@ Shader "Patina/passes"
             }
 
             // What all light adds that comes from no single light, as the lighting graph says.
-            float3 indirectLacquer(LightingSurface_lacquer surface, float3 viewDirWS, float3 positionWS,
+            float3 indirectLacquer(LightingSurfaceLacquer surface, float3 viewDirWS, float3 positionWS,
                 float attenuation, float4 ambientOrLightmapUV, bool readsProbes)
             {
                 // NdotV "ndotv"
@@ -778,7 +778,7 @@ Shader "Patina/passes"
                 float3 viewDirWS = normalize(toViewer);
                 float3 geometryNormalWS = normalize(i.vertexNormalWS);
                 UNITY_LIGHT_ATTENUATION(attenuation, i, i.positionWS)
-                LightingSurface_lacquer surface = lightingSurfaceLacquer(i.uv0, geometryNormalWS);
+                LightingSurfaceLacquer surface = lightingSurfaceLacquer(i.uv0, geometryNormalWS);
                 PremultiplyAlphaResult premultiplyAlphaResult = PremultiplyAlpha(surface.diffuseColor, surface.alpha,
                     surface.oneMinusReflectivity);
                 surface.diffuseColor = premultiplyAlphaResult.value;

@@ -262,13 +262,12 @@ Shader "Patina/Standard, cut out"
     // A normal from tangent space, in the world.
     float3 NormalTangentToWorld(float3 normalTS, float3 normal, float3 tangent, float3 bitangent)
     {
-        float3 direction = normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
-        return direction;
+        return normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
     }
 
     // What the graph says of the surface.
-    Surface getSurface(float2 uv0, float2 uv1, float3 viewDirWS, float3 geometryNormalWS,
-        float3 tangentWS, float3 bitangentWS)
+    Surface getSurface(float2 uv0, float2 uv1, float3 viewDirWS, float3 geometryNormalWS, float3 tangentWS,
+        float3 bitangentWS)
     {
         // TilingOffset "maps/tiled"
         float2 tiled = uv0 * _MainTex_ST.xy + _MainTex_ST.zw;
@@ -279,9 +278,8 @@ Shader "Patina/Standard, cut out"
         float2 offset;
     #if defined(_PARALLAXMAP)
         // WorldToTangent "maps/viewDirTS"
-        float viewDirTS_projection = dot(geometryNormalWS, viewDirWS);
-        float3 viewDirTS = float3(dot(tangentWS, viewDirWS), dot(bitangentWS, viewDirWS),
-            viewDirTS_projection);
+        float viewDirTSProjection = dot(geometryNormalWS, viewDirWS);
+        float3 viewDirTS = float3(dot(tangentWS, viewDirWS), dot(bitangentWS, viewDirWS), viewDirTSProjection);
 
         // SampleTexture2D "maps/height"
         float4 height = UNITY_SAMPLE_TEX2D(_ParallaxMap, tiled);
@@ -338,25 +336,25 @@ Shader "Patina/Standard, cut out"
     #endif
         float smoothness;
     #if defined(_METALLICGLOSSMAP) || defined(_SMOOTHNESS_TEXTURE_ALBEDO_CHANNEL_A)
-        float fromMap_value;
+        float fromMapValue;
     #if defined(_SMOOTHNESS_TEXTURE_ALBEDO_CHANNEL_A)
-        fromMap_value = main_.w;
+        fromMapValue = main_.w;
     #else
-        fromMap_value = metallicGloss.w;
+        fromMapValue = metallicGloss.w;
     #endif
-        smoothness = fromMap_value * _GlossMapScale;
+        smoothness = fromMapValue * _GlossMapScale;
     #else
         smoothness = _Glossiness;
     #endif
         float3 normalTS;
     #if defined(_NORMALMAP)
         // SampleNormalMap "maps/bumps"
-        float4 bumps_texel = UNITY_SAMPLE_TEX2D(_BumpMap, uv);
-        normalTS = UnpackScaleNormal(bumps_texel, _BumpScale);
+        float4 bumpsTexel = UNITY_SAMPLE_TEX2D(_BumpMap, uv);
+        normalTS = UnpackScaleNormal(bumpsTexel, _BumpScale);
     #if defined(_DETAIL_MULX2)
         // SampleNormalMap "maps/detailBumps"
-        float4 detailBumps_texel = UNITY_SAMPLE_TEX2D(_DetailNormalMap, detailUV);
-        float3 detailBumps = UnpackScaleNormal(detailBumps_texel, _DetailNormalMapScale);
+        float4 detailBumpsTexel = UNITY_SAMPLE_TEX2D(_DetailNormalMap, detailUV);
+        float3 detailBumps = UnpackScaleNormal(detailBumpsTexel, _DetailNormalMapScale);
 
         // DetailNormal "maps/detailedBumps"
         normalTS = lerp(normalTS, NormalBlendWhiteout(normalTS, detailBumps), mask.w);
@@ -373,11 +371,11 @@ Shader "Patina/Standard, cut out"
     #else
         emission = float3(0.0, 0.0, 0.0);
     #endif
-        float fromMap_value_2;
+        float fromMapValue2;
     #if defined(_SMOOTHNESS_TEXTURE_ALBEDO_CHANNEL_A)
-        fromMap_value_2 = 1.0;
+        fromMapValue2 = 1.0;
     #else
-        fromMap_value_2 = main_.w;
+        fromMapValue2 = main_.w;
     #endif
 
         Surface surface;
@@ -387,7 +385,7 @@ Shader "Patina/Standard, cut out"
         surface.normalWS = NormalTangentToWorld(normalTS, geometryNormalWS, tangentWS, bitangentWS);
         surface.occlusion = OcclusionStrength(cavity.y, _OcclusionStrength, 1.0);
         surface.emission = emission;
-        surface.alpha = fromMap_value_2 * LinearColor(_Color).w;
+        surface.alpha = fromMapValue2 * LinearColor(_Color).w;
         surface.alphaClip = _Cutoff;
         return surface;
     }
@@ -483,8 +481,8 @@ Shader "Patina/Standard, cut out"
         float ndotl = saturate(cosine);
 
         // NdotV "ndotv"
-        float cosine_2 = dot(surface.normalWS, viewDirWS);
-        float ndotv = saturate(abs(cosine_2));
+        float ndotvCosine = dot(surface.normalWS, viewDirWS);
+        float ndotv = saturate(abs(ndotvCosine));
 
         // HalfVector "halfVector"
         float3 halfVector = HalfVector(viewDirWS, light.direction);
@@ -637,8 +635,8 @@ Shader "Patina/Standard, cut out"
                 light.attenuation = 1.0;
                 light.shadow = MixedShadow(i.positionWS, attenuation, i.ambientOrLightmapUV);
                 float3 fromLight = direct(surface, light, viewDirWS);
-                float3 fromAround = indirect(surface, viewDirWS, i.positionWS, attenuation,
-                    i.ambientOrLightmapUV, true);
+                float3 fromAround = indirect(surface, viewDirWS, i.positionWS, attenuation, i.ambientOrLightmapUV,
+                    true);
                 float4 color = float4(ProjectColor(fromLight + fromAround + surface.emission), 1.0);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, color, unity_FogColor);
                 return color;
@@ -741,7 +739,7 @@ Shader "Patina/Standard, cut out"
             #pragma vertex vert
             #pragma fragment frag
 
-            struct Surface_ShadowCaster
+            struct SurfaceShadowCaster
             {
                 float alpha;
                 float alphaClip;
@@ -759,13 +757,13 @@ Shader "Patina/Standard, cut out"
             };
 
             // What the graph says of the surface.
-            Surface_ShadowCaster get_surface_ShadowCaster(float2 uv0, float3 viewDirWS, float3 geometryNormalWS,
+            SurfaceShadowCaster getSurfaceShadowCaster(float2 uv0, float3 viewDirWS, float3 geometryNormalWS,
                 float3 tangentWS, float3 bitangentWS)
             {
                 // standard-maps "maps"
-                float fromMap_value;
+                float fromMapValue;
             #if defined(_SMOOTHNESS_TEXTURE_ALBEDO_CHANNEL_A)
-                fromMap_value = 1.0;
+                fromMapValue = 1.0;
             #else
                 // TilingOffset "maps/tiled"
                 float2 tiled = uv0 * _MainTex_ST.xy + _MainTex_ST.zw;
@@ -773,9 +771,8 @@ Shader "Patina/Standard, cut out"
                 float2 offset;
             #if defined(_PARALLAXMAP)
                 // WorldToTangent "maps/viewDirTS"
-                float viewDirTS_projection = dot(geometryNormalWS, viewDirWS);
-                float3 viewDirTS = float3(dot(tangentWS, viewDirWS), dot(bitangentWS, viewDirWS),
-                    viewDirTS_projection);
+                float viewDirTSProjection = dot(geometryNormalWS, viewDirWS);
+                float3 viewDirTS = float3(dot(tangentWS, viewDirWS), dot(bitangentWS, viewDirWS), viewDirTSProjection);
 
                 // SampleTexture2D "maps/height"
                 float4 height = UNITY_SAMPLE_TEX2D(_ParallaxMap, tiled);
@@ -791,13 +788,13 @@ Shader "Patina/Standard, cut out"
                 // maps/main: The node would tile once more.
                 float4 main_ = LinearColor(UNITY_SAMPLE_TEX2D(_MainTex, uv));
 
-                fromMap_value = main_.w;
+                fromMapValue = main_.w;
             #endif
 
-                Surface_ShadowCaster surface_shadow_caster;
-                surface_shadow_caster.alpha = fromMap_value * LinearColor(_Color).w;
-                surface_shadow_caster.alphaClip = _Cutoff;
-                return surface_shadow_caster;
+                SurfaceShadowCaster surfaceShadowCaster;
+                surfaceShadowCaster.alpha = fromMapValue * LinearColor(_Color).w;
+                surfaceShadowCaster.alphaClip = _Cutoff;
+                return surfaceShadowCaster;
             }
 
             v2f vert(appdata_full v)
@@ -828,8 +825,8 @@ Shader "Patina/Standard, cut out"
                 float3 geometryNormalWS = normalize(i.vertexNormalWS);
                 float3 tangentWS = normalize(i.vertexTangentWS.xyz);
                 float3 bitangentWS = cross(geometryNormalWS, tangentWS) * i.vertexTangentWS.w;
-                Surface_ShadowCaster material = get_surface_ShadowCaster(i.uv0, viewDirWS, geometryNormalWS,
-                    tangentWS, bitangentWS);
+                SurfaceShadowCaster material = getSurfaceShadowCaster(i.uv0, viewDirWS, geometryNormalWS, tangentWS,
+                    bitangentWS);
                 if (material.alpha < material.alphaClip) discard;
                 SHADOW_CASTER_FRAGMENT(i)
             }
@@ -916,8 +913,7 @@ Shader "Patina/Standard, cut out"
                 LightingSurface surface = lightingSurface(i.uv0, i.uv1, viewDirWS, geometryNormalWS, tangentWS,
                     bitangentWS);
                 if (surface.alpha < surface.alphaClip) discard;
-                float3 fromAround = indirect(surface, viewDirWS, i.positionWS, 1.0, i.ambientOrLightmapUV,
-                    readsProbes);
+                float3 fromAround = indirect(surface, viewDirWS, i.positionWS, 1.0, i.ambientOrLightmapUV, readsProbes);
                 float smoothness = 1.0 - surface.roughness;
                 Targets output;
                 output.diffuse = float4(ProjectColor(surface.diffuseColor), surface.occlusion);

@@ -202,8 +202,7 @@ Shader "Patina/Standard"
     // A normal from tangent space, in the world.
     float3 NormalTangentToWorld(float3 normalTS, float3 normal, float3 tangent, float3 bitangent)
     {
-        float3 direction = normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
-        return direction;
+        return normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
     }
 
     // What the graph says of the surface.
@@ -217,8 +216,8 @@ Shader "Patina/Standard"
         float4 metal = UNITY_SAMPLE_TEX2D(_MetallicGlossMap, uv);
 
         // SampleNormalMap "bumps"
-        float4 bumps_texel = UNITY_SAMPLE_TEX2D(_BumpMap, uv);
-        float3 bumps = UnpackScaleNormal(bumps_texel, _BumpScale);
+        float4 bumpsTexel = UNITY_SAMPLE_TEX2D(_BumpMap, uv);
+        float3 bumps = UnpackScaleNormal(bumpsTexel, _BumpScale);
 
         // SampleTexture2D "open"
         float4 open = UNITY_SAMPLE_TEX2D(_OcclusionMap, uv);
@@ -248,8 +247,7 @@ Shader "Patina/Standard"
     }
 
     // The surface that the material and its workflow make of this point.
-    LightingSurface lightingSurface(float2 uv0, float3 geometryNormalWS, float3 tangentWS,
-        float3 bitangentWS)
+    LightingSurface lightingSurface(float2 uv0, float3 geometryNormalWS, float3 tangentWS, float3 bitangentWS)
     {
         Surface material = getSurface(uv0, geometryNormalWS, tangentWS, bitangentWS);
 
@@ -325,8 +323,8 @@ Shader "Patina/Standard"
         float ndotl = saturate(cosine);
 
         // NdotV "ndotv"
-        float cosine_2 = dot(surface.normalWS, viewDirWS);
-        float ndotv = saturate(abs(cosine_2));
+        float ndotvCosine = dot(surface.normalWS, viewDirWS);
+        float ndotv = saturate(abs(ndotvCosine));
 
         // HalfVector "halfVector"
         float3 halfVector = HalfVector(viewDirWS, light.direction);
@@ -469,8 +467,8 @@ Shader "Patina/Standard"
                 light.attenuation = 1.0;
                 light.shadow = MixedShadow(i.positionWS, attenuation, i.ambientOrLightmapUV);
                 float3 fromLight = direct(surface, light, viewDirWS);
-                float3 fromAround = indirect(surface, viewDirWS, i.positionWS, attenuation,
-                    i.ambientOrLightmapUV, true);
+                float3 fromAround = indirect(surface, viewDirWS, i.positionWS, attenuation, i.ambientOrLightmapUV,
+                    true);
                 float4 color = float4(ProjectColor(fromLight + fromAround + surface.emission), 1.0);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, color, unity_FogColor);
                 return color;
@@ -661,8 +659,7 @@ Shader "Patina/Standard"
                 float3 bitangentWS = cross(geometryNormalWS, tangentWS) * i.vertexTangentWS.w;
                 bool readsProbes = BufferReadsProbes();
                 LightingSurface surface = lightingSurface(i.uv0, geometryNormalWS, tangentWS, bitangentWS);
-                float3 fromAround = indirect(surface, viewDirWS, i.positionWS, 1.0, i.ambientOrLightmapUV,
-                    readsProbes);
+                float3 fromAround = indirect(surface, viewDirWS, i.positionWS, 1.0, i.ambientOrLightmapUV, readsProbes);
                 float smoothness = 1.0 - surface.roughness;
                 Targets output;
                 output.diffuse = float4(ProjectColor(surface.diffuseColor), surface.occlusion);

@@ -422,8 +422,8 @@ Shader "Patina/Wave"
                 light.attenuation = 1.0;
                 light.shadow = MixedShadow(i.positionWS, attenuation, i.ambientOrLightmapUV);
                 float3 fromLight = direct(surface, light, viewDirWS);
-                float3 fromAround = indirect(surface, viewDirWS, i.positionWS, attenuation,
-                    i.ambientOrLightmapUV, true);
+                float3 fromAround = indirect(surface, viewDirWS, i.positionWS, attenuation, i.ambientOrLightmapUV,
+                    true);
                 float4 color = float4(ProjectColor(fromLight + fromAround + surface.emission), 1.0);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, color, unity_FogColor);
                 return color;
@@ -621,8 +621,7 @@ Shader "Patina/Wave"
                 float3 geometryNormalWS = frontFacing ? normal : -normal;
                 bool readsProbes = BufferReadsProbes();
                 LightingSurface surface = lightingSurface(geometryNormalWS, i.phase);
-                float3 fromAround = indirect(surface, viewDirWS, i.positionWS, 1.0, i.ambientOrLightmapUV,
-                    readsProbes);
+                float3 fromAround = indirect(surface, viewDirWS, i.positionWS, 1.0, i.ambientOrLightmapUV, readsProbes);
                 float smoothness = 1.0 - surface.roughness;
                 Targets output;
                 output.diffuse = float4(ProjectColor(surface.diffuseColor), surface.occlusion);
