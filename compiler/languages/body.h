@@ -59,6 +59,7 @@ private:
     Text row(ir::Value matrix, const std::string& index) const;
 
     // statements.cpp
+    const Syntax& syntax() const { return *writer_.language.syntax; }
     std::string signature();
     void print_block(ir::BlockId block);
     void print_statement(ir::Value v);

@@ -70,9 +70,32 @@ struct EntryPoint {
     std::vector<std::string> end = {};     // statements before `at_return`
 };
 
+// How a language writes what stands around expressions. Each function makes one line, or a part of one.
+struct Syntax {
+    // "vec3 n", "float k[4]". `sizes`: "[4]"
+    std::string (*variable)(std::string_view type, std::string_view name, std::string_view sizes) = nullptr;
+    // "vec3 shade(vec3 n, float k)". `params`: as variable() makes them
+    std::string (*signature)(std::string_view result, std::string_view name,
+                             std::span<const std::string> params) = nullptr;
+    // The line that opens a loop from `begin` up to `end`, which is not in it; "}" closes it.
+    std::string (*loop)(std::string_view type, std::string_view index, std::string_view begin,
+                        std::string_view end) = nullptr;
+    std::string (*discard_if)(std::string_view condition) = nullptr;
+    std::string (*open_struct)(std::string_view name) = nullptr;  // the line before "{"
+    std::string_view member_end, close_struct;
+    // Guards of the preprocessor. Null in a language that has none: it takes no text that needs them.
+    std::string (*once)(std::string_view name) = nullptr;  // until end_guard, unless the name is defined
+    std::string (*define)(std::string_view name, std::string_view value) = nullptr;
+    std::string (*only_if)(std::string_view condition) = nullptr;
+    std::string (*else_if)(std::string_view condition) = nullptr;
+    std::string_view otherwise, end_guard;
+};
+extern const Syntax kCSyntax;  // of GLSL and HLSL (c_syntax.cpp)
+
 struct Language {
     std::string_view name;
     const SpellingTable* spellings = nullptr;
+    const Syntax* syntax = &kCSyntax;
     std::string_view half_suffix;
     bool matrices_by_columns = false;  // m[i] is a column, and constructors take columns
 

@@ -20,8 +20,8 @@ void print_comment(Writer& w, std::string_view lines, OriginId origin) {
 }
 
 void open_guard(Writer& w, const std::string& name, const std::string& value) {
-    w.line(0, "#ifndef " + name);
-    w.line(0, "#define " + name + value);
+    w.line(0, w.language.syntax->once(name));
+    w.line(0, w.language.syntax->define(name, value));
 }
 
 // "0 Dry, 1 Wet"
@@ -109,15 +109,18 @@ void print_struct(Writer& w, std::size_t index, const std::vector<bool>& shared,
     }
     const Declared declared(w, Piece::Kind::Struct, w.structs[index]);
     if (shared[index]) open_guard(w, "PATINA_" + w.structs[index], "");
-    w.line(0, "struct " + w.structs[index]);
+    const Syntax& syntax = *w.language.syntax;
+    const auto member = [&](Type type, std::string_view name) {
+        w.line(1, w.declaration(type, name).append(syntax.member_end));
+    };
+    w.line(0, syntax.open_struct(w.structs[index]));
     w.line(0, "{");
-    for (std::size_t i = 0; i < structure.members.size(); ++i) {
-        w.line(1, w.declaration(structure.members[i].type, w.members[index][i]) + ";");
-    }
+    for (std::size_t i = 0; i < structure.members.size(); ++i)
+        member(structure.members[i].type, w.members[index][i]);
     // GLSL has no empty structs.
-    if (structure.members.empty()) w.line(1, w.declaration(kFloat, "nothing") + ";");
-    w.line(0, "};");
-    if (shared[index]) w.line(0, "#endif");
+    if (structure.members.empty()) member(kFloat, "nothing");
+    w.line(0, syntax.close_struct);
+    if (shared[index]) w.line(0, syntax.end_guard);
 }
 
 // What the engine provides. Declared more than once it is still one function.
@@ -201,8 +204,8 @@ void print_preamble(Writer& w) {
     w.gap();
     w.comment(0, "Another descriptor set, if it is defined before.");
     const Pasting& pasting = *w.options.pasting;
-    open_guard(w, pasting.set_name(), fmt::format(" {}{}", w.language.set_word, pasting.set));
-    w.line(0, "#endif");
+    open_guard(w, pasting.set_name(), fmt::format("{}{}", w.language.set_word, pasting.set));
+    w.line(0, w.language.syntax->end_guard);
 }
 
 }  // namespace

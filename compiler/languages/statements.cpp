@@ -50,13 +50,13 @@ Body::Body(Writer& writer, FunctionId id, const EntryPoint* entry)
 
 std::string Body::signature() {
     if (entry_) return entry_->signature;
-    std::string list;
+    std::vector<std::string> list;
     for (const Param& param : function_.params) {
         params_.push_back(writer_.names.declare(param.name));
-        list += (list.empty() ? "" : ", ") + writer_.declaration(param.type, params_.back());
+        list.push_back(writer_.declaration(param.type, params_.back()));
     }
     const auto index = static_cast<std::size_t>(&function_ - writer_.module.functions.data());
-    return fmt::format("{} {}({})", writer_.type(function_.result), writer_.functions[index], list);
+    return syntax().signature(writer_.type(function_.result), writer_.functions[index], list);
 }
 
 void Body::print_declaration() {
@@ -210,7 +210,7 @@ void Body::print_statement(Value v) {
     if (op == Op::If) return print_if(v);
     if (op == Op::For) return print_for(v);
     if (op == Op::Return) return print_return(v);
-    if (op == Op::DiscardIf) return statement(v, fmt::format("if ({}) discard;", argument(v, 0)));
+    if (op == Op::DiscardIf) return statement(v, syntax().discard_if(argument(v, 0)));
     const bool is_bound_elsewhere = op == Op::LoopIndex || op == Op::LoopCarried || op == Op::Result || op == Op::Yield;
     if (!is_bound_elsewhere && is_variable(v)) print_assignment(v);
 }
@@ -303,19 +303,19 @@ void Body::print_if_defined(Value v, const std::string& test) {
         print_yields(function_.blocks[block].insts.back(), v);
         at_block_start_ = false;
     };
-    writer_.line(0, "#if " + test, function_[v].origin);
+    writer_.line(0, syntax().only_if(test), function_[v].origin);
     side(function_[v].data);
     Value last = v;
     for (Value next = only_if_in_else(last); next; next = only_if_in_else(last)) {
-        writer_.line(0, "#elif " + keyword_test(arg(next, 0)), function_[next].origin);
+        writer_.line(0, syntax().else_if(keyword_test(arg(next, 0))), function_[next].origin);
         side(function_[next].data);
         last = next;
     }
     if (!says_nothing({function_[last].data + 1}, last)) {
-        writer_.line(0, "#else", function_[last].origin);
+        writer_.line(0, syntax().otherwise, function_[last].origin);
         side(function_[last].data + 1);
     }
-    writer_.line(0, "#endif", function_[v].origin);
+    writer_.line(0, syntax().end_guard, function_[v].origin);
 }
 
 // Nothing stands in the side of a branch: its values are what they were before.
@@ -408,8 +408,7 @@ void Body::print_for(Value v) {
         if (is_variable(inside)) names_[plan_.variable[inside.index]] = index;
     }
     if (index.empty()) index = writer_.names.declare(fallback);
-    statement(v, fmt::format("for ({3} {0} = {1}; {0} < {2}; ++{0}) {{", index, begin, end,
-                             writer_.type(function_[arg(v, 0)].type)));
+    statement(v, syntax().loop(writer_.type(function_[arg(v, 0)].type), index, begin, end));
     ++loops_;
     print_branch({inst.data}, v);
     --loops_;
@@ -473,9 +472,9 @@ void Body::print_return(Value v) {
             is_direct ? expression(member).text
                       : at_least(Precedence::Postfix, expression(result)) + part(function_[result].type, i);
         const std::string guard = i < entry_->guards.size() ? entry_->guards[i] : std::string();
-        if (!guard.empty()) writer_.line(0, "#if " + guard);
+        if (!guard.empty()) writer_.line(0, syntax().only_if(guard));
         statement(v, entry_->outputs[i] + (entry_->outputs[i] == "return" ? " " : " = ") + text + ";");
-        if (!guard.empty()) writer_.line(0, "#endif");
+        if (!guard.empty()) writer_.line(0, syntax().end_guard);
     }
     for (const std::string& line : entry_->end) statement(v, line);
     if (!entry_->at_return.empty()) statement(v, entry_->at_return);

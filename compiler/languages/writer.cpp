@@ -164,9 +164,7 @@ std::string Writer::declaration(Type type, std::string_view name) const {
     for (; type.kind == Kind::Array; type = module.arrays[type.ref].element) {
         sizes += fmt::format("[{}]", module.arrays[type.ref].count);
     }
-    std::string text = this->type(type);
-    text.reserve(text.size() + 1 + name.size() + sizes.size());
-    return text.append(" ").append(name).append(sizes);
+    return language.syntax->variable(this->type(type), name, sizes);
 }
 
 std::string_view Writer::plain(std::string_view name) const {

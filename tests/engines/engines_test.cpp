@@ -1,0 +1,192 @@
+// An engine is data: the default one and a second one of which every convention differs (mirror.json) draw the same
+// pictures, and each text holds the engine's own numbers and names.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "compiler/api/compiler_impl.h"
+#include "compiler/nodelang/embedded.h"
+#include "patina/validate.h"
+#include "runtime/picture/compare.h"
+#include "runtime/render/render_request.h"
+
+namespace patina {
+namespace {
+
+std::string mirror_text() {
+    std::ostringstream text;
+    text << std::ifstream("tests/engines/mirror.json").rdbuf();
+    return text.str();
+}
+
+const Compiler& compiler() {
+    static const std::string kText = mirror_text();
+    static const nodelang::EmbeddedFile kFiles[] = {{"nodes/engines/mirror/engine.json", kText}};
+    static const Compiler kCompiler = CompilerAccess::with_files(kFiles);
+    return kCompiler;
+}
+
+Result compile(const std::string& graph, const std::string& path, const std::string& engine) {
+    CompileOptions options;
+    options.targets = {{engine, "glsl"}, {engine, "hlsl"}};
+    options.path = path;
+    return compiler().compile_file(graph, options);
+}
+
+bool has(std::string_view text, std::string_view part) {
+    return text.find(part) != text.npos;
+}
+
+TEST(Engines, TheLibraryIsWithoutFaults) {
+    for (const Diagnostic& d : compiler().library_diagnostics()) ADD_FAILURE() << to_text(d);
+}
+
+TEST(Engines, AreListedTheDefaultOneFirst) {
+    const std::vector<EngineInfo>& engines = compiler().engines();
+    ASSERT_EQ(engines.size(), 3u);
+    EXPECT_TRUE(engines[0].is_default);
+    EXPECT_EQ(engines[1].name, "mirror");
+    EXPECT_EQ(engines[1].title, "Mirror");
+    EXPECT_EQ(engines[1].file, "stages");
+    EXPECT_FALSE(engines[1].has_own_passes);
+    EXPECT_TRUE(engines[2].is_one_file);
+    EXPECT_TRUE(engines[2].has_own_passes);
+}
+
+TEST(Engines, WordsOfTargets) {
+    EXPECT_EQ(compiler().targets("glsl"), std::vector<Target>{Target::Glsl});
+    EXPECT_EQ(compiler().targets("vulkan"), (std::vector<Target>{Target::Glsl, Target::Hlsl}));
+    EXPECT_EQ(compiler().targets("mirror"), (std::vector<Target>{{"mirror", "hlsl"}, {"mirror", "glsl"}}));
+    EXPECT_EQ(compiler().targets("unity"), (std::vector<Target>{{"unity", "hlsl"}}));
+    EXPECT_TRUE(compiler().targets("nothing").empty());
+}
+
+TEST(Engines, AnUnknownOneIsRefused) {
+    CompileOptions options;
+    options.targets = {{"mirorr", "glsl"}};
+    Result result = compiler().compile_file("examples/graphs/azulejo.graph.json", options);
+    ASSERT_FALSE(result.ok);
+    EXPECT_TRUE(has(to_text(result.diagnostics.at(0)), "did you mean 'mirror'?")) << to_text(result.diagnostics[0]);
+    options.targets = {{"unity", "glsl"}};
+    result = compiler().compile_file("examples/graphs/azulejo.graph.json", options);
+    ASSERT_FALSE(result.ok);
+    EXPECT_TRUE(has(to_text(result.diagnostics.at(0)), "'glsl'")) << to_text(result.diagnostics[0]);
+}
+
+TEST(Engines, EachTextHasTheEnginesNumbersAndNames) {
+    const Result result = compile("examples/graphs/azulejo.graph.json", "forward", "mirror");
+    ASSERT_TRUE(result.ok);
+    for (const Shader& shader : result.shaders) {
+        const Validated validated = validate(shader);
+        EXPECT_TRUE(validated.ok) << validated.log << shader.text;
+        const bool is_vertex = shader.stage == Stage::Vertex;
+        EXPECT_EQ(shader.target.engine, "mirror");
+        EXPECT_FALSE(has(shader.text, "Camera"));
+        if (shader.target.language == "glsl" && is_vertex) {
+            EXPECT_TRUE(has(shader.text, "layout(set = 2, binding = ")) << shader.text;
+            EXPECT_TRUE(has(shader.text, ", std140, row_major) uniform ViewConstants")) << shader.text;
+            EXPECT_TRUE(has(shader.text, "layout(location = 5) in vec3 inPositionOS;")) << shader.text;
+        }
+        if (shader.target.language == "hlsl" && is_vertex) {
+            EXPECT_TRUE(has(shader.text, "row_major float4x4 worldToClip;")) << shader.text;
+            EXPECT_TRUE(has(shader.text, "[[vk::location(5)]] float3 positionOS : ATTRIBUTE0;")) << shader.text;
+        }
+    }
+    const Reflection& reflection = result.reflection;
+    EXPECT_EQ(reflection.clip_depth, ClipDepth::Reversed);
+    for (const Block& block : reflection.blocks) {
+        EXPECT_EQ(block.matrices, MatrixOrder::Rows);
+        EXPECT_EQ(block.set, block.is_material ? 0u : 2u) << block.name;
+        EXPECT_GE(block.binding, block.is_material ? 7u : 3u) << block.name;
+    }
+    for (const Texture& texture : reflection.textures) {
+        EXPECT_EQ(texture.set, texture.is_material ? 0u : 2u) << texture.name;
+        EXPECT_GE(texture.binding, texture.is_material ? 9u : 20u) << texture.name;
+        EXPECT_GE(texture.sampler_binding, texture.is_material ? 40u : 60u) << texture.name;
+    }
+    EXPECT_EQ(reflection.passes.at(0).depth_test, Compare::GreaterEqual);
+    const std::string json = reflection.to_json();
+    EXPECT_TRUE(has(json, "\"clipDepth\": \"reversed\"")) << json;
+    EXPECT_TRUE(has(json, "\"matrices\": \"rows\"")) << json;
+}
+
+TEST(Engines, TheDefaultOneIsAsItWas) {
+    const Result result = compile("examples/graphs/azulejo.graph.json", "forward", "");
+    ASSERT_TRUE(result.ok);
+    EXPECT_EQ(result.reflection.clip_depth, ClipDepth::NearToFar);
+    for (const Block& block : result.reflection.blocks) {
+        EXPECT_EQ(block.matrices, MatrixOrder::Columns);
+        EXPECT_EQ(block.set, block.is_material ? 1u : 0u);
+    }
+    EXPECT_FALSE(has(result.reflection.to_json(), "clipDepth"));
+}
+
+TEST(Engines, LimitsAreTheEngines) {
+    const std::string many = [] {
+        std::string nodes, sum = "0";
+        for (int i = 0; i < 16; ++i) {
+            nodes += fmt::format(R"json({}{{ "id": "n{}", "expr": "sin(@positionOS * {})", "stage": "vertex" }})json",
+                                 i ? ", " : "", i, i + 2);
+            sum += fmt::format(" + n{}.x", i);
+        }
+        return fmt::format(R"({{ "patina": 1, "workflow": "unlit", "nodes": [{}], "surface": {{ "color": "= {}" }} }})",
+                           nodes, sum);
+    }();
+    CompileOptions options;
+    EXPECT_TRUE(compiler().compile_text("t.graph.json", many, options).ok);
+    options.targets = {{"mirror", "glsl"}};
+    const Result result = compiler().compile_text("t.graph.json", many, options);
+    ASSERT_FALSE(result.ok);
+    EXPECT_TRUE(has(to_text(result.diagnostics.at(0)), "15")) << to_text(result.diagnostics[0]);
+}
+
+struct Picture {
+    const char* name;
+    const char* file;
+    const char* path;
+    const char* via;
+};
+
+class Pictures : public testing::TestWithParam<Picture> {};
+
+// The rasterised edges and depths differ in the last bits alone.
+TEST_P(Pictures, AreTheDefaultEngines) {
+    static runtime::RenderMachine machine;
+    const Picture& picture = GetParam();
+    const auto draw = [&](const std::string& engine) {
+        runtime::RenderRequest request{.graph = picture.file, .size = 96, .samples = 1};
+        request.options.path = picture.path;
+        request.options.via = picture.via;
+        request.options.engine = engine;
+        return runtime::render(compiler(), request, machine);
+    };
+    const runtime::RenderOutcome wanted = draw(""), received = draw("mirror");
+    ASSERT_TRUE(wanted.ok) << wanted.error;
+    for (const Diagnostic& d : received.diagnostics) EXPECT_NE(d.severity, Severity::Error) << to_text(d);
+    ASSERT_TRUE(received.ok) << received.error;
+    const runtime::Comparison difference = runtime::compare(wanted.image, received.image, 2.01 / 255);
+    EXPECT_TRUE(difference.same_size);
+    EXPECT_LE(difference.share, 0.002) << difference.largest;
+    EXPECT_LE(difference.average, 0.0002);
+    double brightest = 0;
+    for (const float value : received.image.pixels) brightest = std::max(brightest, double(value));
+    EXPECT_GT(brightest, 0.1);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, Pictures,
+    testing::Values(Picture{"TilesGlsl", "examples/graphs/azulejo.graph.json", "forward", "glsl"},
+                    Picture{"TilesHlsl", "examples/graphs/azulejo.graph.json", "forward", "hlsl"},
+                    Picture{"TilesCpu", "examples/graphs/azulejo.graph.json", "forward", "cpu"},
+                    Picture{"LightsForward", "examples/scenes/five-lights.scene.json", "forward", "glsl"},
+                    Picture{"LightsForwardAdd", "examples/scenes/five-lights.scene.json", "forward-add", "hlsl"},
+                    Picture{"LightsDeferred", "examples/scenes/five-lights.scene.json", "deferred", "glsl"},
+                    Picture{"LightsDeferredHlsl", "examples/scenes/five-lights.scene.json", "deferred", "hlsl"},
+                    Picture{"LightsVertex", "examples/scenes/five-lights.scene.json", "vertex", "glsl"},
+                    Picture{"ShoreReadsDepth", "examples/scenes/shore.scene.json", "forward", "glsl"}),
+    [](const auto& each) { return std::string(each.param.name); });
+
+}  // namespace
+}  // namespace patina
