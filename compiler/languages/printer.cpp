@@ -115,8 +115,7 @@ void print_struct(Writer& w, std::size_t index, const std::vector<bool>& shared,
     };
     w.line(0, syntax.open_struct(w.structs[index]));
     w.line(0, "{");
-    for (std::size_t i = 0; i < structure.members.size(); ++i)
-        member(structure.members[i].type, w.members[index][i]);
+    for (std::size_t i = 0; i < structure.members.size(); ++i) member(structure.members[i].type, w.members[index][i]);
     // GLSL has no empty structs.
     if (structure.members.empty()) member(kFloat, "nothing");
     w.line(0, syntax.close_struct);

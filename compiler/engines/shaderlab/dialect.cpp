@@ -302,13 +302,10 @@ std::string keyword_of(std::string_view property, std::string_view value) {
     return made == property ? made : made + "_ON";
 }
 
-Module legalize(Module made, const engines::Engine& engine) {
+Module legalize(Module made) {
     made.tests_keywords = !made.keywords.empty();
     if (std::optional<Module> legal = hlsl::legalize(made)) made = std::move(*legal);
     made = decode_at_once(std::move(made));
-    for (Function& function : made.functions) {
-        if (function.linkage != Linkage::Foreign) function.name = engine.function_name(function.name);
-    }
     if (made.keywords.empty()) return made;
     made = branch_on_keywords(std::move(made));
     // A keyword that is on is a macro: no constant can have its name.

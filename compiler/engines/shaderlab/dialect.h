@@ -3,13 +3,12 @@
 // stage's text is made here; the file around it is engines/shaderlab/shader_file.h.
 #pragma once
 
-#include "compiler/engines/engine.h"
 #include "compiler/languages/language.h"
 #include "compiler/languages/print.h"
 
 namespace patina::targets::shaderlab {
 
-ir::Module legalize(ir::Module module, const engines::Engine& engine);
+ir::Module legalize(ir::Module module);
 Printed print(const ir::Module& module, const PrintOptions& options);
 
 // Where all that is read of a texture goes on to its decoder's follower, a foreign function does both

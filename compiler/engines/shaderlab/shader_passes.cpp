@@ -55,7 +55,7 @@ void rename(ir::Module& stage, const std::vector<std::string>& taken, std::strin
 std::vector<Declaration> printed(ir::Module stage, const std::vector<ir::StageText>& texts,
                                  const engines::Engine& engine, const std::vector<std::string>& taken) {
     stage.stage.texts = texts;
-    stage = targets::shaderlab::legalize(std::move(stage), engine);
+    stage = targets::shaderlab::legalize(std::move(stage));
     ir::check_if_verifying(stage, "legalized");
     std::vector<std::string> names = taken;
     names.insert(names.end(), engine.names.taken.begin(), engine.names.taken.end());
@@ -97,6 +97,9 @@ PassText pass_text(const LinkedPass& pass, const engines::Engine& engine,
     PassText made;
     made.texts = texts_of(pass);
     const auto named = [&](ir::Module stage) {
+        for (ir::Function& function : stage.functions) {
+            if (function.linkage != ir::Linkage::Foreign) function.name = engine.function_name(function.name);
+        }
         rename(stage, taken_around, name_of(pass));
         return stage;
     };
