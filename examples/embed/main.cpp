@@ -1,4 +1,4 @@
-// Compiles a graph that never was a file, and prints the GLSL. Nothing but the compiler library is needed.
+// Compiles a graph from a string and prints the GLSL. It needs only the compiler library.
 #include <patina/patina.h>
 
 #include <cstdio>
