@@ -1,5 +1,5 @@
-// READ FIRST. The stages of a compilation, in order. Each takes what the stages before it have made, and says whether
-// the next one may run. What a stage is made of is in the room named at its line.
+// READ FIRST. The steps of a compilation, in order. Each takes what the steps before it have made, and says whether the
+// next one may run. The room that does the work is named at each line.
 //
 //   text -> JSON -> graph -> material -> IR functions -> linked stages -> tidied stages -> texts and the reflection
 #include "compiler/api/compilation.h"
