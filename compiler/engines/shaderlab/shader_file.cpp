@@ -18,8 +18,7 @@ struct SurfaceRow {
     SurfaceKind kind;
     std::string_view render_type, fallback;
 };
-// A fallback provides passes that the shader lacks. Only surfaces that cast shadows have one, because the shadow pass
-// is the only one needed from it.
+// Unity takes passes that the shader lacks from its fallback. Only surfaces that cast shadows have one.
 constexpr SurfaceRow kSurfaces[] = {
     {SurfaceKind::Opaque, "Opaque", "\"VertexLit\""},
     {SurfaceKind::Cutout, "TransparentCutout", "\"Legacy Shaders/Transparent/Cutout/VertexLit\""},
