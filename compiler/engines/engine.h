@@ -62,9 +62,8 @@ struct Engine {
     std::string help;
     std::vector<std::string> languages;  // languages of its shaders
     std::string file;  // format of the file that holds all passes (writers.h); empty: one file for each stage
-    std::optional<std::uint32_t>
-        passes;                // its own rendering path, in the library's sources; none: it draws the library's paths
-    std::string_view include;  // text of which its files may need parts
+    std::optional<std::uint32_t> passes;  // its own path, in the library's sources; none: the library's paths
+    std::string_view include;             // text of which its files may need parts
     Variants variants = Variants::Chosen;
     Instances instances = Instances::Arrays;
 

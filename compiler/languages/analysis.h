@@ -24,9 +24,8 @@ struct Analysis {
     std::vector<ir::Value> only_reader = {};   // null if there are several
     ir::Value outputs = {};
 
-    std::vector<std::uint8_t> tests =
-        {};                         // 1: a condition of keywords, which the preprocessor tests; empty: there are none
-    std::vector<bool> stands = {};  // has a variable
+    std::vector<std::uint8_t> tests = {};       // 1: a condition of keywords for the preprocessor; empty: none
+    std::vector<bool> stands = {};              // has a variable
     std::vector<std::uint32_t> last_read = {};  // position of the statement with the last read
 
     const ir::Inst& operator[](ir::Value v) const { return function.insts[v.index]; }

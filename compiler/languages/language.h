@@ -85,9 +85,8 @@ struct Language {
     // The initial value of an array with these elements.
     std::string (*array_value)(const std::string& element_type, std::size_t count,
                                const std::string& elements) = nullptr;
-    std::string_view set_word;  // the text before the number of a descriptor set
-    std::string_view
-        row_major;  // the text before a matrix of a block that stores it in rows; empty: the block states it
+    std::string_view set_word;        // the text before the number of a descriptor set
+    std::string_view row_major;       // the text before a matrix that a block stores in rows; empty: the block says so
     std::string_view constant_array;  // the text before the type of a constant array
     // The expression that reads a value of a uniform block; null: its name.
     std::string (*read)(const Writer& writer, ir::GlobalId global, std::string_view name) = nullptr;

@@ -157,8 +157,7 @@ void declare_switches(Lowering& lowering) {
     for (const auto& [name, value] : session.options.switches) {
         const auto found = std::find(known.begin(), known.end(), name);
         const bool is_switch = found != known.end();
-        if (!is_switch && lowering.material.property_index.contains(name))
-            continue;  // a property of the graph (keywords.cpp)
+        if (!is_switch && lowering.material.property_index.contains(name)) continue;  // of the graph (keywords.cpp)
         if (!is_switch || !has_passes) {
             std::vector<std::string_view> words = keyword_names(lowering.material);
             if (has_passes) words.insert(words.begin(), known.begin(), known.end());

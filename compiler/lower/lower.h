@@ -24,9 +24,8 @@ struct LoweredPass {
     const PassDecl* declaration = nullptr;
     std::string name{};  // the declaration's, or that of the extra pass
     ir::FunctionId vertex{}, fragment{};
-    std::vector<std::pair<ir::SemanticId, ir::FunctionId>> recipes{};  // its own recipes, in the fragment stage
-    std::vector<std::pair<ir::FunctionId, ir::FunctionId>>
-        replaced{};  // engine functions, and the functions that replace them in this pass
+    std::vector<std::pair<ir::SemanticId, ir::FunctionId>> recipes{};   // its own recipes, in the fragment stage
+    std::vector<std::pair<ir::FunctionId, ir::FunctionId>> replaced{};  // engine functions, and their replacements
     std::vector<std::pair<ir::SemanticId, ir::GlobalId>> attributes{};  // those that an included file declares
     std::vector<ir::FunctionId> in_both_stages{};  // those of the recipes and replacements that apply in both stages
     std::vector<std::pair<ir::SemanticId, ir::FunctionId>> at_vertices{};  // recipes of interpolated semantics

@@ -66,9 +66,7 @@ std::string path_from_graph(const std::string& file, const std::string& graph) {
     const auto whole = [&](const std::string& path) { return fs::absolute(path, failure).lexically_normal(); };
     const std::string relative = whole(file).lexically_relative(whole(graph).parent_path()).generic_string();
     if (failure || relative.empty()) return fs::path(file).generic_string();
-    return relative.find_first_of("./") == relative.npos
-               ? "./" + relative
-               : relative;  // otherwise it could be the word for a default texture
+    return relative.find_first_of("./") == relative.npos ? "./" + relative : relative;  // "white" means a default
 }
 
 std::string default_texture(const graph::MaterialProperty& entry, const std::string& graph) {
