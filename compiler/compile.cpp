@@ -7,7 +7,7 @@
 namespace patina {
 
 bool compile(Compilation& c) {
-    return accept(c)             // engines: can the engine's files hold what is asked for?
+    return accept(c)             // engines: can the engine's files express the request?
            && find_path(c)       // resolve, paths: the rendering path, and the passes that it has
            && read_material(c)   // json, format, resolve: text -> graph; files, nodes, ports, circles, properties
            && lower_material(c)  // lower, emit: every node becomes a call, and types are checked

@@ -2,7 +2,7 @@
 // cannot express. The printer decides what is printed, and in which order. A language decides how it looks.
 //
 //   {Op::Lerp, Form::Function, "mix", Precedence::Postfix, {}, kThird}     lerp(a, b, t) is mix(a, b, t), and t may be
-//                                                                       a scalar beside vectors
+//                                                                       a scalar among vectors
 #pragma once
 
 #include <array>

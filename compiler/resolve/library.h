@@ -19,7 +19,7 @@
 
 namespace patina::graph {
 
-// A workflow or a lighting model of the library: read when first asked for, by any thread.
+// A workflow or a lighting model of the library: read at the first request, from any thread.
 class LibraryGraph {
 public:
     LibraryGraph(const SourceMap& sources, std::uint32_t base, std::string path)
@@ -40,7 +40,7 @@ private:
     mutable std::shared_ptr<Graph> graph_;
 };
 
-// An engine of the library: read when first asked for, by any thread.
+// An engine of the library: read at the first request, from any thread.
 class LibraryEngine {
 public:
     LibraryEngine(const SourceMap& sources, std::string name) : sources_(sources), name_(std::move(name)) {}

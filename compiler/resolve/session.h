@@ -2,7 +2,7 @@
 // and circles. It checks no types, makes no IR, and does not know how a pass is drawn.
 //
 // A Session is the state of one compilation: its sources, diagnostics, the files that it read, and the graphs and node
-// files that it loaded. Files are searched beside the file that names them, then in the include folders.
+// files that it loaded. Files are searched in the folder of the file that names them, then in the include folders.
 #pragma once
 
 #include <deque>

@@ -26,7 +26,7 @@ enum class Severity { Error, Warning, Note };
 
 struct Diagnostic {
     Severity severity = Severity::Error;
-    std::string code;  // "unknown-node"; stable, for tools
+    std::string code;  // "unknown-node"; stable, for programs
     std::string message;
     std::string file;  // empty: no place
     int line = 0;      // from 1; 0: the file as a whole
@@ -158,7 +158,7 @@ struct SceneResult {
     std::vector<std::string> dependencies;  // files that were read: the scene
 };
 
-// --- the node library, for tools
+// --- descriptions of the node library
 struct EnumeratorInfo {
     std::string name, doc;
 };
@@ -290,7 +290,7 @@ public:
     Compiler& operator=(Compiler&&) noexcept;
 
     Result compile_file(const std::string& path, const CompileOptions& options = {}) const;
-    // `path` names the text in messages and output files; relative files are looked up beside it.
+    // `path` names the text in messages and output files; relative files are searched in its folder.
     Result compile_text(const std::string& path, std::string text, const CompileOptions& options = {}) const;
 
     // Counts the combinations of a material's variants before anything is compiled; more than `limit` are refused.
