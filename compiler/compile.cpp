@@ -1,5 +1,5 @@
-// READ FIRST. The stages of a compilation, in order. Each takes what the stages before it have made, and says whether
-// the next one may run. What a stage is made of is in the room named at its line.
+// READ FIRST. The steps of a compilation, in order. Each takes what the steps before it have made, and says whether the
+// next one may run. The room that does the work is named at each line.
 //
 //   text -> JSON -> graph -> material -> IR functions -> linked stages -> tidied stages -> texts and the reflection
 #include "compiler/api/compilation.h"
@@ -7,7 +7,7 @@
 namespace patina {
 
 bool compile(Compilation& c) {
-    return accept(c)             // engines: can the engine's files hold what is asked for?
+    return accept(c)             // engines: can the engine's files express the request?
            && find_path(c)       // resolve, paths: the rendering path, and the passes that it has
            && read_material(c)   // json, format, resolve: text -> graph; files, nodes, ports, circles, properties
            && lower_material(c)  // lower, emit: every node becomes a call, and types are checked

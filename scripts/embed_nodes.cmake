@@ -4,7 +4,7 @@ string(APPEND text "namespace patina::nodelang {\nnamespace {\nconst EmbeddedFil
 foreach(file IN LISTS FILES)
   file(READ "${DIR}/${file}" hex HEX)
   string(REGEX REPLACE "(..)" "\\\\x\\1" bytes "${hex}")
-  # Adjacent literals of one line each keep within every compiler's limit on a line.
+  # Adjacent literals of one line each stay below every compiler's limit on the length of a line.
   string(REPLACE "\\x0a" "\\n\"\n\"" bytes "${bytes}")
   file(SIZE "${DIR}/${file}" size)
   string(APPEND text "{\"nodes/${file}\", {\"${bytes}\", ${size}}},\n")

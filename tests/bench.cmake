@@ -7,5 +7,5 @@ target_compile_definitions(patina_bench PRIVATE
   PATINA_SCRATCH="${CMAKE_BINARY_DIR}/bench")
 add_custom_target(bench COMMAND patina_bench DEPENDS patina_bench patina_cli USES_TERMINAL VERBATIM)
 
-# Time that grows with the square of a graph's length makes this test hang, and nothing else would tell.
+# If compile time grows with the square of a graph's length, this test times out. No other test would notice.
 set_tests_properties(long_graph_test PROPERTIES TIMEOUT 120)

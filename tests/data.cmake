@@ -1,7 +1,7 @@
-# Reference values, derived again from the papers without Patina; and the rows and links of docs/sources.md.
+# Reference values, derived independently of Patina from the papers; and the rows and links of docs/sources.md.
 find_package(Python3 COMPONENTS Interpreter)
 
-# A test that is a script of Python; where there is none it is skipped and says so.
+# A test that is a Python script; without Python it is skipped with a message.
 function(add_python_test name)
   if(Python3_Interpreter_FOUND)
     add_test(NAME ${name} COMMAND Python3::Interpreter -B ${ARGN})

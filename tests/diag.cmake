@@ -1,4 +1,4 @@
-# Texts: diagnostics, emitted shaders, the examples of the documentation; and what the source tree itself must keep to.
+# Tests of texts: diagnostics, emitted shaders, the examples of the documentation; and rules for the source tree itself.
 add_library(patina_received STATIC support/received.cpp)
 target_link_libraries(patina_received PUBLIC patina_options patina patina_validate GTest::gtest GTest::gtest_main)
 target_compile_definitions(patina_received PRIVATE

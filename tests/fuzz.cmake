@@ -1,4 +1,4 @@
-# Files that no one would write: the compiler answers with complaints, whatever they hold.
+# Files that no author would write: whatever they hold, the compiler reports errors and does not crash.
 add_executable(fuzz_pass_files_test fuzz/pass_files_test.cpp)
 target_link_libraries(fuzz_pass_files_test PRIVATE patina_options patina patina_validate GTest::gtest GTest::gtest_main)
 target_compile_definitions(fuzz_pass_files_test PRIVATE PATINA_PASSES="${CMAKE_SOURCE_DIR}/nodes/passes")

@@ -1,8 +1,9 @@
 cmake_minimum_required(VERSION 3.22)
-# cmake -D ROOT=... -P layering.cmake: who may include whom, what C++ may not name, and how many files a room holds.
-# Exits with an error that lists every breach.
+# cmake -D ROOT=... -P layering.cmake
+# Checks who may include whom, which names C++ may not mention, and how many files a room holds. Exits with an error
+# that lists every violation.
 set(breaches "")
-set(most_files 25)  # of a room; more are two rooms
+set(most_files 25)  # the limit for a room; more than that are two rooms
 
 # --- the rooms of the compiler
 
@@ -28,7 +29,7 @@ set(compiler_rooms
     "interpret: include base ir link"
     "validate: include"
     "api: include base json ir nodelang emit format format/schema engines paths resolve lower link output interpret")
-# The list of writers stands in `engines`, and is all of that room that sees what is above it.
+# The list of writers is in `engines`. It is the only file of that room that sees the rooms above it.
 set(writer_list "^compiler/engines/writers\\.(h|cpp)$")
 
 set(names "")
@@ -104,7 +105,8 @@ foreach(file IN LISTS files)
   endif()
 endforeach()
 
-# What a pass file declares is read once, in compiler/paths; what a node file declares, by the rooms that describe nodes.
+# The declarations of a pass file are read once, in compiler/paths; those of a node file, by the rooms that describe
+# nodes.
 foreach(room IN ITEMS lower link output engines interpret)
   file(GLOB_RECURSE files ${ROOT}/compiler/${room}/*.h ${ROOT}/compiler/${room}/*.cpp)
   foreach(file IN LISTS files)
@@ -116,8 +118,8 @@ foreach(room IN ITEMS lower link output engines interpret)
   endforeach()
 endforeach()
 
-# A pass does not edit instructions in place (compiler/ir/ir.h): none of its files has a reference to an instruction, or
-# to the instructions of a block, that it may write through.
+# An IR pass does not edit instructions in place (compiler/ir/ir.h), so none of its files has a writable reference to an
+# instruction, or to the instructions of a block.
 file(GLOB files ${ROOT}/compiler/ir/passes/*.h ${ROOT}/compiler/ir/passes/*.cpp)
 foreach(file IN LISTS files)
   file(STRINGS ${file} edits REGEX "(^|[( ])Inst& |vector<(Value|Inst)>& [a-z_]+ = .*insts;|insts\\.(insert|erase|push_back)|insts\\[[a-z_.]+\\]\\.[a-z_]+ = ")
@@ -128,7 +130,7 @@ foreach(file IN LISTS files)
   endforeach()
 endforeach()
 
-# file (a path in the tree) may include what matches `allowed`, of what is in the tree.
+# A file (a path in the tree) may include only those files of the tree that match `allowed`.
 function(check_includes file allowed)
   file(STRINGS ${file} includes REGEX "^ *#include \"")
   file(RELATIVE_PATH name ${ROOT} ${file})
@@ -141,8 +143,8 @@ function(check_includes file allowed)
   set(breaches "${breaches}" PARENT_SCOPE)
 endfunction()
 
-# The command uses the public headers, as any program does that embeds the compiler. What draws or imports does so
-# through the runtime and the importers; the other commands need none of these but the lighting at one point.
+# The command uses the public headers, as any program does that embeds the compiler. The commands that draw or import do
+# so through the runtime and the importers. The others need at most the lighting at one point.
 file(GLOB_RECURSE files ${ROOT}/compiler/cli/*.h ${ROOT}/compiler/cli/*.cpp ${ROOT}/compiler/cli/*.in)
 set(draws "/(render|check_scene|snapshot|trace)\\.cpp$|/picture_options\\.(h|cpp)$")
 foreach(file IN LISTS files)
@@ -155,8 +157,8 @@ foreach(file IN LISTS files)
   endif()
 endforeach()
 
-# An importer writes graphs through the graph writer, and pictures and tables through the runtime; it needs no GPU, and
-# knows no other importer. The writer and the list of importers are all that see more.
+# An importer writes graphs through the graph writer, and pictures and tables through the runtime. It needs no GPU, and
+# knows no other importer. Only the graph writer and the list of importers may include more.
 file(GLOB files ${ROOT}/compiler/importers/*.h ${ROOT}/compiler/importers/*.cpp)
 foreach(file IN LISTS files)
   check_includes(${file} "^(compiler/(importers|base|format|json)|patina)/|^runtime/picture/image\\.h$")
@@ -232,7 +234,7 @@ foreach(folder IN LISTS folders)
     string(APPEND breaches "runtime/${folder} is not in the list of rooms\n")
   endif()
 endforeach()
-# The GPU's headers are for render, which opens the device.
+# Only render uses the GPU's headers; it opens the device.
 file(GLOB_RECURSE files ${ROOT}/compiler/*.h ${ROOT}/compiler/*.cpp)
 foreach(file IN LISTS files)
   file(STRINGS ${file} includes REGEX "^#include \"runtime/gpu/")
@@ -242,7 +244,7 @@ foreach(file IN LISTS files)
   endif()
 endforeach()
 
-# No C++ file of the compiler names a node, a pass or a lighting model: those are data.
+# No C++ file of the compiler names a node, a pass or a lighting model, because these are data.
 set(words "")
 file(GLOB_RECURSE node_files ${ROOT}/nodes/*.node.hlsl)
 foreach(file IN LISTS node_files)
@@ -272,7 +274,7 @@ foreach(file IN LISTS pass_files)
   endforeach()
 endforeach()
 list(REMOVE_DUPLICATES words)
-list(REMOVE_ITEM words vertex)  # a stage, too
+list(REMOVE_ITEM words vertex)  # also a stage
 list(LENGTH words count)
 if(count LESS 50)
   string(APPEND breaches "only ${count} node names were found: the search itself is broken\n")
@@ -292,7 +294,8 @@ foreach(file IN LISTS files)
 endforeach()
 
 
-# Nor an engine: engines are data, and only the writers of their file formats know one (compiler/engines/FORMAT).
+# The same holds for engines: they are data, and only the writers of their file formats know one
+# (compiler/engines/FORMAT).
 file(GLOB engine_folders RELATIVE ${ROOT}/nodes/engines ${ROOT}/nodes/engines/*)
 list(FILTER engine_folders EXCLUDE REGEX "\\.json$")
 list(LENGTH engine_folders count_of_engines)

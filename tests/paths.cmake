@@ -1,4 +1,5 @@
-# Rendering paths against each other, and against what can be worked out without them. One executable a file.
+# Compares rendering paths with each other, and with values that are computed without them. One executable for each
+# file.
 add_library(patina_paths STATIC paths/drawing.cpp paths/checkerboard.cpp paths/matt_plane.cpp)
 target_include_directories(patina_paths PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(patina_paths PUBLIC patina patina_runtime GTest::gtest PRIVATE patina_options)

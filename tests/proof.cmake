@@ -1,5 +1,5 @@
-# Properties that the lighting terms must have, shown by evaluating them millions of times. One executable a file, and
-# what they share.
+# Properties that the lighting terms must have, shown by millions of evaluations. One executable for each file, and the
+# code that they share.
 add_library(patina_proof STATIC proof/closed_models.cpp proof/domain.cpp proof/lowered.cpp proof/term.cpp)
 target_include_directories(patina_proof PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(patina_proof PUBLIC patina patina_lighting GTest::gtest PRIVATE patina_options)

@@ -1,4 +1,4 @@
-# ShaderLab for Unity: compiled and drawn through stand-ins for Unity's includes. One executable a file.
+# ShaderLab for Unity, compiled and drawn with replacements for Unity's includes. One executable for each file.
 add_library(patina_unity STATIC unity/shader_lab.cpp)
 target_include_directories(patina_unity PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(patina_unity PUBLIC patina patina_runtime patina_validate GTest::gtest PRIVATE patina_options)

@@ -48,7 +48,7 @@ bool accept(Compilation& c) {
 
 bool find_path(Compilation& c) {
     if (c.session.options.functions.empty()) graph::find_path(c.session);
-    return true;  // what is wrong with the graph shows with the library's passes, too
+    return true;  // the library's passes are used then, so that errors in the graph are still found
 }
 
 bool read_material(Compilation& c) {
@@ -56,7 +56,7 @@ bool read_material(Compilation& c) {
     if (!c.file.material) return false;
     c.materials = {c.file.material.get()};
     dump_graph(c.result, c.session, *c.file.material);
-    return true;  // lowering checks types, also after errors, to report as many as there are
+    return true;  // lowering checks types even after errors, to report as many as possible
 }
 
 bool lower_material(Compilation& c) {

@@ -1,8 +1,8 @@
-// The room `api` serves the public classes (patina/*.h): it turns what they are asked into calls of the other rooms,
-// and what these make into public values. It compiles nothing itself.
+// The room `api` implements the public classes (patina/*.h): it turns a request into calls of the other rooms, and
+// their results into public values. It compiles nothing itself.
 //
-// A Compilation is what the stages of compile.cpp hand to each other. Each stage is a function here, whose body is
-// little more than a call of the room that does the work.
+// A Compilation is the state that the steps of compile.cpp share. Each step is a function here, which does little more
+// than call the room that does the work.
 #pragma once
 
 #include "compiler/engines/writers.h"
@@ -18,13 +18,13 @@ struct Compilation {
 
     const output::Writer* writer = nullptr;
     graph::MaterialFile file{};
-    std::vector<const graph::Material*> materials{};  // the material itself, then the passes that it adds and shows
-    std::vector<graph::Lowered> lowered{};            // of each, until it is linked
-    std::vector<assemble::Linked> linked{};           // of each
-    std::vector<assemble::LinkedPass> passes{};       // of all of them
+    std::vector<const graph::Material*> materials{};  // the material itself, then its extra passes that are drawn
+    std::vector<graph::Lowered> lowered{};            // of each material, until it is linked
+    std::vector<assemble::Linked> linked{};           // of each material
+    std::vector<assemble::LinkedPass> passes{};       // of all materials
 };
 
-// The list of stages (compile.cpp). False: it stopped, and the session's diagnostics say why.
+// The list of steps (compile.cpp). False if it stopped; the session's diagnostics say why.
 bool compile(Compilation& c);
 
 bool accept(Compilation& c);

@@ -29,7 +29,8 @@ struct EngineTargets {
     std::vector<Target> targets;
 };
 
-// By engine, in the order in which the engines are first named; those with passes of their own last.
+// Groups the targets by engine, in the order in which the engines are first named. Engines with passes of their own
+// come last.
 std::vector<EngineTargets> by_engine(const graph::Library& library, const std::vector<Target>& targets) {
     std::vector<EngineTargets> made;
     for (const Target& target : targets) {
@@ -43,7 +44,7 @@ std::vector<EngineTargets> by_engine(const graph::Library& library, const std::v
     return made;
 }
 
-// A target that no engine of the library takes.
+// An error for a target whose engine or language is not in the library.
 std::optional<Diagnostic> unknown_target(const graph::Library& library, const Target& target) {
     const engines::Engine* engine = library.engine(target.engine);
     const auto& languages = engine ? engine->languages : std::vector<std::string>{};
@@ -83,7 +84,7 @@ Result compile_targets(const graph::Library& library, const CompileOptions& opti
     }
     std::optional<Result> result;
     std::vector<EngineTargets> engines = by_engine(library, options.targets);
-    // Programs are of the library's paths.
+    // A program for the interpreter needs one of the library's paths.
     const bool has_usual = !engines.empty() && !engines.front().engine->has_own_passes();
     if (engines.empty() || (options.keep_programs && !has_usual)) {
         CompileOptions usual = options;

@@ -1,4 +1,4 @@
-// One compilation for each engine that is asked for, and their results as one.
+// Runs one compilation for each requested engine, and joins their results.
 #pragma once
 
 #include <functional>
@@ -11,15 +11,15 @@ namespace patina {
 // Compiles with targets of one engine.
 using CompileForEngine = std::function<Result(const CompileOptions&)>;
 
-// Engines that draw the library's paths come first: the reflection is theirs, and so are the switches of passes. An
-// engine with passes of its own compiles all combinations of variants into its file, and has no use for switches of
+// Engines that draw the library's paths come first: their reflection becomes that of the whole, with its switches of
+// passes. An engine with passes of its own compiles all combinations of variants into its file, and ignores switches of
 // passes.
 Result compile_targets(const graph::Library& library, const CompileOptions& options, const CompileForEngine& compile);
 
-// Removes the switches of the reflection's path from what was given.
+// Removes the switches of the reflection's path from the given values.
 void without_switches(std::vector<std::pair<std::string, std::string>>& given, const Reflection& of_path);
 
-// The targets of engines whose files hold all combinations of variants; and the others.
+// True for a target whose engine writes all combinations of variants into one file.
 bool holds_variants(const graph::Library& library, const Target& target);
 
 }  // namespace patina

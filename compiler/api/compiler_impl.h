@@ -1,4 +1,4 @@
-// What a Compiler holds: the library, and descriptions of it that are made when first asked for.
+// The members of a Compiler: the library, and descriptions of it that are made when first requested.
 #pragma once
 
 #include <mutex>

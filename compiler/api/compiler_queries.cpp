@@ -1,5 +1,5 @@
-// The Compiler class but for compiling itself (compile.cpp): the library, its descriptions, single nodes, fmt and
-// schema.
+// The functions of the Compiler class that do not compile (compile_graph.cpp does): the library, its descriptions,
+// single nodes, fmt and schema.
 #include <algorithm>
 #include <cmath>
 
@@ -48,7 +48,7 @@ const nodelang::Expr* read_argument(const std::string& text, SourceMap& sources,
     return &ast.exprs.emplace_back(std::move(list));
 }
 
-// A node to be called: of the library, or the one of a user's file.
+// The node to call: one of the library, or the one in a user's file.
 struct Callee {
     const nodelang::FunctionDecl& function;
     const nodelang::Declarations& declarations;
@@ -70,7 +70,7 @@ std::optional<Callee> find_callee(graph::Session& session, std::string_view node
     return {};
 }
 
-// By parameter; null where none is given.
+// The arguments by parameter; null for a parameter without one.
 std::vector<const nodelang::Expr*> read_arguments(graph::Session& session, const nodelang::FunctionDecl& function,
                                                   std::span<const std::pair<std::string, std::string>> arguments) {
     std::vector<const nodelang::Expr*> values(function.params.size(), nullptr);
@@ -205,7 +205,7 @@ bool passed(const NodeTest& test) {
     for (std::size_t i = 0; i < test.actual.size(); ++i) {
         const double actual = test.actual[i], expected = test.expected[i];
         if (actual == expected || (std::isnan(actual) && std::isnan(expected))) continue;
-        // Written so that a lone NaN fails.
+        // Negated, so that a single NaN fails.
         if (!(std::abs(actual - expected) <= test.absolute + test.relative * std::abs(expected))) return false;
     }
     return true;
@@ -217,7 +217,7 @@ std::vector<NodeTest> Compiler::tests(std::string_view node) const {
     Diagnostics diagnostics;
     const graph::Library& library = *impl_->library;
     std::vector<NodeTest> tests = node_tests({library, library.declarations, library.sources}, *function, diagnostics);
-    // A line that cannot be run is a test that fails, not one that is missing.
+    // A test line that cannot run counts as a failed test.
     for (const DiagnosticRecord& record : diagnostics.records()) {
         const Position position = impl_->library->sources.resolve(record.span.begin);
         NodeTest& broken = tests.emplace_back();

@@ -140,7 +140,7 @@ std::vector<SemanticInfo> describe_semantics(const graph::Library& library) {
                        .type = std::string(type),
                        .doc = read_doc(doc).text,
                        .rate = std::string(rate(semantic.source))});
-        // Members of a given struct are what a lighting graph reads: @surface.roughness.
+        // The members of a [given] struct are what a lighting graph reads: @surface.roughness.
         const nodelang::StructDecl* structure = library.declarations.structure(type);
         if (!structure) continue;
         for (const nodelang::MemberDecl& member : structure->members) {

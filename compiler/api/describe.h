@@ -1,5 +1,5 @@
-// Declarations of the library -> the public descriptions of nodes, semantics and models: what `patina nodes`, the node
-// reference and the JSON Schema are made of.
+// Makes the public descriptions of nodes, semantics and models from the library's declarations. `patina nodes`, the
+// node reference and the JSON Schema are made from them.
 #pragma once
 
 #include "compiler/api/evaluate.h"
@@ -7,12 +7,12 @@
 
 namespace patina {
 
-// A doc comment taken apart: text without slashes, and the lines that begin with a keyword.
+// A doc comment in parts: its text without slashes, and the lines that begin with a keyword.
 struct Doc {
     std::string text;
     std::string formula, source, use;
     struct TestLine {
-        std::string_view text;     // behind "test:"; points into the comment
+        std::string_view text;     // the text after "test:"; points into the comment
         std::uint32_t offset = 0;  // of its first byte in the comment
     };
     std::vector<TestLine> tests;

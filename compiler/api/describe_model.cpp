@@ -1,5 +1,5 @@
-// A workflow or lighting graph -> its public description. Comments above the graph and above its nodes are
-// documentation.
+// Makes the public description of a workflow or lighting graph. The comments above the graph and above its nodes are
+// its documentation.
 #include <algorithm>
 
 #include "compiler/api/describe.h"
@@ -7,7 +7,7 @@
 namespace patina {
 namespace {
 
-// The lines of comments that end right before the offset, without what stands before them.
+// The comment lines that end directly before the offset, without the text in front of their slashes.
 std::string_view comment_before(const SourceMap& sources, std::uint32_t offset) {
     const std::string_view text = sources.text_before(offset);
     const auto line_start = [&](std::size_t end) { return text.substr(0, end).rfind('\n') + 1; };
@@ -23,7 +23,7 @@ std::string_view comment_before(const SourceMap& sources, std::uint32_t offset) 
     return text.substr(begin, end - begin);
 }
 
-// As written, without the quotes of a JSON string.
+// The text as written, without the quotes of a JSON string.
 std::string value_text(const SourceMap& sources, Span span) {
     std::string_view text = sources.text(span);
     if (text.size() >= 2 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);

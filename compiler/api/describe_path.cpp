@@ -1,4 +1,4 @@
-// A pass file -> the public description of its rendering path. The comment that opens the file is its documentation.
+// Makes the public description of a rendering path from its pass file, whose opening comment is the documentation.
 #include <algorithm>
 
 #include "compiler/api/describe.h"
@@ -6,7 +6,7 @@
 namespace patina {
 namespace {
 
-// The lines of comment before anything else.
+// The comment lines at the start of the file.
 std::string_view opening_comment(std::string_view text) {
     std::size_t end = 0;
     while (text.substr(end).starts_with("//") && !text.substr(end).starts_with("///")) {

@@ -6,7 +6,7 @@
 
 namespace patina {
 
-// What the graph says, resolved: each node after those that it reads.
+// Dumps the resolved graph; each node comes after those that it reads.
 void dump_graph(Result& result, const graph::Session& session, const graph::Material& material) {
     if (!assemble::wants_dump(session.options, "graph")) return;
     const graph::CheckedGraph& checked = *material.graph;

@@ -1,4 +1,4 @@
-// What `patina compile --dump graph` shows: what the graph says, resolved, each node after those that it reads.
+// Makes the text of `patina compile --dump graph`: the resolved graph, with each node after those that it reads.
 #pragma once
 
 #include "compiler/resolve/material.h"

@@ -16,7 +16,7 @@ using nodelang::Expr;
 
 namespace {
 
-// Outside a graph there is no mesh and no camera: a port that would read them must be given.
+// Outside a graph there is no mesh and no camera, so a port that would read them needs an argument.
 class NoGraph : public emit::Environment {
 public:
     NoGraph(Diagnostics& diagnostics, std::span<const NamedValue> names) : diagnostics_(diagnostics), names_(names) {}
@@ -74,7 +74,7 @@ struct Bench {
         scope.environment = &environment;
     }
 
-    // Complains of a value that only a renderer has; false then.
+    // False, with an error, for a value that only a renderer can provide.
     bool is_whole(Diagnostics& diagnostics) const {
         const auto read = [&](const ir::Function& made) {
             return std::find_if(made.insts.begin(), made.insts.end(),
@@ -92,7 +92,7 @@ struct Bench {
         return true;
     }
 
-    // Runs what has been emitted; the flattened value.
+    // Runs the emitted code and returns the flattened value.
     std::vector<double> run(Typed value, Precision precision) {
         function.result = value.type;
         builder.ret(value.value);
@@ -108,7 +108,7 @@ struct Bench {
     }
 };
 
-// The loosest tolerance among the ops of all functions: their errors do not cancel by luck.
+// The loosest tolerance among the ops of all functions. Their errors do not cancel reliably.
 void tolerance_of(const ir::Module& module, double& relative, double& absolute) {
     for (const ir::Function& function : module.functions) {
         for (const ir::Inst& inst : function.insts) {
@@ -118,7 +118,7 @@ void tolerance_of(const ir::Module& module, double& relative, double& absolute) 
     }
 }
 
-// "float3 out" and so on, from a value and what its outputs are called.
+// Splits a value into outputs with types and names ("float3 out").
 std::vector<EvalOutput> split_outputs(const ir::Module& module, const Typed& value, std::span<const double> flat) {
     std::vector<EvalOutput> outputs;
     if (!value.outputs) {
@@ -138,7 +138,7 @@ std::vector<EvalOutput> split_outputs(const ir::Module& module, const Typed& val
     return outputs;
 }
 
-// Runs what was emitted for `value`, unless it could not be.
+// Runs the code emitted for `value`, unless emitting failed.
 Evaluation evaluated(Bench& bench, const Typed& value, Precision precision, Diagnostics& diagnostics) {
     Evaluation evaluation;
     if (!value.ok() || !bench.is_whole(diagnostics)) return evaluation;
@@ -159,7 +159,7 @@ std::optional<std::vector<double>> constant(const EvaluationContext& context, co
     return bench.run(value, Precision::Double);
 }
 
-// One argument of a test's call, as numbers that a GPU can be fed with.
+// An argument of a test's call, as numbers that a test can pass to a GPU.
 std::optional<NodeTest::Argument> read_argument(const EvaluationContext& context, const nodelang::ParamDecl& param,
                                                 const Expr& expr, Diagnostics& diagnostics) {
     NodeTest::Argument argument{.name = std::string(param.name), .type = {}, .values = {}, .enumerator = {}};

@@ -1,4 +1,4 @@
-// Running single nodes on the CPU: what `patina eval` and the test lines of the library's comments are built on.
+// Runs single nodes on the CPU, for `patina eval` and the test lines in the library's comments.
 #pragma once
 
 #include "compiler/resolve/library.h"
@@ -6,19 +6,19 @@
 
 namespace patina {
 
-// Where names are looked up: the library, or a user's node file on top of it.
+// The declarations that names refer to: the library's, or those of a user's node file and the library.
 struct EvaluationContext {
     const graph::Library& library;
     const nodelang::Declarations& declarations;
     const SourceMap& sources;
-    std::span<const NamedValue> names = {};  // what expressions may read besides
+    std::span<const NamedValue> names = {};  // further values that expressions may read
 };
 
-// One call, not folded, in the interpreter. Fills outputs; reports into `diagnostics`.
+// The result of one call, run in the interpreter without folding. Errors go to `diagnostics`.
 struct Evaluation {
     bool ok = false;
     std::vector<EvalOutput> outputs;
-    double relative = 0, absolute = 0;  // tolerance of a GPU's result, by the ops that took part
+    double relative = 0, absolute = 0;  // the tolerance of a GPU's result, from the ops that took part
 };
 Evaluation evaluate_call(const EvaluationContext& context, const nodelang::FunctionDecl& function,
                          std::span<const nodelang::Expr* const> arguments, Precision precision,
@@ -27,10 +27,10 @@ Evaluation evaluate_call(const EvaluationContext& context, const nodelang::Funct
 Evaluation evaluate_expression(const EvaluationContext& context, const nodelang::Expr& expr, Precision precision,
                                Diagnostics& diagnostics);
 
-// Errors in the functions of a file, whether anything calls them or not.
+// Reports errors in the functions of a file, called or not.
 void check_functions(const EvaluationContext& context, const nodelang::Ast& ast, Diagnostics& diagnostics);
 
-// The function's test lines, each with the interpreter's answer. A line that cannot be read is reported.
+// The function's test lines, each with the interpreter's result. Reports lines that cannot be read.
 std::vector<NodeTest> node_tests(const EvaluationContext& context, const nodelang::FunctionDecl& function,
                                  Diagnostics& diagnostics);
 

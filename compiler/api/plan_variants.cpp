@@ -1,5 +1,5 @@
-// Which combinations of a material's variants there are: all, those that the graph lists, or those that make a
-// difference; or what they cost, where they are too many.
+// Plans the combinations of a material's variants: all, those that the graph lists, or those that make a difference. If
+// there are too many, reports how much each variant contributes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace patina {
 namespace {
 
-// A variant without a value, and where it is declared.
+// A variant without a value, and its declaration.
 struct Axis {
     const graph::Property* property;
     VariantAxis told;
@@ -36,7 +36,7 @@ std::vector<Axis> open_axes(const graph::Material& material) {
     return axes;
 }
 
-// What one axis costs: how many combinations there are without it.
+// The number of combinations without one axis.
 using Without = std::function<std::string(const Axis&)>;
 
 void refuse(graph::Session& session, const graph::Graph& graph, const std::vector<Axis>& axes, std::string count,
@@ -68,7 +68,7 @@ void plan_all(graph::Session& session, const graph::Graph& graph, const std::vec
 
 // --- listed
 
-// The word that the caller has fixed a property to, or null.
+// The word that the caller has given a property, or null.
 const std::string* fixed_word(const graph::Session& session, const std::string& property) {
     const auto& switches = session.options.switches;
     const auto found =
@@ -119,7 +119,7 @@ void plan_listed(graph::Session& session, const graph::Material& material, const
 
 // --- reachable
 
-// A tree of choices: the first property that is still read after the choices so far is the next one.
+// A tree of choices: the next choice is the first property that is still read after the choices so far.
 class Reachable {
 public:
     Reachable(const Compiler& compiler, const std::string& path, const CompileOptions& options,
@@ -136,9 +136,9 @@ public:
         options_.dump.clear();
     }
 
-    // False: there are more than the most, or the graph is wrong.
+    // False if there are more combinations than the limit, or the graph has errors.
     bool walk(const VariantValues& chosen) {
-        // Nothing is left to be read: it is compiled when its shaders are made.
+        // No property is left, so there is nothing to find out by compiling.
         if (chosen.size() == axes_.size()) return add(chosen);
         CompileOptions options = options_;
         options.switches.insert(options.switches.end(), chosen.begin(), chosen.end());
@@ -159,7 +159,7 @@ public:
     }
 
     std::vector<VariantValues> combinations{};
-    std::vector<const Axis*> multiplying{};  // those that are read while none has a value: no other makes a difference
+    std::vector<const Axis*> multiplying{};  // read while none has a value: no others make a difference
     std::vector<Diagnostic> diagnostics{};
 
 private:
@@ -211,7 +211,8 @@ void plan_reachable(const Compiler& compiler, graph::Session& session, const std
         made.picked = std::move(reachable.combinations);
         return;
     }
-    // They have not all been counted; of all combinations of what is read, there are so many without one.
+    // Not all combinations were counted. The note gives the number of all combinations of the properties that are read,
+    // without one of them.
     std::vector<Axis> multiplying;
     double all = 1;
     for (const Axis* axis : reachable.multiplying) {
@@ -266,7 +267,7 @@ double combinations_of(const std::vector<VariantAxis>& axes) {
 VariantValues VariantPlan::combination(std::size_t index) const {
     if (!picked.empty()) return picked[index];
     VariantValues values(axes.size());
-    // The last axis changes first.
+    // The last axis changes fastest.
     for (std::size_t i = axes.size(); i-- > 0; index /= axes[i].values.size())
         values[i] = {axes[i].property, axes[i].values[index % axes[i].values.size()]};
     return values;

@@ -21,7 +21,7 @@ void place(Diagnostic& diagnostic, Span span, const SourceMap& sources) {
     diagnostic.column = begin.column;
     diagnostic.end_line = end.line;
     diagnostic.end_column = end.column;
-    // A whole graph may stand on one line: not a copy of it with each complaint.
+    // A whole graph may stand on one line, which is too long to copy into each diagnostic.
     constexpr std::size_t kMaxLine = 1u << 16;
     if (begin.line_text.size() <= kMaxLine) diagnostic.source_line = begin.line_text;
 }
@@ -35,11 +35,11 @@ std::string_view word(Severity severity) {
     return {};
 }
 
-// Long lines (a whole graph on one) are shown around the place only.
+// Of a longer line (a whole graph on one), only the part around the place is shown.
 constexpr std::size_t kShown = 110;
 
-// The line as a terminal shows it, a column each: whole characters; blanks for control characters, and U+FFFD for bytes
-// that are no text. `columns[i]` is the column of byte i, and of the end.
+// A line as a terminal shows it, one column for each character: whole characters, blanks for control characters, and
+// U+FFFD for bytes that are not UTF-8. `columns[i]` is the column of byte i; the last entry is the end.
 struct ShownLine {
     std::vector<std::string> cells;
     std::vector<std::size_t> columns;
@@ -66,7 +66,7 @@ ShownLine show(std::string_view line) {
 
 void show_source(std::string& text, const Diagnostic& d, bool colors) {
     if (d.source_line.empty() || d.column < 1) return;
-    // A part of the line that holds what is shown, however long the line is and however wide its characters are.
+    // Cut out a part that contains the shown characters, however long the line is.
     constexpr std::size_t kBytes = 4 * kShown;
     const std::size_t place = std::min(static_cast<std::size_t>(d.column) - 1, d.source_line.size());
     std::size_t begin = place - std::min(place, kBytes);
@@ -98,7 +98,7 @@ void write_text(std::string& text, const Diagnostic& d, bool colors) {
     const std::string place = d.line > 0 ? fmt::format("{}:{}:{}", d.file, d.line, d.column) : d.file;
     if (!d.file.empty()) text += fmt::format("{}{}:{} ", paint("\x1b[1m"), place, paint("\x1b[0m"));
     text += fmt::format("{}{}:{} {}", paint(color), word(d.severity), paint("\x1b[0m"), d.message);
-    // The surface and the vertex outputs are no nodes to their reader.
+    // To a reader, the surface and the vertex outputs are not nodes.
     const bool is_part = d.node == "surface" || d.node == "vertex";
     const std::string node = is_part ? d.node : d.node.empty() ? "" : fmt::format("node '{}'", d.node);
     if (!node.empty()) {
@@ -150,7 +150,7 @@ void write_json(Writer& writer, const Diagnostic& d) {
 
 std::vector<Diagnostic> to_public(const Diagnostics& diagnostics, const SourceMap& sources) {
     std::vector<Diagnostic> out;
-    // A material's passes share its nodes: what is wrong with one is found as often as it is used, and said once.
+    // A material's passes share its nodes, so an error in a node is found for each pass, but reported once.
     std::set<std::tuple<Code, std::uint32_t, std::uint32_t, std::string_view>> said;
     for (const DiagnosticRecord& record : diagnostics.records()) {
         if (!said.emplace(record.code, record.span.begin, record.span.end, record.message).second) continue;
@@ -169,7 +169,7 @@ std::vector<Diagnostic> to_public(const Diagnostics& diagnostics, const SourceMa
             place(n, note.span, sources);
         }
     }
-    // In the order of the text; files in the order of their first complaint.
+    // In the order of the text; files in the order of their first diagnostic.
     std::vector<std::string> files;
     for (const Diagnostic& d : out) {
         if (std::find(files.begin(), files.end(), d.file) == files.end()) files.push_back(d.file);

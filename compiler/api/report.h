@@ -1,4 +1,4 @@
-// Internal diagnostics -> the public ones, with places resolved.
+// Makes public diagnostics of the internal ones, with their places resolved.
 #pragma once
 
 #include "compiler/base/diagnostics.h"

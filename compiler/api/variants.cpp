@@ -1,4 +1,4 @@
-// What the combinations of a material's variants compile to: each different program once.
+// Compiles the combinations of a material's variants, and keeps each different program once.
 #include "patina/variants.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ std::string hash_of(const Result& result) {
     return assemble::hash_text(passes).text();
 }
 
-// The first combination that a message is said of; without one it holds for the first of all.
+// Adds the first combination that a message applies to. Without a combination it applies to all.
 Diagnostic where_it_is_so(const VariantValues& values) {
     std::string text = "where";
     for (const auto& [property, value] : values)
@@ -30,7 +30,7 @@ Diagnostic where_it_is_so(const VariantValues& values) {
     return note;
 }
 
-// Other combinations run it too: its variants have no values of their own.
+// Other combinations run the same program, so the reflection must not state this combination's values.
 void forget_choice(Reflection& reflection, const std::vector<VariantAxis>& axes) {
     for (Property& property : reflection.properties) {
         for (const VariantAxis& axis : axes) {
@@ -39,13 +39,13 @@ void forget_choice(Reflection& reflection, const std::vector<VariantAxis>& axes)
     }
 }
 
-// Compiles and gathers what the results have in common.
+// Compiles, and collects the diagnostics and dependencies that the results share.
 class Gathering {
 public:
     Gathering(const Compiler& compiler, const std::string& path, VariantSet& set)
         : compiler_(compiler), path_(path), set_(set) {}
 
-    // `values`: of the combination; empty: what is said holds for all. `is_first`: so it is, too.
+    // `values`: the combination; empty if the messages apply to all combinations, as they do if `is_first`.
     Result compile(const CompileOptions& options, const VariantValues& values, bool is_first) {
         Result result = compiler_.compile_file(path_, options);
         for (Diagnostic& diagnostic : result.diagnostics) {

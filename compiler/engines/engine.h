@@ -1,7 +1,7 @@
 // The room `engines` says where values come from and what holds a shader. An engine is a folder of data,
-// nodes/engines/NAME/: engine.json (read here), its passes and its include. What can be data is data; only the format
-// of a whole file is C++, a writer in a folder of this room (writers.h). Nothing here knows an engine by name, but for
-// the writers' folders; no other room does.
+// nodes/engines/NAME/: engine.json (read here), its passes and its include. Everything that data can express is data.
+// Only the format of a whole file is C++: a writer in a folder of this room (writers.h). Outside these folders, no code
+// in this room or another one knows an engine by name.
 //
 //   const Engine* engine = library.engine("vulkan");
 //   engine->places_of(ir::Group::Material).set   // 1
@@ -20,8 +20,8 @@
 
 namespace patina::engines {
 
-// The descriptor set of what one owner gives, and the first binding of each kind in it. A kind without a number follows
-// the kind before it: buffers, textures, samplers.
+// The descriptor set of the values of one owner, and the first binding of each kind in it. A kind without a number
+// follows the kind before it: buffers, textures, samplers.
 struct Places {
     std::uint32_t set = 0;
     std::optional<std::uint32_t> buffers, textures, samplers;
@@ -31,49 +31,49 @@ struct Places {
 struct VertexInput {
     std::string semantic;                   // of the library: "positionOS"
     std::string hlsl;                       // its HLSL semantic: "POSITION"
-    std::optional<std::uint32_t> location;  // none: those that a pass reads are numbered in order
+    std::optional<std::uint32_t> location;  // none: the inputs that a pass reads are numbered in order
 };
 
-// What becomes of the variants of a graph that nobody has chosen.
+// Variants without a chosen value: their defaults are chosen, or they become keywords of the engine.
 enum class Variants { Chosen, Keywords };
-// Who holds what each instance of a draw has: arrays in uniform blocks, or the engine's own text.
+// The place of the values that each instance of a draw has: arrays in uniform blocks, or the engine's own text.
 enum class Instances { Arrays, Engine };
-// What a sampler is called after: the property, or what the texture is called in the shader.
+// What a sampler is named after: the property, or the texture's identifier in the shader.
 enum class SamplerNames { OfProperties, OfTextures };
 
 struct Names {
-    std::string owner;                             // of `taken` and `prefixes`, in words: "one of Unity's includes"
-    std::vector<std::string> taken;                // names that the engine's text declares
-    std::vector<std::string> prefixes;             // all names that begin so are the engine's
-    std::vector<std::string> own;                  // names that the written file declares itself
-    std::vector<std::string> own_near_properties;  // names that only properties must not have
-    std::map<std::string, std::string, std::less<>> instead;  // what functions of the library are called here
+    std::string owner;                  // who owns `taken` and `prefixes`, in words: "one of Unity's includes"
+    std::vector<std::string> taken;     // names that the engine's text declares
+    std::vector<std::string> prefixes;  // every name that begins so belongs to the engine
+    std::vector<std::string> own;       // names that the written file declares itself
+    std::vector<std::string> own_near_properties;             // names that only properties must not have
+    std::map<std::string, std::string, std::less<>> instead;  // the engine's names for functions of the library
 };
 
 struct Engine {
-    std::string name;   // of its folder: "vulkan"
+    std::string name;   // the name of its folder: "vulkan"
     std::string title;  // "Vulkan"
     std::string help;
-    std::vector<std::string> languages;   // that its shaders can be written in
-    std::string file;                     // format of the file that holds all passes (writers.h); empty: a file a stage
-    std::optional<std::uint32_t> passes;  // its own rendering path, in the library's sources; none: the library's paths
-    std::string_view include;             // text that its files may need a part of
+    std::vector<std::string> languages;  // languages of its shaders
+    std::string file;  // format of the file that holds all passes (writers.h); empty: one file for each stage
+    std::optional<std::uint32_t> passes;  // its own path, in the library's sources; none: the library's paths
+    std::string_view include;             // text of which its files may need parts
     Variants variants = Variants::Chosen;
     Instances instances = Instances::Arrays;
 
-    std::array<Places, 3> places;                            // by ir::Group; what is included has none
+    std::array<Places, 3> places;                            // by ir::Group; values of included files have none
     std::map<std::string, std::string, std::less<>> blocks;  // the library's name of a block -> the engine's
     std::vector<VertexInput> vertex_inputs;
 
     ClipDepth clip_depth = ClipDepth::NearToFar;  // of what the camera sees; shadow maps are near to far
     MatrixOrder matrices = MatrixOrder::Columns;
 
-    // How the engine keeps the values of a material, by type; empty: as the shader reads them.
+    // How the engine stores the values of a material, by type; empty: as the shader reads them.
     std::map<std::string, std::string, std::less<>> storage;
-    std::string texture_sizes;  // what a texture's size is called behind its name; empty: there is none
+    std::string texture_sizes;  // the ending of the name of a texture's size; empty: there is no such value
     SamplerNames samplers = SamplerNames::OfProperties;
     std::uint32_t most_varyings = 0;  // vectors from the vertex stage to the fragment stage
-    std::string varyings_note;        // what of the engine's own takes some; may be empty
+    std::string varyings_note;        // which of the engine's own values take some of these; may be empty
     std::uint32_t most_block_bytes = 0;
     Names names;
 
@@ -83,11 +83,11 @@ struct Engine {
     // The engine's name of a block of the library.
     std::string_view block_name(std::string_view block) const;
     const VertexInput* vertex_input(std::string_view semantic) const;
-    // How a value of this type is kept: "half4"; empty: as it is.
+    // The stored type of a value of this type: "half4"; empty: the same type.
     std::string_view stored_as(std::string_view type) const;
-    // What a function of the library is called in the engine's files.
+    // The name of a library function in the engine's files.
     std::string_view function_name(std::string_view function) const;
-    // Who declares a name that a property might have, in words; empty: nobody.
+    // Who declares a name that a property might have, in words; empty if nobody does.
     std::string_view declarer_of(std::string_view name) const;
 };
 

@@ -1,4 +1,4 @@
-// nodes/engines/NAME/engine.json -> Engine.
+// Reads nodes/engines/NAME/engine.json into an Engine.
 #pragma once
 
 #include <functional>
@@ -8,11 +8,11 @@
 
 namespace patina::engines {
 
-// A file of the engine's folder, among the sources: the place of "unity.pass.hlsl", or nothing if there is none.
+// Finds a file of the engine's folder among the sources, such as "unity.pass.hlsl"; nothing if there is none.
 using FindFile = std::function<std::optional<std::uint32_t>(std::string_view name)>;
 
-// `base`: of engine.json in the sources. `folder`: the engine's name. Reports what is wrong with the file; what could
-// be read is returned.
+// `base`: the start of engine.json in the sources. `folder`: the engine's name. Reports errors in the file, and returns
+// what could be read.
 Engine read_engine(const SourceMap& sources, std::uint32_t base, std::string folder, const FindFile& find_file,
                    Diagnostics& diagnostics);
 

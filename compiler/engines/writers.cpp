@@ -8,7 +8,7 @@
 namespace patina::engines {
 namespace {
 
-// Formats of files that hold all passes of a material, as engine.json names them.
+// The formats of files that hold all passes of a material, which engine.json selects by name.
 constexpr const output::Writer* kFormats[] = {&shaderlab::kWriter};
 
 }  // namespace

@@ -1,11 +1,11 @@
-// The list of writers: how finished stages become files.
+// Lists the writers, which turn finished stages into files.
 #pragma once
 
 #include "compiler/output/writer.h"
 
 namespace patina::engines {
 
-// The writer for what the options and the engine ask for.
+// The writer that the options and the engine require.
 const output::Writer& writer_of(const graph::Session& session);
 
 }  // namespace patina::engines

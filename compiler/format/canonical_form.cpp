@@ -45,13 +45,13 @@ bool has_text(const std::vector<std::string>& comments) {
     return std::any_of(comments.begin(), comments.end(), [](const std::string& comment) { return !comment.empty(); });
 }
 
-// Properties, nodes, inputs: merged by line, so never on one.
+// Version control merges by line, so each property, node and input has a line of its own.
 bool is_list_of_objects(const Json& json) {
     return std::any_of(json.elements.begin(), json.elements.end(),
                        [](const Json& element) { return element.kind == Json::Kind::Object; });
 }
 
-// A line has no room for the comments inside of it.
+// A value that holds comments cannot stand on one line.
 bool must_break(const Json& json) {
     const auto breaks = [](const Json& child) {
         return has_text(comments_of(child).before) || !comments_of(child).trailing.empty() || must_break(child);

@@ -1,6 +1,6 @@
-// The canonical text of a graph file, so that two people's changes merge: keys in the format's order, two spaces, on
-// one line what fits there, one element of a list of objects per line, comments where they were. It needs JSON that can
-// be read, not a graph without errors.
+// Writes the canonical text of a graph file, so that the changes of two people merge: keys in the format's order, two
+// spaces of indentation, one line for a value that fits on it, one line for each element of a list of objects, comments
+// where they were. The JSON must be readable; the graph may have errors.
 //
 //   FormattedText formatted = format_graph(sources, base, diagnostics);
 //   if (formatted.ok) write(path, formatted.text);
@@ -15,10 +15,10 @@ struct FormattedText {
     std::string text;  // empty unless ok
 };
 
-// The file whose text starts at `base` in the map. Formatting what it returns gives the same text again.
+// Formats the file whose text starts at `base` in the map. Formatting the result again gives the same text.
 FormattedText format_graph(const SourceMap& sources, std::uint32_t base, Diagnostics& diagnostics);
 
-// The same layout for any JSON, its keys in the order in which they are.
+// Lays out any JSON in the same way, with the keys in the order that they have.
 std::string layout_json(const Json& root, const SourceMap& sources);
 
 }  // namespace patina::graph

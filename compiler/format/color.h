@@ -1,6 +1,5 @@
-// "#f5cfc0" -> linear light. Graph files write colours as people pick them, in sRGB; everything computes in linear.
-//
-//   parse_color("#ff8000")->value   // {1, 0.2158605, 0, 1}
+// Reads the colours of graph files: "#f5cfc0" -> linear light. Authors pick colours in sRGB; everything computes in
+// linear light.
 #pragma once
 
 #include <array>
@@ -11,13 +10,13 @@ namespace patina::graph {
 
 struct LinearColor {
     std::array<double, 4> value{};
-    bool has_alpha = false;  // else value[3] is 1
+    bool has_alpha = false;  // false: value[3] is 1
 };
 
-// "#rgb", "#rrggbb" or "#rrggbbaa"; alpha is linear as written. Nothing if it is none of these.
+// "#rgb", "#rrggbb" or "#rrggbbaa"; alpha is linear already. Nothing if the text is not a colour.
 std::optional<LinearColor> parse_color(std::string_view text);
 
-// IEC 61966-2-1: an sRGB component, 0 to 1, to linear light.
+// Converts an sRGB component, 0 to 1, to linear light (IEC 61966-2-1).
 double srgb_to_linear(double encoded);
 
 }  // namespace patina::graph

@@ -1,5 +1,8 @@
-// A graph as its file says it: every key read and its shape checked, nothing resolved. Values at ports are already
-// syntax trees of the node language (nodelang/ast.h). Not typed: that happens in lower.h.
+// This room reads graphs and scenes, writes their canonical text and makes their JSON Schema. It checks keys, JSON
+// types and words. It resolves no name, opens no file that a graph names, and knows no types.
+//
+// A Graph is a graph as its file states it. The values at ports are syntax trees of the node language (nodelang/ast.h),
+// which get their types in lower/lower.h.
 #pragma once
 
 #include <array>
@@ -22,11 +25,11 @@ struct PortValue {
     std::string name;
     Span name_span;
     Span value_span;                        // the JSON value
-    const nodelang::Expr* value = nullptr;  // null: it could not be read, and that has been reported
+    const nodelang::Expr* value = nullptr;  // null: it cannot be read, which has been reported
 };
 
 enum class Precision { Inherit, Float, Half };
-// Where a node may be computed: where its readers are, or where "stage" pins it to.
+// The stage that computes a node: that of its readers, or the one that "stage" pins it to.
 enum class NodeStage { OfReaders, Fragment, Vertex };
 
 struct Node {
@@ -45,7 +48,7 @@ struct Node {
     std::string note;
 };
 
-// A property that is bound so has a value for each shader, and none in the material's block.
+// A property with this binding has a value for each shader, and no place in the material's uniform block.
 constexpr bool is_keyword(Binding binding) {
     return binding == Binding::Specialization || binding == Binding::Variant;
 }
@@ -83,7 +86,8 @@ struct Input {
     std::optional<std::array<double, 2>> range;
     bool hard = false;
     std::string help;
-    // Workflows only: this input is another way to say `gives`, converted by `as` (an expression that reads $name).
+    // Workflows only: this input is an alternative to the input `gives`, whose value `as` computes (an expression that
+    // reads $name).
     std::string gives;
     const nodelang::Expr* as = nullptr;
 };
@@ -109,7 +113,7 @@ struct StencilState {
 };
 struct RenderState {
     SurfaceKind surface = SurfaceKind::Opaque;
-    Span surface_span;  // where it is said; empty: it is not
+    Span surface_span;  // of the value of "surface"; empty if there is none
     Cull cull = Cull::Back;
     std::optional<bool> depth_write;
     std::optional<Compare> depth_test;
@@ -120,7 +124,7 @@ struct RenderState {
     Span span;
 };
 
-// A combination of variants that somebody wants: "variants": [ { "_DETAIL": true } ].
+// A combination of variants that the graph lists: "variants": [ { "_DETAIL": true } ].
 struct ListedVariant {
     struct Value {
         std::string name;
@@ -133,8 +137,8 @@ struct ListedVariant {
     Span span;
 };
 
-// "passes": another surface of a material, drawn beside its own. It is a graph of its own that has the material's nodes
-// and properties, and whatever else of the material's the pass does not say itself.
+// An element of "passes": another surface of a material, drawn in addition to the material's own. It is a graph that
+// has the material's nodes and properties. It inherits every key that it does not state from the material.
 struct ExtraPass {
     std::string name;
     Span name_span;
@@ -145,7 +149,7 @@ struct Graph {
     GraphKind kind = GraphKind::Material;
     std::string path;  // as the file was named; "" for an inline graph
     std::string name;  // "name", or the file's stem
-    Span name_span;    // of the value; empty: it is the file's
+    Span name_span;    // of the value; empty if the name is the file's
     std::string help;  // what a lighting model, a workflow or a sub-graph is for
     Span span;
     std::string workflow;

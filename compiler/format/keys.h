@@ -1,5 +1,5 @@
-// The keys of the graph format: which stand in which object, in canonical order, and what each is for. The reader
-// refuses what is not here, `fmt` sorts by it, and the JSON Schema is made from it. It says nothing about values.
+// Lists the keys of the graph format: those of each object, in canonical order, with their help. The reader refuses
+// every other key, `fmt` sorts by this order, and the JSON Schema is made from it. The values are described elsewhere.
 //
 //   for (const KeyInfo& key : keys_of(ObjectKind::Node)) ...   // id, node, expr, in, ...
 #pragma once
@@ -11,7 +11,7 @@
 
 namespace patina::graph {
 
-// Free: an object whose keys are the author's (ports, "meta", "ui").
+// Free: the author chooses the keys of the object (ports, "meta", "ui").
 enum class ObjectKind {
     Free,
     Material,
@@ -48,8 +48,8 @@ enum class ObjectKind {
 struct KeyInfo {
     std::string_view name;
     std::string_view help;
-    ObjectKind holds = ObjectKind::Free;  // what the value is, or each element of it if it is an array
-    bool required = false;                // beside the "patina" and "kind" of a file
+    ObjectKind holds = ObjectKind::Free;  // the kind of the value or, if it is an array, of its elements
+    bool required = false;                // in addition to the "patina" and "kind" of a file
 };
 
 // In the order in which `fmt` writes them; empty for Free.
@@ -59,9 +59,9 @@ const KeyInfo* find_key(ObjectKind kind, std::string_view name);
 // "a property", "a material", ...
 std::string_view describe(ObjectKind kind);
 
-// What a file's top-level object is, by its "kind"; a material if that says nothing known.
+// The kind of a file's top-level object, by its "kind"; a material if that is absent or unknown.
 ObjectKind top_level_kind(const Json& root);
-// The same for the value of a key: tells a lighting graph from a { "use": ... }.
+// The kind of a key's value. It distinguishes a lighting graph from a { "use": ... }.
 ObjectKind value_kind(const KeyInfo& key, const Json& value);
 
 }  // namespace patina::graph

@@ -12,7 +12,7 @@
 namespace patina::graph {
 namespace {
 
-// Nobody reads on after so many errors, and a hostile file has a million.
+// Nobody reads more errors than this, and a hostile file may have a million.
 constexpr std::size_t kEnough = 100;
 
 }  // namespace
@@ -181,7 +181,7 @@ void read_limits(Reading& reading, const Json& json, std::optional<std::array<do
     if (!json.find("range")) reading.diagnostics.report(Code::MissingKey, member->key_span, "'hard'", "range");
 }
 
-// The name and where it is; registers it among the names that `$` reads.
+// Reads the name and its place, and adds it to the names that `$` reads.
 void read_name(Reading& reading, const Json& json, std::string_view what, std::string& name, Span& span,
                UniqueNames& names) {
     const Json* value = json.find("name");

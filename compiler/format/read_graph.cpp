@@ -11,7 +11,7 @@ namespace {
 
 void read_lighting_graph(Reading& reading, const Json& json, Graph& graph);
 
-// What the object of a file is, in the order of GraphKind.
+// The kind of a file's object, in the order of GraphKind.
 constexpr std::array kGraphObjects = {ObjectKind::Material, ObjectKind::Subgraph, ObjectKind::Lighting,
                                       ObjectKind::Workflow};
 
@@ -46,7 +46,7 @@ void read_common(Reading& reading, const Json& json, Graph& graph, UniqueNames& 
     if (const Json* meta = json.find("meta")) append_one_line(graph.meta, *meta, reading.sources);
 }
 
-// An output is declared by the key that holds its value.
+// The key that holds an output's value also declares the output.
 void read_declared_outputs(Reading& reading, const Json& json, std::vector<PortValue>& outputs) {
     outputs = read_ports(reading, json, "'outputs'", {});
     for (const PortValue& output : outputs) {
@@ -108,7 +108,7 @@ void read_variants(Reading& reading, const Json& array, std::vector<ListedVarian
     }
 }
 
-// What a material and a pass of it can say.
+// The keys that a material and an extra pass share.
 void read_models(Reading& reading, const Json& json, Graph& graph) {
     if (const Json* workflow = json.find("workflow")) {
         graph.workflow.clear();
@@ -129,7 +129,8 @@ void read_look(Reading& reading, const Json& json, Graph& graph) {
 
 constexpr std::size_t kMostPasses = 16;
 
-// Each is the material but for what it says itself. The inputs of one workflow are not those of another.
+// Each pass starts as a copy of the material. A pass with another workflow drops the surface inputs, because they
+// belong to the material's workflow.
 void read_passes(Reading& reading, const Json& json, Graph& material) {
     if (!expect(reading, json, Json::Kind::Array, "'passes'")) return;
     if (json.elements.size() > kMostPasses) {
@@ -173,7 +174,7 @@ void read_subgraph(Reading& reading, const Json& json, Graph& graph) {
     const Json* inputs = json.find("inputs");
     const Json* properties = json.find("properties");
     const bool comes_later = inputs && properties && properties->span.begin < inputs->span.begin;
-    // Of two that share a name the second is wrong.
+    // If two names are equal, the one that comes second in the file is reported.
     if (inputs && !comes_later) graph.inputs = read_inputs(reading, *inputs, names, false);
     read_common(reading, json, graph, names);
     if (inputs && comes_later) graph.inputs = read_inputs(reading, *inputs, names, false);
@@ -181,7 +182,7 @@ void read_subgraph(Reading& reading, const Json& json, Graph& graph) {
 }
 
 void read_lighting_graph(Reading& reading, const Json& json, Graph& graph) {
-    UniqueNames surface_names, names;  // @surface.name and $name: two worlds
+    UniqueNames surface_names, names;  // @surface.name and $name are separate namespaces
     check_keys(reading, json, ObjectKind::Lighting);
     if (const Json* surface = json.find("surface")) graph.inputs = read_inputs(reading, *surface, surface_names, false);
     read_common(reading, json, graph, names);
@@ -198,7 +199,7 @@ void read_lighting_graph(Reading& reading, const Json& json, Graph& graph) {
     }
 }
 
-// The name of another input of the same workflow.
+// Reports a name that is not another input of the same workflow.
 void check_input_name(Reading& reading, const Graph& graph, std::string_view name, Span span) {
     std::vector<std::string_view> inputs;
     for (const Input& input : graph.inputs) inputs.push_back(input.name);
@@ -252,7 +253,8 @@ std::shared_ptr<Graph> read_graph(const Json& json, std::string path, const Sour
     if (!kind) return graph;
     const auto found = std::find(kGraphObjects.begin(), kGraphObjects.end(), *kind);
     graph->kind = static_cast<GraphKind>(found - kGraphObjects.begin());
-    // A sub-graph is read while a node of its parent is at work: that one's name does not belong on messages from here.
+    // A sub-graph is read in the middle of reading its parent's node. Messages about the sub-graph must not name that
+    // node.
     const std::string outer_node(diagnostics.context_node());
     diagnostics.set_context({}, {});
     read_kind(reading, json, *graph);

@@ -1,5 +1,5 @@
-// JSON tree -> Graph: reads every key, checks its JSON type and words, complains about what nobody reads (with a
-// suggestion) and about what only a later version of Patina compiles. Resolves no name.
+// Makes a Graph of a JSON tree: reads every key and checks its JSON type and words. It reports unknown keys (with a
+// suggestion), and keys that only a later version of Patina compiles. It resolves no name.
 #pragma once
 
 #include "compiler/base/diagnostics.h"
@@ -8,12 +8,12 @@
 
 namespace patina::graph {
 
-// Returns a graph even after errors (what could be read); `ast` owns the expressions. `expected`: the kind that the
-// place demands (a material file, a sub-graph at a node, ...), or nothing if any kind may stand there.
+// Returns a graph even after errors (the parts that could be read). `ast` owns the expressions. `expected`: the kind
+// that the place requires (a material file, a sub-graph at a node, ...), or nothing if every kind is allowed.
 std::shared_ptr<Graph> read_graph(const Json& json, std::string path, const SourceMap& sources, nodelang::Ast& ast,
                                   Diagnostics& diagnostics, std::optional<GraphKind> expected);
 
-// The value grammar: one JSON value at a port -> expression. Null after an error.
+// Reads the value grammar: one JSON value at a port -> an expression. Null after an error.
 const nodelang::Expr* read_value(const Json& json, const SourceMap& sources, nodelang::Ast& ast,
                                  Diagnostics& diagnostics);
 

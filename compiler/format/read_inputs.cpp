@@ -21,7 +21,7 @@ void read_type(Reading& reading, const Json& json, Input& input) {
             kInputTypes);
 }
 
-// Only literals are compared here; anything computed is checked where it is typed.
+// Checks literals only; computed values are checked when their types are known.
 void check_default_range(Reading& reading, const Input& input) {
     if (!input.value || !input.range) return;
     const auto check = [&](const Expr& number) {
@@ -33,7 +33,7 @@ void check_default_range(Reading& reading, const Input& input) {
     }
 }
 
-// "gives" and "as" come together: this input is another way to say that one.
+// Reads "gives" and "as", which come together: this input is an alternative to the input that it gives.
 void read_conversion(Reading& reading, const Json& json, Input& input) {
     const JsonMember* gives = find_member(json, "gives");
     const JsonMember* as = find_member(json, "as");

@@ -23,7 +23,7 @@ std::size_t component_count(PropertyType type) {
     return 1;
 }
 
-// How many components a range is for: alpha, which is coverage, has none.
+// The number of components that a range limits. Alpha is coverage and has no range.
 std::size_t ranged_count(PropertyType type) {
     switch (type) {
         case PropertyType::Float:
@@ -39,7 +39,7 @@ std::size_t ranged_count(PropertyType type) {
     return 0;
 }
 
-// Keys of the format that this type of property has no use for.
+// Reports keys of the format that this type of property cannot use.
 void check_keys_of_type(Reading& reading, const Json& json, const Property& property) {
     const bool is_texture = property.type == PropertyType::Texture2D;
     const std::string what = fmt::format("a property of type {}", to_string(property.type));
@@ -141,8 +141,8 @@ void read_default(Reading& reading, const Json& json, Property& property) {
     }
 }
 
-// What stands there until a default is read: nought, a white colour (or the nearest to them within the range), a
-// texture that changes nothing.
+// The value until a default is read: 0, a white colour (or the nearest to them in the range), a texture that changes
+// nothing.
 void set_implied_default(Property& property) {
     if (property.type == PropertyType::Color) property.value = {1, 1, 1, 1};
     if (property.type == PropertyType::Texture2D) {
@@ -227,7 +227,7 @@ Property read_property(Reading& reading, const Json& json, UniqueNames& names) {
     const Json* type = json.find("type");
     if (!type) return property;
     const std::optional<PropertyType> known = read_word<PropertyType>(reading, *type, "type", "a property type");
-    if (!known) return property;  // what the other keys must hold depends on it
+    if (!known) return property;  // the type decides what the other keys must hold
     property.type = *known;
     check_keys_of_type(reading, json, property);
     const bool is_choice = property.type == PropertyType::Bool || property.type == PropertyType::Enum;
@@ -259,7 +259,7 @@ std::vector<Property> read_properties(Reading& reading, const Json& array, Uniqu
         Property property = read_property(reading, element, names);
         const bool is_second = std::any_of(properties.begin(), properties.end(),
                                            [&](const Property& first) { return first.name == property.name; });
-        if (!is_second) properties.push_back(std::move(property));  // else it has been reported
+        if (!is_second) properties.push_back(std::move(property));  // a second one has been reported
     }
     return properties;
 }

@@ -1,4 +1,4 @@
-// "render": how a surface is drawn, beside what its shaders compute.
+// Reads "render": how a surface is drawn, apart from what its shaders compute.
 #include <cmath>
 
 #include "compiler/base/text.h"
@@ -10,12 +10,12 @@ namespace {
 constexpr int kLastQueue = 5000;
 constexpr int kMostStencil = 255;
 constexpr double kFarthest = 1e6;  // metres, as in scenes
-// The offset is counted in what depth changes by from pixel to pixel, and no target is wider than this many, and in
-// steps of depth, of which a buffer of 24 bits has so many. Vulkan and ShaderLab take any floats here, Direct3D 11 a
-// float and an int.
+// The factor counts the change of depth from pixel to pixel, and no render target is wider than this number of pixels.
+// The units count steps of depth, and a buffer of 24 bits has this many. Vulkan and ShaderLab take any floats here,
+// Direct3D 11 a float and an int.
 constexpr double kMostFactor = 16384, kMostUnits = 16777216;
 
-// `count` numbers; nothing after an error.
+// Reads `count` numbers; nothing after an error.
 template <std::size_t count>
 std::optional<std::array<double, count>> read_numbers(Reading& reading, const Json& json, std::string_view what,
                                                       std::string_view wanted) {

@@ -9,7 +9,7 @@
 namespace patina::graph {
 namespace {
 
-// --- what is looked at, and in what surroundings
+// --- camera and surroundings
 
 bool is_same_point(const SceneVector& a, const SceneVector& b) {
     return std::equal(a.begin(), a.end(), b.begin(),
@@ -47,7 +47,7 @@ SceneCamera read_camera(Reading& reading, const Json& json) {
     return camera;
 }
 
-// Nothing: the studio's.
+// Nothing: the scene has the studio's ambient light.
 std::optional<SceneAmbient> read_ambient(Reading& reading, const Json& json) {
     if (json.kind == Json::Kind::Object) {
         SceneAmbient ambient;
@@ -64,7 +64,7 @@ std::optional<SceneAmbient> read_ambient(Reading& reading, const Json& json) {
         return ambient;
     }
     if (json.kind == Json::Kind::String && !json.string.starts_with('#')) {
-        // The words are those of the environment.
+        // The words are those of "environment".
         const auto named = read_word<SceneEnvironment>(reading, json, "ambient", "ambient light");
         if (named == SceneEnvironment::Studio) return std::nullopt;
         return SceneAmbient{.horizon = SceneVector{}};
@@ -128,7 +128,7 @@ SceneMixedLighting read_mixed_lighting(Reading& reading, const Json& json) {
 
 // --- materials
 
-// A value in words; nothing after an error.
+// Reads a value in words; nothing after an error.
 std::optional<std::string> read_set_value(SceneReading& reading, const Json& json, std::string_view what) {
     switch (json.kind) {
         case Json::Kind::Bool: return json.boolean ? "true" : "false";

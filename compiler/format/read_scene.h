@@ -1,5 +1,5 @@
-// JSON tree -> SceneFile: reads every key, checks its words and numbers, finds the files that it names (and opens
-// none), and says which of the scene's materials each object means.
+// Makes a SceneFile of a JSON tree: reads every key, checks its words and numbers, finds the files that it names
+// (without opening them), and resolves the material of each object.
 #pragma once
 
 #include <functional>
@@ -9,13 +9,13 @@
 
 namespace patina::graph {
 
-// Where the files are found that a scene names. It is the room behind this one that knows (resolve/session.h).
+// Finds the files that a scene names. The caller provides it, because the search belongs to resolve/session.h.
 struct SceneFiles {
-    std::function<std::string(const std::string& name)> find;                   // its path; empty: there is none
-    std::function<void(const std::string& name, Span where)> report_missing{};  // what find() did not find
+    std::function<std::string(const std::string& name)> find;  // the path of the file; empty if there is none
+    std::function<void(const std::string& name, Span where)> report_missing{};  // if find() found none
 };
 
-// Returns a scene even after errors (what could be read). `name`: what it is called if it does not say so itself.
+// Returns a scene even after errors (the parts that could be read). `name`: the scene's name if the file states none.
 SceneFile read_scene(const Reading& reading, const Json& json, const std::string& path, std::string name,
                      const SceneFiles& files);
 

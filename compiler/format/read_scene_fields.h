@@ -1,4 +1,4 @@
-// What the readers of a scene's parts share: numbers within limits, vectors, colours and files. Private to
+// Functions that the readers of a scene's parts share: numbers within limits, vectors, colours and files. Private to
 // compiler/format/read_scene*.cpp.
 //
 //   read_number(reading, json, "fov", 1, 170, camera.fov);   // keeps what is there if the key is not
@@ -13,20 +13,20 @@ struct SceneReading : Reading {
     const SceneFiles& files;
 };
 
-// How far from the origin, and how large, anything may be: a float still tells a tenth of a metre there.
+// The limit of positions and sizes. A float is still exact to a tenth of a metre there.
 inline constexpr double kFarthest = 1e6;
 
 ScenePlace place_of(const Reading& reading, Span span);
 
-// True if the key is there and good; `target` changes only then.
+// True if the key is present and valid; `target` changes only then.
 bool read_number(Reading& reading, const Json& object, std::string_view key, double low, double high, double& target);
 bool read_vector(Reading& reading, const Json& object, std::string_view key, double low, double high,
                  SceneVector& target);
-// "#rrggbb", a grey, or three linear numbers; where alpha has a meaning a fourth.
+// Reads "#rrggbb", a grey, or three linear numbers; a fourth number where alpha has a meaning.
 std::optional<std::array<double, 4>> read_scene_color(Reading& reading, const Json& json, std::string_view key,
                                                       bool with_alpha = false);
 void read_color(Reading& reading, const Json& object, std::string_view key, SceneVector& target);
-// Reports a file that is not there.
+// Reports a file that does not exist.
 SceneFileName read_file_name(SceneReading& reading, const Json& json, std::string_view what);
 
 void report_impossible(Reading& reading, const Json& object, std::string_view key, std::string_view wanted);

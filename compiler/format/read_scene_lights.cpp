@@ -6,11 +6,11 @@ namespace {
 constexpr double kBrightest = 1e6;
 constexpr double kLargestBias = 100;
 
-// The keys that not every kind of light has.
+// The keys that only some kinds of light have.
 struct OwnedKey {
     std::string_view key;
     bool directional, point, spot;
-    bool required = false;  // of those that have it
+    bool required = false;  // for the kinds that have it
 };
 constexpr std::array kOwnedKeys = {
     OwnedKey{"position", false, true, true, true}, OwnedKey{"direction", true, false, true, true},
@@ -74,7 +74,7 @@ SceneLight read_light(SceneReading& reading, const Json& json) {
     const Json* type = json.find("type");
     if (!type) return light;
     const std::optional<LightKind> known = read_word<LightKind>(reading, *type, "type", "a type of light");
-    if (!known) return light;  // which other keys there are depends on it
+    if (!known) return light;  // the kind decides which other keys there are
     light.type = *known;
     check_owned_keys(reading, json, light.type);
 

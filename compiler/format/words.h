@@ -1,5 +1,5 @@
-// What only the readers of graphs and passes know of words: those that only a graph has, and what others call a word
-// of ours. The words that the reflection and scenes have, too, are in patina/words.h.
+// The words that only the readers of graphs and passes use, and the synonyms that other programs have for our words.
+// The words that the reflection and scenes share are in patina/words.h.
 //
 //   meant_by("incrSat", texts<StencilOp>())  ->  "increment"
 #pragma once
@@ -13,7 +13,7 @@
 
 namespace patina::graph {
 
-// What others call a word of ours: where a message suggests one, it is the one that is meant.
+// A word of another program or API, and our word for it, which a message then suggests.
 struct Synonym {
     std::string_view theirs, ours;
 };
@@ -27,14 +27,14 @@ inline constexpr std::array kSynonyms = {
     Synonym{"gt", "greater"},
     Synonym{"eq", "equal"},
     Synonym{"ne", "notEqual"},
-    // what becomes of the stencil: incrSat, INCR_SAT
+    // stencil operations: incrSat, INCR_SAT
     Synonym{"incr", "increment"},
     Synonym{"decr", "decrement"},
     Synonym{"incrsat", "increment"},
     Synonym{"decrsat", "decrement"},
     Synonym{"incrwrap", "incrementWrap"},
     Synonym{"decrwrap", "decrementWrap"},
-    // and of Metal and WebGPU: incrementClamp, increment-clamp
+    // those of Metal and WebGPU: incrementClamp, increment-clamp
     Synonym{"incrementclamp", "increment"},
     Synonym{"decrementclamp", "decrement"},
     // stages
@@ -52,7 +52,7 @@ inline constexpr std::array kSynonyms = {
     Synonym{"modulate", "multiply"},
 };
 
-// The words of an enum without their values, as messages list them.
+// The texts of an enum's words, as messages list them.
 template <HasWords E>
 constexpr std::array<std::string_view, kWords<E>.size()> texts() {
     std::array<std::string_view, kWords<E>.size()> made{};
@@ -62,7 +62,7 @@ constexpr std::array<std::string_view, kWords<E>.size()> texts() {
 
 inline constexpr std::array<std::string_view, 4> kDefaultTextures = {"white", "black", "gray", "bump"};
 
-// What an input of a sub-graph, a workflow or a lighting model may be.
+// The types that an input of a sub-graph, a workflow or a lighting model can have.
 inline constexpr std::array<std::string_view, 8> kInputTypes = {"float", "float2", "float3", "float4",
                                                                 "color", "int",    "bool",   "texture2d"};
 
@@ -70,7 +70,7 @@ inline constexpr std::array<std::string_view, 8> kInputTypes = {"float", "float2
 
 namespace patina {
 
-// The words that only graphs have.
+// Words that only graphs use.
 template <>
 inline constexpr auto kWords<graph::ObjectKind> = std::to_array<Word<graph::ObjectKind>>({
     {"material", graph::ObjectKind::Material},

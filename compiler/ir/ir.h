@@ -18,11 +18,11 @@
 //
 // Lifetime is the Module's: everything is an index into one of its vectors.
 //
-// A pass does not edit the instructions of a function in place: it rebuilds the function through a Builder (builder.h),
-// which finds what can be folded now. There are two exceptions. renumber_calls() (rebuild.h) tells calls where their
-// callees stand now, when functions have moved and nothing else of the caller changes. And link() and make_instanced()
-// replace the reads of semantics and globals where they stand, because every value must keep its index: probes refer to
-// values, and a rebuilt function has none.
+// An IR pass does not edit the instructions of a function in place: it rebuilds the function through a Builder
+// (builder.h), which finds what can be folded now. There are two exceptions. renumber_calls() (rebuild.h) tells calls
+// where their callees stand now, when functions have moved and nothing else of the caller changes. And link() and
+// make_instanced() replace the reads of semantics and globals where they stand, because every value must keep its
+// index: probes refer to values, and a rebuilt function has none.
 #pragma once
 
 #include <cstdint>

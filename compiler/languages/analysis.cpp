@@ -11,11 +11,11 @@ using namespace ir;
 
 namespace {
 
-constexpr unsigned kMaxDepth = 12;   // operations folded into each other
+constexpr unsigned kMaxDepth = 12;   // of operations in one expression
 constexpr unsigned kMaxWidth = 96;   // columns of an expression, estimated
 constexpr unsigned kNameWidth = 10;  // of a variable without a hint
 
-// Order, blocks, and one Value for each slot's Results.
+// Lays out the order and the blocks, and finds the Result of each slot.
 void lay_out(Analysis& a, BlockId block) {
     for (Value v : a.function.blocks[block.index].insts) {
         const Inst& inst = a[v];
@@ -36,7 +36,7 @@ void lay_out(Analysis& a, BlockId block) {
             Value& first = a.results[structure.index][inst.data];
             if (!first) {
                 first = v;
-                // The slot's variable lives beside the If or For, wherever its value is first asked for.
+                // The slot's variable is declared in the block of the If or For, wherever its value is first read.
                 a.block[v.index] = a.block[structure.index];
                 a.position[v.index] = a.end[structure.index];
             }
@@ -85,7 +85,7 @@ void count_reads(Analysis& a) {
         for (std::uint32_t i = 0; i < a.args(v); ++i) {
             if (inst.op == Op::Yield && !a.is_slot_read(a.owner[a.block[v.index].index], i)) continue;
             const Value read = a.arg(v, i);
-            const bool is_limit = inst.op == Op::For && i == 1;  // asked again in every round
+            const bool is_limit = inst.op == Op::For && i == 1;  // computed again in every iteration
             const BlockId where = is_limit ? BlockId{inst.data} : is_free ? a.read_block[v.index] : a.block[v.index];
             note_read(a, read, is_free ? Value{} : v, where, is_free ? a.reads[v.index] : 1);
             if (is_free && a.read_elsewhere[v.index]) a.read_elsewhere[read.index] = true;
@@ -93,7 +93,7 @@ void count_reads(Analysis& a) {
     }
 }
 
-// A variable that receives the value anyway makes one of its own needless.
+// If a variable receives the value anyway, the value needs none of its own.
 bool has_receiver(const Analysis& a, Value v) {
     const Value reader = a.only_reader[v.index];
     if (!reader) return false;
@@ -101,7 +101,7 @@ bool has_receiver(const Analysis& a, Value v) {
     return op == Op::Yield || (op == Op::For && a.arg(reader, 0) != v && a.arg(reader, 1) != v);
 }
 
-// Goes into the member of a struct that is called as it is: the member's name says what it is.
+// True for the member of a struct that has the same name: the member says already what the value is.
 bool is_named_by_member(const Analysis& a, Value v, Value reader) {
     if (a[reader].op != Op::Construct || a[reader].type.kind != Kind::Struct) return false;
     const std::vector<Member>& members = a.module.structs[a[reader].type.ref].members;
@@ -154,7 +154,8 @@ unsigned own_width(const Analysis& a, Value v) {
     return is_operator ? 3 : 6 + 2 * a.args(v);
 }
 
-// Forward: what an expression costs, and what must be taken out of it to keep it readable.
+// Measures expressions from the first value to the last, and moves operands of expressions that are too big to read
+// into variables.
 class Folding {
 public:
     explicit Folding(Analysis& analysis) : a_(analysis), cost_(analysis.function.insts.size()) {}
@@ -189,7 +190,7 @@ private:
     }
     void measure(Value v) {
         Cost c{0, own_width(a_, v)};
-        // The members of an aggregate and the values of a block's end are statements each.
+        // The members of an aggregate and the values at the end of a block are separate statements.
         const Op op = a_[v].op;
         const bool is_list =
             op == Op::Yield || op == Op::For || v == a_.outputs || is_aggregate(a_[v].type) || is_statements(a_, v);
@@ -201,7 +202,7 @@ private:
         }
         cost_[v.index] = c;
     }
-    // A member or swizzle of a leaf reads as well as a variable would; a row of them without end does not.
+    // A member or swizzle of a leaf is as readable as a variable, unless it is a long chain.
     bool is_access(Value v) const {
         for (int parts = 0; parts < 3 && a_.is_free(v) && a_.args(v) == 1; ++parts) v = a_.arg(v, 0);
         return is_leaf(a_[v].op);
@@ -219,7 +220,8 @@ private:
         }
         return biggest;
     }
-    // `v.xy` of an expression: the expression gets the variable, its parts go on being read from it.
+    // If the value is a swizzle or member of an expression (`v.xy`), the expression gets the variable, and its parts
+    // are read from that.
     void stand(Value v) {
         Value inner = v;
         std::vector<Value> chain;
@@ -265,7 +267,7 @@ std::uint32_t Analysis::computed_at(Value v) const {
 }
 
 bool Analysis::is_slot_read(Value structure, std::uint32_t slot) const {
-    // A carried value may be read by the loop itself.
+    // The loop itself may read a carried value.
     if (function[structure].op == Op::For) return true;
     const Value result = results[structure.index][slot];
     return result && is_read(result);

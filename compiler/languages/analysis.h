@@ -1,5 +1,5 @@
-// What plan.cpp finds out about a function before variables are made: the order of its values, who reads them and where
-// the last time, and which of them cannot fold into an expression. Only for the plan's own files.
+// What plan.cpp finds out about a function before it makes variables: the order of the values, their readers, the last
+// read of each, and which values cannot fold into an expression. Private to the plan's own files.
 #pragma once
 
 #include "compiler/languages/plan.h"
@@ -11,22 +11,22 @@ struct Analysis {
     const ir::Function& function;
     bool is_entry;
 
-    std::vector<ir::Value> order = {};         // as printed: an If or For, then what is inside, then what follows
+    std::vector<ir::Value> order = {};         // print order: an If or For, then its content, then what follows
     std::vector<std::uint32_t> position = {};  // by Value: place in that order
-    std::vector<std::uint32_t> end = {};       // by Value: of an If or For, the position of the last thing inside
+    std::vector<std::uint32_t> end = {};       // by Value: for an If or For, the position of the last value inside
     std::vector<ir::BlockId> block = {};       // by Value
     std::vector<ir::Value> owner = {};         // by block: its If or For
 
     std::vector<ir::Value> same_as = {};  // see Plan
     std::vector<unsigned> reads = {};
     std::vector<ir::BlockId> read_block = {};  // one block that reads the value
-    std::vector<bool> read_elsewhere = {};     // another block than its own reads it
-    std::vector<ir::Value> only_reader = {};   // none if there are several
+    std::vector<bool> read_elsewhere = {};     // a block other than the value's own reads it
+    std::vector<ir::Value> only_reader = {};   // null if there are several
     ir::Value outputs = {};
 
-    std::vector<std::uint8_t> tests = {};       // made of keywords, which the preprocessor tests; empty: nothing is
-    std::vector<bool> stands = {};              // in a variable
-    std::vector<std::uint32_t> last_read = {};  // position of the statement that reads the value last
+    std::vector<std::uint8_t> tests = {};       // 1: a condition of keywords for the preprocessor; empty: none
+    std::vector<bool> stands = {};              // has a variable
+    std::vector<std::uint32_t> last_read = {};  // position of the statement with the last read
 
     const ir::Inst& operator[](ir::Value v) const { return function.insts[v.index]; }
     ir::Value arg(ir::Value v, std::uint32_t i) const { return same_as[function.args(v)[i].index]; }
@@ -35,11 +35,11 @@ struct Analysis {
     bool is_read(ir::Value v) const { return reads[v.index] > 0; }
     bool is_live(ir::Value v) const;
     bool is_test(ir::Value v) const { return !tests.empty() && tests[v.index] != 0; }
-    // Position of the statement in which a value is computed that stands in no variable; else its own.
+    // The position of the statement that computes the value; without a variable, that is the statement that reads it.
     std::uint32_t computed_at(ir::Value v) const;
-    // Whether the value at this place of a Yield goes anywhere.
+    // True if something reads the value at this position of a Yield.
     bool is_slot_read(ir::Value structure, std::uint32_t slot) const;
-    // Never worth a variable: reading it costs nothing, so all of its readers repeat it.
+    // True for a value that never gets a variable, because reading it costs nothing: all its readers repeat it.
     bool is_free(ir::Value v) const;
 
     std::vector<std::vector<ir::Value>> results =

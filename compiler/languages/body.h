@@ -1,5 +1,5 @@
-// One function while it is printed: the names of its variables, its expressions (expressions.cpp) and its statements
-// (statements.cpp). Which values are variables was decided in plan.h.
+// Prints one function: the names of its variables, its expressions (expressions.cpp) and its statements
+// (statements.cpp). The plan (plan.h) has decided which values are variables.
 #pragma once
 
 #include "compiler/languages/plan.h"
@@ -13,7 +13,7 @@ public:
     Body(Writer& writer, ir::FunctionId id, const EntryPoint* entry);
 
     void print();
-    // Only what it takes and gives.
+    // Prints only the signature.
     void print_declaration();
 
     // --- for a language's own expressions
@@ -23,16 +23,16 @@ public:
     ir::Value arg(ir::Value v, std::uint32_t i) const { return plan_.resolve(function_.args(v)[i]); }
     std::uint32_t args(ir::Value v) const { return function_[v].operand_count; }
     bool is_variable(ir::Value v) const { return plan_.variable[v.index] != Plan::kNone; }
-    // The value's variable, or what computes it.
+    // The value's variable, or the expression that computes it.
     Text expression(ir::Value v) const;
     std::string argument(ir::Value v, std::uint32_t i) const { return expression(arg(v, i)).text; }
-    // Operands from the given one on, with commas.
+    // The operands from the given one on, separated by commas.
     std::string arguments(ir::Value v, std::uint32_t from = 0) const;
     Text ternary(ir::Value v) const;
 
     // --- for a language's own statements
     void statement(ir::Value v, std::string_view text);
-    // A name for a helper of this value's statements, free in the current block.
+    // Declares a name for a helper variable of this value's statements, free in the current block.
     std::string declare_helper(std::string_view wanted) { return writer_.names.declare(wanted); }
     // "vec3 x" the first time, then "x".
     std::string target(ir::Value v);
@@ -78,7 +78,7 @@ private:
     void print_for(ir::Value v);
     void print_return(ir::Value v);
     void print_yields(ir::Value yield, ir::Value structure);
-    // "x = text;", or "x += y;" where the text is x + y. `value`: what the text computes.
+    // "x = text;", or "x += y;" if the text is x + y. `value`: the value that the text computes.
     void assign(std::uint32_t variable, ir::Value value, const Text& text, ir::Value from);
     std::string assignment(std::uint32_t variable, ir::Value value, const Text& text);
     void enter(ir::OriginId origin);
@@ -101,15 +101,15 @@ private:
     const Plan& plan_;
     std::vector<std::string> params_;          // names
     std::vector<std::string> names_;           // of variables; empty: not declared yet
-    std::vector<std::string_view> member_of_;  // by Value: the struct member that it becomes; empty: none
+    std::vector<std::string_view> member_of_;  // by Value: the struct member that it is stored in; empty: none
     unsigned indent_ = 1;
-    unsigned loops_ = 0;           // open ones
-    ir::OriginId origin_;          // of the last statement
+    unsigned loops_ = 0;           // number of open loops
+    ir::OriginId origin_;          // that of the last statement
     std::vector<bool> commented_;  // by origin
     bool at_block_start_ = true;
 };
 
-// A value's name where its author gave none: "texel" for a sample, "surface" for a Surface.
+// The name of a value without a hint: "texel" for a sample, "surface" for a Surface.
 std::string_view fallback_name(ir::Op op);
 
 }  // namespace patina::targets

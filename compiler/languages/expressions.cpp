@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kComponents = "xyzw";
 
-// One more to a list with commas.
+// Appends an element to a list with commas.
 void append(std::string& list, std::string_view element) {
     if (!list.empty()) list += ", ";
     list += element;
@@ -27,7 +27,7 @@ Text call_text(std::string_view function, std::string_view arguments) {
     return {std::move(text), Precedence::Postfix};
 }
 
-// A foreign value may be spelled with a swizzle, of which another one takes the first components: "v.vertex.xyz".
+// The spelling of a foreign value may end in a swizzle ("v.vertex.xyz"), from which another swizzle takes components.
 std::string without_swizzle(std::string text) {
     const std::size_t dot = text.rfind('.');
     if (dot != text.npos && kComponents.starts_with(std::string_view(text).substr(dot + 1)) && text.size() > dot + 1)
@@ -68,7 +68,7 @@ std::string Body::arguments(Value v, std::uint32_t from) const {
 
 // --- operators and functions
 
-// A vector in whose expression one can see that it repeats a scalar.
+// True for a vector whose expression shows that it repeats a scalar.
 bool Body::repeats_scalar(Value v) const {
     const Inst& inst = function_[v];
     if (is_variable(v) || !inst.type.is_vector()) return false;
@@ -104,7 +104,7 @@ Text Body::infix(Value v, const Spelling& spelling) const {
     const bool right_may = (spelling.scalars & (kEither | kSecond)) != 0, left_may = (spelling.scalars & kEither) != 0;
     const bool right_is_scalar = right_may && repeats_scalar(arg(v, 1));
     Text left = operand(v, 0, left_may && !right_is_scalar), right = operand(v, 1, right_is_scalar);
-    // Nobody knows by heart how bits and shifts bind: a ^ (b >> 16u).
+    // Few readers know the precedence of bit operators and shifts, so they get parentheses: a ^ (b >> 16u).
     const bool is_of_bits = spelling.precedence >= Precedence::BitOr && spelling.precedence <= Precedence::BitAnd;
     if (is_of_bits || spelling.precedence == Precedence::Shift) {
         for (Text* side : {&left, &right}) {
@@ -115,7 +115,7 @@ Text Body::infix(Value v, const Spelling& spelling) const {
     std::string text = at_least(spelling.precedence, std::move(left));
 
     std::string_view sign = spelling.text;
-    // a + -1.0 is a - 1.0, and a - -1.0 is a + 1.0, to the bit.
+    // a + -1.0 is printed as a - 1.0, and a - -1.0 as a + 1.0, which is exact.
     const bool is_sum = sign == "+" || sign == "-";
     if (is_sum && right.precedence == Precedence::Unary && right.text.starts_with('-') &&
         right.text.find_first_of("0123456789") == 1) {
@@ -132,7 +132,7 @@ Text Body::call(Value v, const Spelling& spelling) const {
     std::vector<Value> operands(args(v));
     for (std::uint32_t i = 0; i < args(v); ++i) operands[i] = arg(v, i);
     const auto may_be_scalar = [&](std::size_t i) { return (spelling.scalars >> i & 1) != 0; };
-    // min and max: the limit last, as one writes it, and as GLSL wants a scalar limit.
+    // min and max get the limit last, which is usual, and GLSL requires a scalar limit there.
     const auto is_limit = [&](Value operand) {
         return repeats_scalar(operand) || function_[operand].op == Op::Constant;
     };
@@ -156,7 +156,7 @@ Text Body::ternary(Value v) const {
     return {fmt::format("{} ? {} : {}", part(0), part(1), part(2)), Precedence::Ternary};
 }
 
-// --- leaves, composites, conversions, calls: the same in every language but for names
+// --- leaves, composites, conversions, calls: the same in every language except for names
 
 Text Body::shared(Value v) const {
     const Inst& inst = function_[v];
@@ -184,7 +184,7 @@ Text Body::shared(Value v) const {
     return {fmt::format("{}[{}]", at_least(Precedence::Postfix, expression(from)), index), Precedence::Postfix};
 }
 
-// The call of a foreign function, with its arguments, and where it has one the name of its result, in their places.
+// The call of a foreign function, with its arguments and (if it has one) the name of its result inserted.
 std::string Body::spelled(Value v, std::string_view spelling, std::string_view result) const {
     std::string text;
     while (!spelling.empty()) {
@@ -295,7 +295,7 @@ Text Body::extract(Value v) const {
     const Type type = function_[from].type;
     const std::uint32_t index = function_[v].data;
     if (type.is_matrix()) return row(from, fmt::format("{}", index));
-    // One element of a matrix, without making its row.
+    // An element of a matrix is read without making its row.
     const bool is_row =
         function_[from].op == Op::Extract && !is_variable(from) && function_[arg(from, 0)].type.is_matrix();
     if (is_row && writer_.language.matrices_by_columns) {
@@ -307,7 +307,7 @@ Text Body::extract(Value v) const {
     return {at_least(Precedence::Postfix, source) + part(type, index), Precedence::Postfix};
 }
 
-// A value of the tool, or one that it keeps in a wider vector.
+// A value of the engine, or one that it stores in a wider vector.
 bool Body::may_end_in_swizzle(Value v) const {
     return function_[v].op == Op::Global && function_[v].type.is_vector() && !is_variable(v) &&
            (module().globals[function_[v].data].is_foreign() || writer_.language.read);

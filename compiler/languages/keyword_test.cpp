@@ -1,4 +1,4 @@
-// Conditions of keywords, in the words of the preprocessor.
+// Prints conditions on keywords as conditions of the preprocessor.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +11,8 @@ using namespace ir;
 
 namespace {
 
-// A condition of the preprocessor. `joined_by`: "&&" or "||" if it is several; it stands in parentheses among others.
+// A condition of the preprocessor. `joined_by`: the "&&" or "||" between its parts, which then need parentheses inside
+// another condition.
 struct Test {
     std::string text;
     std::string_view joined_by = {};
@@ -29,10 +30,10 @@ Test joined(const Test& left, std::string_view by, const Test& right) {
     return {fmt::format("{} {} {}", part(left), by, part(right)), by};
 }
 
-// Whether a keyword has one of the values for which `wanted` is true. Where none of an enum's keywords is defined it
-// has the first, as a new material has.
+// Tests whether a keyword has one of the values for which `wanted` is true. If none of an enum's keywords is defined,
+// it has the first value, as in a new material.
 Test has_value(const Language& language, const Keyword& keyword, const std::vector<bool>& wanted) {
-    const bool is_listed = !wanted[0];  // else it is told which values it has not
+    const bool is_listed = !wanted[0];  // otherwise the test lists the values that it must not have
     std::optional<Test> made;
     for (std::size_t i = 1; i < wanted.size(); ++i) {
         if (wanted[i] != is_listed) continue;
@@ -43,7 +44,7 @@ Test has_value(const Language& language, const Keyword& keyword, const std::vect
     return made.value_or(Test{is_listed ? "0" : "1"});
 }
 
-// What a condition of nothing but keywords is, by their values.
+// Translates a condition that reads only keywords.
 class Condition {
 public:
     explicit Condition(const Body& body) : body_(body), module_(body.module()) {}
@@ -67,7 +68,7 @@ public:
 private:
     static constexpr std::uint32_t kSeveral = 0xffffffffu;
 
-    // The keyword that the condition reads; none if there are several. False if it reads something else.
+    // Finds the one keyword that the condition reads; none if there are several. False if it reads something else.
     bool find_keyword(Value v, std::optional<std::uint32_t>& only) const {
         std::optional<std::uint32_t> found;
         if (!search(v, found) || !found) return false;
@@ -92,7 +93,7 @@ private:
         return true;
     }
 
-    // Where its only keyword has this value.
+    // The condition's value if its only keyword has this value.
     double value_where(Value v, double keyword) const {
         const Inst& inst = body_[v];
         if (inst.op == Op::Constant) return module_.numbers_of(module_.constants[inst.data])[0];
@@ -119,7 +120,7 @@ private:
 
 }  // namespace
 
-// The condition in the words of the preprocessor; empty: it cannot say it.
+// The condition in the words of the preprocessor; empty if it cannot be expressed.
 std::string Body::keyword_test(Value condition) const {
     const std::optional<Test> test = Condition(*this).test(condition);
     return test ? test->text : std::string();

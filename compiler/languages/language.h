@@ -1,9 +1,8 @@
-// What the printer must know about a target language: how each operation is spelled (data), and the few things for
-// which data is not enough (functions). The printer decides what is printed and in which order; a language decides how
-// it looks.
+// Describes a language to the printer: how each operation is spelled (data), and functions for the few things that data
+// cannot express. The printer decides what is printed, and in which order. A language decides how it looks.
 //
 //   {Op::Lerp, Form::Function, "mix", Precedence::Postfix, {}, kThird}     lerp(a, b, t) is mix(a, b, t), and t may be
-//                                                                       a scalar beside vectors
+//                                                                       a scalar among vectors
 #pragma once
 
 #include <array>
@@ -25,12 +24,12 @@ enum class Form : std::uint8_t {
     Prefix,     // text operand
     Infix,      // operand text operand
     Function,   // text(operands)
-    Shared,     // expressions.cpp knows: leaves, composites, conversions, calls
-    Own,        // Language::expression knows
+    Shared,     // in expressions.cpp: leaves, composites, conversions, calls
+    Own,        // in Language::expression
     Statement,  // not an expression: statements.cpp prints it
 };
 
-// Which operands may be scalars beside vectors, as a mask of their positions.
+// The operands that may be scalars if the others are vectors, as a mask of their positions.
 enum ScalarOperands : std::uint8_t { kNone = 0, kFirst = 1, kSecond = 2, kThird = 4, kEither = 8 };
 
 struct Spelling {
@@ -38,12 +37,13 @@ struct Spelling {
     Form form = Form::Statement;
     std::string_view text = {};
     Precedence precedence = Precedence::Postfix;
-    std::string_view of_vectors = {};  // function to call where the operands are vectors; empty: the same spelling
+    std::string_view of_vectors = {};  // the function for vector operands; empty: the same spelling
     std::uint8_t scalars = kNone;
 };
 using SpellingTable = std::array<Spelling, ir::kOpCount>;
 
-// Rows of a spelling file, in any order -> a table indexed by Op. Does not compile if an op is missing or there twice.
+// Makes a table indexed by Op of the rows of a spelling file, in any order. Does not compile if an op is missing or
+// there twice.
 template <std::size_t N>
 consteval SpellingTable by_op(const Spelling (&rows)[N]) {
     static_assert(N == ir::kOpCount, "a spelling table needs one row for each op");
@@ -64,7 +64,7 @@ struct EntryPoint {
     std::vector<Text> inputs;              // by parameter: "vUv0", "input.uv0"
     std::vector<std::string> outputs;      // by member of the result: "outColor", "output.color"
     std::string before_return, at_return;  // statements around the assignments of the outputs; may be empty
-    std::vector<std::string> names = {};   // that its signature declares
+    std::vector<std::string> names = {};   // names that the signature declares
     std::vector<std::string> begin = {};   // statements before everything else
     std::vector<std::string> guards = {};  // by output: a condition of the preprocessor, or empty
     std::vector<std::string> end = {};     // statements before `at_return`
@@ -103,19 +103,19 @@ struct Language {
     std::string (*type_name)(ir::Type type) = nullptr;
     // The function that reads the bits of one scalar kind as another's.
     std::string_view (*bitcast)(ir::Scalar to, ir::Scalar from) = nullptr;
-    // A vector whose components all are the scalar.
+    // A vector whose components all equal the scalar.
     Text (*splat)(ir::Type type, const Text& scalar) = nullptr;
     // The initial value of an array with these elements.
     std::string (*array_value)(const std::string& element_type, std::size_t count,
                                const std::string& elements) = nullptr;
-    std::string_view set_word;   // what stands before the number of a descriptor set
-    std::string_view row_major;  // what stands before a matrix of a block that holds its rows; empty: the block says so
-    std::string_view constant_array;  // what stands before a constant array's type
-    // How a value of a uniform block is read; null: by its name.
+    std::string_view set_word;        // the text before the number of a descriptor set
+    std::string_view row_major;       // the text before a matrix that a block stores in rows; empty: the block says so
+    std::string_view constant_array;  // the text before the type of a constant array
+    // The expression that reads a value of a uniform block; null: its name.
     std::string (*read)(const Writer& writer, ir::GlobalId global, std::string_view name) = nullptr;
-    // Ops that the table calls Own.
+    // Prints the ops that the table marks as Own.
     Text (*expression)(const Body& body, ir::Value value) = nullptr;
-    // A value that takes statements of its own, printed here. False: it is an expression like any other.
+    // Prints a value that needs statements of its own. False: the value is an ordinary expression.
     bool (*statement)(Body& body, ir::Value value) = nullptr;
 
     // Declarations.
@@ -123,7 +123,7 @@ struct Language {
     void (*block)(Writer& writer, const ir::UniformBlock& block) = nullptr;
     void (*resource)(Writer& writer, ir::GlobalId global) = nullptr;
     void (*keyword)(Writer& writer, ir::GlobalId global) = nullptr;
-    // What the preprocessor asks to know whether a keyword is on, or has that value. Null: it knows no keywords.
+    // The preprocessor's test whether a keyword is on, or has this value. Null: the language has no keywords.
     std::string (*keyword_test)(const ir::Keyword& keyword, std::optional<std::size_t> value) = nullptr;
     EntryPoint (*entry_point)(Writer& writer) = nullptr;
 };

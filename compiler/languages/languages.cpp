@@ -1,4 +1,4 @@
-// All target languages. A target is a row here and a folder of its own.
+// Lists all languages. A language is a row here and a folder of its own.
 #include <algorithm>
 
 #include "compiler/languages/glsl/glsl.h"

@@ -15,7 +15,7 @@ const Type& type_of_operand(const Function& function, Value v, std::uint32_t ind
     return function[function.args(v)[index]].type;
 }
 
-// --- x mod y has the sign of x. GLSL's mod and glslang's % have the sign of y, for ints too.
+// --- x mod y has the sign of x; GLSL's mod and glslang's % have the sign of y, even for ints
 
 bool is_signed_mod(const Module&, const Function& function, Value v) {
     return function[v].op == Op::Mod && function[v].type.scalar != Scalar::Uint && !function[v].type.is_matrix();
@@ -29,7 +29,7 @@ Value expand_mod(Copy& copy, Value v) {
     return b.emit(Op::Sub, type, {x, b.emit(Op::Mul, type, {y, quotient})});
 }
 
-// --- component-wise operations on matrices: * multiplies matrices in GLSL, functions take none
+// --- component-wise operations on matrices: in GLSL, * multiplies matrices, and functions take none
 
 bool is_matrix_op(const Module&, const Function& function, Value v) {
     const Inst& inst = function[v];
@@ -57,7 +57,7 @@ struct Range {
 
 std::optional<Range> range_of(const Module& module, const Function& function, Value v, int depth = 0);
 
-// A loop's index, from its limits.
+// The range of a loop's index, from its limits.
 std::optional<Range> range_of_loop(const Module& module, const Function& function, Value index, int depth) {
     for (std::uint32_t i = 0; i < function.insts.size(); ++i) {
         const Inst& loop = function.insts[i];
@@ -107,7 +107,7 @@ Value clamp_index(Copy& copy, Value v) {
     return b.emit(Op::Index, copy.from[v].type, {composite, clamped});
 }
 
-// --- SPIR-V differentiates 32-bit floats only
+// --- SPIR-V differentiates only 32-bit floats
 
 bool is_half_derivative(const Module&, const Function& function, Value v) {
     const Op op = function[v].op;
@@ -119,7 +119,7 @@ Value differentiate_as_float(Copy& copy, Value v) {
     return b.convert(b.emit(copy.from[v].op, type, {b.convert(operand(copy, v, 0), Scalar::Float)}), Scalar::Half);
 }
 
-// --- there are no neighbouring pixels in the vertex stage, so a sample there has level 0
+// --- the vertex stage has no neighbouring pixels, so a sample reads level 0 there
 
 bool samples_in_vertex_stage(const Module& module, const Function& function, Value v) {
     const Op op = function[v].op;
@@ -154,8 +154,8 @@ Value scalar_geometry(Copy& copy, Value v) {
     return b.emit(Op::Sub, type, {x, b.emit(Op::Mul, type, {twice, y})});
 }
 
-// --- a choice between vectors that is made with the pipeline. glslang makes a constant of it, as SPIR-V lets it, and
-// Mesa 22.3 takes the wrong one, by whatever a condition of three equal components is; it chooses between scalars well.
+// --- a choice between vectors by a specialization constant: glslang makes a constant of it, as SPIR-V allows, and Mesa
+// 22.3 takes the wrong vector, even if the condition repeats one value three times. A choice between scalars is right.
 
 bool is_of_pipeline(const Module& module, const Function& function, Value v, int depth = 0) {
     const Inst& inst = function[v];
@@ -225,7 +225,7 @@ bool legalize_once(Module& module, Function& function, std::span<const Rule> rul
     if (std::all_of(applying.begin(), applying.end(), [](const Rule* rule) { return rule == nullptr; })) return false;
 
     Function made = take_shell(function);
-    Builder builder(module, made, {.fold = false});  // folding would undo some of it
+    Builder builder(module, made, {.fold = false});  // folding would undo some rewrites
     Copy copy{.from = function, .to = builder};
     copy.rewrite = [&](Copy& c, Value v) {
         if (applying[v.index] == nullptr) return false;
@@ -249,10 +249,11 @@ std::optional<Module> legalize(const Module& module, std::span<const Rule> rules
                                       [&](const Function& function) { return is_legal_in(module, function, all); });
     if (is_legal) return {};
 
-    // Both languages end a pixel where it is discarded, and its neighbours still need it for their derivatives.
+    // In both languages a discard ends the pixel at once, but its neighbours still need its values for their
+    // derivatives.
     Module legal = legalize_discard(module);
     for (Function& function : legal.functions) {
-        // What a rule makes may need another one, of a smaller type: a matrix's saturate is that of its rows.
+        // The result of a rule may need another one, of a smaller type: a matrix's saturate becomes that of its rows.
         while (legalize_once(legal, function, all)) continue;
     }
     return legal;

@@ -13,7 +13,7 @@ namespace {
 
 Text integer(double value) {
     const auto whole = static_cast<long long>(value);
-    // The literal of the lowest int would be the negation of a number that no int holds.
+    // A literal of the lowest int would be the negation of a number that does not fit in an int.
     if (whole == std::numeric_limits<std::int32_t>::min()) return {"-2147483647 - 1", Precedence::Additive};
     return {fmt::format("{}", whole), whole < 0 ? Precedence::Unary : Precedence::Primary};
 }

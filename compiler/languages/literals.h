@@ -1,7 +1,5 @@
-// Numbers as GLSL and HLSL write them: shortest text that reads back the same, always recognisable as a float.
-//
-//   literal(kFloat, 1)       1.0        literal(kUint, 5)   5u
-//   literal(kHalf, 0.5)      0.5hf (GLSL), 0.5h (HLSL)
+// Prints numbers as GLSL and HLSL write them: the shortest text that reads back the same, always recognisable as a
+// float.
 #pragma once
 
 #include "compiler/ir/types.h"

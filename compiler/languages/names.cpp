@@ -12,10 +12,10 @@ bool is_letter_or_digit(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
-// Only letters, digits and single underscores, no digit first.
+// Keeps only letters, digits and single underscores, with no digit first.
 std::string plain_identifier(std::string_view word) {
     const auto is_letter = [](char c) { return is_letter_or_digit(c) && !(c >= '0' && c <= '9'); };
-    // Most names are: one look instead of a copy letter by letter.
+    // Most names are valid already, so check before copying letter by letter.
     if (!word.empty() && is_letter(word[0]) && std::all_of(word.begin(), word.end(), is_letter_or_digit)) {
         return std::string(word);
     }
@@ -56,7 +56,7 @@ std::string Names::declare(std::string_view wanted) {
     return *name;
 }
 
-// Backwards: a numbered name goes before the one that it was made from.
+// From the last to the first: a numbered name is removed before the name that it was made from.
 void Names::close() {
     for (auto taken = scopes_.back().rbegin(); taken != scopes_.back().rend(); ++taken) {
         *taken->number = 2;

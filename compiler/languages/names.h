@@ -1,5 +1,5 @@
-// Identifiers of the emitted text: which words no target allows, and which are already taken where a new name is
-// wanted. A name that the author chose is kept; a number is added only on a clash.
+// Chooses identifiers of the emitted text: avoids words that a language reserves, and names that are taken. An author's
+// name is kept; a number is added only on a clash.
 //
 //   Names names;
 //   names.declare("albedo");  // albedo
@@ -19,19 +19,19 @@ public:
     Names() : scopes_(1) { next_.reserve(64); }
     Names(const Names&) = delete;
 
-    // A name that is free in every open scope, made from the wanted one; taken in the innermost scope.
+    // Makes a name from the wanted one that is free in every open scope, and takes it in the innermost scope.
     std::string declare(std::string_view wanted);
     bool is_free(std::string_view name) const { return !next_.contains(std::string(name)); }
     void open() { scopes_.emplace_back(); }
-    // Names of the innermost scope are free again.
+    // Frees the names of the innermost scope.
     void close();
 
 private:
     struct Taken {
         const std::string* name;  // in next_
-        unsigned* number;         // of the name that was wanted: in next_, too
+        unsigned* number;         // the counter of the wanted name: also in next_
     };
-    std::unordered_map<std::string, unsigned> next_;  // taken names, and the number that the next one like it gets
+    std::unordered_map<std::string, unsigned> next_;  // taken names, and the number for the next clash
     std::vector<std::vector<Taken>> scopes_;
 };
 

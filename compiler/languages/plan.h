@@ -1,6 +1,6 @@
 // Decides, before a function is printed, which of its values become variables, which fold into the expressions that
-// read them, and which values share one variable because they are one variable to a reader: a loop's `sum`, a struct
-// that is filled member by member, `x = x * 2.0`.
+// read them, and which values share a variable because a reader sees them as one: a loop's `sum`, a struct that is
+// filled member by member, `x = x * 2.0`.
 //
 // A value stands in a variable of its own if it is read twice, samples, is differentiated, has a name hint, is read in
 // another block (a loop would compute it again), or would make an expression too wide or too deep.
@@ -20,21 +20,21 @@ namespace patina::targets {
 struct Variable {
     ir::Type type;
     ir::NameId hint;
-    ir::Value like;       // names it where there is no hint: a value that it holds
-    ir::Value result;     // of an If: the Result that it was made for; else none
+    ir::Value like;       // a value of the variable, which names it if there is no hint
+    ir::Value result;     // for an If: the Result that it was made for; else none
     ir::BlockId block;    // where it is declared
-    unsigned writes = 0;  // values that it holds one after the other
+    unsigned writes = 0;  // number of values that it holds, one after the other
 };
 
 struct Plan {
     static constexpr std::uint32_t kNone = 0xffffffffu;
 
     std::vector<std::uint32_t> variable;    // by Value; kNone: a leaf, folded, or never read
-    std::vector<ir::Value> same_as;         // by Value: the value whose text stands for it, usually itself
+    std::vector<ir::Value> same_as;         // by Value: the value whose text replaces it, usually itself
     std::vector<unsigned> reads;            // by Value; 0: not printed
     std::vector<bool> stands;               // by Value: has a variable
     std::vector<std::uint32_t> first_slot;  // by If and For: its first entry in `slots`
-    std::vector<std::uint32_t> slots;       // variables of what If and For yield; kNone: nobody reads it
+    std::vector<std::uint32_t> slots;       // variables of the values that If and For yield; kNone: not read
     std::vector<Variable> variables;
     ir::Value outputs;  // entry function: the struct whose members are the stage's outputs, if it is made in the return
 
@@ -44,14 +44,14 @@ struct Plan {
 
 // Number of values that an If or For yields.
 std::uint32_t slot_count(const ir::Function& function, ir::Value structure);
-// Whether the else block of an If computes nothing, so that its values can be what the variables start with.
+// True if the else block of an If computes nothing, so that the variables can start with its values.
 bool has_plain_else(const Plan& plan, const ir::Function& function, ir::Value structure);
-// Calls `visit` with every variable that the value's expression reads, and with those of values folded into it.
+// Calls `visit` with every variable that the value's expression reads, including those of values folded into it.
 void for_each_read(const Plan& plan, const ir::Function& function, ir::Value value,
                    const std::function<void(ir::Value)>& visit);
 
 bool is_leaf(ir::Op op);
-// A vector made of one scalar.
+// True for a vector made of one scalar.
 bool is_splat(const ir::Function& function, ir::Value v);
 bool is_aggregate(ir::Type type);
 

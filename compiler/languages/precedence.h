@@ -1,5 +1,5 @@
-// How tightly a piece of printed text holds together, in the order that GLSL and HLSL share with C. Text goes into
-// parentheses where its place asks for a higher precedence than it has, and nowhere else.
+// Decides where printed text needs parentheses: where its place requires a higher precedence than it has. The order is
+// the one that GLSL and HLSL share with C.
 //
 //   a * (b + c)     the right side of * asks for Unary, a sum has Additive
 #pragma once
@@ -37,7 +37,7 @@ struct Text {
     Precedence precedence = Precedence::Primary;
 };
 
-// The text, in parentheses if its place asks for more than it has.
+// The text, in parentheses if its place requires a higher precedence than it has.
 inline std::string at_least(Precedence needed, Text t) {
     return t.precedence < needed ? "(" + t.text + ")" : std::move(t.text);
 }

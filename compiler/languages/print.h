@@ -1,5 +1,6 @@
-// A linked, tidied and legalized stage -> text in one target language, with a map from its lines back to the graph.
-// Sees the IR and nothing else. A target is a row of targets.cpp: a spelling table, a few functions and its legalize.
+// This room prints stages: a linked and tidied stage -> text in one language, with a map from its lines to the graph. A
+// language is a row in languages.cpp: a spelling table, a few functions and its legalize. This room sees the IR and
+// nothing else: it knows no graph and no engine, and it changes no values except to rewrite what a language lacks.
 #pragma once
 
 #include <optional>
@@ -29,13 +30,13 @@ struct Printed {
     std::vector<Piece> pieces{};     // in order
 };
 
-// By function: which values become variables (plan.h). The same for all languages, so that a stage that several of them
-// can say as it is has them made once.
+// By function: the values that become variables (plan.h). It does not depend on the language, so languages that print
+// the same module share it.
 struct Plan;
 std::vector<Plan> make_plans(const ir::Module& module);
 
-// Of a text that is pasted into shaders: it has no version of its own, and the descriptor set of the material stands in
-// it by a name, "Rust_set", that the shader may define before.
+// For a text that is pasted into shaders. It has no version, and the material's descriptor set has a name in it,
+// "Rust_set", which the shader may define before.
 struct Pasting {
     std::string prefix;  // "Rust_"
     std::uint32_t set = 0;
@@ -45,16 +46,16 @@ struct Pasting {
 
 struct PrintOptions {
     std::string header;                        // lines for a comment at the top, without comment marks
-    const std::vector<Plan>* plans = nullptr;  // of this module; null: made for this printing
+    const std::vector<Plan>* plans = nullptr;  // those of this module; null: made for this printing
     std::optional<Pasting> pasting = {};       // none: a whole shader
-    std::vector<std::string> taken = {};       // names that the text around it has
-    std::size_t width = 120;                   // columns that lines are broken at
+    std::vector<std::string> taken = {};       // names that the surrounding text uses
+    std::size_t width = 120;                   // columns; longer lines are broken
 };
 
 struct LanguageInfo {
     std::string_view name;       // "glsl"
     std::string_view extension;  // "glsl"
-    // The stage with what the language cannot say rewritten; none if it can say all of it as it is.
+    // Rewrites what the language cannot express; nothing if it can express the whole stage.
     std::optional<ir::Module> (*legalize)(const ir::Module& module);
     Printed (*print)(const ir::Module& module, const PrintOptions& options);
 };
@@ -62,9 +63,9 @@ struct LanguageInfo {
 std::span<const LanguageInfo> all_languages();
 const LanguageInfo* find_language(std::string_view name);
 
-// True if the word cannot be an identifier in every target language: keywords, reserved words, intrinsics.
+// True for a word that cannot be an identifier in every language: keywords, reserved words, intrinsics.
 bool is_reserved_word(std::string_view word);
-// The word itself, or the name that a target gets instead of a reserved word or one with __ or gl_ in it.
+// The word itself, or the name that replaces a reserved word or a word with __ or gl_ in it.
 std::string safe_identifier(std::string_view word);
 
 }  // namespace patina::targets

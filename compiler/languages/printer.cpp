@@ -1,4 +1,4 @@
-// The order of a shader's sections, which is the same in every language.
+// Prints the sections of a shader, in an order that is the same in every language.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ std::string numbered(const std::vector<std::string>& words) {
     return text;
 }
 
-// All names of the outermost scope are taken before the first function is printed, so that no local hides one.
+// Takes all names of the outermost scope before the first function is printed, so that no local variable hides one.
 void name_globals(Writer& w) {
     const Module& m = w.module;
     w.structs.resize(m.structs.size());
@@ -46,7 +46,7 @@ void name_globals(Writer& w) {
         w.functions[i] = m.functions[i].name;
         w.names.declare(m.functions[i].name);
     }
-    // Properties first: their names are what the reflection says.
+    // Properties come first, because the reflection states their names.
     for (std::size_t i = 0; i < m.blocks.size(); ++i) {
         if (!w.reachable.blocks[i]) continue;
         for (const BlockMember& member : m.blocks[i].members) {
@@ -78,7 +78,7 @@ void name_globals(Writer& w) {
     }
 }
 
-// What is printed until the end of the object's life is one declaration.
+// Everything that is printed while the object lives is one declaration.
 class Declared {
 public:
     Declared(Writer& w, Piece::Kind kind, std::string name) : w_(w) {
@@ -96,8 +96,8 @@ private:
     Piece piece_;
 };
 
-// A struct stands after those that its members are made of. Those that the engine shares are declared once, however
-// many texts are pasted into a shader.
+// Prints a struct after those that its members are made of. A struct of the engine is declared once, even if several
+// texts are pasted into a shader.
 void print_struct(Writer& w, std::size_t index, const std::vector<bool>& shared, std::vector<bool>& printed) {
     if (printed[index]) return;
     printed[index] = true;
@@ -122,7 +122,7 @@ void print_struct(Writer& w, std::size_t index, const std::vector<bool>& shared,
     if (shared[index]) w.line(0, syntax.end_guard);
 }
 
-// What the engine provides. Declared more than once it is still one function.
+// Declares what the engine provides. Repeated declarations of a function are allowed.
 void print_declarations(Writer& w) {
     bool is_first = true;
     for (std::uint32_t i = 0; i < w.module.functions.size(); ++i) {
@@ -189,7 +189,7 @@ void print_function(Writer& w, FunctionId id, const EntryPoint* entry) {
     Body(w, id, entry).print();
 }
 
-// Pasted text leaves it to the shader around it to begin as it must.
+// A shader that pasted text goes into has its own preamble.
 void print_preamble(Writer& w) {
     if (!w.options.pasting) return w.language.preamble(w);
     Writer lines(w.module, w.language, w.options, w.plans);

@@ -1,5 +1,5 @@
-// Words that some target language keeps for itself. One list for all targets, so that a name is the same in each of
-// them. Complete for what glslang, DXC and fxc refuse; not for the dialects of single vendors.
+// Lists the words that some language reserves. There is one list for all languages, so that a name is the same in each
+// of them. It is complete for what glslang, DXC and fxc refuse, but not for the dialects of single vendors.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace patina::targets {
 namespace {
 
 constexpr std::string_view kLists[] = {
-    // Keywords that GLSL and HLSL share, and those of C that both keep free.
+    // Keywords that GLSL and HLSL share, and those of C that both reserve.
     R"(asm auto bool break case cast catch char class const const_cast continue default delete discard do double
     dynamic_cast else enum explicit extern external false float for friend goto half if in inline inout int
     interface invariant long mutable namespace new operator out precise private protected public register
@@ -19,7 +19,7 @@ constexpr std::string_view kLists[] = {
     typedef typename uint union unsigned using virtual void volatile while concept requires nullptr NULL main
     alignas alignof and and_eq bitand bitor compl constexpr decltype export final noexcept not not_eq or or_eq
     override static_assert thread_local typeid wchar_t xor xor_eq)",
-    // GLSL: keywords, and words kept for the future.
+    // GLSL: keywords, and words reserved for the future.
     R"(attribute uniform varying buffer shared coherent restrict readonly writeonly layout centroid flat smooth
     noperspective patch sample subroutine lowp mediump highp precision common partition active filter resource
     atomic_uint fixed unsigned superp noinline input output hvec2 hvec3 hvec4 fvec2 fvec3 fvec4 sampler3DRect demote
@@ -74,7 +74,7 @@ constexpr std::string_view kLists[] = {
     QuadReadAcrossX QuadReadAcrossY dot2add dot4add_i8packed)",
 };
 
-// Types of HLSL that have vectors and matrices: "half" of "half3" and "half4x4".
+// Types of HLSL that have vectors and matrices: "half" for "half3" and "half4x4".
 constexpr std::string_view kScalars[] = {"bool",      "int",       "uint",     "dword",     "half",       "float",
                                          "double",    "min16int",  "min12int", "min16uint", "min16float", "min10float",
                                          "int16_t",   "int32_t",   "int64_t",  "uint16_t",  "uint32_t",   "uint64_t",
@@ -120,7 +120,7 @@ private:
     }
 
     std::unordered_set<std::string_view> words_;
-    // By first letter, the lengths of the words: most identifiers are told from all of them by that.
+    // The lengths of the words, by first letter. This excludes most identifiers without a look at the words.
     std::array<std::uint32_t, 256> lengths_{};
 };
 

@@ -1,5 +1,5 @@
-// Which values share a variable. A variable holds one value at a time: a value may take over another's variable when
-// nothing reads the other one after that, or nothing but members that the new value leaves as they are.
+// Decides which values share a variable. A variable holds one value at a time. A value may take over another's variable
+// if nothing reads the other value afterwards, or only members that the new value leaves unchanged.
 #include <algorithm>
 
 #include "compiler/ir/hints.h"
@@ -57,7 +57,7 @@ private:
 
     bool is_name(NameId hint) const { return !a_.module.name_of(hint).empty(); }
 
-    // Whether a new value, made at `position` of `block`, may overwrite the variable of `old`.
+    // True if a new value, made at `position` of `block`, may overwrite the variable of `old`.
     bool can_take_over(Value old, BlockId block, std::uint32_t position) {
         return is_changeable(old, block) && a_.last_read[old.index] <= position &&
                std::all_of(kept_.begin(), kept_.end(), [&](Value kept) {
@@ -68,7 +68,8 @@ private:
         return plan_.variable[old.index] != Plan::kNone && a_[old].op != Op::LoopIndex && a_.block[old.index] == block;
     }
 
-    // `surface.alpha = 1;` Whether that leaves what is read of `old`, and of what its variable held before, later.
+    // `surface.alpha = 1;` True if the assignment changes no member that is read later of `old`, or of an earlier value
+    // of its variable.
     bool can_change_member(Value old, Value insert) {
         if (!is_changeable(old, a_.block[insert.index])) return false;
         const auto is_untouched = [&](Value held) {
@@ -78,7 +79,7 @@ private:
                    return find(variable(kept)) != find(variable(old)) || is_untouched(kept);
                });
     }
-    // Whether anything after `insert` reads of `held` what that changes.
+    // True if something after `insert` reads the member of `held` that it changes, or all of `held`.
     bool reads_whole_or_member(Value held, Value insert) const {
         return std::any_of(a_.order.begin() + a_.position[held.index], a_.order.end(), [&](Value reader) {
             if (!a_.is_live(reader) || a_[reader].op == Op::Result) return false;
@@ -109,7 +110,7 @@ private:
         }
         return make(v, inst.name, block);
     }
-    // `x = x * 2`: the author's own variable, of which each assignment is a new value.
+    // `x = x * 2`: a variable of the author, for which each assignment makes a new value.
     Value same_name_read_by(Value v) {
         Value found;
         const auto local = [&](Value each) { return hint_of(a_.module, a_[each].name).local; };
@@ -135,8 +136,8 @@ private:
         return a_.arg(a_.function.blocks[block.index].insts.back(), index);
     }
 
-    // With nothing to compute in the else block its values are what the variables start with, and a value that nobody
-    // reads afterwards hands its variable on: `if (wet) { albedo = albedo * 0.5; }`.
+    // If the else block computes nothing, the variables start with its values. A value that nothing reads afterwards
+    // passes its variable on: `if (wet) { albedo = albedo * 0.5; }`.
     void make_if_slots(Value v) {
         open_slots(v);
         const BlockId then_block{a_[v].data}, else_block{a_[v].data + 1};
@@ -187,7 +188,7 @@ private:
         }
     }
 
-    // A value that a branch computes only to yield it is written to the result's variable at once.
+    // A value that a branch computes only to yield it is written directly to the result's variable.
     void give_to_slots(Value yield) {
         const BlockId block = a_.block[yield.index];
         const Value structure = a_.owner[block.index];
@@ -208,7 +209,7 @@ private:
     const Analysis& a_;
     Plan& plan_;
     std::vector<std::uint32_t> joined_;  // union of variables, by index
-    std::vector<Value> kept_;            // of which members are read after others have changed
+    std::vector<Value> kept_;            // values whose members are read after others have changed
 };
 
 }  // namespace

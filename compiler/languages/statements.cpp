@@ -83,7 +83,8 @@ void Body::print() {
 
 // --- names
 
-// What a value is for says more than how it is computed: the part of a struct is called like the member.
+// The purpose of a value says more than its computation, so a value that is stored in a struct is named after the
+// member.
 void Body::find_member_names() {
     member_of_.resize(function_.insts.size());
     const auto note = [&](Value value, Type structure, std::uint32_t member) {
@@ -100,7 +101,7 @@ void Body::find_member_names() {
     }
 }
 
-// The id of the node that an instruction comes from; empty: it comes from none.
+// The id of the node that an instruction comes from; empty if there is none.
 std::string_view Body::node_of(OriginId origin) const {
     const std::string_view id = origin ? std::string_view(writer_.module.origins[origin.index].id) : "";
     return id.substr(id.rfind('/') + 1);
@@ -121,14 +122,14 @@ std::string Body::name_without_hint(Value v) const {
         const std::string name = camel_case(writer_.plain(writer_.module.functions[inst.data].name));
         return writer_.names.is_free(name) ? name : joined(name, "Value");
     }
-    // A step on the way to a node's value is called after the node.
+    // A step in the computation of a node's value is named after the node.
     const std::string_view last = node_of(inst.origin);
     const std::string_view step = fallback_name(inst.op);
     return step.starts_with(last) ? std::string(step) : joined(last, step);
 }
 
-// Two values may want one name, most of all locals of inlined functions. The second one then says where it comes from,
-// by the node or by the function, whichever is shorter.
+// Two values may want one name, usually locals of inlined functions. The second one then adds its origin: the node or
+// the function, whichever is shorter.
 std::string Body::declare(NameId id, std::string_view otherwise, OriginId origin) {
     const Hint hint = hint_of(writer_.module, id);
     const std::string_view wanted = hint.name.empty() ? otherwise : hint.name;
@@ -158,7 +159,7 @@ std::string Body::target(Value v) {
 
 // --- lines
 
-// A comment above the first statement of each node, and a gap where one node's statements end.
+// Prints a comment above the first statement of each node, and an empty line after a node's statements.
 void Body::enter(OriginId origin) {
     const auto is_labelled = [&](OriginId id) { return id && !writer_.module.origins[id.index].label.empty(); };
     const auto is_node = [&](OriginId id) { return id && !writer_.module.origins[id.index].id.empty(); };
@@ -224,11 +225,11 @@ void Body::print_assignment(Value v) {
     if (inst.op == Op::Construct && inst.type.kind == Kind::Array) return print_array(v);
     if (inst.op == Op::Insert) return print_insert(v);
     if (inst.op == Op::Select && is_aggregate(inst.type)) return print_select(v);
-    const Text text = formula(v);  // before its own name exists
+    const Text text = formula(v);  // before the value's own name is declared
     assign(plan_.variable[v.index], v, text, v);
 }
 
-// A foreign function whose call is statements, one a line, that declare its result.
+// Prints the call of a foreign function that consists of statements, one on each line, which declare its result.
 bool Body::print_spelled(Value v) {
     if (function_[v].op != Op::Call) return false;
     const std::string& spelling = module().functions[function_[v].data].spelling;
@@ -291,7 +292,7 @@ void Body::print_select(Value v) {
 
 // --- control flow
 
-// Both sides stand in one scope, so that what one of them declares keeps its name for itself.
+// Both sides are in one scope, so that their declarations have different names.
 void Body::print_if_defined(Value v, const std::string& test) {
     for (std::uint32_t i = 0; i < slot_count(function_, v); ++i) {
         const std::uint32_t id = slot(v, i);
@@ -318,7 +319,7 @@ void Body::print_if_defined(Value v, const std::string& test) {
     writer_.line(0, syntax().end_guard, function_[v].origin);
 }
 
-// Nothing stands in the side of a branch: its values are what they were before.
+// True if the block changes nothing: its values are those from before the branch.
 bool Body::says_nothing(BlockId block, Value structure) const {
     const std::vector<Value>& insts = function_.blocks[block.index].insts;
     const Value yield = insts.back();
@@ -332,14 +333,14 @@ bool Body::says_nothing(BlockId block, Value structure) const {
     });
 }
 
-// The branch that is all there is on the other side of one, where it can be tested and writes the same variables.
+// The branch that is the whole else side of another one, if it can be tested and writes the same variables.
 Value Body::only_if_in_else(Value v) const {
     Value only;
     const std::vector<Value>& insts = function_.blocks[function_[v].data + 1].insts;
     for (const Value inside : insts) {
         const Op op = function_[inside].op;
         if (!plan_.is_printed(function_, inside) || op == Op::Result || op == Op::Yield) continue;
-        if (op != Op::If && !is_variable(inside)) continue;  // spelled out where it is read
+        if (op != Op::If && !is_variable(inside)) continue;  // part of the expression that reads it
         if (op != Op::If || only) return {};
         only = inside;
     }
@@ -416,13 +417,13 @@ void Body::print_for(Value v) {
     writer_.line(indent_, "}", inst.origin);
 }
 
-// All variables change at once: each is assigned when no other value still reads it, and a circle is broken by
-// computing one value ahead.
+// All variables change at once: each is assigned when no other value reads it any more. A circle is broken by computing
+// one value ahead.
 void Body::print_yields(Value yield, Value structure) {
     struct Pending {
         std::uint32_t variable;
         Value value;
-        std::string ready;  // computed ahead, in this variable
+        std::string ready;  // the variable with the value that is computed ahead
     };
     std::vector<Pending> pending;
     for (std::uint32_t i = 0; i < args(yield); ++i) {

@@ -20,7 +20,8 @@ void mark_type(const Module& module, Type type, Reachable& reachable) {
     for (const Member& member : module.structs[type.ref].members) mark_type(module, member.type, reachable);
 }
 
-// The struct that the entry function makes only to return it: its members are the stage's outputs, and it has no type.
+// The struct that the entry function makes only to return it. Its members are the stage's outputs, so its type is not
+// declared.
 Value returned_construct(const Function& function) {
     const Inst& last = function[function.blocks[0].insts.back()];
     if (last.op != Op::Return || last.operand_count == 0) return {};
@@ -35,7 +36,7 @@ void mark_keywords(const Module& module, const Function& function, Value v, std:
     for (const Value arg : function.args(inst)) mark_keywords(module, function, arg, read);
 }
 
-// Keywords that something reads as a value, and not only a test of the preprocessor.
+// Keywords that are read as values, in addition to tests of the preprocessor.
 std::vector<bool> keywords_read(const Module& module, const Function& function) {
     std::vector<bool> read(module.globals.size(), false);
     const std::vector<std::uint8_t> tests = keyword_values(module, function);
@@ -70,7 +71,7 @@ void mark_function(const Module& module, const Function& function, bool is_entry
     }
 }
 
-// Where a line that is too wide may end: after a comma that is not too near its beginning.
+// Where a line that is too wide may be broken: after a comma that is not too near its beginning.
 std::size_t break_of(std::string_view content, std::size_t room) {
     if (content.size() <= room) return content.size();
     const std::size_t comma = content.rfind(", ", room - 1);
@@ -95,7 +96,7 @@ Reachable find_reachable(const Module& module) {
     reachable.blocks.resize(module.blocks.size());
     reachable.globals.resize(module.globals.size());
     if (entry) reachable.functions[entry.index] = true;
-    // A callee stands before its callers.
+    // Callees are printed before their callers.
     for (std::size_t i = module.functions.size(); i-- > 0;) {
         if (reachable.functions[i]) mark_function(module, module.functions[i], entry.index == i, reachable);
     }
@@ -122,7 +123,7 @@ void Writer::line(unsigned indent, std::string_view content, OriginId origin) {
 
 void Writer::comment(unsigned indent, std::string_view content, OriginId origin) {
     if (lines.empty() ? static_cast<bool>(origin) : lines.back().origin != origin) lines.push_back({next_line, origin});
-    // What is indented goes on a little further in.
+    // A broken line continues with more indentation.
     const std::size_t lead = std::min(content.find_first_not_of(' '), content.size());
     const std::size_t margin = 4 * indent + 3;
     for (std::size_t hanging = 0;; hanging = lead > 0 ? lead + 2 : 0) {

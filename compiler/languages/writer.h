@@ -1,5 +1,5 @@
-// The text of one shader while it grows, and what is true for the whole of it: which functions, types and globals it
-// needs, and what they are called. Function bodies are body.h.
+// The growing text of one shader, and what applies to all of it: the functions, types and globals that it needs, and
+// their names. Function bodies are printed by body.h.
 #pragma once
 
 #include "compiler/languages/language.h"
@@ -8,7 +8,7 @@
 
 namespace patina::targets {
 
-// What the entry function reaches; indexed like the module's vectors. Nothing else is printed.
+// Everything that the entry function uses, indexed like the module's vectors. Nothing else is printed.
 struct Reachable {
     std::vector<bool> functions, structs, blocks, globals;
     bool half = false;         // the type is used
@@ -37,24 +37,24 @@ struct Writer {
     std::vector<Piece> pieces;
     int paddings = 0;
 
-    // One statement or declaration; broken after commas where it is too wide.
+    // Prints one statement or declaration; breaks it after commas if it is too wide.
     void line(unsigned indent, std::string_view content, ir::OriginId origin = {});
     void comment(unsigned indent, std::string_view content, ir::OriginId origin = {});
-    // An empty line, unless there is one already or nothing above it.
+    // Prints an empty line, unless there is one already or the text is empty.
     void gap();
 
     std::string type(ir::Type type) const;
     // "vec3 n", "float k[4]"
     std::string declaration(ir::Type type, std::string_view name) const;
-    // A name of the text without the prefix that pasted texts have.
+    // A name without the prefix of pasted texts.
     std::string_view plain(std::string_view name) const;
-    // What a keyword is until somebody sets another value: "true", "2".
+    // The value of a keyword until another one is set: "true", "2".
     std::string keyword_value(const ir::Global& global) const;
     // A descriptor set: "1", "space1", or its name.
     std::string set(ir::Group group, const ir::Place& place) const;
-    // Members of a uniform block, padding included, between braces.
+    // Prints the members of a uniform block, with padding, between braces.
     void block_body(const ir::UniformBlock& block);
-    // The type that a value has in a uniform block or between stages, where `half` is a float.
+    // The type of a value in a uniform block or between stages, where `half` becomes float.
     static ir::Type stored(ir::Type type) {
         return type.is_numeric() && type.scalar == ir::Scalar::Half ? type.with_scalar(ir::Scalar::Float) : type;
     }

@@ -24,7 +24,7 @@ constexpr std::uint64_t mixed(std::uint64_t x) {
     return x ^ (x >> 31);
 }
 
-// A hash that is being made. Two halves with different starts, so that 128 bits have to meet.
+// A hash in progress. The two halves start differently, so that only equal 128 bits are a match.
 class Hash {
 public:
     explicit Hash(std::string_view kind) { add(kind); }
@@ -39,7 +39,7 @@ public:
         return *this;
     }
     Hash& add(const CanonicalHash& part) { return add(part.high).add(part.low); }
-    // In whatever order they come.
+    // Adds the parts in an order-independent way.
     Hash& add_all(std::vector<CanonicalHash> parts) {
         std::sort(parts.begin(), parts.end());
         add(parts.size());
@@ -49,10 +49,10 @@ public:
     operator CanonicalHash() const { return value_; }
 
 private:
-    CanonicalHash value_{.high = 0x243f6a8885a308d3u, .low = 0x13198a2e03707344u};  // of pi
+    CanonicalHash value_{.high = 0x243f6a8885a308d3u, .low = 0x13198a2e03707344u};  // digits of pi
 };
 
-// What the inputs of a stage stand for, by name: the parameters of its functions that hand them down have their names.
+// The hashes of the stage's inputs, by name: the parameters of its functions that pass them on have their names.
 using Inputs = std::map<std::string_view, CanonicalHash>;
 
 class Stage {
@@ -61,7 +61,7 @@ public:
         for (const ir::Function& function : module.functions) functions_.push_back(hash_function(function));
     }
 
-    // What the stage gives, by output, and what it does beside that.
+    // The values that the stage outputs, by output, and its side effects.
     struct Result {
         std::vector<CanonicalHash> outputs;
         CanonicalHash effects;
@@ -117,8 +117,8 @@ private:
         return hash;
     }
 
-    // Which of a function's parameters it is. Those that hand down what the stage reads come in the order in which the
-    // graph's nodes do, so that they count by what they are; the others by their place.
+    // Hashes a parameter. The parameters that pass on the stage's inputs are in the order of the graph's nodes, so they
+    // count by their input; the others count by their position.
     CanonicalHash param(const ir::Function& function, std::uint32_t index) const {
         const ir::Param& param = function.params[index];
         const bool is_entry = module_.stage.entry && &function == &module_[module_.stage.entry];
@@ -146,7 +146,7 @@ private:
         return values;
     }
 
-    // `depth`: of the loops around it.
+    // `depth`: the number of loops around the block.
     CanonicalHash hash_block(const ir::Function& function, std::uint32_t block, std::uint64_t depth,
                              std::vector<CanonicalHash>& values) {
         Hash effects("block");

@@ -1,6 +1,6 @@
-// What a shader computes, as a number: equal for two shaders that differ only in what things are called, in the order
-// of nodes, or in the layout of the graph's text. Properties and what the engine owns count by name and place; node
-// ids, names of locals, of functions and of interpolated values do not.
+// Hashes what a shader computes. Two shaders have the same hash if they differ only in names, in the order of nodes, or
+// in the layout of the graph's text. Properties and the engine's values count by name and place; node ids and the names
+// of locals, functions and interpolated values do not.
 //
 //   CanonicalHash a = hash_pass(rust.vertex, rust.fragment), b = hash_pass(renamed.vertex, renamed.fragment);   // a ==
 //   b
@@ -22,15 +22,15 @@ struct CanonicalHash {
     std::string text() const;  // 32 hexadecimal digits
 };
 
-// Of tidied stages. An interpolated value counts as what the vertex stage computes for it.
+// Hashes two tidied stages. An interpolated value counts as the computation in the vertex stage.
 CanonicalHash hash_pass(const ir::Module& vertex, const ir::Module& fragment);
-// Of one stage, whatever the other one is: interpolated values count by their locations.
+// Hashes one stage alone: interpolated values count by their locations.
 CanonicalHash hash_stage(const ir::Module& stage);
 
-// Of what a stage gives, by output.
+// The hashes of a stage's outputs.
 std::vector<CanonicalHash> hash_outputs(const ir::Module& stage);
 
-// Of several that belong together, written out.
+// The hash of a text that lists several hashes.
 CanonicalHash hash_text(std::string_view text);
 
 }  // namespace patina::assemble

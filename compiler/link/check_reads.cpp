@@ -26,13 +26,13 @@ std::set<std::uint32_t> globals_of(const ir::Module& stage) {
     return read;
 }
 
-// Of the path, and of what switches bring.
+// The render targets of the path, and of passes that switches add.
 std::set<std::string_view> drawn_targets(const graph::PathDeclarations& paths, const std::string& path) {
     std::vector<const graph::PassDecl*> passes = paths.passes_of(path);
     for (const graph::SwitchDecl& each : paths.switches) {
         if (const graph::PassDecl* brought = paths.pass(each.brings)) passes.push_back(brought);
     }
-    std::set<std::string_view> names = {"color"};  // the picture is always there
+    std::set<std::string_view> names = {"color"};  // every frame has the picture
     for (const graph::PassDecl* each : passes) {
         names.insert(each->state.depth_target);
         for (const RenderTarget& target : each->state.targets) names.insert(target.name);
@@ -44,7 +44,7 @@ class Search {
 public:
     explicit Search(const ir::Module& stage) : stage_(stage), seen_(stage.functions.size()) {}
 
-    // `origin`: of the innermost node on the way.
+    // `origin`: that of the innermost node on the way.
     std::optional<Missing> visit(ir::FunctionId function, ir::OriginId origin) {
         if (seen_[function.index]) return {};
         seen_[function.index] = true;
@@ -75,13 +75,13 @@ std::optional<Missing> missing_in(const ir::Module& stage) {
 
 namespace {
 
-// What a function or the semantics that it needs come to read.
+// Finds what a function reads, directly or through the recipes of semantics.
 class Reads {
 public:
     Reads(const Linked& linked, std::string_view global)
         : linked_(linked), global_(global), seen_(linked.functions.size()) {}
 
-    // A place in a graph that reads the value by way of a semantic, such as `@light`.
+    // A place in a graph that reads the value through a semantic, such as `@light`.
     ir::Origin place() {
         const auto& semantics = linked_.lowered.semantics;
         for (std::size_t i = 0; i < semantics.size(); ++i) {

@@ -1,4 +1,4 @@
-// What `patina compile --dump` shows of modules, each only if it is asked for.
+// Adds the dumps of `patina compile --dump`, each only if it is requested.
 #pragma once
 
 #include "compiler/ir/ir.h"

@@ -11,13 +11,13 @@
 namespace patina::assemble {
 namespace {
 
-// Two underlines in a row are reserved in GLSL.
+// GLSL reserves names with two underscores in a row.
 std::string prefixed(std::string_view prefix, std::string_view name) {
     if (prefix.ends_with('_') && name.starts_with('_')) name.remove_prefix(1);
     return fmt::format("{}{}", prefix, name);
 }
 
-// As the printers will call them: each name once.
+// Gives structs and functions the names that the printers will use; each name is used once.
 void name_all(ir::Module& module, std::string_view prefix) {
     targets::Names names;
     for (const ir::UniformBlock& block : module.blocks) {
@@ -38,7 +38,7 @@ void name_all(ir::Module& module, std::string_view prefix) {
     }
 }
 
-// What a parameter stands for, from the semantic of its name.
+// Describes a parameter, from the semantic of its name.
 std::string doc_of(const graph::Lowered& lowered, std::string_view param) {
     for (std::size_t i = 0; i < lowered.semantics.size(); ++i) {
         if (lowered.module.semantics[i].name != param) continue;

@@ -1,5 +1,6 @@
-// A material without a pass: its functions as one text that is pasted into shaders of an engine's own. Whatever it
-// declares begins with a prefix, so that two materials can stand in one shader; what the engine provides does not.
+// Links a material without a pass: its functions as one text that is pasted into an engine's own shaders. Everything
+// that the text declares begins with a prefix, so that two materials fit into one shader. What the engine provides has
+// no prefix.
 //
 //   prefix_interface(lowered.module, "Rust_");   // before name_interface()
 //   ir::Module text = link_functions(link(std::move(lowered)), Stage::Fragment, "Rust_");
@@ -10,14 +11,14 @@
 
 namespace patina::assemble {
 
-// Names of the material's block, of what is in it, and of its textures and samplers.
+// Prefixes the names of the material's block, its members, and the material's textures and samplers.
 void prefix_interface(ir::Module& module, std::string_view prefix);
 
-// The functions that one stage calls, tidied, each told about in a comment. No entry point; no function at all if the
-// material has none for this stage.
+// The functions that one stage can call, tidied, each described in a comment. There is no entry point. There is no
+// function if the material has none for this stage.
 ir::Module link_functions(const Linked& linked, Stage stage, std::string_view prefix);
 
-// What can be called, and what the engine must provide, of a module that link_functions() made.
+// The functions of a module of link_functions(): those that can be called, and those that the engine must provide.
 std::vector<ShaderFunction> describe_functions(const ir::Module& module, Stage stage);
 
 }  // namespace patina::assemble

@@ -25,7 +25,7 @@ void name_members(ir::Module& module) {
     }
 }
 
-// Whether a property is what the included file declares under that name.
+// True if the included file declares a property under that name.
 bool is_property(const ir::Module& module, std::string_view name) {
     for (const ir::UniformBlock& block : module.blocks) {
         for (const ir::BlockMember& member : block.members) {
@@ -39,7 +39,7 @@ bool is_property(const ir::Module& module, std::string_view name) {
 
 void name_interface(ir::Module& module) {
     targets::Names names;
-    bool is_included = false;  // included files hold the engine's values, and the text has no blocks
+    bool is_included = false;  // included files declare the engine's values, and the text has no blocks
     for (const ir::Global& global : module.globals) {
         is_included = is_included || global.is_foreign();
         if (!global.is_foreign() || is_property(module, global.spelling)) continue;

@@ -1,5 +1,5 @@
-// Names of what a shader shares with its host: members of uniform blocks, textures and samplers. They are settled once
-// for a whole material, so that all of its stages and its reflection say the same, whatever else a stage declares.
+// Settles the names that a shader shares with its host: members of uniform blocks, textures and samplers. This is done
+// once for a material, so that all its stages and its reflection use the same names, whatever else a stage declares.
 //
 //   name_interface(lowered.module);   // a property "texture" is `texture_` in every shader and in the reflection
 #pragma once
@@ -8,7 +8,7 @@
 
 namespace patina::assemble {
 
-// A property keeps its name where a target language allows it and nothing else of the interface has it.
+// A property keeps its name if every target language allows it and nothing else in the interface has it.
 void name_interface(ir::Module& module);
 
 }  // namespace patina::assemble

@@ -27,7 +27,7 @@ void set_operands(ir::Function& function, ir::Inst& inst, std::span<const Value>
     function.operands.insert(function.operands.end(), operands.begin(), operands.end());
 }
 
-// What a function needs: its own semantics and those of the functions that it calls, in order of semantic.
+// The semantics that a function needs: its own and those of the functions that it calls, in order of semantic.
 std::vector<SemanticId> needs_of(const ir::Function& function, const std::vector<std::vector<SemanticId>>& known) {
     std::vector<SemanticId> needs;
     for (const ir::Inst& inst : function.insts) {
@@ -39,8 +39,8 @@ std::vector<SemanticId> needs_of(const ir::Function& function, const std::vector
     return needs;
 }
 
-// The needs of every function. One that a pass replaces needs what its replacement does, too, so that callers hand on
-// the same in every pass; what a stage does not read is pruned.
+// The needs of every function. A function that a pass replaces also has the needs of its replacement, so that callers
+// pass on the same values in every pass. Parameters that a stage does not read are pruned later.
 std::vector<std::vector<SemanticId>> all_needs(const graph::Lowered& lowered, std::span<const ir::Function> functions) {
     std::vector<std::vector<SemanticId>> needs(functions.size());
     for (std::uint32_t i = 0; i < functions.size(); ++i) needs[i] = needs_of(functions[i], needs);
@@ -70,7 +70,7 @@ std::vector<std::vector<SemanticId>> all_needs(const graph::Lowered& lowered, st
 void thread_function(const ir::Module& module, ir::Function& function, const std::vector<SemanticId>& own,
                      const std::vector<std::vector<SemanticId>>& needs) {
     if (own.empty()) return;
-    // One Param instruction a semantic, at the very front, so that it dominates every use.
+    // The Param instructions come first in the function, so that they dominate every use.
     std::vector<Value> params;
     for (SemanticId semantic : own) {
         const ir::Semantic& info = module.semantics[semantic.index];
@@ -122,14 +122,15 @@ public:
     ir::Builder& builder() { return builder_; }
     ir::Module& module() { return module_; }
 
-    // Calls a function whose parameters are all semantics. `original`: attributes as the mesh has them.
+    // Calls a function whose parameters are all semantics. `original`: with the mesh's attributes before the material
+    // changes them.
     Value call(ir::FunctionId function, bool original = false) {
         std::vector<Value> arguments;
         for (SemanticId semantic : linked_.needs[function.index]) arguments.push_back(value(semantic, original));
         return builder_.call(imported(function), arguments);
     }
 
-    // A pinned value is one value: of the mesh as it is, for its readers in either stage.
+    // A node that is pinned to the vertex stage has one value, from the unchanged mesh, for readers in both stages.
     Value value(SemanticId semantic, bool original = false) {
         const graph::SemanticRecipe& recipe = linked_.lowered.semantics[semantic.index];
         original = original || (recipe.source == Source::Vertex && !recipe.declaration);
@@ -145,7 +146,7 @@ public:
         return known[semantic.index];
     }
 
-    // Ends the entry: the outputs are the stage's, in order.
+    // Ends the entry function. Its outputs are those of the stage, in order.
     ir::Module finish(std::string struct_name, std::vector<ir::StageVariable> outputs, std::span<const Value> values) {
         ir::Struct made{.name = std::move(struct_name), .members = {}};
         for (const ir::StageVariable& output : outputs) made.members.push_back({output.name, output.type});
@@ -159,8 +160,8 @@ public:
     }
 
 private:
-    // The stage's copy of a function, with those that it calls before it. What a pass puts in the place of a function
-    // of the seam may call that function.
+    // Copies a function into the stage, after the functions that it calls. A function that replaces another one in this
+    // pass may call the one that it replaces.
     ir::FunctionId imported(ir::FunctionId function) {
         const bool is_usual = std::find(replacing_.begin(), replacing_.end(), function) != replacing_.end();
         if (const auto other = is_usual ? std::nullopt : pass_.replacement_of(function, module_.stage.kind)) {
@@ -171,7 +172,8 @@ private:
         }
         if (imported_[function.index]) return imported_[function.index];
         ir::Function copy = linked_.functions[function.index];
-        // What a pass without targets reads of the surface decides what it needs to be handed.
+        // The fragment stage of a pass without targets does not share functions, so that it has only the inputs that it
+        // reads.
         const bool shares = in_vertex_stage() || !pass_.declaration->state.targets.empty();
         if (linked_.lowered.keeps_functions && shares && !ir::is_elsewhere(copy)) copy.linkage = ir::Linkage::Exported;
         ir::renumber_calls(copy, [&](std::uint32_t callee) { return imported({callee}).index; });
@@ -179,7 +181,7 @@ private:
         return imported_[function.index] = {static_cast<std::uint32_t>(module_.functions.size() - 1)};
     }
 
-    // A pass's own recipe may read what it is a recipe for: then it means the usual one.
+    // A pass's own recipe may read the semantic that it computes; that read gets the usual recipe.
     std::optional<Value> given(SemanticId semantic) {
         const auto recipe = pass_.recipe_of(semantic, module_.stage.kind);
         if (!recipe || std::find(giving_.begin(), giving_.end(), semantic) != giving_.end()) return {};
@@ -197,7 +199,7 @@ private:
         switch (recipe.source) {
             case Source::Attribute:
                 if (!in_vertex_stage()) return varying(semantic);
-                // What no object is drawn by, the screen and the volumes of lights, no material moves.
+                // A material moves objects only, and not the screen or the volumes of lights.
                 if (recipe.override && !original && pass_.declaration->state.draws == PassDraws::Objects)
                     return call(recipe.override, true);
                 return attribute(semantic);
@@ -218,7 +220,7 @@ private:
     }
 
     Value attribute(SemanticId semantic) {
-        // The mesh's own value is one input, however it is asked for.
+        // The mesh's own value is one input, for all readers.
         originals_.resize(module_.semantics.size());
         if (originals_[semantic.index]) return originals_[semantic.index];
         if (const std::optional<ir::GlobalId> global = pass_.attribute_of(semantic))
@@ -243,9 +245,9 @@ private:
     Value builtin(SemanticId semantic) {
         const ir::Builtin which = linked_.lowered.semantics[semantic.index].declaration->builtin;
         const ir::Semantic& info = module_.semantics[semantic.index];
-        // Known to the vertex stage alone, which hands it on as it is.
+        // Only the vertex stage knows the instance, and passes it on.
         if (!in_vertex_stage() && which == ir::Builtin::InstanceIndex) return varying(semantic);
-        // Triangles have no back yet: vertices see the front.
+        // A vertex does not belong to one face, so it counts as seen from the front.
         if (in_vertex_stage() && which == ir::Builtin::FrontFacing) return builder_.constant(info.type, {1});
         return input({.name = info.name, .type = info.type, .builtin = which, .semantic = {}}, ir::Rate::Pixel);
     }
@@ -261,7 +263,7 @@ private:
     std::vector<ir::FunctionId> imported_;
 };
 
-// What of the functions an entry may call comes to be read, and nothing else.
+// Drops the members that no function that an entry may call reads.
 void drop_unread_members(graph::Lowered& lowered) {
     std::vector<ir::FunctionId> entries, called;
     const auto add = [&](ir::FunctionId function) {
@@ -362,7 +364,7 @@ ir::Module link_vertex(const Linked& linked, const graph::LoweredPass& pass, ir:
         outputs.push_back(input);
         values.push_back(entry.value({static_cast<std::uint32_t>(found - semantics.begin())}));
     }
-    // A pass may leave the position to the lines at its end.
+    // In some passes, lines at the end of the vertex stage compute the position.
     if (entry.builder().type(position).kind != ir::Kind::Struct) {
         outputs.push_back({.name = "position",
                            .type = entry.builder().type(position),
@@ -370,7 +372,7 @@ ir::Module link_vertex(const Linked& linked, const graph::LoweredPass& pass, ir:
                            .semantic = "SV_Position"});
         values.push_back(position);
     }
-    // Where included files hold the mesh, they get it back as the material moves it.
+    // If included files declare the mesh's values, they need them as the material has moved them.
     for (const auto& [semantic, global] : pass.attributes) {
         if (!linked.lowered.semantics[semantic.index].override) continue;
         const Value moved = entry.value(semantic);

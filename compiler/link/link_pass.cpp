@@ -11,8 +11,8 @@
 namespace patina::assemble {
 namespace {
 
-// Where the engine does not number its vertex inputs, they get the locations 0, 1, 2...: an HLSL compiler counts them
-// so, and has no word to say otherwise.
+// Numbers the vertex inputs 0, 1, 2... if the engine does not number them. An HLSL compiler counts them so, and HLSL
+// cannot state another number.
 void number_inputs(ir::Module& stage, const engines::Engine& engine) {
     std::uint32_t location = 0;
     for (ir::StageVariable& input : stage.stage.inputs) {
@@ -22,7 +22,7 @@ void number_inputs(ir::Module& stage, const engines::Engine& engine) {
     }
 }
 
-// The sources are gone when a program runs.
+// Copies the places out of the sources, which do not exist any more when a program runs.
 void add_places(Program& program, const ir::Module& stage, const SourceMap& sources) {
     for (const ir::Function& function : stage.functions) {
         for (const ir::Probe& probe : function.probes) {
@@ -32,9 +32,9 @@ void add_places(Program& program, const ir::Module& stage, const SourceMap& sour
     }
 }
 
-// The fragment stage is finished first: the vertex stage computes what is left of its inputs. An input that is a
-// constant is dropped, and so is the second of two that are equal; both stages are tidied again then. The order of the
-// inputs comes last, when it is known what each is.
+// Finishes the fragment stage first, because the vertex stage computes only the inputs that remain. Constant inputs are
+// dropped, and so is the second of two equal inputs; then both stages are tidied again. The order of the inputs comes
+// last, when it is known what each of them computes.
 LinkedPass link_tidied(const graph::Material& material, const Linked& linked, const graph::LoweredPass& pass,
                        const graph::Session& session, Result& result) {
     const CompileOptions& options = session.options;
@@ -67,7 +67,7 @@ LinkedPass link_tidied(const graph::Material& material, const Linked& linked, co
     return made;
 }
 
-// As lowering has made it.
+// Links the stages without folding, as lowering made them.
 LinkedPass link_plainly(const graph::Material& material, const Linked& linked, const graph::LoweredPass& pass) {
     const ir::BuildOptions build{.fold = false};
     LinkedPass made{.pass = &pass, .material = &material, .lowered = &linked.lowered};
@@ -90,7 +90,7 @@ void add_texts(const std::vector<ir::StageText>& from, std::vector<ir::StageText
     }
 }
 
-// What the functions want that a stage calls, and the files that declare its values.
+// Adds the lines that the functions of a stage need, and the files that declare its values.
 void add_texts_of(const ir::Module& stage, std::vector<ir::StageText>& into) {
     for (const ir::Function& function : stage.functions) {
         for (const ir::Inst& inst : function.insts) {

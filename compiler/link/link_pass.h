@@ -1,5 +1,5 @@
-// A pass of a lowered material as its two stages: linked, tidied and numbered. And the same without any folding, for
-// the CPU reference.
+// Links a pass of a lowered material: two stages, tidied and numbered. Links the same without any folding for the CPU
+// reference.
 //
 //   LinkedPass pass = link_pass(material, linked, linked.lowered.passes[0], session, result);
 #pragma once
@@ -9,22 +9,22 @@
 
 namespace patina::assemble {
 
-// The material itself, and the passes that it adds.
+// The material itself and its extra passes.
 using Materials = std::vector<const graph::Material*>;
 
-// `result`: gets the dumps.
+// `result` gets the dumps.
 LinkedPass link_pass(const graph::Material& material, const Linked& linked, const graph::LoweredPass& pass,
                      const graph::Session& session, Result& result);
 
-// What a pass hands from the vertex stage to the fragment stage besides the position, in vectors: those with a number,
-// and those that the engine's text adds without one.
+// The vectors that a pass sends from the vertex stage to the fragment stage in addition to the position: those with a
+// number, and those that the engine's text adds without one.
 struct Varyings {
     std::size_t numbered = 0, others = 0;
 };
 Varyings varyings_of(const LinkedPass& pass);
-// Reports a pass that hands over more than the engine has room for.
+// Reports a pass that sends more vectors than the engine has room for.
 void check_varyings(const LinkedPass& pass, graph::Session& session);
-// What the pass's functions and the pass itself want in the engine's file: of both stages, each line once.
+// The lines that the pass and its functions add to the engine's file: those of both stages, each line once.
 std::vector<ir::StageText> texts_of(const LinkedPass& pass);
 
 // The interpreter's stages: lowered and linked without folding, and never tidied. Null after errors.

@@ -9,7 +9,7 @@
 namespace patina::assemble {
 namespace {
 
-// An input of the fragment stage, by its place, and what the vertex stage computes for it.
+// An input of the fragment stage, by its position, and the hash of what the vertex stage computes for it.
 struct Pinned {
     std::uint32_t place;
     CanonicalHash hash;
@@ -25,7 +25,7 @@ bool is_pinned(const Linked& linked, const ir::StageVariable& input) {
     return recipe.source == graph::Source::Vertex && !recipe.declaration;
 }
 
-// In the order of the fragment stage's inputs. One alone has nothing to be compared with: then there are none.
+// In the order of the fragment stage's inputs. Empty if there is only one, which needs no comparison.
 std::vector<Pinned> find_pinned(const Linked& linked, const ir::Module& fragment, const ir::Module& vertex) {
     std::vector<Pinned> pinned;
     const std::vector<ir::StageVariable>& inputs = fragment.stage.inputs;
@@ -47,7 +47,7 @@ std::vector<Pinned> find_pinned(const Linked& linked, const ir::Module& fragment
 
 bool share_pinned(const Linked& linked, ir::Module& fragment, const ir::Module& vertex) {
     std::map<CanonicalHash, std::uint32_t> first;
-    std::map<std::uint32_t, std::uint32_t> equal;  // place -> of the first
+    std::map<std::uint32_t, std::uint32_t> equal;  // position -> position of the first equal one
     for (const Pinned& each : find_pinned(linked, fragment, vertex)) {
         const auto [found, is_new] = first.emplace(each.hash, each.place);
         if (!is_new) equal[each.place] = found->second;

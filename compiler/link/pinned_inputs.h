@@ -1,5 +1,5 @@
-// What nodes that are pinned to the vertex stage hand over to the fragment stage: what is equal is handed over once,
-// and their order follows from what they compute, whatever the nodes are called and wherever they stand.
+// Orders the values that nodes pinned to the vertex stage send to the fragment stage. Equal values are sent once. The
+// order follows from what they compute, and not from the names and places of the nodes.
 //
 //   made.vertex = ir::tidy(link_vertex(linked, pass, made.fragment, options));
 //   if (order_pinned(linked, made.fragment, made.vertex)) ...   // the vertex stage is to be linked again
@@ -9,11 +9,11 @@
 
 namespace patina::assemble {
 
-// The fragment stage reads the first of those inputs that are equal. True if there were any: then it is to be tidied
-// again, and the vertex stage to be linked again.
+// Replaces equal inputs of the fragment stage by the first of them. True if there were any: then the fragment stage
+// must be tidied again, and the vertex stage linked again.
 bool share_pinned(const Linked& linked, ir::Module& fragment, const ir::Module& vertex);
 
-// Puts the fragment stage's inputs in order. True if that changed it: then the vertex stage is to be linked again.
+// Orders the fragment stage's inputs. True if the order changed: then the vertex stage must be linked again.
 bool order_pinned(const Linked& linked, ir::Module& fragment, const ir::Module& vertex);
 
 }  // namespace patina::assemble

@@ -10,13 +10,13 @@ struct ProgramStage {
     Stage stage;
     ir::Module module;
 };
-// Where a probe of a stage stands in the graphs.
+// The place in the graphs that a probe of a stage belongs to.
 struct ProgramPlace {
     std::string file;
     int line = 0, column = 0;
 };
 struct Program {
     std::vector<ProgramStage> stages;
-    std::map<std::uint32_t, ProgramPlace> places{};  // by where the probe's span begins
+    std::map<std::uint32_t, ProgramPlace> places{};  // by the begin of the probe's span
 };
 }  // namespace patina

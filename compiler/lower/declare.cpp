@@ -34,13 +34,13 @@ std::optional<ir::Kind> texture_kind(std::string_view type) {
     return {};
 }
 
-// Not bound to a switch or a path, or to one that is on.
+// True if the value depends on no switch or path, or on one that is on.
 bool is_wanted(const ExternDecl& value, std::span<const std::string_view> on) {
     return value.with.empty() ||
            std::find_first_of(value.with.begin(), value.with.end(), on.begin(), on.end()) != value.with.end();
 }
 
-// Bools stay bools: no uniform block holds them.
+// Keywords stay bools, because they are not in a uniform block.
 ir::GlobalId add_keyword(ir::Module& module, const MaterialProperty& entry) {
     const Property& property = *entry.property;
     module.globals.push_back({.name = property.name,
@@ -87,7 +87,7 @@ void add_member(ir::UniformBlock& block, const ir::Module& module, std::string n
         const ir::BlockMember& last = block.members.back();
         const Extent before = extent(module, last.type);
         end = last.offset + before.size;
-        // Compilers differ on what may follow an array or a matrix in its last 16 bytes: nothing does here.
+        // Compilers differ on what may follow an array or a matrix in its last 16 bytes, so nothing is put there.
         if (before.alignment == 16 && last.type.kind == ir::Kind::Array) end = round_up(end, 16);
         if (last.type.is_matrix()) end = round_up(end, 16);
     }
@@ -98,7 +98,7 @@ void add_member(ir::UniformBlock& block, const ir::Module& module, std::string n
 
 namespace {
 
-// What included files declare, and in whose place it stands.
+// Declares the values of included files, and the values that each of them replaces.
 void declare_foreign(const PathDeclarations& paths, const nodelang::Declarations& declarations,
                      emit::Emitter& emitter) {
     const emit::Scope scope{.declarations = &declarations};
@@ -187,7 +187,7 @@ std::vector<PropertyGlobals> declare_material(const engines::Engine& engine, con
             const bool is_of_instance = instances && property.binding == Binding::Instance;
             made.value = add_block_global(module, is_of_instance ? *instances : block, property.name,
                                           property_type(property.type), property.span);
-            // Its name is the artist's, whatever block it is in.
+            // Artists see its name, so it must be kept, whatever block holds it.
             module.globals[made.value.index].group = ir::Group::Material;
             continue;
         }

@@ -1,5 +1,6 @@
-// The globals of a module: the engine's uniform blocks (from the [extern] variables), and the material's block,
-// textures and samplers (from its properties), laid out so that GLSL's std140 and an HLSL cbuffer agree on every byte.
+// Declares the globals of a module: the engine's uniform blocks (from the [extern] variables), and the material's
+// block, textures and samplers (from its properties). The layout of a block is the same, to the byte, in GLSL's std140
+// and in an HLSL cbuffer.
 #pragma once
 
 #include <map>
@@ -17,33 +18,33 @@ struct PropertyGlobals {
     ir::GlobalId texture;  // texture properties
     ir::GlobalId sampler;
     ir::GlobalId tiling;      // float4 scale and offset, when the property has "tiling"
-    ir::GlobalId texel_size;  // float4, where the engine fills it beside the texture (keep_values.cpp)
-    // A keyword: its global; or none, and it is a constant, where texts are made for one value of it.
+    ir::GlobalId texel_size;  // float4; only if the engine fills it for the texture (keep_values.cpp)
+    // For a keyword: its global; none if it is a constant, because the text is made for one value.
     ir::GlobalId keyword;
 };
 
 // The type of a numeric property's value in its block.
 ir::Type property_type(PropertyType type);
 
-// Declares every [extern] and [reads] variable: numbers in one block per name, textures each with a sampler behind it,
-// all in order of appearance. Those that are there [with] switches or paths come last, so that they move no other, and
-// only if one of these is in `on`.
+// Declares every [extern] and [reads] variable: numbers in one block per name, each texture followed by its sampler,
+// all in order of appearance. Variables that exist only [with] a switch or path are declared if one of these is in
+// `on`. They come last, so that they do not move the others.
 struct EngineGlobals {
-    std::set<std::uint32_t> per_object;          // of the object that is drawn
+    std::set<std::uint32_t> per_object;          // those of the drawn object
     std::map<std::uint32_t, std::string> reads;  // textures that are targets of other passes
 };
 EngineGlobals declare_engine(const engines::Engine& engine, const PathDeclarations& paths,
                              const nodelang::Declarations& declarations, emit::Emitter& emitter,
                              std::span<const std::string_view> on = {});
-// One entry per Material::properties. `keep_variants`: those that nobody has chosen a value for are globals too, and
-// not constants. `instances`: the block of the properties that each instance has; nothing: the material's.
+// One entry per Material::properties. `keep_variants`: variants without a chosen value become globals instead of
+// constants. `instances`: the block of the properties that each instance has; nothing: the material's.
 std::vector<PropertyGlobals> declare_material(const engines::Engine& engine, const Material& material,
                                               ir::Module& module, bool keep_variants,
                                               std::optional<std::uint32_t> instances = {});
 
-// Appends a member at the next offset that both layouts accept.
+// Appends a member at the next offset that both layouts allow.
 void add_member(ir::UniformBlock& block, const ir::Module& module, std::string name, ir::Type type);
-// Bytes that a member of this type takes, and its alignment in std140.
+// The size of a member of this type in bytes, and its alignment in std140.
 struct Extent {
     std::uint32_t size = 0, alignment = 0, stride = 0;  // stride: of an array's elements
 };

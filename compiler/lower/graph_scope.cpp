@@ -133,7 +133,7 @@ void GraphScope::emit_node(std::uint32_t index) {
         value = emit::expression(lowering_.emitter, *node.expr, scope_);
         scope_.half = outer_half;
         const bool is_number = std::exchange(value.literal, false) || node.expr->kind == Expr::Kind::Number;
-        // A whole number in a graph is a number: only the node language itself counts in ints.
+        // Whole numbers in graphs become floats. Only the node language computes with ints.
         if (value.ok() && is_number && value.type.is_integer()) {
             value = emit::convert(lowering_.emitter, {.value = value.value, .type = value.type, .literal = true},
                                   ir::kFloat, scope_, node.expr_span, "the value");
@@ -146,7 +146,7 @@ void GraphScope::emit_node(std::uint32_t index) {
     if (value.ok() && !resolved.subgraph) b.name(value.value, module.intern(node.id));
     values_[index] = value;
     watch(ir::Probe::Kind::Node, path, {}, value, node.span);
-    // Back in what a sub-graph stands for.
+    // Messages name the outer graph again, after the sub-graph.
     lowering_.session.diagnostics.set_context(
         outer_ ? outer_->id_path(outer_->graph_.graph->nodes[outer_node_].id) : std::string(), {});
     at_.reset();
@@ -162,7 +162,8 @@ Typed GraphScope::call_node(const Node& node, const ResolvedNode& resolved) {
             if (function.params[i].name == port.name) arguments[i] = port.value;
         }
     }
-    // Texture coordinates need more than eleven bits: what samples is computed in float.
+    // Texture coordinates need more precision than the eleven bits of a half, so functions that sample compute in
+    // float.
     const bool samples = std::any_of(function.params.begin(), function.params.end(),
                                      [](const nodelang::ParamDecl& p) { return p.type.name == "Texture2D"; });
     return emit::call(lowering_.emitter, function, *resolved.home, arguments, scope_, node.type_span,
@@ -191,7 +192,7 @@ void GraphScope::fill_inputs(GraphScope& inner, const Node& node, const Graph& s
     }
 }
 
-// Which outputs of a sub-graph node are to be emitted here.
+// The outputs of a sub-graph node that are emitted here.
 std::vector<bool> GraphScope::read_of_outputs(std::uint32_t index) const {
     const std::vector<PortValue>& outputs = graph_.nodes[index].subgraph->graph->outputs;
     const auto read = read_outputs_.find(index);
@@ -200,7 +201,7 @@ std::vector<bool> GraphScope::read_of_outputs(std::uint32_t index) const {
     for (std::string_view name : read->second) {
         const auto output =
             std::find_if(outputs.begin(), outputs.end(), [&](const PortValue& p) { return p.name == name; });
-        // The bare node, or a swizzle of its only output.
+        // The node itself, or a swizzle of its only output.
         if (output == outputs.end()) return std::vector<bool>(outputs.size(), true);
         marks[static_cast<std::size_t>(output - outputs.begin())] = true;
     }
@@ -238,7 +239,7 @@ Typed GraphScope::subgraph_node(std::uint32_t index) {
         if (value.literal)
             value = emit::convert(lowering_.emitter, value, ir::kFloat, scope_, port.value_span, "the output");
         if (!value.ok()) return {};
-        scope_.builder->name(value.value, lowering_.out.module.intern(port.name));  // if it has none
+        scope_.builder->name(value.value, lowering_.out.module.intern(port.name));  // only if it has no name yet
         values.push_back(value.value);
         made.members.push_back({port.name, value.type});
         outputs.names.push_back(port.name);
@@ -261,7 +262,7 @@ Typed GraphScope::value_as(const Expr& expr, Type type, std::string_view what) {
     return emit::expression_as(lowering_.emitter, expr, type, scope_, what);
 }
 
-// What belongs to no node is the port's.
+// Instructions that belong to no node belong to the port.
 Typed GraphScope::value_as(const PortValue& port, Type type, std::string_view what) {
     if (!port.value) return {};
     ir::Module& module = lowering_.out.module;
@@ -327,8 +328,8 @@ Typed GraphScope::property(const Expr& expr, emit::Scope&) {
     return {};
 }
 
-// A lighting graph's property that the material has bound to something of its own: read in the material's scope, but
-// into this function.
+// A lighting graph's property that the material has bound to a value of its own. The value is read in the material's
+// scope, but emitted into this function.
 Typed GraphScope::bound_property(const PortValue& port) {
     const auto& own = graph_.graph->properties;
     const auto property = std::find_if(own.begin(), own.end(), [&](const Property& p) { return p.name == port.name; });
@@ -358,7 +359,7 @@ Value GraphScope::known_value(const Property& property, double value) {
     return scope_.builder->constant(property.type == PropertyType::Bool ? ir::kBool : ir::kInt, {value});
 }
 
-// For one that another graph declares to be something else, which has been reported.
+// A value for a property that another graph declares differently, which has been reported.
 Typed GraphScope::stand_in(const Property& property) {
     if (property.type == PropertyType::Texture2D) return {};
     if (property.type == PropertyType::Bool || property.type == PropertyType::Enum)
@@ -398,7 +399,7 @@ Typed GraphScope::material_property(std::size_t index) {
 
 namespace {
 
-// Whether a semantic is made of where its pixel lies. Which side is seen does not count: vertices see the front.
+// True if a semantic depends on the pixel's position. The visible side does not count, because vertices see the front.
 bool reads_pixel(const PathDeclarations& paths, const SemanticDecl& semantic) {
     if (semantic.source == Source::Builtin) return semantic.name != "frontFacing";
     if (!semantic.function) return false;
@@ -437,7 +438,7 @@ Typed GraphScope::semantic(std::string_view name, Span span, emit::Scope& scope)
         return {};
     }
     const SemanticDecl& semantic = paths.semantics[found->second];
-    // A default of a port stands in a file of functions; it is the graph that has left the port open.
+    // A default of a port stands in a node file, but the error is that the graph left the port open.
     const emit::OpenPort* open = scope.open_port;
     const auto report = [&](Code code, std::string_view where) -> DiagnosticRecord& {
         DiagnosticRecord& record = lowering_.session.diagnostics.report(code, open ? open->call : span, name, where);
@@ -467,7 +468,7 @@ Typed GraphScope::semantic(std::string_view name, Span span, emit::Scope& scope)
 
 Typed GraphScope::file(const Expr& expr, emit::Scope&) {
     const auto index = lowering_.material.property_index.find(file_texture_name(expr.text));
-    if (index == lowering_.material.property_index.end()) return {};  // not found on disk: reported already
+    if (index == lowering_.material.property_index.end()) return {};  // not found on disk, which has been reported
     return material_property(index->second);
 }
 

@@ -1,5 +1,5 @@
-// One graph that is being emitted into one IR function: the values of its nodes so far, and what $, @ and names mean in
-// it. A sub-graph is a scope inside the scope of the graph that uses it.
+// Emits a graph into one IR function: holds the values of its nodes so far, and resolves $, @ and names in it. A
+// sub-graph is a scope inside the scope of the graph that uses it.
 #pragma once
 
 #include <deque>
@@ -15,7 +15,7 @@ struct Part {
     std::string why_not{};       // not empty: why it cannot be made
     ir::Origin where{};          // the node that prevents it
     bool is_zero = false;        // always zero: the slot does not read what the part is linear in
-    bool is_of_missing = false;  // it is derived from another part that cannot be made, and has its reason
+    bool is_of_missing = false;  // it depends on another derived slot that cannot be made, and has that one's reason
 };
 
 // Shared by all scopes of one lowering.
@@ -25,13 +25,13 @@ struct Lowering {
     Lowered& out;
     emit::Emitter emitter;
     std::deque<std::vector<std::string_view>> enumerators;  // of enum properties, by material property
-    // The interpolators that have been made, by id path: a semantic for each output, and the names of the outputs.
+    // The interpolators made so far, by id path: a semantic for each output, and the names of the outputs.
     struct Interpolator {
         std::vector<ir::SemanticId> semantics;
         const emit::Outputs* outputs = nullptr;
     };
     std::map<std::string, Interpolator> interpolators;
-    // Who reads what the vertex stage computes: a node whose interpolator is being made, or an output of "vertex".
+    // A reader of what the vertex stage computes: a node whose interpolator is being made, or an output of "vertex".
     struct VertexReader {
         std::string name;  // id path, or the output's
         Span span;
@@ -40,8 +40,8 @@ struct Lowering {
         std::vector<std::uint32_t> reads{};  // the node, or those that the output reads
     };
     std::vector<VertexReader> vertex_readers;  // the innermost last
-    std::map<std::string_view, Part> parts;    // the derived slots that something has asked for
-    std::set<std::uint32_t> per_object;        // globals of the object that is drawn
+    std::map<std::string_view, Part> parts;    // the derived slots that have been requested
+    std::set<std::uint32_t> per_object;        // globals of the drawn object
     ir::FunctionId surface{};                  // surface(): all that the graph computes
 
     bool is_on(std::string_view wanted) const;  // a switch
@@ -56,7 +56,7 @@ public:
 
     GraphScope(Lowering& lowering, const CheckedGraph& graph, ir::Builder& builder, bool in_vertex_stage);
 
-    // --- what the place of the graph adds
+    // --- what the surrounding graph adds
     void give(std::string_view semantic, Typed value) { given_[std::string(semantic)] = value; }
     void set_input(std::string_view name, Typed value) { inputs_[std::string(name)] = value; }
     // In a lighting graph: a semantic that is also a member of the lighting surface means that member.

@@ -1,5 +1,5 @@
-// Nodes at the vertices: those that are pinned there, whose values are interpolated, and the words for one that needs a
-// pixel.
+// Nodes in the vertex stage: those that are pinned there, whose values are interpolated, and the messages for a node
+// that needs a pixel.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,11 +16,12 @@ using ir::Op;
 using ir::Type;
 using ir::Value;
 
-// --- what only pixels have
+// --- what exists only in pixels
 
 constexpr std::size_t kMostOnTheWay = 8;
 
-// "reads it through 'b' and 'c'": how a reader comes to the node that is being emitted. Empty: it is that node.
+// "reads it through 'b' and 'c'": the way from a reader to the node that is being emitted. Empty if the reader is that
+// node.
 std::string GraphScope::way_from(const Lowering::VertexReader& reader) const {
     const std::string plain = "reads it";
     const GraphScope* scope = this;
@@ -126,12 +127,12 @@ Typed GraphScope::interpolated(std::uint32_t index) {
                                                      module.type_name(value.type), "a float or a vector of floats");
                 return {};
             }
-            // A varying is a float: half varyings do not exist everywhere.
+            // A varying is always a float, because not every GPU has half varyings.
             if (value.type.scalar != ir::Scalar::Float) {
                 value.value = builder.convert(value.value, ir::Scalar::Float);
                 value.type = value.type.with_scalar(ir::Scalar::Float);
             }
-            // The linker finds a varying by its name: it is nobody else's.
+            // The linker finds a varying by its name, so the name must be unique.
             const auto is_taken = [&](std::string_view wanted) {
                 return std::any_of(module.semantics.begin(), module.semantics.end(),
                                    [&](const ir::Semantic& s) { return s.name == wanted; });

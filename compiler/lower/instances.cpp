@@ -24,7 +24,7 @@ std::uint32_t bytes_of_element(const ir::Module& module, Type type) {
     return (extent(module, type).size + 15) / 16 * 16;
 }
 
-// How many elements fit in every block that holds some of these globals.
+// The number of elements for which every block of these globals has room.
 std::uint32_t count_of(const std::vector<InstanceSize>& sizes) {
     std::uint32_t count = kMostBlockBytes;
     for (const InstanceSize& size : sizes) {

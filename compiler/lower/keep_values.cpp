@@ -1,5 +1,5 @@
-// How an engine keeps the values of properties: as which type, what decodes them, and what it fills for each texture.
-// And the lines of its file that a stage needs which calls one of its functions.
+// Records how an engine stores the values of properties: the type, the decoder, and the values that it fills for each
+// texture. Adds the lines of the engine's file for each stage that calls one of its functions.
 #include <algorithm>
 
 #include "compiler/lower/lowering.h"
@@ -23,7 +23,7 @@ bool node_reads(const Node& node, std::string_view property) {
     return (node.expr && reads(*node.expr, property)) || reads(node.inputs, property);
 }
 
-// Marks the outputs of a node that the expression reads; the node by its name alone may be any of them.
+// Marks the outputs of a node that the expression reads. The node's name alone may mean any of them.
 void mark_outputs(const Expr& expr, const Node& node, std::span<const PortValue> outputs, std::vector<bool>& read) {
     const bool is_member = expr.kind == Expr::Kind::Member && expr.args[0]->text == node.id;
     const bool is_node = expr.kind == Expr::Kind::Name && expr.text == node.id;
@@ -34,7 +34,7 @@ void mark_outputs(const Expr& expr, const Node& node, std::span<const PortValue>
     for (const Expr* arg : expr.args) mark_outputs(*arg, node, outputs, read);
 }
 
-// The outputs of a sub-graph's node that the ports read, and the other nodes.
+// The outputs of a sub-graph's node that the ports read, and the other nodes that they read.
 std::vector<PortValue> outputs_read(const CheckedGraph& graph, std::span<const PortValue> ports,
                                     const std::vector<bool>& nodes, std::uint32_t at) {
     const std::vector<PortValue>& outputs = graph.nodes[at].subgraph->graph->outputs;
@@ -59,7 +59,7 @@ std::vector<PortValue> outputs_read(const CheckedGraph& graph, std::span<const P
     return made;
 }
 
-// Whether these ports come to read the property, themselves or through nodes.
+// True if the ports read the property, directly or through nodes.
 bool reaches(const CheckedGraph& graph, std::span<const PortValue> ports, std::string_view property) {
     if (reads(ports, property)) return true;
     const std::vector<bool> nodes = graph.reachable(ports);
@@ -72,8 +72,8 @@ bool reaches(const CheckedGraph& graph, std::span<const PortValue> ports, std::s
     return false;
 }
 
-// A colour that may be brighter than white: one whose range ends above, or whose default is, or one that only light
-// reads which the surface sends out ([hdr] members of the lighting surface).
+// True for a colour that may be brighter than white: its range ends above 1, or its default is above 1, or only emitted
+// light reads it ([hdr] members of the lighting surface).
 bool is_hdr(const PathDeclarations& paths, const CheckedGraph& graph, const Property& property) {
     if (property.range && (*property.range)[1] > 1) return true;
     if (std::any_of(property.value.begin(), property.value.begin() + 3, [](double v) { return v > 1; })) return true;
@@ -94,7 +94,7 @@ std::string_view usage_of(const PathDeclarations& paths, const CheckedGraph& gra
     return property.usage == TextureUsage::Normal ? "normal" : property.usage == TextureUsage::Color ? "color" : "";
 }
 
-// The included file that declares a value of materials under this name and with this type; empty: none does.
+// The included file that declares a value of materials with this name and type; empty if there is none.
 std::string declared_in(const Lowering& lowering, const Property& property) {
     const auto& foreign = lowering.session.paths->foreign;
     const auto found = std::find_if(foreign.begin(), foreign.end(), [&](const ForeignDecl& each) {
@@ -105,7 +105,7 @@ std::string declared_in(const Lowering& lowering, const Property& property) {
     return found->include;
 }
 
-// [decodes("normal", "f", "g")]: where f follows, g does both.
+// [decodes("normal", "f", "g")]: if f is called with the result, g replaces both.
 void decode_by(const DecoderDecl& decoder, ir::Global& global) {
     global.decoder = decoder.function->name;
     if (decoder.at_once.empty()) return;
@@ -129,7 +129,7 @@ void keep_values(Lowering& lowering) {
     for (std::size_t i = 0; i < lowering.material.properties.size(); ++i) {
         const Property& property = *lowering.material.properties[i].property;
         PropertyGlobals& globals = out.property_globals[i];
-        if (!globals.texture && !globals.value) continue;  // it has a keyword
+        if (!globals.texture && !globals.value) continue;  // it is a keyword
         if (globals.texture && !engine.texture_sizes.empty())
             globals.texel_size = add_texture_size(out.module, ir::Global(out.module.globals[globals.texture.index]),
                                                   engine.texture_sizes);
@@ -149,7 +149,7 @@ void give_texts(Lowering& lowering) {
         for (const emit::InstanceInfo& instance : lowering.emitter.instances.of(*foreign.function))
             lowering.out.module[instance.id].texts = foreign.texts;
     }
-    // What a decoder asks for is asked for where its follower is called.
+    // The lines of a decoder are added where its follower is called.
     for (const auto& [usage, decoder] : lowering.session.paths->decoders) {
         for (ir::Function& function : lowering.out.module.functions) {
             if (!decoder.follower.empty() && function.name == decoder.follower) function.texts = decoder.texts;

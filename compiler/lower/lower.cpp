@@ -20,7 +20,7 @@ namespace {
 
 ir::Rate rate_of(Source source) {
     switch (source) {
-        case Source::Attribute: return ir::Rate::Pixel;  // where a fragment reads it, it has been interpolated
+        case Source::Attribute: return ir::Rate::Pixel;  // where a fragment reads it, it is interpolated
         case Source::Builtin:
         case Source::Vertex:
         case Source::Pixel:
@@ -69,7 +69,7 @@ void declare_semantics(Lowering& lowering) {
     }
 }
 
-// The function without parameters that a pass calls for the surface that is to be lit.
+// The slot without parameters, which a pass calls for the surface to be lit.
 const FunctionDecl* surface_slot(const PathDeclarations& paths) {
     const auto found = std::find_if(paths.slots.begin(), paths.slots.end(),
                                     [](const SlotDecl& slot) { return slot.function->params.empty(); });
@@ -117,7 +117,7 @@ void lower_vertex_outputs(Lowering& lowering) {
         module.origins.push_back({.span = port.value_span});
         builder.set_origin({static_cast<std::uint32_t>(module.origins.size() - 1)});
         Typed value = scope.value(*port.value);
-        // A tangent may be given without its handedness, which then stays the mesh's.
+        // If a graph gives a tangent without its handedness, the mesh's handedness is kept.
         if (value.ok() && value.type == ir::kFloat3 && function.result == ir::kFloat4) {
             const Value mesh = builder.emit(Op::Semantic, ir::kFloat4, {}, semantic->second);
             value.value = builder.construct(ir::kFloat4, std::array{value.value, builder.extract(mesh, 3)});
@@ -135,7 +135,7 @@ void lower_vertex_outputs(Lowering& lowering) {
     }
 }
 
-// A variant of a lighting graph has the value that the material gives it.
+// A variant of the lighting graph, whose value the material gives.
 const Property* variant_of_lighting(const Material& material, std::string_view name) {
     for (const Property& property : material.lighting->graph->properties) {
         if (property.name == name && property.binding == Binding::Variant) return &property;
@@ -143,7 +143,7 @@ const Property* variant_of_lighting(const Material& material, std::string_view n
     return nullptr;
 }
 
-// The switches as the caller wants them.
+// Declares the switches with the values that the caller chose.
 void declare_switches(Lowering& lowering) {
     Session& session = lowering.session;
     const bool has_passes = session.options.functions.empty() && !session.engine.has_own_passes();
@@ -155,7 +155,7 @@ void declare_switches(Lowering& lowering) {
     for (const auto& [name, value] : session.options.switches) {
         const auto found = std::find(known.begin(), known.end(), name);
         const bool is_switch = found != known.end();
-        if (!is_switch && lowering.material.property_index.contains(name)) continue;  // the graph's own (keywords.cpp)
+        if (!is_switch && lowering.material.property_index.contains(name)) continue;  // of the graph (keywords.cpp)
         if (!is_switch || !has_passes) {
             std::vector<std::string_view> words = keyword_names(lowering.material);
             if (has_passes) words.insert(words.begin(), known.begin(), known.end());
@@ -319,7 +319,7 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
         if (material.properties[i].property->binding == Binding::Instance)
             lowering.per_object.insert(out.property_globals[i].value.index);
     }
-    // A pass that a material adds has nothing to share unless it is lit, and then reads as the others.
+    // An extra pass of a material shares functions with other passes only if it is lit.
     out.keeps_functions = engine.is_one_file() && (!material.pass || !material.lighting->graph->nodes.empty());
     keep_values(lowering);
     out.shifts = place_globals(out.module, engine);

@@ -1,6 +1,8 @@
-// Checked material -> IR functions: one each for the surface, the workflow's set-up, the three outputs of the lighting
-// graph, each vertex output and each interpolator, and the bodies of the passes. Types are checked here, as they become
-// known. What the functions read of mesh and camera stays `semantic` instructions until a pass is linked (assemble/).
+// This room turns a checked material into IR functions: one each for the surface, the workflow's set-up, the outputs of
+// the lighting graph, each vertex output and each interpolator, and the functions of the passes. It checks types,
+// because they are first known here (expressions are emitted by compiler/emit), and decides which passes can draw the
+// material. It resolves no files or names of files, and prints nothing. Reads of the mesh and the camera stay
+// `semantic` instructions until a pass is linked (compiler/link).
 #pragma once
 
 #include "compiler/lower/declare.h"
@@ -8,34 +10,34 @@
 
 namespace patina::graph {
 
-// How a semantic (an index into Module::semantics) is had.
+// How a stage gets the value of a semantic (an index into Module::semantics).
 struct SemanticRecipe {
     Source source = Source::Pixel;
-    ir::FunctionId recipe{};                    // Vertex, Pixel, Uniform: a function whose body reads other semantics
-    std::optional<std::uint32_t> location{};    // Attribute: of the vertex input; none: it is numbered later
-    std::string_view hlsl{};                    // Attribute: its HLSL semantic
-    ir::FunctionId override{};                  // what the material's "vertex" block writes instead of the attribute
+    ir::FunctionId recipe{};                  // Vertex, Pixel, Uniform: a function whose body reads other semantics
+    std::optional<std::uint32_t> location{};  // Attribute: of the vertex input; none: numbered later
+    std::string_view hlsl{};                  // Attribute: its HLSL semantic
+    ir::FunctionId override{};                // the value of the material's "vertex" block that replaces the attribute
     const SemanticDecl* declaration = nullptr;  // null: an interpolator of the graph
 };
 
 struct LoweredPass {
     const PassDecl* declaration = nullptr;
-    std::string name{};  // the declaration's or, of a pass that the material adds, its own
+    std::string name{};  // the declaration's, or that of the extra pass
     ir::FunctionId vertex{}, fragment{};
-    std::vector<std::pair<ir::SemanticId, ir::FunctionId>> recipes{};   // its own, in the fragment stage
-    std::vector<std::pair<ir::FunctionId, ir::FunctionId>> replaced{};  // functions of the seam, and what it puts there
-    std::vector<std::pair<ir::SemanticId, ir::GlobalId>> attributes{};  // that an included file declares
-    std::vector<ir::FunctionId> in_both_stages{};                       // of the recipes and replacements
-    std::vector<std::pair<ir::SemanticId, ir::FunctionId>> at_vertices{};  // recipes of what is interpolated
+    std::vector<std::pair<ir::SemanticId, ir::FunctionId>> recipes{};   // its own recipes, in the fragment stage
+    std::vector<std::pair<ir::FunctionId, ir::FunctionId>> replaced{};  // engine functions, and their replacements
+    std::vector<std::pair<ir::SemanticId, ir::GlobalId>> attributes{};  // those that an included file declares
+    std::vector<ir::FunctionId> in_both_stages{};  // those of the recipes and replacements that apply in both stages
+    std::vector<std::pair<ir::SemanticId, ir::FunctionId>> at_vertices{};  // recipes of interpolated semantics
 
     // Those of the stage.
     std::optional<ir::FunctionId> recipe_of(ir::SemanticId semantic, ir::StageKind stage) const;
     std::optional<ir::FunctionId> replacement_of(ir::FunctionId function, ir::StageKind stage) const;
     std::optional<ir::GlobalId> attribute_of(ir::SemanticId semantic) const;
 };
-// How a pass blends surfaces of a kind; null: it does not draw them.
+// How a pass blends surfaces of a kind; null if it does not draw them.
 const BlendRow* blend_of(const PassDecl& pass, SurfaceKind surface);
-// Where an engine picks passes by their tags, its users know a pass by its tag: "ShadowCaster".
+// The name that users know a pass by: its tag, if the engine selects passes by tag ("ShadowCaster").
 std::string_view known_as(const PassDecl& pass);
 
 // A function for an engine's own shaders.
@@ -47,24 +49,24 @@ struct LoweredFunction {
 struct Lowered {
     ir::Module module;
     std::vector<SemanticRecipe> semantics;
-    std::string path;  // that the passes belong to: the wanted one, or its fallback
+    std::string path;  // the path of the passes: the requested one, or its fallback
     std::vector<LoweredPass> passes;
-    std::vector<LoweredFunction> functions;  // instead of passes, where CompileOptions::functions asks for them
+    std::vector<LoweredFunction> functions;  // replaces passes, if CompileOptions::functions is set
     std::vector<std::pair<std::string, bool>> switches;
-    std::map<std::uint32_t, std::string> reads;     // by global: the target of another pass that it shows
+    std::map<std::uint32_t, std::string> reads;     // by global: the target of another pass that the texture reads
     std::vector<PropertyGlobals> property_globals;  // one per Material::properties
-    std::uint32_t instances = 0;                    // that one draw can hold; 0: it draws one object (instances.h)
-    std::set<std::uint32_t> instance_globals;       // which are arrays of as many
-    std::vector<SetShifts> shifts;                  // by set: HLSL registers to bindings
-    std::uint32_t target_set = 0;                   // of what other passes have drawn
-    ClipDepth clip_depth = ClipDepth::NearToFar;    // of what the camera sees
-    bool keeps_functions = false;  // passes that show the surface leave functions as they are, to share their text
+    std::uint32_t instances = 0;                    // how many one draw can hold; 0: it draws one object (instances.h)
+    std::set<std::uint32_t> instance_globals;       // globals that are arrays with an element for each instance
+    std::vector<SetShifts> shifts;                  // by set: from HLSL registers to bindings
+    std::uint32_t target_set = 0;                   // the set of the other passes' targets
+    ClipDepth clip_depth = ClipDepth::NearToFar;    // the order of depth in the camera's view
+    bool keeps_functions = false;  // passes that show the surface keep functions as they are, to share their text
 };
 
-// Reports what is wrong; the result may be used only if the session has no errors. `material`: itself with all passes
-// of the path, or a pass that it adds (Material::pass) with that one.
+// Reports errors; the result may be used only if the session has none. `material`: the material itself with all passes
+// of the path, or an extra pass (Material::pass) with only that one.
 Lowered lower(Session& session, const Material& material, ir::BuildOptions options);
-// Whether the passes that the material adds are drawn beside these.
+// True if the material's extra passes are drawn in addition to these.
 bool draws_extra(const Session& session, const Lowered& lowered);
 
 }  // namespace patina::graph

@@ -1,6 +1,6 @@
-// A material without a pass: the functions that an engine calls from shaders of its own. What is [extern] is the
-// engine's: its functions are only declared, and its values come as parameters, like everything that is read of the
-// mesh and the camera.
+// Lowers a material without a pass: the functions that an engine calls from its own shaders. [extern] functions are
+// only declared, because the engine defines them. [extern] values become parameters, and so do the values of the mesh
+// and the camera.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -59,7 +59,7 @@ private:
         }
     }
 
-    // A texture can be no member of a parameter.
+    // A texture cannot be a member of a parameter.
     bool can_be_passed() {
         const auto& inputs = lowering_.material.lighting->graph->inputs;
         for (const Input& input : inputs) {

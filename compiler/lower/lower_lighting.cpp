@@ -1,4 +1,4 @@
-// The slots that a lighting graph fills, and those that are parts of them.
+// Lowers the slots that a lighting graph fills, and the slots that are derived from them.
 #include <algorithm>
 
 #include "compiler/ir/passes/passes.h"
@@ -13,7 +13,8 @@ using nodelang::FunctionDecl;
 
 namespace {
 
-// Neighbouring pixels see the same lights in the same order, but a derivative in the loop would be computed per light.
+// Neighbouring pixels see the same lights in the same order, but inside the loop a derivative would be computed once
+// for each light.
 void refuse_derivatives_per_light(Lowering& lowering, const ir::Function& function) {
     const ir::Module& module = lowering.out.module;
     std::vector<bool> needs_quad(module.functions.size(), false);
@@ -36,7 +37,7 @@ void refuse_derivatives_per_light(Lowering& lowering, const ir::Function& functi
     }
 }
 
-// One output of the lighting graph, as the function that the slot declares.
+// Lowers one output of the lighting graph as the function that the slot declares.
 ir::FunctionId lower_lighting(Lowering& lowering, const SlotDecl& declared, const PortValue& output,
                               GraphScope& material, bool& needs_quad) {
     const FunctionDecl& slot = *declared.function;
@@ -85,7 +86,7 @@ void lower_slots(Lowering& lowering) {
     const ir::FunctionId surface = lowering.surface = lower_surface(lowering, members);
     const nodelang::Declarations& declarations = *lowering.session.declarations;
     const emit::Scope scope{.declarations = &declarations};
-    // The material's scope, for values that it hands to the lighting graph's properties.
+    // The material's scope, for values that it gives to the lighting graph's properties.
     ir::Function unused{};
     ir::Builder unused_builder(lowering.out.module, unused, lowering.emitter.options);
     GraphScope material(lowering, *lowering.material.graph, unused_builder, false);

@@ -1,5 +1,5 @@
-// Slots that are made from others when a pass asks for them: the part of a slot that is linear in something, what is
-// left of it without that, and the packing of what a G-buffer has no room for.
+// Makes the derived slots when a pass first requests them: the part of a slot that is linear in a value, the rest of it
+// without that part, and the packing of values for which a G-buffer has no room.
 //
 //   [slot] [part("final", "sum.direct")] float3 added(LightingSurface surface, LightSum sum);
 //   [slot] [without("indirect", "EnvironmentRadiance")] float3 indirect_near(LightingSurface surface);
@@ -25,7 +25,7 @@ const SlotDecl* find_slot(const Lowering& lowering, std::string_view name) {
     return lowering.session.paths->slot(name);
 }
 
-// The slot's function, which may be a part itself.
+// The slot's function; the slot may itself be derived.
 const emit::Slot* slot_named(Lowering& lowering, std::string_view name) {
     const SlotDecl* slot = find_slot(lowering, name);
     if (slot && slot->is_derived()) return &part_of(lowering, *slot).slot;
@@ -41,10 +41,10 @@ std::optional<std::uint32_t> member_index(const ir::Module& module, Type structu
     return {};
 }
 
-// "sum.direct": a member of a parameter of the slot; "EnvironmentRadiance": what this function gives.
+// "sum.direct": a member of a parameter of the slot; "EnvironmentRadiance": the result of this function.
 struct Source {
     std::optional<ir::Seed> seed{};
-    bool is_absent = false;  // the function is never called
+    bool is_absent = false;  // the slot does not call the function
     std::string why_not{};
 };
 Source source_named(Lowering& lowering, const FunctionDecl& of, ir::FunctionId function, std::string_view name) {
@@ -66,7 +66,8 @@ Source source_named(Lowering& lowering, const FunctionDecl& of, ir::FunctionId f
     return {.seed = ir::Seed::of_calls(made.front().id)};
 }
 
-// A part reads nothing of its own struct but the member that it is linear in: the rest is not known where it is used.
+// A part may read no member of its parameter's struct but the one that it is linear in, because the others are not
+// known where it is used.
 std::string other_member_of(const ir::Module& module, ir::FunctionId function, const ir::Seed& seed) {
     if (seed.callee) return {};
     for (const ir::MemberRead& read : ir::members_read(module, function, seed.param)) {
@@ -80,7 +81,7 @@ ir::Origin origin_of(const ir::Module& module, ir::OriginId id) {
     return id ? module.origins[id.index] : ir::Origin{};
 }
 
-// The graph's own slot that a part is taken of, through all parts between.
+// The graph's own slot at the end of the chain of derived slots.
 std::string_view root_of(const Lowering& lowering, std::string_view of) {
     for (const SlotDecl* slot = find_slot(lowering, of); slot; slot = find_slot(lowering, of)) {
         if (slot->making != Making::Part && slot->making != Making::Without) break;
@@ -144,7 +145,7 @@ Part slot_without(Lowering& lowering, const SlotDecl& slot) {
 
 struct Packing {
     std::vector<std::uint32_t> members;  // of the lighting surface
-    unsigned numbers = 0;                // that they take
+    unsigned numbers = 0;                // how many numbers they need
     std::string why_not;
 };
 
@@ -171,7 +172,7 @@ Packing packing_of(Lowering& lowering, const SlotDecl& slot, Type surface) {
     return packing;
 }
 
-// The struct of float4 that a pack slot returns, in numbers.
+// The number of components in the struct of float4 that a pack slot returns.
 unsigned room_in(const ir::Module& module, Type extras) {
     return 4 * static_cast<unsigned>(module.structs[extras.ref].members.size());
 }

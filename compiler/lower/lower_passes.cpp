@@ -1,5 +1,5 @@
-// The passes of the wanted path, lowered: their two functions, their own recipes of semantics, and the functions of the
-// seam that they replace. A material that a path cannot take is lowered for the path's fallback.
+// Lowers the passes of the requested path: their two functions, their own recipes of semantics, and the engine
+// functions that they replace. If the path cannot draw the material, its fallback is lowered.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ public:
     }
 
 private:
-    // --- which passes
+    // --- selection of passes
 
     bool is_extra(std::string_view name) const {
         const std::vector<ExtraPass>& passes = lowering_.material.graph->graph->passes;
@@ -73,14 +73,14 @@ private:
             begin_path();
             for (const PassDecl* pass : optional_first(paths_.passes_of(path))) {
                 if (!lower_pass(*pass) || pass->is_optional || pass->state.fallback.empty()) continue;
-                lowering_.out.passes.resize(first_of_path_);  // the path is not for this material
+                lowering_.out.passes.resize(first_of_path_);  // the path cannot draw the material
                 break;
             }
         }
         in_order_of([&](const LoweredPass& pass) { return pass.declaration - paths_.passes.data(); });
     }
 
-    // Passes may ask which of the passes that they are drawn with are there; the optional ones are known first.
+    // A pass may ask which other passes are drawn with it, so the optional ones are lowered first.
     void begin_path() { first_of_path_ = lowering_.out.passes.size(); }
     static std::vector<const PassDecl*> optional_first(std::vector<const PassDecl*> passes) {
         std::stable_partition(passes.begin(), passes.end(), [](const PassDecl* pass) { return pass->is_optional; });
@@ -112,7 +112,7 @@ private:
             if (!refusal || refusal.is_news || refusal.is_vain || pass->is_optional) continue;
             const bool is_own = std::find(passes.begin() + std::ptrdiff_t(own), passes.end(), pass) != passes.end();
             if (is_own && !pass->state.fallback.empty()) {
-                // That a path leaves a kind of surface to another one is its design, and no news.
+                // If a path leaves a kind of surface to its fallback by design, there is no warning.
                 if (has_blend(*pass)) report(Code::PathRefused, refusal, path, pass->state.fallback, refusal.reason);
                 tried_.insert(path);
                 if (!tried_.contains(pass->state.fallback)) return lower_path(pass->state.fallback);
@@ -162,7 +162,7 @@ private:
         return !draws_objects(pass) || blend_of(pass, surface()) || pass.blends.empty();
     }
 
-    // Where the engine reads what a pass leaves, depth alone or all that it lights, the pass holds what is nearest.
+    // The engine may read the depth or the lit colour that a pass leaves, so the pass must hold the nearest surface.
     Refusal refusal_of_depth(const PassDecl& pass) const {
         const RenderState& render = lowering_.material.graph->graph->render;
         if (!has_own_passes() || !(pass.is_alone || pass.state.targets.empty())) return {};
@@ -177,7 +177,7 @@ private:
             .is_news = true};
     }
 
-    // What no light lights would not look different.
+    // Unlit materials look the same without this pass.
     Refusal refusal_of_lighting(const PassDecl& pass) const {
         const Graph& graph = *lowering_.material.graph->graph;
         const LightingUse& use = graph.lighting;
@@ -190,7 +190,7 @@ private:
                 .is_news = is_drawn_again(pass)};
     }
 
-    // Whether an object is drawn by another pass of the path, too, once for each light.
+    // True if another pass of the path draws the object again, once for each light.
     bool is_drawn_again(const PassDecl& pass) const {
         if (lowering_.material.pass) return false;
         const std::vector<const PassDecl*> others = paths_.passes_of(pass.path);
@@ -200,14 +200,14 @@ private:
         });
     }
 
-    // A material's stencil needs the stencil for itself, and one pass that draws the object.
+    // If a material states a stencil, the pass must not use the stencil itself, and only one pass may draw the object.
     Refusal refusal_of_stencil(const PassDecl& pass) const {
         const std::optional<StencilState>& stencil = lowering_.material.graph->graph->render.stencil;
         if (!stencil || !draws_objects(pass) || pass.state.targets.empty()) return {};
         const ir::Origin where{.span = {stencil->span.begin, stencil->span.begin + 1}};
         if (pass.has_stencil)
             return {.reason = "it uses the stencil itself", .where = where, .is_news = has_own_passes()};
-        if (has_own_passes() && pass.state.each != PassEach::Light) return {};  // the other one says so
+        if (has_own_passes() && pass.state.each != PassEach::Light) return {};  // the other pass reports it
         if (!stencil->changes() || stencil->test == Compare::Always || !is_drawn_again(pass)) return {};
         Refusal refusal{.reason = "it draws an object once for each light, and this stencil changes what it tests",
                         .where = where};
@@ -218,10 +218,10 @@ private:
         return refusal;
     }
 
-    // Whether the engine draws passes of its own, as it knows them by their tags: no frame of ours decides.
+    // True if the engine draws passes of its own, which it selects by tag; then no frame of ours decides.
     bool has_own_passes() const { return lowering_.session.engine.has_own_passes(); }
 
-    // The slot that a pass of the engine's own needs, and that is always 0.
+    // The slot that one of the engine's own passes needs, if it is always 0.
     std::optional<std::string_view> vain_part(const PassDecl& pass) const {
         if (!has_own_passes()) return {};
         for (const std::string_view name : pass.needs) {
@@ -290,8 +290,8 @@ private:
         return std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == 0; });
     }
 
-    // A pass of the library that draws objects has everything to give in the pixel; at the vertices, and where nothing
-    // of the object is left, that has to be found out.
+    // A pass of the library that draws objects has every value in the fragment stage. For the vertex stage, and for a
+    // pass that draws no object, this must be checked.
     bool may_be_refused(const PassDecl& pass) const {
         return !draws_objects(pass) || !pass.holds.empty() || reads_of_pass_ || lowering_.session.pass_file;
     }
@@ -325,7 +325,7 @@ private:
         }
     }
 
-    // A value of the engine was declared as this one (declare.cpp).
+    // declare() has declared a value of the engine for this one (declare.cpp).
     void give_attribute(LoweredPass& pass, const GivenDecl& given) {
         const auto semantic = paths_.semantic_index.find(given.what);
         const auto global = emit::find_extern(lowering_.emitter.known, *given.variable);
@@ -348,7 +348,7 @@ private:
                         given.what));
     }
 
-    // Recipes of every semantic that a function reads, and of those that the recipes read.
+    // Lowers the recipes of every semantic that a function reads, and of those that the recipes read.
     void lower_recipes() {
         Lowered& out = lowering_.out;
         for (; next_ < out.module.functions.size(); ++next_) {
@@ -362,7 +362,7 @@ private:
                 const ir::FunctionId made = emit::semantic_function(lowering_.emitter, *recipe.declaration->function,
                                                                     *lowering_.session.declarations, environment_,
                                                                     recipe.source == Source::Vertex);
-                if (!made) return;  // a fault in the library or the user's file, reported
+                if (!made) return;  // an error in the library or the user's file, which has been reported
                 if (lowering_.emitter.instances.passing_answers() != answers)
                     refuse_answers(*recipe.declaration->function);
                 out.semantics[inst.data].recipe = made;
@@ -370,14 +370,14 @@ private:
         }
     }
 
-    // All passes share what a semantic computes.
+    // A recipe cannot depend on the pass, because all passes share it.
     void refuse_answers(const FunctionDecl& recipe) {
         lowering_.session.diagnostics.report(
             Code::BadAttribute, recipe.name_span, "semantic",
             "stands before a function that asks a [static] which passes there are: that differs from path to path");
     }
 
-    // --- what pass functions ask for
+    // --- slots and [static] values that pass functions ask for
 
     const emit::Slot* slot_of(const FunctionDecl& slot, Span at) {
         const SlotDecl* declared = paths_.slot(slot.name);
@@ -419,7 +419,7 @@ private:
         return part.slot.function && !part.is_zero;
     }
 
-    // Says once what a part's absence costs.
+    // Reports once what the material loses without the derived slot.
     void remark(const SlotDecl& slot, const Part& part) {
         if (part.slot.function || part.is_of_missing || slot.otherwise.empty()) return;
         if (!remarked_.insert(slot.name()).second) return;
@@ -429,10 +429,10 @@ private:
     Lowering& lowering_;
     const PathDeclarations& paths_;
     LibraryEnvironment environment_;
-    std::string_view pass_;          // that is being lowered
-    std::size_t first_of_path_ = 0;  // of the passes that are drawn with it
-    bool reads_of_pass_ = false;     // some pass has a semantic of its own
-    std::size_t next_ = 0;           // function whose semantics have not been looked at
+    std::string_view pass_;          // the pass that is being lowered
+    std::size_t first_of_path_ = 0;  // the first of the passes that are drawn together
+    bool reads_of_pass_ = false;     // a pass has a semantic of its own
+    std::size_t next_ = 0;           // the next function whose semantics have not been lowered
     std::set<std::string_view> remarked_;
     std::set<std::string> tried_;  // paths
 };

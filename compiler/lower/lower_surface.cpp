@@ -1,5 +1,5 @@
-// The two functions between a material and its lighting: what the graph says of its surface, and what its workflow
-// makes of that.
+// Lowers the two functions between a material and its lighting: the surface that the graph computes, and the lighting
+// surface that its workflow makes of it.
 #include <algorithm>
 #include <array>
 
@@ -32,7 +32,7 @@ Typed as_color(Lowering& lowering, Typed value, GraphScope& scope, Span span) {
     return {.value = v, .type = ir::kFloat3};
 }
 
-// Value of one surface input: as given, or by another name for it, or its default.
+// The value of one surface input: as given, or converted from another input that gives it, or its default.
 Typed surface_value(Lowering& lowering, GraphScope& scope, std::span<const Input* const> inputs, const Input& input,
                     Type type) {
     const std::vector<PortValue>& ports = lowering.material.graph->graph->surface;
@@ -62,8 +62,8 @@ Typed surface_value(Lowering& lowering, GraphScope& scope, std::span<const Input
     return scope.value_as(*input.value, type, fmt::format("the default of '{}'", input.name));
 }
 
-// Nodes to emit for the pixel stage: what the surface reads without passing an interpolator, and nodes that nothing
-// reads at all, whose mistakes are worth knowing.
+// The nodes that are emitted for the pixel: those that the surface reads without an interpolator, and those that
+// nothing reads, so that their errors are found.
 std::vector<bool> pixel_nodes(const CheckedGraph& graph) {
     std::vector<bool> pixel(graph.nodes.size(), false), vertex = graph.reachable(graph.graph->vertex);
     const auto walk = [&](std::vector<std::uint32_t> work, std::vector<bool>& seen, bool stop_at_interpolators) {
@@ -88,7 +88,7 @@ std::vector<bool> pixel_nodes(const CheckedGraph& graph) {
     return pixel;
 }
 
-// Where a surface input gets its value.
+// The place of the value that a surface input gets.
 Span span_of(std::span<const PortValue> ports, const Input& input) {
     const auto port = std::find_if(ports.begin(), ports.end(), [&](const auto& p) { return p.name == input.name; });
     return port == ports.end() ? input.name_span : port->name_span;
@@ -96,7 +96,7 @@ Span span_of(std::span<const PortValue> ports, const Input& input) {
 
 }  // namespace
 
-// surface(): everything that the workflow and the lighting model ask of the graph, in one struct.
+// surface(): all values that the workflow and the lighting model take from the graph, in one struct.
 ir::FunctionId lower_surface(Lowering& lowering, std::vector<const Input*>& members) {
     ir::Module& module = lowering.out.module;
     const CheckedGraph& graph = *lowering.material.graph;

@@ -1,4 +1,4 @@
-// What the files that make up lower() share. Private to compiler/graph/lower*.cpp.
+// Functions that the files of lower() share. Private to compiler/lower/lower*.cpp, keep_values.cpp and take_part.cpp.
 #pragma once
 
 #include "compiler/lower/graph_scope.h"
@@ -8,8 +8,8 @@ namespace patina::graph {
 ir::FunctionId add_function(ir::Module& module, ir::Function function);
 ir::Type input_type(Lowering& lowering, const Input& input);
 
-// surface(): everything that the workflow and the lighting model ask of the graph, in one struct. `members`: what its
-// members stand for.
+// surface(): all values that the workflow and the lighting model take from the graph, in one struct. `members`: the
+// inputs behind its members.
 ir::FunctionId lower_surface(Lowering& lowering, std::vector<const Input*>& members);
 // lightingSurface(): the workflow's set-up, over the surface.
 ir::FunctionId lower_setup(Lowering& lowering, const nodelang::FunctionDecl& slot, ir::FunctionId surface,
@@ -22,26 +22,26 @@ const Part& part_of(Lowering& lowering, const SlotDecl& slot);
 // The members of the lighting surface that a pack slot stores.
 std::vector<std::string_view> packed_members(Lowering& lowering, std::string_view slot);
 
-// The passes of the wanted path, or of its fallback.
+// The passes of the requested path, or of its fallback.
 void lower_passes(Lowering& lowering);
 // The functions for an engine's own shaders, instead of passes (lower_functions.cpp).
 void lower_functions(Lowering& lowering);
-// How the engine keeps the values of properties (keep_values.cpp), and the lines of its file that a stage needs which
-// calls its functions.
+// Records how the engine stores the values of properties, and adds the lines of its file for each stage that calls its
+// functions (keep_values.cpp).
 void keep_values(Lowering& lowering);
 void give_texts(Lowering& lowering);
-// Why a pass cannot draw this material, found in its functions (take_part.cpp); empty: it can.
+// Why a pass cannot draw this material, found in its functions (take_part.cpp); empty if it can.
 struct Refusal {
     std::string reason{};
     ir::Origin where{};
     std::string advice{};  // may be empty
-    bool is_news = false;  // a warning, also where the pass is optional
-    bool is_vain = false;  // the pass would change nothing: left out without a word
+    bool is_news = false;  // report a warning, even if the pass is optional
+    bool is_vain = false;  // the pass would change nothing: it is left out without a warning
     explicit operator bool() const { return !reason.empty(); }
 };
 Refusal refusal_of(Lowering& lowering, const LoweredPass& pass);
 
-// What the names in nodes/stage and nodes/passes mean: semantics and nothing else.
+// The names in nodes/stage and nodes/passes: they can mean semantics only.
 class LibraryEnvironment : public emit::Environment {
 public:
     explicit LibraryEnvironment(Lowering& lowering) : lowering_(lowering) {}

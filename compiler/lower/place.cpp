@@ -27,7 +27,7 @@ std::vector<SetShifts> place_globals(ir::Module& module, const engines::Engine& 
         SetShifts first{.set = places.set, .buffers = places.buffers.value_or(0)};
         first.textures = places.textures.value_or(first.buffers + blocks);
         first.samplers = places.samplers.value_or(first.textures + count(module.globals, is_texture));
-        // Owners that share a set share its registers, which have one distance from the bindings.
+        // Owners that share a set share its registers, so these have one distance from the bindings.
         auto shift =
             std::find_if(shifts.begin(), shifts.end(), [&](const SetShifts& each) { return each.set == places.set; });
         if (shift == shifts.end()) shift = shifts.insert(shift, first);

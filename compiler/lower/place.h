@@ -1,4 +1,4 @@
-// Descriptor sets, bindings and registers for what a module declares, as the engine numbers them.
+// Assigns descriptor sets, bindings and registers to the globals of a module, as the engine numbers them.
 #pragma once
 
 #include "compiler/engines/engine.h"
@@ -11,7 +11,7 @@ struct SetShifts {
     std::uint32_t set = 0, buffers = 0, textures = 0, samplers = 0;
 };
 
-// Places blocks, textures and samplers, each in its order of declaration. Returns the shifts of each set that an owner
+// Places blocks, textures and samplers, each in the order of declaration. Returns the shifts of each set that an owner
 // has, in the order of the owners: engine, material, targets.
 std::vector<SetShifts> place_globals(ir::Module& module, const engines::Engine& engine);
 

@@ -1,5 +1,5 @@
-// Whether a pass can draw a material: a lighting graph may read what a pass has not got. One check for all paths, over
-// what the lowered functions read; it says which graph node is in the way.
+// Checks whether a pass can draw a material: a lighting graph may read values that the pass lacks. There is one check
+// for all paths, over what the lowered functions read. It reports the graph node that reads the value.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,10 +17,10 @@ using ir::Inst;
 using ir::Op;
 using ir::SemanticId;
 
-// What is known about the place of a function, on the way to it from the pass.
+// What is known about a function on the way to it from the pass.
 struct Place {
-    std::string_view slot{};      // that it is a part of; empty: the pass's own
-    std::string_view semantic{};  // that the slot reads, of which this is the recipe
+    std::string_view slot{};      // the slot that it belongs to; empty: the pass's own function
+    std::string_view semantic{};  // the semantic of the slot whose recipe this is
     bool at_vertex = false;
     ir::OriginId origin{};  // the innermost node
     Span span{};            // the innermost function of a pass or recipe
@@ -55,7 +55,7 @@ private:
             if (!lowering_.is_packing(slot)) check_members(function, place);
         }
         if (!seen_.emplace(function.index, !place.slot.empty(), place.at_vertex).second) return;
-        // Visiting may not outlive changes of the module, and makes none.
+        // References into the module are safe here, because visiting does not change it.
         for (const Inst& inst : module_[function].insts) {
             if (refusal_) return;
             Place here = place;
@@ -67,7 +67,7 @@ private:
         }
     }
 
-    // What reads, in words: a slot without parameters is the surface itself.
+    // Who reads the value, in words; a slot without parameters is the surface itself.
     std::string said(const Place& place) const {
         const SlotDecl* slot = lowering_.session.paths->slot(place.slot);
         if (slot && slot->function->params.empty()) return "the surface";
@@ -76,7 +76,7 @@ private:
 
     void derivative(Op op, const Place& place) {
         if (place.at_vertex) {
-            if (op == Op::Sample) return;  // of the first level, there
+            if (op == Op::Sample) return;  // in the vertex stage it reads level 0
             refuse(place, fmt::format("{} compares neighbouring pixels, and vertices have none", said(place)));
         } else if (!draws_objects()) {
             refuse(place,
@@ -107,7 +107,7 @@ private:
         visit(recipe.recipe, inside);
     }
 
-    // A pass file may ask a stage for what it does not have.
+    // A pass file may read a value that its stage does not have.
     void check_builtin(const SemanticDecl& semantic, const Place& place) {
         const bool is_of_pixel = semantic.builtin == ir::Builtin::FragCoord;
         const bool is_of_vertex =
@@ -123,7 +123,7 @@ private:
                                   module_.globals[id.index].name));
     }
 
-    // Slots take the lighting surface first.
+    // The lighting surface is a slot's first parameter.
     void check_members(FunctionId function, const Place& place) {
         const ir::Function& slot = module_[function];
         if (declaration_.holds.empty() || slot.params.empty() || slot.params[0].type.kind != ir::Kind::Struct) return;
@@ -139,7 +139,7 @@ private:
         }
     }
 
-    // A path that stores what a lighting graph reads, whatever that is.
+    // A path that stores whatever members a lighting graph reads.
     std::string roomier_path() const {
         for (const PassDecl& each : lowering_.session.paths->passes) {
             const bool packs = std::any_of(each.holds.begin(), each.holds.end(),

@@ -108,7 +108,7 @@ struct FunctionDecl {
     std::uint32_t doc_begin = 0;  // global offset of doc's first byte
     bool has_body = false;
     Statements body{};                           // ask body_of() (parse.h): it may not have been read yet
-    std::shared_ptr<const UnreadBody> unread{};  // the text of a body that is parsed when first asked for
+    std::shared_ptr<const UnreadBody> unread{};  // the text of a body that is parsed at the first request
 
     const Attribute* attribute(std::string_view attribute_name) const {
         for (const Attribute& a : attributes) {

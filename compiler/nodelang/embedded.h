@@ -1,4 +1,5 @@
-// The node library's files, built into the program (scripts/embed_nodes.cmake writes the table from nodes/**).
+// Declares the node library's files, which are built into the program (scripts/embed_nodes.cmake writes the table from
+// nodes/**).
 #pragma once
 
 #include <span>

@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view kNoBreakSpace = "\xc2\xa0";
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
-// 2 where the two characters are one operator, 1 where the first stands for itself, 0 where it means nothing.
+// 2 if the two characters are one operator, 1 if the first is an operator alone, 0 if it is not an operator.
 constexpr std::size_t punctuation_length(char first, char second) {
     constexpr std::string_view kDoubled = "<>=&|+-", kBeforeEquals = "<>!+-*/%&|^", kAlone = "+-*/%<>=!&|^~?:;,.()[]{}";
     if (kAlone.find(first) == std::string_view::npos) return 0;
@@ -44,7 +44,7 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-// Bytes of the UTF-8 sequence that begins with `first`, as far as the first byte tells.
+// The number of bytes in the UTF-8 sequence that begins with `first`.
 constexpr std::size_t sequence_length(char first) {
     const auto byte = static_cast<unsigned char>(first);
     return byte >= 0xf0 ? 4 : byte >= 0xe0 ? 3 : byte >= 0xc0 ? 2 : 1;
@@ -84,7 +84,7 @@ bool read_number(std::string_view literal, Token& token) {
         default: return false;
     }
     if (suffix == 'u' && (!is_whole || token.number > 4294967295.0)) return false;
-    // 010 is eight in C and ten to everybody else.
+    // 010 is eight in C, but ten to most readers, so it is refused.
     return !(is_whole && digits.size() > 1 && digits.front() == '0');
 }
 
@@ -121,7 +121,7 @@ std::size_t Lexer::end_of_word(std::size_t from) const {
     return from;
 }
 
-// --- what stands between tokens
+// --- comments and white space
 
 void Lexer::skip_space(Token& token) {
     bool same_line_as_token = here_ > 0;
@@ -202,7 +202,7 @@ void Lexer::number(Token& token) {
         const bool has_exponent = at(end) == 'e' || at(end) == 'E';
         if (has_exponent && (at(end + 1) == '+' || at(end + 1) == '-')) end += 2;
     }
-    // Whatever word sticks to the digits belongs to the literal, be it a suffix, an exponent or a slip of the pen.
+    // A word directly after the digits belongs to the literal: a suffix, an exponent or a mistake.
     here_ = end_of_word(end);
     token.text = text_.text.substr(begin, here_ - begin);
     token.kind = Token::Kind::Number;

@@ -1,6 +1,6 @@
-// Text of the node language -> tokens, one at a time, so that a large file needs no more memory than a small one. A bad
-// character or number is reported here, and the parser does not report a Bad token again. Comments are not tokens: a
-// token has the `///` lines before it and the `///<` text between it and the token before.
+// Splits text of the node language into tokens, one at a time, so that a large file needs no more memory than a small
+// one. It reports bad characters and numbers; the parser does not report a Bad token again. Comments are not tokens: a
+// token carries the `///` lines before it, and the `///<` text between it and the previous token.
 //
 //   Lexer lexer({text, base}, Lexer::Place::File, diagnostics);
 //   for (Token t = lexer.next(); t.kind != Token::Kind::End; t = lexer.next()) ...
@@ -41,12 +41,12 @@ struct Token {
 
 class Lexer {
 public:
-    // $properties and @semantics are words of graphs only.
+    // Only graphs have $properties and @semantics.
     enum class Place { File, Graph };
 
     Lexer(Text text, Place place, Diagnostics& diagnostics);
 
-    // The next token; at the end of the text End, again and again.
+    // The next token. At the end of the text it is End, however often this is called.
     Token next();
 
     // Continues at the offset.

@@ -63,7 +63,7 @@ std::string_view attribute_text(const Attribute& attribute, std::size_t index) {
     return attribute.args[index]->text;
 }
 
-// A line at a time: a sentence ends with a full stop at the end of one.
+// Reads line by line: a sentence ends with a full stop at the end of a line.
 std::string first_sentence(std::string_view doc) {
     std::string sentence;
     while (!doc.empty() && !sentence.ends_with('.')) {

@@ -1,5 +1,5 @@
-// The index of declarations by name: of the built-in library (nodes/**), or of a user's .node.hlsl file, which has the
-// library as its parent. It owns the maps only; the declarations live in an Ast. Names that are declared twice are
+// Finds declarations by name: those of the built-in library (nodes/**), or those of a user's .node.hlsl file, which has
+// the library as its parent. It owns only the maps; the declarations are in an Ast. Names that are declared twice are
 // reported.
 //
 //   Declarations library;  index_declarations(ast, library, diagnostics);
@@ -24,7 +24,7 @@ struct Declarations {
     const StructDecl* structure(std::string_view name) const;
     const EnumDecl* enumeration(std::string_view name) const;
     const VariableDecl* variable(std::string_view name) const;
-    // The scope that declares the function: its body's names are looked up there.
+    // The scope that declares the function, in which the names in its body are looked up.
     const Declarations& home_of(std::string_view function_name) const;
     // Names of all library nodes and helpers that can be called, sorted.
     std::vector<std::string_view> function_names() const;

@@ -1,4 +1,4 @@
-// The ways into the parser, its hold on the tokens, and how it goes on after an error.
+// The entry points of the parser, its access to tokens, and its recovery after an error.
 #include "compiler/nodelang/parse.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace patina::nodelang {
 namespace {
 
-// What a declaration cannot be called. A graph may call its nodes as it likes: there these are words like any other.
+// Names that a declaration cannot have. A graph may name its nodes so; there these are ordinary words.
 constexpr std::string_view kReserved[] = {"break",  "const",  "continue", "discardIf", "do",  "else",
                                           "enum",   "false",  "for",      "if",        "out", "return",
                                           "struct", "switch", "true",     "while"};
@@ -77,7 +77,7 @@ Parser::Parser(Text text, Lexer::Place place, Ast& ast, Diagnostics& diagnostics
 const Expr* Parser::whole_expression() {
     const Node node = expression();
     if (node && now().kind != Token::Kind::End) expected("an operator or the end of the expression");
-    // The lexer may have complained about a comment that hurts no expression.
+    // The lexer may have reported a comment, which does not make an expression wrong.
     return diagnostics_.error_count() == errors_before_ ? node.expr : nullptr;
 }
 
@@ -96,7 +96,7 @@ const Expr* Parser::link() {
             return nullptr;
     }
     while (path && now().kind != Token::Kind::End) {
-        // "a . b" and "a/**/.b" are no paths.
+        // "a . b" and "a/**/.b" are not paths.
         if (!now().is(".") || now().begin != last_end_ || after().begin != now().end) {
             expected("'.' or the end of the link").note("a formula begins with '=': \"= 1 - mask\"");
             return nullptr;
@@ -161,7 +161,7 @@ bool Parser::expect(std::string_view punctuation, std::string_view what) {
     return false;
 }
 
-// `or_else` is what might have gone on instead: "','".
+// `or_else`: what else could have followed: "','".
 bool Parser::expect_close(std::string_view punctuation, const Token& open, std::string_view or_else) {
     if (take_if(punctuation)) return true;
     expected(fmt::format("{}{}'{}'", or_else, or_else.empty() ? "" : " or ", punctuation))
@@ -179,8 +179,8 @@ bool Parser::name(std::string_view what, Token& into) {
     return true;
 }
 
-// A ';' that is missing at the end of a line is missed there, not at the word that begins the next one; and then
-// nothing needs to be skipped.
+// A ';' that is missing at the end of a line is reported there, and not at the next word. Then nothing needs to be
+// skipped.
 bool Parser::end_of_statement() {
     if (take_if(";")) return true;
     const bool at_line_end = text_.text.substr(last_end_, now().begin - last_end_).find('\n') != std::string_view::npos;
@@ -194,7 +194,7 @@ bool Parser::end_of_statement() {
 
 // --- after an error
 
-// Goes behind the statement that begins in a block with `depth` open braces: behind its ';' or its last '}', but never
+// Moves behind the statement that begins in a block with `depth` open braces: behind its ';' or its last '}', but never
 // out of the block.
 void Parser::skip_statement(int depth) {
     while (now().kind != Token::Kind::End) {

@@ -1,10 +1,8 @@
 // This room reads the text of the node language: lexer, parser, syntax trees (ast.h) and an index of declarations
 // (library.h). It reports wrong syntax and knows no types and no IR: what a tree means is emit's business.
 //
-// The parser: text -> syntax tree. After an error it goes on behind the next ; or }, so that one run finds several.
-//
-//   parse_file({text, base}, ast, diagnostics);                       // a .node.hlsl file
-//   const Expr* e = parse_expression({"1 - mask", base}, ast, diagnostics);   // null after an error
+// The parser makes a syntax tree of a text. After an error it continues behind the next ; or }, so that one run finds
+// several errors.
 #pragma once
 
 #include "compiler/base/diagnostics.h"

@@ -1,5 +1,4 @@
-// Declarations: what stands in a file outside functions, and the types, attributes and parameters that they are made
-// of.
+// Parses declarations: everything in a file outside functions, and their types, attributes and parameters.
 #include <algorithm>
 
 #include "compiler/nodelang/parser.h"
@@ -7,7 +6,7 @@
 namespace patina::nodelang {
 namespace {
 
-// What may stand before which declaration. ([light] stands before a loop.)
+// The attributes of each kind of declaration. ([light] stands before a loop.)
 constexpr std::string_view kFunction = "a function", kParameter = "a parameter", kVariable = "a variable",
                            kMember = "a member";
 struct AttributeInfo {
@@ -21,14 +20,14 @@ constexpr AttributeInfo kAttributes[] = {
     {kFunction, "range"},
     {kFunction, "inline"},
     {kFunction, "inFloat"},
-    // What a pass may call, and how it comes about.
+    // Functions that passes call, and how the slots among them are derived.
     {kFunction, "slot"},
     {kFunction, "part"},
     {kFunction, "without"},
     {kFunction, "pack"},
     {kFunction, "unpack"},
     {kFunction, "otherwise"},
-    // What an engine may call that draws by shaders of its own.
+    // Functions for an engine that draws with its own shaders.
     {kFunction, "export"},
     // A pass and how it draws.
     {kFunction, "pass"},
@@ -53,7 +52,7 @@ constexpr AttributeInfo kAttributes[] = {
     {kFunction, "needs"},
     {kFunction, "holds"},
     {kFunction, "excludes"},
-    // A path that is written as files of another tool: what the tool provides, and what its files say around a pass.
+    // Values, functions and lines of an engine's own file.
     {kFunction, "foreign"},
     {kFunction, "decodes"},
     {kFunction, "lighting"},
@@ -91,7 +90,7 @@ bool is_number(const Expr& expr) {
 
 }  // namespace
 
-// An attribute that nobody reads would be a silent mistake.
+// An unknown attribute has no effect, so it is reported.
 void Parser::check_attributes(std::span<const Attribute> marks, std::string_view what) {
     std::vector<std::string_view> known;
     for (const AttributeInfo& row : kAttributes) {
@@ -199,7 +198,7 @@ bool Parser::attribute(Attribute& into) {
     return true;
 }
 
-// A `///<` stands behind the ',' or ';', or behind the last of a list.
+// Reads the separator and a `///<` behind it, or behind the last element of a list.
 std::string_view Parser::trailing_doc_and(std::string_view separator, bool& found) {
     const std::string_view doc = now().trailing_doc;
     found = take_if(separator);
@@ -291,7 +290,7 @@ bool Parser::function(FunctionDecl decl, std::size_t begin) {
     return true;
 }
 
-// Goes behind the '}' that closes the '{' here, and notes where the two are.
+// Moves behind the '}' that closes the '{' here, and records both places.
 void Parser::leave_unread(FunctionDecl& function) {
     const std::size_t begin = now().begin;
     std::size_t at = begin;

@@ -1,4 +1,4 @@
-// Expressions, by precedence climbing.
+// Parses expressions, by precedence climbing.
 #include <algorithm>
 
 #include "compiler/nodelang/parser.h"
@@ -10,7 +10,7 @@ struct Precedence {
     std::string_view op;
     int level;
 };
-// As in HLSL; all of them group to the left.
+// The precedences of HLSL. All of these operators group to the left.
 constexpr Precedence kPrecedence[] = {{"||", 1}, {"&&", 2}, {"|", 3}, {"^", 4},  {"&", 5},  {"==", 6},
                                       {"!=", 6}, {"<", 7},  {">", 7}, {"<=", 7}, {">=", 7}, {"<<", 8},
                                       {">>", 8}, {"+", 9},  {"-", 9}, {"*", 10}, {"/", 10}, {"%", 10}};
@@ -26,8 +26,8 @@ int precedence(const Token& token) {
 
 }  // namespace
 
-// Every expression that is not a leaf is born here: its height is known, so a chain of operators that would be too deep
-// to walk is refused.
+// Makes every expression that is not a leaf. Its height is known here, so a chain of operators that is too deep for
+// recursion is refused.
 Node Parser::make(Expr expr, std::size_t begin, std::span<const Node> operands) {
     Node node{.begin = begin};
     for (const Node& operand : operands) {

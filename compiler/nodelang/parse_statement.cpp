@@ -1,4 +1,4 @@
-// Statements: what stands in a function's body.
+// Parses the statements of a function's body.
 #include <algorithm>
 
 #include "compiler/nodelang/parser.h"
@@ -14,7 +14,7 @@ bool is_assignment(const Token& token) {
            std::find(std::begin(kAssignments), std::end(kAssignments), token.text) != std::end(kAssignments);
 }
 
-// Statements of the C family that the language leaves out.
+// Statements of C that the language does not have.
 bool is_left_out(const Token& token) {
     return token.is_word("while") || token.is_word("do") || token.is_word("break") || token.is_word("continue") ||
            token.is_word("switch");
@@ -22,7 +22,7 @@ bool is_left_out(const Token& token) {
 
 }  // namespace
 
-// A span without the ';': that is never what is wrong.
+// Ends a statement with a span without the ';', which is never the mistake.
 const Stmt* Parser::finish(Stmt stmt, std::size_t begin) {
     stmt.span = span_from(begin);
     return &ast_.stmts.emplace_back(std::move(stmt));
@@ -157,7 +157,7 @@ const Stmt* Parser::for_statement() {
     const bool is_sound = for_header(loop) && expect_close(")", open);
     if (!is_sound) skip_header();
     if (!body(loop.body)) return nullptr;
-    // A loop without a header is no loop; but its body has been read, so the errors in it are known.
+    // A loop without a valid header is dropped, but its body has been read, so that its errors are reported.
     if (!is_sound) return finish({.kind = Stmt::Kind::Block}, begin);
     return finish(std::move(loop), begin);
 }
@@ -198,7 +198,7 @@ bool Parser::for_step(std::string_view index) {
     return is_one;
 }
 
-// From the middle of a header to behind its ')'.
+// Moves from the middle of a header to behind its ')'.
 void Parser::skip_header() {
     for (int open = 1; open > 0 && now().kind != Token::Kind::End && !now().is("{") && !now().is("}");) {
         const Token skipped = take();

@@ -14,7 +14,7 @@
 
 namespace patina::nodelang {
 
-// Operators and members chained without brackets make a tree as deep as the chain is long, and what follows recurses.
+// A chain of operators and members without brackets makes a tree as deep as the chain is long, and later steps recurse.
 inline constexpr int kMaxExpressionHeight = 1000;
 inline constexpr std::size_t kMaxTextBytes = 1u << 20;
 
@@ -138,15 +138,15 @@ private:
     Lexer::Place place_;
     Ast& ast_;
     Diagnostics& diagnostics_;
-    std::size_t errors_before_;  // what had been reported before this text was read
+    std::size_t errors_before_;  // number of errors before this text was read
     Bodies bodies_;
     Lexer lexer_;
     Token now_;
-    Token after_;               // the one behind now_
+    Token after_;               // the token after now_
     std::size_t last_end_ = 0;  // where the last taken token ended
     int nesting_ = 0;
     int braces_ = 0;             // how many { are open
-    DiagnosticRecord silent_{};  // where notes about a Bad token go: it has been reported
+    DiagnosticRecord silent_{};  // takes the notes about a Bad token, which has been reported
 };
 
 }  // namespace patina::nodelang

@@ -15,15 +15,16 @@ namespace {
 
 using assemble::LinkedPass;
 
-// A graph may stand on one line, which no message shows whole: each printed line would carry the graph.
+// A graph may stand on one line. Such a line is not copied into the line map, which would repeat it for each printed
+// line.
 constexpr std::size_t kMaxSourceText = 1000;
 
-// What is printed, in every language that is asked for: one stage of a pass, or functions.
+// One text that is printed in each requested language: a stage of a pass, or functions.
 struct Text {
     const ir::Module& tidied;
     std::string pass;
     Stage stage = Stage::Vertex;
-    std::string what;       // in the header
+    std::string what;       // for the header
     std::string file_name;  // without its extension
     std::optional<targets::Pasting> pasting = {};
     std::string hash = {};
@@ -57,7 +58,7 @@ public:
 
 private:
     Text text_;
-    std::vector<targets::Plan> plans_;  // shared by the languages that print the module as it is
+    std::vector<targets::Plan> plans_;  // shared by the languages that print the module unchanged
 };
 
 // --- a file for each stage
@@ -101,7 +102,7 @@ void write_stages(const Compiled& compiled, Result& result) {
 
 // --- functions instead of passes
 
-// Whether the prefix can begin the names of functions, and the engine takes functions at all.
+// True if the prefix can begin the names of functions, and the engine takes functions.
 bool accepts_functions(graph::Session& session) {
     const std::string& prefix = session.options.functions;
     if (session.engine.is_one_file()) {

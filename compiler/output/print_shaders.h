@@ -1,5 +1,5 @@
-// Finished stages as texts: a shader for each stage and language, or functions that are pasted into other shaders. What
-// the texts say is the languages' (compiler/languages).
+// Prints finished stages: a shader for each stage and language, or functions that are pasted into other shaders. The
+// languages (compiler/languages) decide how the text looks.
 #pragma once
 
 #include "compiler/output/writer.h"
@@ -8,7 +8,7 @@ namespace patina::output {
 
 // A file for each stage of each pass, in each language.
 extern const Writer kStageFiles;
-// Functions instead of passes (CompileOptions::functions).
+// Functions in place of passes (CompileOptions::functions).
 extern const Writer kFunctions;
 
 }  // namespace patina::output

@@ -25,7 +25,7 @@ bool is_texture(const ir::Global& global) {
     return global.type.kind == ir::Kind::Texture2D || global.type.kind == ir::Kind::TextureCube;
 }
 
-// Of the member, in its block.
+// True if each instance has its own value of the member.
 bool is_of_instance(const graph::Lowered& lowered, const ir::UniformBlock& block, std::size_t member) {
     const ir::Module& module = lowered.module;
     return std::any_of(lowered.instance_globals.begin(), lowered.instance_globals.end(), [&](std::uint32_t each) {
@@ -59,15 +59,15 @@ Block reflect_block(const graph::Lowered& lowered, const ir::UniformBlock& block
     return made;
 }
 
-// The way from the graph's folder to the file, however the two were named on the command line. Only the words count: no
-// link is followed.
+// The path from the graph's folder to the file, however the two were named on the command line. It is made from the
+// names alone; links are not followed.
 std::string path_from_graph(const std::string& file, const std::string& graph) {
     namespace fs = std::filesystem;
     std::error_code failure;
     const auto whole = [&](const std::string& path) { return fs::absolute(path, failure).lexically_normal(); };
     const std::string relative = whole(file).lexically_relative(whole(graph).parent_path()).generic_string();
     if (failure || relative.empty()) return fs::path(file).generic_string();
-    return relative.find_first_of("./") == relative.npos ? "./" + relative : relative;  // else a default's name
+    return relative.find_first_of("./") == relative.npos ? "./" + relative : relative;  // "white" means a default
 }
 
 std::string default_texture(const graph::MaterialProperty& entry, const std::string& graph) {
@@ -75,7 +75,7 @@ std::string default_texture(const graph::MaterialProperty& entry, const std::str
     return entry.is_file ? path_from_graph(entry.texture_path, graph) : entry.texture_path;
 }
 
-// Where a texture and its sampler are bound, and what the shaders call them.
+// The binding of a texture and its sampler, and their names in the shaders.
 Texture bound_texture(const ir::Global& texture, const ir::Global& sampler) {
     return {.name = texture.name,
             .identifier = texture.name,
@@ -151,7 +151,7 @@ void mark_used(const ir::Module& stage, std::vector<bool>& used) {
     }
 }
 
-// What a surface kind means for depth and order where the material says nothing; Unity's queues.
+// Depth writes and the queue by kind of surface, if the material states nothing; the queues are Unity's.
 struct SurfaceRow {
     SurfaceKind kind;
     int queue;
@@ -167,8 +167,8 @@ const SurfaceRow& row_of(SurfaceKind kind) {
                          [&](const SurfaceRow& row) { return row.kind == kind; });
 }
 
-// A pass that draws for each light what another has drawn before it: where that one left its depth or, of a material
-// that leaves none, by the same test.
+// The depth test of a pass that draws an object again for each light: equal to the depth that the first pass left. If
+// the material writes no depth, it is the material's test.
 Compare depth_test_of_repetition(const graph::RenderState& render, bool writes, Compare stated) {
     const Compare test = render.depth_test.value_or(Compare::LessEqual);
     using enum Compare;
@@ -180,8 +180,8 @@ bool is_repetition(const Pass& pass) {
     return pass.each == PassEach::Light && pass.lights != PassLights::Shadowed;
 }
 
-// What passes that draw objects in colour do not say themselves. One that is drawn for each light changes no stencil:
-// the pass before it has.
+// The material's stencil, for passes that draw objects in colour and state none. A pass that repeats the object for
+// each light does not write it, because the pass before has done so.
 Stencil reflect_stencil(const graph::StencilState& stencil, bool is_repetition) {
     Stencil made{.test = stencil.test,
                  .value = stencil.reference,
@@ -265,7 +265,7 @@ Pass reflect_pass(const LinkedPass& linked) {
             mark_used(*stage, used);
             continue;
         }
-        // Functions that passes share compute more than this one reads of them.
+        // Shared functions compute members that this pass does not read.
         const ir::FunctionId entry = stage->stage.entry;
         mark_used(ir::drop_members(*stage, std::span(&entry, 1), {}), used);
     }
@@ -289,7 +289,7 @@ Pass reflect_pass(const LinkedPass& linked) {
     return pass;
 }
 
-// 64-bit FNV-1a of everything that a buffer or a descriptor set depends on.
+// 64-bit FNV-1a of everything that the layout of a buffer or a descriptor set depends on.
 std::string layout_hash(const Reflection& reflection) {
     std::uint64_t hash = 0xcbf29ce484222325u;
     const auto add = [&](const std::string& text) {
@@ -311,7 +311,7 @@ int queue_of(const graph::RenderState& render) {
     return render.queue.value_or(row_of(render.surface).queue);
 }
 
-// Whether anything that the reflection lists is bound in the set.
+// True if something that the reflection lists is bound in the set.
 bool is_bound(const Reflection& reflection, std::uint32_t set) {
     const auto is_there = [&](const auto& each) { return each.set == set; };
     return std::any_of(reflection.blocks.begin(), reflection.blocks.end(), is_there) ||
@@ -333,7 +333,7 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
     made.most_instances = lowered.instances;
     for (const auto& [name, value] : lowered.switches) made.switches.push_back({.name = name, .value = value});
     made.meta = graph.meta;
-    // Functions alone read nothing of the engine's but their parameters.
+    // Functions read the engine's values through their parameters only.
     const bool has_engine = lowered.functions.empty();
     for (const ir::UniformBlock& block : lowered.module.blocks) {
         if (has_engine || block.group == ir::Group::Material) made.blocks.push_back(reflect_block(lowered, block));
@@ -352,7 +352,7 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
     for (std::size_t i = 0; i < lowered.module.globals.size(); ++i) {
         const ir::Global& global = lowered.module.globals[i];
         if (global.group == ir::Group::Material || !is_texture(global)) continue;
-        // What no pass reads is bound nowhere.
+        // A value that no pass reads has no binding.
         const bool is_read = std::any_of(made.passes.begin(), made.passes.end(), [&](const Pass& pass) {
             return std::count(pass.textures.begin(), pass.textures.end(), global.name) > 0;
         });

@@ -1,5 +1,5 @@
-// What a runtime must know of a compiled material: the public Reflection, from the material's properties and the linked
-// stages. Layout and bindings are the same whatever passes and targets were asked for.
+// Makes the public Reflection, which is what a runtime must know of a compiled material, from the material's properties
+// and the linked stages. Layout and bindings do not depend on the requested passes and targets.
 #pragma once
 
 #include "compiler/link/link.h"
@@ -7,11 +7,11 @@
 
 namespace patina::output {
 
-// `material`, `lowered`: of the material itself. `passes`: its own, and those that it adds.
+// `material` and `lowered` are those of the material itself. `passes`: its own and its extra passes.
 Reflection reflect(const graph::Material& material, const graph::Lowered& lowered,
                    std::span<const assemble::LinkedPass> passes, bool with_hashes);
 
-// The material's queue: its own, or that of its kind of surface.
+// The material's queue: the one that it states, or that of its kind of surface.
 int queue_of(const graph::RenderState& render);
 
 }  // namespace patina::output

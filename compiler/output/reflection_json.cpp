@@ -1,4 +1,4 @@
-// Reflection::to_json: NAME.reflect.json, pretty-printed, keys in a fixed order.
+// Writes a Reflection as JSON (NAME.reflect.json), pretty-printed, with keys in a fixed order.
 #include <fmt/format.h>
 #include <rapidjson/prettywriter.h>
 #include <rapidjson/stringbuffer.h>

@@ -1,8 +1,8 @@
-// The room `output` makes what leaves the compiler: the texts of shaders with their line maps, and the reflection. It
-// decides nothing about a shader; it asks a language for the text and an engine for what holds it.
+// The room `output` makes the results of a compilation: the texts of shaders with their line maps, and the reflection.
+// It decides nothing about a shader; it asks a language for the text, and an engine's writer for the file around it.
 //
-// A Writer makes files of finished passes. There is one for a file each stage, one for functions that are pasted into
-// shaders of an engine's own (print_shaders.h), and one for each format of a file that holds all passes
+// A Writer makes files of finished passes. There is one for a file for each stage, one for functions that are pasted
+// into an engine's own shaders (print_shaders.h), and one for each format of a file that holds all passes
 // (compiler/engines/FORMAT/, listed in engines/writers.cpp).
 #pragma once
 
@@ -12,33 +12,33 @@
 
 namespace patina::output {
 
-// What a writer gets: a compiled material.
+// The input of a writer: a compiled material.
 struct Compiled {
     graph::Session& session;
     const graph::Material& material;
     const graph::Lowered& lowered;
     std::span<const assemble::LinkedPass> passes;
     const assemble::Linked& linked;  // of the material itself
-    std::string name;                // of its files, without endings
+    std::string name;                // of its files, without extensions
 };
 
 struct Writer {
     std::string_view format;  // as engine.json names it
-    // Whether it can write what the options ask for. If not, reports why.
+    // Returns whether it can write what the options request; otherwise reports why.
     bool (*accepts)(graph::Session& session) = nullptr;
-    // Names what the shaders share with their host.
+    // Names the values that the shaders share with their host.
     void (*name)(const graph::Session& session, graph::Lowered& lowered) = nullptr;
-    // Whether the pass can be drawn. If not, reports why, and the pass is left out.
+    // Returns whether the pass can be drawn; otherwise reports why, and the pass is left out.
     bool (*takes)(graph::Session& session, const assemble::Linked& linked, const assemble::LinkedPass& pass) = nullptr;
     // Puts the passes into the order in which the file holds them.
     void (*order)(std::vector<assemble::LinkedPass>& passes) = nullptr;
-    // Reports what the files cannot say.
+    // Reports what the files cannot express.
     void (*check)(const Compiled& compiled, const Reflection& reflection) = nullptr;
-    // Adds the shaders, and what of the reflection depends on the texts.
+    // Adds the shaders, and the parts of the reflection that depend on the texts.
     void (*write)(const Compiled& compiled, Result& result) = nullptr;
 };
 
-// Where a printed line comes from.
+// The places in the sources that the printed lines come from.
 std::vector<LineOrigin> line_map(const targets::Printed& printed, std::span<const ir::Origin> origins,
                                  const SourceMap& sources);
 

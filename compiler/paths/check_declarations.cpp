@@ -1,6 +1,6 @@
-// What a file of stages declares, checked against what there is, before anything is made of it: names that an attribute
-// gives, types that a stage can hand on, parts that are made from each other. The words that an attribute takes are
-// checked where they are read (pass_state.cpp).
+// Checks the declarations of a pass file before anything is made of them: names in attributes, types that a stage can
+// pass on, slots that are derived from each other. The words of attributes are checked where they are read
+// (pass_state.cpp).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,13 +30,13 @@ constexpr StaticWord kStatics[] = {{"surface", StaticDecl::About::Surface},
                                    {"slot", StaticDecl::About::Slot},
                                    {"pass", StaticDecl::About::Pass},
                                    {"clip", StaticDecl::About::Clip}};
-// std140 has places for these.
+// The types that std140 can lay out.
 constexpr std::array<std::string_view, 14> kUniforms = {"float", "float2", "float3",   "float4",  "int",
                                                         "int2",  "int3",   "int4",     "uint",    "uint2",
                                                         "uint3", "uint4",  "float3x3", "float4x4"};
 constexpr std::array<std::string_view, 12> kVaryings = {"float", "float2", "float3", "float4", "half", "half2",
                                                         "half3", "half4",  "int",    "int2",   "int3", "int4"};
-constexpr std::size_t kMaxDepth = 64;  // of semantics that read semantics
+constexpr std::size_t kMaxDepth = 64;  // how deep semantics may read other semantics
 constexpr BuiltinWord kBuiltins[] = {{"frontFacing", "bool", ir::Builtin::FrontFacing},
                                      {"fragCoord", "float4", ir::Builtin::FragCoord},
                                      {"vertexIndex", "int", ir::Builtin::VertexIndex},
@@ -53,7 +53,7 @@ bool is_in(Words words, std::string_view word) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-// The attribute that says how a slot comes about.
+// The attribute that says how a slot is derived.
 const Attribute* making(const FunctionDecl& slot) {
     for (const Attribute& attribute : slot.attributes) {
         if (is_in(kParts, attribute.name)) return &attribute;
@@ -86,7 +86,7 @@ private:
         diagnostics_.report(Code::BadAttribute, span, attribute, why);
     }
 
-    // Reports an argument that is no word of those; no argument is none.
+    // Reports an argument that is not in `words`.
     void one_of(const Expr& given, Words words, std::string_view what) {
         if (!is_in(words, given.text))
             diagnostics_.report(Code::UnknownWord, given.span, given.text, what)
@@ -117,7 +117,8 @@ private:
 
     // --- structs and variables
 
-    // The graph's functions and the library's know the library's struct.
+    // The functions of graphs and of the library use the library's struct, so a file cannot declare another one of that
+    // name.
     void structure(const StructDecl& decl) {
         if (!declarations_.parent) return;
         const StructDecl* older = declarations_.parent->structure(decl.name);
@@ -126,12 +127,12 @@ private:
                 .note(older->span, "the library's is here; give this one another name");
     }
 
-    // Whether it stands in the passes of an engine, which reads the text that they give (engines/engine.h).
+    // True for a declaration in an engine's passes. The engine reads the text that they state (engines/engine.h).
     bool is_of_engine(Span span) const {
         return std::string_view(sources_.resolve(span.begin).file).starts_with("nodes/engines/");
     }
 
-    // [foreign] is text for an included file to make sense of, and the engine for the rest.
+    // The text of [foreign] has a meaning only for an included file, and the engine provides the rest.
     void foreign(const Attribute& attribute, Span span) {
         if (!is_of_engine(span))
             bad(attribute.span, attribute.name, "stands in the passes of an engine, nodes/engines/");
@@ -140,7 +141,7 @@ private:
                 "reads like this: [foreign] or, with its spelling, [foreign(\"v.vertex.xyz\")]");
     }
 
-    // What an included file declares, in the place of an attribute or a value of the engine.
+    // A value that an included file declares replaces an attribute or a value of the engine.
     void gives(const VariableDecl& decl, const Attribute& attribute) {
         const std::string_view what = nodelang::attribute_text(attribute);
         const VariableDecl* given = declarations_.variable(what);
@@ -190,7 +191,7 @@ private:
         if (const Attribute* attribute = decl.attribute("extern"); attribute && !reads) uniform(decl, *attribute);
     }
 
-    // A copy of a library's file says what the library says: the same, then.
+    // A copy of a library file repeats the library's declarations, and may not change them.
     void again(const VariableDecl& decl) {
         const VariableDecl* older = declarations_.parent->variable(decl.name);
         if (!older || older->is_const) return;
@@ -302,7 +303,7 @@ private:
         }
     }
 
-    // It becomes a part of file names.
+    // The name becomes part of file names.
     void pass_name(const Attribute& attribute) {
         const std::string_view name = nodelang::attribute_text(attribute);
         const auto is_plain = [](char c) { return is_identifier(std::string("_") + c) || c == '-'; };
@@ -393,7 +394,8 @@ private:
         if (whole && is_like(decl, *whole, made->span, made->name)) part_source(decl, *made->args[1]);
     }
 
-    // "sum.direct", or a function. What a lighting surface may have is each lighting model's to say (check_passes.cpp).
+    // "sum.direct", or a function. Each lighting model decides which members a lighting surface has
+    // (check_members.cpp).
     void part_source(const FunctionDecl& decl, const Expr& given) {
         const std::size_t dot = given.text.find('.');
         if (dot == given.text.npos) {
@@ -434,7 +436,7 @@ private:
         return false;
     }
 
-    // The struct that every slot takes first.
+    // True for the struct that every slot takes first.
     bool is_surface(const TypeName& type) const {
         return std::any_of(paths_.slots.begin(), paths_.slots.end(), [&](const SlotDecl& each) {
             return each.function->params.empty() && !each.is_derived() && is_same(each.function->result, type);

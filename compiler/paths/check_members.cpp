@@ -1,4 +1,4 @@
-// Members of the lighting surface that a pass file names, held against those that there are.
+// Checks the members of the lighting surface that a pass file names.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using nodelang::Expr;
 using nodelang::FunctionDecl;
 using nodelang::StructDecl;
 
-// The struct that the slots take first.
+// The struct that is the slots' first parameter.
 const StructDecl* lighting_surface(const PathDeclarations& paths, const nodelang::Declarations& declarations) {
     for (const SlotDecl& slot : paths.slots) {
         if (slot.function->params.empty()) return declarations.structure(slot.function->result.name);
@@ -22,7 +22,7 @@ const StructDecl* lighting_surface(const PathDeclarations& paths, const nodelang
     return nullptr;
 }
 
-// Whether anything finds out if a material has this slot.
+// True if something asks whether a material has this slot.
 bool is_asked_for(const PathDeclarations& paths, std::string_view slot) {
     const auto has = [&](const std::vector<std::string_view>& words) {
         return std::find(words.begin(), words.end(), slot) != words.end();
@@ -45,8 +45,8 @@ void check_members(const nodelang::Ast& ast, const nodelang::Declarations& decla
     known.insert(known.end(), inputs.begin(), inputs.end());
     std::vector<std::string_view> held = known;
     for (const SlotDecl& slot : paths.slots) held.push_back(slot.name());
-    // Another lighting model may declare what this one does not, and then a pass may go without it. So only a word that
-    // is near a known one is a mistake.
+    // Another lighting model may declare a member that this one lacks, and then a pass may go without it. So only a
+    // word that is close to a known one is a mistake.
     const auto check = [&](const Expr& given, std::string_view word, const std::vector<std::string_view>& words,
                            bool may_be_absent) {
         if (std::find(words.begin(), words.end(), word) != words.end()) return;

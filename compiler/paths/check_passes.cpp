@@ -1,4 +1,4 @@
-// What the passes of a file state, held against each other: a state that no renderer can give, targets that differ from
+// Checks the passes of a file against each other: states that no renderer can have, render targets that differ from
 // pass to pass. Each mistake is reported where the file makes it.
 #include <fmt/format.h>
 
@@ -17,18 +17,18 @@ using nodelang::StructDecl;
 
 constexpr std::string_view kShown = "color";
 
-// Where the function says it; else the function itself.
+// The place of the attribute in the function; without it, the function's name.
 Span place_of(const FunctionDecl& function, std::string_view attribute) {
     const Attribute* found = function.attribute(attribute);
     return found ? found->span : function.name_span;
 }
 
-// A target as a pass draws into it.
+// A render target as one pass uses it.
 struct Use {
     std::string_view name;
     std::optional<TargetFormat> format{};  // nothing: any
     bool from_light = false;
-    std::string_view attribute;  // that says so
+    std::string_view attribute;  // the attribute that names the target
     Span span;
 };
 
@@ -71,7 +71,7 @@ private:
             bad(pass, "each", "asks for a drawing for each light, and [lights(\"none\")] leaves none");
     }
 
-    // A number is there to be compared with once a pass has left it.
+    // A pass can compare with a shared number only after another pass has written it to the stencil.
     void stencils(const std::vector<const PassDecl*>& passes) {
         bool is_left = false;
         for (const PassDecl* each : passes) {
@@ -104,7 +104,8 @@ private:
         }
     }
 
-    // What switches bring, and what materials fall back to: the same frame holds their targets.
+    // Passes that switches add, and passes of the paths that materials fall back to. The same frame holds their
+    // targets.
     std::vector<const PassDecl*> drawn_along(const std::vector<const PassDecl*>& passes) const {
         std::vector<const PassDecl*> others;
         for (const SwitchDecl& each : paths_.switches) {

@@ -88,12 +88,12 @@ public:
     }
 
 private:
-    // Of an attribute that has fewer: empty.
+    // Empty if the attribute has fewer arguments.
     static std::string_view word(const Attribute& attribute, std::size_t index) {
         return index < attribute.args.size() ? attribute.args[index]->text : std::string_view();
     }
 
-    // What is wrong with them is reported by check_declarations().
+    // check_declarations() reports mistakes in them.
     static std::vector<ir::StageText> texts_of(const FunctionDecl& function) {
         Diagnostics ignored;
         return graph::texts_of(function.attributes, ignored);
@@ -182,7 +182,7 @@ private:
         older = semantic;
     }
 
-    // One of the two functions of a pass.
+    // Adds one of the two functions of a pass.
     void stage_of(const FunctionDecl& function, const Attribute& attribute) {
         const std::string_view name = nodelang::attribute_text(attribute);
         const bool is_vertex = function.attribute("vertex") != nullptr;
@@ -225,7 +225,7 @@ private:
         fresh.fragment = &function;
         *pass = std::move(fresh);
         pass->path = stem(sources_.resolve(function.span.begin).file);
-        Diagnostics said;  // of several passes by one function, the first one says what is wrong
+        Diagnostics said;  // if one function is several passes, only the first one reports
         const bool is_first = &attribute == function.attribute("pass");
         read_pass_state(function, declarations_, *pass, is_first ? diagnostics_ : said);
     }
@@ -240,7 +240,8 @@ bool is_in(const std::vector<std::string_view>& list, std::string_view name) {
     return std::find(list.begin(), list.end(), name) != list.end();
 }
 
-// A file that begins as a copy of one of the library takes its place: passes, slots and the like go by their names.
+// A file may begin as a copy of a library file. Its declarations then replace those of the same names: passes, slots,
+// values of the engine.
 void make_way(const nodelang::Ast& ast, PathDeclarations& paths) {
     std::vector<std::string_view> names;
     for (const VariableDecl& variable : ast.variables) names.push_back(variable.name);
@@ -268,7 +269,7 @@ void make_way(const nodelang::Ast& ast, PathDeclarations& paths) {
     std::erase_if(paths.switches, of_repeated);
 }
 
-// What a pass excludes are switches; what a variable is there with, these or paths.
+// A pass can exclude switches. A variable can exist with switches or paths.
 void check_conditions(const nodelang::Ast& ast, const PathDeclarations& paths, Diagnostics& diagnostics) {
     const auto check = [&](const Attribute* attribute, std::vector<std::string_view> known, const char* what) {
         if (!attribute) return;

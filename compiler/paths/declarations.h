@@ -29,7 +29,7 @@ enum class Source {
     Vertex,     // a recipe, run per vertex and interpolated
     Pixel,      // a recipe, run where it is read
     Uniform,    // a recipe over uniforms
-    Given,      // handed to a lighting graph
+    Given,      // passed to a lighting graph
 };
 
 struct SemanticDecl {
@@ -38,29 +38,29 @@ struct SemanticDecl {
     const nodelang::VariableDecl* variable = nullptr;  // Attribute, Builtin, Extern, Given
     const nodelang::FunctionDecl* function = nullptr;  // recipes
     ir::Builtin builtin = ir::Builtin::None;           // of Builtin
-    bool is_vertex_output = false;                     // a material may write it in "vertex"
-    bool is_of_pass = false;                           // declared in a pass file: no graph can read it
+    bool is_vertex_output = false;                     // a material may replace it in "vertex"
+    bool is_of_pass = false;                           // declared in a pass file: graphs cannot read it
 };
 
 // [extern("Camera")] float4x4 m; [extern] Texture2D t; [reads("depth")] Texture2D d;
 struct ExternDecl {
     const nodelang::VariableDecl* variable = nullptr;
-    std::string_view block;              // of a number; empty: a texture
-    std::string_view reads;              // of a texture: the target of a pass; empty: the engine's own texture
-    std::vector<std::string_view> with;  // switches and paths; it exists where one of them is on. None: always
-    bool is_per_object = false;          // it belongs to the object that is drawn
+    std::string_view block;              // the block of a number; empty: a texture
+    std::string_view reads;              // for a texture: the target of a pass; empty: a texture of the engine
+    std::vector<std::string_view> with;  // switches and paths; it exists where one of them is on. Empty: always
+    bool is_per_object = false;          // it belongs to the drawn object
 
     bool is_target() const { return !reads.empty(); }
 };
 
-// [static("surface", "cutout")] bool b; it is true where what it asks about is one of the words.
+// [static("surface", "cutout")] bool b; it is true if the value that it asks about is one of the words.
 struct StaticDecl {
     enum class About { Surface, Cull, Slot, Pass, Clip };
     const nodelang::VariableDecl* variable = nullptr;
     About about = About::Surface;
     std::vector<std::string_view> words;
 
-    // Known only while the passes are lowered.
+    // True if the value is known only while the passes are lowered.
     bool is_of_passes() const { return about == About::Slot || about == About::Pass; }
 };
 
@@ -68,24 +68,25 @@ struct StaticDecl {
 struct ForeignDecl {
     const nodelang::VariableDecl* variable = nullptr;
     std::string_view spelling;
-    std::string include;  // the file that declares it for materials; empty: it is always there
+    std::string include;  // the file that declares it for materials; empty: it always exists
 };
 
 // [foreign("MACRO({0})")] float f(float x); a function of an included file.
 struct ForeignFunctionDecl {
     const nodelang::FunctionDecl* function = nullptr;
-    std::vector<ir::StageText> texts;  // lines that a stage needs that calls it
+    std::vector<ir::StageText> texts;  // lines for each stage that calls it
 };
 
 // A function that passes call and do not define.
 struct SlotDecl {
-    // Where its body comes from.
+    // Who provides the body.
     enum class Making {
         Graph,    // the material, its workflow or its lighting graph; or the slot's own body
-        Part,     // [part("final", "sum.direct")]: what of another slot is linear in a value
-        Without,  // [without("indirect", "EnvironmentRadiance")]: another slot without what a function gives
-        Pack,     // [pack("direct")] [holds("f0")]: what those slots read and no target holds, as a struct of float4
-        Unpack,   // [unpack("packSurface")]
+        Part,     // [part("final", "sum.direct")]: the part of another slot that is linear in a value
+        Without,  // [without("indirect", "EnvironmentRadiance")]: another slot without the contribution of a function
+        Pack,    // [pack("direct")] [holds("f0")]: the values that those slots read and no target holds, as a struct of
+                 // float4
+        Unpack,  // [unpack("packSurface")]
     };
     const nodelang::FunctionDecl* function = nullptr;
     Making making = Making::Graph;
@@ -93,30 +94,30 @@ struct SlotDecl {
     std::string_view source;                 // Part, Without: "sum.direct", or a function
     bool is_componentwise = false;           // Part: each component depends on the same component alone
     std::vector<std::string_view> readers;   // Pack: slots
-    std::vector<std::string_view> holds;     // Pack: members that have a place already
+    std::vector<std::string_view> holds;     // Pack: members that a target holds already
     std::optional<std::size_t> light_param;  // the parameter that is one light of many
-    std::string_view otherwise;              // what a material without it loses, in words; may be empty
+    std::string_view otherwise;              // what a material loses without it, in words; may be empty
 
     std::string_view name() const { return function->name; }
     bool is_derived() const { return making != Making::Graph; }
     bool packs() const { return making == Making::Pack; }
 };
 
-// [export("direct")] float3 f(...); what functions for an engine's own shaders are made of.
+// [export("direct")] float3 f(...); functions for an engine's own shaders are made of these.
 struct ExportDecl {
     const nodelang::FunctionDecl* function = nullptr;
     std::string_view name;
 };
 
 // [decodes("normal", "follower", "at_once")]: values of that usage go through this function when they are read. Where
-// `follower` is called with the result, `at_once` does both.
+// the result is passed to `follower`, `at_once` does both.
 struct DecoderDecl {
     const nodelang::FunctionDecl* function = nullptr;
     std::string_view follower, at_once;
     std::vector<ir::StageText> texts;
 };
 
-// [blend("fade", "srcAlpha", "one")]: surfaces of this kind take part, blended so.
+// [blend("fade", "srcAlpha", "one")]: the pass draws surfaces of this kind, with this blending.
 struct BlendRow {
     std::optional<SurfaceKind> surface{};  // nothing: every kind
     Blend blend{};
@@ -124,32 +125,33 @@ struct BlendRow {
 
 struct PassDecl {
     std::string_view name;
-    std::string path;  // the stem of its file: the rendering path that it belongs to
+    std::string path;  // the stem of its file, which is the name of its rendering path
     Span span;
     const nodelang::FunctionDecl* vertex = nullptr;
     const nodelang::FunctionDecl* fragment = nullptr;
-    Pass state;  // what of it no material changes
+    Pass state;  // the state that no material changes
     std::vector<BlendRow> blends;
-    // The pass says so itself; else the material does.
+    // True if the pass states it; else the material decides.
     bool has_cull = false, has_depth = false, has_depth_bias = false, has_stencil = false;
-    bool draws_extra = false;                // it also draws the passes that materials add
-    bool is_alone = false;                   // left out where the material adds passes
-    bool is_optional = false;                // left out without a word where it cannot be had
+    bool draws_extra = false;                // it also draws the extra passes of materials
+    bool is_alone = false;                   // left out if the material has extra passes
+    bool is_optional = false;                // left out without a warning if it cannot draw the material
     std::vector<std::string_view> needs;     // slots that must exist
-    std::vector<std::string_view> holds;     // members of the lighting surface that it can tell; empty: all
+    std::vector<std::string_view> holds;     // members of the lighting surface that it can provide; empty: all
     std::vector<std::string_view> excludes;  // switches that must be off
-    std::vector<std::string_view> lighting;  // lighting models that it is for; empty: all
-    std::string_view otherwise;              // what comes of a material's being without it, in words; may be empty
-    std::vector<std::pair<std::string_view, std::string_view>> tags;  // for the tool whose files it is written into
-    std::vector<std::string_view> guards;                             // by target: a condition, or empty
+    std::vector<std::string_view> lighting;  // lighting models that it supports; empty: all
+    std::string_view otherwise;              // what a material loses without it, in words; may be empty
+    std::vector<std::pair<std::string_view, std::string_view>> tags;  // for an engine that selects passes by tag
+    std::vector<std::string_view> guards;                             // by render target: a condition, or empty
     std::vector<ir::StageText> vertex_texts, fragment_texts;          // lines of the engine's file
-    // From another file than the one that is being read, which may put its own in their places.
+    // From another file than the one that is read now, which may replace them.
     bool is_older_vertex = false, is_older_fragment = false;
 };
 
-// [gives("positionWS", "deferred-light")]: these passes' own recipe of a semantic, or their own body of an [extern]
-// function. Without passes: of all passes of the same file, in both stages; then it may also be a value that an
-// included file declares, in the place of an attribute or an [extern] value, and replace any function of the library.
+// [gives("positionWS", "deferred-light")]: a recipe of a semantic, or a body of an [extern] function, for these passes
+// only. Without passes it applies to all passes of the same file, in both stages. Then it may also be a value that an
+// included file declares and that replaces an attribute or an [extern] value, and it may replace any function of the
+// library.
 struct GivenDecl {
     std::string_view what;
     const nodelang::FunctionDecl* function = nullptr;
@@ -163,7 +165,7 @@ struct GivenDecl {
 
 struct SwitchDecl {
     const nodelang::VariableDecl* variable = nullptr;
-    std::string_view brings;  // a pass that comes first when it is on
+    std::string_view brings;  // a pass that is drawn first if the switch is on
 };
 
 struct PathDeclarations {
@@ -173,37 +175,38 @@ struct PathDeclarations {
     std::vector<GivenDecl> given;
     std::vector<SwitchDecl> switches;
     std::vector<ExternDecl> externs;
-    std::vector<const nodelang::FunctionDecl*> extern_functions;  // that an engine may define itself
+    std::vector<const nodelang::FunctionDecl*> extern_functions;  // functions that an engine may define itself
     std::vector<StaticDecl> statics;
     std::vector<ForeignDecl> foreign;
     std::vector<ForeignFunctionDecl> foreign_functions;
     std::map<std::string_view, DecoderDecl> decoders;  // by usage of a texture or property
-    // The library's, which a file repeats: its functions mean what is declared again.
+    // Library variables that a file repeats. The library's functions then use the repeated declaration.
     std::vector<const nodelang::VariableDecl*> repeated;
     std::vector<SlotDecl> slots;
     std::vector<ExportDecl> exports;
     std::vector<std::string_view> hdr_members;  // [hdr] members of structs: light, which may be brighter than white
 
     const PassDecl* pass(std::string_view name) const;
-    // Those of a path, in the order of its file.
+    // The passes of a path, in the order of its file.
     std::vector<const PassDecl*> passes_of(std::string_view path) const;
     std::vector<std::string_view> names() const;  // of the paths
-    // What draws the passes that materials add: a pass of the path or, if it has none, of another one. Null: none does.
+    // The pass that draws the extra passes of materials: a pass of the path or, if it has none, of another path. Null
+    // if there is none.
     const PassDecl* pass_for_extra(std::string_view path) const;
     const SemanticDecl* semantic(std::string_view name) const;
     const SlotDecl* slot(std::string_view name) const;
     bool is_hdr(std::string_view member) const;
     const SwitchDecl* switch_of(const nodelang::VariableDecl* variable) const;
-    // Null: the variable is none.
+    // Null if the variable is not [extern].
     const ExternDecl* extern_of(const nodelang::VariableDecl* variable) const;
 };
 
-// Adds what `ast` declares and checks it. Structs that passes return are looked up in `declarations`.
+// Adds the declarations of `ast` and checks them. Structs that passes return are looked up in `declarations`.
 void collect(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const SourceMap& sources,
              PathDeclarations& paths, Diagnostics& diagnostics);
 
-// What a file says of the members of the lighting surface, held against those that there are (check_members.cpp).
-// `inputs`: the lighting model's own members.
+// Checks the members of the lighting surface that a file names (check_members.cpp). `inputs`: the lighting model's own
+// members.
 void check_members(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const PathDeclarations& paths,
                    std::span<const std::string_view> inputs, Diagnostics& diagnostics);
 }  // namespace patina::graph

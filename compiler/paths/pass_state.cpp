@@ -1,4 +1,5 @@
-// The attributes that say how a pass draws: which words each takes, and where they end up in the reflection.
+// Reads the attributes that say how a pass draws: checks their words, and stores their values as the reflection has
+// them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +19,7 @@ using nodelang::Attribute;
 using nodelang::Expr;
 using Words = std::span<const std::string_view>;
 
-constexpr std::size_t kMostTargets = 8;  // of Vulkan's and Direct3D 12's
+constexpr std::size_t kMostTargets = 8;  // the limit of Vulkan and Direct3D 12
 
 constexpr std::array<std::string_view, 2> kDepthWrites = {"write", "keep"};
 constexpr std::array kPassStencilOps = {StencilOp::Keep, StencilOp::Replace};
@@ -26,7 +27,7 @@ constexpr std::array kColorFormats = {TargetFormat::Rgba8, TargetFormat::Rgb10A2
                                       TargetFormat::Rgba32F, TargetFormat::R32F};
 constexpr std::array<std::string_view, 4> kTargetTypes = {"float", "float2", "float3", "float4"};
 
-// Takes the arguments of one attribute, in order; what is wrong with one is said at it.
+// Takes the arguments of one attribute, in order, and reports mistakes at the argument.
 class Arguments {
 public:
     Arguments(const Attribute& attribute, Diagnostics& diagnostics)
@@ -60,13 +61,13 @@ public:
         return words.front();
     }
 
-    // The value of one of an enum's words; after an error, that of the first.
+    // The value of a word; after an error, the first value of the enum.
     template <HasWords E>
     E word(std::string_view what) {
         constexpr auto kTexts = texts<E>();
         return *from_word<E>(word(kTexts, what));
     }
-    // The same where only some of the values are to be had.
+    // The same, for an enum of which only some values are allowed.
     template <HasWords E, std::size_t N>
     E word(const std::array<E, N>& values, std::string_view what) {
         std::array<std::string_view, N> known;
@@ -116,7 +117,7 @@ void read_stencil(Arguments& in, std::size_t count, PassDecl& pass) {
     if (count > 2) pass.state.stencil.reference = in.word<StencilReference>("a stencil reference");
 }
 
-// Places of a tool's file where a pass may want lines of its own.
+// The places of an engine's file where a pass can insert lines.
 constexpr std::array<std::string_view, 10> kPlaces = {
     "grab",          "queue",        "pragma",     "include",        "first interpolator",
     "interpolators", "vertex begin", "vertex end", "fragment begin", "fragment end"};
@@ -170,7 +171,7 @@ constexpr StateRow kState[] = {
     {"extra", 0, 0, "[extra]", [](Arguments&, std::size_t, PassDecl& p) { p.draws_extra = true; }},
 };
 
-// What a shader can write to a target.
+// Reports a type that a shader cannot write to a render target.
 void check_type(const nodelang::TypeName& type, std::string_view what, Diagnostics& diagnostics) {
     const bool fits = std::find(kTargetTypes.begin(), kTargetTypes.end(), type.name) != kTargetTypes.end();
     if (!fits || type.array_size)
@@ -233,7 +234,7 @@ void read_targets(const nodelang::FunctionDecl& fragment, const nodelang::Declar
         diagnostics.report(Code::TooMany, fragment.name_span, pass.state.targets.size(), "targets", kMostTargets);
 }
 
-// What is said once holds; of [blend], once for each kind of surface.
+// Reports an attribute that stands twice. [blend] may stand once for each kind of surface.
 void check_twice(const nodelang::FunctionDecl& fragment, Diagnostics& diagnostics) {
     for (std::size_t i = 0; i < fragment.attributes.size(); ++i) {
         const Attribute& now = fragment.attributes[i];

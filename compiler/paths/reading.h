@@ -1,23 +1,23 @@
-// What the files of the room `paths` share while they read a file's attributes. Private to compiler/paths.
+// Functions that the files of this room share while they read a file's attributes. Private to compiler/paths.
 #pragma once
 
 #include "compiler/paths/declarations.h"
 
 namespace patina::graph {
 
-// Whether every declaration of the file can be what it says (check_declarations.cpp).
+// Checks every declaration of the file (check_declarations.cpp).
 void check_declarations(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const SourceMap& sources,
                         const PathDeclarations& paths, Diagnostics& diagnostics);
-// Whether the file's passes agree with each other (check_passes.cpp).
+// Checks that the file's passes agree with each other (check_passes.cpp).
 void check_passes(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const PathDeclarations& paths,
                   Diagnostics& diagnostics);
-// Whether the place is in a .pass.hlsl.
+// True for a place in a .pass.hlsl.
 bool is_of_pass(const SourceMap& sources, Span span);
 
 // Reads the attributes of a pass's fragment function, and the targets that it returns (pass_state.cpp).
 void read_pass_state(const nodelang::FunctionDecl& fragment, const nodelang::Declarations& declarations, PassDecl& pass,
                      Diagnostics& diagnostics);
-// What a function says at places of the engine's file: its [text] attributes.
+// The lines that a function adds to the engine's file: its [text] attributes.
 std::vector<ir::StageText> texts_of(std::span<const nodelang::Attribute> attributes, Diagnostics& diagnostics);
 std::vector<std::string_view> attribute_words(const nodelang::Attribute& attribute, std::size_t first = 0);
 

@@ -97,7 +97,7 @@ void check_ports(Session& session, const Node& node, const ResolvedNode& resolve
     }
 }
 
-// Depth-first without recursion: a chain of ten thousand nodes is a graph like any other.
+// A depth-first search without recursion, so that a chain of ten thousand nodes does not overflow the stack.
 void sort_nodes(Session& session, CheckedGraph& checked) {
     enum class Mark : std::uint8_t { New, Open, Done };
     std::vector<Mark> marks(checked.nodes.size(), Mark::New);
@@ -122,7 +122,7 @@ void sort_nodes(Session& session, CheckedGraph& checked) {
             } else if (marks[read] == Mark::Open) {
                 const auto start =
                     std::find_if(stack.begin(), stack.end(), [&](const auto& e) { return e.first == read; });
-                // Written as data flows: each node feeds the one before it in the search.
+                // The circle is written in the direction of the data: each node feeds the one before it in the search.
                 const Node& at = checked.graph->nodes[read];
                 std::string circle = at.id;
                 for (auto entry = stack.end(); entry != start;) {
@@ -303,7 +303,7 @@ const CheckedGraph* load_graph(Session& session, const std::string& path, GraphK
         }
     }
     session.active.pop_back();
-    // A broken sub-graph is reported once; its users say nothing more.
+    // A broken sub-graph is reported once, and not again by the nodes that use it.
     if (session.diagnostics.error_count() != errors) checked = nullptr;
     if (!shown) session.graphs[path] = checked;
     return checked;

@@ -1,6 +1,6 @@
-// Graph -> CheckedGraph: files loaded, every node's meaning found (a function, a sub-graph, an expression), ports and
-// links resolved, circles found, and the nodes put in an order in which each stands behind what it reads. Types are
-// checked when the graph is lowered (lower.h), where they are known.
+// Checks a graph: loads its files, finds the meaning of every node (a function, a sub-graph, an expression), resolves
+// ports and links, finds circles, and puts each node behind the nodes that it reads. Types are checked when the graph
+// is lowered (lower.h), where they are known.
 #pragma once
 
 #include "compiler/resolve/session.h"
@@ -12,7 +12,7 @@ struct ResolvedNode {
     const nodelang::Declarations* home = nullptr;
     const CheckedGraph* subgraph = nullptr;
     std::vector<std::uint32_t> reads;  // nodes, each once
-    bool ok = true;                    // false: its meaning was not found, and that has been reported
+    bool ok = true;                    // false: its meaning was not found, which has been reported
 };
 
 struct CheckedGraph {
@@ -22,19 +22,19 @@ struct CheckedGraph {
     std::vector<std::uint32_t> order;  // all nodes
     bool ok = true;
 
-    // Marks what the expressions read, directly or not.
+    // Marks the nodes that the expressions read, directly or through other nodes.
     std::vector<bool> reachable(std::span<const PortValue> roots) const;
     std::vector<bool> reachable(std::uint32_t node) const;
 };
 
-// What a preview shows, as seen from one graph: a link ("mask.amount"), or what a sub-graph's node has inside
+// The port that a preview shows, as one graph sees it: a link ("mask.amount"), or a port inside the sub-graph of a node
 // ("layers/mask.amount").
 struct Shown {
-    std::string_view text{};  // null: nothing in here
+    std::string_view text{};  // null: the port is not in this graph
     std::uint32_t base = 0;   // of the text in the source map
 
     explicit operator bool() const { return text.data() != nullptr; }
-    // The link, or the node that it goes into.
+    // The link, or the node whose sub-graph has the port.
     Shown head() const { return {text.substr(0, text.find('/')), base}; }
     Shown inside(std::string_view node) const;
 };
@@ -42,21 +42,20 @@ const nodelang::Expr* parse_shown(Session& session, const Shown& shown);
 
 const CheckedGraph* check_graph(Session& session, std::shared_ptr<const Graph> graph, const Shown& shown = {});
 
-// Reads and checks a graph file of the given kind; each file once, but for a sub-graph of which something inside is
-// shown: that is then its only output. Null after an error.
+// Reads and checks a graph file of the given kind, once for each file. Exception: a sub-graph with the previewed port
+// inside, which is read again with that port as its only output. Null after an error.
 const CheckedGraph* load_graph(Session& session, const std::string& path, GraphKind kind, Span where,
                                const Shown& shown = {});
 
 // Reads a .node.hlsl file; each file once. Null after an error.
 const NodeFile* load_node_file(Session& session, const std::string& path, Span where);
 
-// Nodes of `graph` that an expression names.
+// Collects the nodes of `graph` that an expression names.
 void collect_reads(const nodelang::Expr& expr, const CheckedGraph& graph, std::vector<std::uint32_t>& reads);
 
-// What [range] says, of a parameter or of what a function returns.
+// The [range] of a parameter or of a function's result.
 std::optional<std::array<double, 2>> range_of(std::span<const nodelang::Attribute> attributes);
-// Complains about a literal outside a range.
-// Of a list, the first `components`: alpha has no range.
+// Reports a literal outside a range. In a list, only the first `components` are checked, because alpha has no range.
 void check_range(Session& session, const nodelang::Expr& value, std::array<double, 2> range, bool hard,
                  std::string_view name, std::size_t components = 4);
 

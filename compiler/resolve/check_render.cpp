@@ -1,6 +1,6 @@
-// What a material says and its kind of surface does not heed: alpha where nothing is let through, a cut-off where
-// nothing is cut, a stencil that neither asks nor leaves anything. A kind that is opaque by its own word heeds nothing
-// of this on purpose: such a material has the inputs for its sisters of other kinds.
+// Warns of what a material states and its kind of surface does not use: alpha on an opaque surface, a cut-off without
+// cutout, a stencil that neither tests nor writes. If the graph itself states that the surface is opaque, there is no
+// warning of the first two: such a material has the inputs in common with similar ones of other kinds.
 #include <algorithm>
 
 #include "compiler/resolve/material.h"
@@ -56,7 +56,8 @@ void warn_of_cut_off(Session& session, const RenderState& render, const PortValu
     session.diagnostics.report(Code::NoEffect, port.name_span, port.name, "only a cutout surface is cut");
 }
 
-// `lighting`: what may read the inputs too; null: it is not known. `outer`: whose inputs are not told of again.
+// `lighting`: a graph that may read the inputs, too; null if it is not known. `outer`: the graph whose inputs have been
+// reported already.
 void warn_of(Session& session, const Graph& graph, const Graph* lighting, const Graph* outer) {
     for (const PortValue& port : graph.surface) {
         if (outer && std::any_of(outer->surface.begin(), outer->surface.end(),
@@ -77,7 +78,7 @@ void warn_of(Session& session, const Graph& graph, const Graph* lighting, const 
 }  // namespace
 
 void warn_unheeded(Session& session, const Material& material) {
-    // Functions leave alpha to whoever calls them, and a user's own passes do what they like.
+    // The caller of functions decides about alpha, and a user's own passes may use every input.
     if (!session.options.functions.empty() || session.options.path.ends_with(".pass.hlsl")) return;
     const Graph& graph = *material.graph->graph;
     warn_of(session, graph, material.lighting ? material.lighting->graph.get() : nullptr, nullptr);

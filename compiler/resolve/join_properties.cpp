@@ -1,5 +1,6 @@
-// How the properties of all graphs become the material's: which are one, and in what order they lie. Names and order of
-// nodes do not count: a graph that is laid out anew keeps its block, its slots and its ids.
+// Joins the properties of all graphs into those of the material: decides which are the same property, and in what order
+// they lie. The names and the order of nodes do not count, so a rearranged graph keeps its block, its slots and its
+// ids.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -15,7 +16,7 @@ using nodelang::Expr;
 
 namespace {
 
-// The file of a texture's default, or the word. Nothing: there is no such file, which has been reported.
+// The file of a texture's default, or the word for it. Nothing if the file does not exist, which has been reported.
 std::optional<std::string> find_texture(Session& session, const Property& property, const std::string& from) {
     if (!is_texture_file(property)) return property.texture;
     std::string path = find_file(session, property.texture, from);
@@ -24,7 +25,7 @@ std::optional<std::string> find_texture(Session& session, const Property& proper
     return {};
 }
 
-// What two declarations say of one thing, in words, and where each says so.
+// A difference between two declarations of one property, in words, and the two places.
 struct Difference {
     std::string first, second;
     Span first_at, second_at;
@@ -57,7 +58,7 @@ Difference difference(const Property& first, const Property& second, auto told, 
     return {told(first), told(second), place(first), place(second)};
 }
 
-// In what a property is, wherever it is declared.
+// A difference in the kind of property, which all declarations must share.
 std::optional<Difference> differing_kind(const Property& a, const Property& b) {
     if (a.type != b.type)
         return difference(a, b, [](auto& p) { return fmt::format("the type {}", to_string(p.type)); });
@@ -70,7 +71,8 @@ std::optional<Difference> differing_kind(const Property& a, const Property& b) {
     return difference(a, b, [](auto& p) { return fmt::format("the usage {}", to_string(p.usage)); });
 }
 
-// In what the material may say of it, for all. A default that neither gives follows from the range.
+// A difference in what the material's own declaration may decide for all others. A default that neither states follows
+// from the range.
 std::optional<Difference> differing_choice(const Session& session, const Property& a, const Property& b,
                                            bool same_default) {
     if (!same_default && (a.default_span || b.default_span))
@@ -98,7 +100,8 @@ MaterialProperty entry_of(Session& session, const Property& property, const Join
     return entry;
 }
 
-// What the material gives to its lighting graph is right for the sub-graphs that came before, too.
+// A default that the material gives to its lighting graph also applies to the sub-graphs that declared the property
+// before.
 void take_over(Session& session, MaterialProperty& entry, const Property& property, const JoinOptions& options) {
     Property& said = session.file_properties.emplace_back(property);
     said.label = entry.property->label;
@@ -110,7 +113,7 @@ void take_over(Session& session, MaterialProperty& entry, const Property& proper
     entry = std::move(made);
 }
 
-// A property of a name that the material has already.
+// Adds a property whose name the material has already.
 void share(Session& session, const Material& material, MaterialProperty& entry, const Property& property,
            const JoinOptions& options) {
     const Property& first = *entry.property;
@@ -127,7 +130,7 @@ void share(Session& session, const Material& material, MaterialProperty& entry, 
     if (options.said_at && !entry.is_own && !entry.is_at_port && !material.pass)
         return take_over(session, entry, property, options);
     const bool is_said = options.said_at || options.is_at_port;
-    if (entry.is_own && !is_said) return;  // the material's word is the one
+    if (entry.is_own && !is_said) return;  // the material's own declaration decides
     bool same_default = first.value == property.value;
     if (property.type == PropertyType::Texture2D) {
         const std::optional<std::string> texture = find_texture(session, property, options.from);
@@ -152,7 +155,7 @@ struct Brought {
 };
 using AllBrought = std::vector<Brought>;
 
-// By names, which are the interface; by what is shown to artists where those are alike.
+// Orders by names, because they are the interface. Equal names are ordered by the texts that artists see.
 bool comes_before(const AllBrought& a, const AllBrought& b) {
     const auto less = [](const AllBrought& some, const AllBrought& others, auto key) {
         return std::lexicographical_compare(
@@ -169,13 +172,14 @@ class Collector {
 public:
     Collector(Session& session, const Material& material) : session_(session), material_(material) {}
 
-    // Each once: a graph's own, in its order; the files at its ports, by name; then what its sub-graphs bring.
+    // Each property once: the graph's own, in its order; then the files at its ports, by name; then those of its
+    // sub-graphs.
     const AllBrought& brought_by(const CheckedGraph& checked) {
         const auto [found, is_new] = known_.try_emplace(&checked);
         if (!is_new) return found->second;
         AllBrought all;
         const Graph& graph = *checked.graph;
-        // Those of the material's lighting graph may have been bound by the material.
+        // The lighting graph's properties are joined separately, because the material may have bound them.
         for (const Property& property : graph.properties) {
             if (&checked != material_.lighting) all.push_back({&property, &graph.path});
         }
@@ -213,7 +217,7 @@ private:
                          [](const Brought& a, const Brought& b) { return a.property->name < b.property->name; });
     }
 
-    // A file at a port is a texture without a name of its own.
+    // A file at a port is a texture property without a name of its own.
     void add_file(const Expr& expr, const Graph& graph, AllBrought& all) {
         if (expr.kind == Expr::Kind::File) {
             Property& property = session_.file_properties.emplace_back();

@@ -16,7 +16,7 @@ bool is_switch(const Session& session, std::string_view name) {
                        [&](const SwitchDecl& each) { return each.variable->name == name; });
 }
 
-// -D could not tell them apart.
+// The option -D could not distinguish the two.
 void check_name(Session& session, const Property& property) {
     if (!is_keyword(property.binding) || !is_switch(session, property.name)) return;
     session.diagnostics.report(Code::DuplicateId, property.name_span, "switch", property.name)
@@ -26,7 +26,7 @@ void check_name(Session& session, const Property& property) {
 void choose(Session& session, MaterialProperty& entry, const std::string& word) {
     const Property& property = *entry.property;
     if (!is_keyword(property.binding)) {
-        if (is_switch(session, property.name)) return;  // which is meant
+        if (is_switch(session, property.name)) return;  // the name means the switch
         const bool can_be = property.type == PropertyType::Bool || property.type == PropertyType::Enum;
         session.diagnostics.report(Code::NotAKeyword, {}, property.name)
             .note(property.name_span, can_be ? "with \"as\": \"variant\" or \"specialization\" here, it would be"

@@ -10,7 +10,7 @@
 namespace patina::graph {
 namespace {
 
-// Models go by their file's stem, as users name them: "unity-brdf1".
+// Models are named by the stem of their file, as users name them: "unity-brdf1".
 void add_graph(Library& library, std::uint32_t base, std::string_view path) {
     const std::size_t slash = path.rfind('/') + 1;
     auto& graphs = path.ends_with(".workflow.json") ? library.workflows : library.lighting_models;
@@ -20,8 +20,7 @@ void add_graph(Library& library, std::uint32_t base, std::string_view path) {
 
 constexpr std::string_view kEngines = "nodes/engines/";
 
-// "nodes/engines/vulkan/engine.json" is a file of an engine, and what stands beside the folders says which one is the
-// default.
+// "nodes/engines/vulkan/engine.json" is a file of an engine. A file directly in nodes/engines names the default engine.
 void add_engine_file(Library& library, std::uint32_t base, std::string_view path) {
     const std::string_view name = path.substr(kEngines.size());
     if (const std::size_t slash = name.find('/'); slash != name.npos) {

@@ -1,5 +1,6 @@
-// The built-in library, loaded once and then only read: declarations of nodes/**, what nodes/stage and nodes/passes
-// state (paths/declarations.h), and the workflow and lighting graphs. Knows none of them by name.
+// Loads the built-in library once; after that it is only read. It holds the declarations of nodes/**, the declarations
+// of nodes/stage and nodes/passes (paths/declarations.h), the workflow and lighting graphs, and the engines. It knows
+// none of them by name.
 //
 //   const Library library = load_library(nodelang::embedded_files());
 //   library.declarations.function("Lerp");
@@ -18,7 +19,7 @@
 
 namespace patina::graph {
 
-// A workflow or a lighting model of the library: read when first asked for, by any thread.
+// A workflow or a lighting model of the library: read at the first request, from any thread.
 class LibraryGraph {
 public:
     LibraryGraph(const SourceMap& sources, std::uint32_t base, std::string path)
@@ -26,7 +27,7 @@ public:
 
     // Null if it cannot be read.
     const std::shared_ptr<Graph>& get() const;
-    // What was wrong with it.
+    // The errors in the file.
     const Diagnostics& diagnostics() const { return get(), diagnostics_; }
 
 private:
@@ -39,14 +40,14 @@ private:
     mutable std::shared_ptr<Graph> graph_;
 };
 
-// An engine of the library: read when first asked for, by any thread.
+// An engine of the library: read at the first request, from any thread.
 class LibraryEngine {
 public:
     LibraryEngine(const SourceMap& sources, std::string name) : sources_(sources), name_(std::move(name)) {}
 
     void add_file(std::string_view name, std::uint32_t base) { files_.emplace(name, base); }
     const engines::Engine& get() const;
-    // What was wrong with it.
+    // The errors in engine.json.
     const Diagnostics& diagnostics() const { return get(), diagnostics_; }
 
 private:
@@ -69,7 +70,7 @@ struct Library {
     std::map<std::string, LibraryGraph, std::less<>> workflows;
     std::map<std::string, LibraryGraph, std::less<>> lighting_models;
 
-    // Null: there is none of this name. No name: the default one.
+    // Null if there is no engine of this name. An empty name means the default engine.
     const engines::Engine* engine(std::string_view name) const;
 };
 

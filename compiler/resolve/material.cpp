@@ -62,7 +62,7 @@ const CheckedGraph* find_lighting(Session& session, const Graph& graph, const Gr
     return check_graph(session, found->second.get());
 }
 
-// A number, colour or word for a property, as that property's default; false if it is no constant.
+// Makes a number, colour or word the property's default; false if it is not a constant.
 bool set_default(Session& session, Property& property, const Expr& value) {
     const bool negative = value.kind == Expr::Kind::Unary && value.text == "-";
     const Expr& literal = negative ? *value.args[0] : value;
@@ -97,8 +97,8 @@ bool set_default(Session& session, Property& property, const Expr& value) {
     return true;
 }
 
-// A lighting graph's property that is known when the graph is compiled: its default, what the material says, or a
-// keyword of the material, which must have the same values.
+// Binds a lighting graph's property that is known when the graph is compiled: to its default, to a constant of the
+// material, or to a keyword of the material, which must have the same values.
 void bind_variant(Session& session, Material& material, const Property& property, const PortValue* input) {
     const Expr* value = input ? input->value : nullptr;
     if (const MaterialProperty* keyword = value ? keyword_named(material, *value) : nullptr) {
@@ -126,8 +126,8 @@ void bind_variant(Session& session, Material& material, const Property& property
     material.variants[&property] = bound.value[0];
 }
 
-// What "lighting": { "in": ... } says: a constant is another default of the lighting graph's property, which can still
-// be set; anything else takes the property's place, and the material then has no such property.
+// Applies "lighting": { "in": ... }. A constant is another default of the lighting graph's property, which can still be
+// set. Any other value replaces the property, which the material then does not have.
 void bind_lighting_properties(Session& session, Material& material, std::span<const PortValue> inputs) {
     const std::vector<Property>& own = material.lighting->graph->properties;
     for (const Property& property : own) {
@@ -151,7 +151,7 @@ void bind_lighting_properties(Session& session, Material& material, std::span<co
             bound.texture = std::string(input->value->text);
         }
         if (is_file || set_default(session, bound, *input->value)) {
-            // A file is named from the graph that names it.
+            // A file name is relative to the graph that states it.
             const std::string& from = is_file ? material.graph->graph->path : material.lighting->graph->path;
             session.file_properties.push_back(std::move(bound));
             join_property(session, material, session.file_properties.back(),
@@ -169,7 +169,7 @@ void bind_lighting_properties(Session& session, Material& material, std::span<co
     }
 }
 
-// A lighting graph's variant is no property of the material, which would otherwise have two of one name.
+// A variant of the lighting graph is not a property of the material, so both cannot have the same name.
 void check_lighting_variants(Session& session, const Material& material, const LightingUse& use) {
     for (const Property& property : material.lighting->graph->properties) {
         const auto found = material.property_index.find(property.name);
@@ -190,7 +190,7 @@ void check_lighting_variants(Session& session, const Material& material, const L
     }
 }
 
-// Turns the material into one that shows a port, by the workflow that says it can show things.
+// Turns the material into one that shows a port, with the first workflow that can show a single value.
 bool make_preview(Session& session, Graph& graph, const Shown& shown) {
     for (const auto& [name, workflow] : session.library.workflows) {
         if (!workflow.get() || workflow.get()->preview_input.empty()) continue;
@@ -198,7 +198,7 @@ bool make_preview(Session& session, Graph& graph, const Shown& shown) {
         if (!value) return false;
         const auto is_node = [&](const Node& node) { return node.id == shown.text; };
         for (const PortValue& port : graph.surface) {
-            // A surface input shows what it is given.
+            // A preview of a surface input shows the value that the input is given.
             if (port.name != shown.text || !port.value || std::any_of(graph.nodes.begin(), graph.nodes.end(), is_node))
                 continue;
             value = port.value;
@@ -257,7 +257,7 @@ void check_vertex(Session& session, const Graph& graph) {
     }
 }
 
-// Everything behind the graph itself. False after errors that leave nothing to go on with.
+// Resolves everything but the graph itself. False after errors that leave nothing to continue with.
 bool resolve_rest(Session& session, Material& material) {
     const Graph& graph = *material.graph->graph;
     material.workflow = find_workflow(session, graph);
@@ -282,7 +282,7 @@ bool resolve_rest(Session& session, Material& material) {
 
 namespace {
 
-// Whether files that are named so are one file where case does not count.
+// True if both names mean one file on a file system that ignores case.
 bool is_same_file(std::string_view a, std::string_view b) {
     const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
@@ -360,7 +360,7 @@ std::vector<std::unique_ptr<Material>> resolve_passes(Session& session, Material
         made->pass = &pass;
         made->properties = material.properties;
         made->property_index = material.property_index;
-        // Its nodes are the material's, which have been checked.
+        // The pass uses the material's nodes, which have been checked.
         CheckedGraph& checked = session.checked.emplace_back(*material.graph);
         checked.graph = pass.graph;
         made->graph = &checked;

@@ -1,5 +1,5 @@
-// A material and everything that it stands on, found and checked: its workflow, its lighting, and all the properties
-// that end up in its block (its own, its lighting graph's, its sub-graphs', and files named at ports).
+// Finds and checks a material with all that it uses: its workflow, its lighting model, and the properties of its
+// uniform block (its own, those of its lighting graph and sub-graphs, and files named at ports).
 #pragma once
 
 #include "compiler/resolve/check_graph.h"
@@ -8,11 +8,11 @@ namespace patina::graph {
 
 struct MaterialProperty {
     const Property* property = nullptr;
-    std::string texture_path;  // a texture's default: a file, found on disk; or white, black, gray, bump
+    std::string texture_path;  // a texture's default: a file that exists, or white, black, gray, bump
     bool is_file = false;      // `texture_path` is one
-    bool is_own = false;       // the material itself says what its default is
+    bool is_own = false;       // the material itself states the default
     bool is_at_port = false;   // it is a file at a port
-    double chosen = 0;         // of a keyword: bool 0 or 1; enum: index
+    double chosen = 0;         // for a keyword: bool 0 or 1; enum: index
     bool is_chosen = false;    // by the caller; else `chosen` is its default
 };
 
@@ -22,31 +22,31 @@ struct Material {
     const CheckedGraph* lighting = nullptr;
     std::string lighting_name;
     std::vector<PortValue> lighting_inputs;      // values for the lighting graph's properties
-    std::map<const Property*, double> variants;  // the lighting graph's properties that are known by now
+    std::map<const Property*, double> variants;  // the lighting graph's properties that are known already
     std::vector<MaterialProperty> properties;    // in binding order
     std::map<std::string, std::size_t, std::less<>> property_index;
     bool is_preview = false;
-    const ExtraPass* pass = nullptr;  // that it is; null: it is the material itself
+    const ExtraPass* pass = nullptr;  // the extra pass that this is; null: the material itself
 
-    // What the surface may set: the workflow's inputs and those that the lighting model declares.
+    // The inputs that the surface may set: the workflow's and those that the lighting model declares.
     std::vector<const Input*> surface_inputs() const;
 };
 
 // `preview`: "mask", "rust.amount" or "layers/mask" (in a sub-graph), or empty. Null after errors that leave nothing to
-// go on with.
+// continue with.
 std::unique_ptr<Material> resolve_material(Session& session, std::shared_ptr<Graph> graph, std::string_view preview);
 
-// The passes that the material adds, in its order, as materials of their own. Afterwards all have the same properties:
-// the material's, then what the passes bring. Reports what is wrong.
+// The extra passes of the material, in its order, as materials of their own. Afterwards all have the same properties:
+// the material's, then those that the passes add. Reports errors.
 std::vector<std::unique_ptr<Material>> resolve_passes(Session& session, Material& material);
 
-// A material as its file has it: itself, and the passes that it adds. `material` is null after errors that leave
-// nothing to go on with.
+// A material as its file has it: itself and its extra passes. `material` is null after errors that leave nothing to
+// continue with.
 struct MaterialFile {
     std::unique_ptr<Material> material;
     std::vector<std::unique_ptr<Material>> passes;
 };
-// Of text that is among the session's sources from `base` on (read_material.cpp).
+// Reads a material from the text that starts at `base` in the session's sources (read_material.cpp).
 MaterialFile read_material(Session& session, std::uint32_t base, const std::string& path);
 
 // --- properties of all graphs: one name is one property (join_properties.cpp)
@@ -54,32 +54,32 @@ struct JoinOptions {
     const std::string& from;  // the graph that names its file
     bool is_own = false;      // the material declares it
     bool is_at_port = false;  // it is a file at a port, which has no other name
-    Span said_at{};           // the material gives a lighting graph's property this default
+    Span said_at{};           // where the material gives this default to a lighting graph's property
 };
-// Makes it the material's, or reports how it differs from the one of that name that the material has.
+// Adds the property to the material's. If the material has one of that name, reports how the two differ.
 void join_property(Session& session, Material& material, const Property& property, const JoinOptions& options);
-// Those of a graph and of its sub-graphs, in an order that has nothing to do with its nodes.
+// Joins the properties of a graph and of its sub-graphs, in an order that does not depend on their nodes.
 void join_graph(Session& session, Material& material, const CheckedGraph& graph);
-// Its default is a file, and no word.
+// True if the default is a file and not a word.
 bool is_texture_file(const Property& property);
 
 // --- keywords: properties that are known before a shader runs (keywords.cpp)
-// Gives those from the property `first` on the values that the caller wants ("_DETAIL", "true"), and reports those that
+// Gives the properties from index `first` on the values that the caller chose ("_DETAIL", "true"). Reports values that
 // they cannot have.
 void choose_keywords(Session& session, Material& material, std::size_t first);
-// Reports what the graph lists under "variants" and does not have.
+// Reports properties and values under "variants" that do not exist.
 void check_listed(Session& session, const Material& material);
-// The keyword of the material that an expression reads and nothing else, or null.
+// The keyword of the material, if the expression reads only that; else null.
 const MaterialProperty* keyword_named(const Material& material, const nodelang::Expr& expr);
-// What such a property may be: "a bool", "one of Dry and Wet".
+// The possible values of such a property: "a bool", "one of Dry and Wet".
 std::string told_values(const Property& property);
-// Its values in words: "false" and "true", or an enum's.
+// The words of its values: "false" and "true", or an enum's.
 std::vector<std::string_view> keyword_words(const Property& property);
 // Names of all keywords.
 std::vector<std::string_view> keyword_names(const Material& material);
 
-// Warns of nodes that neither the material nor a pass of it reads, and of what its kind of surface does not heed
-// (check_render.cpp); once there are no errors, which may be the reason.
+// Warns of nodes that neither the material nor its passes read, and of inputs that its kind of surface does not use
+// (check_render.cpp). Called only if there are no errors, because an error may be the reason.
 void warn_unused(Session& session, const Material& material);
 void warn_unheeded(Session& session, const Material& material);
 

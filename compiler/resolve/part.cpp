@@ -8,7 +8,7 @@ using nodelang::Expr;
 
 namespace {
 
-// The first workflow that shows a single value, or the first that does not.
+// The first workflow that shows a single value, or the first one that does not.
 std::string workflow_name(const Library& library, bool shows_value) {
     for (const auto& [name, workflow] : library.workflows) {
         if (workflow.get() && workflow.get()->preview_input.empty() != shows_value) return name;
@@ -16,7 +16,7 @@ std::string workflow_name(const Library& library, bool shows_value) {
     return {};
 }
 
-// Something to stand at an input that has no default.
+// Some value of the type, for an input that has no default.
 const Expr* any_value(Session& session, Graph& material, const Input& input) {
     Expr& expr = session.ast.exprs.emplace_back();
     expr.span = expr.name_span = input.name_span;

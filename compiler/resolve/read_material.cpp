@@ -1,4 +1,4 @@
-// text -> Json -> Graph -> Material, with the passes that it adds.
+// Reads a material: text -> Json -> Graph -> Material, with its extra passes.
 #include "compiler/format/read_graph.h"
 #include "compiler/json/json.h"
 #include "compiler/resolve/material.h"

@@ -36,7 +36,7 @@ bool exists(const Session& session, const std::string& path) {
     return std::filesystem::is_regular_file(path, error);
 }
 
-// The paths that `name` may mean when the file `from` says it, in the order of preference.
+// The paths that `name` in the file `from` may mean, in order of preference.
 std::vector<std::string> candidates(const Session& session, const std::string& name, const std::string& from) {
     namespace fs = std::filesystem;
     if (fs::path(name).is_absolute()) return {name};
@@ -50,7 +50,7 @@ std::vector<std::string> candidates(const Session& session, const std::string& n
 
 namespace {
 
-// Targets are grouped by engine before (api/compile_targets.cpp); what asks for none is for the default one.
+// The targets have been grouped by engine (api/compile_targets.cpp). If none is requested, the default engine is used.
 const engines::Engine& engine_of(const Library& library, const CompileOptions& options) {
     const std::vector<Target>& targets = options.targets;
     const engines::Engine* engine = library.engine(targets.empty() ? std::string() : targets.front().engine);
@@ -106,7 +106,7 @@ std::optional<std::uint32_t> load_source(Session& session, const std::string& pa
 
 namespace {
 
-// Passes on top of the library's, in a file that is loaded already.
+// Adds the passes of a loaded file to those of the library.
 void read_passes(Session& session, std::uint32_t base, std::string path) {
     auto file = std::make_unique<PassFile>();
     nodelang::parse_file({.text = session.sources.file_text(base), .base = base}, file->ast, session.diagnostics);
@@ -115,13 +115,13 @@ void read_passes(Session& session, std::uint32_t base, std::string path) {
     file->paths = session.library.paths;
     collect(file->ast, file->declarations, session.sources, file->paths, session.diagnostics);
     session.path = std::move(path);
-    // The file is the whole path, also where the library has one of its name.
+    // The file replaces the whole path, even if the library has one of that name.
     for (PassDecl& pass : file->paths.passes) {
         if (pass.path == session.path && pass.is_older_fragment) pass.path.clear();
     }
     if (file->paths.passes_of(session.path).empty() && !session.diagnostics.has_errors())
         session.diagnostics.report(Code::NoNodeInFile, {base, base}, "[pass]");
-    // What is wrong with the graph shows with the library's passes, too.
+    // If the file has errors, the library's passes are used, so that errors in the graph are still found.
     if (session.diagnostics.has_errors()) return;
     session.declarations = &file->declarations;
     session.paths = &file->paths;

@@ -14,13 +14,13 @@
 namespace patina {
 namespace {
 
-// glslang's tables are built once in a process; building and using them is safe from any thread after that.
+// glslang's tables are built once in a process; after that, any thread may use them.
 void initialise_glslang() {
     static const bool done = glslang::InitializeProcess();
     static_cast<void>(done);
 }
 
-// Registers of t, s and b count from 0 each; the reflection says what separates them in a set's one row of bindings.
+// The registers of t, s and b each count from 0, but a set has one row of bindings. The reflection gives the distances.
 void shift_bindings(glslang::TShader& shader, const std::vector<Reflection::Shifts>& shifts) {
     for (const Reflection::Shifts& s : shifts) {
         shader.setShiftBindingForSet(glslang::EResTexture, s.textures, s.set);
@@ -29,13 +29,13 @@ void shift_bindings(glslang::TShader& shader, const std::vector<Reflection::Shif
     }
 }
 
-// A language that glslang reads.
+// How glslang reads a language.
 struct FrontEnd {
     std::string_view language, title;
     glslang::EShSource source;
     int messages;                    // of EShMessages, for this language
-    std::string_view before, after;  // what makes a shader of functions
-    bool has_registers;              // bindings are registers, and are shifted
+    std::string_view before, after;  // the text that turns functions into a shader
+    bool has_registers;              // bindings are registers, which must be shifted
 };
 constexpr FrontEnd kFrontEnds[] = {
     {.language = "glsl",
@@ -56,7 +56,7 @@ constexpr FrontEnd kFrontEnds[] = {
      .has_registers = true},
 };
 
-// Null: nothing here reads the language.
+// Null if glslang does not read the language.
 const FrontEnd* front_end(const Shader& shader) {
     const auto* const found = std::find_if(std::begin(kFrontEnds), std::end(kFrontEnds), [&](const FrontEnd& each) {
         return each.language == shader.target.language;
@@ -85,7 +85,7 @@ std::string_view line_of(std::string_view text, int line) {
     return text.substr(0, text.find('\n'));
 }
 
-// The place in the graph that an emitted line comes from, and the emitted line itself as a note.
+// Sets the place in the graph that an emitted line comes from, and adds the emitted line as a note.
 void locate(Diagnostic& d, const Shader& shader, int line) {
     const auto after = std::upper_bound(shader.line_map.begin(), shader.line_map.end(), line,
                                         [](int l, const LineOrigin& origin) { return l < origin.line; });
@@ -106,8 +106,8 @@ void locate(Diagnostic& d, const Shader& shader, int line) {
     d.notes.push_back(std::move(note));
 }
 
-// "ERROR: 0:12: 'x' : undeclared identifier", "ERROR: name:12: ...", "(12): error at column 3, ...": the line, if there
-// is one, and the rest.
+// Takes the line number off a message ("ERROR: 0:12: 'x' : undeclared identifier", "ERROR: name:12: ...", "(12): error
+// at column 3, ..."), if it has one, and leaves the rest.
 int take_line(std::string_view& message) {
     std::string_view digits = message;
     if (message.starts_with('(')) {
@@ -125,7 +125,7 @@ int take_line(std::string_view& message) {
     return line;
 }
 
-// What glslang says after the last real message.
+// glslang ends its log with a summary, which is not a message.
 bool is_summary(std::string_view message) {
     return message.find("compilation terminated") != std::string_view::npos ||
            message.find("compilation errors") != std::string_view::npos || message.starts_with("Linking ");
@@ -156,13 +156,13 @@ bool compile(const Shader& shader, const FrontEnd& language, HlslSamplers sample
     if (is_combined) messages = static_cast<EShMessages>(messages | EShMsgHlslDX9Compatible);
 
     glslang::TShader unit(stage);
-    // Functions stand in the smallest shader.
+    // Functions are put into the smallest shader.
     const std::string_view before = shader.has_main ? "" : language.before;
     const std::string_view after = shader.has_main ? "" : language.after;
     std::vector<const char*> texts;
     std::vector<int> lengths;
     for (const std::string_view text : {before, std::string_view(shader.text), after}) {
-        if (text.empty()) continue;  // glslang wants #version in the first of them
+        if (text.empty()) continue;  // glslang requires #version in the first text
         texts.push_back(text.data());
         lengths.push_back(static_cast<int>(text.size()));
     }
@@ -184,7 +184,7 @@ bool compile(const Shader& shader, const FrontEnd& language, HlslSamplers sample
         log += program.getInfoLog();
     }
     result.log += log;
-    // A warning for glslang, which then makes an empty stage.
+    // For glslang this is a warning; it then makes an empty stage.
     if (!ok || log.find("Entry point not found") != std::string::npos) {
         add_messages(result, shader, log);
         return false;

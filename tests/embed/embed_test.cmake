@@ -1,5 +1,5 @@
 # cmake -D BUILD=... -D SOURCE=... -D WORK=... -D FLAGS=(compiler flags) -P embed_test.cmake
-# Installs the library into an empty prefix, and builds and runs examples/embed with nothing else of Patina in reach.
+# Installs the library into an empty prefix, and builds and runs examples/embed with no other part of Patina in reach.
 cmake_minimum_required(VERSION 3.22)
 
 function(run)
@@ -12,7 +12,7 @@ endfunction()
 
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --component library --prefix ${WORK}/prefix)
-# A copy: the example must not find anything beside itself.
+# A copy, so that the example finds no files of the source tree.
 file(COPY ${SOURCE}/examples/embed DESTINATION ${WORK})
 run(${CMAKE_COMMAND} -S ${WORK}/embed -B ${WORK}/build -D CMAKE_PREFIX_PATH=${WORK}/prefix
     -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF -D CMAKE_BUILD_TYPE=Release -D "CMAKE_CXX_FLAGS=${FLAGS}")
@@ -25,7 +25,7 @@ foreach(wanted IN ITEMS "dotted.forward.vert.glsl" "dotted.forward.frag.glsl" "#
   endif()
 endforeach()
 
-# The package stands on its own: no header of another library, no path of this build or source tree.
+# The package is self-contained: it has no header of another library, and no path of this build or source tree.
 file(GLOB_RECURSE installed ${WORK}/prefix/*.h ${WORK}/prefix/*.cmake)
 foreach(file IN LISTS installed)
   file(READ ${file} text)
@@ -37,7 +37,7 @@ foreach(file IN LISTS installed)
   endforeach()
 endforeach()
 
-# The promise of the example: under 60 lines, and the public headers alone.
+# The example keeps its promise: less than 60 lines, and only public headers.
 file(STRINGS ${SOURCE}/examples/embed/main.cpp lines)
 file(STRINGS ${SOURCE}/examples/embed/CMakeLists.txt more)
 list(LENGTH lines count)

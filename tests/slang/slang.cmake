@@ -3,7 +3,7 @@
 # every stage of every example, on every rendering path, and of one example with each switch.
 # Prints "skipped: ..." where Node or the package is absent.
 cmake_minimum_required(VERSION 3.22)
-set(time_limit 300)  # seconds that Slang has for all of it
+set(time_limit 300)  # in seconds, for the whole test
 
 find_program(node NAMES node nodejs NO_CACHE)
 if(NOT node)
@@ -26,7 +26,7 @@ function(slang)
   set(text "${text}" PARENT_SCOPE)
 endfunction()
 
-# A witness that never says no proves nothing.
+# A compiler that accepts everything proves nothing.
 file(GLOB refused RELATIVE ${SOURCE}/tests/slang ${SOURCE}/tests/slang/refused/*.hlsl)
 file(STRINGS ${SOURCE}/tests/slang/refused/expected.txt complaints)
 list(LENGTH refused count)

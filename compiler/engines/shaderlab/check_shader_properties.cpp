@@ -1,5 +1,5 @@
-// What a ShaderLab file cannot say of a property. Its name is what materials keep its value under: it is never changed,
-// and where Unity has it already the property is refused.
+// Reports what a ShaderLab file cannot express about a property. Materials store a value under the property's name, so
+// the name is never changed: if Unity uses it already, the property is refused.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 using targets::shaderlab::keyword_of;
 
-// What Unity fills beside a texture, and what its macros declare there.
+// Describes the value with this name that Unity fills for a texture, or that its macros declare.
 std::string beside_texture(const graph::Material& material, std::string_view name) {
     constexpr std::pair<std::string_view, std::string_view> kBeside[] = {
         {"", "_ST"}, {"", "_TexelSize"}, {"", "_HDR"}, {"sampler", ""}};
@@ -28,7 +28,7 @@ std::string beside_texture(const graph::Material& material, std::string_view nam
     return {};
 }
 
-// Why a property cannot have the name; empty: it can.
+// Why a property cannot have the name; empty if it can.
 std::string why_taken(const graph::Material& material, const engines::Engine& engine, std::string_view name) {
     if (const std::string_view declarer = engine.declarer_of(name); !declarer.empty())
         return fmt::format("a name that {} declares", declarer);
@@ -40,7 +40,7 @@ std::string why_taken(const graph::Material& material, const engines::Engine& en
 struct Keyword {
     const graph::Property* property;
     std::string name;
-    std::string_view value{};  // of an enum
+    std::string_view value{};  // for an enum
     Span where;
 
     // "of the value 'Wet' of '_Mode'"
@@ -50,7 +50,7 @@ struct Keyword {
     }
 };
 
-// Those of a property that has some.
+// The keywords of a property.
 std::vector<Keyword> keywords_of(const graph::Property& property) {
     if (property.values.empty())
         return {{.property = &property, .name = keyword_of(property.name, {}), .where = property.name_span}};
@@ -87,7 +87,7 @@ public:
         }
     }
 
-    // A keyword that is on is a macro: no value can have its name.
+    // A keyword that is on is a macro, so no value can have its name.
     void finish() {
         for (const graph::Property* each : values_) {
             if (const Keyword* keyword = with_keyword(each->name))
@@ -110,7 +110,7 @@ private:
                         property.name, why));
     }
 
-    // Two choices would be one.
+    // With the same keyword, two choices would be one.
     void refuse(const Keyword& keyword, const Keyword& other) {
         const bool is_same_enum = keyword.property == other.property;
         DiagnosticRecord& refused = diagnostics_.report(
@@ -137,7 +137,7 @@ void check_list(const graph::Property& property, bool is_keyword, Diagnostics& d
     if (is_keyword) told.note("the number sets no keyword: a script has to enable the one that is meant");
 }
 
-// Labels and the names of groups, where ShaderLab makes something else of them. Of a group it is told once.
+// Reports labels and names of groups that ShaderLab shows differently. A group is reported once.
 class Texts {
 public:
     explicit Texts(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
@@ -179,7 +179,7 @@ void check_keywords(const graph::Material& material, const Reflection& reflectio
         });
     };
     std::size_t count = 0;
-    const graph::Property* first = nullptr;  // that is too much
+    const graph::Property* first = nullptr;  // the first that is too many
     for (const graph::MaterialProperty& entry : material.properties) {
         if (!is_read(*entry.property)) continue;
         count += keywords_of(*entry.property).size();
@@ -200,7 +200,7 @@ void check_shader_properties(const graph::Material& material, const graph::Lower
         const graph::Property& property = *entry.property;
         const graph::PropertyGlobals& globals = lowered.property_globals[i];
         const ir::GlobalId id = globals.texture ? globals.texture : globals.value;
-        if (!id && !globals.keyword) continue;  // it has been decided
+        if (!id && !globals.keyword) continue;  // it is a constant
         const ir::Global* global = id ? &lowered.module.globals[id.index] : nullptr;
         const bool is_theirs = global && global->in_block() &&
                                !lowered.module.blocks[global->block].members[global->member].declared_in.empty();

@@ -17,7 +17,7 @@ bool reads_texel(Op op) {
            op == Op::TexelLoad;
 }
 
-// The calls of the follower over texels of the texture. Not all of them, if a texel is read for anything else.
+// The calls of the follower on texels of one texture. It is not `all` if a texel has another reader.
 struct Calls {
     std::vector<std::uint32_t> insts;
     bool is_all = true;
@@ -48,7 +48,7 @@ std::uint32_t foreign_function(Module& module, const Function& like, const std::
     Function made = like;
     made.name = name;
     made.linkage = Linkage::Foreign;
-    // A callee stands before its callers: it comes first, and all others move up.
+    // A callee comes before its callers, so it goes to the front and all others move up.
     for (Function& function : module.functions) {
         for (Inst& inst : function.insts) {
             if (inst.op == Op::Call) ++inst.data;
@@ -65,7 +65,7 @@ Module decode_at_once(Module module) {
     for (std::uint32_t texture = 0; texture < module.globals.size(); ++texture) {
         if (module.globals[texture].at_once.empty()) continue;
         std::vector<Calls> calls;
-        std::size_t moved = 0;  // functions that have been added in front
+        std::size_t moved = 0;  // number of functions added at the front
         for (const Function& function : module.functions) calls.push_back(calls_of(module, function, texture));
         if (!std::all_of(calls.begin(), calls.end(), [](const Calls& each) { return each.is_all; })) continue;
         for (std::size_t f = 0; f < calls.size(); ++f) {

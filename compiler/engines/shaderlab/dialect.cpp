@@ -30,8 +30,8 @@ std::string decoded(std::string_view decoder, std::string text) {
     return decoder.empty() ? text : fmt::format("{}({})", decoder, text);
 }
 
-// How a texture is read: by a macro, behind whose name stands "_SAMPLER" where the sampler is another texture's. Unity
-// has none for explicit levels, biases and gradients in 2017: they are the file's own.
+// The macro that reads a texture. Its name gets "_SAMPLER" if the sampler belongs to another texture. In 2017, Unity
+// has no macros for explicit levels, biases and gradients, so the file declares them.
 struct Reading {
     Op op;
     std::string_view prefix, suffix;
@@ -61,9 +61,9 @@ Text expression(const Body& body, Value v) {
     return {decoded(decoder, std::move(text)), Precedence::Postfix};
 }
 
-constexpr std::string_view kInstances = "Instances";  // the buffer of what each instance has
+constexpr std::string_view kInstances = "Instances";  // the buffer of the values that each instance has
 
-// Unity keeps whole numbers of materials in floats, and vectors in four of them.
+// Unity stores a material's whole numbers in floats, and its vectors in four floats.
 std::string read(const Writer& w, GlobalId id, std::string_view name) {
     const Global& global = w.module.globals[id.index];
     const BlockMember& member = w.module.blocks[global.block].members[global.member];
@@ -107,7 +107,7 @@ void block(Writer& w, const UniformBlock& block) {
     if (is_open) w.line(0, fmt::format("UNITY_INSTANCING_BUFFER_END({})", kInstances));
 }
 
-// A texture and its sampler are declared at once; its size is a variable that Unity fills.
+// One macro declares a texture and its sampler. Its size is a variable that Unity fills.
 void resource(Writer& w, GlobalId id) {
     const Global& global = w.module.globals[id.index];
     if (global.type.is_numeric()) w.line(0, w.declaration(global.type, w.globals[id.index]) + ";");
@@ -116,7 +116,7 @@ void resource(Writer& w, GlobalId id) {
         w.line(0, fmt::format("UNITY_DECLARE_TEXCUBE({});", w.globals[id.index]));
 }
 
-// What reads a keyword as a value reads a constant.
+// Declares a constant with the keyword's value, for code that reads it as a value.
 void keyword(Writer& w, GlobalId id) {
     const Global& global = w.module.globals[id.index];
     const Keyword& keyword = w.module.keywords[global.keyword];
@@ -127,7 +127,7 @@ void keyword(Writer& w, GlobalId id) {
         w.line(0, "#else");
         w.line(0, constant + "false;");
     }
-    // Where none is defined the first value counts, as for Unity.
+    // If none is defined, the first value applies, as in Unity.
     const std::size_t count = keyword.values.size();
     for (std::size_t i = 1; i <= count && count > 1; ++i) {
         w.line(0, i == count ? "#else" : (i == 1 ? "#if " : "#elif ") + keyword_test(keyword, i));
@@ -145,7 +145,7 @@ std::vector<std::string> lines_at(const StageInterface& stage, std::string_view 
     return lines;
 }
 
-// Names of a struct's members, beside those that Unity's macros declare.
+// Names of a struct's members, distinct from those that Unity's macros declare.
 class MemberNames {
 public:
     MemberNames() {
@@ -159,7 +159,7 @@ private:
     Names names_;
 };
 
-// The numbers of the macros' coordinates follow those of the values.
+// The coordinates of the macros are numbered after those of the values.
 std::string numbered(std::string line, std::uint32_t& next) {
     for (std::size_t at = line.find("{}"); at != line.npos; at = line.find("{}", at))
         line.replace(at, 2, std::to_string(next++));
@@ -217,7 +217,7 @@ EntryPoint vertex_entry(Writer& w) {
     return entry;
 }
 
-// What the fragment stage returns: one colour, or a struct of them.
+// The result of the fragment stage: one colour, or a struct of them.
 std::string declare_targets(Writer& w, EntryPoint& entry) {
     const StageInterface& stage = w.module.stage;
     w.gap();
@@ -308,7 +308,7 @@ Module legalize(Module made) {
     made = decode_at_once(std::move(made));
     if (made.keywords.empty()) return made;
     made = branch_on_keywords(std::move(made));
-    // A keyword that is on is a macro: no constant can have its name.
+    // A keyword that is on is a macro, so no constant can have its name.
     for (Global& global : made.globals) {
         if (global.is_keyword()) global.name = joined("is", global.name);
     }

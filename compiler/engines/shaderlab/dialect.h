@@ -1,6 +1,6 @@
-// HLSL as it stands in a ShaderLab file for Unity's built-in render pipeline: uniforms without blocks, textures by
-// Unity's macros, entry functions `vert` and `frag` over Unity's appdata_full and a struct v2f that both share. Only a
-// stage's text is made here; the file around it is engines/shaderlab/shader_file.h.
+// Prints HLSL as a ShaderLab file for Unity's built-in render pipeline needs it: uniforms without blocks, textures
+// through Unity's macros, entry functions `vert` and `frag` with Unity's appdata_full and a struct v2f that both share.
+// It prints only the text of a stage; shader_file.h makes the file around it.
 #pragma once
 
 #include "compiler/languages/language.h"
@@ -11,7 +11,7 @@ namespace patina::targets::shaderlab {
 ir::Module legalize(ir::Module module);
 Printed print(const ir::Module& module, const PrintOptions& options);
 
-// Where all that is read of a texture goes on to its decoder's follower, a foreign function does both
+// If all texels of a texture go to its decoder's follower, calls a foreign function that does both
 // (decode_at_once.cpp).
 ir::Module decode_at_once(ir::Module module);
 

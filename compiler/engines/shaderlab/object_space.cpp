@@ -1,5 +1,5 @@
-// Objects that are batched are one mesh whose vertices are in world space already: what knows the object's own space,
-// or where the object is, is wrong there.
+// Finds passes that batching would break. Unity batches objects into one mesh with vertices in world space, so a pass
+// that uses an object's own space or position would compute wrong values.
 #include <algorithm>
 
 #include "compiler/engines/shaderlab/shader_file.h"
@@ -16,7 +16,7 @@ bool is_of_object(const ir::Module& module, const Inst& inst) {
     return inst.op == Op::Global && module.globals[inst.data].is_of_object;
 }
 
-// Values of the mesh in object space, on their way to where they leave it.
+// Follows values of the mesh in object space to the place where they are transformed.
 class Vertices {
 public:
     Vertices(const ir::Module& module, const graph::LoweredPass& pass, const ir::Module& semantics) : module_(module) {
@@ -25,7 +25,8 @@ public:
         }
     }
 
-    // Whether they are used as they are. A part of them may be: that a tangent's fourth component is a sign is no news.
+    // True if a value is used without being transformed. The fourth component of a tangent does not count: it is a
+    // sign.
     bool keep(ir::FunctionId id, const std::vector<bool>& params) const {
         const Function& function = module_[id];
         std::vector<bool> is_os(function.insts.size(), false);
@@ -61,7 +62,7 @@ private:
         const ir::Type whole = function[function.args(inst)[0]].type;
         return inst.type.width() == 1 && whole.is_vector() && whole.width() == 4 && inst.data == 3;
     }
-    // To a function that keeps them.
+    // True if the call passes the values to a function that keeps them.
     bool passes_on(const Function& function, const Inst& call, const std::vector<bool>& is_os) const {
         if (ir::is_elsewhere(module_.functions[call.data])) return true;
         std::vector<bool> given;

@@ -18,7 +18,7 @@ struct SurfaceRow {
     SurfaceKind kind;
     std::string_view render_type, fallback;
 };
-// A fallback brings the passes that the shader has not got itself: it is for what casts shadows, and no others.
+// Unity takes passes that the shader lacks from its fallback. Only surfaces that cast shadows have one.
 constexpr SurfaceRow kSurfaces[] = {
     {SurfaceKind::Opaque, "Opaque", "\"VertexLit\""},
     {SurfaceKind::Cutout, "TransparentCutout", "\"Legacy Shaders/Transparent/Cutout/VertexLit\""},
@@ -68,10 +68,10 @@ std::vector<std::string_view> texts_at(const PassText& pass, std::string_view pl
     return lines;
 }
 
-// What only newer hardware has, in a pass or in what all of them begin with.
+// The shader model that a pass needs, together with the declarations that all passes begin with.
 std::string_view shader_model(const LinkedPass& linked, const PassText& pass,
                               std::span<const Declaration* const> shared) {
-    // 3.0 has 10 interpolators, 3.5 those of OpenGL ES 3.0 and Direct3D 10; no more than 5.0 has got here.
+    // 3.0 has 10 interpolators, 3.5 those of OpenGL ES 3.0 and Direct3D 10; 5.0 is the highest that is needed here.
     const Varyings vectors = varyings_of(linked);
     if (vectors.numbered + vectors.others > 15) return "5.0";
     if (vectors.numbered > 10) return "3.5";
@@ -120,7 +120,7 @@ private:
                              [&](const SurfaceRow& row) { return row.kind == kind; });
     }
 
-    // --- what all passes begin with
+    // --- the text that all passes begin with
 
     void common() {
         std::vector<std::string_view> includes;
@@ -174,7 +174,7 @@ private:
         std::string tags = fmt::format("\"RenderType\" = \"{}\" \"Queue\" = \"{}\"", surface().render_type,
                                        queue_word(shader_queue(in_.material, in_.passes)));
         if (surface().render_type == "Transparent") tags += " \"IgnoreProjector\" = \"True\"";
-        // What knows the object must not be batched into another one.
+        // Batching would break passes that use the object's own space.
         const bool moves = std::any_of(in_.passes.begin(), in_.passes.end(), [](const LinkedPass& pass) {
             return !pass.material->graph->graph->vertex.empty();
         });
@@ -220,7 +220,7 @@ private:
         out_.line(2, "}");
     }
 
-    // A program for each value; a build leaves out those that no material has.
+    // One program for each value; a build leaves out those that no material uses.
     void keywords(const Pass& pass) {
         for (const std::string& name : pass.keywords) {
             const auto property = std::find_if(in_.reflection.properties.begin(), in_.reflection.properties.end(),

@@ -1,5 +1,5 @@
-// A whole ShaderLab file for Unity's built-in render pipeline: the properties, the passes with their state, and what
-// the passes have in common once at the top. The stages are linked as for any other language.
+// Writes a whole ShaderLab file for Unity's built-in render pipeline: the properties, the passes with their state, and
+// the declarations that passes share, once at the top. The stages are linked as for any other language.
 //
 //   targets::Printed file = shader_file({material, linked.lowered, passes, reflection, engine, header});
 #pragma once
@@ -16,92 +16,92 @@ struct ShaderFile {
     std::span<const LinkedPass> passes;
     const Reflection& reflection;
     const engines::Engine& engine;
-    std::string header;  // of the comment at the top
+    std::string header;  // text of the comment at the top
 };
 
 targets::Printed shader_file(const ShaderFile& file);
-// What the origins of its lines count: those of each pass, one pass after the other.
+// The origins that the file's lines refer to: those of each pass, one pass after the other.
 std::vector<ir::Origin> origins_of(std::span<const LinkedPass> passes);
 
 // --- shader_properties.cpp
 // The lines of the block `Properties`.
 std::vector<std::string> shader_properties(const graph::Material& material, const graph::Lowered& lowered,
                                            const Reflection& reflection);
-// What can stand between quotes: ShaderLab knows no escapes there.
+// Text without the characters that cannot stand between quotes: ShaderLab has no escapes there.
 std::string quoted(std::string_view text);
-// What Unity lists the shader as: "Patina/Rust".
+// The name under which Unity lists the shader: "Patina/Rust".
 std::string listed_name(std::string_view name);
-// What a shader can be called: as between quotes, but each part between slashes, which Unity makes menus of, has
-// no space at its ends and single ones in it, and is not empty.
+// A valid name of a shader: as between quotes, but each part between slashes, of which Unity makes menus, is trimmed,
+// has single spaces, and is not empty.
 std::string shader_name(std::string_view text);
-// What can stand in [Header(...)]: letters and digits of every script, with one space for a run of others.
+// Valid words for [Header(...)]: letters and digits of every script, with one space for a run of other characters.
 std::string header_words(std::string_view text);
-// How a texture is sampled, in the words of Unity's import settings, where it is not as a new asset is: "Wrap Mode:
-// Clamp, Filter Mode: Point". Empty: as a new one.
+// How a texture is sampled, in the words of Unity's import settings, if a new asset is sampled differently: "Wrap Mode:
+// Clamp, Filter Mode: Point". Empty otherwise.
 std::string sampler_words(const graph::Property& property);
-// The word for a texture's default, where it is a file.
+// The word for a texture's default if that is a file.
 std::string_view default_word(const graph::Property& property);
-// What Unity's inspector lists of an enum: [KeywordEnum] so many names, [Enum] so many pairs of name and value.
+// The limits of Unity's inspector for an enum: [KeywordEnum] lists this many names, [Enum] this many pairs of name and
+// value.
 constexpr std::size_t kMostKeywords = 9, kMostPairs = 7;
 
 // --- check_shader_properties.cpp
-// Tells what the shader is called, where that is not the graph's name.
+// Reports the shader's name if it differs from the graph's.
 void check_shader_name(const graph::Material& material, Diagnostics& diagnostics);
-// Refuses names that Unity's includes declare, and tells what of a property a ShaderLab file cannot say.
+// Refuses names that Unity's includes declare, and reports what a ShaderLab file cannot express about a property.
 void check_shader_properties(const graph::Material& material, const graph::Lowered& lowered,
                              const engines::Engine& engine, Diagnostics& diagnostics);
-// Unity before 2021.2 allows so many keywords that are a shader's own.
+// Reports too many keywords: Unity before 2021.2 limits those that belong to one shader.
 void check_keywords(const graph::Material& material, const Reflection& reflection, Diagnostics& diagnostics);
-// Each texture has its sampler, of which Direct3D 11 has 16 in a stage.
+// Reports too many textures: each has its sampler, of which Direct3D 11 has 16 in a stage.
 void check_samplers(const graph::Material& material, const Reflection& reflection, Diagnostics& diagnostics);
 
 // --- shader_order.cpp
-// In the order of their queues, relative to the material's own passes.
+// Sorts the passes by their queues, relative to the material's own passes.
 void order_passes(std::vector<LinkedPass>& passes);
-// The queue of the whole file: the material's, unless what a pass reads is there later.
+// The queue of the whole file: the material's, unless a pass reads something that is available only later.
 int shader_queue(const graph::Material& material, std::span<const LinkedPass> passes);
-// Tells which passes Unity draws at another time than their queue says, where that may be seen.
+// Reports passes that Unity draws at another time than their queue says, if that can be visible.
 void check_queues(const graph::Material& material, std::span<const LinkedPass> passes, const Reflection& reflection,
                   Diagnostics& diagnostics);
 
 // --- shader_state.cpp
-// The lines for what ShaderLab does not take for granted.
+// The lines of a pass's state that differ from ShaderLab's defaults.
 std::vector<std::string> shader_state(const Pass& pass);
 // "Transparent+1"
 std::string queue_word(int queue);
 
 // --- object_space.cpp
-// Whether the pass computes with an object's own space, or with where the object is, and not just what it makes of the
-// mesh in the world.
+// True if the pass computes with an object's own space or position, other than to bring the mesh into world space.
 bool knows_object(const LinkedPass& pass);
 
 // --- shader_passes.cpp
-// The text of one pass: what both of its stages declare, each thing once.
+// The text of one pass: the declarations of both stages, each once.
 struct PassText {
     struct Declaration {
         targets::Piece::Kind kind{};
         std::string name, text;
         std::vector<targets::PrintedLine> lines{};  // counted from 0
-        bool is_own = false;                        // no other pass has it: it stands in the pass (shader_shared.cpp)
+        bool is_own = false;  // no other pass has it, so it stands in the pass (shader_shared.cpp)
     };
-    std::vector<Declaration> declarations;  // what is read stands before what reads it; the entry functions last
-    std::vector<ir::StageText> texts;       // what both stages and the foreign functions that they call ask for
+    std::vector<Declaration> declarations;  // each declaration after those that it reads; the entry functions last
+    std::vector<ir::StageText> texts;       // the lines that both stages and the foreign functions that they call need
 };
-// `taken`: names that mean something else outside of the pass.
+// `taken`: names that have another meaning outside the pass.
 PassText pass_text(const LinkedPass& pass, const engines::Engine& engine, const std::vector<std::string>& taken);
 
-// What the file calls the pass.
+// The name of the pass in the file.
 std::string_view name_of(const LinkedPass& pass);
 
-// Whether the text reads a name, other than in a comment on a line of its own.
+// True if the text reads a name, except in a comment on a line of its own.
 bool mentions(std::string_view text, std::string_view name);
 
 // --- shader_shared.cpp
-// The passes, in which a name means the same wherever it is not the pass's own.
+// The texts of the passes. A name means the same in all of them, unless it belongs to one pass.
 std::vector<PassText> pass_texts(std::span<const LinkedPass> linked, const engines::Engine& engine);
-// What is not a pass's own, each once, in an order in which everything stands behind what it reads.
+// The declarations that do not belong to one pass, each once and after those that it reads.
 std::vector<const PassText::Declaration*> shared_declarations(const std::vector<PassText>& passes);
-// The pieces of the include that the passes' text mentions, in their order.
+// The pieces of the include that the text of the passes mentions, in their order.
 std::vector<std::string_view> needed_pieces_of(std::string_view include, const std::string& text);
 
 }  // namespace patina::assemble

@@ -1,4 +1,5 @@
-// When the passes of a ShaderLab file are drawn. Unity has one queue for all of them, and draws them in their order.
+// Decides when the passes of a ShaderLab file are drawn. Unity has one queue for all of them, and draws them in the
+// order of the file.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 namespace patina::assemble {
 namespace {
 
-constexpr int kLastOpaque = 2500;  // up to which Unity draws from the nearest, and before the sky
+constexpr int kLastOpaque = 2500;  // up to this queue Unity draws from near to far, and before the sky
 
 int number(std::string_view digits) {
     int value = 0;
@@ -17,7 +18,7 @@ int number(std::string_view digits) {
     return value;
 }
 
-// The queue that what a stage reads has to wait for.
+// The lowest queue in which everything that a stage reads is available.
 int least_queue(const ir::Module& stage) {
     int least = 0;
     for (const ir::Function& function : stage.functions) {
@@ -36,13 +37,13 @@ bool is_kept_by_depth(const Pass& pass) {
            pass.depth_test == Compare::Equal;
 }
 
-// What is nearest is seen of it, whenever it is drawn.
+// True if the depth test alone decides what is visible of the pass, whenever it is drawn.
 bool is_solid(const Pass& pass) {
     const bool blends = !pass.targets.empty() && pass.targets.front().blend.is_on();
     return !blends && pass.depth_write && is_kept_by_depth(pass) && !pass.stencil.is_used();
 }
 
-// Whether the pass stays where the material itself has left its depth.
+// True if the pass covers only pixels in which the material itself has written depth.
 bool is_within(const graph::Material& pass, const graph::Material& material) {
     const graph::Graph &added = *pass.graph->graph, &own = *material.graph->graph;
     const auto is_same = [](const graph::PortValue& a, const graph::PortValue& b) {

@@ -1,5 +1,5 @@
-// Both stages of a pass as declarations of one program. A name means one thing in it: where the stages differ on what
-// it is, the vertex stage's gets another name.
+// Joins both stages of a pass into the declarations of one program. A name has one meaning in it: if the stages differ,
+// the vertex stage's declaration gets another name.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 using Declaration = PassText::Declaration;
 using Kind = targets::Piece::Kind;
 
-constexpr std::size_t kIndent = 12;  // of a pass's text in the file
+constexpr std::size_t kIndent = 12;  // indentation of a pass's text in the file
 
 bool is_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
@@ -43,7 +43,7 @@ std::vector<Declaration> declarations(const targets::Printed& printed) {
     return made;
 }
 
-// What means something else outside of the pass is called after it.
+// A name with another meaning outside the pass gets the pass's name added.
 void rename(ir::Module& stage, const std::vector<std::string>& taken, std::string_view pass) {
     const auto rename_if_taken = [&](std::string& name) {
         if (std::find(taken.begin(), taken.end(), name) != taken.end()) name = joined(name, camel_case(pass));

@@ -1,4 +1,4 @@
-// Properties as ShaderLab declares them: how an artist sees and sets them.
+// Writes properties as ShaderLab declares them, for artists to see and set.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ std::string readable(std::string_view name) {
     return made.empty() ? "Value" : made;
 }
 
-// IEC 61966-2-1, and as many digits as a colour picker could have meant.
+// Encodes a linear component as sRGB (IEC 61966-2-1), with as many digits as a colour picker shows.
 double encoded(double linear) {
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
@@ -54,7 +54,7 @@ std::string_view file_name(std::string_view path) {
     return path.substr(path.find_last_of("/\\") + 1);
 }
 
-// The shortest decimals that are this float: 0.005, not 5e-3.
+// The shortest decimal text that reads back as this float: 0.005, not 5e-3.
 std::string number(double value) {
     return shortest_decimals(static_cast<float>(value));
 }
@@ -83,7 +83,7 @@ Declared counted(const graph::Property& property, double value) {
     return {"[IntRange] ", fmt::format("Range(0, {})", property.values.size() - 1), number(value)};
 }
 
-// A property that stands for keywords. Unity makes the names of an enum's itself.
+// A property that stands for keywords. Unity itself derives an enum's keywords from the names.
 Declared switched(const graph::MaterialProperty& entry) {
     const graph::Property& property = *entry.property;
     if (property.type == PropertyType::Bool)
@@ -102,7 +102,7 @@ Declared declared(const graph::MaterialProperty& entry, bool is_decoded) {
         case PropertyType::Float3: return {"", "Vector", vector(value, 3)};
         case PropertyType::Float4: return {"", "Vector", vector(value, 4)};
         case PropertyType::Color: {
-            std::string type(to_string(property.type));  // in ShaderLab with a capital
+            std::string type(to_string(property.type));  // ShaderLab writes it with a capital
             type[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(type[0])));
             if (!is_decoded) return {"[HDR] ", type, vector(value, 4)};
             return {"", type,
@@ -187,13 +187,13 @@ std::vector<std::string> shader_properties(const graph::Material& material, cons
         const graph::Property& property = *entry.property;
         const graph::PropertyGlobals& globals = lowered.property_globals[i];
         const ir::GlobalId id = globals.texture ? globals.texture : globals.value;
-        if (!id && !globals.keyword) continue;  // it has been decided
+        if (!id && !globals.keyword) continue;  // it is a constant
         const Declared made = id ? declared(entry, !lowered.module.globals[id.index].decoder.empty()) : switched(entry);
         if (property.group != group) {
             const bool is_first = lines.empty();
             if (!is_first) lines.emplace_back();
             const std::string words = header_words(property.group);
-            // Without a header it would seem to belong to the group before.
+            // A property without a group would seem to belong to the group before.
             if (!words.empty())
                 lines.push_back(fmt::format("[Header({})]", words));
             else if (!is_first)

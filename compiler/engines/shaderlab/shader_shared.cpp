@@ -1,4 +1,4 @@
-// What the passes of one file have in common, and the text of the include that they need.
+// Finds what the passes of one file share, and the pieces of the include that they need.
 #include <algorithm>
 #include <map>
 
@@ -11,7 +11,7 @@ namespace {
 using Declaration = PassText::Declaration;
 using Kind = targets::Piece::Kind;
 
-// What a piece of it defines: the words before the first '(' of lines that stand at the margin.
+// The names that a piece defines: the words before the first '(' in lines without indentation.
 std::vector<std::string_view> names_of(std::string_view piece) {
     std::vector<std::string_view> names;
     for (const std::string_view line : split(piece, "\n")) {
@@ -54,14 +54,14 @@ std::vector<std::string_view> needed_pieces_of(std::string_view include, const s
 
 namespace {
 
-// What a pass's entry functions take and give may be called alike in all.
+// True for the types that entry functions take and return, which may have the same name in all passes.
 bool is_of_entry(const PassText& pass, const Declaration& each) {
     if (each.kind == Kind::Entry) return true;
     const std::string& fragment = pass.declarations.back().text;
     return each.kind == Kind::Struct && mentions(fragment.substr(0, fragment.find('\n')), each.name);
 }
 
-// By name, the text that the most passes have; of a pass's own things nothing.
+// For each name, the text that most passes have. Declarations of single passes are left out.
 std::map<std::string_view, const Declaration*> most_common(const std::vector<PassText>& passes) {
     std::map<std::string_view, std::map<std::string_view, int>> counts;
     std::map<std::string_view, const Declaration*> made;

@@ -1,4 +1,4 @@
-// The state of a pass in ShaderLab's words.
+// Writes the state of a pass in ShaderLab's words.
 #include <fmt/format.h>
 
 #include <cctype>

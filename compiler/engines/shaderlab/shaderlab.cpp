@@ -15,7 +15,7 @@ bool accepts(graph::Session&) {
     return true;
 }
 
-// A macro declares a texture's sampler under the name that the texture has.
+// A macro declares a texture's sampler under a name made from the texture's identifier.
 void name(const graph::Session&, graph::Lowered& lowered) {
     assemble::name_interface(lowered.module);
     for (const graph::PropertyGlobals& globals : lowered.property_globals) {

@@ -1,5 +1,5 @@
-// The writer of ShaderLab, Unity's format of a file that holds all passes of a material: properties, passes with their
-// state, and what the passes share. Its parts are listed in shader_file.h; the HLSL in it is dialect.h.
+// The writer of ShaderLab, Unity's file format that holds all passes of a material: properties, passes with their
+// state, and shared declarations. shader_file.h lists its parts; dialect.h prints the HLSL in it.
 #pragma once
 
 #include "compiler/output/writer.h"

@@ -122,7 +122,7 @@ const std::string& find_schema(const std::vector<SchemaRow>& rows, ObjectKind ki
     return general->schema;
 }
 
-// The schema of a key with the key's help, which editors show.
+// Adds the key's help to its schema, for editors to show.
 std::string with_description(const std::string& schema, std::string_view help) {
     const std::string description = "\"description\":" + quoted(help);
     return schema == kAnything ? "{" + description + "}"
@@ -142,7 +142,7 @@ Members object_schema(const std::vector<SchemaRow>& rows, ObjectKind kind) {
     return schema;
 }
 
-// A file is told by its "kind"; without one it is a material.
+// The "kind" of a file decides its schema; a file without one is a material.
 std::string choose_by_kind() {
     std::string choice = reference("material");
     using enum ObjectKind;
@@ -201,7 +201,7 @@ std::string make_schema(const SchemaInput& input) {
                                      {"required", R"(["patina"])"},
                                      {"allOf", list({choose_by_kind()})},
                                      {"$defs", object(make_definitions(input))}});
-    // Laid out as `fmt` would: the parts above were put together without white space.
+    // The schema has no white space yet; lay it out as `fmt` does.
     SourceMap sources;
     Diagnostics diagnostics;
     const std::unique_ptr<Json> json = parse_json(sources, sources.add("schema", text), diagnostics);

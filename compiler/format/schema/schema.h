@@ -1,6 +1,6 @@
-// The JSON Schema (draft 2020-12) of the graph format, so that an editor completes and explains keys, nodes, ports and
-// words. Made from the tables that the reader uses and from what the library holds; it does not know links and types,
-// which only compiling checks.
+// Makes the JSON Schema (draft 2020-12) of the graph format, with which an editor completes and explains keys, nodes,
+// ports and words. It is made from the tables that the reader uses and from the content of the library. It knows no
+// links and no types, which only compiling checks.
 //
 //   std::string text = make_schema({.nodes = compiler.nodes(), .semantics = compiler.semantics(), ...});
 #pragma once

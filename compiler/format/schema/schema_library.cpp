@@ -38,7 +38,7 @@ std::string port_schema(const PortInfo& port) {
                    {"description", quoted(describe_port(port))}});
 }
 
-// The first paragraph says what a node is for; an editor's box has no room for more.
+// The first paragraph says what a node is for. An editor's box has no room for more.
 std::string_view first_paragraph(std::string_view doc) {
     return doc.substr(0, doc.find("\n\n"));
 }
@@ -113,7 +113,7 @@ std::string model_name_schema(std::span<const ModelInfo> models) {
 }
 
 std::string surface_schema(std::span<const ModelInfo> workflows, std::span<const ModelInfo> models) {
-    // A lighting graph of the material's own may declare inputs; those of the library are known.
+    // A lighting graph in the material's own file may declare inputs; only those of the library are known here.
     constexpr std::string_view kOfLibrary =
         R"({"anyOf":[{"not":{"required":["lighting"]}},{"properties":{"lighting":{"type":"string","pattern":"^[^./]"}}}]})";
     std::vector<std::string> of_models;

@@ -1,5 +1,4 @@
-// JSON as text, put together from parts: enough to write a schema down in the order in which it is read. Private to
-// schema.cpp and schema_library.cpp.
+// Builds JSON text from parts: enough to write a schema in reading order. Private to schema.cpp and schema_library.cpp.
 //
 //   object({{"type", quoted("string")}, {"minLength", "1"}})   ->   {"type":"string","minLength":"1"}
 #pragma once
@@ -42,14 +41,14 @@ inline std::string reference(std::string_view definition) {
     return object({{"$ref", quoted("#/$defs/" + std::string(definition))}});
 }
 
-// One of some words, each with a description.
+// A word with its description.
 inline std::string described_word(std::string_view word, std::string_view description) {
     Members members = {{"const", quoted(word)}};
     if (!description.empty()) members.emplace_back("description", quoted(description));
     return object(members);
 }
 
-// What compiles today of a table of words.
+// The words of a table that this version compiles.
 template <HasWords E>
 std::string words_schema() {
     std::vector<std::string> texts;
@@ -57,7 +56,7 @@ std::string words_schema() {
     return object({{"enum", list(texts)}});
 }
 
-// What may stand at a key. A row of the kind Free holds for every kind of object that has the key.
+// The schema of a key's value. A row of the kind Free applies to every kind of object that has the key.
 struct SchemaRow {
     ObjectKind kind;
     std::string_view key;
@@ -75,17 +74,16 @@ inline std::string list_of(std::string_view definition) {
 // --- schema_scene.cpp: the keys of scenes
 std::vector<SchemaRow> scene_rows();
 
-// --- schema_library.cpp: what depends on the library
-// A value at a port: every form of the value grammar, with the semantics by name.
+// --- schema_library.cpp: the parts that depend on the library
 std::string value_schema(std::span<const SemanticInfo> semantics);
-// The name of a node, with what it does; or a file.
+// The name of a node, with its description; or a file.
 std::string node_name_schema(std::span<const NodeInfo> nodes);
-// For each node the ports that its "in" may hold, as an if and a then.
+// An if and a then for each node, with the ports that its "in" may hold.
 std::string node_ports_schema(std::span<const NodeInfo> nodes);
-// "$defs" for those: "ports.Lerp": { ... }.
+// The "$defs" of these ports: "ports.Lerp": { ... }.
 void add_port_definitions(Members& definitions, std::span<const NodeInfo> nodes);
 std::string model_name_schema(std::span<const ModelInfo> models);
-// For each workflow the surface inputs, as an if and a then.
+// An if and a then for each workflow, with its surface inputs.
 std::string surface_schema(std::span<const ModelInfo> workflows, std::span<const ModelInfo> models);
 
 }  // namespace patina::graph

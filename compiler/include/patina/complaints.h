@@ -1,5 +1,5 @@
-// Complaints that tools around the compiler make: the command, the importers, the runtime. The table is complaints.def;
-// nobody writes a code as a word at the place where it is used.
+// Makes the diagnostics of programs around the compiler: the command, the importers, the runtime. The table is
+// complaints.def; no code is written as a word where it is used.
 //
 //   Diagnostic wrong = complaint(Complaint::CannotRead, {"rust.png", "no such file"});
 //   std::puts(to_text(wrong).c_str());   // error: cannot read 'rust.png': no such file [cannot-read]

@@ -1,7 +1,6 @@
-// The CPU reference: runs a stage of a compiled material on 2x2 pixel quads, straight from the unoptimised IR, in float
-// or double. It shares no folding, identity or printer with the GPU's path. Slow and exact; not a renderer (the
-// runtime's
-// `--via cpu` puts a rasteriser around it).
+// The CPU reference: runs a stage of a compiled material on 2x2 pixel quads, directly from the unoptimised IR, in float
+// or double. It shares no folding, identity or printer with the GPU's path. It is slow and exact, and it is not a
+// renderer (the runtime's `--via cpu` puts a rasteriser around it).
 //
 //   Result r = compiler.compile_file(path, {.keep_programs = true});
 //   Interpreter fragment(*r.program, "forward", Stage::Fragment, Precision::Double);
@@ -18,8 +17,8 @@ namespace patina {
 
 enum class Precision { Float, Double };
 
-// A texture that the interpreter reads: linear RGBA texels, level 0 first; rows from the top, as a GPU stores them. A
-// cube has its six faces one behind the other in each level: +X, -X, +Y, -Y, +Z, -Z, laid out as Vulkan has them.
+// A texture that the interpreter reads: linear RGBA texels, level 0 first; rows from the top, as a GPU stores them.
+// Each level of a cube has its six faces in order: +X, -X, +Y, -Y, +Z, -Z, with Vulkan's layout.
 struct TextureLevel {
     int width = 0, height = 0;
     std::vector<float> texels;  // 4 * width * height, for each face
@@ -30,13 +29,13 @@ struct TextureData {
     int faces = 1;  // 6: a cube, whose sides are square
 };
 
-// Values of all stage inputs for the four pixels of a quad (0 1 / 2 3: right is +x, down is +y), components end to end
-// in the order of inputs(). For a vertex stage all four lanes are independent vertices.
+// The values of all stage inputs for the four pixels of a quad (0 1 / 2 3: right is +x, down is +y): their components,
+// in the order of inputs(). In a vertex stage the four lanes are independent vertices.
 struct QuadInputs {
     std::array<std::vector<double>, 4> lanes;
 };
 struct QuadOutputs {
-    std::array<std::vector<double>, 4> lanes;  // components of outputs(), end to end
+    std::array<std::vector<double>, 4> lanes;  // components of outputs(), in order
     std::array<bool, 4> discarded{};
 };
 
@@ -44,15 +43,15 @@ struct StageValue {
     std::string name;  // input: positionOS, uv0, a varying's name; or frontFacing, fragCoord
     unsigned components = 1;
     bool is_builtin = false;  // "position" output; "frontFacing" (0 or 1), "fragCoord", "instanceIndex" inputs
-    bool is_flat = false;     // whole numbers: a triangle has one
+    bool is_flat = false;     // whole numbers: one value for a triangle
 };
 
-// What one port of a graph was worth while a quad ran.
+// The value of one port of a graph for a quad.
 struct TracedValue {
     enum class Kind {
         Node,    // `node` is an id path: "rust", "rust/height" in the sub-graph of the node "rust"
         Output,  // of the graph itself: "surface" and the input's name, "direct", "indirect", "final", "vertex"
-        Given,   // to the graph: "@light", "@sum"
+        Given,   // passed to the graph: "@light", "@sum"
     };
     Kind kind = Kind::Node;
     std::string graph;  // "material", "workflow" or "lighting"
@@ -60,7 +59,7 @@ struct TracedValue {
     std::string port;            // "out", or the output's name
     std::string type;            // "float3"
     std::vector<double> values;  // components; matrices row by row; bool 0 or 1
-    int light = -1;              // which light, where the value is another for each
+    int light = -1;              // index of the light, if the value depends on it; else -1
     std::string file;            // the place in the graph's text
     int line = 0, column = 0;    // from 1
 };
@@ -77,15 +76,15 @@ public:
 
     // Bytes of a uniform block as the reflection lays it out.
     void set_block(std::string_view name, std::span<const std::byte> bytes);
-    // One member of a uniform block, or a specialization constant, by its name, component by component, with all the
-    // digits of a double.
+    // Sets one member of a uniform block, or a specialization constant, by its name. The components keep the precision
+    // of a double.
     void set_value(std::string_view name, std::span<const double> components);
     void set_texture(std::string_view name, std::shared_ptr<const TextureData> texture);
 
     QuadOutputs run(const QuadInputs& quad);
-    // Runs the quad and tells what every node was worth in one lane (0 to 3): graph after graph in the order in which
-    // they run, nodes after those that they read, and what changes with the light after what does not. What nothing
-    // asked for in this stage is not there.
+    // Runs the quad and returns every node's value in one lane (0 to 3): graph after graph in the order of execution,
+    // each node after those that it reads, and values that depend on the light after the others. Nodes that this stage
+    // does not need are missing.
     std::vector<TracedValue> trace(const QuadInputs& quad, unsigned lane);
 
 private:

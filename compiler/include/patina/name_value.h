@@ -1,7 +1,4 @@
-// "NAME=VALUE" and "NAME", as switches and values are written on a command line.
-//
-//   split_name_value("_Mode=Wet")   // name "_Mode", value "Wet"
-//   split_name_value("shadows")     // name "shadows", no value
+// Splits "NAME=VALUE" and "NAME", the forms of switches and values on a command line.
 #pragma once
 
 #include <optional>
@@ -15,7 +12,7 @@ struct NameValue {
     std::optional<std::string_view> value{};  // may be empty: "NAME="
 };
 
-// At the first '='.
+// Splits at the first '='.
 constexpr NameValue split_name_value(std::string_view text) {
     const std::size_t equals = text.find('=');
     if (equals == text.npos) return {.name = text};

@@ -26,7 +26,7 @@ enum class Severity { Error, Warning, Note };
 
 struct Diagnostic {
     Severity severity = Severity::Error;
-    std::string code;  // "unknown-node"; stable, for tools
+    std::string code;  // "unknown-node"; stable, for programs
     std::string message;
     std::string file;  // empty: no place
     int line = 0;      // from 1; 0: the file as a whole
@@ -34,25 +34,26 @@ struct Diagnostic {
     int end_line = 0;
     int end_column = 0;
     std::string source_line;  // empty if it has more than 64 KiB
-    std::string node, port;   // where in the graph, when known
+    std::string node, port;   // the place in the graph, if known
     std::vector<Diagnostic> notes;
 };
 // "file:3:14: error: there is no node 'Lrep' [unknown-node]", the line, a caret, and the notes. Colours are ANSI.
 std::string to_text(const Diagnostic& diagnostic, bool colors = false);
 // One JSON object on one line.
 std::string to_json(const Diagnostic& diagnostic);
-// A complaint about something that a scene says.
+// A diagnostic at a place in a scene.
 Diagnostic diagnostic_at(const ScenePlace& place, std::string code, std::string message);
-// "did you mean 'Lerp'?", or what there is when that is little, or nothing. For words that a tool itself reads.
+// "did you mean 'Lerp'?", or a list of the known words if it is short, or nothing. For words that a program reads
+// itself.
 std::string suggestion(std::string_view word, const std::vector<std::string>& known);
 
-// A language, as an engine takes it. The engine says where values come from and what holds a shader; the language says
-// how a stage is spelled. `patina engines` and Compiler::engines() list what there is.
+// A target: a language as an engine takes it. The engine says where values come from and what holds a shader; the
+// language says how a stage is spelled. `patina engines` and Compiler::engines() list all of them.
 struct Target {
     std::string engine;    // empty: the default engine
     std::string language;  // "glsl"
 
-    // The word for it: the language, or an engine that is not the default one.
+    // The target's name: the language, or the engine if it is not the default one.
     const std::string& name() const { return engine.empty() ? language : engine; }
     friend bool operator==(const Target&, const Target&) = default;
 
@@ -65,68 +66,70 @@ inline const Target Target::Hlsl{{}, "hlsl"};
 struct EngineInfo {
     std::string name;   // as a target names it: "vulkan"
     std::string title;  // "Vulkan"
-    std::string doc;    // what comes out for it, in a sentence
+    std::string doc;    // a sentence on the files that it gets
     std::string
         file;  // how stages become files: "stages" for one each, else the format of the file that holds them all
     std::vector<std::string> languages;
     bool is_default = false;
-    bool has_own_passes = false;  // it draws its own rendering path, and none of the library's
+    bool has_own_passes = false;  // it draws its own rendering path instead of the library's
     bool is_one_file = false;     // one file holds all passes of a material
-    std::string folder;           // where it is defined: "nodes/engines/vulkan"
+    std::string folder;           // the folder that defines it: "nodes/engines/vulkan"
 };
 
-// A line of emitted text -> the place in the sources that it came from.
+// The place in the sources that a line of emitted text comes from.
 struct LineOrigin {
     int line = 0;  // of the shader, from 1
     std::string node;
     std::string file;
     int source_line = 0, source_column = 0, source_end_column = 0;
-    std::string source_text;  // that source line; empty if it is very long
+    std::string source_text;  // the source line; empty if it is very long
 };
 
 struct Shader {
-    std::string pass;  // "forward"; of a file that holds all passes: empty
+    std::string pass;  // "forward"; empty for a file that holds all passes
     Stage stage = Stage::Vertex;
     Target target = Target::Glsl;
     std::string file_name;                        // "rust.forward.frag.glsl"
-    std::string text;                             // entry point: main; of functions: none
+    std::string text;                             // the entry point is `main`; functions have none
     std::vector<LineOrigin> line_map;             // ascending by line
-    std::vector<Reflection::Shifts> hlsl_shifts;  // what glslang must add to HLSL registers
-    // The name by which the engine lists the file, in which each name must be there once; empty: it lists none.
+    std::vector<Reflection::Shifts> hlsl_shifts;  // the distances from HLSL registers to bindings, for glslang
+    // The name by which the engine lists the file, which must be unique there; empty if it lists none.
     std::string listed_as{};
-    bool has_main = true;  // false: functions, or a file with passes, that is no stage
-    // CompileOptions::hashes: of what the stage computes, whatever things are called in the graph. Stages of one graph
-    // with the same hash can stand for each other.
+    bool has_main = true;  // false: functions, or a file that holds all passes
+    // The hash of what the stage computes, whatever the graph's names are (CompileOptions::hashes). Stages of one graph
+    // with the same hash can replace each other.
     std::string hash{};
 };
 
-// Text of a file that the compiler asks for (sub-graphs, lighting graphs, node files), or nothing if there is none.
+// Returns the text of a file that the compiler needs (sub-graphs, lighting graphs, node files), or nothing if there is
+// none.
 using Loader = std::function<std::optional<std::string>(const std::string& path)>;
 
 struct CompileOptions {
     std::vector<Target> targets = {Target::Glsl, Target::Hlsl};
-    // (For an engine that has passes of its own, `path`, `passes` and the passes' switches do not count.)
     // A rendering path of the library, or a file that holds one: "deferred", "./mine.pass.hlsl". A material that the
-    // path cannot take is compiled for the path's fallback, with a warning; the reflection says for which.
+    // path cannot draw is compiled for the path's fallback, with a warning; the reflection names the path that was
+    // used. An engine with passes of its own ignores `path`, `passes` and the passes' switches.
     std::string path = "forward";
-    std::vector<std::string> passes{};  // these passes of any path instead
-    // Not empty: no passes, but the material's functions, for shaders of an engine's own. Whatever is declared beside
-    // them begins with this prefix ("Rust_"); the reflection lists them. `path` and `passes` do not count then.
+    std::vector<std::string> passes{};  // if not empty: these passes, of any path
+    // If not empty, the result is the material's functions for an engine's own shaders, and no passes. All other
+    // declarations begin with this prefix ("Rust_"); the reflection lists them. `path` and `passes` are ignored.
     std::string functions{};
-    // Parts of the passes that can be had or left out, and the graph's variants and specialization constants, with
-    // their values: "shadows", "true"; "_Mode", "Wet". No value: "true".
+    // Values of switches (optional parts of the passes), and of the graph's variants and specialization constants:
+    // "shadows", "true"; "_Mode", "Wet". No value means "true".
     std::vector<std::pair<std::string, std::string>> switches{};
-    std::vector<std::string> include_dirs;  // searched for files after the graph's own folder
+    std::vector<std::string> include_dirs;  // searched after the graph's own folder
     Loader loader;                          // default: the file system
-    // "mask", "rust.amount", or "layers/mask" inside the sub-graph of the node "layers": compile a material that shows
+    // "mask", "rust.amount", or "layers/mask" inside the sub-graph of the node "layers": compiles a material that shows
     // this port, unlit, instead of the graph's surface.
     std::string preview;
-    // Names of stages whose text goes to Result::dumps: "graph", "ir", "linked", "tidy", "rates".
+    // The steps whose text goes to Result::dumps: "graph", "ir", "linked", "tidy", "rates".
     std::vector<std::string> dump;
-    // Also take a lighting graph or a sub-graph, inside the smallest material that uses it: to check one on its own.
+    // Also accepts a lighting graph or a sub-graph, and puts it into the smallest material that uses it, to check it
+    // alone.
     bool accept_parts = false;
     bool keep_programs = false;  // keep what patina/interpret.h runs
-    // Variants that `switches` give no value are not decided: both stages keep what each of their values needs.
+    // Does not choose values for variants that `switches` leave open: both stages keep the code of all their values.
     bool keep_variants = false;
     bool hashes = false;  // Shader::hash and Pass::hash
 };
@@ -139,7 +142,7 @@ struct Dump {
 struct Program;  // the unoptimised stages, for patina/interpret.h
 
 struct Result {
-    bool ok = false;  // no errors; `shaders` and `reflection` are whole
+    bool ok = false;  // there are no errors; `shaders` and `reflection` are complete
     std::vector<Diagnostic> diagnostics;
     std::vector<Shader> shaders;
     Reflection reflection;
@@ -155,7 +158,7 @@ struct SceneResult {
     std::vector<std::string> dependencies;  // files that were read: the scene
 };
 
-// --- the node library, for tools
+// --- descriptions of the node library
 struct EnumeratorInfo {
     std::string name, doc;
 };
@@ -182,14 +185,14 @@ struct NodeInfo {
 struct SemanticInfo {
     std::string name, type, doc, rate;
 };
-// What a workflow or a lighting model may be given: an input of the surface, or a property.
+// An input of a workflow or a lighting model: an input of the surface, or a property.
 struct ModelInputInfo {
     std::string name, type;
     std::string default_value;  // as written: "[0.5, 0.5, 0.5]", "\"@geometryNormalWS\""; empty: none
     std::string doc;
     std::optional<std::array<double, 2>> range{};
     std::vector<std::string> values{};  // of an enum
-    std::string gives{};                // this input is another way to say that one: "normalWS"
+    std::string gives{};                // this input is an alternative to that one: "normalWS"
     bool is_variant = false;            // a property that is known when the graph is compiled
 };
 struct ModelNodeInfo {
@@ -215,13 +218,13 @@ struct ModelInfo {
 
 // A pass of a rendering path, as its file states it.
 struct PassInfo {
-    Pass state{};  // what of it no material changes
+    Pass state{};  // the state that no material changes
     struct SurfaceBlend {
-        std::optional<SurfaceKind> surface{};  // the kind that takes part; nothing: every one
+        std::optional<SurfaceKind> surface{};  // the kind that is drawn; nothing: every kind
         Blend blend{};
     };
-    std::vector<SurfaceBlend> blends{};  // of pass.targets; none: every surface takes part, and overwrites
-    bool is_optional = false;            // a material that it cannot draw goes without it
+    std::vector<SurfaceBlend> blends{};  // of pass.targets; empty: every surface is drawn, and replaces the pixel
+    bool is_optional = false;            // left out for a material that it cannot draw
 };
 struct PathInfo {
     std::string name;  // as CompileOptions::path names it
@@ -249,9 +252,9 @@ struct NodeTest {
     std::vector<double> actual;  // the CPU interpreter, in double
 };
 
-// What became of a user's .node.hlsl file: is it sound, and do its test lines hold?
+// The result of a check of a user's .node.hlsl file: its errors, and its test lines.
 struct NodeFileResult {
-    bool ok = false;  // it could be read; tests may still have failed
+    bool ok = false;  // the file is valid; tests may still have failed
     std::vector<Diagnostic> diagnostics;
     NodeInfo node;
     std::vector<NodeTest> tests;
@@ -287,21 +290,21 @@ public:
     Compiler& operator=(Compiler&&) noexcept;
 
     Result compile_file(const std::string& path, const CompileOptions& options = {}) const;
-    // `path` names the text in messages and output files; relative files are looked up beside it.
+    // `path` names the text in messages and output files; relative files are searched in its folder.
     Result compile_text(const std::string& path, std::string text, const CompileOptions& options = {}) const;
 
-    // The combinations of a material's variants, counted before anything is compiled; more than `limit` are refused.
-    // `progress`: told the axes, and then how many combinations have been found; for Reachable, which takes time.
+    // Counts the combinations of a material's variants before anything is compiled; more than `limit` are refused.
+    // `progress` is called with the axes, and then with each new count for Reachable, which takes time.
     VariantPlan plan_variants(const std::string& path, VariantsWanted wanted, const CompileOptions& options,
                               std::size_t limit, const std::function<void(const VariantPlan&)>& progress = {}) const;
-    // `progress`: told which combination comes next.
+    // `progress` is called with the index of the next combination.
     VariantSet compile_variants(const std::string& path, const VariantPlan& plan, CompileOptions options,
                                 const std::function<void(std::size_t)>& progress = {}) const;
 
     // A scene; its graphs are found, not compiled. Of the options only `include_dirs` and `loader` count.
     SceneResult read_scene(const std::string& path, const CompileOptions& options = {}) const;
 
-    // Errors of the built-in library itself, all of which is read for this; empty in a release.
+    // Errors of the built-in library itself, which is read completely for this; empty in a release.
     std::vector<Diagnostic> library_diagnostics() const;
     const std::vector<NodeInfo>& nodes() const;  // by category, then name
     const NodeInfo* node(std::string_view name) const;
@@ -310,8 +313,8 @@ public:
     const std::vector<ModelInfo>& lighting_models() const;
     const std::vector<PathInfo>& paths() const;      // by name
     const std::vector<EngineInfo>& engines() const;  // the default one first, then by name
-    // What a word means as a target: a language of the default engine ("glsl"), or an engine with all of its languages
-    // ("unity"). Empty: it means none.
+    // The targets that a word stands for: a language of the default engine ("glsl"), or an engine with all its
+    // languages ("unity"). Empty if the word is unknown.
     std::vector<Target> targets(std::string_view word) const;
     std::vector<NodeTest> tests(std::string_view node) const;
 

@@ -1,5 +1,5 @@
-// What a compiled material needs from whoever draws it: blocks and their layout, textures, samplers, vertex inputs and
-// render state. Plain data; `to_json` gives the text of NAME.reflect.json.
+// Describes what a renderer needs of a compiled material: blocks and their layout, textures, samplers, vertex inputs
+// and render state. It is plain data; `to_json` gives the text of NAME.reflect.json.
 #pragma once
 
 #include <array>
@@ -118,7 +118,7 @@ struct Stencil {
     }
 };
 
-// Where the vertices of a mesh are drawn, in object space: in a box, or at most so far outside of the mesh's own.
+// The bounds of the drawn vertices in object space: a box, or a margin around the mesh's own bounds.
 struct Bounds {
     double margin = 0;                                          // metres, on all sides
     std::optional<std::array<std::array<double, 3>, 2>> box{};  // lowest and highest corner; then there is no margin
@@ -127,12 +127,12 @@ struct Bounds {
 // A pass of the material: two stages and the fixed-function state that goes with them.
 struct Pass {
     std::string name;
-    bool is_extra = false;  // added by the material to those of the path; it is drawn by its own queue
+    bool is_extra = false;  // an extra pass of the material; it is drawn by its own queue
     PassDraws draws = PassDraws::Objects;
     PassEach each = PassEach::Once;
     PassLights lights = PassLights::All;
-    PassCamera camera = PassCamera::Any;  // another camera needs the path `fallback`
-    std::string fallback;                 // a path; empty: none
+    PassCamera camera = PassCamera::Any;  // with another camera, the path `fallback` is needed
+    std::string fallback;                 // a path; empty if there is none
     Cull cull = Cull::Back;
     std::string depth_target = "depth";
     bool depth_write = true;
@@ -140,14 +140,14 @@ struct Pass {
     double depth_bias = 0, depth_slope_bias = 0;  // as Vulkan's: in units of the depth format, and times the slope
     Stencil stencil;
     int queue = 2000;
-    bool moves_vertices = false;        // of one that is added: as in Reflection
-    std::optional<Bounds> bounds{};     // the same
-    std::vector<RenderTarget> targets;  // none: only depth
+    bool moves_vertices = false;        // in the graph's vertex stage: the drawn bounds are not the mesh's own
+    std::optional<Bounds> bounds{};     // for an extra pass: as in Reflection
+    std::vector<RenderTarget> targets;  // empty: depth only
     std::vector<VertexInput> vertex_inputs;
     std::vector<std::string> blocks;      // names of the blocks that either stage reads
     std::vector<std::string> textures;    // names of the textures that either stage reads
     std::vector<std::string> keywords{};  // properties that either stage reads as specialization constants or keywords
-    // Of what it computes, whatever things are called in the graph (CompileOptions::hashes); else empty.
+    // The hash of what the pass computes, whatever the graph's names are (CompileOptions::hashes); else empty.
     std::string hash{};
 };
 
@@ -163,7 +163,7 @@ struct ShaderFunction {
     std::vector<Parameter> parameters;
 };
 
-// A part of the passes that can be had or left out: shadows, fog.
+// An optional part of the passes: shadows, fog.
 struct Switch {
     std::string name;
     bool value = false;
@@ -174,17 +174,18 @@ struct Reflection {
     std::string workflow, lighting;
     SurfaceKind surface = SurfaceKind::Opaque;
     std::string path = "forward";    // the rendering path that the passes belong to
-    bool moves_vertices = false;     // the graph's vertex stage does: a mesh's bounds are not what is drawn
-    std::optional<Bounds> bounds{};  // what is, where the graph says so
-    // Of what the camera sees; the passes' depth tests and biases agree with it. Shadow maps are near to far.
+    bool moves_vertices = false;     // in the graph's vertex stage: the drawn bounds are not the mesh's own
+    std::optional<Bounds> bounds{};  // the bounds that are drawn, if the graph states them
+    // The order of depth in the camera's view. The passes' depth tests and biases agree with it; shadow maps are near to
+    // far.
     ClipDepth clip_depth = ClipDepth::NearToFar;
-    std::uint32_t most_instances = 0;  // of an object in one draw; 0: a draw draws one object
+    std::uint32_t most_instances = 0;  // how many instances one draw can hold; 0: a draw draws one object
     std::vector<Switch> switches{};
     std::vector<Property> properties;
     std::vector<Block> blocks;
     std::vector<Texture> textures;
     std::vector<Pass> passes;
-    std::vector<ShaderFunction> functions{};  // instead of passes
+    std::vector<ShaderFunction> functions{};  // replace the passes
     std::string layout_hash;                  // of blocks and bindings: equal hash, equal layout
     // Per set: glslang binding shifts that turn HLSL registers into `binding`. textures: t, samplers: s, buffers: b.
     struct Shifts {

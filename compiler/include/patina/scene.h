@@ -1,6 +1,6 @@
-// A scene (`"kind": "scene"`) as its file says it: camera, lights, surroundings, materials and objects. Its words and
-// numbers are checked and its files found; meshes are only named, and nothing of the files that it names has been read.
-// Plain data; runtime/scene/world_file.h makes a world of it that can be drawn.
+// A scene (`"kind": "scene"`) as its file states it: camera, lights, surroundings, materials and objects. Words and
+// numbers are checked, and files are found but not read; a mesh is only a name. It is plain data;
+// runtime/scene/world_file.h makes a world of it that can be drawn.
 //
 //   patina::SceneResult read = compiler.read_scene("shelf.scene.json");
 //   for (const patina::SceneMaterial& material : read.scene.materials) compiler.compile_file(material.graph.path);
@@ -18,7 +18,7 @@
 
 namespace patina {
 
-// Where in the file something is said, for complaints about what only its user can check.
+// The place in the file of a statement, for diagnostics of what only a renderer can check.
 struct ScenePlace {
     std::string file;
     int line = 0, column = 0;  // from 1; columns in bytes
@@ -27,7 +27,7 @@ struct ScenePlace {
 };
 
 struct SceneFileName {
-    std::string path;  // as one opens it; empty: none
+    std::string path;  // a path that can be opened; empty: none
     ScenePlace place;
 };
 
@@ -37,9 +37,9 @@ inline constexpr std::size_t kMostSceneLights = 16;
 inline constexpr std::size_t kMostSceneShadows = 4;
 
 struct SceneCamera {
-    SceneVector position{0, 0, 4}, target{};  // apart
+    SceneVector position{0, 0, 4}, target{};  // they must differ
     double fov = 30;                          // vertical, 1 to 170
-    std::optional<double> orthographic{};     // height of the picture in metres; set: parallel projection
+    std::optional<double> orthographic{};     // height of the picture in metres; if set, the projection is parallel
     double near_plane = 0.05, far_plane = 100;
 };
 
@@ -59,12 +59,12 @@ struct SceneLight {
     std::optional<double> inner{}, outer{};  // spot: from the axis, full light within, none outside; inner <= outer
     LightImportance render_mode = LightImportance::Auto;
     std::optional<SceneShadow> shadow{};  // directional and spot
-    SceneFileName cookie{};               // directional and spot: a picture that the light shines through
-    double cookie_size = 10;              // directional: metres that it spans
+    SceneFileName cookie{};               // directional and spot: a picture that colours the light
+    double cookie_size = 10;              // directional: its size in metres
     ScenePlace place{};
 };
 
-// Radiance from above, from the sides and from below. What is not given follows from what is; one at least is.
+// Radiance from above, from the sides and from below. At least one is given; the others follow from it.
 struct SceneAmbient {
     std::optional<SceneVector> sky{}, horizon{}, ground{};
 };
@@ -94,19 +94,19 @@ struct SceneMaterial {
     std::string name;
     SceneFileName graph;
     std::vector<SceneValue> set;
-    ScenePlace place;  // of its name
+    ScenePlace place;  // that of its name
 };
 
-// One of the places of an object, within it.
+// One of the places of an object, relative to it.
 struct SceneInstance {
     SceneVector position{}, rotation{}, scale{1, 1, 1};  // as an object's
-    std::vector<SceneValue> set{};                       // of properties that each instance has
+    std::vector<SceneValue> set{};                       // properties with a value for each instance
 };
 inline constexpr std::size_t kMostSceneInstances = 100'000;
 
 struct SceneObject {
     std::string id;
-    std::string mesh;  // "sphere"; not looked up
+    std::string mesh;  // "sphere"; not checked
     ScenePlace mesh_place;
     std::optional<int> segments{};  // 3 to 512: how fine the mesh is
     std::size_t material = 0;       // index into SceneFile::materials

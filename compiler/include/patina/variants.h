@@ -1,5 +1,5 @@
-// All that a material can be compiled to: the combinations of its variants' values, planned first, so that their number
-// is known before any work is done, and compiled so that each different shader is there once.
+// Compiles all combinations of a material's variants. They are planned first, so that their number is known before the
+// work begins. Each different shader is kept once.
 //
 //   patina::VariantPlan plan = compiler.plan_variants("rust.graph.json", patina::VariantsWanted::All, options);
 //   patina::VariantSet set = compiler.compile_variants("rust.graph.json", plan, options);
@@ -10,51 +10,51 @@
 
 namespace patina {
 
-// A variant that CompileOptions::switches give no value, and its values: "false" and "true", or an enum's words.
+// A variant that CompileOptions::switches leave open, and its values: "false" and "true", or an enum's words.
 struct VariantAxis {
     std::string property;
     std::vector<std::string> values;
     std::size_t otherwise = 0;  // the default: index into `values`
-    bool is_bool = false;       // else an enum
+    bool is_bool = false;       // otherwise an enum
 };
 // Property and value, in the order of the axes.
 using VariantValues = std::vector<std::pair<std::string, std::string>>;
 
 enum class VariantsWanted {
     All,       // every value with every other
-    Listed,    // what the graph lists under "variants"; what an entry leaves out has its default
-    Reachable  // a property counts only where its values make different shaders beside the values of the others
+    Listed,    // the combinations that the graph lists under "variants"; missing values are the defaults
+    Reachable  // only properties that make different shaders, given the values of the others
 };
 std::string_view to_string(VariantsWanted wanted);  // "all", "listed", "reachable"
 
 inline constexpr std::size_t kVariantLimit = 1024;
-inline constexpr std::size_t kMostVariants = 1'000'000;  // that any limit can allow
+inline constexpr std::size_t kMostVariants = 1'000'000;  // the highest limit that can be set
 
 struct VariantPlan {
     bool ok = false;
     std::vector<Diagnostic> diagnostics;
     std::vector<VariantAxis> axes;
-    std::size_t fixed = 0;  // variants that the options give a value
-    std::size_t count = 0;  // of combinations
-    // Listed, Reachable: the combinations. All: none, they follow from the axes.
+    std::size_t fixed = 0;  // number of variants that the options give a value
+    std::size_t count = 0;  // number of combinations
+    // Listed, Reachable: the combinations. All: empty, because they follow from the axes.
     std::vector<VariantValues> picked;
 
-    // With a value for every axis; Reachable: for those that count, and exactly one combination fits any choice of
-    // values.
+    // The values of one combination: of every axis or, for Reachable, of the properties that count. Exactly one
+    // combination matches any choice of values.
     VariantValues combination(std::size_t index) const;
 };
-// Of all axes together; may be more than any plan holds.
+// The number of combinations of all axes; may be more than a plan can hold.
 double combinations_of(const std::vector<VariantAxis>& axes);
 
-// What one or more combinations run: the first of them, compiled.
+// The compiled program of one or more combinations, made from the first of them.
 struct VariantProgram {
-    std::string hash;  // of all passes: 32 hexadecimal digits, whatever things are called in the graph
-    Result result;     // with hashes; its variants' values in the reflection are the graph's defaults
+    std::string hash;  // of all passes: 32 hexadecimal digits, which do not depend on the graph's names
+    Result result;     // with hashes; the reflection states the variants' default values
 };
 
 struct VariantSet {
     bool ok = false;
-    std::vector<Diagnostic> diagnostics;  // each once
+    std::vector<Diagnostic> diagnostics;  // each diagnostic once
     std::vector<VariantProgram> programs;
     std::vector<std::size_t> program_of;    // by VariantPlan::combination
     std::vector<std::string> dependencies;  // files that were read, the graph first

@@ -16,7 +16,7 @@ constexpr std::uint32_t kSmall = 3;
 // others twice would double the text at each level.
 constexpr std::size_t kBudget = 1u << 18;
 constexpr int kMaxDepth = 32;
-// How deep blocks may be nested by inlining, because passes and printers walk them by recursion.
+// How deep blocks may be nested by inlining, because IR passes and printers walk them by recursion.
 constexpr std::size_t kMaxNesting = 200;
 
 bool holds_opaque(const Module& module, Type type, int depth = 0) {

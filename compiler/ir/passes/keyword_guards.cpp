@@ -128,7 +128,7 @@ private:
             needed = needed.empty() ? here : either(needed, here);
         }
         std::vector<Guard> best;
-        auto fewest = static_cast<std::ptrdiff_t>(needed.size());  // all: that is no condition
+        auto fewest = static_cast<std::ptrdiff_t>(needed.size());  // all: no condition is needed
         const auto consider = [&](const std::vector<Guard>& guards) {
             std::vector<bool> where = worlds_.where(guards[0]);
             for (std::size_t i = 1; i < guards.size(); ++i) where = either(where, worlds_.where(guards[i]));

@@ -1,7 +1,7 @@
-// Rewrites of a linked stage. Each is a function from Module to Module in a file of its own. It rebuilds functions
-// through the Builder, which folds what can be folded now, and does not edit instructions in place (ir.h). tidy() runs
-// the list of passes.def in its order. If a module has no stage, its exported functions are kept as other texts call
-// them; if it has no exported functions either, those that nothing calls are kept.
+// The IR passes: rewrites of a linked stage. Each is a function from Module to Module in a file of its own. It rebuilds
+// functions through the Builder, which folds what can be folded now, and does not edit instructions in place (ir.h).
+// tidy() runs the list of passes.def in its order. If a module has no stage, its exported functions are kept as other
+// texts call them; if it has no exported functions either, those that nothing calls are kept.
 //
 //   Module small = tidy(std::move(linked));
 #pragma once

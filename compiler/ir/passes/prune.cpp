@@ -125,7 +125,7 @@ private:
         return condition.op != Op::Constant || module_.numbers_of(module_.constants[condition.data])[0] != 0;
     }
 
-    // The body of a pass may discard, even if nothing reads its result.
+    // The body of a rendering pass may discard, even if nothing reads its result.
     bool calls_discard(const Inst& inst) const {
         if (inst.op != Op::Call) return false;
         const Function& callee = module_.functions[inst.data];

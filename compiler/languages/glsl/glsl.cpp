@@ -64,13 +64,14 @@ bool is_made_in_place(const Body& body, Value v) {
     return body[v].op == Op::Construct && body[v].type.is_matrix() && !body.is_variable(v);
 }
 
-// GLSL makes matrices of columns, the IR of rows: the same vectors make the transpose.
+// GLSL makes matrices of columns, and the IR of rows, so the same vectors make the transpose.
 std::string transpose_of(const Body& body, Value construct) {
     const Type type = body[construct].type;
     return fmt::format("{}({})", type_name(Type::matrix(type.scalar, type.cols, type.rows)), body.arguments(construct));
 }
 
-// A matrix made of rows, times v, is v times the matrix with these vectors as columns; so no transpose() is needed.
+// A matrix made of rows, times v, equals v times the matrix that has these vectors as columns, so it needs no
+// transpose().
 Text product(const Body& body, Value v) {
     const Value a = body.arg(v, 0), b = body.arg(v, 1);
     std::string left, right;
@@ -163,12 +164,12 @@ std::string_view builtin_name(Builtin builtin) {
     return {};
 }
 
-// Attributes are inName, what goes from stage to stage vName, render targets outName.
+// Attributes are called inName, varyings vName, render targets outName.
 std::string declare_variable(Writer& w, const StageVariable& variable, bool is_input) {
     const bool is_vertex = w.module.stage.kind == StageKind::Vertex;
     const std::string_view prefix = is_input != is_vertex ? "v" : is_input ? "in" : "out";
     const std::string name = w.names.declare(joined(prefix, variable.name));
-    // Vulkan wants integers flat in the fragment stage's inputs; elsewhere the word means nothing.
+    // Vulkan requires integer inputs of the fragment stage to be flat; elsewhere the word has no effect.
     const bool is_flat = (variable.flat || variable.type.is_integer()) && prefix == "v";
     w.line(0, fmt::format("layout(location = {}) {}{} {};", variable.location, is_flat ? "flat " : "",
                           is_input ? "in" : "out", w.declaration(Writer::stored(variable.type), name)));

@@ -1,5 +1,5 @@
-// GLSL 4.50 for Vulkan: separate textures and samplers, uniform blocks in std140, one `main` a stage. Not OpenGL's
-// GLSL, which has no sets and joins textures with samplers.
+// Prints GLSL 4.50 for Vulkan: separate textures and samplers, uniform blocks in std140, one `main` for each stage.
+// OpenGL's GLSL differs: it has no sets, and joins textures with samplers.
 #pragma once
 
 #include "compiler/languages/language.h"

@@ -8,7 +8,7 @@ using namespace ir;
 
 namespace {
 
-// && and || take no vectors; & and | do, of uints.
+// && and || take no vectors; & and | take them, as uints.
 bool is_logic_of_vectors(const Module&, const Function& function, Value v) {
     const Inst& inst = function[v];
     return (inst.op == Op::And || inst.op == Op::Or) && inst.type.is_vector();

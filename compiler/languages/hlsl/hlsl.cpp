@@ -35,7 +35,7 @@ std::string_view bitcast(Scalar to, Scalar) {
     return to == Scalar::Uint ? "asuint" : "asfloat";
 }
 
-// A vector's constructor takes as many numbers as the vector has; a scalar swizzles.
+// The constructor of a vector takes one number for each component; a scalar is swizzled.
 Text splat(Type type, const Text& scalar) {
     const bool is_negative = scalar.text.starts_with('-');
     const char first = scalar.text[is_negative ? 1 : 0];
@@ -66,7 +66,7 @@ Text expression(const Body& body, Value v) {
     return {fmt::format("{}.{}({})", texture, method, body.arguments(v, 1)), Precedence::Postfix};
 }
 
-// A texture's size comes through out parameters.
+// GetDimensions() returns a texture's size through out parameters.
 bool statement(Body& body, Value v) {
     if (body[v].op != Op::TextureSize) return false;
     const std::string texture = at_least(Precedence::Postfix, body.expression(body.arg(v, 0))),
@@ -98,7 +98,7 @@ void resource(Writer& w, GlobalId id) {
                           w.set(global.group, global.place)));
 }
 
-// Vulkan's: Direct3D has no constants that a pipeline sets.
+// For Vulkan only: Direct3D has no constants that a pipeline sets.
 void keyword(Writer& w, GlobalId id) {
     const Global& global = w.module.globals[id.index];
     const std::optional<std::uint32_t> constant = w.module.keywords[global.keyword].constant_id;
@@ -107,8 +107,8 @@ void keyword(Writer& w, GlobalId id) {
                           w.declaration(global.type, w.globals[id.index]), w.keyword_value(global)));
 }
 
-// Variables by location, then what the rasteriser gives or takes, the position last: the front end of glslang numbers
-// the variables in this order, so that both stages must have the same one.
+// Orders variables by location, then the rasteriser's inputs or outputs, the position last. The front end of glslang
+// numbers the variables in this order, so both stages must have the same one.
 std::vector<std::size_t> declaration_order(const std::vector<StageVariable>& variables) {
     std::vector<std::size_t> order(variables.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -121,7 +121,7 @@ std::vector<std::size_t> declaration_order(const std::vector<StageVariable>& var
     return order;
 }
 
-// A struct of stage variables; returns the members' names by variable.
+// Declares a struct of stage variables; returns the members' names by variable.
 std::vector<std::string> declare_struct(Writer& w, const std::string& name, const std::vector<StageVariable>& variables,
                                         bool is_input) {
     const bool is_fragment = w.module.stage.kind == StageKind::Fragment;

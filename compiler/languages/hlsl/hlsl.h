@@ -1,6 +1,6 @@
-// HLSL in the style of Shader Model 5.1: cbuffers, separate textures and samplers, registers with spaces. Keeps away
-// from what glslang's HLSL front end accepts and gets wrong (fmod, % of floats and ints, component-wise products of
-// matrices).
+// Prints HLSL in the style of Shader Model 5.1: cbuffers, separate textures and samplers, registers with spaces. It
+// avoids code that glslang's HLSL front end accepts and translates wrongly (fmod, % of floats and ints, component-wise
+// products of matrices).
 #pragma once
 
 #include "compiler/languages/language.h"
@@ -9,7 +9,7 @@
 namespace patina::targets::hlsl {
 
 extern const SpellingTable kSpellings;  // spelling.cpp
-// What a dialect may change some of.
+// The language, of which a dialect may replace parts.
 const Language& language();
 std::string semantic(const ir::StageVariable& variable, bool is_target);
 

@@ -4,7 +4,7 @@
 
 namespace patina::targets::hlsl {
 
-// The shared rules are all that HLSL needs: the IR's operations are its own.
+// HLSL needs the shared rules only, because it has all operations of the IR.
 std::optional<ir::Module> legalize(const ir::Module& module) {
     return targets::legalize(module, {});
 }

@@ -10,7 +10,7 @@ constexpr Spelling kRows[] = {
     {Op::Constant, Form::Shared},
     {Op::Param, Form::Shared},
     {Op::Global, Form::Shared},
-    {Op::Semantic, Form::Statement},  // none is left in a linked stage
+    {Op::Semantic, Form::Statement},  // a linked stage has none
     {Op::Construct, Form::Shared},
     {Op::Extract, Form::Shared},
     {Op::Insert, Form::Statement},
@@ -36,8 +36,7 @@ constexpr Spelling kRows[] = {
     {Op::Sub, Form::Infix, "-", Precedence::Additive, "", kEither},
     {Op::Mul, Form::Infix, "*", Precedence::Multiplicative, "", kEither},
     {Op::Div, Form::Infix, "/", Precedence::Multiplicative, "", kEither},
-    {Op::Mod, Form::Infix, "%", Precedence::Multiplicative, "",
-     kEither},  // uint only: legalize() takes the others apart
+    {Op::Mod, Form::Infix, "%", Precedence::Multiplicative, "", kEither},  // uint only: legalize() rewrites the others
     {Op::Neg, Form::Prefix, "-", Precedence::Unary},
     {Op::Less, Form::Infix, "<", Precedence::Relational, "", kEither},
     {Op::LessEqual, Form::Infix, "<=", Precedence::Relational, "", kEither},
