@@ -107,7 +107,7 @@ endforeach()
 
 # The declarations of a pass file are read once, in compiler/paths; those of a node file, by the rooms that describe
 # nodes.
-foreach(room IN ITEMS lower link output engines interpret)
+foreach(room IN ITEMS emit lower link output engines interpret)
   file(GLOB_RECURSE files ${ROOT}/compiler/${room}/*.h ${ROOT}/compiler/${room}/*.cpp)
   foreach(file IN LISTS files)
     file(STRINGS ${file} reads REGEX "nodelang::Attribute|attribute\\(\"|attribute_text|attribute_words")

@@ -55,15 +55,15 @@ PortInfo describe_param(const nodelang::ParamDecl& param, const EvaluationContex
     return port;
 }
 
-std::string_view rate(graph::Source source) {
+std::string_view rate(graph::SemanticSource source) {
     switch (source) {
-        case graph::Source::Attribute:
-        case graph::Source::Vertex: return "vertex";
-        case graph::Source::Builtin:
-        case graph::Source::Pixel: return "pixel";
-        case graph::Source::Extern:
-        case graph::Source::Uniform: return "uniform";
-        case graph::Source::Given: return "lighting";
+        case graph::SemanticSource::Attribute:
+        case graph::SemanticSource::Vertex: return "vertex";
+        case graph::SemanticSource::Builtin:
+        case graph::SemanticSource::Pixel: return "pixel";
+        case graph::SemanticSource::Extern:
+        case graph::SemanticSource::Uniform: return "uniform";
+        case graph::SemanticSource::Given: return "lighting";
     }
     return {};
 }

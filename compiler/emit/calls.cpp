@@ -120,7 +120,7 @@ Typed call_gathered(Emitter& emitter, const FunctionDecl& function, const Declar
         values.push_back(value.value);
     }
     if (!good) return {};
-    if (function.attribute("inline")) return spelled_out(emitter, function, values, border, scope, span);
+    if (function.marks.is_inlined) return spelled_out(emitter, function, values, border, scope, span);
     const Instance& instance = instantiate(emitter, function, home, gathered, width, half, span);
     if (instance.result.is_error()) return {};
     if (instance.needs_quad) need_quad(emitter, scope, span, function.name, takes_texture(function));
@@ -160,7 +160,7 @@ Typed call(Emitter& emitter, const FunctionDecl& function, const Declarations& h
     std::vector<Argument> gathered;
     gathered.reserve(function.params.size());
     if (!gather_arguments(emitter, function, home, arguments, scope, span, gathered)) return {};
-    half = half && !function.attribute("inFloat");
+    half = half && !function.marks.is_in_float;
     return call_gathered(emitter, function, home, arguments, gathered, scope, span, half);
 }
 
@@ -170,7 +170,7 @@ Typed call_expression(Emitter& emitter, const Expr& expr, Scope& scope) {
     if (found) return built_in;
     const TypeName type_name{.name = expr.text, .span = expr.name_span};
     if (const FunctionDecl* function = scope.declarations->function(expr.text)) {
-        if (function->attribute("slot")) return call_slot(emitter, *function, expr, scope);
+        if (function->marks.is_slot) return call_slot(emitter, *function, expr, scope);
         const auto inputs = static_cast<std::size_t>(std::count_if(function->params.begin(), function->params.end(),
                                                                    [](const ParamDecl& p) { return !p.is_out; }));
         if (expr.args.size() > inputs) {

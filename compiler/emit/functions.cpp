@@ -72,10 +72,10 @@ Instance emit_function(Emitter& emitter, const FunctionDecl& function, const Dec
     }
     scope.result = instance.result;
     made.result = instance.result;
-    if (const Attribute* foreign = function.attribute("foreign")) {
+    if (function.marks.is_foreign) {
         made.linkage = ir::Linkage::Foreign;
-        made.spelling = attribute_text(*foreign);
-        made.is_of_object = function.attribute("perObject") != nullptr;
+        made.spelling = function.marks.spelling;
+        made.is_of_object = function.marks.is_of_object;
         builder.ret(builder.zero(made.result));
         emitter.module.functions.push_back(std::move(made));
         instance.id = {static_cast<std::uint32_t>(emitter.module.functions.size() - 1)};
@@ -164,7 +164,7 @@ std::string instance_name(const FunctionDecl& function, const Declarations& home
         if (enumeration) name += enumeration->values[static_cast<std::size_t>(*arguments[i].constant)];
     }
     // A foreign function is known by one name.
-    if (half && !function.attribute("foreign")) name += "Half";
+    if (half && !function.marks.is_foreign) name += "Half";
     return name;
 }
 

@@ -18,7 +18,6 @@
 namespace patina::emit {
 
 // The syntax that this room reads.
-using nodelang::Attribute;
 using nodelang::Declarations;
 using nodelang::EnumDecl;
 using nodelang::Expr;

@@ -10,7 +10,7 @@
 
 namespace patina::assemble {
 
-using graph::Source;
+using graph::SemanticSource;
 using ir::Op;
 using ir::SemanticId;
 using ir::Type;
@@ -133,7 +133,7 @@ public:
     // A node that is pinned to the vertex stage has one value, from the unchanged mesh, for readers in both stages.
     Value value(SemanticId semantic, bool original = false) {
         const graph::SemanticRecipe& recipe = linked_.lowered.semantics[semantic.index];
-        original = original || (recipe.source == Source::Vertex && !recipe.declaration);
+        original = original || (recipe.source == SemanticSource::Vertex && !recipe.declaration);
         std::vector<Value>& known = original ? originals_ : values_;
         known.resize(module_.semantics.size());
         if (!known[semantic.index]) {
@@ -197,18 +197,18 @@ private:
         if (const std::optional<Value> made = given(semantic)) return *made;
         const graph::SemanticRecipe& recipe = linked_.lowered.semantics[semantic.index];
         switch (recipe.source) {
-            case Source::Attribute:
+            case SemanticSource::Attribute:
                 if (!in_vertex_stage()) return varying(semantic);
                 // A material moves objects only, and not the screen or the volumes of lights.
                 if (recipe.override && !original && pass_.declaration->state.draws == PassDraws::Objects)
                     return call(recipe.override, true);
                 return attribute(semantic);
-            case Source::Builtin: return builtin(semantic);
-            case Source::Vertex: return in_vertex_stage() ? call(recipe.recipe, original) : varying(semantic);
-            case Source::Pixel:
-            case Source::Uniform: return call(recipe.recipe, original);
-            case Source::Extern:
-            case Source::Given: break;  // globals and parameters: never a semantic instruction
+            case SemanticSource::Builtin: return builtin(semantic);
+            case SemanticSource::Vertex: return in_vertex_stage() ? call(recipe.recipe, original) : varying(semantic);
+            case SemanticSource::Pixel:
+            case SemanticSource::Uniform: return call(recipe.recipe, original);
+            case SemanticSource::Extern:
+            case SemanticSource::Given: break;  // globals and parameters: never a semantic instruction
         }
         return {};
     }

@@ -401,7 +401,7 @@ namespace {
 
 // True if a semantic depends on the pixel's position. The visible side does not count, because vertices see the front.
 bool reads_pixel(const PathDeclarations& paths, const SemanticDecl& semantic) {
-    if (semantic.source == Source::Builtin) return semantic.name != "frontFacing";
+    if (semantic.source == SemanticSource::Builtin) return semantic.name != "frontFacing";
     if (!semantic.function) return false;
     return std::any_of(semantic.function->params.begin(), semantic.function->params.end(), [&](const auto& param) {
         const nodelang::Expr* read = param.initial;
@@ -446,17 +446,18 @@ Typed GraphScope::semantic(std::string_view name, Span span, emit::Scope& scope)
                     : record;
     };
     const bool per_light = graph_.graph->kind == GraphKind::Lighting && name == "light";
-    if (semantic.source == Source::Given || per_light) {
+    if (semantic.source == SemanticSource::Given || per_light) {
         report(Code::SemanticNotHere, what_graph())
             .note(per_light                                   ? "only 'direct' is evaluated for each light"
                   : graph_.graph->kind == GraphKind::Lighting ? "only 'final' is evaluated after all lights"
                                                               : "only a lighting graph has it");
         return {};
     }
-    if (semantic.source == Source::Extern) return emit::extern_value(lowering_.emitter, *semantic.variable, scope);
+    if (semantic.source == SemanticSource::Extern)
+        return emit::extern_value(lowering_.emitter, *semantic.variable, scope);
     const Type type = lowering_.out.module.semantics[found->second].type;
     if (type.is_error()) return {};
-    if (scope_.in_vertex_stage && (semantic.source == Source::Builtin || reads_pixel(paths, semantic))) {
+    if (scope_.in_vertex_stage && (semantic.source == SemanticSource::Builtin || reads_pixel(paths, semantic))) {
         DiagnosticRecord& record = report(Code::NoSuchStageValue, "vertex");
         record.note(
             "vertices are computed before there are pixels, from the mesh and from what is the same for all of it");

@@ -9,8 +9,8 @@
 
 namespace patina::graph {
 
-// A slot that is derived from others (lower_parts.cpp): made when a pass first asks for it.
-struct Part {
+// A slot that is derived from others (derived_slots.cpp): made when a pass first asks for it.
+struct DerivedSlot {
     emit::Slot slot{};
     std::string why_not{};       // not empty: why it cannot be made
     ir::Origin where{};          // the node that prevents it
@@ -39,10 +39,10 @@ struct Lowering {
         const CheckedGraph* graph = nullptr;
         std::vector<std::uint32_t> reads{};  // the node, or those that the output reads
     };
-    std::vector<VertexReader> vertex_readers;  // the innermost last
-    std::map<std::string_view, Part> parts;    // the derived slots that have been requested
-    std::set<std::uint32_t> per_object;        // globals of the drawn object
-    ir::FunctionId surface{};                  // surface(): all that the graph computes
+    std::vector<VertexReader> vertex_readers;               // the innermost last
+    std::map<std::string_view, DerivedSlot> derived_slots;  // the derived slots that have been requested
+    std::set<std::uint32_t> per_object;                     // globals of the drawn object
+    ir::FunctionId surface{};                               // surface(): all that the graph computes
 
     bool is_on(std::string_view wanted) const;  // a switch
     // The slot that the function fills, or empty.

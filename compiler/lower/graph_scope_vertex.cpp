@@ -147,8 +147,8 @@ Typed GraphScope::interpolated(std::uint32_t index) {
             builder.ret(value.value);
             module.functions.push_back(std::move(function));
             module.semantics.push_back({.name = name, .type = value.type, .rate = ir::Rate::Pixel});
-            lowering_.out.semantics.push_back(
-                {.source = Source::Vertex, .recipe = {static_cast<std::uint32_t>(module.functions.size() - 1)}});
+            lowering_.out.semantics.push_back({.source = SemanticSource::Vertex,
+                                               .recipe = {static_cast<std::uint32_t>(module.functions.size() - 1)}});
             made.semantics.push_back({static_cast<std::uint32_t>(module.semantics.size() - 1)});
         }
     }

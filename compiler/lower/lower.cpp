@@ -18,15 +18,15 @@ using nodelang::FunctionDecl;
 
 namespace {
 
-ir::Rate rate_of(Source source) {
+ir::Rate rate_of(SemanticSource source) {
     switch (source) {
-        case Source::Attribute: return ir::Rate::Pixel;  // where a fragment reads it, it is interpolated
-        case Source::Builtin:
-        case Source::Vertex:
-        case Source::Pixel:
-        case Source::Given: return ir::Rate::Pixel;
-        case Source::Extern:
-        case Source::Uniform: return ir::Rate::Uniform;
+        case SemanticSource::Attribute: return ir::Rate::Pixel;  // where a fragment reads it, it is interpolated
+        case SemanticSource::Builtin:
+        case SemanticSource::Vertex:
+        case SemanticSource::Pixel:
+        case SemanticSource::Given: return ir::Rate::Pixel;
+        case SemanticSource::Extern:
+        case SemanticSource::Uniform: return ir::Rate::Uniform;
     }
     return ir::Rate::Pixel;
 }
@@ -268,7 +268,7 @@ bool Lowering::is_on(std::string_view wanted) const {
 std::string_view Lowering::slot_name(ir::FunctionId function) const {
     const std::string_view name = emit::slot_name(emitter.known, function);
     if (!name.empty()) return name;
-    for (const auto& [slot, part] : parts) {
+    for (const auto& [slot, part] : derived_slots) {
         if (part.slot.function == function) return slot;
     }
     return {};
@@ -301,7 +301,7 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
                       .enumerators = {},
                       .interpolators = {},
                       .vertex_readers = {},
-                      .parts = {},
+                      .derived_slots = {},
                       .per_object = {},
                       .surface = {}};
     declare_switches(lowering);

@@ -12,7 +12,7 @@ namespace patina::graph {
 
 // How a stage gets the value of a semantic (an index into Module::semantics).
 struct SemanticRecipe {
-    Source source = Source::Pixel;
+    SemanticSource source = SemanticSource::Pixel;
     ir::FunctionId recipe{};                  // Vertex, Pixel, Uniform: a function whose body reads other semantics
     std::optional<std::uint32_t> location{};  // Attribute: of the vertex input; none: numbered later
     std::string_view hlsl{};                  // Attribute: its HLSL semantic

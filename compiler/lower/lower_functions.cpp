@@ -102,7 +102,7 @@ private:
                                         [&](const ir::Semantic& s) { return s.name == global.name; });
         if (found != module_.semantics.end()) return static_cast<std::uint32_t>(found - module_.semantics.begin());
         module_.semantics.push_back({.name = global.name, .type = global.type, .rate = ir::Rate::Uniform});
-        lowering_.out.semantics.push_back({.source = Source::Extern});
+        lowering_.out.semantics.push_back({.source = SemanticSource::Extern});
         return static_cast<std::uint32_t>(module_.semantics.size() - 1);
     }
 

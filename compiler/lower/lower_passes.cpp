@@ -227,7 +227,7 @@ private:
         for (const std::string_view name : pass.needs) {
             const SlotDecl* slot = paths_.slot(name);
             if (!slot) continue;
-            const Part* part = slot->is_derived() ? &part_of(lowering_, *slot) : nullptr;
+            const DerivedSlot* part = slot->is_derived() ? &derived_slot(lowering_, *slot) : nullptr;
             if (part ? part->slot.function && part->is_zero : is_always_zero(name)) return name;
         }
         return {};
@@ -252,7 +252,7 @@ private:
         for (const std::string_view name : pass.needs) {
             const SlotDecl* slot = paths_.slot(name);
             if (!slot) return {.reason = fmt::format("it needs '{}', which nothing makes", name)};
-            const Part* part = slot->is_derived() ? &part_of(lowering_, *slot) : nullptr;
+            const DerivedSlot* part = slot->is_derived() ? &derived_slot(lowering_, *slot) : nullptr;
             if (part && !part->slot.function) return {.reason = part->why_not, .where = part->where};
         }
         if (const auto vain = vain_part(pass))
@@ -308,7 +308,7 @@ private:
             if (const auto found = paths_.semantic_index.find(given.what); found != paths_.semantic_index.end()) {
                 const ir::FunctionId made =
                     emit::semantic_function(emitter, *given.function, declarations, environment_, false);
-                const bool is_varying = paths_.semantics[found->second].source == Source::Vertex;
+                const bool is_varying = paths_.semantics[found->second].source == SemanticSource::Vertex;
                 auto& recipes = given.is_of_file && is_varying ? pass.at_vertices : pass.recipes;
                 if (made) recipes.push_back({{found->second}, made});
                 if (made && given.is_of_file) pass.in_both_stages.push_back(made);
@@ -330,7 +330,7 @@ private:
         const auto semantic = paths_.semantic_index.find(given.what);
         const auto global = emit::find_extern(lowering_.emitter.known, *given.variable);
         if (semantic == paths_.semantic_index.end() || !global) return;
-        if (paths_.semantics[semantic->second].source == Source::Attribute)
+        if (paths_.semantics[semantic->second].source == SemanticSource::Attribute)
             pass.attributes.push_back({{semantic->second}, *global});
     }
 
@@ -361,7 +361,7 @@ private:
                 const unsigned answers = lowering_.emitter.instances.passing_answers();
                 const ir::FunctionId made = emit::semantic_function(lowering_.emitter, *recipe.declaration->function,
                                                                     *lowering_.session.declarations, environment_,
-                                                                    recipe.source == Source::Vertex);
+                                                                    recipe.source == SemanticSource::Vertex);
                 if (!made) return;  // an error in the library or the user's file, which has been reported
                 if (lowering_.emitter.instances.passing_answers() != answers)
                     refuse_answers(*recipe.declaration->function);
@@ -382,7 +382,7 @@ private:
     const emit::Slot* slot_of(const FunctionDecl& slot, Span at) {
         const SlotDecl* declared = paths_.slot(slot.name);
         if (!declared || !declared->is_derived()) return nullptr;
-        const Part& part = part_of(lowering_, *declared);
+        const DerivedSlot& part = derived_slot(lowering_, *declared);
         if (part.slot.function) return &part.slot;
         lowering_.session.diagnostics
             .report(Code::PassRefused, at, pass_, fmt::format("it calls '{}', and {}", slot.name, part.why_not))
@@ -414,13 +414,13 @@ private:
         const SlotDecl* slot = paths_.slot(name);
         if (!slot) return false;
         if (!slot->is_derived()) return emit::find_slot(lowering_.emitter.known, name) != nullptr;
-        const Part& part = part_of(lowering_, *slot);
+        const DerivedSlot& part = derived_slot(lowering_, *slot);
         remark(*slot, part);
         return part.slot.function && !part.is_zero;
     }
 
     // Reports once what the material loses without the derived slot.
-    void remark(const SlotDecl& slot, const Part& part) {
+    void remark(const SlotDecl& slot, const DerivedSlot& part) {
         if (part.slot.function || part.is_of_missing || slot.otherwise.empty()) return;
         if (!remarked_.insert(slot.name()).second) return;
         report(Code::PathLoses, {.reason = {}, .where = part.where}, lowering_.out.path, slot.otherwise, part.why_not);

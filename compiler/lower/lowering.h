@@ -1,4 +1,5 @@
-// Functions that the files of lower() share. Private to compiler/lower/lower*.cpp, keep_values.cpp and take_part.cpp.
+// Functions that the files of lower() share. Private to compiler/lower/lower*.cpp, keep_values.cpp and
+// pass_refusal.cpp.
 #pragma once
 
 #include "compiler/lower/graph_scope.h"
@@ -17,8 +18,8 @@ ir::FunctionId lower_setup(Lowering& lowering, const nodelang::FunctionDecl& slo
 // Fills the slots that the material, its workflow and its lighting graph provide.
 void lower_slots(Lowering& lowering);
 
-// A derived slot (lower_parts.cpp).
-const Part& part_of(Lowering& lowering, const SlotDecl& slot);
+// A derived slot (derived_slots.cpp).
+const DerivedSlot& derived_slot(Lowering& lowering, const SlotDecl& slot);
 // The members of the lighting surface that a pack slot stores.
 std::vector<std::string_view> packed_members(Lowering& lowering, std::string_view slot);
 
@@ -30,7 +31,7 @@ void lower_functions(Lowering& lowering);
 // functions (keep_values.cpp).
 void keep_values(Lowering& lowering);
 void give_texts(Lowering& lowering);
-// Why a pass cannot draw this material, found in its functions (take_part.cpp); empty if it can.
+// Why a pass cannot draw this material, found in its functions (pass_refusal.cpp); empty if it can.
 struct Refusal {
     std::string reason{};
     ir::Origin where{};
@@ -57,7 +58,8 @@ public:
             return {};
         }
         const SemanticDecl& semantic = lowering_.session.paths->semantics[found->second];
-        if (semantic.source == Source::Extern) return emit::extern_value(lowering_.emitter, *semantic.variable, scope);
+        if (semantic.source == SemanticSource::Extern)
+            return emit::extern_value(lowering_.emitter, *semantic.variable, scope);
         const ir::Type type = lowering_.out.module.semantics[found->second].type;
         return {.value = scope.builder->emit(ir::Op::Semantic, type, {}, found->second), .type = type};
     }

@@ -97,6 +97,17 @@ struct ParamDecl {
 
 struct UnreadBody;
 
+// What the attributes of a function say to whoever emits it. The parser reads them once.
+struct FunctionMarks {
+    bool is_slot = false;         // [slot]: a pass calls it, and lowering fills it
+    bool is_inlined = false;      // [inline]: it is spelled out where it is called
+    bool is_member = false;       // [member]: its first parameter is what stands before the dot
+    bool is_in_float = false;     // [inFloat]: it computes in float, also for half arguments
+    bool is_of_object = false;    // [perObject]: it depends on the object that is drawn
+    bool is_foreign = false;      // [foreign]: an included file defines it
+    std::string_view spelling{};  // of a call of a foreign function; empty: its name and the arguments
+};
+
 struct FunctionDecl {
     std::string_view name{};
     Span name_span{};
@@ -104,6 +115,7 @@ struct FunctionDecl {
     TypeName result{};
     std::vector<ParamDecl> params{};
     std::vector<Attribute> attributes{};
+    FunctionMarks marks{};
     std::string_view doc{};       // the /// lines, with the slashes
     std::uint32_t doc_begin = 0;  // global offset of doc's first byte
     bool has_body = false;

@@ -88,6 +88,17 @@ bool is_number(const Expr& expr) {
     return (is_signed ? *expr.args[0] : expr).kind == Expr::Kind::Number;
 }
 
+FunctionMarks marks_of(const FunctionDecl& function) {
+    const Attribute* foreign = function.attribute("foreign");
+    return {.is_slot = function.attribute("slot") != nullptr,
+            .is_inlined = function.attribute("inline") != nullptr,
+            .is_member = function.attribute("member") != nullptr,
+            .is_in_float = function.attribute("inFloat") != nullptr,
+            .is_of_object = function.attribute("perObject") != nullptr,
+            .is_foreign = foreign != nullptr,
+            .spelling = foreign && !foreign->args.empty() ? foreign->args[0]->text : std::string_view()};
+}
+
 }  // namespace
 
 // An unknown attribute has no effect, so it is reported.
@@ -275,6 +286,7 @@ bool Parser::variable(VariableDecl decl) {
 
 bool Parser::function(FunctionDecl decl, std::size_t begin) {
     if (!parameters(decl)) return false;
+    decl.marks = marks_of(decl);
     if (now().is("{")) {
         decl.has_body = true;
         if (bodies_ == Bodies::WhenAsked) {

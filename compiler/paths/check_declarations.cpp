@@ -351,7 +351,7 @@ private:
         const FunctionDecl* replaced = declarations_.function(what.text);
         if (const SemanticDecl* semantic = paths_.semantic(what.text)) {
             const TypeName& type = semantic->function ? semantic->function->result : semantic->variable->type;
-            if (semantic->source == Source::Extern || semantic->source == Source::Given) {
+            if (semantic->source == SemanticSource::Extern || semantic->source == SemanticSource::Given) {
                 bad(what.span, "gives",
                     fmt::format("names '{}', which is no semantic that a pass computes", what.text));
             } else if (!is_same(type, decl.result)) {

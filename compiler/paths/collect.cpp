@@ -14,18 +14,18 @@ std::string stem(std::string_view path) {
     return std::string(name.substr(0, name.find('.', 1)));
 }
 
-std::optional<Source> source_of(const VariableDecl& variable) {
-    if (variable.attribute("attribute")) return Source::Attribute;
-    if (variable.attribute("builtin")) return Source::Builtin;
-    if (variable.attribute("given")) return Source::Given;
-    if (variable.attribute("extern") && variable.attribute("semantic")) return Source::Extern;
+std::optional<SemanticSource> source_of(const VariableDecl& variable) {
+    if (variable.attribute("attribute")) return SemanticSource::Attribute;
+    if (variable.attribute("builtin")) return SemanticSource::Builtin;
+    if (variable.attribute("given")) return SemanticSource::Given;
+    if (variable.attribute("extern") && variable.attribute("semantic")) return SemanticSource::Extern;
     return {};
 }
 
-std::optional<Source> source_of(std::string_view rate) {
-    if (rate == "vertex") return Source::Vertex;
-    if (rate == "pixel") return Source::Pixel;
-    if (rate == "uniform") return Source::Uniform;
+std::optional<SemanticSource> source_of(std::string_view rate) {
+    if (rate == "vertex") return SemanticSource::Vertex;
+    if (rate == "pixel") return SemanticSource::Pixel;
+    if (rate == "uniform") return SemanticSource::Uniform;
     return {};
 }
 
@@ -41,7 +41,7 @@ public:
         if (variable.attribute("foreign")) foreign(variable);
         if (const Attribute* attribute = variable.attribute("switch"))
             paths_.switches.push_back({.variable = &variable, .brings = nodelang::attribute_text(*attribute)});
-        if (const std::optional<Source> source = source_of(variable)) {
+        if (const std::optional<SemanticSource> source = source_of(variable)) {
             add({.name = variable.name,
                  .source = *source,
                  .variable = &variable,
@@ -64,7 +64,7 @@ public:
                                                                      .at_once = word(*attribute, 2),
                                                                      .texts = texts_of(function)};
         if (const Attribute* attribute = function.attribute("semantic")) {
-            if (const std::optional<Source> source = source_of(nodelang::attribute_text(*attribute))) {
+            if (const std::optional<SemanticSource> source = source_of(nodelang::attribute_text(*attribute))) {
                 add({.name = function.name,
                      .source = *source,
                      .function = &function,

@@ -22,7 +22,7 @@
 namespace patina::graph {
 
 // Where a semantic's value comes from.
-enum class Source {
+enum class SemanticSource {
     Attribute,  // a vertex attribute
     Builtin,    // the rasteriser
     Extern,     // a uniform of the engine
@@ -34,7 +34,7 @@ enum class Source {
 
 struct SemanticDecl {
     std::string_view name;
-    Source source = Source::Pixel;
+    SemanticSource source = SemanticSource::Pixel;
     const nodelang::VariableDecl* variable = nullptr;  // Attribute, Builtin, Extern, Given
     const nodelang::FunctionDecl* function = nullptr;  // recipes
     ir::Builtin builtin = ir::Builtin::None;           // of Builtin

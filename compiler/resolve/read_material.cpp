@@ -2,7 +2,7 @@
 #include "compiler/format/read_graph.h"
 #include "compiler/json/json.h"
 #include "compiler/resolve/material.h"
-#include "compiler/resolve/part.h"
+#include "compiler/resolve/smallest_material.h"
 
 namespace patina::graph {
 

@@ -31,7 +31,7 @@ Term::Term(const nodelang::FunctionDecl& function, const nodelang::Declarations&
     Diagnostics diagnostics;
     ir::Module module;
     emit::Emitter emitter{.module = module, .diagnostics = diagnostics, .options = {.fold = false}};
-    graph::declare_engine(library().stages, library().declarations, emitter);
+    graph::declare_engine(*library().engine({}), library().paths, library().declarations, emitter);
     ir::Function outer{};
     outer.name = "term";
     ir::Builder builder(module, outer, {.fold = false});

@@ -360,7 +360,7 @@ TEST(Specialization, ChoosesWhenThePipelineIsMade) {
                           {{{"_Mode", "Quarter"}, {"_Blend", "Reoriented"}}, 0.25f, 0.75f, 0.28f},
                           {{{"_Mode", "Whole"}, {"_Blue", "false"}}, 1, 0, 0.64f / 1.36f}};
     for (const Case& each : cases) {
-        for (const std::optional<Target> target : {std::optional(Target::Glsl), std::optional(Target::Hlsl), {}}) {
+        for (const std::optional<Target>& target : {std::optional(Target::Glsl), std::optional(Target::Hlsl), {}}) {
             const Image image = drawn(result, target, each.words);
             ASSERT_GE(image.pixels.size(), 4u);
             EXPECT_NEAR(image.pixels[0], each.red, 1e-6);

@@ -81,7 +81,7 @@ Typed member(Emitter& emitter, Typed object, std::string_view name, Span span, S
             return {.value = part, .type = structure.members[i].type};
         }
         const FunctionDecl* function = scope.declarations->function(name);
-        if (function && function->attribute("member") && !function->params.empty() &&
+        if (function && function->marks.is_member && !function->params.empty() &&
             function->params[0].type.name == structure.name) {
             const Declarations& home = scope.declarations->home_of(name);
             const Argument self{.value = object, .constant = {}};

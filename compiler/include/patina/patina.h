@@ -56,6 +56,9 @@ struct Target {
     // The target's name: the language, or the engine if it is not the default one.
     const std::string& name() const { return engine.empty() ? language : engine; }
     friend bool operator==(const Target&, const Target&) = default;
+    friend bool operator<(const Target& a, const Target& b) {
+        return a.engine != b.engine ? a.engine < b.engine : a.language < b.language;
+    }
 
     static const Target Glsl, Hlsl;  // of the default engine
 };

@@ -176,8 +176,8 @@ struct Reflection {
     std::string path = "forward";    // the rendering path that the passes belong to
     bool moves_vertices = false;     // in the graph's vertex stage: the drawn bounds are not the mesh's own
     std::optional<Bounds> bounds{};  // the bounds that are drawn, if the graph states them
-    // The order of depth in the camera's view. The passes' depth tests and biases agree with it; shadow maps are near to
-    // far.
+    // The order of depth in the camera's view. The passes' depth tests and biases agree with it; shadow maps are near
+    // to far.
     ClipDepth clip_depth = ClipDepth::NearToFar;
     std::uint32_t most_instances = 0;  // how many instances one draw can hold; 0: a draw draws one object
     std::vector<Switch> switches{};

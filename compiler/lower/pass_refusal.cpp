@@ -94,16 +94,17 @@ private:
         Place inside = place;
         if (place.semantic.empty() && is_graph(place)) inside.semantic = module_.semantics[id.index].name;
         const std::string_view name = inside.semantic.empty() ? module_.semantics[id.index].name : inside.semantic;
-        const bool is_interpolated = recipe.source == Source::Vertex || recipe.source == Source::Attribute;
+        const bool is_interpolated =
+            recipe.source == SemanticSource::Vertex || recipe.source == SemanticSource::Attribute;
         if (is_interpolated && is_graph(place) && !draws_objects())
             return refuse(place, fmt::format("{} reads '@{}', which it cannot give", said(place), name));
         const bool is_side = module_.semantics[id.index].type == ir::kBool;  // vertices see the front
-        if (recipe.source == Source::Builtin && is_graph(place) && place.at_vertex && !is_side)
+        if (recipe.source == SemanticSource::Builtin && is_graph(place) && place.at_vertex && !is_side)
             return refuse(place, fmt::format("{} reads '@{}', which vertices do not have", said(place), name));
-        if (recipe.source == Source::Builtin && !is_graph(place)) check_builtin(*recipe.declaration, place);
+        if (recipe.source == SemanticSource::Builtin && !is_graph(place)) check_builtin(*recipe.declaration, place);
         if (!recipe.recipe) return;
         if (recipe.declaration) inside.span = recipe.declaration->function->name_span;
-        inside.at_vertex = place.at_vertex || recipe.source == Source::Vertex;
+        inside.at_vertex = place.at_vertex || recipe.source == SemanticSource::Vertex;
         visit(recipe.recipe, inside);
     }
 

@@ -28,7 +28,7 @@ const SlotDecl* find_slot(const Lowering& lowering, std::string_view name) {
 // The slot's function; the slot may itself be derived.
 const emit::Slot* slot_named(Lowering& lowering, std::string_view name) {
     const SlotDecl* slot = find_slot(lowering, name);
-    if (slot && slot->is_derived()) return &part_of(lowering, *slot).slot;
+    if (slot && slot->is_derived()) return &derived_slot(lowering, *slot).slot;
     return emit::find_slot(lowering.emitter.known, name);
 }
 
@@ -42,12 +42,12 @@ std::optional<std::uint32_t> member_index(const ir::Module& module, Type structu
 }
 
 // "sum.direct": a member of a parameter of the slot; "EnvironmentRadiance": the result of this function.
-struct Source {
+struct LinearIn {
     std::optional<ir::Seed> seed{};
     bool is_absent = false;  // the slot does not call the function
     std::string why_not{};
 };
-Source source_named(Lowering& lowering, const FunctionDecl& of, ir::FunctionId function, std::string_view name) {
+LinearIn source_named(Lowering& lowering, const FunctionDecl& of, ir::FunctionId function, std::string_view name) {
     const ir::Module& module = lowering.out.module;
     const std::size_t dot = name.find('.');
     if (dot != name.npos) {
@@ -90,24 +90,25 @@ std::string_view root_of(const Lowering& lowering, std::string_view of) {
     return of;
 }
 
-Part not_linear(const Lowering& lowering, std::string_view of, std::string_view name, const ir::LinearPart& found) {
+DerivedSlot not_linear(const Lowering& lowering, std::string_view of, std::string_view name,
+                       const ir::LinearPart& found) {
     return {.why_not = fmt::format("'{}' is not linear in '{}': {}", root_of(lowering, of), name, found.reason),
             .where = origin_of(lowering.out.module, found.origin)};
 }
 
-Part linear_slot(Lowering& lowering, const SlotDecl& slot) {
+DerivedSlot linear_slot(Lowering& lowering, const SlotDecl& slot) {
     ir::Module& module = lowering.out.module;
     const std::string_view of = slot.of;
     const emit::Slot* whole = slot_named(lowering, of);
     const SlotDecl* declared = find_slot(lowering, of);
-    if (declared && declared->is_derived() && !part_of(lowering, *declared).slot.function) {
-        Part missing = part_of(lowering, *declared);
+    if (declared && declared->is_derived() && !derived_slot(lowering, *declared).slot.function) {
+        DerivedSlot missing = derived_slot(lowering, *declared);
         missing.is_of_missing = true;
         return missing;
     }
     if (!whole || !whole->function || !declared) return {.why_not = fmt::format("there is no '{}'", of)};
     const std::string_view name = slot.source;
-    const Source source = source_named(lowering, *declared->function, whole->function, name);
+    const LinearIn source = source_named(lowering, *declared->function, whole->function, name);
     if (source.is_absent) return {.why_not = fmt::format("'{}' does not call '{}'", of, name)};
     if (!source.seed) return {.why_not = source.why_not};
     const bool componentwise = slot.is_componentwise;
@@ -123,14 +124,14 @@ Part linear_slot(Lowering& lowering, const SlotDecl& slot) {
             .is_zero = !made.depends};
 }
 
-Part slot_without(Lowering& lowering, const SlotDecl& slot) {
+DerivedSlot slot_without(Lowering& lowering, const SlotDecl& slot) {
     ir::Module& module = lowering.out.module;
     const std::string_view of = slot.of;
     const emit::Slot* whole = slot_named(lowering, of);
     const SlotDecl* declared = find_slot(lowering, of);
     if (!whole || !whole->function || !declared) return {.why_not = fmt::format("there is no '{}'", of)};
     const std::string_view name = slot.source;
-    const Source source = source_named(lowering, *declared->function, whole->function, name);
+    const LinearIn source = source_named(lowering, *declared->function, whole->function, name);
     if (source.is_absent) return {.slot = *whole};
     if (!source.seed) return {.why_not = source.why_not};
     const ir::LinearPart taken =
@@ -195,7 +196,7 @@ ir::Function slot_shell(Lowering& lowering, const FunctionDecl& slot) {
     return function;
 }
 
-Part pack_slot(Lowering& lowering, const SlotDecl& slot) {
+DerivedSlot pack_slot(Lowering& lowering, const SlotDecl& slot) {
     ir::Module& module = lowering.out.module;
     ir::Function function = slot_shell(lowering, *slot.function);
     const Packing packing = packing_of(lowering, slot, function.params[0].type);
@@ -221,7 +222,7 @@ Part pack_slot(Lowering& lowering, const SlotDecl& slot) {
     return {.slot = {.function = add_function(module, std::move(function)), .result = result}};
 }
 
-Part unpack_slot(Lowering& lowering, const SlotDecl& slot) {
+DerivedSlot unpack_slot(Lowering& lowering, const SlotDecl& slot) {
     ir::Module& module = lowering.out.module;
     const SlotDecl* packer = find_slot(lowering, slot.of);
     if (!packer || !packer->packs()) return {.why_not = "nothing packs what it unpacks"};
@@ -247,10 +248,10 @@ Part unpack_slot(Lowering& lowering, const SlotDecl& slot) {
 
 }  // namespace
 
-const Part& part_of(Lowering& lowering, const SlotDecl& slot) {
-    const auto known = lowering.parts.find(slot.name());
-    if (known != lowering.parts.end()) return known->second;
-    Part made;
+const DerivedSlot& derived_slot(Lowering& lowering, const SlotDecl& slot) {
+    const auto known = lowering.derived_slots.find(slot.name());
+    if (known != lowering.derived_slots.end()) return known->second;
+    DerivedSlot made;
     switch (slot.making) {
         case Making::Graph: break;
         case Making::Part: made = linear_slot(lowering, slot); break;
@@ -258,7 +259,7 @@ const Part& part_of(Lowering& lowering, const SlotDecl& slot) {
         case Making::Pack: made = pack_slot(lowering, slot); break;
         case Making::Unpack: made = unpack_slot(lowering, slot); break;
     }
-    return lowering.parts.emplace(slot.name(), std::move(made)).first->second;
+    return lowering.derived_slots.emplace(slot.name(), std::move(made)).first->second;
 }
 
 std::vector<std::string_view> packed_members(Lowering& lowering, std::string_view slot) {

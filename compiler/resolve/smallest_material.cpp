@@ -1,4 +1,4 @@
-#include "compiler/resolve/part.h"
+#include "compiler/resolve/smallest_material.h"
 
 #include <algorithm>
 
