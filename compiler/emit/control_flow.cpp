@@ -92,7 +92,7 @@ bool if_statement(Emitter& emitter, const Stmt& stmt, const Statements& list, st
     ir::Builder& b = *scope.builder;
     if (b.depth() >= kMaxBranches) {
         emitter.diagnostics.report(Code::TooDeep, stmt.name_span, kMaxBranches)
-            .note("what follows a branch that returns lies one level deeper: assign, and return once");
+            .note("code after a branch that returns is nested one level deeper: assign, and return once");
         returned = {};
         return true;
     }

@@ -96,7 +96,7 @@ TEST_F(SnapshotFileTest, ErrorsHaveAPlaceAndAReason) {
                       Case{R"({ "patina": 2 })", ":1:3: ", "version 1"},
                       Case{R"({ "mesh": "cube" })", ":1:1: ", "\"patina\": 1 is missing"},
                       Case{"", ":1:1: ", "broken JSON"},
-                      Case{"[]", ":1:1: ", "array cannot stand here"},
+                      Case{"[]", ":1:1: ", "array is not allowed here"},
                       Case{"3", ":1:1: ", "a snapshot is an object"},
                       Case{"{ \"patina\": 1,\n\n  \"size\": }", ":3:11: ", "broken JSON"},
                       Case{R"({ "patina": 1, "size": 0 })", ":1:16: ", "from 1 to 4096"},
@@ -106,11 +106,11 @@ TEST_F(SnapshotFileTest, ErrorsHaveAPlaceAndAReason) {
                       Case{R"({ "patina": 1, "time": 1e39 })", ":1:16: ", "number of seconds"},
                       Case{R"({ "patina": 1, "mesh": true })", ":1:16: ", "must be a text"},
                       Case{R"({ "patina": 1, "mesh": null })", ":1:16: ", "null means nothing"},
-                      Case{R"({ "patina": 1, "mesh": ["cube"] })", ":1:16: ", "array cannot stand here"},
+                      Case{R"({ "patina": 1, "mesh": ["cube"] })", ":1:16: ", "array is not allowed here"},
                       Case{R"({ "patina": 1, "patina": 1 })", ":1:16: ", "here twice"},
                       Case{R"({ "patina": 1, "tolerance": { "pixels": 1 } })", ":1:31: ", "unknown key 'pixels'"},
                       Case{R"({ "patina": 1, "tolerance": { "pixel": 2 } })", ":1:31: ", "between 0 and 1"},
-                      Case{R"({ "patina": 1, "set": { "_A": { "b": 1 } } })", ":1:25: ", "object cannot stand here"},
+                      Case{R"({ "patina": 1, "set": { "_A": { "b": 1 } } })", ":1:25: ", "object is not allowed here"},
                       Case{R"({ "patina": 1, "set": { "_A": ["b"] } })", ":1:25: ", "numbers only"},
                       Case{R"({ "patina": 1, "lights": [3] })", ":1:16: ", "a light is a text"}}) {
         ReadSnapshot read_file = read(each.text);
