@@ -68,7 +68,7 @@ std::optional<double> rounds_of(Emitter& emitter, const Stmt& loop, const Scope&
         return {};
     }
     if (*cap - *first <= kMaxIterations) return std::max(*cap - *first, 0.0);
-    emitter.diagnostics.report(Code::TooMany, limit.span, *cap - *first, "rounds of a loop", kMaxIterations);
+    emitter.diagnostics.report(Code::TooMany, limit.span, *cap - *first, "iterations of a loop", kMaxIterations);
     return {};
 }
 
@@ -148,7 +148,7 @@ void count_rounds(Emitter& emitter, double rounds, Scope& scope, Span span) {
     const bool was_fine = scope.rounds <= kMaxRounds;
     scope.rounds += scope.rounds_around * rounds;
     if (was_fine && scope.rounds > kMaxRounds) {
-        emitter.diagnostics.report(Code::TooMany, span, scope.rounds, "rounds of nested loops", kMaxRounds);
+        emitter.diagnostics.report(Code::TooMany, span, scope.rounds, "iterations of nested loops", kMaxRounds);
     }
 }
 

@@ -100,9 +100,9 @@ void Breaker::bad_value() {
     } else if (ends_here(begin)) {
         return;
     } else if (byte(begin) == '\'') {
-        say(begin, begin + 1, "strings take double quotes: \"...\"");
+        say(begin, begin + 1, "write a string in double quotes: \"...\"");
     } else if (byte(begin) == '=') {
-        say(begin, begin + 1, "an expression is a string: \"= ...\"");
+        say(begin, begin + 1, "write an expression as a string: \"= ...\"");
     } else {
         bad_word(begin, word(begin));
     }
@@ -114,7 +114,7 @@ void Breaker::bad_key() {
     const std::string_view found = word(at_.offset);
     const std::size_t end = at_.offset + found.size();
     if (c == ',') {
-        say(at_.offset, end, "there is one ',' too many here");
+        say(at_.offset, end, "there is an extra ',' here");
     } else if (c == ']') {
         const std::uint32_t bracket = base_ + static_cast<std::uint32_t>(at_.bracket_offset);
         say(at_.offset, end, "a ']' cannot close a '{'").note({bracket, bracket + 1}, "this is the '{'");

@@ -79,8 +79,7 @@ void Needs::add_step(const FrameStep& step) {
     }
     // Every device takes four.
     if (const std::size_t targets = step.targets.size(); targets > 4) {
-        const std::string too_many =
-            fmt::format("the {} targets of the pass '{}', too many targets", targets, step.pass->name);
+        const std::string too_many = fmt::format("the {} targets of the pass '{}'", targets, step.pass->name);
         add(too_many, targets, limits_.maxColorAttachments, "maxColorAttachments");
         add(too_many, targets, limits_.maxFragmentOutputAttachments, "maxFragmentOutputAttachments");
     }
