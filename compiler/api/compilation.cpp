@@ -23,7 +23,7 @@ void choose_passes(Compilation& c) {
         const bool is_named = std::find(wanted.begin(), wanted.end(), pass.name) != wanted.end();
         if (!session.options.functions.empty()) {
             session.diagnostics.report(Code::PassLeftOut, pass.name_span, pass.name,
-                                       "the functions are those of the material itself");
+                                       "--functions writes only the functions of the material itself");
         } else if (wanted.empty() ? graph::draws_extra(session, c.lowered.front()) : is_named) {
             c.materials.push_back(each.get());
         }

@@ -37,7 +37,7 @@ public:
     }
     Typed semantic(std::string_view name, Span span, emit::Scope&) override {
         diagnostics_.report(Code::SemanticNotHere, span, name, "an evaluation of one node")
-            .note("give every port a value that would read the mesh, the camera or a light");
+            .note("give a value to every port whose default reads the mesh, the camera or a light");
         return {};
     }
     Typed file(const Expr& expr, emit::Scope&) override {
@@ -86,7 +86,7 @@ struct Bench {
             const auto found = read(*made);
             if (found == made->insts.end()) continue;
             diagnostics.report(Code::SemanticNotHere, {}, module.globals[found->data].name, "an evaluation of one node")
-                .note("a renderer binds it: `patina render --node`, `patina trace` and `patina eval --model` have it");
+                .note("a renderer provides it: use `patina render --node`, `patina trace` or `patina eval --model`");
             return false;
         }
         return true;
@@ -221,7 +221,7 @@ std::optional<NodeTest> read_test(const EvaluationContext& context, const nodela
         call = call->args[0];
     }
     if (call->kind != Expr::Kind::Call || call->text != function.name)
-        return refuse("its left side is no call of the node");
+        return refuse("its left side is not a call of the node");
     std::vector<const Expr*> arguments(function.params.size(), nullptr);
     std::size_t next = 0;
     for (std::size_t i = 0; i < function.params.size() && next < call->args.size(); ++i) {

@@ -88,7 +88,7 @@ void plan_listed(graph::Session& session, const graph::Material& material, const
     const graph::Graph& graph = *material.graph->graph;
     if (graph.variants.empty()) {
         session.diagnostics.report(Code::MissingKey, {graph.span.begin, graph.span.begin + 1}, "the graph", "variants")
-            .note("it lists combinations: \"variants\": [ { \"_DETAIL\": true }, { \"_Mode\": \"Wet\" } ]");
+            .note("list the combinations: \"variants\": [ { \"_DETAIL\": true }, { \"_Mode\": \"Wet\" } ]");
         return;
     }
     std::set<VariantValues> known;
@@ -114,7 +114,7 @@ void plan_listed(graph::Session& session, const graph::Material& material, const
     }
     const std::vector<std::string_view> views(fixed.begin(), fixed.end());
     session.diagnostics.report(Code::NothingListed, graph.variants[0].span, enumerate(views))
-        .note("-D fixes that; the combinations that say otherwise are left out");
+        .note("-D sets this; combinations with another value are left out");
 }
 
 // --- reachable

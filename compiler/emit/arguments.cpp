@@ -46,7 +46,7 @@ Argument choosing_argument(Emitter& emitter, const ParamDecl& param, const EnumD
             if (found == enumeration->values.end()) {
                 emitter.diagnostics.report(Code::UnknownEnumerator, expr.span, word, fmt::format("'{}'", param.name))
                     .note(Diagnostics::suggestion(word, enumeration->values))
-                    .note(fmt::format("'{}' can be it", expr.text));
+                    .note(fmt::format("'{}' can have this value", expr.text));
                 return {};
             }
             choices.push_back(static_cast<double>(found - enumeration->values.begin()));

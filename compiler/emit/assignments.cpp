@@ -42,7 +42,7 @@ bool store(Emitter& emitter, const Expr& target, Typed value, Scope& scope) {
         return false;
     }
     if (target.kind != Expr::Kind::Member && target.kind != Expr::Kind::Index) {
-        emitter.diagnostics.report(Code::NotAssignable, target.span, "what is computed");
+        emitter.diagnostics.report(Code::NotAssignable, target.span, "a computed value");
         return false;
     }
     const Typed object = expression(emitter, *target.args[0], scope);

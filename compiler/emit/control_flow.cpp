@@ -68,7 +68,7 @@ std::optional<double> rounds_of(Emitter& emitter, const Stmt& loop, const Scope&
         return {};
     }
     if (*cap - *first <= kMaxIterations) return std::max(*cap - *first, 0.0);
-    emitter.diagnostics.report(Code::TooMany, limit.span, *cap - *first, "rounds of a loop", kMaxIterations);
+    emitter.diagnostics.report(Code::TooMany, limit.span, *cap - *first, "iterations of a loop", kMaxIterations);
     return {};
 }
 
@@ -92,7 +92,7 @@ bool if_statement(Emitter& emitter, const Stmt& stmt, const Statements& list, st
     ir::Builder& b = *scope.builder;
     if (b.depth() >= kMaxBranches) {
         emitter.diagnostics.report(Code::TooDeep, stmt.name_span, kMaxBranches)
-            .note("what follows a branch that returns lies one level deeper: assign, and return once");
+            .note("code after a branch that returns is nested one level deeper: assign, and return once");
         returned = {};
         return true;
     }
@@ -148,7 +148,7 @@ void count_rounds(Emitter& emitter, double rounds, Scope& scope, Span span) {
     const bool was_fine = scope.rounds <= kMaxRounds;
     scope.rounds += scope.rounds_around * rounds;
     if (was_fine && scope.rounds > kMaxRounds) {
-        emitter.diagnostics.report(Code::TooMany, span, scope.rounds, "rounds of nested loops", kMaxRounds);
+        emitter.diagnostics.report(Code::TooMany, span, scope.rounds, "iterations of nested loops", kMaxRounds);
     }
 }
 

@@ -61,9 +61,9 @@ Typed convert(Emitter& emitter, Typed value, Type wanted, Scope& scope, Span spa
     if (plain && value.type.width() > wanted.width()) {
         record.note(fmt::format("take a part of it: .{}", swizzle_prefix(wanted.width())));
     } else if (plain && value.type.width() < wanted.width() && value.type.width() > 1) {
-        record.note(fmt::format("fill it up: {}(..., 0)", emitter.module.type_name(wanted)));
+        record.note(fmt::format("extend it: {}(..., 0)", emitter.module.type_name(wanted)));
     } else if (plain && value.type.is_bool()) {
-        record.note("write '... ? 1 : 0' to make a number of a bool");
+        record.note("write '... ? 1 : 0' to convert a bool to a number");
     } else if (plain && wanted.is_bool()) {
         record.note("compare it: '... > 0.5'");
     } else if (plain) {
@@ -134,7 +134,7 @@ bool unify(Emitter& emitter, std::span<Typed> operands, Scope& scope, Span span,
             emitter.diagnostics.report(Code::BadOperands, span, op, emitter.module.type_name(operands[0].type),
                                        emitter.module.type_name((&operand == &operands[0] ? other : operand).type));
         if (!same_kind && operand.type.is_bool() != other.type.is_bool()) {
-            record.note("write '... ? 1 : 0' to make a number of a bool");
+            record.note("write '... ? 1 : 0' to convert a bool to a number");
         } else if (!same_kind && operand.type.is_integer() != other.type.is_integer()) {
             record.note("write float(...) around the whole number, or int(...) around the other");
         } else if (!same_shape && !any_matrix) {

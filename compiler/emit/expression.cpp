@@ -59,7 +59,7 @@ Typed vector_of_list(Emitter& emitter, const Expr& expr, Scope& scope) {
     }
     if (!good) {
         emitter.diagnostics.report(Code::TypeMismatch, expr.span, fmt::format("a list of {}", expr.args.size()),
-                                   "no vector", "a list of two to four numbers");
+                                   "not a vector", "a list of two to four numbers");
         return {};
     }
     const Type type = Type::vector(Scalar::Float, static_cast<unsigned>(components.size()));

@@ -120,8 +120,8 @@ ir::FunctionId outer_function(Emitter& emitter, const FunctionDecl& function, co
         if (!param.initial) {
             emitter.diagnostics.report(Code::MissingInput, param.span, function.name, param.name)
                 .note(
-                    "nothing calls it with arguments: the default of a parameter is a semantic that it reads, "
-                    "'float3 position = positionWS'");
+                    "nothing calls it with arguments: give each parameter a semantic as its default, 'float3 position "
+                    "= positionWS'");
             return {};
         }
         Scope outside{.builder = &builder, .declarations = &home, .environment = &environment};

@@ -31,8 +31,8 @@ public:
             if (const std::optional<std::uint32_t> base = file(*name))
                 engine_.include = reading_.sources.file_text(*base);
         }
-        word(json, "variants", "what becomes of variants", engine_.variants);
-        word(json, "instances", "who holds instances", engine_.instances);
+        word(json, "variants", "a way to handle variants", engine_.variants);
+        word(json, "instances", "a way to hold instances", engine_.instances);
         if (const Json* sets = object(json, "sets", EngineSets)) read_sets(*sets);
         engine_.blocks = map(json, "blocks");
         if (const Json* inputs = json.find("vertexInputs")) vertex_inputs(*inputs);

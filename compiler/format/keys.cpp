@@ -8,16 +8,16 @@
 namespace patina::graph {
 namespace {
 
-constexpr KeyInfo kSchema{"$schema", "where an editor finds the JSON Schema of this format"};
+constexpr KeyInfo kSchema{"$schema", "the JSON Schema of this format, for editors"};
 constexpr KeyInfo kVersion{"patina", "the version of the graph format: 1"};
 constexpr KeyInfo kKind{"kind", "what the file is: material, subgraph, lighting, workflow or scene"};
-constexpr KeyInfo kName{"name", "what people call it; otherwise the name of the file"};
-constexpr KeyInfo kHelp{"help", "what it is for, in a sentence or two"};
-constexpr KeyInfo kPrecision{"precision", "float or half: what the nodes compute in"};
+constexpr KeyInfo kName{"name", "the name that people see; default: the name of the file"};
+constexpr KeyInfo kHelp{"help", "the purpose, in a sentence or two"};
+constexpr KeyInfo kPrecision{"precision", "the precision that nodes compute in: float or half"};
 constexpr KeyInfo kProperties{"properties", "values that can be set without compiling again", ObjectKind::Property};
-constexpr KeyInfo kNodes{"nodes", "the nodes, each with an id of its own", ObjectKind::Node};
-constexpr KeyInfo kMeta{"meta", "anything; carried through to the reflection"};
-constexpr KeyInfo kUi{"ui", "anything; for an editor, ignored by the compiler"};
+constexpr KeyInfo kNodes{"nodes", "the nodes, each with a unique id", ObjectKind::Node};
+constexpr KeyInfo kMeta{"meta", "any data; copied to the reflection"};
+constexpr KeyInfo kUi{"ui", "any data for an editor; the compiler ignores it"};
 
 constexpr std::array kMaterial = {
     kSchema,
@@ -25,15 +25,15 @@ constexpr std::array kMaterial = {
     kKind,
     kName,
     kHelp,
-    KeyInfo{"workflow", "which surface inputs the material has", ObjectKind::Free, true},
+    KeyInfo{"workflow", "the workflow, which defines the surface inputs", ObjectKind::Free, true},
     KeyInfo{"lighting", "the lighting model: a name, a file, or a lighting graph", ObjectKind::LightingUse},
     kPrecision,
     kProperties,
     kNodes,
-    KeyInfo{"vertex", "what the vertex stage moves: positionOS, normalOS, tangentOS"},
+    KeyInfo{"vertex", "the values that the vertex stage changes: positionOS, normalOS, tangentOS"},
     KeyInfo{"surface", "the surface inputs of the workflow and of the lighting model"},
-    KeyInfo{"render", "how the surface is drawn: opaque or cutout, culling, depth", ObjectKind::Render},
-    KeyInfo{"passes", "further surfaces, each drawn in a pass of its own: an outline, a glow", ObjectKind::ExtraPass},
+    KeyInfo{"render", "the render state: kind of surface, culling, depth", ObjectKind::Render},
+    KeyInfo{"passes", "extra surfaces, each drawn in its own pass: an outline, a glow", ObjectKind::ExtraPass},
     KeyInfo{"variants", "the combinations of variants that --variants listed compiles"},
     kMeta,
     kUi,
@@ -43,8 +43,8 @@ constexpr std::array kSubgraph = {
     kSchema,     kVersion,
     kKind,       kName,
     kHelp,       kPrecision,
-    kProperties, KeyInfo{"inputs", "what the sub-graph takes, read as $name", ObjectKind::Input},
-    kNodes,      KeyInfo{"outputs", "what the sub-graph gives, by port name", ObjectKind::Free, true},
+    kProperties, KeyInfo{"inputs", "the inputs of the sub-graph, read as $name", ObjectKind::Input},
+    kNodes,      KeyInfo{"outputs", "the outputs of the sub-graph, by port name", ObjectKind::Free, true},
     kMeta,       kUi,
 };
 
@@ -58,9 +58,9 @@ constexpr std::array kLighting = {
     KeyInfo{"surface", "surface inputs that the model adds, read as @surface.name", ObjectKind::Input},
     kProperties,
     kNodes,
-    KeyInfo{"direct", "what one light adds, evaluated for each light", ObjectKind::Free, true},
-    KeyInfo{"indirect", "what ambient light and reflections add, evaluated once"},
-    KeyInfo{"final", "the colour that leaves the surface; otherwise both sums and the emission"},
+    KeyInfo{"direct", "the contribution of one light, evaluated for each light", ObjectKind::Free, true},
+    KeyInfo{"indirect", "the contribution of ambient light and reflections, evaluated once"},
+    KeyInfo{"final", "the colour of the surface; default: direct + indirect + emission"},
     kMeta,
     kUi,
 };
@@ -71,8 +71,8 @@ constexpr std::array kWorkflow = {
     kKind,
     kName,
     kHelp,
-    KeyInfo{"lighting", "the lighting model of a material that names none", ObjectKind::LightingUse},
-    KeyInfo{"preview", "the input that shows a previewed node"},
+    KeyInfo{"lighting", "the lighting model of materials that do not set one", ObjectKind::LightingUse},
+    KeyInfo{"preview", "the input that a previewed node is connected to"},
     KeyInfo{"inputs", "the surface inputs that a material may set", ObjectKind::Input, true},
     kNodes,
     KeyInfo{"surface", "the members of the lighting surface, computed from the inputs", ObjectKind::Free, true},
@@ -84,86 +84,87 @@ constexpr std::array kProperty = {
     KeyInfo{"name", "the name in the shader; a graph reads it as $name", ObjectKind::Free, true},
     KeyInfo{"type", "float, float2, float3, float4, color, int, bool, enum or texture2d", ObjectKind::Free, true},
     KeyInfo{"usage", "of a texture: color (sRGB), data (linear) or normal (a tangent-space normal map)"},
-    KeyInfo{"values", "of an enum: its words"},
-    KeyInfo{"default", "the value until somebody sets another"},
-    KeyInfo{"range", "[low, high]: beyond it is a warning; of a colour that ends above 1: it is HDR"},
-    KeyInfo{"hard", "true: beyond the range is an error"},
-    KeyInfo{"as", "when it is bound: uniform, instance (a value for each instance), specialization or variant"},
+    KeyInfo{"values", "of an enum: its values"},
+    KeyInfo{"default", "the default value"},
+    KeyInfo{"range", "[low, high]: a value outside is a warning; a colour whose high is above 1 is HDR"},
+    KeyInfo{"hard", "true: a value outside the range is an error"},
+    KeyInfo{"as", "how it is bound: uniform, instance (a value for each instance), specialization or variant"},
     KeyInfo{"tiling", "of a texture: true gives it a scale and an offset"},
-    KeyInfo{"sampler", "of a texture: how it is read", ObjectKind::Sampler},
-    KeyInfo{"label", "what an inspector shows"},
-    KeyInfo{"group", "the heading that an inspector shows it under"},
-    KeyInfo{"help", "what it does, in a sentence"},
+    KeyInfo{"sampler", "of a texture: its sampler", ObjectKind::Sampler},
+    KeyInfo{"label", "the name that an inspector shows"},
+    KeyInfo{"group", "the heading in an inspector"},
+    KeyInfo{"help", "the effect, in a sentence"},
 };
 
 constexpr std::array kNode = {
-    KeyInfo{"id", "the name that links use; an identifier", ObjectKind::Free, true},
+    KeyInfo{"id", "the name that links use: an identifier", ObjectKind::Free, true},
     KeyInfo{"node", "a library node, ./x.subgraph.json or ./x.node.hlsl"},
     KeyInfo{"in", "the values at its input ports"},
-    KeyInfo{"expr", "an expression, in place of a node"},
-    KeyInfo{"stage", "vertex: computed there, and its readers get it interpolated; fragment: never for vertices"},
+    KeyInfo{"expr", "an expression, instead of a node"},
+    KeyInfo{"stage",
+            "vertex: computed per vertex and interpolated; fragment: an error where the vertex stage needs it"},
     kPrecision,
-    KeyInfo{"note", "a remark, copied into the shader"},
+    KeyInfo{"note", "a comment, copied into the shader"},
 };
 
 constexpr std::array kInput = {
     KeyInfo{"name", "an identifier", ObjectKind::Free, true},
     KeyInfo{"type", "float, float2, float3, float4, color, int, bool or texture2d", ObjectKind::Free, true},
-    KeyInfo{"default", "the value if it is left open; without one it must be given"},
-    KeyInfo{"range", "[low, high]: beyond it is a warning"},
-    KeyInfo{"hard", "true: beyond the range is an error"},
-    KeyInfo{"help", "what it does, in a sentence"},
-    KeyInfo{"gives", "of a workflow: the input that this one is another way to say"},
-    KeyInfo{"as", "of a workflow: an expression that converts it to the one it gives"},
+    KeyInfo{"default", "the value if the input is not connected; without a default the input is required"},
+    KeyInfo{"range", "[low, high]: a value outside is a warning"},
+    KeyInfo{"hard", "true: a value outside the range is an error"},
+    KeyInfo{"help", "the effect, in a sentence"},
+    KeyInfo{"gives", "of a workflow: the input that this one sets in another form"},
+    KeyInfo{"as", "of a workflow: the expression that converts it to the input in 'gives'"},
 };
 
 constexpr std::array kSampler = {
-    KeyInfo{"wrap", "beyond the edges: repeat, clamp or mirror"},
-    KeyInfo{"filter", "between the texels: linear or nearest"},
-    KeyInfo{"anisotropy", "1 to 16 samples along a slanted surface"},
+    KeyInfo{"wrap", "the wrap mode beyond the edges: repeat, clamp or mirror"},
+    KeyInfo{"filter", "the filter between texels: linear or nearest"},
+    KeyInfo{"anisotropy", "the anisotropy of the filter, 1 to 16"},
 };
 
 constexpr std::array kRender = {
     KeyInfo{"surface", "opaque, or cutout with alphaClip"},
     KeyInfo{"cull", "the faces that are not drawn: back, front or off"},
-    KeyInfo{"depthWrite", "whether it hides what is behind it"},
-    KeyInfo{"depthTest", "how its depth compares to what is there: lessEqual, ..."},
-    KeyInfo{"depthOffset", "[factor, units]: how far its depth is moved away from the camera, as glPolygonOffset does"},
-    KeyInfo{"stencil", "which pixels it is drawn at, and how it marks them", ObjectKind::Stencil},
-    KeyInfo{"queue", "the order of drawing, 0 to 5000; opaque surfaces are at 2000"},
-    KeyInfo{"bounds", "where the vertex stage moves the mesh: metres around it, or a box in object space"},
+    KeyInfo{"depthWrite", "whether the surface writes depth"},
+    KeyInfo{"depthTest", "the comparison with the stored depth: lessEqual, ..."},
+    KeyInfo{"depthOffset",
+            "[factor, units]: the distance that depth is moved away from the camera, as with glPolygonOffset"},
+    KeyInfo{"stencil", "the stencil test and the stencil operations", ObjectKind::Stencil},
+    KeyInfo{"queue", "the render queue, 0 to 5000; opaque surfaces have 2000"},
+    KeyInfo{"bounds", "the bounds of the displaced mesh: metres around the mesh, or a box in object space"},
 };
 
 constexpr std::array kStencil = {
-    KeyInfo{"reference", "the number that is compared and written, 0 to 255; 0 otherwise"},
-    KeyInfo{"readMask", "the bits that are compared, 0 to 255; all otherwise"},
-    KeyInfo{"writeMask", "the bits that are written, 0 to 255; all otherwise"},
-    KeyInfo{"test", "how the reference compares to what is there: equal, notEqual, ...; always otherwise"},
-    KeyInfo{"pass",
-            "what becomes of it where the surface is drawn: keep, replace, zero, increment, ...; keep otherwise"},
-    KeyInfo{"fail", "what becomes of it where the stencil test fails; keep otherwise"},
-    KeyInfo{"depthFail", "what becomes of it where only the depth test fails; keep otherwise"},
+    KeyInfo{"reference", "the value to compare and to write, 0 to 255; default: 0"},
+    KeyInfo{"readMask", "the bits to compare, 0 to 255; default: all"},
+    KeyInfo{"writeMask", "the bits to write, 0 to 255; default: all"},
+    KeyInfo{"test", "the comparison of the reference with the stored value: equal, notEqual, ...; default: always"},
+    KeyInfo{"pass", "the operation where the surface is drawn: keep, replace, zero, increment, ...; default: keep"},
+    KeyInfo{"fail", "the operation where the stencil test fails; default: keep"},
+    KeyInfo{"depthFail", "the operation where only the depth test fails; default: keep"},
 };
 
 constexpr std::array kExtraPass = {
-    KeyInfo{"name", "the pass's name; an identifier", ObjectKind::Free, true},
-    KeyInfo{"workflow", "which surface inputs it has; the material's otherwise"},
-    KeyInfo{"lighting", "its lighting model; the material's otherwise, or that of its own workflow",
+    KeyInfo{"name", "the name of the pass: an identifier", ObjectKind::Free, true},
+    KeyInfo{"workflow", "the workflow; default: the material's"},
+    KeyInfo{"lighting", "the lighting model; default: the material's, or that of the pass's own workflow",
             ObjectKind::LightingUse},
-    KeyInfo{"vertex", "what the vertex stage moves; as the material's otherwise"},
-    KeyInfo{"surface", "its surface inputs; as the material's otherwise, or the defaults of its own workflow"},
-    KeyInfo{"render", "how it is drawn; as the material otherwise", ObjectKind::Render},
+    KeyInfo{"vertex", "the values that the vertex stage changes; default: the material's"},
+    KeyInfo{"surface", "the surface inputs; default: the material's, or the defaults of the pass's own workflow"},
+    KeyInfo{"render", "the render state; default: the material's", ObjectKind::Render},
 };
 
 constexpr std::array kLightingUse = {
     KeyInfo{"use", "the lighting model: a name or a file", ObjectKind::Free, true},
-    KeyInfo{"in", "values at the model's inputs"},
+    KeyInfo{"in", "values for the properties of the model"},
 };
 
 // --- scenes
 
-constexpr KeyInfo kPosition{"position", "where it is, in metres: [x, y, z], y up"};
-constexpr KeyInfo kColor{"color", "\"#rrggbb\", or linear: a grey or [r, g, b]"};
+constexpr KeyInfo kPosition{"position", "the position in metres: [x, y, z], y up"};
+constexpr KeyInfo kColor{"color", "\"#rrggbb\", or linear: a number for grey, or [r, g, b]"};
 
 constexpr std::array kScene = {
     kSchema,
@@ -171,122 +172,121 @@ constexpr std::array kScene = {
     kKind,
     kName,
     kHelp,
-    KeyInfo{"camera", "where the scene is seen from", ObjectKind::Camera, true},
-    KeyInfo{"ambient", "light from all around: studio, none, a colour, or sky, horizon and ground",
-            ObjectKind::Ambient},
-    KeyInfo{"environment", "what mirrors show: studio, or none for what the ambient light says"},
-    KeyInfo{"fog", "what distance does to colours", ObjectKind::Fog},
-    KeyInfo{"mixedLighting", "how real-time shadows agree with baked light", ObjectKind::MixedLighting},
-    KeyInfo{"background", "the colour behind everything"},
-    KeyInfo{"time", "seconds; what @time is"},
-    KeyInfo{"pixelLightCount", "how many lights an additive path computes per pixel, 0 to 16; 4 otherwise"},
+    KeyInfo{"camera", "the camera", ObjectKind::Camera, true},
+    KeyInfo{"ambient", "the ambient light: studio, none, a colour, or sky, horizon and ground", ObjectKind::Ambient},
+    KeyInfo{"environment", "the reflections: studio, or none to reflect the ambient light"},
+    KeyInfo{"fog", "the fog", ObjectKind::Fog},
+    KeyInfo{"mixedLighting", "the combination of real-time shadows and baked light", ObjectKind::MixedLighting},
+    KeyInfo{"background", "the background colour"},
+    KeyInfo{"time", "the value of @time, in seconds"},
+    KeyInfo{"pixelLightCount", "the number of lights that an additive path computes per pixel, 0 to 16; default: 4"},
     KeyInfo{"lights", "the lights, at most 16", ObjectKind::Light},
-    KeyInfo{"materials", "graphs by name, with values for their properties", ObjectKind::SceneMaterial},
-    KeyInfo{"objects", "meshes, each with a place and a material", ObjectKind::SceneObject, true},
+    KeyInfo{"materials", "the materials: graphs with values for their properties", ObjectKind::SceneMaterial},
+    KeyInfo{"objects", "the objects: meshes with a position and a material", ObjectKind::SceneObject, true},
     kMeta,
     kUi,
 };
 
 constexpr std::array kCamera = {
     KeyInfo{"position", kPosition.help, ObjectKind::Free, true},
-    KeyInfo{"target", "the point that it looks at; [0, 0, 0] otherwise"},
-    KeyInfo{"fov", "vertical field of view in degrees, 1 to 170; 30 otherwise"},
-    KeyInfo{"orthographic", "parallel projection, in place of fov: the height of the picture in metres"},
-    KeyInfo{"near", "metres to where the picture begins; 0.05 otherwise"},
-    KeyInfo{"far", "metres to where it ends; 100 otherwise"},
+    KeyInfo{"target", "the point that the camera looks at; default: [0, 0, 0]"},
+    KeyInfo{"fov", "the vertical field of view in degrees, 1 to 170; default: 30"},
+    KeyInfo{"orthographic", "orthographic projection, instead of fov: the height of the picture in metres"},
+    KeyInfo{"near", "the distance of the near plane in metres; default: 0.05"},
+    KeyInfo{"far", "the distance of the far plane in metres; default: 100"},
 };
 
 constexpr std::array kAmbient = {
-    KeyInfo{"sky", "the colour that comes from above"},
-    KeyInfo{"horizon", "the colour that comes from the sides"},
-    KeyInfo{"ground", "the colour that comes from below"},
+    KeyInfo{"sky", "the light from above"},
+    KeyInfo{"horizon", "the light from the sides"},
+    KeyInfo{"ground", "the light from below"},
 };
 
 constexpr std::array kFog = {
     KeyInfo{"mode", "linear, exp or exp2", ObjectKind::Free, true},
     kColor,
-    KeyInfo{"density", "exp and exp2: per metre; 0.05 otherwise"},
-    KeyInfo{"start", "linear: metres to where it begins; 5 otherwise"},
-    KeyInfo{"end", "linear: metres to where nothing else is seen; 50 otherwise"},
+    KeyInfo{"density", "exp and exp2: the density per metre; default: 0.05"},
+    KeyInfo{"start", "linear: the distance in metres where the fog begins; default: 5"},
+    KeyInfo{"end", "linear: the distance in metres where the fog hides everything; default: 50"},
 };
 
 constexpr std::array kMixedLighting = {
     KeyInfo{"mode", "shadowMask, distanceShadowMask or subtractive", ObjectKind::Free, true},
-    KeyInfo{"shadowColor", "subtractive: the colour that no shadow falls below on a lightmap; black otherwise"},
-    KeyInfo{"shadowDistance", "metres to where real-time shadows end; otherwise they do not"},
-    KeyInfo{"shadowFade", "metres before that over which they fade; a fifth of it otherwise"},
+    KeyInfo{"shadowColor", "subtractive: the darkest colour of a shadow on a lightmap; default: black"},
+    KeyInfo{"shadowDistance", "the distance in metres where real-time shadows end; default: unlimited"},
+    KeyInfo{"shadowFade", "the metres before shadowDistance over which shadows fade; default: a fifth of it"},
 };
 
 constexpr std::array kLight = {
     KeyInfo{"type", "directional, point or spot", ObjectKind::Free, true},
     kPosition,
-    KeyInfo{"direction", "directional: towards the light; spot: where it points"},
+    KeyInfo{"direction", "directional: the direction to the light; spot: the direction that it points in"},
     kColor,
-    KeyInfo{"intensity", "what the colour is multiplied by; 1 otherwise"},
-    KeyInfo{"range", "point and spot: metres, no light beyond; 10 otherwise"},
-    KeyInfo{"inner", "spot: degrees from its axis with full light; 20 otherwise"},
-    KeyInfo{"outer", "spot: degrees from its axis beyond which there is none; 30 otherwise"},
+    KeyInfo{"intensity", "the factor of the colour; default: 1"},
+    KeyInfo{"range", "point and spot: the reach of the light in metres; default: 10"},
+    KeyInfo{"inner", "spot: the angle from the axis with full light, in degrees; default: 20"},
+    KeyInfo{"outer", "spot: the angle from the axis where the light ends, in degrees; default: 30"},
     KeyInfo{"renderMode", "auto, important (always per pixel) or notImportant"},
-    KeyInfo{"shadow", "directional and spot: true, or how", ObjectKind::Shadow},
-    KeyInfo{"cookie", "directional and spot: a picture that it shines through, whose red is what is let through"},
-    KeyInfo{"cookieSize", "directional: metres that the cookie spans; 10 otherwise"},
+    KeyInfo{"shadow", "directional and spot: true, or the settings of the shadow", ObjectKind::Shadow},
+    KeyInfo{"cookie", "directional and spot: a picture whose red channel scales the light"},
+    KeyInfo{"cookieSize", "directional: the width of the cookie in metres; default: 10"},
 };
 
 constexpr std::array kShadow = {
-    KeyInfo{"strength", "how dark, 0 to 1; 1 otherwise"},
-    KeyInfo{"bias", "metres along the light's direction; 0.05 otherwise"},
-    KeyInfo{"normalBias", "texels of the shadow map that surfaces shrink by; 0.4 otherwise"},
+    KeyInfo{"strength", "the darkness, 0 to 1; default: 1"},
+    KeyInfo{"bias", "the bias along the light's direction in metres; default: 0.05"},
+    KeyInfo{"normalBias", "the bias along the normal in texels of the shadow map; default: 0.4"},
 };
 
 constexpr std::array kSceneMaterial = {
-    KeyInfo{"name", "what objects call it; an identifier", ObjectKind::Free, true},
-    KeyInfo{"graph", "a file, from the scene's folder", ObjectKind::Free, true},
+    KeyInfo{"name", "the name that objects use: an identifier", ObjectKind::Free, true},
+    KeyInfo{"graph", "the file of the graph, relative to the scene's folder", ObjectKind::Free, true},
     KeyInfo{"set", "values of the graph's properties"},
 };
 
 constexpr std::array kSceneObject = {
-    KeyInfo{"id", "its own name; an identifier", ObjectKind::Free, true},
+    KeyInfo{"id", "a unique name: an identifier", ObjectKind::Free, true},
     KeyInfo{"mesh", "sphere, plane, cube, capsule or torus", ObjectKind::Free, true},
-    KeyInfo{"segments", "how fine the mesh is, 3 to 512"},
+    KeyInfo{"segments", "the number of segments of the mesh, 3 to 512"},
     KeyInfo{"material", "the name of a material of this scene", ObjectKind::Free, true},
     kPosition,
-    KeyInfo{"rotation", "degrees about the axes, [x, y, z]; it is turned about z, then x, then y"},
-    KeyInfo{"scale", "a number, or one for each axis; greater than 0"},
-    KeyInfo{"lightmap", "a picture of baked light, by the mesh's second texture coordinates"},
-    KeyInfo{"lightmapEncoding", "how the lightmap holds light: hdr (as it is), rgbm or dldr; hdr otherwise"},
-    KeyInfo{"shadowMask", "a picture of the baked shadows of four lights"},
-    KeyInfo{"instances", "it is drawn once at each of these places", ObjectKind::SceneInstance},
+    KeyInfo{"rotation", "the angles about the axes in degrees, [x, y, z]; applied about z, then x, then y"},
+    KeyInfo{"scale", "the scale: a number, or one for each axis; greater than 0"},
+    KeyInfo{"lightmap", "a picture of baked light, read at the mesh's second texture coordinates"},
+    KeyInfo{"lightmapEncoding", "the encoding of the lightmap: hdr (not encoded), rgbm or dldr; default: hdr"},
+    KeyInfo{"shadowMask", "a picture with the baked shadows of four lights"},
+    KeyInfo{"instances", "the instances: the object is drawn once for each", ObjectKind::SceneInstance},
 };
 
 constexpr std::array kSceneInstance = {
-    KeyInfo{"position", "where it is within the object, in metres"},
-    KeyInfo{"rotation", "degrees about the axes, as an object's"},
-    KeyInfo{"scale", "a number, or one for each axis; greater than 0"},
-    KeyInfo{"set", "values of properties that each instance has"},
+    KeyInfo{"position", "the position relative to the object, in metres"},
+    KeyInfo{"rotation", "the angles about the axes in degrees, as of an object"},
+    KeyInfo{"scale", "the scale: a number, or one for each axis; greater than 0"},
+    KeyInfo{"set", "values of the properties with \"as\": \"instance\""},
 };
 
 // --- nodes/engines/NAME/engine.json
 
 constexpr std::array kEngine = {
     kVersion,
-    KeyInfo{"name", "what people call the engine", ObjectKind::Free, true},
-    KeyInfo{"help", "what comes out for it, in a sentence", ObjectKind::Free, true},
-    KeyInfo{"languages", "languages that its shaders can be written in", ObjectKind::Free, true},
-    KeyInfo{"file", "the format of the file that holds all passes; otherwise each stage is a file"},
-    KeyInfo{"passes", "the file of its own rendering path; otherwise it draws the library's paths"},
-    KeyInfo{"include", "a file with text that its files may need a part of"},
-    KeyInfo{"variants", "chosen: the shaders hold one combination; keywords: they hold all"},
-    KeyInfo{"instances", "arrays: uniform blocks hold them; engine: the engine's own text does"},
-    KeyInfo{"sets", "descriptor sets and bindings, by owner", ObjectKind::EngineSets, true},
-    KeyInfo{"blocks", "what uniform blocks are called here, by the library's names"},
-    KeyInfo{"vertexInputs", "what its meshes have", ObjectKind::EngineVertexInput},
+    KeyInfo{"name", "the name of the engine that people see", ObjectKind::Free, true},
+    KeyInfo{"help", "the output for this engine, in a sentence", ObjectKind::Free, true},
+    KeyInfo{"languages", "the languages that its shaders can be written in", ObjectKind::Free, true},
+    KeyInfo{"file", "the format of the file that holds all passes; default: each stage has its own file"},
+    KeyInfo{"passes", "the file of its own rendering path; default: it draws the library's paths"},
+    KeyInfo{"include", "a file with text that its files can include in parts"},
+    KeyInfo{"variants", "chosen: the shaders hold one combination; keywords: they hold all combinations"},
+    KeyInfo{"instances", "arrays: uniform blocks hold instances; engine: the engine's own text holds them"},
+    KeyInfo{"sets", "the descriptor sets and bindings, by owner", ObjectKind::EngineSets, true},
+    KeyInfo{"blocks", "the names of uniform blocks in this engine, by the library's names"},
+    KeyInfo{"vertexInputs", "the vertex inputs of its meshes", ObjectKind::EngineVertexInput},
     KeyInfo{"clip", "the conventions of clip space", ObjectKind::EngineClip, true},
-    KeyInfo{"matrices", "how matrices lie in uniform blocks: columns or rows", ObjectKind::Free, true},
-    KeyInfo{"storage", "how it keeps values of materials, by type"},
-    KeyInfo{"textureSizes", "what the size of a texture is called, behind the texture's name"},
-    KeyInfo{"samplers", "what samplers are called after: ofProperties or ofTextures"},
-    KeyInfo{"limits", "what shaders must not exceed", ObjectKind::EngineLimits, true},
-    KeyInfo{"names", "names that are taken", ObjectKind::EngineNames},
+    KeyInfo{"matrices", "the order of matrices in uniform blocks: columns or rows", ObjectKind::Free, true},
+    KeyInfo{"storage", "the types that it stores material values as, by type"},
+    KeyInfo{"textureSizes", "the suffix that makes the name of a texture's size from the texture's name"},
+    KeyInfo{"samplers", "the source of sampler names: ofProperties or ofTextures"},
+    KeyInfo{"limits", "the limits of its shaders", ObjectKind::EngineLimits, true},
+    KeyInfo{"names", "the names that shaders must not use", ObjectKind::EngineNames},
 };
 constexpr std::array kEngineSets = {
     KeyInfo{"engine", "values of camera, frame, object and lights", ObjectKind::EngineSet, true},
@@ -295,30 +295,30 @@ constexpr std::array kEngineSets = {
 };
 constexpr std::array kEngineSet = {
     KeyInfo{"set", "the descriptor set", ObjectKind::Free, true},
-    KeyInfo{"buffers", "binding of the first uniform block; 0 otherwise"},
-    KeyInfo{"textures", "binding of the first texture; otherwise they follow the buffers"},
-    KeyInfo{"samplers", "binding of the first sampler; otherwise they follow the textures"},
+    KeyInfo{"buffers", "the binding of the first uniform block; default: 0"},
+    KeyInfo{"textures", "the binding of the first texture; default: after the buffers"},
+    KeyInfo{"samplers", "the binding of the first sampler; default: after the textures"},
 };
 constexpr std::array kEngineVertexInput = {
-    KeyInfo{"semantic", "of the library: positionOS", ObjectKind::Free, true},
-    KeyInfo{"hlsl", "its HLSL semantic: POSITION", ObjectKind::Free, true},
-    KeyInfo{"location", "its location; otherwise those that a pass reads are numbered in order"},
+    KeyInfo{"semantic", "the semantic of the library: positionOS", ObjectKind::Free, true},
+    KeyInfo{"hlsl", "the HLSL semantic: POSITION", ObjectKind::Free, true},
+    KeyInfo{"location", "the location; default: the inputs that a pass reads are numbered in order"},
 };
 constexpr std::array kEngineClip = {
     KeyInfo{"depth", "z of what the camera sees: nearToFar (0 to 1) or reversed (1 to 0)", ObjectKind::Free, true},
 };
 constexpr std::array kEngineLimits = {
-    KeyInfo{"varyings", "vectors from the vertex stage to the fragment stage", ObjectKind::Free, true},
-    KeyInfo{"varyingsNote", "what of the engine's own takes some of them"},
-    KeyInfo{"blockBytes", "bytes of a uniform block", ObjectKind::Free, true},
+    KeyInfo{"varyings", "the number of vectors from the vertex stage to the fragment stage", ObjectKind::Free, true},
+    KeyInfo{"varyingsNote", "a note that says which of them the engine uses itself"},
+    KeyInfo{"blockBytes", "the size of a uniform block in bytes", ObjectKind::Free, true},
 };
 constexpr std::array kEngineNames = {
-    KeyInfo{"owner", "who declares the taken names, in words", ObjectKind::Free, true},
+    KeyInfo{"owner", "the text that names the owner of the taken names in messages", ObjectKind::Free, true},
     KeyInfo{"taken", "names that the engine's text declares"},
-    KeyInfo{"prefixes", "all names that begin so are the engine's"},
+    KeyInfo{"prefixes", "prefixes of names that belong to the engine"},
     KeyInfo{"own", "names that the written file declares"},
     KeyInfo{"ownNearProperties", "names that only properties must not have"},
-    KeyInfo{"instead", "what functions of the library are called here"},
+    KeyInfo{"instead", "the names of library functions in this engine, by the library's names"},
 };
 
 }  // namespace

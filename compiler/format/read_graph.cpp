@@ -86,7 +86,7 @@ void read_variants(Reading& reading, const Json& array, std::vector<ListedVarian
     if (!expect(reading, array, Json::Kind::Array, "'variants'")) return;
     if (array.elements.empty()) {
         reading.diagnostics.report(Code::EmptyList, array.span, "variants")
-            .note("it lists combinations: \"variants\": [ { \"_DETAIL\": true }, { \"_Mode\": \"Wet\" } ]");
+            .note("list the combinations: \"variants\": [ { \"_DETAIL\": true }, { \"_Mode\": \"Wet\" } ]");
     }
     for (const Json& element : array.elements) {
         if (!expect(reading, element, Json::Kind::Object, "a variant")) continue;

@@ -14,7 +14,7 @@ bool check_version(Reading& reading, const Json& json, std::string_view what) {
     const Json* version = json.find("patina");
     if (!version) {
         reading.diagnostics.report(Code::MissingKey, opening(json), what, "patina")
-            .note("\"patina\": 1 says that the file is in version 1 of the graph format");
+            .note("add \"patina\": 1, the version of the graph format");
         return true;  // the rest is read all the same
     }
     if (version->kind != Json::Kind::Number) {
@@ -40,7 +40,7 @@ std::optional<ObjectKind> check_kind(Reading& reading, const Json& json, std::sp
     if (!word) record.note(fmt::format("\"kind\": \"{}\" is missing", to_string(allowed.front())));
     if (kind == ObjectKind::Scene) {
         record.note(
-            "'patina render' draws a scene, and 'patina check' checks it with its materials; its file is called "
+            "use 'patina render' to draw a scene and 'patina check' to check it with its materials; name its file "
             "NAME.scene.json");
     }
     return std::nullopt;

@@ -87,7 +87,7 @@ std::optional<Bounds> read_bounds(Reading& reading, const Json& json) {
         if ((*lowest)[i] <= (*highest)[i]) continue;
         const Json& number = json.elements[1].elements[i];
         reading.diagnostics.report(Code::ImpossibleValue, number.span, "bounds",
-                                   "a box whose highest corner is nowhere below the lowest");
+                                   "a box whose highest corner is not below its lowest on any axis");
         return std::nullopt;
     }
     return Bounds{.box = std::array{*lowest, *highest}};
@@ -105,8 +105,8 @@ std::optional<std::array<double, 2>> read_depth_offset(Reading& reading, const J
                     "depthOffset")
             .note(std::string(note));
     };
-    check(0, kMostFactor, "the first number is the factor: times how much depth changes from pixel to pixel");
-    check(1, kMostUnits, "the second number is the units: times the least difference of depths");
+    check(0, kMostFactor, "the first number is the factor, which multiplies the depth slope");
+    check(1, kMostUnits, "the second number is the units, which multiply the smallest depth difference");
     return reading.diagnostics.error_count() == errors ? numbers : std::nullopt;
 }
 

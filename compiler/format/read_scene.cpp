@@ -119,7 +119,7 @@ SceneMixedLighting read_mixed_lighting(Reading& reading, const Json& json) {
     if (read_number(reading, json, "shadowFade", 1e-3, kFarthest, fade)) mixed.shadow_fade = fade;
     if (!mixed.shadow_fade) return mixed;
     if (!json.find("shadowDistance")) {
-        report_impossible(reading, json, "shadowFade", "beside 'shadowDistance', before which shadows fade");
+        report_impossible(reading, json, "shadowFade", "set together with 'shadowDistance'");
     } else if (mixed.shadow_distance && fade > distance) {
         report_impossible(reading, json, "shadowFade", fmt::format("at most 'shadowDistance', which is {}", distance));
     }
@@ -238,7 +238,7 @@ std::vector<SceneInstance> read_instances(SceneReading& reading, const Json& arr
     if (!expect(reading, array, Json::Kind::Array, "'instances'")) return instances;
     if (array.elements.empty()) {
         reading.diagnostics.report(Code::EmptyList, array.span, "instances")
-            .note("an object without this key is drawn once");
+            .note("leave 'instances' out to draw the object once");
     }
     if (array.elements.size() > kMostSceneInstances) {
         reading.diagnostics.report(Code::TooMany, opening(array), array.elements.size(), "instances",

@@ -118,7 +118,7 @@ const Expr* read_link(Reading& reading, const Json& json) {
     const char first = text.text.front();
     if ((first >= '0' && first <= '9') || first == '-' || first == '+') {
         reading.diagnostics.report(Code::Syntax, inside(json.span), "a link", fmt::format("'{}'", shown(text.text)))
-            .note("a number stands without quotes, and an expression starts with '='");
+            .note("write a number without quotes; start an expression with '='");
         return nullptr;
     }
     const std::size_t start = first == '$' || first == '@' ? 1 : 0;

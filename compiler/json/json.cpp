@@ -373,7 +373,7 @@ std::optional<std::size_t> check_text(std::string_view text, std::uint32_t base,
     }
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
         const std::uint32_t at = base + static_cast<std::uint32_t>(zero);
-        diagnostics.report(Code::BadJson, Span{at, at + 1}, "a zero byte cannot stand in a text");
+        diagnostics.report(Code::BadJson, Span{at, at + 1}, "a text cannot hold a zero byte");
         return std::nullopt;
     }
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";

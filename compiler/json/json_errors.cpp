@@ -65,7 +65,7 @@ bool Breaker::ends_here(std::size_t at) {
     }
     const char closing = at_.bracket == '{' ? '}' : ']';
     const std::uint32_t bracket = base_ + static_cast<std::uint32_t>(at_.bracket_offset);
-    say(at, at, fmt::format("the file ends where a '{}' is missing", closing))
+    say(at, at, fmt::format("the file ends before a closing '{}'", closing))
         .note({bracket, bracket + 1}, fmt::format("this '{}' is still open", at_.bracket));
     return true;
 }
@@ -78,7 +78,7 @@ void Breaker::bad_word(std::size_t begin, std::string_view word) {
     if (!word.empty() && (word[0] == '-' || word[0] == '+')) unsigned_word.remove_prefix(1);
     const std::string text = shown(word);
     if (std::find(kNotNumbers.begin(), kNotNumbers.end(), unsigned_word) != kNotNumbers.end()) {
-        say(begin, end, fmt::format("'{}' is not a number of JSON: write a finite number", text));
+        say(begin, end, fmt::format("'{}' is not a JSON number: write a finite number", text));
     } else if (!word.empty() && word[0] == '+') {
         say(begin, end, fmt::format("'{}' has a plus sign: leave it out", text));
     } else if (word.starts_with('.') || word.starts_with("-.")) {
@@ -86,7 +86,7 @@ void Breaker::bad_word(std::size_t begin, std::string_view word) {
     } else if (const std::string_view literal = nearest(word, kLiterals); !literal.empty()) {
         say(begin, end, fmt::format("'{}' is not a value: write {}", text, literal));
     } else {
-        say(begin, end, fmt::format("'{}' is not a value: text stands in double quotes", text));
+        say(begin, end, fmt::format("'{}' is not a value: put text in double quotes", text));
     }
 }
 
@@ -96,13 +96,13 @@ void Breaker::bad_value() {
     if (at_.offset <= begin && (c == ',' || c == '}' || c == ']')) {
         say(at_.offset, at_.offset + 1, fmt::format("a value is missing before this '{}'", c));
     } else if (at_.offset <= begin && c == ':') {
-        say(at_.offset, at_.offset + 1, "a ':' cannot stand here: keys stand in '{ }'");
+        say(at_.offset, at_.offset + 1, "a ':' is not allowed here: keys belong in '{ }'");
     } else if (ends_here(begin)) {
         return;
     } else if (byte(begin) == '\'') {
-        say(begin, begin + 1, "strings take double quotes: \"...\"");
+        say(begin, begin + 1, "write a string in double quotes: \"...\"");
     } else if (byte(begin) == '=') {
-        say(begin, begin + 1, "an expression is a string: \"= ...\"");
+        say(begin, begin + 1, "write an expression as a string: \"= ...\"");
     } else {
         bad_word(begin, word(begin));
     }
@@ -114,7 +114,7 @@ void Breaker::bad_key() {
     const std::string_view found = word(at_.offset);
     const std::size_t end = at_.offset + found.size();
     if (c == ',') {
-        say(at_.offset, end, "there is one ',' too many here");
+        say(at_.offset, end, "there is an extra ',' here");
     } else if (c == ']') {
         const std::uint32_t bracket = base_ + static_cast<std::uint32_t>(at_.bracket_offset);
         say(at_.offset, end, "a ']' cannot close a '{'").note({bracket, bracket + 1}, "this is the '{'");
@@ -128,7 +128,7 @@ void Breaker::bad_key() {
 void Breaker::missing_colon() {
     if (ends_here(at_.offset)) return;
     if (byte(at_.offset) == '=') {
-        say(at_.offset, at_.offset + 1, "between a key and its value stands ':', not '='");
+        say(at_.offset, at_.offset + 1, "write ':' between a key and its value, not '='");
     } else {
         say(at_.last_begin, at_.last_end, "a ':' and a value are missing after this key");
     }
@@ -143,18 +143,18 @@ void Breaker::missing_comma() {
         const std::string_view found = word(at_.last_begin);
         const bool zero = (last == '0' && at_.last_end - at_.last_begin == 1) && c >= '0' && c <= '9';
         say(at_.last_begin, at_.last_begin + found.size(),
-            fmt::format("'{}' is not a number of JSON{}", shown(found), zero ? ": leave out the leading zero" : ""));
+            fmt::format("'{}' is not a JSON number{}", shown(found), zero ? ": leave out the leading zero" : ""));
     } else if (c == '}' || c == ']') {
         const std::uint32_t bracket = base_ + static_cast<std::uint32_t>(at_.bracket_offset);
         say(at_.offset, at_.offset + 1, fmt::format("a '{}' cannot close a '{}'", c, at_.bracket))
             .note({bracket, bracket + 1}, fmt::format("this is the '{}'", at_.bracket));
     } else if (c == ':' && at_.bracket == '[') {
-        say(at_.offset, at_.offset + 1, "a ':' cannot stand here: keys stand in '{ }'");
+        say(at_.offset, at_.offset + 1, "a ':' is not allowed here: keys belong in '{ }'");
     } else if (c == '"' || c == '{' || c == '[' || is_word_byte(c)) {
         say(at_.last_end, at_.last_end, "a ',' is missing after this value");
     } else {
         const char closing = at_.bracket == '{' ? '}' : ']';
-        say(at_.offset, at_.offset + 1, fmt::format("after a value stands ',' or '{}', not '{}'", closing, c));
+        say(at_.offset, at_.offset + 1, fmt::format("expected ',' or '{}' after a value, not '{}'", closing, c));
     }
 }
 
@@ -163,15 +163,15 @@ void Breaker::bad_escape() {
     if (c == '\n' || c == '\r') return open_string();
     if (c != '\\') {
         say(at_.offset, at_.offset + 1,
-            fmt::format("the control character 0x{:02x} is written \\u{:04x} in a string",
-                        static_cast<unsigned char>(c), static_cast<unsigned char>(c)));
+            fmt::format("write the control character 0x{:02x} as \\u{:04x} in a string", static_cast<unsigned char>(c),
+                        static_cast<unsigned char>(c)));
         return;
     }
     const std::string_view escape = text_.substr(at_.offset, 2);
     if (escape.size() == 2 && escape[1] > ' ' && escape[1] < 0x7f) {
-        say(at_.offset, at_.offset + 2, fmt::format("there is no escape '{}': a backslash is written '\\\\'", escape));
+        say(at_.offset, at_.offset + 2, fmt::format("there is no escape '{}': write a backslash as '\\\\'", escape));
     } else {
-        say(at_.offset, at_.offset + 1, "a backslash is written '\\\\' in a string");
+        say(at_.offset, at_.offset + 1, "write a backslash as '\\\\' in a string");
     }
 }
 
@@ -189,7 +189,7 @@ void Breaker::bad_comment() {
         say(begin, begin + 2, "the comment is not closed: a '*/' is missing");
     } else {
         const std::size_t slash = at_.offset > 0 ? at_.offset - 1 : 0;
-        say(slash, slash + 1, "a '/' cannot stand here: a comment starts with '//' or '/*'");
+        say(slash, slash + 1, "a '/' is not allowed here: a comment starts with '//' or '/*'");
     }
 }
 
@@ -204,7 +204,7 @@ void Breaker::report() {
             if (!ends_here(at_.offset)) say(at_.offset, at_.offset + 1, "a graph starts with '{'");
             return;
         case rapidjson::kParseErrorDocumentRootNotSingular:
-            say(at_.offset, at_.offset + word(at_.offset).size(), "the text goes on after the end of its first value");
+            say(at_.offset, at_.offset + word(at_.offset).size(), "there is text after the end of the JSON value");
             return;
         case rapidjson::kParseErrorValueInvalid: return bad_value();
         case rapidjson::kParseErrorObjectMissName: return bad_key();

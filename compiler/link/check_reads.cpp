@@ -124,7 +124,7 @@ bool has_all(graph::Session& session, const Linked& linked, const LinkedPass& pa
         DiagnosticRecord& record = session.diagnostics.report(
             declaration.is_optional ? Code::PassLeftOut : Code::PassRefused,
             is_at_node ? missing->where.span : Span{graph.begin, graph.begin + 1}, graph::known_as(declaration),
-            fmt::format("its {} reads '{}', and '{}' has nothing like it there",
+            fmt::format("its {} reads '{}', which '{}' does not provide there",
                         stage == &pass.vertex ? "vertex stage" : "fragment stage", missing->name,
                         session.options.targets[0].name()));
         record.at(missing->where.id);
@@ -152,8 +152,8 @@ void check_reads(graph::Session& session, const graph::Lowered& lowered, std::sp
                     .report(Code::PassRefused, function.name_span, pass.name,
                             fmt::format("it draws the screen and reads '{}', which belongs to an object", global.name))
                     .note(
-                        "the corners of the screen are positionOS, and what is behind a pixel is what depthTexture "
-                        "says");
+                        "read the corners of the screen from positionOS, and the depth behind a pixel from "
+                        "depthTexture");
         }
     };
     for (const LinkedPass& each : passes) {

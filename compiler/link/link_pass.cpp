@@ -142,10 +142,10 @@ void check_varyings(const LinkedPass& pass, graph::Session& session) {
     if (count <= engine.most_varyings) return;
     const Span graph = pass.material->graph->graph->span;
     DiagnosticRecord& report = session.diagnostics.report(Code::TooMany, {graph.begin, graph.begin + 1}, count,
-                                                          "values from vertices to pixels", engine.most_varyings);
+                                                          "interpolated values", engine.most_varyings);
     report.note(
-        fmt::format("in the pass '{}'; nodes with \"stage\": \"vertex\", what they read of the mesh and what the "
-                    "surface reads of it take one each",
+        fmt::format("in the pass '{}'; each node with \"stage\": \"vertex\" takes one, as does each mesh value that "
+                    "such a node or the surface reads",
                     pass.pass->name));
     if (!engine.varyings_note.empty()) report.note(engine.varyings_note);
 }

@@ -119,7 +119,7 @@ DerivedSlot linear_slot(Lowering& lowering, const SlotDecl& slot) {
     made.function->comment = nodelang::first_sentence(slot.function->doc);
     const ir::FunctionId function = add_function(module, std::move(*made.function));
     if (const std::string other = componentwise ? "" : other_member_of(module, function, *source.seed); !other.empty())
-        return {.why_not = fmt::format("what '{}' does with '{}' depends on '{}', too", of, name, other)};
+        return {.why_not = fmt::format("the way that '{}' uses '{}' also depends on '{}'", of, name, other)};
     return {.slot = {.function = function, .result = whole->result, .needs_quad = whole->needs_quad},
             .is_zero = !made.depends};
 }
@@ -164,7 +164,7 @@ Packing packing_of(Lowering& lowering, const SlotDecl& slot, Type surface) {
         if (!is_read[i] || std::find(slot.holds.begin(), slot.holds.end(), members[i].name) != slot.holds.end())
             continue;
         if (!members[i].type.is_numeric() || members[i].type.is_matrix()) {
-            packing.why_not = fmt::format("'@surface.{}' is no number", members[i].name);
+            packing.why_not = fmt::format("'@surface.{}' is not a number", members[i].name);
             continue;
         }
         packing.members.push_back(i);
@@ -203,8 +203,9 @@ DerivedSlot pack_slot(Lowering& lowering, const SlotDecl& slot) {
     if (!packing.why_not.empty()) return {.why_not = packing.why_not};
     const unsigned room = room_in(module, function.result);
     if (packing.numbers > room)
-        return {.why_not = fmt::format("its lighting reads {} numbers that have no place yet, and there is room for {}",
-                                       packing.numbers, room)};
+        return {.why_not =
+                    fmt::format("its lighting reads {} numbers that are not stored yet, and there is room for {}",
+                                packing.numbers, room)};
     ir::Builder b(module, function, lowering.emitter.options);
     const Value surface = b.param(0);
     std::vector<Value> numbers;

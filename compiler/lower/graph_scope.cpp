@@ -288,9 +288,9 @@ Typed GraphScope::name(const Expr& expr, emit::Scope&) {
     std::vector<std::string_view> known;
     for (const Node& node : graph_.graph->nodes) known.push_back(node.id);
     if (inputs_.contains(expr.text) || lowering_.material.property_index.contains(expr.text)) {
-        record.note(fmt::format("an input or property is read as '${}'", expr.text));
+        record.note(fmt::format("read an input or property as '${}'", expr.text));
     } else if (lowering_.session.paths->semantic_index.contains(expr.text)) {
-        record.note(fmt::format("a semantic is read as '@{}'", expr.text));
+        record.note(fmt::format("read a semantic as '@{}'", expr.text));
     } else {
         record.note(Diagnostics::suggestion(expr.text, known));
     }
@@ -442,7 +442,8 @@ Typed GraphScope::semantic(std::string_view name, Span span, emit::Scope& scope)
     const emit::OpenPort* open = scope.open_port;
     const auto report = [&](Code code, std::string_view where) -> DiagnosticRecord& {
         DiagnosticRecord& record = lowering_.session.diagnostics.report(code, open ? open->call : span, name, where);
-        return open ? record.note(fmt::format("'{}' of {} is left open, and reads it", open->port, open->function))
+        return open ? record.note(
+                          fmt::format("'{}' of {} has no value, and its default reads it", open->port, open->function))
                     : record;
     };
     const bool per_light = graph_.graph->kind == GraphKind::Lighting && name == "light";
@@ -460,7 +461,8 @@ Typed GraphScope::semantic(std::string_view name, Span span, emit::Scope& scope)
     if (scope_.in_vertex_stage && (semantic.source == SemanticSource::Builtin || reads_pixel(paths, semantic))) {
         DiagnosticRecord& record = report(Code::NoSuchStageValue, "vertex");
         record.note(
-            "vertices are computed before there are pixels, from the mesh and from what is the same for all of it");
+            "the vertex stage runs before the fragment stage, and reads only the mesh and values that are the same for "
+            "all of it");
         tell_reader(record);
         return {};
     }

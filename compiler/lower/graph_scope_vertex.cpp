@@ -62,13 +62,12 @@ void GraphScope::tell_reader(DiagnosticRecord& record) const {
     const Lowering::VertexReader& reader = lowering_.vertex_readers.back();
     const std::string way = way_from(reader);
     if (reader.is_interpolator) {
-        record.note(reader.span,
-                    fmt::format("'{0}' is pinned to the vertex stage here{1}: the interpolator '{0}' would carry it to "
-                                "the pixels; without \"stage\": \"vertex\" it is computed there",
-                                reader.name, way.empty() ? "" : ", and " + way));
+        record.note(reader.span, fmt::format("'{0}' is pinned to the vertex stage here{1}, to be interpolated for the "
+                                             "fragment stage: remove \"stage\": \"vertex\" to compute it there",
+                                             reader.name, way.empty() ? "" : ", and " + way));
     } else {
-        record.note(reader.span, fmt::format("'{}' {}: no interpolator can carry it, for they lead from vertices to "
-                                             "pixels",
+        record.note(reader.span, fmt::format("'{}' {}: an interpolator cannot carry it, because interpolators go from "
+                                             "the vertex stage to the fragment stage",
                                              reader.name, way));
     }
 }

@@ -87,7 +87,7 @@ void extend_lighting_surface(Lowering& lowering) {
                                         [&](const auto& m) { return m.name == input.name; });
         if (clash != surface->members.end()) {
             lowering.session.diagnostics.report(Code::DuplicateId, input.name_span, "surface member", input.name)
-                .note("every lighting surface has it already");
+                .note("every lighting surface already has it: choose another name");
             continue;
         }
         const Type type = input_type(lowering, input);
@@ -164,15 +164,15 @@ void declare_switches(Lowering& lowering) {
                 has_passes ? "a switch of a pass or a keyword of the graph" : "a keyword of the graph");
             if (const Property* property = variant_of_lighting(lowering.material, name)) {
                 record.note(property->name_span,
-                            fmt::format("it is a variant of the lighting graph: the material says what it is, by "
+                            fmt::format("it is a variant of the lighting graph: set it in the material with "
                                         "\"lighting\": {{ \"in\": {{ \"{}\": ... }} }}",
                                         name));
                 continue;
             }
-            record.note(is_switch
-                            ? fmt::format("it is a part of the rendering paths, and {} of none",
-                                          session.engine.has_own_passes() ? "this target's file is" : "functions are")
-                        : words.empty() ? "it has none"
+            record.note(is_switch       ? fmt::format("it is a switch of the rendering paths, and {} no path",
+                                                session.engine.has_own_passes() ? "the file of this target has"
+                                                                                      : "functions have")
+                        : words.empty() ? "there are none"
                                         : Diagnostics::suggestion(name, words));
         } else if (!value.empty() && value != "true" && value != "false") {
             session.diagnostics.report(Code::UnknownWord, {}, value, fmt::format("a value of '{}'", name))
@@ -196,8 +196,8 @@ void report_large_instance(Session& session, const Material& material, const Low
     const auto [bytes, room] = size_of_instance(lowered, globals);
     session.diagnostics.report(Code::TooMany, first->property->name_span, bytes, "bytes for each instance", room)
         .note(
-            "a uniform block has 64 KiB, and not one instance fits; properties that all instances share need no "
-            "\"as\": \"instance\"");
+            "a uniform block has 64 KiB, too little for one instance: remove \"as\": \"instance\" from properties that "
+            "all instances share");
 }
 
 // The switches that are on, and the path.

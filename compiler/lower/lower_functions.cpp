@@ -66,7 +66,7 @@ private:
             if (input.type != "texture2d") continue;
             lowering_.session.diagnostics.report(
                 Code::NotYet, input.type_span,
-                fmt::format("'{}', a texture that is handed to a lighting function as a parameter,", input.name));
+                fmt::format("'{}', a texture parameter of a lighting function,", input.name));
         }
         return !lowering_.session.diagnostics.has_errors();
     }

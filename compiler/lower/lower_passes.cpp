@@ -49,7 +49,7 @@ private:
         out.path = lowering_.session.path;
         const PassDecl* pass = paths_.pass_for_extra(out.path);
         const std::string& name = lowering_.material.pass->name;
-        if (const Refusal refusal = pass ? lower_pass(*pass) : Refusal{"no pass says [extra]"})
+        if (const Refusal refusal = pass ? lower_pass(*pass) : Refusal{"no pass has [extra]"})
             report(Code::PassRefused, refusal, name, refusal.reason);
         for (LoweredPass& made : out.passes) made.name = name;
     }
@@ -171,10 +171,10 @@ private:
             return {.reason = "it writes depth, and the material does not", .where = where, .is_news = true};
         const Compare test = render.depth_test.value_or(Compare::LessEqual);
         if (test == Compare::Less || test == Compare::LessEqual || test == Compare::Equal) return {};
-        return {
-            .reason = fmt::format("it holds what is nearest, and the material's depth test is '{}'", to_string(test)),
-            .where = where,
-            .is_news = true};
+        return {.reason =
+                    fmt::format("it keeps the nearest surface, and the material's depth test is '{}'", to_string(test)),
+                .where = where,
+                .is_news = true};
     }
 
     // Unlit materials look the same without this pass.
@@ -182,7 +182,7 @@ private:
         const Graph& graph = *lowering_.material.graph->graph;
         const LightingUse& use = graph.lighting;
         const Span inlined{use.span.begin, use.span.begin + 1};
-        return {.reason = fmt::format("it is for what is lit by {}, and the material is lit by {}",
+        return {.reason = fmt::format("it is for materials lit by {}, and this material is lit by {}",
                                       list_of(pass.lighting), quoted(lowering_.material.lighting_name)),
                 .where = {.span = !use.present  ? graph.workflow_span
                                   : use.inlined ? inlined
@@ -209,12 +209,13 @@ private:
             return {.reason = "it uses the stencil itself", .where = where, .is_news = has_own_passes()};
         if (has_own_passes() && pass.state.each != PassEach::Light) return {};  // the other pass reports it
         if (!stencil->changes() || stencil->test == Compare::Always || !is_drawn_again(pass)) return {};
-        Refusal refusal{.reason = "it draws an object once for each light, and this stencil changes what it tests",
-                        .where = where};
+        Refusal refusal{
+            .reason = "it draws an object once for each light, and this stencil changes the value that it tests",
+            .where = where};
         if (has_own_passes())
             refusal.advice =
-                "with a \"test\" that is \"always\", or a \"pass\", \"fail\" and \"depthFail\" that are "
-                "\"keep\", or with the workflow \"unlit\" there is no such fault";
+                "set \"test\" to \"always\", or \"pass\", \"fail\" and \"depthFail\" to \"keep\", or use the workflow "
+                "\"unlit\"";
         return refusal;
     }
 
@@ -246,19 +247,19 @@ private:
             return refusal_of_lighting(pass);
         const std::vector<ExtraPass>& added = lowering_.material.graph->graph->passes;
         if (pass.is_alone && !added.empty())
-            return {.reason = fmt::format("where it is drawn, '{}' is not", added.front().name),
+            return {.reason = fmt::format("where it is drawn, '{}' is not drawn", added.front().name),
                     .where = {.span = added.front().name_span},
                     .is_news = true};
         for (const std::string_view name : pass.needs) {
             const SlotDecl* slot = paths_.slot(name);
-            if (!slot) return {.reason = fmt::format("it needs '{}', which nothing makes", name)};
+            if (!slot) return {.reason = fmt::format("it needs '{}', which nothing provides", name)};
             const DerivedSlot* part = slot->is_derived() ? &derived_slot(lowering_, *slot) : nullptr;
             if (part && !part->slot.function) return {.reason = part->why_not, .where = part->where};
         }
         if (const auto vain = vain_part(pass))
             return {.reason = fmt::format("'{}' is always 0", *vain), .is_vain = true};
         for (const std::string_view name : pass.excludes) {
-            if (lowering_.is_on(name)) return {.reason = fmt::format("it has no place for '{}'", name)};
+            if (lowering_.is_on(name)) return {.reason = fmt::format("it does not support '{}'", name)};
         }
         const nodelang::Declarations& declarations = *lowering_.session.declarations;
         emit::Emitter& emitter = lowering_.emitter;
@@ -341,11 +342,10 @@ private:
                           std::equal(before.params.begin(), before.params.end(), now.params.begin(), now.params.end(),
                                      [](const ir::Param& a, const ir::Param& b) { return a.type == b.type; });
         if (fits) return pass.replaced.push_back({old, made});
-        lowering_.session.diagnostics.report(
-            Code::BadAttribute, given.function->name_span, "gives",
-            fmt::format("replaces '{}', whose parameters and result it must have; further ones need a semantic as "
-                        "their default",
-                        given.what));
+        lowering_.session.diagnostics.report(Code::BadAttribute, given.function->name_span, "gives",
+                                             fmt::format("replaces '{}' and must have its parameters and result; "
+                                                         "further parameters need a semantic as their default",
+                                                         given.what));
     }
 
     // Lowers the recipes of every semantic that a function reads, and of those that the recipes read.
@@ -374,7 +374,7 @@ private:
     void refuse_answers(const FunctionDecl& recipe) {
         lowering_.session.diagnostics.report(
             Code::BadAttribute, recipe.name_span, "semantic",
-            "stands before a function that asks a [static] which passes there are: that differs from path to path");
+            "is on a function that asks a [static] which passes exist: the answer differs between paths");
     }
 
     // --- slots and [static] values that pass functions ask for
@@ -386,10 +386,9 @@ private:
         if (part.slot.function) return &part.slot;
         lowering_.session.diagnostics
             .report(Code::PassRefused, at, pass_, fmt::format("it calls '{}', and {}", slot.name, part.why_not))
-            .note(
-                fmt::format("[needs(\"{0}\")] at the pass says so sooner, and a static(\"slot\", \"{0}\") asks whether "
-                            "the material has it",
-                            slot.name));
+            .note(fmt::format(
+                "put [needs(\"{0}\")] on the pass, or ask whether the material has it with static(\"slot\", \"{0}\")",
+                slot.name));
         return nullptr;
     }
 

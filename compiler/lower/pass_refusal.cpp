@@ -79,8 +79,8 @@ private:
             if (op == Op::Sample) return;  // in the vertex stage it reads level 0
             refuse(place, fmt::format("{} compares neighbouring pixels, and vertices have none", said(place)));
         } else if (!draws_objects()) {
-            refuse(place,
-                   fmt::format("{} compares neighbouring pixels, and here they may be of other objects", said(place)));
+            refuse(place, fmt::format("{} compares neighbouring pixels, and here they may belong to other objects",
+                                      said(place)));
         }
     }
 
@@ -97,7 +97,7 @@ private:
         const bool is_interpolated =
             recipe.source == SemanticSource::Vertex || recipe.source == SemanticSource::Attribute;
         if (is_interpolated && is_graph(place) && !draws_objects())
-            return refuse(place, fmt::format("{} reads '@{}', which it cannot give", said(place), name));
+            return refuse(place, fmt::format("{} reads '@{}', which the pass cannot provide", said(place), name));
         const bool is_side = module_.semantics[id.index].type == ir::kBool;  // vertices see the front
         if (recipe.source == SemanticSource::Builtin && is_graph(place) && place.at_vertex && !is_side)
             return refuse(place, fmt::format("{} reads '@{}', which vertices do not have", said(place), name));
@@ -120,7 +120,7 @@ private:
 
     void global(ir::GlobalId id, const Place& place) {
         if (draws_objects() || !is_graph(place) || !lowering_.per_object.contains(id.index)) return;
-        refuse(place, fmt::format("{} reads '{}' of the object, which it cannot give", said(place),
+        refuse(place, fmt::format("{} reads '{}' of the object, which the pass cannot provide", said(place),
                                   module_.globals[id.index].name));
     }
 
@@ -134,7 +134,7 @@ private:
             if (holds(name)) continue;
             Place at = place;
             if (read.origin) at.origin = read.origin;
-            refuse(at, fmt::format("{} reads '@surface.{}', which it cannot give", said(place), name));
+            refuse(at, fmt::format("{} reads '@surface.{}', which the pass cannot provide", said(place), name));
             refusal_.advice = roomier_path();
             return;
         }
@@ -146,7 +146,7 @@ private:
             const bool packs = std::any_of(each.holds.begin(), each.holds.end(),
                                            [&](std::string_view name) { return lowering_.is_packing(name); });
             if (packs && each.path != declaration_.path)
-                return fmt::format("--path {} has room for more members of the surface", each.path);
+                return fmt::format("use --path {}, which has room for more members of the surface", each.path);
         }
         return {};
     }

@@ -241,8 +241,9 @@ void Lexer::graph_name(Token& token) {
         .report(Code::BadCharacter, span(begin, here_), fmt::format("'{}'", text_.text.substr(begin, here_ - begin)))
         .note(is_property
                   ? "only a graph reads properties: give the function a parameter"
-                  : fmt::format("only a graph writes semantics so: give the function a parameter with the default '{}'",
-                                token.text));
+                  : fmt::format(
+                        "only a graph writes a semantic with @: give the function a parameter with the default '{}'",
+                        token.text));
 }
 
 void Lexer::punctuation(Token& token) {
@@ -264,8 +265,8 @@ void Lexer::bad_character(Token& token) {
     const std::string what =
         is_printable ? fmt::format("'{}'", token.text) : fmt::format("the character 0x{:02x}", unsigned{byte});
     DiagnosticRecord& record = diagnostics_.report(Code::BadCharacter, span(begin, here_), what);
-    if (c == '#') record.note("there is no preprocessor: a constant is written 'const float NAME = 1;'");
-    if (c == '$' || c == '@') record.note(fmt::format("'{}' begins a name: put the name right behind it", c));
+    if (c == '#') record.note("there is no preprocessor: write a constant as 'const float NAME = 1;'");
+    if (c == '$' || c == '@') record.note(fmt::format("'{}' begins a name: put the name directly after it", c));
 }
 
 }  // namespace patina::nodelang

@@ -109,7 +109,7 @@ void Parser::check_attributes(std::span<const Attribute> marks, std::string_view
     }
     for (const Attribute& mark : marks) {
         if (std::find(known.begin(), known.end(), mark.name) == known.end()) {
-            diagnostics_.report(Code::BadAttribute, mark.span, mark.name, fmt::format("cannot stand before {}", what))
+            diagnostics_.report(Code::BadAttribute, mark.span, mark.name, fmt::format("is not allowed before {}", what))
                 .note(Diagnostics::suggestion(mark.name, known));
         } else if (mark.name == "range" &&
                    !(mark.args.size() == 2 && is_number(*mark.args[0]) && is_number(*mark.args[1]))) {
@@ -133,7 +133,7 @@ bool Parser::declaration() {
     if (now().is_word("struct")) return structure(std::move(marks), doc);
     if (now().is_word("enum")) {
         for (const Attribute& mark : marks) {
-            diagnostics_.report(Code::BadAttribute, mark.span, mark.name, "cannot stand before an enum");
+            diagnostics_.report(Code::BadAttribute, mark.span, mark.name, "is not allowed before an enum");
         }
         return enumeration(doc);
     }
@@ -341,7 +341,7 @@ bool Parser::parameter(ParamDecl& into) {
     into.is_const = take_word("const");
     into.is_out = !into.is_const && take_word("out");
     if ((now().is_word("in") || now().is_word("inout")) && after().kind == Token::Kind::Word) {
-        expected("a type").note("a parameter is read; 'out' before its type makes it an output");
+        expected("a type").note("a parameter is an input; write 'out' before its type to make it an output");
         return false;
     }
     Token word;

@@ -37,7 +37,7 @@ Node Parser::make(Expr expr, std::size_t begin, std::span<const Node> operands) 
     expr.span = span_from(begin);
     if (node.height > kMaxExpressionHeight) {
         diagnostics_.report(Code::TooDeep, expr.name_span, kMaxExpressionHeight)
-            .note("operators in one chain count too: give a part of it a name");
+            .note("operators in one chain also count: give a part of it a name");
         return {};
     }
     node.expr = &ast_.exprs.emplace_back(std::move(expr));

@@ -7,7 +7,7 @@ namespace patina::nodelang {
 namespace {
 
 constexpr std::string_view kAssignments[] = {"=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^="};
-constexpr std::string_view kLoopShape = "a loop is written: for (int i = 0; i < 8; i++)";
+constexpr std::string_view kLoopShape = "write a loop like this: for (int i = 0; i < 8; i++)";
 
 bool is_assignment(const Token& token) {
     return token.kind == Token::Kind::Punctuation &&
@@ -85,7 +85,7 @@ const Stmt* Parser::declaration_statement() {
     }
     const Stmt* made = finish(std::move(stmt), begin);
     if (now().is(",")) {
-        expected("';'").note("each variable has a declaration of its own");
+        expected("';'").note("declare each variable on its own");
         return nullptr;
     }
     return end_of_statement() ? made : nullptr;
@@ -97,7 +97,8 @@ const Stmt* Parser::assignment() {
     if (!target) return nullptr;
     if (!is_assignment(now())) {
         DiagnosticRecord& record = expected("an assignment");
-        if (target.expr->kind == Expr::Kind::Call) record.note("a call alone does nothing: nothing has side effects");
+        if (target.expr->kind == Expr::Kind::Call)
+            record.note("a call alone does nothing: functions have no side effects");
         if (now().is("++") || now().is("--")) record.note(fmt::format("write '{}= 1'", now().text[0]));
         return nullptr;
     }
@@ -145,7 +146,7 @@ const Stmt* Parser::for_statement() {
         if (mark.name == "light" && mark.args.empty()) {
             loop.is_light_loop = true;
         } else {
-            diagnostics_.report(Code::BadAttribute, mark.span, mark.name, "cannot stand before a statement");
+            diagnostics_.report(Code::BadAttribute, mark.span, mark.name, "is not allowed before a statement");
         }
     }
     if (!take_word("for")) {

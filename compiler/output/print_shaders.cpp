@@ -111,7 +111,7 @@ bool accepts_functions(graph::Session& session) {
     } else if (!is_identifier(prefix)) {
         session.diagnostics.report(Code::BadIdentifier, {}, prefix);
     } else if (const std::string name = prefix + "x"; targets::safe_identifier(name) != name) {
-        session.diagnostics.report(Code::UnknownWord, {}, prefix, "a prefix that every shading language takes");
+        session.diagnostics.report(Code::UnknownWord, {}, prefix, "a prefix that every shading language accepts");
     }
     return !session.diagnostics.has_errors();
 }

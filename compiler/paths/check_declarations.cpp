@@ -124,7 +124,7 @@ private:
         const StructDecl* older = declarations_.parent->structure(decl.name);
         if (older && !is_of_pass(sources_, older->span))
             diagnostics_.report(Code::Redefinition, decl.span, decl.name)
-                .note(older->span, "the library's is here; give this one another name");
+                .note(older->span, "the library's declaration is here: give this one another name");
     }
 
     // True for a declaration in an engine's passes. The engine reads the text that they state (engines/engine.h).
@@ -135,10 +135,10 @@ private:
     // The text of [foreign] has a meaning only for an included file, and the engine provides the rest.
     void foreign(const Attribute& attribute, Span span) {
         if (!is_of_engine(span))
-            bad(attribute.span, attribute.name, "stands in the passes of an engine, nodes/engines/");
+            bad(attribute.span, attribute.name, "is allowed only in the passes of an engine, nodes/engines/");
         else if (attribute.args.size() > 1)
             bad(attribute.span, "foreign",
-                "reads like this: [foreign] or, with its spelling, [foreign(\"v.vertex.xyz\")]");
+                "is written like this: [foreign] or, with its spelling, [foreign(\"v.vertex.xyz\")]");
     }
 
     // A value that an included file declares replaces an attribute or a value of the engine.
@@ -147,7 +147,7 @@ private:
         const VariableDecl* given = declarations_.variable(what);
         if (!decl.attribute("foreign") || attribute.args.size() != 1)
             return bad(attribute.span, "gives",
-                       "reads like this: [foreign(\"_Time.y\")] [gives(\"time\")] float seconds");
+                       "is written like this: [foreign(\"_Time.y\")] [gives(\"time\")] float seconds");
         if (!given || !(given->attribute("attribute") || given->attribute("extern")))
             return bad(attribute.span, "gives",
                        fmt::format("names '{}', which is neither an attribute nor a value of the engine", what));
@@ -160,21 +160,20 @@ private:
         if (const Attribute* attribute = decl.attribute("foreign")) {
             foreign(*attribute, decl.span);
             if (!is_in(kUniforms, decl.type.name) || decl.type.array_size)
-                bad(decl.type.span, "foreign", "stands before floats, ints, float3x3 or float4x4");
+                bad(decl.type.span, "foreign", "applies only to floats, ints, float3x3 or float4x4");
         }
         if (const Attribute* attribute = decl.attribute("gives")) gives(decl, *attribute);
         if (const Attribute* attribute = decl.attribute("text")) {
             texts_of(decl.attributes, diagnostics_);
             if (!decl.attribute("foreign"))
-                bad(attribute->span, "text", "stands before a [foreign] value or a function");
+                bad(attribute->span, "text", "applies only to a [foreign] value or a function");
         }
         if (declarations_.parent && !decl.is_const) again(decl);
         if (is_of_pass(sources_, decl.span)) {
             for (const std::string_view name : {"attribute", "given", "vertexOutput"}) {
                 if (const Attribute* attribute = decl.attribute(name))
                     bad(attribute->span, name,
-                        "cannot stand in a pass file: what meshes and lighting graphs hold is "
-                        "the library's to say");
+                        "is not allowed in a pass file: only the library defines what meshes and lighting graphs hold");
             }
         }
         if (const Attribute* attribute = decl.attribute("static")) {
@@ -200,23 +199,23 @@ private:
         };
         if (!is_same(older->type, decl.type) || kind(*older) != kind(decl))
             diagnostics_.report(Code::Redefinition, decl.span, decl.name)
-                .note(older->span, "the library's is here; a file may repeat it only as it is");
+                .note(older->span, "the library's declaration is here: a file may only repeat it unchanged");
     }
 
     void is_bool(const VariableDecl& decl, const Attribute& attribute) {
         if (decl.type.name != "bool" || decl.type.array_size)
-            bad(decl.type.span, attribute.name, "stands before a bool");
+            bad(decl.type.span, attribute.name, "applies only to a bool");
     }
 
     void statics(const Attribute& attribute) {
         if (attribute.args.size() < 2)
-            return bad(attribute.span, "static", "reads like this: [static(\"surface\", \"cutout\")]");
+            return bad(attribute.span, "static", "is written like this: [static(\"surface\", \"cutout\")]");
         const Expr& key = *attribute.args[0];
-        one_of(key, words_of(static_words()), "what a [static] can ask for");
+        one_of(key, words_of(static_words()), "a query of [static]");
         for (std::size_t i = 1; i < attribute.args.size(); ++i) {
             const Expr& given = *attribute.args[i];
             if (key.text == "surface") one_of(given, texts<SurfaceKind>(), "a surface kind");
-            if (key.text == "cull") one_of(given, texts<Cull>(), "a way to cull");
+            if (key.text == "cull") one_of(given, texts<Cull>(), "a cull mode");
             if (key.text == "slot") slot(given);
             if (key.text == "pass") pass(given);
             if (key.text == "clip") one_of(given, texts<ClipDepth>(), "a convention of clip space");
@@ -225,7 +224,7 @@ private:
 
     void builtin(const VariableDecl& decl, const Attribute& attribute) {
         if (attribute.args.size() != 1)
-            return bad(attribute.span, "builtin", "reads like this: [builtin(\"frontFacing\")]");
+            return bad(attribute.span, "builtin", "is written like this: [builtin(\"frontFacing\")]");
         one_of(*attribute.args[0], words_of(builtin_words()), "a value of the rasteriser");
         for (const BuiltinWord& row : kBuiltins) {
             if (row.text == attribute.args[0]->text && (row.type != decl.type.name || decl.type.array_size))
@@ -236,7 +235,7 @@ private:
 
     void target(const VariableDecl& decl, const Attribute& attribute) {
         if (decl.type.name != "Texture2D" || decl.type.array_size)
-            return bad(decl.type.span, "reads", "stands before a Texture2D");
+            return bad(decl.type.span, "reads", "applies only to a Texture2D");
         if (attribute.args.size() != 1)
             return bad(attribute.span, "reads", "takes the name of a target: [reads(\"depth\")]");
         std::vector<std::string_view> known;
@@ -251,12 +250,12 @@ private:
 
     void uniform(const VariableDecl& decl, const Attribute& attribute) {
         if (decl.type.name == "Texture2D" || decl.type.name == "TextureCube") {
-            if (decl.type.array_size) bad(decl.type.span, "extern", "stands before a texture or a number of a block");
+            if (decl.type.array_size) bad(decl.type.span, "extern", "applies only to a texture or a number of a block");
             return;
         }
         if (!is_in(kUniforms, decl.type.name))
             return bad(decl.type.span, "extern",
-                       "stands before a texture, or before floats, ints, float3x3, float4x4 or arrays of them");
+                       "applies only to a texture, or to floats, ints, float3x3, float4x4 or arrays of them");
         const std::string_view block = nodelang::attribute_text(attribute);
         if (attribute.args.size() != 1)
             return bad(attribute.span, "extern", "takes the name of a uniform block: [extern(\"Camera\")]");
@@ -273,7 +272,7 @@ private:
             if (attribute.name == "gives") gives(decl, attribute);
             if (attribute.name == "fallback") fallback(decl, attribute);
             if (attribute.name == "needs") {
-                if (attribute.args.empty()) bad(attribute.span, "needs", "reads like this: [needs(\"added\")]");
+                if (attribute.args.empty()) bad(attribute.span, "needs", "is written like this: [needs(\"added\")]");
                 for (const Expr* given : attribute.args) slot(*given);
             }
         }
@@ -281,7 +280,7 @@ private:
         texts_of(decl.attributes, diagnostics_);
         const Attribute* of_object = decl.attribute("perObject");
         if (of_object && !decl.attribute("foreign"))
-            bad(of_object->span, "perObject", "stands before a value of the engine or a [foreign] function");
+            bad(of_object->span, "perObject", "applies only to a value of the engine or a [foreign] function");
         for (const Attribute& attribute : decl.attributes) {
             const bool is_engines = attribute.name == "text" || attribute.name == "tag" || attribute.name == "decodes";
             if (is_engines && !is_of_engine(attribute.span)) foreign(attribute, attribute.span);
@@ -289,17 +288,17 @@ private:
         if (const Attribute* attribute = decl.attribute("semantic")) recipe(decl, *attribute);
         if (decl.attribute("pass") && decl.attribute("vertex") && decl.result.name != "float4" &&
             !(decl.attribute("text") && decl.result.name == "void"))
-            diagnostics_.report(Code::TypeMismatch, decl.result.span, "what a [vertex] function returns",
+            diagnostics_.report(Code::TypeMismatch, decl.result.span, "the result of a [vertex] function",
                                 decl.result.name, "float4");
         if (const Attribute* attribute = decl.attribute("slot")) part(decl, *attribute);
     }
 
     void foreign_function(const FunctionDecl& decl, const Attribute& attribute) {
         foreign(attribute, decl.name_span);
-        if (decl.has_body) bad(attribute.span, "foreign", "stands before a function without a body");
+        if (decl.has_body) bad(attribute.span, "foreign", "applies only to a function without a body");
         for (const ParamDecl& param : decl.params) {
             if (param.is_out || param.is_const || param.type.name == "floatN")
-                bad(param.span, "foreign", "stands before a function that takes plain values");
+                bad(param.span, "foreign", "applies only to a function that takes plain values");
         }
     }
 
@@ -318,7 +317,7 @@ private:
         for (const Attribute& each : decl.attributes) {
             const PassDecl* own = each.name == "pass" ? paths_.pass(nodelang::attribute_text(each)) : nullptr;
             if (own && own->path == attribute.args[0]->text)
-                return bad(attribute.span, "fallback", "names the path that it is for");
+                return bad(attribute.span, "fallback", "names its own path: name another path");
         }
     }
 
@@ -327,7 +326,7 @@ private:
         if (is_varying ? !is_in(kVaryings, decl.result.name) : decl.result.name == "void")
             diagnostics_.report(Code::TypeMismatch, decl.result.span, fmt::format("the semantic '{}'", decl.name),
                                 decl.result.name,
-                                is_varying ? "a number or vector, which vertices can hand to pixels," : "a value");
+                                is_varying ? "a number or vector, which can be interpolated," : "a value");
     }
 
     void gives(const FunctionDecl& decl, const Attribute& attribute) {
@@ -335,7 +334,7 @@ private:
         const Expr& what = *attribute.args[0];
         if (attribute.args.size() == 1 && !is_of_engine(attribute.span))
             return bad(attribute.span, "gives",
-                       "takes what is given and the passes: [gives(\"positionWS\", \"mine\")]");
+                       "takes a semantic or function, and passes: [gives(\"positionWS\", \"mine\")]");
         for (std::size_t i = 1; i < attribute.args.size(); ++i) {
             const Expr& to = *attribute.args[i];
             if (!pass(to)) continue;
@@ -353,7 +352,7 @@ private:
             const TypeName& type = semantic->function ? semantic->function->result : semantic->variable->type;
             if (semantic->source == SemanticSource::Extern || semantic->source == SemanticSource::Given) {
                 bad(what.span, "gives",
-                    fmt::format("names '{}', which is no semantic that a pass computes", what.text));
+                    fmt::format("names '{}', which is not a semantic that a pass computes", what.text));
             } else if (!is_same(type, decl.result)) {
                 diagnostics_.report(Code::TypeMismatch, decl.result.span, fmt::format("the recipe of '{}'", what.text),
                                     decl.result.name, type.name);
@@ -382,14 +381,14 @@ private:
         if (!made) {
             if (is_of_pass(sources_, decl.span))
                 bad(attribute.span, "slot",
-                    "stands beside [part], [without], [pack] or [unpack] in a pass file: nothing else fills it");
+                    "needs [part], [without], [pack] or [unpack] in a pass file: nothing else fills the slot");
             return;
         }
         if (made->name == "pack") return pack(decl, *made);
         if (made->name == "unpack") return unpack(decl, *made);
         if (made->args.size() < 2 || made->args.size() > 3)
             return bad(made->span, made->name,
-                       fmt::format("reads like this: [{}(\"final\", \"sum.direct\")]", made->name));
+                       fmt::format("is written like this: [{}(\"final\", \"sum.direct\")]", made->name));
         const FunctionDecl* whole = slot(*made->args[0]);
         if (whole && is_like(decl, *whole, made->span, made->name)) part_source(decl, *made->args[1]);
     }
@@ -401,7 +400,7 @@ private:
         if (dot == given.text.npos) {
             if (!declarations_.function(given.text))
                 diagnostics_.report(Code::UnknownName, given.span, "function", given.text)
-                    .note("a member of a parameter reads like this: \"sum.direct\"");
+                    .note("write a member of a parameter like this: \"sum.direct\"");
             return;
         }
         const std::string_view name = given.text.substr(0, dot), member = given.text.substr(dot + 1);
@@ -430,9 +429,10 @@ private:
             std::equal(decl.params.begin(), decl.params.end(), whole.params.begin(), whole.params.end(), same))
             return true;
         diagnostics_
-            .report(Code::BadAttribute, span, attribute,
-                    fmt::format("makes '{}' of '{}', whose parameters and result it must have", decl.name, whole.name))
-            .note(whole.name_span, "the whole is here");
+            .report(
+                Code::BadAttribute, span, attribute,
+                fmt::format("derives '{}' from '{}' and must keep its parameters and result", decl.name, whole.name))
+            .note(whole.name_span, "the original slot is here");
         return false;
     }
 
@@ -450,24 +450,29 @@ private:
                               return member.type.name == "float4" && !member.type.array_size;
                           });
         if (decl.params.size() != 1 || !is_surface(decl.params[0].type) || !fits)
-            return bad(attribute.span, "pack", "makes a struct of float4 out of a lighting surface");
+            return bad(attribute.span, "pack",
+                       "needs a function that takes a lighting surface and returns a struct of float4");
         if (attribute.args.empty() || !decl.attribute("holds"))
             return bad(attribute.span, "pack",
-                       "names slots, and stands beside what has a place already: [pack(\"direct\")] [holds(\"f0\")]");
+                       "names slots, and needs [holds] with the members that are stored already: [pack(\"direct\")] "
+                       "[holds(\"f0\")]");
         for (const Expr* given : attribute.args) slot(*given);
     }
 
     void unpack(const FunctionDecl& decl, const Attribute& attribute) {
         if (attribute.args.size() != 1)
-            return bad(attribute.span, "unpack", "reads like this: [unpack(\"packSurface\")]");
+            return bad(attribute.span, "unpack", "is written like this: [unpack(\"packSurface\")]");
         const FunctionDecl* packer = slot(*attribute.args[0]);
         if (!packer) return;
         if (!packer->attribute("pack"))
-            return bad(attribute.args[0]->span, "unpack", fmt::format("names '{}', which packs nothing", packer->name));
+            return bad(attribute.args[0]->span, "unpack",
+                       fmt::format("names '{}', which does not pack anything", packer->name));
         if (decl.params.size() != 2 || !is_surface(decl.params[0].type) || !is_surface(decl.result) ||
             !is_same(decl.params[1].type, packer->result))
             bad(attribute.span, "unpack",
-                fmt::format("makes a lighting surface out of one and of what '{}' returns", packer->name));
+                fmt::format("needs a function that takes a lighting surface and the result of '{}', and returns a "
+                            "lighting surface",
+                            packer->name));
     }
 
     // --- circles

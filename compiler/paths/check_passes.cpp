@@ -63,12 +63,12 @@ private:
     void state(const PassDecl& pass) {
         const Pass& state = pass.state;
         if (state.draws == PassDraws::LightVolumes && state.lights != PassLights::Local) {
-            bad(pass, "draws", "takes volumes of lights, and only those of [lights(\"local\")] have one");
+            bad(pass, "draws", "asks for light volumes, which only the lights of [lights(\"local\")] have");
         } else if (state.draws != PassDraws::Objects && state.lights == PassLights::Shadowed) {
-            bad(pass, "draws", "shows no objects, and [lights(\"shadowed\")] draws those that a light sees");
+            bad(pass, "draws", "selects no objects, but [lights(\"shadowed\")] draws the objects that a light sees");
         }
         if (state.each == PassEach::Light && state.lights == PassLights::None)
-            bad(pass, "each", "asks for a drawing for each light, and [lights(\"none\")] leaves none");
+            bad(pass, "each", "asks for one draw for each light, but [lights(\"none\")] selects no lights");
     }
 
     // A pass can compare with a shared number only after another pass has written it to the stencil.
@@ -79,10 +79,10 @@ private:
             if (!stencil.is_of_lighting()) continue;
             if (stencil.test != Compare::Always && stencil.test != Compare::Never && !is_left && is_own(*each)) {
                 bad(*each, "stencil",
-                    fmt::format("compares with '{}', which no pass before this one leaves",
-                                to_string(stencil.reference)))
-                    .note(fmt::format("a pass that draws objects leaves it: [stencil(\"always\", \"replace\", \"{}\")]",
-                                      to_string(stencil.reference)));
+                    fmt::format("compares with '{}', which no earlier pass writes", to_string(stencil.reference)))
+                    .note(
+                        fmt::format("write it in a pass that draws objects: [stencil(\"always\", \"replace\", \"{}\")]",
+                                    to_string(stencil.reference)));
             }
             is_left = is_left || stencil.pass == StencilOp::Replace;
         }
@@ -153,11 +153,11 @@ private:
             if (other.name != use.name) continue;
             std::string differs;
             if (other.format && use.format && other.format != use.format)
-                differs = fmt::format("makes '{}' {}, which is {} elsewhere", use.name, to_string(*use.format),
+                differs = fmt::format("declares '{}' as {}, but it is {} elsewhere", use.name, to_string(*use.format),
                                       to_string(*other.format));
             else if (other.from_light != use.from_light)
                 differs =
-                    fmt::format("has '{}' drawn from {}, which elsewhere is drawn from {}", use.name,
+                    fmt::format("draws '{}' from {}, but elsewhere it is drawn from {}", use.name,
                                 use.from_light ? "a light" : "the camera", use.from_light ? "the camera" : "a light");
             if (differs.empty()) continue;
             DiagnosticRecord& record = diagnostics_.report(Code::BadAttribute, use.span, use.attribute, differs);

@@ -83,7 +83,7 @@ public:
                                     .path = stem(sources_.resolve(function.span.begin).file)});
             if (attribute.args.empty())
                 diagnostics_.report(Code::BadAttribute, attribute.span, "gives",
-                                    "takes what is given, and passes: [gives(\"positionWS\", \"mine\")]");
+                                    "takes a semantic or function, and passes: [gives(\"positionWS\", \"mine\")]");
         }
     }
 
@@ -188,7 +188,7 @@ private:
         const bool is_vertex = function.attribute("vertex") != nullptr;
         if (name.empty() || is_vertex == (function.attribute("fragment") != nullptr)) {
             diagnostics_.report(Code::BadAttribute, attribute.span, "pass",
-                                "takes a name, and stands beside [vertex] or [fragment]");
+                                "takes a name, and needs either [vertex] or [fragment]");
             return;
         }
         auto pass =
@@ -369,7 +369,7 @@ void collect(const nodelang::Ast& ast, const nodelang::Declarations& declaration
     for (const PassDecl& pass : paths.passes) {
         if (pass.vertex && pass.fragment) continue;
         diagnostics.report(Code::BadAttribute, pass.span, "pass",
-                           pass.vertex ? "needs a [fragment] function, too" : "needs a [vertex] function, too");
+                           pass.vertex ? "also needs a [fragment] function" : "also needs a [vertex] function");
     }
     check_declarations(ast, declarations, sources, paths, diagnostics);
     check_passes(ast, declarations, paths, diagnostics);

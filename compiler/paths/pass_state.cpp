@@ -36,7 +36,7 @@ public:
     bool count(std::size_t least, std::size_t most, std::string_view example) {
         if (attribute_.args.size() >= least && attribute_.args.size() <= most) return true;
         diagnostics_.report(Code::BadAttribute, attribute_.span, attribute_.name,
-                            fmt::format("reads like this: {}", example));
+                            fmt::format("is written like this: {}", example));
         return false;
     }
 
@@ -107,7 +107,7 @@ void read_blend(Arguments& in, std::size_t count, PassDecl& pass) {
 void read_depth(Arguments& in, PassDecl& pass) {
     pass.has_depth = true;
     pass.state.depth_test = in.word<Compare>("a depth test");
-    pass.state.depth_write = in.word(kDepthWrites, "what a pass does with depth") == "write";
+    pass.state.depth_write = in.word(kDepthWrites, "a depth write mode") == "write";
 }
 
 void read_stencil(Arguments& in, std::size_t count, PassDecl& pass) {
@@ -135,9 +135,11 @@ struct StateRow {
 };
 constexpr StateRow kState[] = {
     {"draws", 1, 1, "[draws(\"objects\")]",
-     [](Arguments& in, std::size_t, PassDecl& p) { p.state.draws = in.word<PassDraws>("what a pass draws"); }},
+     [](Arguments& in, std::size_t, PassDecl& p) {
+         p.state.draws = in.word<PassDraws>("something that a pass can draw");
+     }},
     {"each", 1, 1, "[each(\"light\")]",
-     [](Arguments& in, std::size_t, PassDecl& p) { p.state.each = in.word<PassEach>("how often a pass draws"); }},
+     [](Arguments& in, std::size_t, PassDecl& p) { p.state.each = in.word<PassEach>("a way to repeat a pass"); }},
     {"lights", 1, 1, "[lights(\"all\")]",
      [](Arguments& in, std::size_t, PassDecl& p) { p.state.lights = in.word<PassLights>("a set of lights"); }},
     {"camera", 1, 1, "[camera(\"perspective\")]",
@@ -147,7 +149,7 @@ constexpr StateRow kState[] = {
     {"cull", 1, 1, "[cull(\"front\")]",
      [](Arguments& in, std::size_t, PassDecl& p) {
          p.has_cull = true;
-         p.state.cull = in.word<Cull>("a way to cull");
+         p.state.cull = in.word<Cull>("a cull mode");
      }},
     {"blend", 2, 5, "[blend(\"fade\", \"srcAlpha\", \"one\")] or, for every surface, [blend(\"one\", \"one\")]",
      read_blend},
@@ -188,7 +190,7 @@ void read_target(const Attribute& attribute, PassDecl& pass, Diagnostics& diagno
     const auto is_same = [&](const RenderTarget& other) { return other.name == name; };
     if (!name.empty() && std::any_of(pass.state.targets.begin(), pass.state.targets.end(), is_same))
         diagnostics.report(Code::BadAttribute, attribute.span, "target",
-                           fmt::format("names '{}', which the pass writes already", name));
+                           fmt::format("names '{}', which the pass already writes", name));
     target.name = name;
 }
 
@@ -198,8 +200,8 @@ void read_members(const nodelang::FunctionDecl& fragment, const nodelang::Struct
     if (std::none_of(structure.members.begin(), structure.members.end(), has_target)) {
         diagnostics
             .report(Code::BadAttribute, fragment.result.span, "target",
-                    fmt::format("is missing at the members of '{}', which the pass returns", structure.name))
-            .note("[target(\"color\", \"rgba16f\")] before a member says where it goes");
+                    fmt::format("is missing on the members of '{}', which the pass returns", structure.name))
+            .note("write [target(\"color\", \"rgba16f\")] before each member");
         return;
     }
     for (const nodelang::MemberDecl& member : structure.members) {
@@ -212,7 +214,7 @@ void read_members(const nodelang::FunctionDecl& fragment, const nodelang::Struct
             check_type(member.type, fmt::format("the target '{}'", member.name), diagnostics);
         } else {
             diagnostics.report(Code::BadAttribute, member.span, "target",
-                               fmt::format("is missing at '{}': [target(\"color\", \"rgba16f\")]", member.name));
+                               fmt::format("is missing on '{}': [target(\"color\", \"rgba16f\")]", member.name));
         }
     }
 }
@@ -225,7 +227,7 @@ void read_targets(const nodelang::FunctionDecl& fragment, const nodelang::Declar
     if (structure && !fragment.result.array_size) {
         read_members(fragment, *structure, pass, diagnostics);
     } else {
-        check_type(fragment.result, "what a [fragment] function returns", diagnostics);
+        check_type(fragment.result, "the result of a [fragment] function", diagnostics);
         pass.state.targets = {{.name = {}, .location = 0}};
         if (const Attribute* attribute = fragment.attribute("target")) read_target(*attribute, pass, diagnostics);
         if (pass.state.targets.front().name.empty()) pass.state.targets.front().name = "color";
@@ -247,7 +249,7 @@ void check_twice(const nodelang::FunctionDecl& fragment, Diagnostics& diagnostic
         const auto end = fragment.attributes.begin() + static_cast<std::ptrdiff_t>(i);
         const auto first = std::find_if(fragment.attributes.begin(), end, is_same);
         if (first != end)
-            diagnostics.report(Code::BadAttribute, now.span, now.name, "says a second time what the first one says")
+            diagnostics.report(Code::BadAttribute, now.span, now.name, "is given twice")
                 .note(first->span, "the first one is here");
     }
 }

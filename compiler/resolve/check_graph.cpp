@@ -45,9 +45,9 @@ void find_meaning(Session& session, const Graph& graph, const Node& node, const 
             if (!near.empty())
                 record.note(fmt::format("did you mean '{}'?", near));
             else if (node.type.find_first_of("./\\") != std::string::npos)
-                record.note(fmt::format("a file begins with ./, as './{}'", node.type));
+                record.note(fmt::format("start a file name with ./, as in './{}'", node.type));
             else
-                record.note("'patina nodes' lists what exists; a file begins with ./");
+                record.note("'patina nodes' lists the library's nodes; start a file name with ./");
             return;
         }
         resolved.function = function;
@@ -163,7 +163,7 @@ const NodeFile* load_node_file(Session& session, const std::string& path, Span w
     if (session.diagnostics.error_count() != errors) return nullptr;
     if (!file->node) {
         session.diagnostics.report(Code::NoNodeInFile, where, "[node]")
-            .note({*base, *base}, "write [node(\"Category/Title\")] before one");
+            .note({*base, *base}, "write [node(\"Category/Title\")] before a function");
         return nullptr;
     }
     slot = std::move(file);
@@ -269,7 +269,7 @@ const CheckedGraph* check_graph(Session& session, std::shared_ptr<const Graph> g
         if (inside && resolved.ok && !resolved.subgraph) {
             const Span span{inside.base, inside.base + static_cast<std::uint32_t>(inside.text.size())};
             session.diagnostics.report(Code::DanglingLink, span, inside.text)
-                .note(fmt::format("'{}' is no sub-graph: it has no nodes inside", node.id));
+                .note(fmt::format("'{}' is not a sub-graph and has no nodes inside", node.id));
         }
         std::sort(resolved.reads.begin(), resolved.reads.end());
         resolved.reads.erase(std::unique(resolved.reads.begin(), resolved.reads.end()), resolved.reads.end());

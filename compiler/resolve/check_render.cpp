@@ -32,16 +32,16 @@ void warn_of_alpha(Session& session, const RenderState& render, const PortValue&
     switch (render.surface) {
         case SurfaceKind::Opaque:
             if (render.surface_span) return;
-            why = "the surface is opaque, as 'render' does not say what else";
-            advice = R"(write "render": { "surface": "cutout" }, "fade" or "transparent"; "opaque", if that is meant)";
+            why = "the surface is opaque by default";
+            advice = R"(set "render": { "surface": "cutout" }, "fade" or "transparent", or "opaque" to keep it opaque)";
             break;
         case SurfaceKind::Additive:
-            why = "an additive surface adds all of its colour";
+            why = "an additive surface adds its whole colour";
             advice = "multiply the colour by it";
             break;
         case SurfaceKind::Multiply:
-            why = "a surface that multiplies does so by all of its colour";
-            advice = "mix the colour with white by it";
+            why = "a multiplying surface multiplies by its whole colour";
+            advice = "blend between white and the colour by it";
             break;
         case SurfaceKind::Cutout:
         case SurfaceKind::Fade:
@@ -53,7 +53,7 @@ void warn_of_alpha(Session& session, const RenderState& render, const PortValue&
 void warn_of_cut_off(Session& session, const RenderState& render, const PortValue& port) {
     const bool is_meant = render.surface == SurfaceKind::Opaque && render.surface_span;
     if (render.surface == SurfaceKind::Cutout || is_meant) return;
-    session.diagnostics.report(Code::NoEffect, port.name_span, port.name, "only a cutout surface is cut");
+    session.diagnostics.report(Code::NoEffect, port.name_span, port.name, "only a cutout surface uses it");
 }
 
 // `lighting`: a graph that may read the inputs, too; null if it is not known. `outer`: the graph whose inputs have been
@@ -72,7 +72,7 @@ void warn_of(Session& session, const Graph& graph, const Graph* lighting, const 
     if (stencil && !is_told && stencil->test == Compare::Always && !stencil->changes())
         session.diagnostics.report(
             Code::NoEffect, stencil->span, "stencil",
-            "it asks for nothing by 'test', and 'pass', 'fail' and 'depthFail' keep what is there");
+            "its 'test' always passes, and 'pass', 'fail' and 'depthFail' keep the stored value");
 }
 
 }  // namespace

@@ -143,9 +143,9 @@ void share(Session& session, const Material& material, MaterialProperty& entry, 
     if (material.pass && options.said_at)
         record.note("a pass shares the material's properties");
     else if (options.is_at_port || entry.is_at_port)
-        record.note(fmt::format("a file at a port is a property that is named for it: '{}'", property.name));
+        record.note(fmt::format("a file at a port becomes a property named after it: '{}'", property.name));
     else if (!is_said)
-        record.note(fmt::format("where the material declares '{}', what it says of it holds for all", property.name));
+        record.note(fmt::format("if the material declares '{}', its declaration applies everywhere", property.name));
 }
 
 struct Brought {

@@ -20,7 +20,7 @@ bool is_switch(const Session& session, std::string_view name) {
 void check_name(Session& session, const Property& property) {
     if (!is_keyword(property.binding) || !is_switch(session, property.name)) return;
     session.diagnostics.report(Code::DuplicateId, property.name_span, "switch", property.name)
-        .note(fmt::format("the first is a part of the rendering paths, which -D {} turns on", property.name));
+        .note(fmt::format("the first is a switch of the rendering paths, which -D {} turns on", property.name));
 }
 
 void choose(Session& session, MaterialProperty& entry, const std::string& word) {
@@ -29,8 +29,9 @@ void choose(Session& session, MaterialProperty& entry, const std::string& word) 
         if (is_switch(session, property.name)) return;  // the name means the switch
         const bool can_be = property.type == PropertyType::Bool || property.type == PropertyType::Enum;
         session.diagnostics.report(Code::NotAKeyword, {}, property.name)
-            .note(property.name_span, can_be ? "with \"as\": \"variant\" or \"specialization\" here, it would be"
-                                             : "only a bool or an enum can be bound as a variant or a constant");
+            .note(property.name_span,
+                  can_be ? "add \"as\": \"variant\" or \"specialization\" here to set it when the graph is compiled"
+                         : "only a bool or an enum can be bound as a variant or a constant");
         return;
     }
     const std::vector<std::string_view> words = keyword_words(property);
@@ -65,7 +66,7 @@ void check_listed(Session& session, const Material& material) {
                     if (entry.property->binding == Binding::Variant) known.push_back(entry.property->name);
                 }
                 session.diagnostics.report(Code::UnknownWord, value.name_span, value.name, "a variant of this graph")
-                    .note(known.empty() ? "it has none" : Diagnostics::suggestion(value.name, known));
+                    .note(known.empty() ? "the graph has no variants" : Diagnostics::suggestion(value.name, known));
                 continue;
             }
             const bool is_bool = property->type == PropertyType::Bool;

@@ -56,7 +56,7 @@ const CheckedGraph* find_lighting(Session& session, const Graph& graph, const Gr
     if (found == models.end()) {
         session.diagnostics.report(Code::UnknownWord, use.span, use.use, "a lighting model")
             .note(Diagnostics::suggestion(use.use, keys(models)))
-            .note("a lighting graph of your own is named by its file: \"./toon.lighting.json\"");
+            .note("name a lighting graph of your own by its file: \"./toon.lighting.json\"");
         return nullptr;
     }
     return check_graph(session, found->second.get());
@@ -121,7 +121,7 @@ void bind_variant(Session& session, Material& material, const Property& property
             .note(Diagnostics::suggestion(value->text, keyword_words(property)));
     } else if (value && !set_default(session, bound, *value)) {
         session.diagnostics.report(Code::NotConstant, input->value_span, fmt::format("'{}'", property.name))
-            .note("a property of the material can be given that is a variant or a specialization constant");
+            .note("give it a constant, or a property of the material that is a variant or a specialization constant");
     }
     material.variants[&property] = bound.value[0];
 }
@@ -165,7 +165,7 @@ void bind_lighting_properties(Session& session, Material& material, std::span<co
         std::vector<std::string_view> names;
         for (const Property& property : own) names.push_back(property.name);
         session.diagnostics.report(Code::UnknownPort, port.name_span, material.lighting_name, "property", port.name)
-            .note(names.empty() ? "it has none" : Diagnostics::suggestion(port.name, names));
+            .note(names.empty() ? "the lighting model has no properties" : Diagnostics::suggestion(port.name, names));
     }
 }
 
@@ -182,10 +182,10 @@ void check_lighting_variants(Session& session, const Material& material, const L
             session.diagnostics.report(Code::DuplicateId, other.name_span, "property", property.name)
                 .note(property.name_span, "the lighting graph has a variant of this name");
         if (!use.inlined) {
-            record.note(fmt::format(
-                "\"lighting\": {{ \"use\": \"{}\", \"in\": {{ \"{}\": ... }} }} gives it a value, or a property of the "
-                "material that has the same values",
-                use.use.empty() ? material.lighting_name : use.use, property.name));
+            record.note(
+                fmt::format("set it with \"lighting\": {{ \"use\": \"{}\", \"in\": {{ \"{}\": ... }} }}, to a value or "
+                            "to a property of the material that has the same values",
+                            use.use.empty() ? material.lighting_name : use.use, property.name));
         }
     }
 }
@@ -341,11 +341,10 @@ std::vector<std::unique_ptr<Material>> resolve_passes(Session& session, Material
         for (const PassDecl& known : session.paths->passes) {
             if (!is_same_file(known.name, pass.name)) continue;
             session.diagnostics.report(Code::DuplicateId, pass.name_span, "pass", pass.name)
-                .note(known.name == pass.name
-                          ? fmt::format("the first is one of the path '{}'", known.path)
-                          : fmt::format("the path '{}' has '{}', and files are named by passes: for some file systems "
-                                        "these are one",
-                                        known.path, known.name));
+                .note(known.name == pass.name ? fmt::format("the first is a pass of the path '{}'", known.path)
+                                              : fmt::format("the path '{}' has '{}', and some file systems cannot tell "
+                                                            "files named after the two passes apart",
+                                                            known.path, known.name));
             break;
         }
         for (const ExtraPass& other : material.graph->graph->passes) {
@@ -353,8 +352,7 @@ std::vector<std::unique_ptr<Material>> resolve_passes(Session& session, Material
             if (other.name == pass.name || !is_same_file(other.name, pass.name)) continue;
             session.diagnostics.report(Code::DuplicateId, pass.name_span, "pass", pass.name)
                 .note(other.name_span,
-                      "the first is here; files are named by passes, and for some file systems these "
-                      "are one");
+                      "the first is here; some file systems cannot tell files named after the two passes apart");
         }
         auto made = std::make_unique<Material>();
         made->pass = &pass;

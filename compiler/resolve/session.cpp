@@ -139,7 +139,7 @@ void find_path(Session& session) {
         if (std::find(known.begin(), known.end(), wanted) != known.end()) return;
         const bool is_file = wanted.find_first_of("./\\") != wanted.npos;
         std::string advice =
-            is_file ? "a file with passes is called NAME.pass.hlsl" : Diagnostics::suggestion(wanted, known);
+            is_file ? "name a file with passes NAME.pass.hlsl" : Diagnostics::suggestion(wanted, known);
         const std::string file = wanted + ".pass.hlsl";
         if (exists(session, file)) advice = fmt::format("did you mean '{}{}'?", is_file ? "" : "./", file);
         session.diagnostics.report(Code::UnknownWord, {}, wanted, "a rendering path").note(std::move(advice));

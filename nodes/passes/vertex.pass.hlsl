@@ -5,13 +5,13 @@
 
 /// `direct` for a diffuse colour of 1 but for what does not depend on it.
 [slot] [part("direct", "surface.diffuseColor", "componentwise")]
-[otherwise("a texture of the diffuse colour is seen only where there are vertices")]
+[otherwise("a texture of the diffuse colour is sampled only at the vertices")]
 float3 directByDiffuse(LightingSurface surface, [perLight] Light light);
 [slot] [without("direct", "surface.diffuseColor")]
 float3 directWithoutDiffuse(LightingSurface surface, [perLight] Light light);
 /// The same of what is left, and the base colour.
 [slot] [part("directWithoutDiffuse", "surface.baseColor", "componentwise")]
-[otherwise("a texture of the base colour is seen only where there are vertices")]
+[otherwise("a texture of the base colour is sampled only at the vertices")]
 float3 directByBase(LightingSurface surface, [perLight] Light light);
 [slot] [without("directWithoutDiffuse", "surface.baseColor")]
 float3 directWithoutColors(LightingSurface surface, [perLight] Light light);

@@ -96,7 +96,7 @@ Outcome<std::vector<InputSource>> fragment_sources(const Interpreter& vertex, co
             source.offset += output.components;
         }
         if (!found)
-            return Failure{"the fragment stage reads '" + input.name + "', and the vertex stage writes no such value"};
+            return Failure{"the fragment stage reads '" + input.name + "', which the vertex stage does not write"};
         result.push_back(source);
     }
     return result;

@@ -90,12 +90,12 @@ std::string FrameBuilder::add_target(const std::string& material, const Pass& pa
     if (&before == &frame_.targets.front() && !shown_has_format_) before.format = target.format;
     shown_has_format_ |= &before == &frame_.targets.front();
     if (before.format != target.format)
-        return fmt::format("pass '{}' of the material '{}' draws into the target '{}' as {}, another as {}", pass.name,
-                           material, name, to_string(target.format), to_string(before.format));
+        return fmt::format("pass '{}' of the material '{}' draws into the target '{}' as {}, but another pass as {}",
+                           pass.name, material, name, to_string(target.format), to_string(before.format));
     if (before.width != target.width || before.height != target.height)
         return fmt::format(
-            "pass '{}' of the material '{}' and another draw into the target '{}', one from a light and "
-            "one from the camera",
+            "pass '{}' of the material '{}' and another pass draw into the target '{}', one from a light and one from "
+            "the camera",
             pass.name, material, name);
     return "";
 }

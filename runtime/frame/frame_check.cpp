@@ -25,7 +25,7 @@ std::string target_error(const FrameTarget& target) {
 std::string attachment_error(const Frame& frame, const FrameStep& step) {
     const std::string& pass = step.pass->name;
     const std::vector<std::size_t> attached = attachments(step);
-    if (attached.empty()) return fmt::format("the pass '{}' draws into nothing", pass);
+    if (attached.empty()) return fmt::format("the pass '{}' has no targets to draw into", pass);
     if (step.targets.size() != step.pass->targets.size())
         return fmt::format("the pass '{}' writes {} targets and is given {}", pass, step.pass->targets.size(),
                            step.targets.size());
@@ -54,7 +54,7 @@ std::string input_error(const FrameStep& step) {
     const Reflection& reflection = *step.reflection;
     if (step.mesh->indices.empty()) return fmt::format("the pass '{}' has no mesh", step.pass->name);
     for (const Block& block : reflection.blocks)
-        if (!has_named(step.blocks, block.name)) return fmt::format("nobody filled the block '{}'", block.name);
+        if (!has_named(step.blocks, block.name)) return fmt::format("the block '{}' is not filled", block.name);
     const auto is_read = [&](const std::string& name) {
         return std::any_of(step.reads.begin(), step.reads.end(),
                            [&](const FrameRead& read) { return read.texture == name; });
@@ -63,7 +63,7 @@ std::string input_error(const FrameStep& step) {
         const std::vector<std::string>& used = step.pass->textures;
         if (!std::count(used.begin(), used.end(), texture.name)) continue;
         if (!has_named(step.textures, texture.name) && !is_read(texture.name))
-            return fmt::format("nobody loaded the texture '{}'", texture.name);
+            return fmt::format("the texture '{}' is not loaded", texture.name);
     }
     for (const FrameRead& read : step.reads)
         if (!has_named(reflection.textures, read.texture))
@@ -98,7 +98,7 @@ PixelArea full_area(const FrameStep& step, const Frame& frame) {
 
 std::string frame_error(const Frame& frame) {
     if (frame.shown >= frame.targets.size()) return "the frame shows a target that it does not have";
-    if (frame.samples < 1) return "a frame has at least one sample a pixel";
+    if (frame.samples < 1) return "a frame needs at least one sample per pixel";
     for (const FrameTarget& target : frame.targets)
         if (std::string error = target_error(target); !error.empty()) return error;
     for (const FrameStep& step : frame.steps)

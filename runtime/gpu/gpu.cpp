@@ -19,7 +19,7 @@ Memory allocate(Gpu& gpu, const VkMemoryRequirements& needs, std::initializer_li
     for (VkMemoryPropertyFlags wanted : choices)
         if (type < 0) type = memory_type(gpu.device, needs.memoryTypeBits, wanted);
     if (type < 0) {
-        gpu.check(VK_ERROR_OUT_OF_DEVICE_MEMORY, "find memory that suits");
+        gpu.check(VK_ERROR_OUT_OF_DEVICE_MEMORY, "find suitable memory");
         return {};
     }
     VkMemoryAllocateInfo info{};

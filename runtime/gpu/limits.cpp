@@ -79,8 +79,7 @@ void Needs::add_step(const FrameStep& step) {
     }
     // Every device takes four.
     if (const std::size_t targets = step.targets.size(); targets > 4) {
-        const std::string too_many =
-            fmt::format("the {} targets of the pass '{}', too many targets", targets, step.pass->name);
+        const std::string too_many = fmt::format("the {} targets of the pass '{}'", targets, step.pass->name);
         add(too_many, targets, limits_.maxColorAttachments, "maxColorAttachments");
         add(too_many, targets, limits_.maxFragmentOutputAttachments, "maxFragmentOutputAttachments");
     }
@@ -122,9 +121,9 @@ void Needs::add_stages(const FrameStep& step) {
     constexpr std::uint64_t kPerVertex = 7;
     const std::uint64_t outputs = 4 * std::uint64_t(location_count(step.stages.vertex_spirv, kOutput)) + kPerVertex;
     const std::uint64_t inputs = 4 * std::uint64_t(location_count(step.stages.fragment_spirv, kInput));
-    add(fmt::format("the {} numbers that the vertex stage hands on, its position among them", outputs), outputs,
+    add(fmt::format("the {} numbers that the vertex stage outputs, including its position", outputs), outputs,
         limits_.maxVertexOutputComponents, "maxVertexOutputComponents");
-    add(fmt::format("the {} numbers that the fragment stage takes, four for each value", inputs), inputs,
+    add(fmt::format("the {} numbers that the fragment stage reads, four for each value", inputs), inputs,
         limits_.maxFragmentInputComponents, "maxFragmentInputComponents");
 }
 

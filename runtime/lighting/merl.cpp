@@ -33,11 +33,11 @@ Outcome<MerlTable> read_merl(const std::string& path) {
         return Failure{"cannot read '" + path + "': " + (failure ? failure.message() : "no such file")};
     std::array<std::int32_t, 3> counts{};
     if (size < sizeof counts || !file.read(reinterpret_cast<char*>(counts.data()), sizeof counts))
-        return Failure{"'" + path + "' is no MERL table: it has " + std::to_string(size) + " bytes"};
+        return Failure{"'" + path + "' is not a MERL table: it has " + std::to_string(size) + " bytes"};
     const bool is_table = counts[0] == counts[1] &&
                           std::all_of(counts.begin(), counts.end(), [](int n) { return n > 0 && n <= kMostAngles; });
     if (!is_table)
-        return Failure{"'" + path + "' is no MERL table: its counts of angles are " + shown_counts(counts) +
+        return Failure{"'" + path + "' is not a MERL table: its counts of angles are " + shown_counts(counts) +
                        ", and a table has 90 x 90 x 180"};
     MerlTable table{.half = counts[0], .difference = counts[1], .azimuth = counts[2]};
     const std::uintmax_t needed = sizeof counts + 3 * table.entries() * sizeof(double);
@@ -52,7 +52,7 @@ Outcome<MerlTable> read_merl(const std::string& path) {
         if (!file) return Failure{"cannot read '" + path + "'"};
         for (double& value : channel) {
             // Beyond that a texture of floats holds nothing; what was measured is below a million.
-            if (!(std::abs(value) < 1e30)) return Failure{"'" + path + "' holds a value that is no reflectance"};
+            if (!(std::abs(value) < 1e30)) return Failure{"'" + path + "' holds a value that is not a reflectance"};
             value *= kScale[c];
         }
     }

@@ -41,9 +41,8 @@ std::vector<Diagnostic> cookie_warnings(const std::string& graph, const Reflecti
         const bool is_read = std::count(pass.textures.begin(), pass.textures.end(), "lightCookie") > 0;
         if (cookies < 2 || !is_read || pass.each != PassEach::Once || pass.lights != PassLights::All) continue;
         warnings.push_back(complaint(graph, Severity::Warning, "one-cookie",
-                                     fmt::format("the pass '{}' draws all lights at once and has one of their {} "
-                                                 "cookies, the first; paths that draw each light by itself have every "
-                                                 "light's own",
+                                     fmt::format("the pass '{}' draws all lights at once and uses only the first of "
+                                                 "their {} cookies: use a path that draws each light separately",
                                                  pass.name, cookies)));
     }
     return warnings;

@@ -100,9 +100,10 @@ bool world_of_file(const Compiler& compiler, const RenderRequest& request, World
         outcome.error = std::move(error);
         return false;
     };
-    if (!request.overrides.empty()) return refuse("a scene gives its materials their values itself: under \"set\"");
-    if (!request.options.preview.empty()) return refuse("a scene has no node to look at: its materials have");
-    if (request.mesh != RenderRequest{}.mesh) return refuse("a scene has meshes of its own: its objects");
+    if (!request.overrides.empty()) return refuse("a scene sets the values of its materials itself, under \"set\"");
+    if (!request.options.preview.empty())
+        return refuse("a scene has no nodes to preview: preview a node of one of its materials");
+    if (request.mesh != RenderRequest{}.mesh) return refuse("a scene has its own meshes, in its objects");
     if (!is_time(request.time)) return refuse("the time must be a number of seconds that a float can hold");
     WorldFile file = read_world(compiler, request.graph, compile_options(request.options));
     outcome.diagnostics = std::move(file.diagnostics);
@@ -134,10 +135,10 @@ RenderOutcome render(const Compiler& compiler, const RenderRequest& request, Ren
     RenderOutcome drawn = draw_world(compiler, world, request.options, machine);
     drawn.diagnostics.insert(drawn.diagnostics.begin(), outcome.diagnostics.begin(), outcome.diagnostics.end());
     if (!is_scene && drawn.ok && is_empty(drawn.image, world.view.background))
-        drawn.diagnostics.push_back(complaint(
-            request.graph, Severity::Warning, "nothing-seen",
-            "the picture is empty: the object is not where the camera looks, or nothing of it shows before an "
-            "even background; a scene gives it a place, and something behind it"));
+        drawn.diagnostics.push_back(
+            complaint(request.graph, Severity::Warning, "nothing-seen",
+                      "the picture is empty: the object is outside the camera's view, or it cannot be seen against an "
+                      "even background; use a scene to place it and to put something behind it"));
     return drawn;
 }
 

@@ -91,8 +91,9 @@ private:
             }
         }
         std::string error = fmt::format("the path '{}' draws no picture: ", path_name());
-        if (drawn.empty()) return error + "its passes write depth alone, which 'patina compile' is for";
-        error += fmt::format("no pass of it writes the target '{}', but '{}'", kPicture, fmt::join(drawn, "', '"));
+        if (drawn.empty()) return error + "its passes write only depth: use 'patina compile' for it";
+        error +=
+            fmt::format("none of its passes writes the target '{}', only '{}'", kPicture, fmt::join(drawn, "', '"));
         const auto is_near = [](const std::string& name) {
             return suggestion(name, {std::string(kPicture)}).starts_with("did you mean");
         };
@@ -186,10 +187,10 @@ private:
             const std::string path = path_for(world_.view.camera, compiled.reflection);
             if (path != stated && !path.empty()) {
                 // Of the camera, not of the material: said once.
-                report({complaint({}, Severity::Warning, "path-refused",
-                                  fmt::format("the path '{}' needs a perspective camera; its materials are drawn along "
-                                              "the path '{}'",
-                                              stated, path))});
+                report({complaint(
+                    {}, Severity::Warning, "path-refused",
+                    fmt::format("the path '{}' needs a perspective camera; its materials are drawn with the path '{}'",
+                                stated, path))});
                 compiled = compile_for(variant, path);
             }
         }
@@ -298,7 +299,7 @@ private:
             image = machine_.renderer->draw(frame);
             const std::vector<std::string>& messages = machine_.renderer->messages();
             if (image && messages.size() > messages_before)
-                return failed("the Vulkan validation layer says: " + messages[messages_before]);
+                return failed("the Vulkan validation layer reports: " + messages[messages_before]);
         }
         if (!image) return failed(image.error);
         outcome_.image = std::move(image.value);

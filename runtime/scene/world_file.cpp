@@ -47,12 +47,10 @@ Outcome<std::shared_ptr<const TextureData>> load_cookie(const SceneLight& light)
 }
 
 Diagnostic cut_shadow(const SceneLight& light, float outer) {
-    Diagnostic diagnostic = diagnostic_at(
-        light.place, "cut-shadow",
-        fmt::format(
-            "the shadow of this spot ends {} degrees from its axis, which is all that a shadow map holds; beyond, "
-            "up to its 'outer' of {}, everything is lit",
-            kWidestSpot, outer));
+    Diagnostic diagnostic = diagnostic_at(light.place, "cut-shadow",
+                                          fmt::format("the shadow map of this spot reaches only {} degrees from its "
+                                                      "axis: beyond that, up to its 'outer' of {}, everything is lit",
+                                                      kWidestSpot, outer));
     diagnostic.severity = Severity::Warning;
     return diagnostic;
 }

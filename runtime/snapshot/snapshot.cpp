@@ -28,7 +28,7 @@ Outcome<std::vector<fs::path>> find_cases(const std::string& dir) {
 // What the comparison found, against what was allowed.
 std::string describe(const Comparison& c, const Tolerance& tolerance) {
     return fmt::format(
-        "{:.3g} % of the pixels differ ({:.3g} % may), the average error is {:.2g} ({:.2g} may be); the largest is "
+        "{:.3g} % of the pixels differ (limit {:.3g} %), the average error is {:.2g} (limit {:.2g}); the largest is "
         "{:.2g}, "
         "at {}, {}",
         c.share * 100, tolerance.share * 100, c.average, tolerance.average, c.largest, c.worst_x, c.worst_y);

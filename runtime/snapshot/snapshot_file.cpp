@@ -72,7 +72,7 @@ struct Flattener : rapidjson::BaseReaderHandler<rapidjson::UTF8<>, Flattener> {
         return true;
     }
 
-    bool Null() { return fail("null means nothing here: leave the key out"); }
+    bool Null() { return fail("null is not allowed here: leave the key out"); }
     bool Bool(bool value) { return add(Entry::Kind::Bool, value ? "true" : "false"); }
     bool RawNumber(const char* digits, rapidjson::SizeType length, bool) {
         return add(Entry::Kind::Number, std::string(digits, length));
@@ -84,11 +84,11 @@ struct Flattener : rapidjson::BaseReaderHandler<rapidjson::UTF8<>, Flattener> {
         // The opening quote: the reader parses strings in a copy of the stream.
         key = {.begin = stream.Tell(), .end = stream.Tell() + length + 2};
         path = levels.back().prefix + std::string(characters, length);
-        return seen.insert(path).second || fail("the key '" + path + "' is here twice", "duplicate-key");
+        return seen.insert(path).second || fail("the key '" + path + "' appears twice", "duplicate-key");
     }
     bool StartObject() {
         if (levels.size() >= 2 || (!levels.empty() && levels.back().is_array))
-            return fail("an object cannot stand here");
+            return fail("an object is not allowed here");
         levels.push_back({.prefix = levels.empty() ? "" : path + "/"});
         return true;
     }
@@ -97,7 +97,7 @@ struct Flattener : rapidjson::BaseReaderHandler<rapidjson::UTF8<>, Flattener> {
         return true;
     }
     bool StartArray() {
-        if (levels.empty() || levels.back().is_array) return fail("an array cannot stand here");
+        if (levels.empty() || levels.back().is_array) return fail("an array is not allowed here");
         levels.push_back({.prefix = levels.back().prefix, .is_array = true});
         return true;
     }
@@ -201,7 +201,7 @@ bool read_number(const Entry& entry, double& value) {
 
 // A property's value, in the words of the command line; the numbers of an array are joined with commas.
 Problem add_override(const Entry& entry, const std::filesystem::path& folder, RenderRequest& request) {
-    if (entry.kind == Entry::Kind::EmptyArray) return {"an empty array is no value"};
+    if (entry.kind == Entry::Kind::EmptyArray) return {"an empty array is not a value"};
     if (entry.in_array && entry.kind != Entry::Kind::Number) return {"an array here holds numbers only"};
     std::string name = entry.path.substr(std::string_view("set/").size());
     std::string value = entry.text;
@@ -226,7 +226,7 @@ Problem apply(const Entry& entry, const std::filesystem::path& folder, SnapshotF
         return wrong_unless(good, "a light is a text, like \"point position=1,2,0 range=5\"");
     }
     if (entry.path.starts_with("set/")) return add_override(entry, folder, request);
-    if (entry.in_array || entry.kind == Entry::Kind::EmptyArray) return {"an array cannot stand here"};
+    if (entry.in_array || entry.kind == Entry::Kind::EmptyArray) return {"an array is not allowed here"};
     if (entry.path == "$schema") return {};
 
     if (const TextKey* key = find_key(kTextKeys, entry.path)) {
@@ -271,7 +271,7 @@ Outcome<std::string> read_text(const std::string& path) {
     if (size > kLargestFile) return Failure{fmt::format("it has {} bytes, too many for a snapshot", size)};
     std::ifstream file(path, std::ios::binary);
     std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    if (!file.good() && !file.eof()) return Failure{"its bytes do not come"};
+    if (!file.good() && !file.eof()) return Failure{"its contents cannot be read"};
     return text;
 }
 

@@ -50,10 +50,10 @@ SceneFaults check_values(const Reflection& reflection, const WorldMaterial& mate
         const auto property = std::find_if(reflection.properties.begin(), reflection.properties.end(),
                                            [&](const Property& p) { return p.name == value.property; });
         if (property == reflection.properties.end() || property->instance_stride > 0) continue;
-        faults.diagnostics.push_back(
-            diagnostic_at(value.property_place, "impossible-value",
-                          "'" + value.property + "' of '" + material.graph +
-                              "' has one value for all instances; \"as\": \"instance\" gives it one for each"));
+        faults.diagnostics.push_back(diagnostic_at(
+            value.property_place, "impossible-value",
+            "'" + value.property + "' of '" + material.graph +
+                "' has one value for all instances; set \"as\": \"instance\" to give each instance its own"));
         faults.ok = false;
     }
     return faults;

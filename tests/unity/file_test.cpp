@@ -164,7 +164,7 @@ TEST(UnityInterpolators, AreRefusedWhereNoModelHoldsThem) {
     EXPECT_FALSE(result.ok);
     const Diagnostic told = first_error(result);
     EXPECT_EQ(told.code, "too-many");
-    EXPECT_EQ(told.message, "32 values from vertices to pixels are too many: the limit is 31");
+    EXPECT_EQ(told.message, "32 interpolated values are too many: the limit is 31");
     EXPECT_EQ(told.line, 1);
     EXPECT_TRUE(has(told.notes.front().message, "'unity-forward-base'")) << to_text(told);
     EXPECT_TRUE(has(told.notes.back().message, "stereo")) << to_text(told);

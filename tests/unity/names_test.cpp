@@ -40,14 +40,26 @@ TEST(UnityNames, OfPropertiesAreNotUnitysOwn) {
 
 // ... nor the file's own, nor a word of the language: there is no other name that Unity would know the property by.
 TEST(UnityNames, OfPropertiesAreNotTheFilesOwnOrWords) {
-    const std::vector<std::pair<std::string, std::string>> kNames = {
-        {"i", "the file itself"},       {"o", "the file itself"},           {"v", "the file itself"},
-        {"vert", "the file itself"},    {"frag", "the file itself"},        {"v2f", "the file itself"},
-        {"GIInput", "the file itself"}, {"LinearColor", "the file itself"}, {"Instances", "the file itself"},
-        {"half", "a word of HLSL"},     {"texture", "a word of HLSL"},      {"input", "a word of HLSL"},
-        {"point", "a word of HLSL"},    {"pass", "a word of HLSL"},         {"lit", "a word of HLSL"},
-        {"main", "a word of HLSL"},     {"float3", "a word of HLSL"},       {"register", "a word of HLSL"},
-        {"a__b", "GLSL keeps"},         {"gl_Tint", "GLSL keeps"}};
+    const std::vector<std::pair<std::string, std::string>> kNames = {{"i", "the file itself"},
+                                                                     {"o", "the file itself"},
+                                                                     {"v", "the file itself"},
+                                                                     {"vert", "the file itself"},
+                                                                     {"frag", "the file itself"},
+                                                                     {"v2f", "the file itself"},
+                                                                     {"GIInput", "the file itself"},
+                                                                     {"LinearColor", "the file itself"},
+                                                                     {"Instances", "the file itself"},
+                                                                     {"half", "a reserved word of HLSL"},
+                                                                     {"texture", "a reserved word of HLSL"},
+                                                                     {"input", "a reserved word of HLSL"},
+                                                                     {"point", "a reserved word of HLSL"},
+                                                                     {"pass", "a reserved word of HLSL"},
+                                                                     {"lit", "a reserved word of HLSL"},
+                                                                     {"main", "a reserved word of HLSL"},
+                                                                     {"float3", "a reserved word of HLSL"},
+                                                                     {"register", "a reserved word of HLSL"},
+                                                                     {"a__b", "GLSL reserves"},
+                                                                     {"gl_Tint", "GLSL reserves"}};
     for (const auto& [name, why] : kNames) {
         const Result result = of_text(material(R"("properties": [ { "name": ")" + name +
                                                R"(", "type": "float", "default": 1 } ],

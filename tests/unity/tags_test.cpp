@@ -157,7 +157,7 @@ TEST_P(UnityQueueOf, APassIsToldWhereItMayBeSeen) {
     std::string said;
     for (const Diagnostic& d : result.diagnostics) {
         if (d.code != "queue-limit") continue;
-        EXPECT_TRUE(has(d.message, "Unity draws the pass 'shown' with the material")) << d.message;
+        EXPECT_TRUE(has(d.message, "the pass 'shown' is drawn at the material's queue")) << d.message;
         EXPECT_EQ(d.source_line.substr(std::size_t(d.column) - 1, 5), "shown");
         said += d.message;
     }
@@ -175,11 +175,11 @@ INSTANTIATE_TEST_SUITE_P(
         Added{"on_what_writes_no_depth", R"("depthWrite": false)", R"("surface": "additive")", "the sky"},
         Added{"on_holes", R"("surface": "cutout")", R"("surface": "additive")", "the sky"},
         Added{"hidden", R"("queue": 2000)", R"("queue": 2100, "depthTest": "greater")",
-              "2100: what has a queue in between is drawn after it"},
+              "2100: objects with a queue in between are drawn after it"},
         Added{"before_blended", R"("surface": "fade")", R"("queue": 2000)",
-              "opaque objects and the sky are there before it"},
+              "opaque objects and the sky are drawn before it"},
         Added{"among_blended", R"("surface": "fade")", R"("surface": "fade", "queue": 2900)",
-              "what has a queue in between is drawn before it"},
+              "objects with a queue in between are drawn before it"},
         Added{"after_opaque", R"("surface": "fade", "queue": 2500)", R"("surface": "fade", "queue": 2500)", ""}),
     [](const auto& info) { return info.param.name; });
 

@@ -110,9 +110,9 @@ void need_quad(Emitter& emitter, Scope& scope, Span span, std::string_view what,
     if (scope.in_vertex_stage) {
         DiagnosticRecord& record =
             emitter.diagnostics.report(Code::WrongStage, span, fmt::format("{} needs neighbouring pixels", what));
-        record.note(samples ? "at vertices a texture is sampled at a level that is given: by SampleLevel, or by a node "
-                              "that takes a level"
-                            : "vertices have no neighbours to be compared with");
+        record.note(samples
+                        ? "in the vertex stage, sample a texture with SampleLevel, or with a node that takes a level"
+                        : "vertices have no neighbours to compare with");
         if (scope.environment) scope.environment->tell_reader(record);
     } else if (!scope.flow.empty()) {
         emitter.diagnostics.report(Code::DerivativeInFlow, span, what, scope.flow)

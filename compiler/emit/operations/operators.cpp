@@ -127,7 +127,7 @@ Typed binary(Emitter& emitter, const Expr& expr, Scope& scope) {
             emitter.diagnostics.report(Code::BadOperands, expr.name_span, expr.text, emitter.module.type_name(type),
                                        emitter.module.type_name(type));
         if (type.is_matrix()) record.note("matrices are multiplied by mul(a, b)");
-        if (type.is_bool()) record.note("write 'condition ? 1 : 0' to make a number of a bool");
+        if (type.is_bool()) record.note("write 'condition ? 1 : 0' to convert a bool to a number");
         return {};
     }
     if (row->op == Op::Div && scope.builder->is_constant(sides[1].value, 0)) {

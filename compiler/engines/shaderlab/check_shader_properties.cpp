@@ -22,7 +22,7 @@ std::string beside_texture(const graph::Material& material, std::string_view nam
         if (entry.property->type != PropertyType::Texture2D) continue;
         for (const auto& [before, behind] : kBeside) {
             if (name == fmt::format("{}{}{}", before, entry.property->name, behind))
-                return fmt::format("what Unity keeps of the texture '{}'", entry.property->name);
+                return fmt::format("a name that Unity uses for the texture '{}'", entry.property->name);
         }
     }
     return {};
@@ -32,8 +32,8 @@ std::string beside_texture(const graph::Material& material, std::string_view nam
 std::string why_taken(const graph::Material& material, const engines::Engine& engine, std::string_view name) {
     if (const std::string_view declarer = engine.declarer_of(name); !declarer.empty())
         return fmt::format("a name that {} declares", declarer);
-    if (targets::is_reserved_word(name)) return "a word of HLSL or GLSL";
-    if (targets::safe_identifier(name) != name) return "a name that GLSL keeps for itself";
+    if (targets::is_reserved_word(name)) return "a reserved word of HLSL or GLSL";
+    if (targets::safe_identifier(name) != name) return "a name that GLSL reserves";
     return beside_texture(material, name);
 }
 
@@ -106,7 +106,7 @@ private:
     DiagnosticRecord& refuse(const graph::Property& property, const std::string& why) {
         return diagnostics_.report(
             Code::TakenName, property.name_span,
-            fmt::format("'{}' is {}: a property cannot have it, and Unity would not know it by another name",
+            fmt::format("'{}' is {}: a property cannot have this name, and Unity would not find it under another name",
                         property.name, why));
     }
 
@@ -133,8 +133,8 @@ void check_list(const graph::Property& property, bool is_keyword, Diagnostics& d
     if (property.type != PropertyType::Enum || property.values.size() <= most) return;
     DiagnosticRecord& told =
         diagnostics.report(Code::InspectorLimit, property.name_span, property.name,
-                           fmt::format("it lists {} values at most, and these are {}", most, property.values.size()));
-    if (is_keyword) told.note("the number sets no keyword: a script has to enable the one that is meant");
+                           fmt::format("it lists at most {} values, and there are {}", most, property.values.size()));
+    if (is_keyword) told.note("the number does not set the keyword: enable the keyword from a script");
 }
 
 // Reports labels and names of groups that ShaderLab shows differently. A group is reported once.
@@ -188,7 +188,7 @@ void check_keywords(const graph::Material& material, const Reflection& reflectio
     if (first)
         diagnostics.report(
             Code::KeywordLimit, first->name_span, first->name,
-            fmt::format("Unity before 2021.2 takes {} of a shader's own, and these are {}", kMost, count));
+            fmt::format("Unity before 2021.2 allows {} local keywords in a shader, and there are {}", kMost, count));
 }
 
 void check_shader_properties(const graph::Material& material, const graph::Lowered& lowered,
@@ -233,11 +233,10 @@ void check_samplers(const graph::Material& material, const Reflection& reflectio
         if (most->textures.size() > kMost) {
             diagnostics.report(Code::TooMany, span, most->textures.size(), "textures in one pass", kMost);
         } else {
-            diagnostics.report(
-                Code::SamplerLimit, span, first,
-                fmt::format("of {} samplers that Direct3D 11 has, shadows, probes and lightmaps need {}, and this pass "
-                            "reads {}",
-                            kMost, kUnitys, most->textures.size()));
+            diagnostics.report(Code::SamplerLimit, span, first,
+                               fmt::format("Direct3D 11 has {} samplers; shadows, probes and lightmaps need {} of "
+                                           "them, and this pass reads {} textures",
+                                           kMost, kUnitys, most->textures.size()));
         }
     }
 }

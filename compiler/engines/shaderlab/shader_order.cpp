@@ -56,9 +56,9 @@ bool is_within(const graph::Material& pass, const graph::Material& material) {
 
 std::string what_differs(int queue, int shader) {
     if (shader <= kLastOpaque && queue > kLastOpaque)
-        return "the sky, and opaque objects that come later, are drawn over it where no depth keeps them off";
-    if (queue <= kLastOpaque && shader > kLastOpaque) return "opaque objects and the sky are there before it";
-    return fmt::format("what has a queue in between is drawn {} it", queue < shader ? "before" : "after");
+        return "the sky and later opaque objects are drawn over it where no depth hides them";
+    if (queue <= kLastOpaque && shader > kLastOpaque) return "opaque objects and the sky are drawn before it";
+    return fmt::format("objects with a queue in between are drawn {} it", queue < shader ? "before" : "after");
 }
 
 }  // namespace
@@ -92,9 +92,8 @@ void check_queues(const graph::Material& material, std::span<const LinkedPass> p
             .report(Code::QueueLimit, passes[i].material->pass->name_span, pass.name, shader, pass.queue,
                     what_differs(pass.queue, shader))
             .note(
-                "Unity has one queue for all passes of a shader; a material of its own on the same mesh is drawn at "
-                "its "
-                "own queue");
+                "Unity has one queue for all passes of a shader: to use another queue, draw the mesh with a second "
+                "material");
     }
 }
 

@@ -34,8 +34,9 @@ std::string port_schema(const PortInfo& port) {
     }
     std::vector<std::string> words;
     for (const EnumeratorInfo& enumerator : port.enumerators) words.push_back(quoted(enumerator.name));
-    return object({{"anyOf", list({object({{"enum", list(words)}}), pattern(kProperty, "an enum of such words")})},
-                   {"description", quoted(describe_port(port))}});
+    return object(
+        {{"anyOf", list({object({{"enum", list(words)}}), pattern(kProperty, "a property with these values")})},
+         {"description", quoted(describe_port(port))}});
 }
 
 // The first paragraph says what a node is for. An editor's box has no room for more.
@@ -67,7 +68,7 @@ std::string value_schema(std::span<const SemanticInfo> semantics) {
         pattern("^\\$[A-Za-z_][A-Za-z0-9_]*(\\.[A-Za-z_][A-Za-z0-9_]*)*$", "a property"),
         pattern("^@[A-Za-z_][A-Za-z0-9_]*(\\.[A-Za-z_][A-Za-z0-9_]*)*$",
                 "a semantic: a value of mesh, camera or light"),
-        pattern(kFilePattern, "a texture file, beside the graph"),
+        pattern(kFilePattern, "a texture file, relative to the graph"),
     };
     forms.insert(forms.end(), names.begin(), names.end());
     return object({{"anyOf", list(forms)}});

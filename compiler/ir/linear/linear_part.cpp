@@ -263,8 +263,8 @@ std::string reason_of(const Module& module, const Blame& blame, FunctionId funct
             case Blame::What::NotLinear: return op + " is not linear";
             case Blame::What::Product: return op + " is given two values that depend on it";
             case Blame::What::Condition: return op + " has a condition that depends on it";
-            case Blame::What::SeedArguments: return "what it is called with depends on it";
-            case Blame::What::TooLong: return "too much is called to look into";
+            case Blame::What::SeedArguments: return "its arguments depend on it";
+            case Blame::What::TooLong: return "it calls too many functions to check";
             case Blame::What::Mixes: return op + " mixes its components";
         }
         return {};
@@ -369,7 +369,7 @@ LinearPart linear_part(Module& module, FunctionId function, const Seed& seed, co
     if (is_broken || (options.componentwise && !is_componentwise(result))) {
         const std::uint32_t by = is_broken ? result.broken_by : result.mixed_by;
         // No instruction has mixed a single component that is not the first.
-        made.reason = by == kNoBlame ? "its components change places" : reason_of(module, affine.blames[by], function);
+        made.reason = by == kNoBlame ? "its components are reordered" : reason_of(module, affine.blames[by], function);
         if (by != kNoBlame) made.origin = affine.blames[by].origin;
         return made;
     }

@@ -137,7 +137,7 @@ TEST(Format, EscapesNoMoreThanNeeded) {
 
 TEST(Format, WritesNothingAfterAnError) {
     EXPECT_EQ(format("{ \"a\": 1 \"b\" }").substr(0, 19), "error: broken JSON:");
-    EXPECT_EQ(format("{ \"a\": 1, \"a\": 2 }"), "error: the key 'a' is here twice");
+    EXPECT_EQ(format("{ \"a\": 1, \"a\": 2 }"), "error: the key 'a' appears twice");
     EXPECT_EQ(format(""), "error: the file is empty");
 }
 

@@ -122,31 +122,31 @@ TEST(Json, SaysWhatIsWrongAndWhere) {
         {" ", "1:2 broken JSON: the file ends before its first '{'"},
         {"{\"a\": 1\n \"b\": 2}", "1:8 broken JSON: a ',' is missing after this value"},
         {"{\"a\" 1}", "1:2 broken JSON: a ':' and a value are missing after this key"},
-        {"{\"a\" = 1}", "1:6 broken JSON: between a key and its value stands ':', not '='"},
+        {"{\"a\" = 1}", "1:6 broken JSON: write ':' between a key and its value, not '='"},
         {"{a: 1}", "1:2 broken JSON: a key in double quotes is needed here, not 'a'"},
-        {"{\"a\": 1,, }", "1:9 broken JSON: there is one ',' too many here"},
+        {"{\"a\": 1,, }", "1:9 broken JSON: there is an extra ',' here"},
         {"{\"a\": }", "1:7 broken JSON: a value is missing before this '}'"},
         {"{\"a\": 1]", "1:8 broken JSON: a ']' cannot close a '{'"},
-        {"{\"a\": 1;}", "1:8 broken JSON: after a value stands ',' or '}', not ';'"},
-        {"[1, 2", "1:6 broken JSON: the file ends where a ']' is missing"},
-        {"{} {}", "1:4 broken JSON: the text goes on after the end of its first value"},
-        {"{\"a\": NaN}", "1:7 broken JSON: 'NaN' is not a number of JSON: write a finite number"},
-        {"{\"a\": -Infinity}", "1:7 broken JSON: '-Infinity' is not a number of JSON: write a finite number"},
+        {"{\"a\": 1;}", "1:8 broken JSON: expected ',' or '}' after a value, not ';'"},
+        {"[1, 2", "1:6 broken JSON: the file ends before a closing ']'"},
+        {"{} {}", "1:4 broken JSON: there is text after the end of the JSON value"},
+        {"{\"a\": NaN}", "1:7 broken JSON: 'NaN' is not a JSON number: write a finite number"},
+        {"{\"a\": -Infinity}", "1:7 broken JSON: '-Infinity' is not a JSON number: write a finite number"},
         {"{\"a\": 1e999}", "1:7 broken JSON: the number '1e999' is too large"},
-        {"{\"a\": 01}", "1:7 broken JSON: '01' is not a number of JSON: leave out the leading zero"},
-        {"{\"a\": 0x10}", "1:7 broken JSON: '0x10' is not a number of JSON"},
+        {"{\"a\": 01}", "1:7 broken JSON: '01' is not a JSON number: leave out the leading zero"},
+        {"{\"a\": 0x10}", "1:7 broken JSON: '0x10' is not a JSON number"},
         {"{\"a\": .5}", "1:7 broken JSON: '.5' needs a digit before its point"},
         {"{\"a\": 5.}", "1:7 broken JSON: '5.' needs a digit after its point"},
         {"{\"a\": True}", "1:7 broken JSON: 'True' is not a value: write true"},
-        {"{\"a\": rust}", "1:7 broken JSON: 'rust' is not a value: text stands in double quotes"},
-        {"{\"a\": 'x'}", "1:7 broken JSON: strings take double quotes: \"...\""},
+        {"{\"a\": rust}", "1:7 broken JSON: 'rust' is not a value: put text in double quotes"},
+        {"{\"a\": 'x'}", "1:7 broken JSON: write a string in double quotes: \"...\""},
         {"{\"a\": \"x\n\"}", "1:7 broken JSON: the string is not closed: a '\"' is missing"},
-        {"{\"a\": \"C:\\dir\"}", "1:10 broken JSON: there is no escape '\\d': a backslash is written '\\\\'"},
+        {"{\"a\": \"C:\\dir\"}", "1:10 broken JSON: there is no escape '\\d': write a backslash as '\\\\'"},
         {"{\"a\": \"\\ud800\"}", "1:8 broken JSON: this is half of a surrogate pair without the other half"},
         {"{\"a\": \"\\udc00\"}", "1:7 broken JSON: the string holds half of a surrogate pair"},
         {"{\"a\": \"\\u0000\"}", "1:7 broken JSON: a string cannot hold the character \\u0000"},
         {"{ /* \n }", "1:3 broken JSON: the comment is not closed: a '*/' is missing"},
-        {"{ / }", "1:3 broken JSON: a '/' cannot stand here: a comment starts with '//' or '/*'"},
+        {"{ / }", "1:3 broken JSON: a '/' is not allowed here: a comment starts with '//' or '/*'"},
     };
     for (const Broken& broken : cases) {
         const Parsed p(broken.text);
@@ -168,7 +168,7 @@ TEST(Json, ReportsEveryDuplicateAndKeepsTheFirst) {
     ASSERT_TRUE(p.root);
     ASSERT_EQ(p.diagnostics.records().size(), 2u);
     EXPECT_EQ(p.code(), Code::DuplicateKey);
-    EXPECT_EQ(p.complaint(), "1:12 the key 'a' is here twice");
+    EXPECT_EQ(p.complaint(), "1:12 the key 'a' appears twice");
     EXPECT_EQ(p.sources.resolve(p.diagnostics.records()[0].notes.at(0).span.begin).column, 4);
     EXPECT_EQ(p.root->find("a")->number, 1.0);
     EXPECT_EQ(p.root->find("b")->find("c")->number, 3.0);

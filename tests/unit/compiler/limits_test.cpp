@@ -121,7 +121,7 @@ TEST_F(Limits, TooManyTargetsOfAStepAreRefused) {
     EXPECT_EQ(beyond_limits(limits, "gpu", frame), "");
     limits.maxFragmentOutputAttachments = 6;
     EXPECT_EQ(beyond_limits(limits, "gpu", frame),
-              "'gpu' cannot take the 7 targets of the pass 'gbuffer', too many targets: its limit is 6 "
+              "'gpu' cannot take the 7 targets of the pass 'gbuffer': its limit is 6 "
               "(maxFragmentOutputAttachments)");
     limits.maxColorAttachments = 6;
     EXPECT_TRUE(beyond_limits(limits, "gpu", frame).ends_with("6 (maxColorAttachments)"));

@@ -231,11 +231,11 @@ TEST(ParseExpression, Errors) {
     EXPECT_EQ(error("a.1"), "[.1] expected an operator or the end of the expression, not '.1'");
     EXPECT_EQ(error("a. + 1"), "[+] expected the name of a member, not '+'");
     EXPECT_EQ(error("a = b"), "[=] expected an operator or the end of the expression, not '='");
-    EXPECT_EQ(error("a \xc3\x97 b"), "[\xc3\x97] '\xc3\x97' cannot stand here");
+    EXPECT_EQ(error("a \xc3\x97 b"), "[\xc3\x97] '\xc3\x97' is not allowed here");
     EXPECT_EQ(error("\"text\""), "[\"text\"] expected a value, not a string");
     EXPECT_EQ(error("a /* b"), "[/*] expected '*/' after this, not the end of the text");
-    EXPECT_EQ(error("1 + $"), "[$] '$' cannot stand here");
-    EXPECT_EQ(error(std::string("a\0b", 3)), fmt::format("[{}] the character 0x00 cannot stand here", '\0'));
+    EXPECT_EQ(error("1 + $"), "[$] '$' is not allowed here");
+    EXPECT_EQ(error(std::string("a\0b", 3)), fmt::format("[{}] the character 0x00 is not allowed here", '\0'));
 }
 
 TEST(ParseExpression, DepthIsLimited) {
@@ -350,10 +350,10 @@ TEST(ParseStatement, Errors) {
     EXPECT_EQ(errors("const float a;"), Errors{"[;] expected '=' and the value of the constant, not ';'"});
     EXPECT_EQ(errors("if (x);"), Errors{"[;] expected a statement or '{', not ';'"});
     EXPECT_EQ(errors("float if = 1;"), Errors{"[if] expected a name for the variable, not 'if'"});
-    EXPECT_EQ(errors("x = $_Tint.r;"), Errors{"[$_Tint] '$_Tint' cannot stand here"});
-    EXPECT_EQ(errors("x = @uv0;"), Errors{"[@uv0] '@uv0' cannot stand here"});
+    EXPECT_EQ(errors("x = $_Tint.r;"), Errors{"[$_Tint] '$_Tint' is not allowed here"});
+    EXPECT_EQ(errors("x = @uv0;"), Errors{"[@uv0] '@uv0' is not allowed here"});
     EXPECT_EQ(errors("[unroll] for (int i = 0; i < 2; i++) { }"),
-              Errors{"[unroll] the attribute 'unroll' cannot stand before a statement"});
+              Errors{"[unroll] the attribute 'unroll' is not allowed before a statement"});
 }
 
 TEST(ParseStatement, LoopShapes) {
@@ -526,7 +526,7 @@ TEST(ParseDeclaration, Errors) {
     const auto errors = [](std::string text) { return parse(As::File, std::move(text))->errors(); };
     EXPECT_EQ(errors("float x = 1;"),
               Errors{"[float] expected 'const' or an attribute before a variable of the file, not 'float'"});
-    EXPECT_EQ(errors("#include \"x\"\n"), Errors{"[#] '#' cannot stand here"});
+    EXPECT_EQ(errors("#include \"x\"\n"), Errors{"[#] '#' is not allowed here"});
     EXPECT_EQ(errors("}"), Errors{"[}] expected a declaration, not '}'"});
     EXPECT_EQ(errors("float f(inout float x) { }"), Errors{"[inout] expected a type, not 'inout'"});
     EXPECT_EQ(errors("float f(out float x = 1);"), Errors{"[=] expected ',' or ')', not '='"});

@@ -142,13 +142,13 @@ TEST(Value, ExpressionsPointThroughEscapes) {
 
 TEST(Value, SaysWhatItCannotRead) {
     EXPECT_EQ(Value("\"a + b\"").complaint(),
-              "3 ' ' cannot stand here | a link is node.port.swizzle; an expression starts with '='");
+              "3 ' ' is not allowed here | a link is node.port.swizzle; an expression starts with '='");
     EXPECT_EQ(Value("\"tex/rust.png\"").complaint(),
-              "5 '/' cannot stand here | a file name starts with './', an expression with '='");
+              "5 '/' is not allowed here | a file name starts with './', an expression with '='");
     EXPECT_EQ(Value("\"\xC3\xA9\"").complaint(),
-              "2 '\xC3\xA9' cannot stand here | a link is node.port.swizzle; an expression starts with '='");
+              "2 '\xC3\xA9' is not allowed here | a link is node.port.swizzle; an expression starts with '='");
     EXPECT_EQ(Value("\"0.5\"").complaint(),
-              "2 expected a link, not '0.5' | a number stands without quotes, and an expression starts with '='");
+              "2 expected a link, not '0.5' | write a number without quotes; start an expression with '='");
     EXPECT_EQ(Value("\"\"").complaint(), "1 expected a value, not an empty string");
     EXPECT_EQ(Value("\"#ff\"").complaint(), "2 '#ff' is not a colour: write #rgb, #rrggbb or #rrggbbaa");
     EXPECT_EQ(Value("[1]").complaint(), "1 a vector must be an array of 2 to 4 numbers, not an array of 1");
@@ -357,9 +357,9 @@ TEST(ReadGraphErrors, Nodes) {
         {R"("nodes":[^{"node":"X"}])", "a node needs the key 'id'"},
         {R"("nodes":[^{"id":"a"}])", "the node 'a' needs the key 'node' | or the key 'expr', with an expression"},
         {R"("nodes":[{"id":"a","node":"X","^expr":"1"}])",
-         "'node' and 'expr' say the same thing in two ways: set one of them"},
+         "'node' and 'expr' set the same value in two ways: set only one of them"},
         {R"("nodes":[{"id":"a","expr":"^= 1"}])",
-         "'=' cannot stand here | 'expr' is an expression already: leave out the '='"},
+         "'=' is not allowed here | 'expr' is an expression already: leave out the '='"},
         {R"("nodes":[{"id":"a","expr":"1","^in":{}}])",
          "unknown key 'in' in an expression | an expression reads other nodes by their ids"},
         {R"("nodes":[{"id":"^2x","node":"X"}])",
@@ -422,7 +422,7 @@ TEST(ReadGraphErrors, Properties) {
 TEST(ReadGraphErrors, Files) {
     EXPECT_EQ(complaint("^[]"), "a graph must be an object, not an array of 0");
     EXPECT_EQ(complaint(R"(^{"workflow":"unlit"})"),
-              "a graph needs the key 'patina' | \"patina\": 1 says that the file is in version 1 of the graph format");
+              "a graph needs the key 'patina' | add \"patina\": 1, the version of the graph format");
     EXPECT_EQ(complaint(R"({"patina":^2,"foo":1})"),
               "this is version 2 of the graph format; this compiler reads version 1");
     EXPECT_EQ(complaint(R"({"patina":^"1","workflow":"unlit"})"), "'patina' must be the number 1, not a string");

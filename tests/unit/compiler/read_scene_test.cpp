@@ -257,7 +257,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{R"("camera":{"position":^[0,0,0]})", "'position' must be another point than 'target'"},
         Wrong{R"("camera":{"position":[0,1,2],"fov":^171})", "171 is outside the range 1 to 170 of 'fov'"},
         Wrong{R"("camera":{"position":[0,1,2],"^fov":30,"orthographic":2})",
-              "'fov' and 'orthographic' say the same thing in two ways: set one of them | the other one is here"},
+              "'fov' and 'orthographic' set the same value in two ways: set only one of them | the other one is here"},
         Wrong{R"("camera":{"position":[0,1,2],"near":1,"far":^1})", "'far' must be greater than 'near'"},
         Wrong{R"("camera":{"position":[0,1,2],"near":^200})", "'near' must be less than 'far', which is 100"}));
 
@@ -288,7 +288,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{R"("mixedLighting":{"mode":"shadowMask","shadowDistance":^0})",
               "0 is outside the range 0.001 to 1e+06 of 'shadowDistance'"},
         Wrong{R"("mixedLighting":{"mode":"shadowMask","shadowFade":^3})",
-              "'shadowFade' must be beside 'shadowDistance', before which shadows fade"},
+              "'shadowFade' must be set together with 'shadowDistance'"},
         Wrong{R"("mixedLighting":{"mode":"shadowMask","shadowDistance":2,"shadowFade":^3})",
               "'shadowFade' must be at most 'shadowDistance', which is 2"},
         Wrong{R"("background":^null)", "'background' must be \"#rrggbb\", a number or an array of 3 or 4, not null"},

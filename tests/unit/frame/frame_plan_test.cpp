@@ -484,8 +484,9 @@ TEST(FramePlan, RefusesTargetsThatPassesSeeDifferently) {
     stage.add_object(stage.add_material(reflection_of("forward", {pass})));
     pass.targets[1].format = TargetFormat::R32F;
     stage.add_object(stage.add_material(reflection_of("forward", {pass})));
-    EXPECT_EQ(stage.error(),
-              "pass 'forward' of the material 'material 1' draws into the target 'extra' as r32f, another as rgba8");
+    EXPECT_EQ(
+        stage.error(),
+        "pass 'forward' of the material 'material 1' draws into the target 'extra' as r32f, but another pass as rgba8");
     stage.options.exact = true;
     EXPECT_EQ(stage.error(), "");
 
@@ -495,8 +496,8 @@ TEST(FramePlan, RefusesTargetsThatPassesSeeDifferently) {
     mixed.world.view.lights = {caster_light({})};
     mixed.add_object(mixed.add_material(reflection));
     EXPECT_EQ(mixed.error(),
-              "pass 'forward' of the material 'material 0' and another draw into the target 'depth', one from a light "
-              "and one from the camera");
+              "pass 'forward' of the material 'material 0' and another pass draw into the target 'depth', one from a "
+              "light and one from the camera");
 }
 
 }  // namespace

@@ -441,13 +441,13 @@ TEST_P(FrameTest, ThatDoesNotFitTogetherIsAnError) {
                   [](Frame&f, HandMaterial&) {
                       f.steps[0].area = {1, 0, 8, 8};
                   }},
-             Case{"filled the block 'Colors'", [](Frame&f, HandMaterial&) { f.steps[0].blocks.clear(); }},
-             Case{"loaded the texture 'earlier'", [](Frame&f, HandMaterial&) { f.steps[0].reads.clear(); }},
+             Case{"the block 'Colors' is not filled", [](Frame&f, HandMaterial&) { f.steps[0].blocks.clear(); }},
+             Case{"the texture 'earlier' is not loaded", [](Frame&f, HandMaterial&) { f.steps[0].reads.clear(); }},
              Case{"no texture 'later'",
                   [](Frame&f, HandMaterial&) {
                       f.steps[0].reads.push_back({"later", 0});
                   }},
-             Case{"draws into nothing",
+             Case{"has no targets to draw into",
                   [](Frame&f, HandMaterial&m) {
                       m.pass().targets.clear();
                       f.steps[0].targets.clear();

@@ -438,7 +438,7 @@ TEST(LinearPart, OfTheResultsOfCalls) {
             fold);
         const LinearPart refused = linear_part(module, twice, Seed::of_calls(g), options);
         EXPECT_FALSE(refused.function);
-        EXPECT_EQ(refused.reason, "what it is called with depends on it");
+        EXPECT_EQ(refused.reason, "its arguments depend on it");
         EXPECT_EQ(refused.origin, OriginId{1});
     }
 }
@@ -470,7 +470,7 @@ TEST(LinearPart, OfTooMuchIsRefused) {
     }
     const LinearPart made = linear_part(module, last, kFirst);
     EXPECT_FALSE(made.function);
-    EXPECT_TRUE(made.reason.starts_with("too much is called to look into")) << made.reason;
+    EXPECT_TRUE(made.reason.starts_with("it calls too many functions to check")) << made.reason;
 }
 
 // --- which members are read

@@ -111,15 +111,15 @@ TEST_F(Merl, RefusesFilesThatAreNoTables) {
     write({90, 90, 180}, numbers);
     expect_refused("cut off: a table of 90 x 90 x 180 angles has 34992012 bytes");
     write({2, 2, 4}, {}, 1);
-    expect_refused("no MERL table: it has 11 bytes");
+    expect_refused("not a MERL table: it has 11 bytes");
     std::ofstream(path, std::ios::binary | std::ios::trunc).close();
-    expect_refused("no MERL table: it has 0 bytes");
+    expect_refused("not a MERL table: it has 0 bytes");
 
     constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
     for (const std::array<std::int32_t, 3>& counts : {std::array{2, 3, 4}, std::array{0, 0, 4}, std::array{2, 2, 0},
                                                       std::array{-2, -2, 4}, std::array{kMost, kMost, kMost}}) {
         write(counts, numbers);
-        expect_refused("no MERL table: its counts of angles are " + std::to_string(counts[0]) + " x ");
+        expect_refused("not a MERL table: its counts of angles are " + std::to_string(counts[0]) + " x ");
     }
     for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
                              -std::numeric_limits<double>::infinity()}) {
@@ -127,7 +127,7 @@ TEST_F(Merl, RefusesFilesThatAreNoTables) {
             std::vector<double> spoilt = numbers;
             spoilt[place] = bad;
             write({2, 2, 4}, spoilt);
-            expect_refused("a value that is no reflectance");
+            expect_refused("a value that is not a reflectance");
         }
     }
     fs::remove(path);

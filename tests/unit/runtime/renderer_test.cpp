@@ -315,7 +315,8 @@ TEST_F(RendererTest, WhatCannotBeDrawnIsAnError) {
           Case{"writes 3 targets", [](Reflection&r, Scene&) { r.passes[0].targets.resize(3); }},
           Case{"does not draw meshes", [](Reflection&r, Scene&) { r.passes[0].draws = PassDraws::Fullscreen; }},
           Case{"no vertex input 'wind'", [](Reflection&r, Scene&) { r.passes[0].vertex_inputs[0].name = "wind"; }},
-          Case{"filled the block 'Fog'", [](Reflection&r, Scene&) { r.blocks.push_back(block("Fog", 3, 0, 16, {})); }},
+          Case{"the block 'Fog' is not filled",
+               [](Reflection&r, Scene&) { r.blocks.push_back(block("Fog", 3, 0, 16, {})); }},
           Case{"is not between 1 and", [](Reflection&, Scene&s) { s.width = 0; }},
           Case{"is not between 1 and", [](Reflection&, Scene&s) { s.samples = 10000; }},
           Case{"no mesh", [](Reflection&, Scene&s) { s.mesh = {}; }}}) {
