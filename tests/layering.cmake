@@ -19,7 +19,7 @@ set(compiler_rooms
     "languages: base ir"
     "format: include base json nodelang"
     "format/schema: include base json format"
-    "engines: base json ir format"
+    "engines: include base json ir format"
     "paths: include base ir nodelang format"
     "resolve: include base json nodelang format engines paths"
     "lower: include base ir nodelang emit format engines paths resolve"

@@ -6,7 +6,7 @@
 
 #include "compiler/base/bits.h"
 #include "compiler/ir/dump.h"
-#include "compiler/ir/fold.h"
+#include "compiler/ir/fold/fold.h"
 
 namespace patina::ir {
 namespace {

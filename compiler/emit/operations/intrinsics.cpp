@@ -6,7 +6,7 @@
 #include "compiler/base/text.h"
 #include "compiler/emit/conversion.h"
 #include "compiler/emit/operations/operations.h"
-#include "compiler/ir/fold.h"
+#include "compiler/ir/fold/fold.h"
 
 namespace patina::emit {
 

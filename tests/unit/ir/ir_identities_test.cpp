@@ -9,8 +9,8 @@
 
 #include "compiler/ir/builder.h"
 #include "compiler/ir/dump.h"
-#include "compiler/ir/fold.h"
-#include "compiler/ir/pattern.h"
+#include "compiler/ir/fold/fold.h"
+#include "compiler/ir/fold/pattern.h"
 
 namespace patina::ir {
 namespace {

@@ -1,4 +1,4 @@
-#include "compiler/ir/fold.h"
+#include "compiler/ir/fold/fold.h"
 
 #include <algorithm>
 #include <array>

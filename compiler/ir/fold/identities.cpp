@@ -9,7 +9,7 @@
 
 #include "compiler/ir/builder.h"
 #include "compiler/ir/composites.h"
-#include "compiler/ir/pattern.h"
+#include "compiler/ir/fold/pattern.h"
 
 namespace patina::ir {
 namespace {
