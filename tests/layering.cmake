@@ -256,8 +256,8 @@ foreach(file IN LISTS node_files)
     list(APPEND words ${word})
   endforeach()
 endforeach()
-file(GLOB model_files RELATIVE ${ROOT}/nodes/lighting ${ROOT}/nodes/lighting/*.lighting.json
-     ${ROOT}/nodes/lighting/*.workflow.json)
+file(GLOB model_files RELATIVE ${ROOT}/nodes/models ${ROOT}/nodes/models/*.lighting.json
+     ${ROOT}/nodes/models/*.workflow.json)
 foreach(file IN LISTS model_files)
   string(REGEX REPLACE "\\..*" "" word ${file})
   list(APPEND words ${word})

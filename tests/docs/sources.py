@@ -65,7 +65,7 @@ def main():
     page = root / "docs" / "sources.md"
     listed = subprocess.run([patina, "nodes"], check=True, capture_output=True, encoding="utf-8").stdout
     nodes = set(re.findall(r"^  (\w+)", listed, re.MULTILINE))
-    models = {path.name.partition(".")[0] for path in root.glob("nodes/lighting/*.lighting.json")}
+    models = {path.name.partition(".")[0] for path in root.glob("nodes/models/*.lighting.json")}
     wrong = [*bad_rows(page), *bad_links(page, nodes, models)]
     print("\n".join(wrong) or f"{len(ITEMS)} items, {len(SLIPS)} slips, {len(OPTIONS)} options, {len(nodes)} nodes in the library: all is well")
     sys.exit(1 if wrong or not nodes else 0)

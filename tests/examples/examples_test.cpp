@@ -130,7 +130,7 @@ INSTANTIATE_TEST_SUITE_P(All, Picture, testing::ValuesIn(pictures()),
 
 // A model's choices: each word of each of its variants, as "in" says it, and one empty text for its defaults.
 std::vector<std::string> choices_of(const std::string& model) {
-    std::ifstream file("nodes/lighting/" + model + ".lighting.json");
+    std::ifstream file("nodes/models/" + model + ".lighting.json");
     std::stringstream text;
     text << file.rdbuf();
     rapidjson::Document json;

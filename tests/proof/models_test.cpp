@@ -1,4 +1,4 @@
-// The lighting models of nodes/lighting: each equals its closed form, written once more in plain C++; each that is made
+// The lighting models of nodes/models: each equals its closed form, written once more in plain C++; each that is made
 // of microfacets is a graph of a distribution, a visibility, a Fresnel and a diffuse term, and every one of them
 // counts.
 #include <gtest/gtest.h>
