@@ -64,7 +64,7 @@ bool lower_material(Compilation& c) {
     if (!may_go_on(c)) return false;
     graph::warn_unused(c.session, *c.materials.front());
     ir::check_if_verifying(c.lowered.front().module, "lowered");
-    assemble::dump_stage(c.result, c.session.options, "ir", "ir", c.lowered.front().module);
+    link::dump_stage(c.result, c.session.options, "ir", "ir", c.lowered.front().module);
     return true;
 }
 
@@ -78,7 +78,7 @@ bool lower_passes(Compilation& c) {
 bool link_materials(Compilation& c) {
     for (graph::Lowered& lowered : c.lowered) {
         c.writer->name(c.session, lowered);
-        c.linked.push_back(assemble::link(std::move(lowered)));
+        c.linked.push_back(link::link(std::move(lowered)));
     }
     return true;
 }
@@ -86,9 +86,9 @@ bool link_materials(Compilation& c) {
 bool link_stages(Compilation& c) {
     for (std::size_t i = 0; i < c.materials.size(); ++i) {
         for (const graph::LoweredPass& pass : c.linked[i].lowered.passes) {
-            assemble::LinkedPass made = assemble::link_pass(*c.materials[i], c.linked[i], pass, c.session, c.result);
+            link::LinkedPass made = link::link_pass(*c.materials[i], c.linked[i], pass, c.session, c.result);
             if (c.writer->takes(c.session, c.linked[i], made)) {
-                assemble::check_varyings(made, c.session);
+                link::check_varyings(made, c.session);
                 c.passes.push_back(std::move(made));
             }
             if (!may_go_on(c)) return false;
@@ -98,7 +98,7 @@ bool link_stages(Compilation& c) {
 }
 
 bool check_stages(Compilation& c) {
-    assemble::check_reads(c.session, c.linked.front().lowered, c.passes);
+    link::check_reads(c.session, c.linked.front().lowered, c.passes);
     return may_go_on(c);
 }
 
@@ -125,7 +125,7 @@ bool write_files(Compilation& c) {
 
 bool keep_programs(Compilation& c) {
     if (c.session.options.keep_programs && c.session.options.functions.empty())
-        c.result.program = assemble::keep_program(c.session, c.materials);
+        c.result.program = link::keep_program(c.session, c.materials);
     return true;
 }
 

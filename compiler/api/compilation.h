@@ -20,8 +20,8 @@ struct Compilation {
     graph::MaterialFile file{};
     std::vector<const graph::Material*> materials{};  // the material itself, then its extra passes that are drawn
     std::vector<graph::Lowered> lowered{};            // of each material, until it is linked
-    std::vector<assemble::Linked> linked{};           // of each material
-    std::vector<assemble::LinkedPass> passes{};       // of all materials
+    std::vector<link::Linked> linked{};               // of each material
+    std::vector<link::LinkedPass> passes{};           // of all materials
 };
 
 // The list of steps (compile.cpp). False if it stopped; the session's diagnostics say why.

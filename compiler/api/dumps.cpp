@@ -8,7 +8,7 @@ namespace patina {
 
 // Dumps the resolved graph; each node comes after those that it reads.
 void dump_graph(Result& result, const graph::Session& session, const graph::Material& material) {
-    if (!assemble::wants_dump(session.options, "graph")) return;
+    if (!link::wants_dump(session.options, "graph")) return;
     const graph::CheckedGraph& checked = *material.graph;
     const graph::Graph& graph = *checked.graph;
     std::string text = fmt::format("{}: {}, lit by {}\n", graph.name, graph.workflow, material.lighting_name);

@@ -16,7 +16,7 @@ namespace {
 std::string hash_of(const Result& result) {
     std::string passes;
     for (const Pass& pass : result.reflection.passes) passes += pass.name + " " + pass.hash + "\n";
-    return assemble::hash_text(passes).text();
+    return link::hash_text(passes).text();
 }
 
 // Adds the first combination that a message applies to. Without a combination it applies to all.

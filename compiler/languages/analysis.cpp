@@ -5,7 +5,7 @@
 #include "compiler/ir/hints.h"
 #include "compiler/ir/passes/passes.h"
 
-namespace patina::targets {
+namespace patina::languages {
 
 using namespace ir;
 
@@ -309,4 +309,4 @@ Analysis analyse(const Module& module, const Function& function, bool is_entry) 
     return a;
 }
 
-}  // namespace patina::targets
+}  // namespace patina::languages

@@ -4,7 +4,7 @@
 
 #include "compiler/languages/plan.h"
 
-namespace patina::targets {
+namespace patina::languages {
 
 struct Analysis {
     const ir::Module& module;
@@ -51,4 +51,4 @@ Analysis analyse(const ir::Module& module, const ir::Function& function, bool is
 // sharing.cpp: makes the variables.
 void share_variables(const Analysis& analysis, Plan& plan);
 
-}  // namespace patina::targets
+}  // namespace patina::languages

@@ -5,7 +5,7 @@
 #include "compiler/languages/plan.h"
 #include "compiler/languages/writer.h"
 
-namespace patina::targets {
+namespace patina::languages {
 
 class Body {
 public:
@@ -112,4 +112,4 @@ private:
 // The name of a value without a hint: "texel" for a sample, "surface" for a Surface.
 std::string_view fallback_name(ir::Op op);
 
-}  // namespace patina::targets
+}  // namespace patina::languages

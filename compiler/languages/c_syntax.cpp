@@ -3,7 +3,7 @@
 
 #include "compiler/languages/language.h"
 
-namespace patina::targets {
+namespace patina::languages {
 namespace {
 
 std::string variable(std::string_view type, std::string_view name, std::string_view sizes) {
@@ -62,4 +62,4 @@ const Syntax kCSyntax = {
     .end_guard = "#endif",
 };
 
-}  // namespace patina::targets
+}  // namespace patina::languages

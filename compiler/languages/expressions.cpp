@@ -6,7 +6,7 @@
 #include "compiler/languages/body.h"
 #include "compiler/languages/literals.h"
 
-namespace patina::targets {
+namespace patina::languages {
 
 using namespace ir;
 
@@ -326,4 +326,4 @@ Text Body::swizzle(Value v) const {
     return {at_least(Precedence::Postfix, source) + "." + letters, Precedence::Postfix};
 }
 
-}  // namespace patina::targets
+}  // namespace patina::languages

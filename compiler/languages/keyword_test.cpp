@@ -5,7 +5,7 @@
 
 #include "compiler/languages/body.h"
 
-namespace patina::targets {
+namespace patina::languages {
 
 using namespace ir;
 
@@ -126,4 +126,4 @@ std::string Body::keyword_test(Value condition) const {
     return test ? test->text : std::string();
 }
 
-}  // namespace patina::targets
+}  // namespace patina::languages

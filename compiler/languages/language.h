@@ -15,7 +15,7 @@
 #include "compiler/ir/ir.h"
 #include "compiler/languages/precedence.h"
 
-namespace patina::targets {
+namespace patina::languages {
 
 class Body;     // the function that is being printed; body.h
 struct Writer;  // the text so far; writer.h
@@ -128,4 +128,4 @@ struct Language {
     EntryPoint (*entry_point)(Writer& writer) = nullptr;
 };
 
-}  // namespace patina::targets
+}  // namespace patina::languages

@@ -5,7 +5,7 @@
 #include "compiler/languages/hlsl/hlsl.h"
 #include "compiler/languages/print.h"
 
-namespace patina::targets {
+namespace patina::languages {
 namespace {
 
 constexpr LanguageInfo kLanguages[] = {
@@ -25,4 +25,4 @@ const LanguageInfo* find_language(std::string_view name) {
     return found == std::end(kLanguages) ? nullptr : found;
 }
 
-}  // namespace patina::targets
+}  // namespace patina::languages

@@ -5,7 +5,7 @@
 
 #include "compiler/ir/passes/passes.h"
 
-namespace patina::targets {
+namespace patina::languages {
 
 using namespace ir;
 
@@ -259,4 +259,4 @@ std::optional<Module> legalize(const Module& module, std::span<const Rule> rules
     return legal;
 }
 
-}  // namespace patina::targets
+}  // namespace patina::languages

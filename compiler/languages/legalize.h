@@ -10,7 +10,7 @@
 
 #include "compiler/ir/rebuild.h"
 
-namespace patina::targets {
+namespace patina::languages {
 
 struct Rule {
     bool (*applies)(const ir::Module& module, const ir::Function& function, ir::Value value);
@@ -26,4 +26,4 @@ inline ir::Value operand(const ir::Copy& copy, ir::Value value, std::uint32_t in
     return copy.map[copy.from.args(value)[index].index];
 }
 
-}  // namespace patina::targets
+}  // namespace patina::languages

@@ -8,7 +8,7 @@
 #include "compiler/base/bits.h"
 #include "compiler/base/text.h"
 
-namespace patina::targets {
+namespace patina::languages {
 namespace {
 
 Text integer(double value) {
@@ -44,4 +44,4 @@ Text literal(const Language& language, ir::Scalar scalar, double value) {
     return {};
 }
 
-}  // namespace patina::targets
+}  // namespace patina::languages

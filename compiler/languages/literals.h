@@ -6,9 +6,9 @@
 #include "compiler/languages/language.h"
 #include "compiler/languages/precedence.h"
 
-namespace patina::targets {
+namespace patina::languages {
 
 // The value is rounded to the scalar kind first.
 Text literal(const Language& language, ir::Scalar scalar, double value);
 
-}  // namespace patina::targets
+}  // namespace patina::languages

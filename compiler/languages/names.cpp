@@ -5,7 +5,7 @@
 #include "compiler/base/spelling.h"
 #include "compiler/languages/print.h"
 
-namespace patina::targets {
+namespace patina::languages {
 namespace {
 
 bool is_letter_or_digit(char c) {
@@ -65,4 +65,4 @@ void Names::close() {
     scopes_.pop_back();
 }
 
-}  // namespace patina::targets
+}  // namespace patina::languages

@@ -12,7 +12,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace patina::targets {
+namespace patina::languages {
 
 class Names {
 public:
@@ -35,4 +35,4 @@ private:
     std::vector<std::vector<Taken>> scopes_;
 };
 
-}  // namespace patina::targets
+}  // namespace patina::languages

@@ -4,7 +4,7 @@
 
 #include "compiler/languages/analysis.h"
 
-namespace patina::targets {
+namespace patina::languages {
 
 using namespace ir;
 
@@ -80,4 +80,4 @@ std::vector<Plan> make_plans(const Module& module) {
     return plans;
 }
 
-}  // namespace patina::targets
+}  // namespace patina::languages

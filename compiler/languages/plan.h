@@ -15,7 +15,7 @@
 
 #include "compiler/languages/print.h"
 
-namespace patina::targets {
+namespace patina::languages {
 
 struct Variable {
     ir::Type type;
@@ -55,4 +55,4 @@ bool is_leaf(ir::Op op);
 bool is_splat(const ir::Function& function, ir::Value v);
 bool is_aggregate(ir::Type type);
 
-}  // namespace patina::targets
+}  // namespace patina::languages

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-namespace patina::targets {
+namespace patina::languages {
 
 enum class Precedence : unsigned char {
     Any,  // an argument, an initial value
@@ -42,4 +42,4 @@ inline std::string at_least(Precedence needed, Text t) {
     return t.precedence < needed ? "(" + t.text + ")" : std::move(t.text);
 }
 
-}  // namespace patina::targets
+}  // namespace patina::languages

@@ -10,7 +10,7 @@
 
 #include "compiler/ir/ir.h"
 
-namespace patina::targets {
+namespace patina::languages {
 
 struct PrintedLine {
     int line = 0;  // from 1
@@ -68,4 +68,4 @@ bool is_reserved_word(std::string_view word);
 // The word itself, or the name that replaces a reserved word or a word with __ or gl_ in it.
 std::string safe_identifier(std::string_view word);
 
-}  // namespace patina::targets
+}  // namespace patina::languages

@@ -5,7 +5,7 @@
 
 #include "compiler/languages/body.h"
 
-namespace patina::targets {
+namespace patina::languages {
 
 using namespace ir;
 
@@ -229,4 +229,4 @@ Printed print(const Module& module, const Language& language, const PrintOptions
     return {std::move(w.text), std::move(w.lines), std::move(w.pieces)};
 }
 
-}  // namespace patina::targets
+}  // namespace patina::languages

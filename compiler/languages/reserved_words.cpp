@@ -7,7 +7,7 @@
 
 #include "compiler/languages/print.h"
 
-namespace patina::targets {
+namespace patina::languages {
 namespace {
 
 constexpr std::string_view kLists[] = {
@@ -131,4 +131,4 @@ bool is_reserved_word(std::string_view word) {
     return words.contains(word) || is_vector_or_matrix(word);
 }
 
-}  // namespace patina::targets
+}  // namespace patina::languages

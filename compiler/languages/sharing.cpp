@@ -5,7 +5,7 @@
 #include "compiler/ir/hints.h"
 #include "compiler/languages/analysis.h"
 
-namespace patina::targets {
+namespace patina::languages {
 
 using namespace ir;
 
@@ -218,4 +218,4 @@ void share_variables(const Analysis& analysis, Plan& plan) {
     Sharing(analysis, plan).run();
 }
 
-}  // namespace patina::targets
+}  // namespace patina::languages

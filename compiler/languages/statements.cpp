@@ -7,7 +7,7 @@
 #include "compiler/ir/hints.h"
 #include "compiler/languages/body.h"
 
-namespace patina::targets {
+namespace patina::languages {
 
 using namespace ir;
 
@@ -481,4 +481,4 @@ void Body::print_return(Value v) {
     if (!entry_->at_return.empty()) statement(v, entry_->at_return);
 }
 
-}  // namespace patina::targets
+}  // namespace patina::languages

@@ -6,7 +6,7 @@
 
 #include "compiler/ir/passes/passes.h"
 
-namespace patina::targets {
+namespace patina::languages {
 
 using namespace ir;
 
@@ -202,4 +202,4 @@ void Writer::block_body(const UniformBlock& block) {
     }
 }
 
-}  // namespace patina::targets
+}  // namespace patina::languages

@@ -6,7 +6,7 @@
 #include "compiler/languages/names.h"
 #include "compiler/languages/print.h"
 
-namespace patina::targets {
+namespace patina::languages {
 
 // Everything that the entry function uses, indexed like the module's vectors. Nothing else is printed.
 struct Reachable {
@@ -63,4 +63,4 @@ struct Writer {
 // The whole shader.
 Printed print(const ir::Module& module, const Language& language, const PrintOptions& options);
 
-}  // namespace patina::targets
+}  // namespace patina::languages

@@ -10,7 +10,7 @@
 
 #include "compiler/base/bits.h"
 
-namespace patina::assemble {
+namespace patina::link {
 namespace {
 
 using ir::Builtin;
@@ -274,4 +274,4 @@ CanonicalHash hash_pass(const ir::Module& vertex, const ir::Module& fragment) {
     return hash;
 }
 
-}  // namespace patina::assemble
+}  // namespace patina::link

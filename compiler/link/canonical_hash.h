@@ -14,7 +14,7 @@
 
 #include "compiler/ir/ir.h"
 
-namespace patina::assemble {
+namespace patina::link {
 
 struct CanonicalHash {
     std::uint64_t high = 0, low = 0;
@@ -33,4 +33,4 @@ std::vector<CanonicalHash> hash_outputs(const ir::Module& stage);
 // The hash of a text that lists several hashes.
 CanonicalHash hash_text(std::string_view text);
 
-}  // namespace patina::assemble
+}  // namespace patina::link

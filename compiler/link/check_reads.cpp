@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-namespace patina::assemble {
+namespace patina::link {
 namespace {
 
 using nodelang::FunctionDecl;
@@ -164,4 +164,4 @@ void check_reads(graph::Session& session, const graph::Lowered& lowered, std::sp
     }
 }
 
-}  // namespace patina::assemble
+}  // namespace patina::link

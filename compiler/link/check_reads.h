@@ -4,7 +4,7 @@
 #include "compiler/link/link.h"
 #include "compiler/resolve/session.h"
 
-namespace patina::assemble {
+namespace patina::link {
 
 // Checks the passes of a user's file for targets that no pass draws, and for values of an object in a pass that draws
 // none. Reports at the function.
@@ -20,4 +20,4 @@ std::optional<Missing> missing_in(const ir::Module& stage);
 // the pass is optional.
 bool has_all(graph::Session& session, const Linked& linked, const LinkedPass& pass);
 
-}  // namespace patina::assemble
+}  // namespace patina::link

@@ -4,7 +4,7 @@
 
 #include "compiler/ir/dump.h"
 
-namespace patina::assemble {
+namespace patina::link {
 
 bool wants_dump(const CompileOptions& options, std::string_view stage) {
     return std::find(options.dump.begin(), options.dump.end(), stage) != options.dump.end();
@@ -22,4 +22,4 @@ void dump_rates(Result& result, const CompileOptions& options, const std::string
     result.dumps.push_back({.stage = label, .text = std::move(text)});
 }
 
-}  // namespace patina::assemble
+}  // namespace patina::link

@@ -4,7 +4,7 @@
 #include "compiler/ir/ir.h"
 #include "patina/patina.h"
 
-namespace patina::assemble {
+namespace patina::link {
 
 bool wants_dump(const CompileOptions& options, std::string_view stage);
 // `name` is the word of --dump, `label` says which module it is.
@@ -12,4 +12,4 @@ void dump_stage(Result& result, const CompileOptions& options, std::string_view 
                 const ir::Module& module);
 void dump_rates(Result& result, const CompileOptions& options, const std::string& label, const ir::Module& module);
 
-}  // namespace patina::assemble
+}  // namespace patina::link

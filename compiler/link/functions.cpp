@@ -8,7 +8,7 @@
 #include "compiler/ir/passes/passes.h"
 #include "compiler/languages/names.h"
 
-namespace patina::assemble {
+namespace patina::link {
 namespace {
 
 // GLSL reserves names with two underscores in a row.
@@ -19,7 +19,7 @@ std::string prefixed(std::string_view prefix, std::string_view name) {
 
 // Gives structs and functions the names that the printers will use; each name is used once.
 void name_all(ir::Module& module, std::string_view prefix) {
-    targets::Names names;
+    languages::Names names;
     for (const ir::UniformBlock& block : module.blocks) {
         names.declare(block.name);
         for (const ir::BlockMember& member : block.members) names.declare(member.name);
@@ -108,4 +108,4 @@ std::vector<ShaderFunction> describe_functions(const ir::Module& module, Stage s
     return described;
 }
 
-}  // namespace patina::assemble
+}  // namespace patina::link

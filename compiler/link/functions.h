@@ -9,7 +9,7 @@
 #include "compiler/link/link.h"
 #include "patina/patina.h"
 
-namespace patina::assemble {
+namespace patina::link {
 
 // Prefixes the names of the material's block, its members, and the material's textures and samplers.
 void prefix_interface(ir::Module& module, std::string_view prefix);
@@ -21,4 +21,4 @@ ir::Module link_functions(const Linked& linked, Stage stage, std::string_view pr
 // The functions of a module of link_functions(): those that can be called, and those that the engine must provide.
 std::vector<ShaderFunction> describe_functions(const ir::Module& module, Stage stage);
 
-}  // namespace patina::assemble
+}  // namespace patina::link

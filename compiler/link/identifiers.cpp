@@ -3,10 +3,10 @@
 #include "compiler/languages/names.h"
 #include "compiler/lower/declare.h"
 
-namespace patina::assemble {
+namespace patina::link {
 namespace {
 
-void name_group(ir::Module& module, ir::Group group, targets::Names& names) {
+void name_group(ir::Module& module, ir::Group group, languages::Names& names) {
     for (const ir::UniformBlock& block : module.blocks) {
         for (const ir::Global& global : module.globals) {
             if (global.group != group || !global.in_block() || &module.blocks[global.block] != &block) continue;
@@ -38,7 +38,7 @@ bool is_property(const ir::Module& module, std::string_view name) {
 }  // namespace
 
 void name_interface(ir::Module& module) {
-    targets::Names names;
+    languages::Names names;
     bool is_included = false;  // included files declare the engine's values, and the text has no blocks
     for (const ir::Global& global : module.globals) {
         is_included = is_included || global.is_foreign();
@@ -55,4 +55,4 @@ void name_interface(ir::Module& module) {
     name_members(module);
 }
 
-}  // namespace patina::assemble
+}  // namespace patina::link

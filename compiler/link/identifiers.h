@@ -6,9 +6,9 @@
 
 #include "compiler/ir/ir.h"
 
-namespace patina::assemble {
+namespace patina::link {
 
 // A property keeps its name if every target language allows it and nothing else in the interface has it.
 void name_interface(ir::Module& module);
 
-}  // namespace patina::assemble
+}  // namespace patina::link

@@ -8,7 +8,7 @@
 #include "compiler/ir/passes/passes.h"
 #include "compiler/ir/rebuild.h"
 
-namespace patina::assemble {
+namespace patina::link {
 
 using graph::SemanticSource;
 using ir::Op;
@@ -413,4 +413,4 @@ bool take_constants(ir::Module& fragment, const ir::Module& vertex) {
     return true;
 }
 
-}  // namespace patina::assemble
+}  // namespace patina::link

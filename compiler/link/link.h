@@ -12,7 +12,7 @@
 
 #include "compiler/lower/lower.h"
 
-namespace patina::assemble {
+namespace patina::link {
 
 struct Linked {
     graph::Lowered lowered;               // its module has no functions any more: each stage copies those that it calls
@@ -39,4 +39,4 @@ ir::Module link_vertex(const Linked& linked, const graph::LoweredPass& pass, ir:
 // one: then the fragment stage must be tidied again, and the vertex stage linked again.
 bool take_constants(ir::Module& fragment, const ir::Module& vertex);
 
-}  // namespace patina::assemble
+}  // namespace patina::link

@@ -8,7 +8,7 @@
 #include "compiler/link/dumps.h"
 #include "compiler/link/pinned_inputs.h"
 
-namespace patina::assemble {
+namespace patina::link {
 namespace {
 
 // Numbers the vertex inputs 0, 1, 2... if the engine does not number them. An HLSL compiler counts them so, and HLSL
@@ -169,4 +169,4 @@ std::shared_ptr<const Program> keep_program(graph::Session& session, const Mater
     return program;
 }
 
-}  // namespace patina::assemble
+}  // namespace patina::link

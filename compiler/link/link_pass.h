@@ -7,7 +7,7 @@
 #include "compiler/link/link.h"
 #include "compiler/link/program.h"
 
-namespace patina::assemble {
+namespace patina::link {
 
 // The material itself and its extra passes.
 using Materials = std::vector<const graph::Material*>;
@@ -30,4 +30,4 @@ std::vector<ir::StageText> texts_of(const LinkedPass& pass);
 // The interpreter's stages: lowered and linked without folding, and never tidied. Null after errors.
 std::shared_ptr<const Program> keep_program(graph::Session& session, const Materials& materials);
 
-}  // namespace patina::assemble
+}  // namespace patina::link

@@ -6,7 +6,7 @@
 #include "compiler/ir/rebuild.h"
 #include "compiler/link/canonical_hash.h"
 
-namespace patina::assemble {
+namespace patina::link {
 namespace {
 
 // An input of the fragment stage, by its position, and the hash of what the vertex stage computes for it.
@@ -90,4 +90,4 @@ bool order_pinned(const Linked& linked, ir::Module& fragment, const ir::Module& 
     return true;
 }
 
-}  // namespace patina::assemble
+}  // namespace patina::link

@@ -7,7 +7,7 @@
 
 #include "compiler/link/link.h"
 
-namespace patina::assemble {
+namespace patina::link {
 
 // Replaces equal inputs of the fragment stage by the first of them. True if there were any: then the fragment stage
 // must be tidied again, and the vertex stage linked again.
@@ -16,4 +16,4 @@ bool share_pinned(const Linked& linked, ir::Module& fragment, const ir::Module& 
 // Orders the fragment stage's inputs. True if the order changed: then the vertex stage must be linked again.
 bool order_pinned(const Linked& linked, ir::Module& fragment, const ir::Module& vertex);
 
-}  // namespace patina::assemble
+}  // namespace patina::link

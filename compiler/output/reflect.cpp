@@ -11,7 +11,7 @@
 
 namespace patina::output {
 
-using assemble::LinkedPass;
+using link::LinkedPass;
 
 using graph::Property;
 
@@ -347,7 +347,7 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
     }
     for (const LinkedPass& pass : passes) {
         made.passes.push_back(reflect_pass(pass));
-        if (with_hashes) made.passes.back().hash = assemble::hash_pass(pass.vertex, pass.fragment).text();
+        if (with_hashes) made.passes.back().hash = link::hash_pass(pass.vertex, pass.fragment).text();
     }
     for (std::size_t i = 0; i < lowered.module.globals.size(); ++i) {
         const ir::Global& global = lowered.module.globals[i];

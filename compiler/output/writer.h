@@ -17,9 +17,9 @@ struct Compiled {
     graph::Session& session;
     const graph::Material& material;
     const graph::Lowered& lowered;
-    std::span<const assemble::LinkedPass> passes;
-    const assemble::Linked& linked;  // of the material itself
-    std::string name;                // of its files, without extensions
+    std::span<const link::LinkedPass> passes;
+    const link::Linked& linked;  // of the material itself
+    std::string name;            // of its files, without extensions
 };
 
 struct Writer {
@@ -29,9 +29,9 @@ struct Writer {
     // Names the values that the shaders share with their host.
     void (*name)(const graph::Session& session, graph::Lowered& lowered) = nullptr;
     // Returns whether the pass can be drawn; otherwise reports why, and the pass is left out.
-    bool (*takes)(graph::Session& session, const assemble::Linked& linked, const assemble::LinkedPass& pass) = nullptr;
+    bool (*takes)(graph::Session& session, const link::Linked& linked, const link::LinkedPass& pass) = nullptr;
     // Puts the passes into the order in which the file holds them.
-    void (*order)(std::vector<assemble::LinkedPass>& passes) = nullptr;
+    void (*order)(std::vector<link::LinkedPass>& passes) = nullptr;
     // Reports what the files cannot express.
     void (*check)(const Compiled& compiled, const Reflection& reflection) = nullptr;
     // Adds the shaders, and the parts of the reflection that depend on the texts.
@@ -39,7 +39,7 @@ struct Writer {
 };
 
 // The places in the sources that the printed lines come from.
-std::vector<LineOrigin> line_map(const targets::Printed& printed, std::span<const ir::Origin> origins,
+std::vector<LineOrigin> line_map(const languages::Printed& printed, std::span<const ir::Origin> origins,
                                  const SourceMap& sources);
 
 }  // namespace patina::output

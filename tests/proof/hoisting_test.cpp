@@ -36,7 +36,7 @@ using ir::Value;
 // What a light loop of the module computes for nothing, a line each.
 class Search {
 public:
-    explicit Search(const Module& module) : module_(module), plans_(targets::make_plans(module)) {}
+    explicit Search(const Module& module) : module_(module), plans_(languages::make_plans(module)) {}
 
     std::vector<std::string> run() {
         for (std::uint32_t f = 0; f < module_.functions.size(); ++f) {
@@ -77,7 +77,7 @@ private:
     // A value that was made before the loop would be computed in it again if its text stood there.
     void printed_inside(std::uint32_t f, std::uint32_t index) {
         const Function& function = module_.functions[f];
-        const targets::Plan& plan = plans_[f];
+        const languages::Plan& plan = plans_[f];
         const std::vector<Value>& inside = function.blocks[index].insts;
         for (const Value value : inside) {
             for (const Value arg : function.args(value)) {
@@ -107,7 +107,7 @@ private:
     }
 
     const Module& module_;
-    const std::vector<targets::Plan> plans_;
+    const std::vector<languages::Plan> plans_;
     std::set<std::pair<std::uint32_t, std::vector<Rate>>> visited_;
     std::vector<std::string> found_;
 };
@@ -133,13 +133,13 @@ using Stages = std::vector<std::pair<std::string, Module>>;  // by pass
 
 Stages linked_stages(LoweredMaterial& made, ir::StageKind kind) {
     Stages stages;
-    assemble::name_interface(made.module());
-    const assemble::Linked linked = assemble::link(std::move(made.lowered()));
+    link::name_interface(made.module());
+    const link::Linked linked = link::link(std::move(made.lowered()));
     for (const graph::LoweredPass& pass : linked.lowered.passes) {
-        Module stage = assemble::link_fragment(linked, pass, {});
+        Module stage = link::link_fragment(linked, pass, {});
         if (kind == ir::StageKind::Vertex) {
             Module fragment = ir::tidy(std::move(stage));
-            stage = assemble::link_vertex(linked, pass, fragment, {});
+            stage = link::link_vertex(linked, pass, fragment, {});
         }
         stages.emplace_back(std::string(pass.declaration->name), std::move(stage));
     }
@@ -155,7 +155,7 @@ int expect_nothing_left_in_loops(Stages stages, const std::string& name, std::st
         for (const std::string& line : search.run()) ADD_FAILURE() << name << ", pass " << pass << ": " << line;
         // Nor does what a language needs besides put anything there.
         for (const char* target : {"glsl", "hlsl"}) {
-            const std::optional<Module> rewritten = targets::find_language(target)->legalize(tidied);
+            const std::optional<Module> rewritten = languages::find_language(target)->legalize(tidied);
             if (!rewritten) continue;
             for (const std::string& line : Search(*rewritten).run())
                 ADD_FAILURE() << name << ", pass " << pass << ", " << target << ": " << line;

@@ -9,10 +9,8 @@
 #include "compiler/engines/shaderlab/shader_file.h"
 #include "compiler/format/words.h"
 
-namespace patina::assemble {
+namespace patina::engines::shaderlab {
 namespace {
-
-using targets::shaderlab::keyword_of;
 
 // Describes the value with this name that Unity fills for a texture, or that its macros declare.
 std::string beside_texture(const graph::Material& material, std::string_view name) {
@@ -32,8 +30,8 @@ std::string beside_texture(const graph::Material& material, std::string_view nam
 std::string why_taken(const graph::Material& material, const engines::Engine& engine, std::string_view name) {
     if (const std::string_view declarer = engine.declarer_of(name); !declarer.empty())
         return fmt::format("a name that {} declares", declarer);
-    if (targets::is_reserved_word(name)) return "a reserved word of HLSL or GLSL";
-    if (targets::safe_identifier(name) != name) return "a name that GLSL reserves";
+    if (languages::is_reserved_word(name)) return "a reserved word of HLSL or GLSL";
+    if (languages::safe_identifier(name) != name) return "a name that GLSL reserves";
     return beside_texture(material, name);
 }
 
@@ -241,4 +239,4 @@ void check_samplers(const graph::Material& material, const Reflection& reflectio
     }
 }
 
-}  // namespace patina::assemble
+}  // namespace patina::engines::shaderlab

@@ -2,9 +2,10 @@
 
 #include "compiler/engines/shaderlab/dialect.h"
 
-namespace patina::targets::shaderlab {
+namespace patina::engines::shaderlab {
 
 using namespace ir;
+using namespace languages;
 
 namespace {
 
@@ -82,4 +83,4 @@ Module decode_at_once(Module module) {
     return module;
 }
 
-}  // namespace patina::targets::shaderlab
+}  // namespace patina::engines::shaderlab

@@ -11,9 +11,10 @@
 #include "compiler/languages/hlsl/hlsl.h"
 #include "compiler/languages/legalize.h"
 
-namespace patina::targets::shaderlab {
+namespace patina::engines::shaderlab {
 
 using namespace ir;
+using namespace languages;
 
 namespace {
 
@@ -317,7 +318,7 @@ Module legalize(Module made) {
 
 Printed print(const Module& module, const PrintOptions& options) {
     static const Language kLanguage = make_language();
-    return targets::print(module, kLanguage, options);
+    return languages::print(module, kLanguage, options);
 }
 
-}  // namespace patina::targets::shaderlab
+}  // namespace patina::engines::shaderlab

@@ -6,7 +6,10 @@
 #include "compiler/languages/language.h"
 #include "compiler/languages/print.h"
 
-namespace patina::targets::shaderlab {
+namespace patina::engines::shaderlab {
+
+using languages::Printed;
+using languages::PrintOptions;
 
 ir::Module legalize(ir::Module module);
 Printed print(const ir::Module& module, const PrintOptions& options);
@@ -19,4 +22,4 @@ ir::Module decode_at_once(ir::Module module);
 // capitals is its own keyword; another gets "_ON" behind it, as Unity's Toggle does.
 std::string keyword_of(std::string_view property, std::string_view value);
 
-}  // namespace patina::targets::shaderlab
+}  // namespace patina::engines::shaderlab

@@ -8,11 +8,11 @@
 #include "compiler/engines/shaderlab/dialect.h"
 #include "compiler/format/words.h"
 
-namespace patina::assemble {
+namespace patina::engines::shaderlab {
 namespace {
 
 using Declaration = PassText::Declaration;
-using Kind = targets::Piece::Kind;
+using Kind = languages::Piece::Kind;
 
 struct SurfaceRow {
     SurfaceKind kind;
@@ -52,11 +52,11 @@ public:
         }
     }
 
-    targets::Printed take() { return {.text = std::move(text_), .lines = std::move(lines_)}; }
+    languages::Printed take() { return {.text = std::move(text_), .lines = std::move(lines_)}; }
 
 private:
     std::string text_;
-    std::vector<targets::PrintedLine> lines_;
+    std::vector<languages::PrintedLine> lines_;
     int next_ = 1;
 };
 
@@ -91,7 +91,7 @@ public:
         shared_ = shared_declarations(passes_);
     }
 
-    targets::Printed run() {
+    languages::Printed run() {
         for (const std::string_view line : split(in_.header, "\n")) out_.line(0, fmt::format("// {}", line));
         out_.line(0, fmt::format("Shader \"{}\"", listed_name(in_.reflection.name)));
         out_.line(0, "{");
@@ -227,8 +227,8 @@ private:
                                                [&](const Property& p) { return p.name == name; });
             std::string words;
             for (const std::string& value : property->values)
-                words += " " + targets::shaderlab::keyword_of(name, value);
-            if (words.empty()) words = " " + targets::shaderlab::keyword_of(name, {});
+                words += " " + engines::shaderlab::keyword_of(name, value);
+            if (words.empty()) words = " " + engines::shaderlab::keyword_of(name, {});
             out_.line(3, "#pragma shader_feature_local" + words);
         }
     }
@@ -241,8 +241,8 @@ private:
 
 }  // namespace
 
-targets::Printed shader_file(const ShaderFile& file) {
+languages::Printed shader_file(const ShaderFile& file) {
     return Writing(file).run();
 }
 
-}  // namespace patina::assemble
+}  // namespace patina::engines::shaderlab

@@ -1,14 +1,18 @@
 // Writes a whole ShaderLab file for Unity's built-in render pipeline: the properties, the passes with their state, and
 // the declarations that passes share, once at the top. The stages are linked as for any other language.
 //
-//   targets::Printed file = shader_file({material, linked.lowered, passes, reflection, engine, header});
+//   languages::Printed file = shader_file({material, linked.lowered, passes, reflection, engine, header});
 #pragma once
 
 #include "compiler/languages/print.h"
 #include "compiler/link/link_pass.h"
 #include "compiler/output/reflect.h"
 
-namespace patina::assemble {
+namespace patina::engines::shaderlab {
+
+using link::LinkedPass;
+using link::Varyings;
+using link::varyings_of;
 
 struct ShaderFile {
     const graph::Material& material;
@@ -19,7 +23,7 @@ struct ShaderFile {
     std::string header;  // text of the comment at the top
 };
 
-targets::Printed shader_file(const ShaderFile& file);
+languages::Printed shader_file(const ShaderFile& file);
 // The origins that the file's lines refer to: those of each pass, one pass after the other.
 std::vector<ir::Origin> origins_of(std::span<const LinkedPass> passes);
 
@@ -79,9 +83,9 @@ bool knows_object(const LinkedPass& pass);
 // The text of one pass: the declarations of both stages, each once.
 struct PassText {
     struct Declaration {
-        targets::Piece::Kind kind{};
+        languages::Piece::Kind kind{};
         std::string name, text;
-        std::vector<targets::PrintedLine> lines{};  // counted from 0
+        std::vector<languages::PrintedLine> lines{};  // counted from 0
         bool is_own = false;  // no other pass has it, so it stands in the pass (shader_shared.cpp)
     };
     std::vector<Declaration> declarations;  // each declaration after those that it reads; the entry functions last
@@ -104,4 +108,4 @@ std::vector<const PassText::Declaration*> shared_declarations(const std::vector<
 // The pieces of the include that the text of the passes mentions, in their order.
 std::vector<std::string_view> needed_pieces_of(std::string_view include, const std::string& text);
 
-}  // namespace patina::assemble
+}  // namespace patina::engines::shaderlab

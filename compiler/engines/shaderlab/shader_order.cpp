@@ -7,7 +7,7 @@
 
 #include "compiler/engines/shaderlab/shader_file.h"
 
-namespace patina::assemble {
+namespace patina::engines::shaderlab {
 namespace {
 
 constexpr int kLastOpaque = 2500;  // up to this queue Unity draws from near to far, and before the sky
@@ -97,4 +97,4 @@ void check_queues(const graph::Material& material, std::span<const LinkedPass> p
     }
 }
 
-}  // namespace patina::assemble
+}  // namespace patina::engines::shaderlab

@@ -12,11 +12,11 @@
 #include "compiler/engines/shaderlab/shader_file.h"
 #include "compiler/ir/verify.h"
 
-namespace patina::assemble {
+namespace patina::engines::shaderlab {
 namespace {
 
 using Declaration = PassText::Declaration;
-using Kind = targets::Piece::Kind;
+using Kind = languages::Piece::Kind;
 
 constexpr std::size_t kIndent = 12;  // indentation of a pass's text in the file
 
@@ -24,16 +24,16 @@ bool is_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-std::vector<Declaration> declarations(const targets::Printed& printed) {
+std::vector<Declaration> declarations(const languages::Printed& printed) {
     std::vector<Declaration> made;
-    for (const targets::Piece& piece : printed.pieces) {
+    for (const languages::Piece& piece : printed.pieces) {
         Declaration& next = made.emplace_back();
         next.kind = piece.kind;
         next.name = piece.name;
         next.text = printed.text.substr(piece.begin, piece.end - piece.begin);
         const int count = static_cast<int>(std::count(next.text.begin(), next.text.end(), '\n'));
         ir::OriginId before{};
-        for (const targets::PrintedLine& line : printed.lines) {
+        for (const languages::PrintedLine& line : printed.lines) {
             if (line.line <= piece.line) before = line.origin;
             if (line.line > piece.line && line.line < piece.line + count)
                 next.lines.push_back({.line = line.line - piece.line, .origin = line.origin});
@@ -55,13 +55,12 @@ void rename(ir::Module& stage, const std::vector<std::string>& taken, std::strin
 std::vector<Declaration> printed(ir::Module stage, const std::vector<ir::StageText>& texts,
                                  const engines::Engine& engine, const std::vector<std::string>& taken) {
     stage.stage.texts = texts;
-    stage = targets::shaderlab::legalize(std::move(stage));
+    stage = legalize(std::move(stage));
     ir::check_if_verifying(stage, "legalized");
     std::vector<std::string> names = taken;
     names.insert(names.end(), engine.names.taken.begin(), engine.names.taken.end());
     names.insert(names.end(), engine.names.own.begin(), engine.names.own.end());
-    return declarations(
-        targets::shaderlab::print(stage, {.header = {}, .taken = std::move(names), .width = 120 - kIndent}));
+    return declarations(print(stage, {.header = {}, .taken = std::move(names), .width = 120 - kIndent}));
 }
 
 const Declaration* find(const std::vector<Declaration>& list, const std::string& name) {
@@ -131,4 +130,4 @@ PassText pass_text(const LinkedPass& pass, const engines::Engine& engine,
     return made;
 }
 
-}  // namespace patina::assemble
+}  // namespace patina::engines::shaderlab

@@ -10,7 +10,7 @@
 #include "compiler/engines/shaderlab/shader_file.h"
 #include "compiler/format/words.h"
 
-namespace patina::assemble {
+namespace patina::engines::shaderlab {
 namespace {
 
 bool is_upper(char c) {
@@ -87,7 +87,7 @@ Declared counted(const graph::Property& property, double value) {
 Declared switched(const graph::MaterialProperty& entry) {
     const graph::Property& property = *entry.property;
     if (property.type == PropertyType::Bool)
-        return {fmt::format("[Toggle({})] ", targets::shaderlab::keyword_of(property.name, {})), "Float",
+        return {fmt::format("[Toggle({})] ", engines::shaderlab::keyword_of(property.name, {})), "Float",
                 number(entry.chosen)};
     if (property.values.size() > kMostKeywords) return counted(property, entry.chosen);
     return {fmt::format("[KeywordEnum({})] ", fmt::join(property.values, ", ")), "Float", number(entry.chosen)};
@@ -212,4 +212,4 @@ std::vector<std::string> shader_properties(const graph::Material& material, cons
     return lines;
 }
 
-}  // namespace patina::assemble
+}  // namespace patina::engines::shaderlab

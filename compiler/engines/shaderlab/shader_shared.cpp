@@ -5,11 +5,11 @@
 #include "compiler/base/text.h"
 #include "compiler/engines/shaderlab/shader_file.h"
 
-namespace patina::assemble {
+namespace patina::engines::shaderlab {
 namespace {
 
 using Declaration = PassText::Declaration;
-using Kind = targets::Piece::Kind;
+using Kind = languages::Piece::Kind;
 
 // The names that a piece defines: the words before the first '(' in lines without indentation.
 std::vector<std::string_view> names_of(std::string_view piece) {
@@ -119,7 +119,7 @@ std::vector<PassText> pass_texts(std::span<const LinkedPass> linked, const engin
     std::uint32_t first = 0;
     for (std::size_t i = 0; i < linked.size(); ++i) {
         for (Declaration& each : passes[i].declarations) {
-            for (targets::PrintedLine& line : each.lines) {
+            for (languages::PrintedLine& line : each.lines) {
                 if (line.origin) line.origin.index += first;
             }
         }
@@ -141,4 +141,4 @@ std::vector<const Declaration*> shared_declarations(const std::vector<PassText>&
     return made;
 }
 
-}  // namespace patina::assemble
+}  // namespace patina::engines::shaderlab

@@ -7,7 +7,7 @@
 #include "compiler/base/text.h"
 #include "compiler/engines/shaderlab/shader_file.h"
 
-namespace patina::assemble {
+namespace patina::engines::shaderlab {
 namespace {
 
 struct QueueRow {
@@ -98,4 +98,4 @@ std::vector<std::string> shader_state(const Pass& pass) {
     return lines;
 }
 
-}  // namespace patina::assemble
+}  // namespace patina::engines::shaderlab

@@ -8,7 +8,7 @@
 #include "compiler/languages/body.h"
 #include "compiler/languages/literals.h"
 
-namespace patina::targets::glsl {
+namespace patina::languages::glsl {
 
 using namespace ir;
 
@@ -221,7 +221,7 @@ constexpr Language kLanguage = {
 }  // namespace
 
 Printed print(const Module& module, const PrintOptions& options) {
-    return targets::print(module, kLanguage, options);
+    return languages::print(module, kLanguage, options);
 }
 
-}  // namespace patina::targets::glsl
+}  // namespace patina::languages::glsl

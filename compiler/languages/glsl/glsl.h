@@ -5,11 +5,11 @@
 #include "compiler/languages/language.h"
 #include "compiler/languages/print.h"
 
-namespace patina::targets::glsl {
+namespace patina::languages::glsl {
 
 extern const SpellingTable kSpellings;  // spelling.cpp
 
 std::optional<ir::Module> legalize(const ir::Module& module);
 Printed print(const ir::Module& module, const PrintOptions& options);
 
-}  // namespace patina::targets::glsl
+}  // namespace patina::languages::glsl

@@ -2,7 +2,7 @@
 
 #include "compiler/languages/glsl/glsl.h"
 
-namespace patina::targets::glsl {
+namespace patina::languages::glsl {
 
 using namespace ir;
 
@@ -43,7 +43,7 @@ constexpr Rule kRules[] = {
 }  // namespace
 
 std::optional<Module> legalize(const Module& module) {
-    return targets::legalize(module, kRules);
+    return languages::legalize(module, kRules);
 }
 
-}  // namespace patina::targets::glsl
+}  // namespace patina::languages::glsl

@@ -1,7 +1,7 @@
 // How GLSL writes each operation.
 #include "compiler/languages/glsl/glsl.h"
 
-namespace patina::targets::glsl {
+namespace patina::languages::glsl {
 
 using ir::Op;
 
@@ -120,4 +120,4 @@ constexpr Spelling kRows[] = {
 constexpr SpellingTable kTable = by_op(kRows);
 const SpellingTable kSpellings = kTable;
 
-}  // namespace patina::targets::glsl
+}  // namespace patina::languages::glsl

@@ -6,7 +6,7 @@
 
 #include "compiler/languages/body.h"
 
-namespace patina::targets::hlsl {
+namespace patina::languages::hlsl {
 
 using namespace ir;
 
@@ -212,7 +212,7 @@ const Language& language() {
 }
 
 Printed print(const Module& module, const PrintOptions& options) {
-    return targets::print(module, kLanguage, options);
+    return languages::print(module, kLanguage, options);
 }
 
-}  // namespace patina::targets::hlsl
+}  // namespace patina::languages::hlsl

@@ -6,7 +6,7 @@
 #include "compiler/languages/language.h"
 #include "compiler/languages/print.h"
 
-namespace patina::targets::hlsl {
+namespace patina::languages::hlsl {
 
 extern const SpellingTable kSpellings;  // spelling.cpp
 // The language, of which a dialect may replace parts.
@@ -16,4 +16,4 @@ std::string semantic(const ir::StageVariable& variable, bool is_target);
 std::optional<ir::Module> legalize(const ir::Module& module);
 Printed print(const ir::Module& module, const PrintOptions& options);
 
-}  // namespace patina::targets::hlsl
+}  // namespace patina::languages::hlsl

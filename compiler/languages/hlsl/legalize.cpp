@@ -2,11 +2,11 @@
 
 #include "compiler/languages/hlsl/hlsl.h"
 
-namespace patina::targets::hlsl {
+namespace patina::languages::hlsl {
 
 // HLSL needs the shared rules only, because it has all operations of the IR.
 std::optional<ir::Module> legalize(const ir::Module& module) {
-    return targets::legalize(module, {});
+    return languages::legalize(module, {});
 }
 
-}  // namespace patina::targets::hlsl
+}  // namespace patina::languages::hlsl

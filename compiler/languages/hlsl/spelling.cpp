@@ -1,7 +1,7 @@
 // How HLSL writes each operation.
 #include "compiler/languages/hlsl/hlsl.h"
 
-namespace patina::targets::hlsl {
+namespace patina::languages::hlsl {
 
 using ir::Op;
 
@@ -120,4 +120,4 @@ constexpr Spelling kRows[] = {
 constexpr SpellingTable kTable = by_op(kRows);
 const SpellingTable kSpellings = kTable;
 
-}  // namespace patina::targets::hlsl
+}  // namespace patina::languages::hlsl

@@ -5,7 +5,7 @@
 
 #include "compiler/languages/print.h"
 
-namespace patina::targets {
+namespace patina::languages {
 namespace {
 
 TEST(Names, WordsOfEitherLanguageAreReserved) {
@@ -90,4 +90,4 @@ TEST(Names, TargetsAreFoundByName) {
 }
 
 }  // namespace
-}  // namespace patina::targets
+}  // namespace patina::languages

@@ -12,7 +12,7 @@
 #include "compiler/ir/verify.h"
 #include "compiler/languages/print.h"
 
-namespace patina::targets {
+namespace patina::languages {
 
 using namespace ir;
 
@@ -98,4 +98,4 @@ struct SurfaceFixture : Fixture {
     }
 };
 
-}  // namespace patina::targets
+}  // namespace patina::languages

@@ -3,7 +3,7 @@
 
 #include "tests/unit/compiler/printer_fixture.h"
 
-namespace patina::targets {
+namespace patina::languages {
 namespace {
 
 constexpr Type kFloat3x3 = Type::matrix(Scalar::Float, 3, 3);
@@ -376,4 +376,4 @@ TEST(Statements, IndicesInRangeAreNotClamped) {
 }
 
 }  // namespace
-}  // namespace patina::targets
+}  // namespace patina::languages

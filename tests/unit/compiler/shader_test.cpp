@@ -3,7 +3,7 @@
 
 #include "tests/unit/compiler/printer_fixture.h"
 
-namespace patina::targets {
+namespace patina::languages {
 namespace {
 
 constexpr Type kInt2 = Type::vector(Scalar::Int, 2);
@@ -246,4 +246,4 @@ TEST(Shaders, TheSameModuleGivesTheSameBytes) {
 }
 
 }  // namespace
-}  // namespace patina::targets
+}  // namespace patina::languages

@@ -18,10 +18,10 @@ namespace patina {
 namespace {
 
 using namespace ir;
-using targets::find_language;
+using languages::find_language;
 
 Shader print(const Module& module, Target target) {
-    const targets::LanguageInfo* info = find_language(target.language);
+    const languages::LanguageInfo* info = find_language(target.language);
     const Module legal = info->legalize(module).value_or(module);
     EXPECT_TRUE(verify(legal).empty()) << verify(legal);
     Shader shader;
