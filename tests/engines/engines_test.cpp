@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "compiler/api/compiler_impl.h"
+#include "compiler/format/keys.h"
 #include "compiler/nodelang/embedded.h"
 #include "patina/validate.h"
 #include "runtime/picture/compare.h"
@@ -41,6 +42,47 @@ bool has(std::string_view text, std::string_view part) {
 
 TEST(Engines, TheLibraryIsWithoutFaults) {
     for (const Diagnostic& d : compiler().library_diagnostics()) ADD_FAILURE() << to_text(d);
+}
+
+std::string faults_of(const std::string& text) {
+    const nodelang::EmbeddedFile files[] = {{"nodes/engines/broken/engine.json", text}};
+    const Compiler broken = CompilerAccess::with_files(files);
+    std::string faults;
+    for (const Diagnostic& d : broken.library_diagnostics()) faults += to_text(d) + "\n";
+    return faults;
+}
+
+TEST(Engines, MistakesInTheFileAreReportedAtTheirPlaces) {
+    const std::string text = mirror_text();
+    const auto with = [&](std::string_view old, std::string_view now) {
+        std::string changed = text;
+        changed.replace(changed.find(old), old.size(), now);
+        return faults_of(changed);
+    };
+    EXPECT_EQ(faults_of(text), "");
+    std::string faults = with("\"matrices\"", "\"matrixes\"");
+    EXPECT_TRUE(has(faults, "nodes/engines/broken/engine.json:31:3: error:")) << faults;
+    EXPECT_TRUE(has(faults, "'matrixes'")) << faults;
+    EXPECT_TRUE(has(faults, "did you mean 'matrices'?")) << faults;
+    faults = with("\"rows\"", "\"row\"");
+    EXPECT_TRUE(has(faults, "did you mean 'rows'?")) << faults;
+    faults = with("\"set\": 2", "\"set\": -2");
+    EXPECT_TRUE(has(faults, "'set'")) << faults;
+    faults = with("\"clip\": { \"depth\": \"reversed\" },", "\"passes\": \"gone.pass.hlsl\",");
+    EXPECT_TRUE(has(faults, "'gone.pass.hlsl'")) << faults;
+    EXPECT_TRUE(has(faults, "'clip'")) << faults;
+    EXPECT_TRUE(has(faults_of("{ \"patina\": 1"), "engine.json:1:")) << faults_of("{ \"patina\": 1");
+}
+
+TEST(Engines, ThePageNamesEveryKey) {
+    std::ostringstream page;
+    page << std::ifstream("docs/engines.md").rdbuf();
+    using enum graph::ObjectKind;
+    for (const graph::ObjectKind kind :
+         {Engine, EngineSets, EngineSet, EngineVertexInput, EngineClip, EngineLimits, EngineNames}) {
+        for (const graph::KeyInfo& key : graph::keys_of(kind))
+            EXPECT_TRUE(has(page.str(), fmt::format("`{}`", key.name))) << key.name;
+    }
 }
 
 TEST(Engines, AreListedTheDefaultOneFirst) {
