@@ -2,7 +2,7 @@
 // images there are, and which mesh is drawn into which of them with which shaders. Everything about a material comes
 // from its reflection: bindings, vertex inputs, state, block layouts. It knows neither scenes nor rendering paths.
 //
-// The room `gpu`: the only one that includes Vulkan; only `render`, which opens the device, includes its headers.
+// The module `gpu`: the only one that includes Vulkan; only `render`, which opens the device, includes its headers.
 //
 // The life of a frame:
 //   1. the caller decides what is drawn and resolves values, textures and blocks (material_values.h, textures.h)
@@ -10,7 +10,7 @@
 //   3. images of the wanted sizes and formats are taken from the last frame, or made (gpu_target.h)
 //   4. each mesh and all uniforms go to the device in one buffer; textures that were seen before are still there
 //      (gpu_upload.h)
-//   5. each step gets descriptor sets (bindings.h), and a pipeline (pipeline.h) that it shares with its like
+//   5. each step gets descriptor sets (bindings.h), and a pipeline (pipeline.h) that it shares with equal steps
 //   6. one command buffer (gpu_frame.h): clear every image, then step after step, with a copy of an image where a step
 //      reads what it also draws into; copy back the one that is shown; the call waits for it
 //   7. samples are averaged on the CPU
@@ -38,8 +38,8 @@ public:
     // The target Frame::shown, its samples averaged.
     Outcome<Image> draw(const Frame& frame);
     Outcome<Image> draw(const Draw& draw);
-    // Of what can be drawn (frame_check.h, drawable_pass()): empty, or what this device cannot take (limits.h). draw()
-    // refuses it too.
+    // For a valid frame (frame_check.h, drawable_pass()): empty, or the limit of this device that it exceeds
+    // (limits.h). draw() refuses it too.
     std::string beyond_limits(const Frame& frame) const;
     std::string beyond_limits(const Draw& draw) const;
 
