@@ -3,7 +3,7 @@
 // top-left rule, perspective-correct varyings, clipping at the near plane, tests of depth and stencil, blending in the
 // target's format. Slow: a witness, and a fallback without a GPU.
 //
-// The module `cpu`: draws a frame as it stands. It includes nothing of Vulkan, and decides nothing about what is drawn.
+// The room `cpu`: draws a frame as it stands. It includes nothing of Vulkan, and decides nothing about what is drawn.
 //
 //   Outcome<Image> image = cpu_draw(frame);
 //   Outcome<Image> alone = cpu_draw({.reflection = &r, .program = result.program.get(), ...});

@@ -1,7 +1,7 @@
 // A frame as a list: render targets, and draws in order. It knows neither scenes nor rendering paths: frame_plan.h has
 // decided the contents of the list. The GPU (renderer.h) and the CPU (cpu_render.h) draw the same list.
 //
-// The module `frame`: converts a world to such a list, and checks the list. It compiles nothing, runs no shader, and
+// The room `frame`: converts a world to such a list, and checks the list. It compiles nothing, runs no shader, and
 // does not depend on Vulkan.
 //
 //   Frame frame{.targets = {{.name = "color", .width = 64, .height = 64},

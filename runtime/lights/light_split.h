@@ -14,7 +14,7 @@
 // up to the result of one loop over all lights. Spots are never per vertex, because Unity's vertex lights of the
 // forward path are only point lights (Shade4PointLights).
 //
-// The module `lights`: which objects a light of a scene reaches, and its view for the shadow map. It knows neither
+// The room `lights`: which objects a light of a scene reaches, and its view for the shadow map. It knows neither
 // values of materials nor passes.
 //
 //   LightSplit split = split_lights(scene.lights, world_bounds(mesh, matrix), world.pixel_light_count);

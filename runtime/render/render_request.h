@@ -1,7 +1,7 @@
 // Renders a graph file to a picture in one call, for `patina render` and snapshots. The request holds the user's own
 // words (scene_text.h, material_values.h); all errors in them are returned as text or diagnostics.
 //
-// The module `render`: compiles materials, prepares them, plans the frame and has it drawn. It contains no formulas of
+// The room `render`: compiles materials, prepares them, plans the frame and has it drawn. It contains no formulas of
 // lighting or drawing.
 //
 //   RenderMachine machine;                      // keeps the GPU between calls; opened when first needed

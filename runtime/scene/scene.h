@@ -1,7 +1,7 @@
 // The scene of one material: mesh, camera, lights, ambient light, time and the size of the picture. It is plain data
 // with useful defaults, and knows no material. scene_text.h reads its parts from the words of the command line.
 //
-// The module `scene`: scenes and worlds as plain data, and the words and files that describe them. It does not compile
+// The room `scene`: scenes and worlds as plain data, and the words and files that describe them. It does not compile
 // materials, and does not know how they are drawn.
 //
 //   Scene scene = default_scene("sphere");

@@ -2,7 +2,7 @@
 // expected picture. A plain run never writes there: the rendered picture and the difference are written to
 // `received_dir`.
 //
-// The module `snapshot`: reads such files, has them rendered and compares. It draws nothing itself.
+// The room `snapshot`: reads such files, has them rendered and compares. It draws nothing itself.
 //
 //   { "patina": 1, "mesh": "torus", "size": 128, "set": { "_Roughness": 0.2 }, "tolerance": { "share": 0.01 } }
 //

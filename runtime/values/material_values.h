@@ -2,7 +2,7 @@
 // fills the uniform blocks, the material's and the engine's: members are found by name in the reflection and written at
 // their offsets. The GPU and the CPU renderer share it, so both see the same bytes.
 //
-// The module `values`: the contents of the blocks and textures of a reflection, from a scene and a material. It does
+// The room `values`: the contents of the blocks and textures of a reflection, from a scene and a material. It does
 // not depend on passes, their order or a device.
 //
 //   Outcome<MaterialValues> values = material_values(reflection, {{"_Roughness", "0.2"}, {"_MainTex", "rust.png"}});
