@@ -1,4 +1,4 @@
-// A value, or one sentence that says why there is none. For work whose failures a user reads as text (files, devices);
+// A value, or one sentence that explains the failure. It is used where a user reads failures as text (files, devices);
 // problems in a graph are patina::Diagnostics instead, because they have a place.
 //
 //   Outcome<Image> image = load_image("rust.png");

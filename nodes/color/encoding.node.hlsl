@@ -1,6 +1,6 @@
-// What a colour's numbers mean. Lighting is computed on linear ones; pictures and colour pickers hold sRGB.
+// Colour encodings. Lighting is computed on linear colours; pictures and colour pickers hold sRGB colours.
 
-/// How bright a colour looks: the light of its Rec. 709 primaries, weighted by the eye.
+/// The relative luminance of a colour: its Rec. 709 primaries, weighted as the eye perceives them.
 ///
 /// formula: 0.2126 r + 0.7152 g + 0.0722 b
 /// source: ITU-R BT.709-6, section 3.2
@@ -14,9 +14,9 @@ float Luminance(
     return dot(color, float3(0.2126, 0.7152, 0.0722));
 }
 
-/// Linear colour to sRGB.
+/// Converts a linear colour to sRGB.
 ///
-/// A material seldom needs it: colours are encoded once, after everything else.
+/// A material seldom needs it: colours are encoded once, after all other computations.
 ///
 /// formula: 12.92 c up to 0.0031308, else 1.055 c^(1 / 2.4) - 0.055
 /// source: IEC 61966-2-1:1999
@@ -31,9 +31,9 @@ float3 LinearToSrgb(
     return color <= 0.0031308 ? dark : light;
 }
 
-/// sRGB colour to linear.
+/// Converts an sRGB colour to linear.
 ///
-/// Textures whose usage is "color" and hexadecimal colours are decoded already; this is for the rest.
+/// Hexadecimal colours and textures whose usage is "color" are decoded already; use this node for other values.
 ///
 /// formula: c / 12.92 up to 0.04045, else ((c + 0.055) / 1.055)^2.4
 /// source: IEC 61966-2-1:1999
@@ -48,7 +48,7 @@ float3 SrgbToLinear(
     return color <= 0.04045 ? dark : light;
 }
 
-/// Linear colour to sRGB by a cheap fit, as Unity's shaders have it. Very dark colours become black.
+/// Converts a linear colour to sRGB with the cheap fit of Unity's shaders. Very dark colours become black.
 ///
 /// formula: max(1.055 c^0.416666667 - 0.055, 0)
 /// source: Unity built-in shaders, LinearToGammaSpace
@@ -61,7 +61,7 @@ float3 LinearToSrgbApproximate(
     return max(1.055 * pow(max(color, 0), 0.416666667) - 0.055, 0);
 }
 
-/// sRGB colour to linear by a cheap fit, as Unity's shaders have it.
+/// Converts an sRGB colour to linear with the cheap fit of Unity's shaders.
 ///
 /// formula: c (c (0.305306011 c + 0.682171111) + 0.012522878)
 /// source: Chilliant, "sRGB Approximations for HLSL", 2012
@@ -74,7 +74,7 @@ float3 SrgbToLinearApproximate(
     return color * (color * (color * 0.305306011 + 0.682171111) + 0.012522878);
 }
 
-/// Linear colour to sRGB as Unity's shaders have it where they are exact: above 1 a plain power.
+/// Converts a linear colour to sRGB as Unity's exact function does: values above 1 use a plain power.
 ///
 /// formula: 12.92 c up to 0.0031308, 1.055 c^0.4166667 - 0.055 up to 1, c^0.45454545 above
 /// source: Unity built-in shaders, LinearToGammaSpaceExact; IEC 61966-2-1:1999
@@ -91,7 +91,7 @@ float3 LinearToSrgbUnity(
     return color <= 0.0031308 ? dark : color < 1 ? light : above;
 }
 
-/// sRGB colour to linear as Unity's shaders have it where they are exact: above 1 a plain power.
+/// Converts an sRGB colour to linear as Unity's exact function does: values above 1 use a plain power.
 ///
 /// formula: c / 12.92 up to 0.04045, ((c + 0.055) / 1.055)^2.4 up to 1, c^2.2 above
 /// source: Unity built-in shaders, GammaToLinearSpaceExact; IEC 61966-2-1:1999

@@ -1,15 +1,15 @@
-// Changing colours, and laying one on another. All of it on linear colour.
+// Colour grading and blending, on linear colours.
 
 /// How BlendColors combines two colours.
 enum BlendMode {
     Mix,       ///< the upper colour covers the lower one
-    Multiply,  ///< the product: never brighter, as with a coloured glass
+    Multiply,  ///< the product: never brighter, like a coloured filter
     Screen,    ///< the opposite of Multiply: never darker
     Overlay,   ///< Multiply where the lower colour is dark, Screen where it is bright
-    Add        ///< the sum, as of two lights
+    Add        ///< the sum, like two lights
 };
 
-/// A colour made greyer or more vivid, with the same luminance.
+/// Makes a colour greyer or more vivid, and keeps its luminance.
 ///
 /// formula: lerp(luminance, color, amount)
 /// test: Saturation(float3(0, 1, 0), 0) == float3(0.7152, 0.7152, 0.7152)
@@ -23,7 +23,7 @@ float3 Saturation(
     return lerp(Luminance(color), color, amount);
 }
 
-/// A colour moved away from a middle grey, or towards it.
+/// Moves a colour away from a middle grey, or towards it.
 ///
 /// formula: midpoint + (color - midpoint) amount
 /// test: Contrast(float3(0.18, 0.28, 0.08), 2) == float3(0.18, 0.38, -0.02)
@@ -32,12 +32,12 @@ float3 Saturation(
 float3 Contrast(
     [color] float3 color = 1,            ///< linear colour
     [range(0, 2)] float amount = 1,      ///< 0 is flat, 1 leaves it as it is
-    [range(0, 1)] float midpoint = 0.18  ///< what stays; 18 % is a photographer's grey card
+    [range(0, 1)] float midpoint = 0.18  ///< the value that stays; a photographer's grey card is 18 %
 ) {
     return midpoint + (color - midpoint) * amount;
 }
 
-/// A colour turned around the grey axis: a third of a turn makes green of red and blue of green.
+/// Rotates a colour around the grey axis: a third of a turn makes red green and green blue.
 ///
 /// formula: c cos + (k x c) sin + k (k.c) (1 - cos), k = (1, 1, 1) / sqrt(3)
 /// source: Rodrigues, 1840: rotation about an axis
@@ -47,7 +47,7 @@ float3 Contrast(
 [node("Color/Hue Rotate")]
 float3 HueRotate(
     [color] float3 color = 1,      ///< linear colour
-    [unit("rad")] float angle = 0  ///< how far
+    [unit("rad")] float angle = 0  ///< angle of the rotation
 ) {
     const float axis = 0.57735026918962576;  // each component of the unit vector along grey
     float3 crossed = axis * (color.brg - color.gbr);
@@ -55,7 +55,7 @@ float3 HueRotate(
     return lerp(grey, color, cos(angle)) + crossed * sin(angle);
 }
 
-/// Lays one colour on another.
+/// Blends one colour over another.
 ///
 /// formula: lerp(a, f(a, b), opacity); mix: f = b; multiply: f = a b; add: f = a + b
 /// formula: screen: f = 1 - (1 - a)(1 - b); overlay: f = 2 a b where a < 0.5, else 1 - 2 (1 - a)(1 - b)
@@ -81,9 +81,9 @@ float3 BlendColors(
     return lerp(base, combined, opacity);
 }
 
-/// A colour with a detail map on it: middle grey leaves it as it is, darker texels darken it, brighter ones brighten it.
+/// Applies a detail map to a colour: middle grey keeps it, darker texels darken it, brighter texels brighten it.
 ///
-/// Unity takes 0.5^2.2 for the middle grey of a texture; sRGB decodes it to 0.2140, which darkens by 2 in a hundred.
+/// Unity uses 0.5^2.2 for the middle grey of a texture; sRGB decodes it to 0.2140, which darkens by 2 percent.
 ///
 /// formula: base lerp(1, k detail, mask), k = 2^2.2 in linear colour, 2 in gamma-encoded colour
 /// source: Unity built-in shaders, Albedo: unity_ColorSpaceDouble and LerpWhiteTo
@@ -95,9 +95,9 @@ float3 BlendColors(
 [node("Color/Detail Albedo")]
 float3 DetailAlbedo(
     [color] float3 base = 0.5,            ///< the colour below
-    [color] float3 detail = 0.217637641,  ///< of the detail map
+    [color] float3 detail = 0.217637641,  ///< colour of the detail map
     [range(0, 1)] float mask = 1,         ///< 0: the base alone
-    const WorkingSpace space = Linear     ///< in which the colours are
+    const WorkingSpace space = Linear     ///< colour space of the colours
 ) {
     return base * lerp(1, (space == Linear ? 4.59479342 : 2) * detail, mask);
 }

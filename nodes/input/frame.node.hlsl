@@ -1,6 +1,6 @@
-// What is the same for a whole object or a whole picture, and values that an artist gives by hand.
+// Values that are constant for an object or a frame, and named constants.
 
-/// Seconds since the start, for movement; and the waves most often made of it.
+/// Seconds since the start, for animation, with their sine and cosine.
 ///
 /// test: Time(2, 1.5) == 3
 /// test: Time(1, 0.5235987755982988).sine == 0.5
@@ -18,27 +18,27 @@ float Time(
     return scaled;
 }
 
-/// Where this pixel is in the picture: (0, 0) is the upper left corner, (1, 1) the lower right one.
+/// The position of this pixel on the screen: (0, 0) is the upper left corner, (1, 1) the lower right one.
 ///
 /// test: ScreenUV(float2(0.25, 0.75)) == float2(0.25, 0.75)
 [node("Input/Screen UV")]
 float2 ScreenUV(
-    [hidden] float2 position = screenUV  ///< the pixel
+    [hidden] float2 position = screenUV  ///< position of the pixel
 ) {
     return position;
 }
 
-/// Where the camera is, in the world.
+/// The position of the camera in world space.
 ///
 /// test: CameraPosition(float3(1, 2, 3)) == float3(1, 2, 3)
 [node("Input/Camera Position")]
 float3 CameraPosition(
-    [hidden] [unit("m")] float3 position = cameraPositionWS  ///< the camera
+    [hidden] [unit("m")] float3 position = cameraPositionWS  ///< position of the camera
 ) {
     return position;
 }
 
-/// Where the object's origin is, in the world: different for each copy of an object, so a seed for variety.
+/// The position of the object's origin in world space. It differs for each copy, so it can seed variations.
 ///
 /// test: ObjectPosition(float3(1, 2, 3)) == float3(1, 2, 3)
 [node("Input/Object Position")]
@@ -48,7 +48,7 @@ float3 ObjectPosition(
     return position;
 }
 
-/// A number or vector with a name, used in several places.
+/// A named number or vector that several nodes can use.
 ///
 /// test: Constant(0.5) == 0.5
 /// test: Constant(float3(1, 2, 3)) == float3(1, 2, 3)
@@ -59,7 +59,7 @@ floatN Constant(
     return value;
 }
 
-/// A colour with a name, used in several places.
+/// A named colour that several nodes can use.
 ///
 /// test: Color(float4(0.1, 0.2, 0.3, 1)) == float4(0.1, 0.2, 0.3, 1)
 /// test: Color(float4(0.1, 0.2, 0.3, 0.5)).alpha == 0.5

@@ -1,5 +1,5 @@
-// What the mesh and the camera bring to a pixel. A link such as "@normalWS" reads the same values; as nodes they offer
-// a choice of space and show up in an editor.
+// Inputs from the mesh and the camera. A link such as "@normalWS" reads the same values; these nodes also offer a
+// choice of space and appear in an editor.
 
 /// The coordinate system of a position or a direction.
 enum Space {
@@ -17,10 +17,10 @@ enum SurfaceSpace {
 /// The sets of texture coordinates.
 enum UvChannel {
     UV0,  ///< the first set
-    UV1   ///< the second set: often the one of baked light
+    UV1   ///< the second set: often used for baked light
 };
 
-/// Where this point of the surface is.
+/// The position of this point of the surface.
 ///
 /// test: Position(Object, float3(1, 0, 0), float3(0, 1, 0), float3(0, 0, 1)) == float3(1, 0, 0)
 /// test: Position(World, float3(1, 0, 0), float3(0, 1, 0), float3(0, 0, 1)) == float3(0, 1, 0)
@@ -37,7 +37,7 @@ float3 Position(
 
 /// The direction that points out of the surface: the mesh's interpolated normal, unit length.
 ///
-/// In a lighting graph the world-space normal is the shaded one, with the normal map in it.
+/// In a lighting graph, the world-space normal is the shading normal, which includes the normal map.
 ///
 /// test: Normal(Object, float3(1, 0, 0), float3(0, 1, 0), float3(0, 0, 1)) == float3(1, 0, 0)
 /// test: Normal(World, float3(1, 0, 0), float3(0, 1, 0), float3(0, 0, 1)) == float3(0, 1, 0)
@@ -80,7 +80,7 @@ float2 UV(
     return channel == UV0 ? first : second;
 }
 
-/// The colour painted on the mesh, linear; white where there is none.
+/// The vertex colour of the mesh, linear; white if the mesh has none.
 ///
 /// test: VertexColor(float4(0.1, 0.2, 0.3, 0.4)) == float4(0.1, 0.2, 0.3, 0.4)
 [node("Input/Vertex Color")]

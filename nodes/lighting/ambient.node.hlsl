@@ -1,5 +1,5 @@
-// Light from the surroundings: spherical harmonics for the diffuse part, and two factors that stand for what a rough
-// surface does to the mirrored part.
+// Light from the environment: spherical harmonics for the diffuse part, and factors for the specular part of a rough
+// surface.
 
 // The normalisation of each real spherical harmonic up to second order, times the factor of the convolution with the
 // clamped cosine (pi, 2 pi / 3, pi / 4), over pi.
@@ -9,11 +9,11 @@ const float SH_PRODUCT = 0.27313710764801977;     // sqrt(15 / (64 pi))
 const float SH_POLAR = 0.078847891313130012;      // sqrt(5 / (256 pi))
 const float SH_DIFFERENCE = 0.13656855382400989;  // sqrt(15 / (256 pi))
 
-/// Diffuse light of the surroundings, from nine coefficients of their radiance.
+/// Diffuse light of the environment, from nine coefficients of its radiance.
 ///
-/// It is E / pi, so a colour times it is radiance. The coefficients are numbered l (l + 1) + m, without the
-/// Condon-Shortley sign, and the polynomials take the world's x, y and z as they are, as in Unity. Nine coefficients
-/// can swing below zero opposite to a strong light: the result is clamped.
+/// The result is E / pi, so a colour times it is radiance. The coefficients are numbered l (l + 1) + m, without the
+/// Condon-Shortley sign, and the polynomials use the world's x, y and z unchanged, as in Unity. Nine coefficients can
+/// swing below zero opposite to a strong light: the result is clamped.
 ///
 /// formula: E(n) / pi = sum over l, m of A_l / pi c_lm Y_lm(n), A = pi, 2 pi / 3, pi / 4
 /// source: Ramamoorthi and Hanrahan, "An Efficient Representation for Irradiance Environment Maps", SIGGRAPH 2001
@@ -45,14 +45,14 @@ float3 EvaluateSH9(
 
 /// Which curve SurfaceReduction follows.
 enum SurfaceReductionForm {
-    Linear,      ///< of the best of Unity's three models, in linear colour space
-    Gamma,       ///< a fit of that for lighting in gamma space
-    SimpleLinear ///< of Unity's second model, in linear colour space
+    Linear,      ///< Unity's best model (BRDF1), in linear colour space
+    Gamma,       ///< a fit of it for lighting in gamma space
+    SimpleLinear ///< Unity's second model (BRDF2), in linear colour space
 };
 
-/// How much of the mirrored surroundings a rough surface keeps: 1 for a mirror, one half for the roughest.
+/// The share of environment reflections that a rough surface keeps: 1 for a mirror, 0.5 for the roughest.
 ///
-/// It is the share of GGX facets that mirror a straight look to above the horizon; exact for a view along the normal.
+/// It is the share of GGX facets that reflect the view to above the horizon; exact for a view along the normal.
 ///
 /// formula: linear: 1 / (alpha^2 + 1); gamma: 1 - 0.28 r^3; simple: 1 - r^3 (0.6 - 0.08 r); r = sqrt(alpha)
 /// source: the GGX distribution integrated up to 45 degrees; Unity built-in shaders, BRDF1 and BRDF2
@@ -72,7 +72,7 @@ float SurfaceReduction(
     return 1 / (alpha * alpha + 1);
 }
 
-/// The reflectance of the surroundings at a grazing angle: 1 for smooth or metallic surfaces, less for rough ones.
+/// The reflectance at a grazing angle, for the environment: 1 for smooth or metallic surfaces, less for rough ones.
 ///
 /// formula: saturate(smoothness + reflectivity)
 /// source: as in Unity's Standard shader
@@ -82,20 +82,20 @@ float SurfaceReduction(
 [node("Lighting/Ambient/Grazing Term")] [range(0, 1)]
 float GrazingTerm(
     [range(0, 1)] float smoothness = 0.5,              ///< 1 - perceptual roughness
-    [range(0, 1)] float oneMinusReflectivity = 0.96  ///< share of the light that is not mirrored
+    [range(0, 1)] float oneMinusReflectivity = 0.96  ///< share of the light that is not reflected specularly
 ) {
     return saturate(smoothness + 1 - oneMinusReflectivity);
 }
 
-/// Which axis a basis of spherical harmonics calls up.
+/// Which axis of the spherical harmonics points up.
 enum SHOrder {
     ZUp,  ///< the order of the papers, and of Unity: y, z, x; xy, yz, 3z^2 - 1, xz, x^2 - y^2
     YUp   ///< y and z exchanged
 };
 
-/// The nine real spherical harmonics up to second order, of a direction.
+/// The nine real spherical harmonics of a direction, up to second order.
 ///
-/// Without the Condon-Shortley sign. They are given as three vectors: the constant, then l = 1, then l = 2.
+/// They have no Condon-Shortley sign, and are grouped by order: the constant, then l = 1, then l = 2.
 ///
 /// formula: Y_00 = sqrt(1 / (4 pi)), Y_1m = sqrt(3 / (4 pi)) (y, z, x), ...
 /// source: Ramamoorthi and Hanrahan, "An Efficient Representation for Irradiance Environment Maps", SIGGRAPH 2001
@@ -121,7 +121,7 @@ void SHBasis(
     l2Last = 0.5462742152960396 * (n.x * n.x - n.y * n.y);
 }
 
-/// What the cosine of incidence does to each order of spherical harmonics.
+/// The factors that convolve each order of spherical harmonics with the clamped cosine.
 ///
 /// formula: pi, 2 pi / 3, pi / 4
 /// source: Ramamoorthi and Hanrahan, SIGGRAPH 2001, eq. 8
@@ -131,9 +131,9 @@ float3 SHCosineFactors() {
     return PI * float3(1, 2.0 / 3, 0.25);
 }
 
-/// Nine radiance coefficients of one channel as the seven-vector form that Unity's shaders read.
+/// Packs nine radiance coefficients of one channel into the seven-vector form that Unity's shaders read.
 ///
-/// Do it for red, green and blue: a is unity_SHAr (g, b), b is unity_SHBr, and c is one channel of unity_SHC.
+/// Use it for red, green and blue: a is unity_SHAr (g, b), b is unity_SHBr, and c is one channel of unity_SHC.
 ///
 /// formula: u_i = c_i A_l / pi K_i; a = (u3, u1, u2, u0 - u6), b = (u4, u5, 3 u6, u7), c = u8
 /// source: Sloan, "Stupid Spherical Harmonics Tricks", GDC 2008, appendix A10
@@ -192,7 +192,7 @@ float3 EvaluateSHQuadratic(
     return float3(dot(br, products), dot(bg, products), dot(bb, products)) + c * difference;
 }
 
-/// How strongly a rough surface mirrors the surroundings, for a grazing reflectance of 1: f0 scale + offset.
+/// The reflectance of a rough surface for the environment, with a grazing reflectance of 1: f0 scale + offset.
 ///
 /// formula: x = 1 - r, y = 0.0425 - 0.0275 r, a = min(x^2, 2^(-9.28 n.v)) x + y,
 /// formula: scale = 1.04 - 0.572 r - 1.04 a, offset = 1.04 a + 0.022 r - 0.04
@@ -205,7 +205,7 @@ float3 EvaluateSHQuadratic(
 float3 EnvBRDFApprox(
     [range(0, 1)] float roughness = 0.5,  ///< perceptual roughness
     [range(0, 1)] float ndotv,            ///< cosine of normal and view
-    [color] float3 f0 = 0.04,             ///< reflectance looked at straight
+    [color] float3 f0 = 0.04,             ///< reflectance at normal incidence
     out float scale,                      ///< of f0
     out float offset                      ///< added to it; for the roughest surfaces a little below zero
 ) {
@@ -215,7 +215,7 @@ float3 EnvBRDFApprox(
     return max(f0 * scale + offset, 0);
 }
 
-/// The same for insulators, whose straight reflectance is 4 %.
+/// EnvBRDFApprox for dielectrics, whose reflectance at normal incidence is 4 %.
 ///
 /// formula: min(x^2, 2^(-9.28 n.v)) x + 0.0425 - 0.0275 r, x = 1 - r
 /// source: Karis, "Physically Based Shading on Mobile", 2014
@@ -231,7 +231,7 @@ float EnvBRDFApproxNonmetal(
     return min(x * x, exp2(-9.28 * ndotv)) * x + 0.0425 - 0.0275 * roughness;
 }
 
-/// Lazarov's fit of how strongly a surface with a Blinn-Phong highlight mirrors the surroundings.
+/// Lazarov's fit of the reflectance for the environment, for a surface with a Blinn-Phong highlight.
 ///
 /// formula: t = (1 / 0.96, 0.475, 0.0175 / 0.96, 0.25) g + (0, 0, -0.015 / 0.96, 0.75),
 /// formula: offset = t.x min(t.y, 2^(-9.28 n.v)) + t.z, scale = t.w - offset
@@ -244,7 +244,7 @@ float EnvBRDFApproxNonmetal(
 float3 EnvBRDFLazarov(
     [range(0, 1)] float gloss = 0.5,  ///< 0 is dull, 1 a mirror
     [range(0, 1)] float ndotv,        ///< cosine of normal and view
-    [color] float3 f0 = 0.04,         ///< reflectance looked at straight
+    [color] float3 f0 = 0.04,         ///< reflectance at normal incidence
     out float scale,                  ///< of f0
     out float offset                  ///< added to it
 ) {
@@ -254,7 +254,7 @@ float3 EnvBRDFLazarov(
     return saturate(f0 * scale + offset);
 }
 
-/// The split sum: what of pre-filtered surroundings a surface mirrors.
+/// The split sum: the light that a surface reflects from a pre-filtered environment.
 ///
 /// formula: prefiltered (f0 scale + f90 offset)
 /// source: Karis, "Real Shading in Unreal Engine 4", SIGGRAPH 2013
@@ -262,8 +262,8 @@ float3 EnvBRDFLazarov(
 /// test: SplitSum(float3(2, 1, 0), 1, 0.5, 0.25) == float3(1.5, 0.75, 0)
 [node("Lighting/Ambient/Split Sum")]
 float3 SplitSum(
-    [color] float3 prefiltered = 1,     ///< radiance of the surroundings, blurred by roughness
-    [color] float3 f0 = 0.04,           ///< reflectance looked at straight
+    [color] float3 prefiltered = 1,     ///< radiance of the environment, blurred by roughness
+    [color] float3 f0 = 0.04,           ///< reflectance at normal incidence
     [range(0, 1)] float scale,          ///< of f0
     [range(0, 1)] float offset,         ///< of the grazing reflectance
     [range(0, 1)] float f90 = 1         ///< grazing reflectance
@@ -271,7 +271,7 @@ float3 SplitSum(
     return prefiltered * (f0 * scale + f90 * offset);
 }
 
-/// Which level of a blurred cube map a roughness reads.
+/// The level of a pre-filtered cube map for a roughness.
 ///
 /// formula: r (1.7 - 0.7 r) steps
 /// source: Unity built-in shaders, Unity_GlossyEnvironment
@@ -286,9 +286,9 @@ float MipFromRoughness(
     return roughness * (1.7 - 0.7 * roughness) * steps;
 }
 
-/// Where a reflected ray meets the walls of a box, as seen from the point that a cube map was taken in.
+/// Parallax-corrects a reflected direction: the direction from the centre of a cube map to the walls of its box.
 ///
-/// Directions along a wall never meet it; their quotient is left out.
+/// A direction parallel to a wall never meets it; that wall is ignored.
 ///
 /// formula: position - center + t d, t = the smallest (wall - position) / d over the axes
 /// source: Lagarde and Zanuttini, "Local Image-based Lighting With Parallax-corrected Cubemaps", SIGGRAPH 2012
@@ -298,7 +298,7 @@ float MipFromRoughness(
 [node("Lighting/Ambient/Box Projected Direction")]
 float3 BoxProjectedDirection(
     float3 direction,                           ///< reflected direction; its length does not matter
-    [unit("m")] float3 position = positionWS,  ///< the point that reflects, inside the box
+    [unit("m")] float3 position = positionWS,  ///< the reflecting point, inside the box
     [unit("m")] float3 center = 0,              ///< where the cube map was taken
     [unit("m")] float3 boxMin = -1,            ///< smallest corner of the box
     [unit("m")] float3 boxMax = 1              ///< largest corner of the box
@@ -310,7 +310,7 @@ float3 BoxProjectedDirection(
     return position - center + direction * nearest;
 }
 
-/// The radiance of a texel that stands for more than 1, by Unity's decode instructions.
+/// Decodes the radiance of a high-dynamic-range texel by Unity's decode instructions.
 ///
 /// formula: instructions.x (instructions.w (a - 1) + 1)^instructions.y rgb
 /// source: Unity built-in shaders, DecodeHDR
@@ -320,15 +320,15 @@ float3 BoxProjectedDirection(
 [node("Lighting/Ambient/Decode HDR")]
 float3 DecodeHDR(
     float4 encoded = 1,                          ///< the texel
-    float4 instructions = float4(1, 1, 0, 0),    ///< x: factor, y: exponent of alpha, w: 1 where alpha counts
-    const WorkingSpace space = Linear            ///< colour space that lighting is computed in; in gamma, y does not count
+    float4 instructions = float4(1, 1, 0, 0),    ///< x: factor, y: exponent of alpha, w: 1 if alpha is used
+    const WorkingSpace space = Linear            ///< colour space that lighting is computed in; in gamma, y is ignored
 ) {
     float scale = instructions.w * (encoded.a - 1) + 1;
     float factor = space == Linear ? pow(max(scale, 1e-6), instructions.y) : scale;
     return instructions.x * factor * encoded.rgb;
 }
 
-/// Where a view-space normal reads a picture of a lit ball: a normal that points up reads the top of the picture.
+/// The texture coordinates of a view-space normal in a matcap: a normal that points up reads the top of the picture.
 ///
 /// formula: (0.5 + 0.5 n.x, 0.5 - 0.5 n.y), n = normalize(normalVS); where v grows upwards it is 0.5 n.xy + 0.5
 /// source: Sloan et al., "The Lit Sphere", Graphics Interface 2001
@@ -342,7 +342,7 @@ float2 MatcapUV(
     return normalVS.xy * rsqrt(max(dot(normalVS, normalVS), 1e-7)) * float2(0.5, -0.5) + 0.5;
 }
 
-/// Ambient occlusion, weakened or strengthened.
+/// Weakens or strengthens ambient occlusion.
 ///
 /// formula: lerp(1, occlusion, strength), then to the given power
 /// source: Unity built-in shaders, LerpOneTo
@@ -352,7 +352,7 @@ float2 MatcapUV(
 [node("Lighting/Ambient/Occlusion Strength")] [range(0, 1)]
 float OcclusionStrength(
     [range(0, 1)] float occlusion = 1,  ///< 1 open, 0 closed
-    [range(0, 1)] float strength = 1,   ///< 0 leaves everything open
+    [range(0, 1)] float strength = 1,   ///< 0 disables occlusion
     [range(0, 8)] float power = 1       ///< above 1 darker
 ) {
     float open = lerp(1, saturate(occlusion), strength);
@@ -360,7 +360,7 @@ float OcclusionStrength(
     return open > 0 ? pow(max(open, 1e-6), power) : 0;
 }
 
-/// Ambient occlusion of a bright surface, whose corners light one another.
+/// Ambient occlusion of a bright surface with interreflections between its parts.
 ///
 /// formula: max(o, ((o a + b) o + c) o), a = 2.0404 rho - 0.3324, b = -4.7951 rho + 0.6417, c = 2.7552 rho + 0.6903
 /// source: Jimenez et al., "Practical Realtime Strategies for Accurate Indirect Occlusion", SIGGRAPH 2016
@@ -378,7 +378,7 @@ float3 OcclusionMultiBounce(
     return max(occlusion, ((occlusion * a + b) * occlusion + c) * occlusion);
 }
 
-/// How much of the mirrored surroundings ambient occlusion hides.
+/// Specular occlusion: the visible share of environment reflections, from ambient occlusion.
 ///
 /// formula: saturate((n.v + o)^(2^(-16 alpha - 1)) - 1 + o)
 /// source: Lagarde and de Rousiers, "Moving Frostbite to PBR", SIGGRAPH 2014, section 4.10.2

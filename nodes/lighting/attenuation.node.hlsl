@@ -1,6 +1,6 @@
-// How much of a light arrives: what distance and cone leave of it.
+// Light attenuation by distance, cone and cookie.
 
-/// The inverse square law, ended smoothly at the light's range.
+/// The inverse square law, faded out smoothly at the light's range.
 ///
 /// formula: saturate(1 - (distance / range)^4)^2 / max(distance^2, 0.0001)
 /// source: Lagarde and de Rousiers, "Moving Frostbite to PBR", SIGGRAPH 2014, listing 4; the window is that of Karis, "Real
@@ -11,13 +11,13 @@
 /// test: InverseSquareAttenuation(0, 1) == 10000
 [node("Lighting/Attenuation/Inverse Square")] [range(0, 10000)]
 float InverseSquareAttenuation(
-    [range(0, 100)] [unit("m")] float distance = 1,  ///< from the light
+    [range(0, 100)] [unit("m")] float distance = 1,  ///< distance from the light
     [range(0.01, 100)] [unit("m")] float range = 10  ///< where the light ends
 ) {
     return distanceAttenuation(distance * distance, max(range, 1e-4));
 }
 
-/// A formula for the falloff that Unity's built-in point lights read from a texture.
+/// The falloff of Unity's built-in point lights: a fit of the texture that they read.
 ///
 /// formula: saturate(saturate(5 (1 - x)) / (1 + 25 x^2)), x = distance / range
 /// source: a fit of the built-in falloff texture, whose contents are not public
@@ -42,7 +42,7 @@ float UnityAttenuation(
 /// test: RangeAttenuation(5, 4) == 0
 [node("Lighting/Attenuation/Range Window")] [range(0, 1)]
 float RangeAttenuation(
-    [range(0, 100)] [unit("m")] float distance = 1,  ///< from the light
+    [range(0, 100)] [unit("m")] float distance = 1,  ///< distance from the light
     [range(0.01, 100)] [unit("m")] float range = 10  ///< where the light ends
 ) {
     float ratio = distance / max(range, 1e-4);
@@ -62,8 +62,8 @@ float RangeAttenuation(
 float SpotAttenuation(
     float3 lightDir = light.direction,  ///< unit direction to the light
     float3 axis = float3(0, -1, 0),      ///< unit direction that the spot shines along
-    [range(-1, 1)] float inner = 0.9,    ///< cosine of half the angle of full light
-    [range(-1, 1)] float outer = 0.8     ///< cosine of half the angle where it ends
+    [range(-1, 1)] float inner = 0.9,    ///< cosine of half the angle of the fully lit cone
+    [range(-1, 1)] float outer = 0.8     ///< cosine of half the angle at which the cone ends
 ) {
     float cone = saturate((-dot(lightDir, axis) - outer) / max(inner - outer, 0.001));
     return cone * cone;
@@ -77,13 +77,13 @@ float SpotAttenuation(
 /// test: VertexLightAttenuation(0, 25) == 1
 [node("Lighting/Attenuation/Vertex Light")] [range(0, 1)]
 float VertexLightAttenuation(
-    [range(0, 10000)] float distanceSquared = 1,  ///< from the light, in square metres
+    [range(0, 10000)] float distanceSquared = 1,  ///< squared distance from the light, in square metres
     [range(0, 1000)] float falloff = 0.25          ///< 25 / range^2
 ) {
     return 1 / (1 + distanceSquared * falloff);
 }
 
-/// Lambert's light of four point lights at once, as Unity computes it in each vertex.
+/// Lambert's diffuse light of four point lights at once, as Unity computes it at each vertex.
 ///
 /// formula: sum over i of color_i max(0, n.l_i) / (1 + distance_i^2 falloff_i)
 /// source: Unity built-in shaders, Shade4PointLights
@@ -91,7 +91,7 @@ float VertexLightAttenuation(
 /// test: FourPointLights(float3(0, 0, 0), float3(0, 1, 0), 0, 0, 0, 1, 1, 1, 1, 1) == float3(0, 0, 0)
 [node("Lighting/Attenuation/Four Point Lights")]
 float3 FourPointLights(
-    [unit("m")] float3 position = positionWS,  ///< the point that is lit
+    [unit("m")] float3 position = positionWS,  ///< the lit point
     float3 normal = normalWS,                  ///< unit normal
     [unit("m")] float4 lightX,                 ///< positions of the four lights: their x
     [unit("m")] float4 lightY,                 ///< their y
@@ -105,16 +105,16 @@ float3 FourPointLights(
     float4 x = lightX - position.x;
     float4 y = lightY - position.y;
     float4 z = lightZ - position.z;
-    // A light in the very point must not give 0 * infinity.
+    // A light exactly at the point must not give 0 * infinity.
     float4 squared = max(x * x + y * y + z * z, 1e-6);
     float4 ndotl = max((x * normal.x + y * normal.y + z * normal.z) * rsqrt(squared), 0);
     float4 amount = ndotl / (1 + squared * falloff);
     return color0 * amount.x + color1 * amount.y + color2 * amount.z + color3 * amount.w;
 }
 
-/// Where a light's cookie is read: the picture that the light shines through.
+/// The texture coordinates in a light's cookie, the texture that the light shines through.
 ///
-/// A spot light projects it as a camera would, a directional light straight along its rays.
+/// A spot light projects it in perspective, a directional light along its parallel rays.
 ///
 /// formula: uv = p.xy / p.w; lit where p.w > 0
 /// source: Unity built-in shaders, UnitySpotCookie
@@ -125,21 +125,21 @@ float3 FourPointLights(
 /// test: CookieUV(float4(0.25, -0.5, 7, 1)) == float2(0.25, -0.5)
 [node("Lighting/Attenuation/Cookie UV")]
 float2 CookieUV(
-    float4 place,                ///< the point that is lit, by the matrix from the world to the cookie; w not divided
+    float4 place,                ///< the lit point, transformed by the matrix from the world to the cookie
     [range(0, 1)] out float lit  ///< 1 in front of the light, 0 behind it
 ) {
     lit = place.w > 0 ? 1 : 0;
     return place.xy / max(place.w, 1e-4);
 }
 
-/// How much of a light its cookie lets through.
+/// The share of a light that passes through its cookie.
 ///
 /// formula: cookie(p.xy / p.w) where p.w > 0, else 0
 /// source: Unity built-in shaders, UnitySpotCookie; there it is alpha that counts
 [node("Lighting/Attenuation/Cookie")]
 float CookieAttenuation(
-    Texture2D cookie,  ///< red: how much passes
-    float4 place       ///< the point that is lit, by the matrix from the world to the cookie; w not divided
+    Texture2D cookie,  ///< red: the share that passes
+    float4 place       ///< the lit point, transformed by the matrix from the world to the cookie
 ) {
     return cookie.SampleLevel(CookieUV(place), 0).r * CookieUV(place).lit;
 }

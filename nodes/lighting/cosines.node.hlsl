@@ -1,11 +1,11 @@
-// The cosines that lighting is made of: between the normal n, the direction to the light l, the direction to the
-// viewer v, and the half vector h between l and v. All directions are unit vectors in the world.
+// The cosines that lighting formulas use: between the normal n, the direction to the light l, the direction to the
+// viewer v, and the half vector h between l and v. All directions are unit vectors in world space.
 
-/// What becomes of a cosine below zero: of a light, or of a viewer, behind the surface.
+/// How a cosine below zero is treated: the light or the viewer is behind the surface.
 enum CosineMode {
-    Clamped,   ///< zero
-    Absolute,  ///< its positive twin: a normal map may turn a visible pixel's normal away from the viewer
-    Signed     ///< kept, for wrapped lighting such as HalfLambert
+    Clamped,   ///< it becomes zero
+    Absolute,  ///< it becomes positive: a normal map may turn a visible pixel's normal away from the viewer
+    Signed     ///< it is kept, for wrapped lighting such as HalfLambert
 };
 
 // Rounding can leave the dot product of unit vectors a little above 1, and sqrt(1 - c^2) would then not be a number:
@@ -15,7 +15,7 @@ float CosineBetween(float3 from, float3 to, const CosineMode mode) {
     return mode == Clamped ? saturate(cosine) : mode == Absolute ? saturate(abs(cosine)) : cosine;
 }
 
-/// The cosine between normal and light: how much of a light's power falls on each part of the surface.
+/// The cosine between normal and light: the share of the light's power that falls on the surface.
 ///
 /// formula: n.l
 /// source: Lambert, "Photometria", 1760
@@ -27,12 +27,12 @@ float CosineBetween(float3 from, float3 to, const CosineMode mode) {
 float NdotL(
     float3 normal = normalWS,           ///< unit normal
     float3 lightDir = light.direction,  ///< unit direction to the light
-    const CosineMode mode = Clamped      ///< what becomes of a light behind the surface
+    const CosineMode mode = Clamped      ///< how a light behind the surface is treated
 ) {
     return CosineBetween(normal, lightDir, mode);
 }
 
-/// The cosine between normal and view: 1 where the surface faces the viewer, 0 at its outline.
+/// The cosine between normal and view: 1 where the surface faces the viewer, 0 at its silhouette.
 ///
 /// formula: n.v
 /// test: NdotV(float3(0, 0, 1), float3(0, 0.6, 0.8)) == 0.8
@@ -43,14 +43,14 @@ float NdotL(
 float NdotV(
     float3 normal = normalWS,       ///< unit normal
     float3 view = viewDirWS,       ///< unit direction to the viewer
-    const CosineMode mode = Clamped  ///< what becomes of a normal that is turned away
+    const CosineMode mode = Clamped  ///< how a normal that points away from the viewer is treated
 ) {
     return CosineBetween(normal, view, mode);
 }
 
-/// The direction half-way between the light and the viewer: the normal of a mirror that shows one to the other.
+/// The direction half-way between the light and the viewer.
 ///
-/// With the light exactly behind the surface there is none: near that it shrinks to zero.
+/// If the light is exactly opposite to the viewer, the direction does not exist: near that, the vector shrinks to zero.
 ///
 /// formula: h = (l + v) / sqrt(max(|l + v|^2, 0.001))
 /// source: Blinn, "Models of Light Reflection for Computer Synthesized Pictures", SIGGRAPH 1977

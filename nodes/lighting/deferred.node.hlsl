@@ -1,6 +1,6 @@
-// What a G-buffer holds between the pass that draws surfaces and the one that lights them.
+// The encodings of a G-buffer: one pass writes the surfaces, later passes light them.
 
-/// A unit normal as a G-buffer of unsigned numbers holds it.
+/// Encodes a unit normal for a G-buffer with an unsigned format.
 ///
 /// formula: 0.5 n + 0.5
 /// source: Unity built-in shaders, UnityStandardDataToGbuffer
@@ -13,7 +13,7 @@ float3 EncodeGBufferNormal(
     return normal * 0.5 + 0.5;
 }
 
-/// The unit normal of a G-buffer's texel.
+/// Decodes the unit normal of a G-buffer's texel.
 ///
 /// formula: normalize(2 c - 1)
 /// source: Unity built-in shaders, UnityStandardDataFromGbuffer
@@ -28,7 +28,7 @@ float3 DecodeGBufferNormal(
     return normal * rsqrt(max(dot(normal, normal), 1e-6));
 }
 
-/// Light as a render target of unsigned numbers holds it: lights are then added by multiplying.
+/// Encodes light for a render target with an unsigned format: multiplying two encoded values adds their light.
 ///
 /// formula: 2^-c
 /// source: Unity built-in shaders, the deferred pass without HDR
@@ -41,14 +41,14 @@ float3 EncodeLightLdr(
     return exp2(-color);
 }
 
-// Unity's target has ten bits, and 0 is what was below half a step of them when it was rounded. No more is known of it, so it
-// counts as that half step: light ends at log2(2046) = 10.999, as far beyond the last step, log2(1023) = 9.999, as that is
-// beyond the one before.
+// Unity's render target has ten bits, and all values below half a step are rounded to 0. A stored 0 therefore counts as
+// half a step: light ends at log2(2046) = 10.999, which is as far above the last step, log2(1023) = 9.999, as that step
+// is above the previous one.
 const float LDR_DARKEST = 0.5 / 1023;
 
-/// The light that EncodeLightLdr wrote.
+/// Decodes the light that EncodeLightLdr encoded.
 ///
-/// The target has ten bits: black counts as half a step of them, so that light ends at 11.
+/// The render target has ten bits: black counts as half a step, so that light ends at 11.
 ///
 /// formula: -log2(max(c, 1 / 2046))
 /// source: Unity built-in shaders, the deferred pass without HDR

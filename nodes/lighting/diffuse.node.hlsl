@@ -1,9 +1,9 @@
-// Diffuse terms. Light is given as E / pi, what a white Lambert surface sends out when the light falls on it straight.
-// So none of these terms is divided by pi: diffuse colour * term * light is radiance.
+// Diffuse terms. Light is given as E / pi, the radiance of a white Lambert surface that faces the light. Therefore none
+// of these terms is divided by pi: diffuse colour * term * light is radiance.
 
 /// Lambert's diffuse light: a matte surface looks equally bright from everywhere.
 ///
-/// In these units Lambert's BRDF is 1; what is left is the cosine with which the light falls in.
+/// In these units Lambert's BRDF is 1; only the cosine of the incident light remains.
 ///
 /// formula: max(0, n.l)
 /// source: Lambert, "Photometria", 1760
@@ -11,15 +11,15 @@
 /// test: LambertDiffuse(-0.5) == 0
 [node("Lighting/Diffuse/Lambert")] [range(0, 1)]
 float LambertDiffuse(
-    [range(-1, 1)] float ndotl  ///< cosine of normal and light; below zero the light is behind
+    [range(-1, 1)] float ndotl  ///< cosine of normal and light; below zero, the light is behind the surface
 ) {
     return max(ndotl, 0);
 }
 
-/// What HalfLambert does with the wrapped cosine.
+/// How HalfLambert shapes the wrapped cosine.
 enum HalfLambertCurve {
-    Linear,  ///< nothing: the softer form of the two
-    Squared  ///< squares it, as in the game that it comes from
+    Linear,  ///< keeps it: the softer of the two forms
+    Squared  ///< squares it, as in the game that introduced it
 };
 
 /// Lambert's light wrapped around to the far side, so that no part of an object is flat black. It is not physical.
@@ -36,8 +36,8 @@ enum HalfLambertCurve {
 [node("Lighting/Diffuse/Half Lambert")]
 float HalfLambert(
     [range(-1, 1)] float ndotl,              ///< cosine of normal and light, Signed: not clamped
-    const HalfLambertCurve curve = Squared,  ///< how soft
-    [range(0, 1)] float scale = 0.5,         ///< of the cosine; the sources call it alpha
+    const HalfLambertCurve curve = Squared,  ///< shape of the falloff
+    [range(0, 1)] float scale = 0.5,         ///< factor of the cosine; the sources call it alpha
     [range(0, 1)] float offset = 0.5         ///< added to it; the sources call it beta
 ) {
     float wrapped = scale * ndotl + offset;
@@ -47,7 +47,7 @@ float HalfLambert(
 
 /// Lambert's BRDF with its 1 / pi, for light that is given as irradiance.
 ///
-/// The lights of this library are E / pi already: LambertDiffuse is what belongs to them.
+/// The lights of this library are E / pi already: use LambertDiffuse with them.
 ///
 /// formula: albedo / pi
 /// source: Lambert, "Photometria", 1760
@@ -60,7 +60,7 @@ float3 LambertBrdf(
     return albedo * INV_PI;
 }
 
-/// Disney's diffuse term: darker at the outline of a smooth surface, brighter at that of a rough one.
+/// Disney's diffuse term: darker at the silhouette of a smooth surface, brighter at that of a rough one.
 ///
 /// Multiply by the cosine n.l as well. It is not divided by pi, and may exceed 1: it does not conserve energy.
 ///
@@ -85,7 +85,7 @@ float DisneyDiffuse(
 
 /// Which fit of Oren and Nayar's model OrenNayarDiffuse computes.
 enum OrenNayarForm {
-    Qualitative,  ///< the short one of the paper
+    Qualitative,  ///< the short form of the paper
     Improved      ///< Fujii's: closer to the full model, and without its dark ring
 };
 
@@ -120,7 +120,7 @@ float OrenNayarDiffuse(
     return (1 + roughness * s / t) / (1 + (0.5 - 0.6666666666666666 * INV_PI) * roughness);
 }
 
-/// Disney's flat diffuse term, for light that went through a thin layer below the surface, like skin's.
+/// Disney's flat diffuse term, which imitates light that passes through a thin layer below the surface, as in skin.
 ///
 /// Multiply by the cosine n.l as well. It is not divided by pi.
 ///

@@ -1,7 +1,7 @@
-// The directions that lighting is made of, from where light, viewer and surface stand. All are in the world, and point
-// away from the surface.
+// The directions that lighting formulas use, from the positions of light, viewer and surface. All are in world space,
+// and point away from the surface.
 
-/// The vector from a point to a light, for a light that is given as Unity gives it: a position, or a direction.
+/// The direction and distance from a point to a light in Unity's form: a position, or a direction.
 ///
 /// formula: light.xyz - position light.w
 /// source: Unity built-in shaders, UnityWorldSpaceLightDir
@@ -23,9 +23,9 @@ float3 LightVector(
     return toLight;
 }
 
-/// The direction half-way between light and viewer, of unit length wherever there is one.
+/// The direction half-way between light and viewer, of unit length wherever it exists.
 ///
-/// HalfVector shrinks where the light is almost behind the surface, as Unity's does; this one divides by the true
+/// HalfVector shrinks where the light is almost opposite to the viewer, as Unity's does; this node divides by the true
 /// length.
 ///
 /// formula: h = (l + v) / |l + v|
@@ -41,7 +41,7 @@ float3 HalfVectorExact(
     return sum * rsqrt(max(dot(sum, sum), 1e-7));
 }
 
-/// Where a mirror would send the view: the direction in which the surroundings are looked up.
+/// The mirrored view direction, in which the environment is sampled.
 ///
 /// formula: 2 (n.v) n - v
 /// source: Phong, "Illumination for Computer Generated Pictures", CACM 18(6), 1975
@@ -66,7 +66,7 @@ float3 ReflectionVector(
 float LdotV(
     float3 lightDir = light.direction,  ///< unit direction to the light
     float3 view = viewDirWS,           ///< unit direction to the viewer
-    const CosineMode mode = Signed       ///< what becomes of a light opposite to the viewer
+    const CosineMode mode = Signed       ///< how a light opposite to the viewer is treated
 ) {
     return CosineBetween(lightDir, view, mode);
 }
@@ -86,10 +86,10 @@ float RdotV(
     return saturate(dot(ReflectionVector(lightDir, normal), view));
 }
 
-/// The cosine between normal and view, with the normal tilted to the viewer where it looks away.
+/// The cosine between normal and view, with the normal tilted to the viewer where it points away.
 ///
-/// A normal map can turn the normal of a visible pixel away from the viewer. The tilt lets such pixels end smoothly,
-/// where the absolute cosine would make them bright again.
+/// A normal map can turn the normal of a visible pixel away from the viewer. The tilt darkens such pixels smoothly; the
+/// absolute cosine would make them bright again.
 ///
 /// formula: n' = n - min(n.v, 0) v, with 0.00001 on top; n.v = saturate(n'.v)
 /// source: Unity built-in shaders, BRDF1 with UNITY_HANDLE_CORRECTLY_NEGATIVE_NDOTV
@@ -107,7 +107,7 @@ float NdotVShifted(
     return saturate(dot(shiftedNormal, view));
 }
 
-/// A frame of unit vectors at right angles, from an interpolated normal and tangent.
+/// An orthonormal frame from an interpolated normal and tangent.
 ///
 /// formula: n = normalize(normal), t = normalize(tangent - n (n.tangent)), b = cross(n, t) w
 /// test: TangentFrame(float3(0, 0, 2), float4(3, 0, 3, 1)) == float3(1, 0, 0)

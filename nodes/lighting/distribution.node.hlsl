@@ -1,4 +1,4 @@
-// Normal distributions D: which part of a rough surface's tiny facets has the half vector h as its normal. Each is
+// Normal distributions D: the share of a rough surface's microfacets whose normal is the half vector h. Each is
 // normalised: the integral of D (n.h) over the hemisphere is 1.
 
 /// GGX (Trowbridge-Reitz): a sharp peak with long tails, as of most real surfaces.
@@ -15,8 +15,8 @@ float DistributionGGX(
     [range(0, 1)] float ndoth,        ///< cosine of normal and half vector
     [range(0, 1)] float alpha = 0.25  ///< roughness squared
 ) {
-    // The denominator as 1 - (n.h)^2 and a sum: near the peak the formula as printed loses its digits. The limit keeps
-    // a perfect mirror finite: it is as rough as alpha 0.0004. The quotient is squared rather than its parts, which half
+    // The denominator uses 1 - (n.h)^2, because the printed formula loses precision near the peak. The limit keeps a
+    // perfect mirror finite: it is as rough as alpha 0.0004. The quotient is squared rather than its parts, which half
     // precision could not hold.
     float a = max(alpha, 0.0004);
     float p = a / ((1 - ndoth) * (1 + ndoth) + ndoth * a * (ndoth * a));
@@ -34,7 +34,7 @@ float DistributionGGX(
 [node("Lighting/Distribution/Blinn-Phong")]
 float DistributionBlinnPhong(
     [range(0, 1)] float ndoth,             ///< cosine of normal and half vector
-    [range(0, 20000)] float exponent = 32  ///< sharpness, above 0; BlinnPhongExponentFromAlpha makes it of roughness
+    [range(0, 20000)] float exponent = 32  ///< sharpness, above 0; BlinnPhongExponentFromAlpha computes it
 ) {
     return (exponent + 2) * (0.5 * INV_PI) * pow(max(ndoth, 0), exponent);
 }
@@ -52,11 +52,11 @@ float DistributionBlinnPhong(
 float BlinnPhongExponentFromAlpha(
     [range(0, 1)] float alpha = 0.25  ///< roughness squared
 ) {
-    // The limits keep the exponent finite, and pow away from zero to the power of zero.
+    // The limits keep the exponent finite, and prevent zero to the power of zero.
     return max(2 / max(alpha * alpha, 0.0001) - 2, 0.0001);
 }
 
-/// The Blinn-Phong roughness alpha of an exponent: the way back from BlinnPhongExponentFromAlpha.
+/// The Blinn-Phong roughness alpha of an exponent: the inverse of BlinnPhongExponentFromAlpha.
 ///
 /// formula: alpha = sqrt(2 / (exponent + 2))
 /// source: Walter et al., EGSR 2007, section 5.2
@@ -70,8 +70,8 @@ float AlphaFromBlinnPhongExponent(
     return sqrt(2 / (max(exponent, 0) + 2));
 }
 
-/// The Phong exponent whose highlight is as wide as a Blinn-Phong one: the angle to the mirror direction is twice that
-/// to the half vector, so the exponent is a fourth.
+/// The Phong exponent whose highlight is as wide as a Blinn-Phong one: a fourth, because the angle to the mirror
+/// direction is twice the angle to the half vector.
 ///
 /// formula: exponent / 4
 /// source: Fisher and Woo, "R.E versus N.H Specular Highlights", Graphics Gems IV, 1994
@@ -84,7 +84,7 @@ float PhongExponentFromBlinnPhong(
     return exponent * 0.25;
 }
 
-/// Blinn-Phong, normalised, of a roughness instead of an exponent.
+/// Blinn-Phong, normalised, with a roughness instead of an exponent.
 ///
 /// formula: D = (n.h)^(2 / alpha^2 - 2) / (pi alpha^2)
 /// source: Walter et al., EGSR 2007, section 5.2
@@ -98,11 +98,11 @@ float DistributionBlinnPhongRoughness(
     [range(0, 1)] float alpha = 0.25  ///< roughness squared
 ) {
     float a2 = max(alpha * alpha, 1e-7);
-    // At alpha 1 the exponent is zero, and 0^0 is no number: a tiny base gives the 1 that is meant.
+    // At alpha 1 the exponent is zero, and 0^0 is not defined: a tiny base gives the correct value, 1.
     return pow(max(ndoth, 1e-7), 2 / a2 - 2) / (PI * a2);
 }
 
-/// Beckmann: facets whose slopes follow a normal distribution. Shorter tails than GGX.
+/// Beckmann: facets whose slopes follow a Gaussian distribution, with shorter tails than GGX.
 ///
 /// formula: D = exp(((n.h)^2 - 1) / (alpha^2 (n.h)^2)) / (pi alpha^2 (n.h)^4)
 /// source: Cook and Torrance, "A Reflectance Model for Computer Graphics", ACM TOG 1(1), 1982
@@ -115,7 +115,7 @@ float DistributionBeckmann(
     [range(0, 1)] float ndoth,        ///< cosine of normal and half vector
     [range(0, 1)] float alpha = 0.25  ///< roughness squared
 ) {
-    // Far from the normal the exponential is zero long before the limit of c2 is met. There are two divisions because
+    // Far from the normal, the exponential is zero long before c2 reaches its limit. There are two divisions because
     // half precision could not hold the product.
     float c2 = max(ndoth * ndoth, 0.001);
     float a2 = max(alpha * alpha, 1e-7);
@@ -123,8 +123,9 @@ float DistributionBeckmann(
     return exp(-tan2 / a2) / (PI * a2) / (c2 * c2);
 }
 
-/// GGX as Unity's Standard shader computes it: with 0.0000001 beside the square, which lowers the peak of surfaces
-/// smoother than alpha 0.05 and puts out that of mirrors.
+/// GGX as Unity's Standard shader computes it.
+///
+/// The 0.0000001 in the denominator lowers the peak of surfaces smoother than alpha 0.05, and removes that of mirrors.
 ///
 /// formula: D = alpha^2 / (pi (((n.h)^2 (alpha^2 - 1) + 1)^2 + 0.0000001))
 /// source: Unity built-in shaders, GGXTerm; Walter et al., EGSR 2007, eq. 33
@@ -141,8 +142,9 @@ float DistributionGGXUnity(
     return INV_PI * a2 / (spread * spread + 1e-7);
 }
 
-/// GGX as Unity's second model computes it: with 0.00001 in the denominator, which lowers the peak of surfaces smoother
-/// than alpha 0.03.
+/// GGX as Unity's second model (BRDF2) computes it.
+///
+/// The 0.00001 in the denominator lowers the peak of surfaces smoother than alpha 0.03.
 ///
 /// formula: D = alpha^2 / (pi ((n.h)^2 (alpha^2 - 1) + 1.00001)^2)
 /// source: Unity built-in shaders, BRDF2_Unity_PBS; Walter et al., EGSR 2007, eq. 33
@@ -159,13 +161,13 @@ float DistributionGGXMinimalist(
     return INV_PI * peak * peak;
 }
 
-// The square root of pi D, which even half precision can square.
+// The square root of pi D, which half precision can still square.
 float MinimalistPeak(float ndoth, float alpha) {
     float spread = (1 - ndoth) * (1 + ndoth) + ndoth * ndoth * alpha * alpha;
     return alpha / (spread + 1e-5);
 }
 
-/// GGX for half precision: 1 - (n.h)^2, which loses its digits near the peak, is the squared length of a cross product.
+/// GGX for half precision: the squared length of a cross product replaces 1 - (n.h)^2, which is inexact near the peak.
 ///
 /// The result is limited to the largest number that half precision holds, which dims the peak of surfaces smoother
 /// than alpha 0.004.
@@ -184,13 +186,13 @@ float DistributionGGXMobile(
     float3 across = cross(normal, halfVector);
     float a = dot(normal, halfVector) * alpha;
     float p = alpha / max(dot(across, across) + a * a, 6e-8);
-    // Just above the square root of 65504: the square of anything larger could be infinite in half precision.
+    // Just above the square root of 65504: the square of a larger number could be infinite in half precision.
     p = min(p, 255.9375);
     return min(p * p, 65504) * INV_PI;
 }
 
-// The parts of GTR's constant. With x = (gamma - 1) ln(alpha^2) it is mean * x / (1 - e^-x) / pi, which both closed
-// forms (of gamma 1 and of the rest) are; near zero the quotients are taken as series.
+// The parts of GTR's constant. With x = (gamma - 1) ln(alpha^2), it is mean * x / (1 - e^-x) / pi. This equals both
+// closed forms (for gamma 1, and for all others); near zero, the quotients are computed as series.
 float GTRMean(float a2) {
     float d = a2 - 1;
     float series = 1 / (1 - d * (0.5 - d * (1.0 / 3 - d * (0.25 - d * 0.2))));
@@ -240,11 +242,11 @@ float DistributionGTR(
     float a2 = max(alpha * alpha, 1e-7);
     float x = (gamma - 1) * log(a2);
     float spread = max(1 - ndoth, 0) * (1 + ndoth) + ndoth * ndoth * a2;
-    // The constant may be tiny and the power huge: their exponents are added first.
+    // The constant may be tiny and the power huge, so their exponents are added first.
     return INV_PI * GTRMean(a2) * GTRScale(x) * exp(min(x, 0) - gamma * log(max(spread, 1e-7)));
 }
 
-/// GTR with gamma 1, Berry's distribution: very long tails, as of a coat of lacquer.
+/// GTR with gamma 1, Berry's distribution: very long tails, as of a clear coat.
 ///
 /// formula: D = (alpha^2 - 1) / (pi ln(alpha^2) (1 + (alpha^2 - 1) (n.h)^2))
 /// source: Burley, "Physically Based Shading at Disney", SIGGRAPH 2012, appendix B

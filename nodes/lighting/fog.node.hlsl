@@ -1,8 +1,8 @@
-// Fog: which share of a colour is still seen at a distance; the rest is the fog's own colour.
+// Fog: the share of a colour that is still visible at a distance; the rest is the fog's own colour.
 
-/// Fog that begins at one distance and hides everything at another.
+/// Linear fog: begins at one distance and hides everything at another.
 ///
-/// Where both are the same, it is a wall.
+/// If both distances are equal, the fog is a wall.
 ///
 /// formula: saturate((end - distance) / (end - start))
 /// source: Direct3D 9 and Unity built-in shaders, linear fog
@@ -13,14 +13,14 @@
 /// test: FogLinear(11, 10, 10) == 0
 [node("Lighting/Fog/Linear")] [range(0, 1)]
 float FogLinear(
-    [range(0, 1000)] [unit("m")] float distance,   ///< from the camera
+    [range(0, 1000)] [unit("m")] float distance,   ///< distance from the camera
     [range(0, 1000)] [unit("m")] float start = 0,  ///< where the fog begins
-    [range(0, 1000)] [unit("m")] float end = 300   ///< where nothing else is seen
+    [range(0, 1000)] [unit("m")] float end = 300   ///< where everything is hidden
 ) {
     return saturate((end - distance) / max(end - start, 1e-4));
 }
 
-/// Fog of the same thickness everywhere: each metre takes the same share.
+/// Exponential fog of constant density: each metre removes the same share of light.
 ///
 /// formula: e^(-density distance)
 /// source: the law of Bouguer, Lambert and Beer; Unity built-in shaders, exponential fog
@@ -29,13 +29,13 @@ float FogLinear(
 /// test: FogExponential(0, 5) == 1
 [node("Lighting/Fog/Exponential")] [range(0, 1)]
 float FogExponential(
-    [range(0, 1000)] [unit("m")] float distance,  ///< from the camera
-    [range(0, 10)] float density = 0.01           ///< per metre
+    [range(0, 1000)] [unit("m")] float distance,  ///< distance from the camera
+    [range(0, 10)] float density = 0.01           ///< density per metre
 ) {
     return exp(-max(density * distance, 0));
 }
 
-/// Fog that spares what is near: the share falls along a bell curve.
+/// Squared exponential fog: near objects stay clear, and visibility falls along a bell curve.
 ///
 /// formula: e^(-(density distance)^2)
 /// source: Direct3D 9 and Unity built-in shaders, squared exponential fog
@@ -44,14 +44,14 @@ float FogExponential(
 /// test: FogExponentialSquared(0, 5) == 1
 [node("Lighting/Fog/Exponential Squared")] [range(0, 1)]
 float FogExponentialSquared(
-    [range(0, 1000)] [unit("m")] float distance,  ///< from the camera
-    [range(0, 10)] float density = 0.01           ///< per metre
+    [range(0, 1000)] [unit("m")] float distance,  ///< distance from the camera
+    [range(0, 10)] float density = 0.01           ///< density per metre
 ) {
     float thickness = density * distance;
     return exp(-thickness * thickness);
 }
 
-/// The fog that four numbers describe, as an engine hands them over.
+/// The fog that an engine describes by four numbers.
 ///
 /// test: FogFactor(15, float4(0, 0.1, 10, 30)) == 1
 /// test: FogFactor(15, float4(1, 0.1, 10, 30)) == 0.75
@@ -59,7 +59,7 @@ float FogExponentialSquared(
 /// test: FogFactor(20, float4(3, 0.1, 10, 30)) == 0.01831563888873418
 [node("Lighting/Fog/Factor")] [range(0, 1)]
 float FogFactor(
-    [range(0, 1000)] [unit("m")] float distance,  ///< from the camera
+    [range(0, 1000)] [unit("m")] float distance,  ///< distance from the camera
     float4 settings = 0  ///< x: 0 no fog, 1 linear, 2 exponential, 3 exponential squared; y: density; z: start; w: end
 ) {
     float bent = settings.x < 2.5 ? FogExponential(distance, settings.y) : FogExponentialSquared(distance, settings.y);

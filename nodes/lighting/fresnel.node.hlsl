@@ -1,7 +1,7 @@
-// Fresnel terms F: how much light a surface mirrors. Looked at straight it is f0; at grazing angles everything becomes
-// a mirror. Schlick's curve is within 0.04 of the exact equations for glass; both are here.
+// Fresnel terms F: the share of light that a surface reflects. At normal incidence it is f0; at grazing angles every
+// surface becomes a mirror. Schlick's curve is within 0.04 of the exact equations for glass; both are here.
 
-/// How far a surface is on the way from its straight reflectance to its grazing one.
+/// Schlick's weight: 0 at normal incidence, 1 at a grazing angle.
 ///
 /// formula: (1 - cosine)^5
 /// source: Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", Computer Graphics Forum 13(3), 1994
@@ -18,7 +18,7 @@ float SchlickWeight(
     return m2 * m2 * m;
 }
 
-/// Schlick's Fresnel reflectance, for the mirroring of a light.
+/// Schlick's Fresnel reflectance, for direct light.
 ///
 /// formula: f0 + (f90 - f0) (1 - cosine)^5
 /// source: Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", Computer Graphics Forum 13(3), 1994
@@ -28,16 +28,16 @@ float SchlickWeight(
 /// test: FresnelSchlick(0.04, 0, 0.7) == float3(0.7, 0.7, 0.7)
 [node("Lighting/Fresnel/Schlick")] [range(0, 1)]
 float3 FresnelSchlick(
-    [color] float3 f0 = 0.04,    ///< reflectance looked at straight
+    [color] float3 f0 = 0.04,    ///< reflectance at normal incidence
     [range(0, 1)] float cosine,  ///< cosine of light and half vector
     [range(0, 1)] float f90 = 1  ///< reflectance at a grazing angle
 ) {
     return f0 + (f90 - f0) * SchlickWeight(cosine);
 }
 
-/// Schlick's Fresnel reflectance, for the mirroring of the surroundings.
+/// Schlick's Fresnel reflectance, for light from the environment.
 ///
-/// Its cosine is that of normal and view, as the surroundings have no half vector; f90 is GrazingTerm's.
+/// It uses the cosine of normal and view, because the environment has no half vector; GrazingTerm computes f90.
 ///
 /// formula: lerp(f0, f90, (1 - cosine)^5)
 /// source: Schlick 1994; the use of a grazing reflectance below 1 as in Unity's Standard shader
@@ -46,14 +46,14 @@ float3 FresnelSchlick(
 /// test: FresnelLerp(float3(0.1, 0.2, 0.3), 0.7, 0) == float3(0.7, 0.7, 0.7)
 [node("Lighting/Fresnel/Lerp")] [range(0, 1)]
 float3 FresnelLerp(
-    [color] float3 f0 = 0.04,   ///< reflectance looked at straight
+    [color] float3 f0 = 0.04,   ///< reflectance at normal incidence
     [color] float3 f90 = 1,     ///< reflectance at a grazing angle
     [range(0, 1)] float cosine  ///< cosine of normal and view
 ) {
     return lerp(f0, f90, SchlickWeight(cosine));
 }
 
-/// Schlick's reflectance with the fourth power instead of the fifth: a little too bright between.
+/// Schlick's reflectance with the fourth power instead of the fifth: cheaper, and slightly too bright.
 ///
 /// formula: lerp(f0, f90, (1 - cosine)^4)
 /// source: Unity built-in shaders, FresnelLerpFast
@@ -62,7 +62,7 @@ float3 FresnelLerp(
 /// test: FresnelLerpFast(0.04, 0.7, 0.6) == float3(0.056896, 0.056896, 0.056896)
 [node("Lighting/Fresnel/Lerp Fast")] [range(0, 1)]
 float3 FresnelLerpFast(
-    [color] float3 f0 = 0.04,   ///< reflectance looked at straight
+    [color] float3 f0 = 0.04,   ///< reflectance at normal incidence
     [color] float3 f90 = 1,     ///< reflectance at a grazing angle
     [range(0, 1)] float cosine  ///< cosine of normal and view
 ) {
@@ -70,7 +70,7 @@ float3 FresnelLerpFast(
     return lerp(f0, f90, m * m * (m * m));
 }
 
-/// Schlick's reflectance for the surroundings, with a grazing reflectance that a rough surface does not reach.
+/// Schlick's reflectance for the environment, with a lower grazing reflectance for rough surfaces.
 ///
 /// formula: f0 + (max(1 - roughness, f0) - f0) (1 - cosine)^5
 /// source: Lagarde, "Adopting a physically based shading model", 2011
@@ -79,14 +79,14 @@ float3 FresnelLerpFast(
 /// test: FresnelSchlickRoughness(float3(0.2, 0.5, 0.9), 0, 0.6) == float3(0.4, 0.5, 0.9)
 [node("Lighting/Fresnel/Schlick Roughness")] [range(0, 1)]
 float3 FresnelSchlickRoughness(
-    [color] float3 f0 = 0.04,            ///< reflectance looked at straight
+    [color] float3 f0 = 0.04,            ///< reflectance at normal incidence
     [range(0, 1)] float cosine,          ///< cosine of normal and view
     [range(0, 1)] float roughness = 0.5  ///< perceptual roughness
 ) {
     return f0 + (max(1 - roughness, f0) - f0) * SchlickWeight(cosine);
 }
 
-/// Schlick's reflectance with a power of two for the fifth power, which some processors compute faster.
+/// Schlick's reflectance with a power of two instead of the fifth power, which some processors compute faster.
 ///
 /// formula: f0 + (1 - f0) 2^((-5.55473 c - 6.98316) c)
 /// source: Karis, "Real Shading in Unreal Engine 4", SIGGRAPH 2013, after Lagarde 2012
@@ -95,13 +95,13 @@ float3 FresnelSchlickRoughness(
 /// test: FresnelSphericalGaussian(1, 0.3) == float3(1, 1, 1)
 [node("Lighting/Fresnel/Spherical Gaussian")] [range(0, 1)]
 float3 FresnelSphericalGaussian(
-    [color] float3 f0 = 0.04,   ///< reflectance looked at straight
+    [color] float3 f0 = 0.04,   ///< reflectance at normal incidence
     [range(0, 1)] float cosine  ///< cosine of light and half vector
 ) {
     return f0 + (1 - f0) * exp2((-5.55473 * cosine - 6.98316) * cosine);
 }
 
-/// The exact reflectance of glass, water and other insulators, for light without polarisation.
+/// The exact reflectance of glass, water and other dielectrics, for unpolarised light.
 ///
 /// formula: 1/2 ((g - c) / (g + c))^2 (1 + ((c (g + c) - 1) / (c (g - c) + 1))^2), g^2 = eta^2 - 1 + c^2
 /// source: Cook and Torrance, ACM TOG 1(1), 1982, after Fresnel 1823
@@ -112,18 +112,18 @@ float3 FresnelSphericalGaussian(
 [node("Lighting/Fresnel/Dielectric")] [range(0, 1)]
 float FresnelDielectric(
     [range(0, 1)] float cosine,       ///< cosine of the angle of incidence
-    [range(0.25, 4)] float eta = 1.5  ///< index of refraction behind the surface over that before it
+    [range(0.25, 4)] float eta = 1.5  ///< index of refraction behind the surface divided by that in front of it
 ) {
     float c = saturate(cosine);
     float g2 = eta * eta - 1 + c * c;
     float g = sqrt(max(g2, 0));
     float a = (g - c) / max(g + c, 1e-6);
     float b = (c * (g + c) - 1) / (c * (g - c) + 1);
-    // Below the critical angle everything is mirrored.
+    // Below the critical angle, all light is reflected.
     return g2 <= 0 ? 1 : saturate(0.5 * a * a * (1 + b * b));
 }
 
-/// The exact reflectance of a metal, for light without polarisation. Each channel has an index of its own.
+/// The exact reflectance of a metal, for unpolarised light. Each channel has its own index.
 ///
 /// formula: (Rs + Rp) / 2 with the complex index n + i k
 /// source: Born and Wolf, "Principles of Optics", section 14.2, written without complex numbers
@@ -150,7 +150,7 @@ float3 FresnelConductor(
     return saturate(0.5 * (rs + rp));
 }
 
-/// The straight reflectance of the border of two media.
+/// The reflectance at normal incidence of the boundary between two media.
 ///
 /// formula: ((n1 - n2) / (n1 + n2))^2
 /// source: Fresnel's equations at normal incidence
@@ -159,14 +159,14 @@ float3 FresnelConductor(
 /// test: F0FromIor(1.5, 1.5) == 0
 [node("Lighting/Fresnel/F0 from IOR")] [range(0, 1)]
 float F0FromIor(
-    [range(1, 4)] float before = 1,   ///< index of refraction where the light comes from: 1 is air
+    [range(1, 4)] float before = 1,   ///< index of refraction of the medium that the light comes from: 1 is air
     [range(1, 4)] float behind = 1.5  ///< index of refraction of the surface
 ) {
     float ratio = (before - behind) / (before + behind);
     return ratio * ratio;
 }
 
-/// The index of refraction, in air, that a straight reflectance belongs to.
+/// The index of refraction, in air, of a reflectance at normal incidence.
 ///
 /// formula: (1 + sqrt(f0)) / (1 - sqrt(f0))
 /// source: Fresnel's equations at normal incidence
@@ -175,13 +175,13 @@ float F0FromIor(
 /// test: IorFromF0(0) == 1
 [node("Lighting/Fresnel/IOR from F0")] [range(1, 400)]
 float IorFromF0(
-    [range(0, 0.99)] float f0 = 0.04  ///< reflectance looked at straight
+    [range(0, 0.99)] float f0 = 0.04  ///< reflectance at normal incidence
 ) {
     float root = sqrt(clamp(f0, 0, 0.9999));
     return (1 + root) / (1 - root);
 }
 
-/// The straight reflectance of a metal.
+/// The reflectance at normal incidence of a metal.
 ///
 /// formula: ((n - 1)^2 + k^2) / ((n + 1)^2 + k^2)
 /// source: Born and Wolf, "Principles of Optics", section 14.2
@@ -196,7 +196,7 @@ float3 F0FromConductor(
     return ((n - 1) * (n - 1) + k2) / ((n + 1) * (n + 1) + k2);
 }
 
-/// The straight reflectance of an insulator, on an artist's scale from 0 to 1: 0.5 is common plastic.
+/// The reflectance at normal incidence of a dielectric, on an artist's scale from 0 to 1: 0.5 is common plastic.
 ///
 /// formula: 0.08 specular
 /// source: Burley, "Physically Based Shading at Disney", SIGGRAPH 2012, section 5.5

@@ -1,9 +1,9 @@
-// More of spherical harmonics: nine coefficients summed as they are, with the axes exchanged, and of a single light.
-// They are numbered l (l + 1) + m, without the Condon-Shortley sign, as in EvaluateSH9.
+// Spherical harmonics: summing nine coefficients, exchanging axes, and the coefficients of a single light.
+// Coefficients are numbered l (l + 1) + m, without the Condon-Shortley sign, as in EvaluateSH9.
 
-/// What nine coefficients say of a direction: of radiance the radiance, of irradiance the irradiance.
+/// Evaluates nine coefficients in a direction: radiance from radiance, irradiance from irradiance.
 ///
-/// Nothing is convolved (that is EvaluateSH9) and nothing is clamped: opposite to a strong light the sum swings below
+/// The node neither convolves (EvaluateSH9 does) nor clamps: opposite to a strong light the sum can swing below
 /// zero.
 ///
 /// formula: sum over l, m of c_lm Y_lm(d)
@@ -35,7 +35,7 @@ float3 SumSH9(
     return sum + sh8 * SHBasis(direction, order).l2Last;
 }
 
-/// Nine coefficients of one environment for the other up axis: the y-up ones from the z-up ones, and back.
+/// Converts nine coefficients of an environment to the other up axis: from z-up to y-up, and back.
 ///
 /// The first coefficient is the same in both.
 ///
@@ -78,10 +78,10 @@ void SwapSHAxes(
     swapped8 = 0.5 * sh8 - root * sh6;
 }
 
-/// What is left of a directional light once it is among nine coefficients: a soft light, with a faint one opposite.
+/// The irradiance of a directional light that nine coefficients represent: a soft light, with a faint one opposite.
 ///
-/// It is E(n) over the E of a surface that faces the light; nine coefficients make that 17 / 16, so a light of E / pi
-/// is put into them with 16 pi / 17.
+/// It is E(n) divided by the E of a surface that faces the light. Nine coefficients make that 17 / 16, so a light of
+/// E / pi is added to them with the factor 16 pi / 17.
 ///
 /// formula: 1 / 4 + c / 2 + 5 / 32 (3 c^2 - 1), c = n.l
 /// source: Sloan, "Stupid Spherical Harmonics Tricks", GDC 2008: the addition theorem, convolved with the cosine
@@ -97,10 +97,10 @@ float SHDirectionalLight(
     return 0.25 + 0.5 * c + 0.15625 * (3 * c * c - 1);
 }
 
-/// The surroundings that the shader CL/pbr-specular carries with it: nine coefficients of a bright sky, with y up.
+/// The built-in environment of the shader CL/pbr-specular: nine coefficients of a bright sky, with y up.
 ///
-/// They are those of E / pi. Below the horizon blue swings a little below zero: the encoded form clamps before its
-/// power, the linear one leaves it.
+/// The coefficients are those of E / pi. Below the horizon, blue swings a little below zero: the encoded form clamps it
+/// before its power, the linear one keeps it.
 ///
 /// formula: sum over l, m of c_lm Y_lm(n), y and z exchanged; gamma: max(1.055 max(sum, 0)^0.416666667 - 0.055, 0)
 /// source: the coefficients: the shader CL/pbr-specular of the notes "Lighting models"

@@ -1,18 +1,18 @@
-// Integrals over the hemisphere, worked out by quadrature: too slow for a picture, and what its tables are made of.
+// Integrals over the hemisphere by quadrature: too slow for rendering, used to compute its tables.
 
 /// Which visibility term a split sum is for.
 enum SplitSumVisibility {
     SmithJoint,             ///< Smith's exact joint form
-    SmithJointApproximate,  ///< its approximation in Unity and Unreal, without a guard
+    SmithJointApproximate,  ///< its approximation in Unity and Unreal, without the guard
     SchlickAmbient          ///< Schlick's, remapped for ambient light
 };
 
-// asinh, which the language has not.
+// asinh, which the language lacks.
 float inverseSinh(float x) {
     return log(x + sqrt(x * x + 1));
 }
 
-// 4 V (n.l) (v.h) / (n.h): what is left of the BRDF times n.l when half vectors are drawn by GGX.
+// 4 V (n.l) (v.h) / (n.h): the remaining factor of the BRDF times n.l if half vectors are sampled by GGX.
 float splitSumWeight(float ndotl, float ndotv, float ndoth, float vdoth, float alpha, const SplitSumVisibility form) {
     float visibility = VisibilitySmithJoint(ndotl, ndotv, alpha);
     if (form == SmithJointApproximate) { visibility = VisibilitySmithJointApproximate(ndotl, ndotv, alpha, 0); }
@@ -20,11 +20,11 @@ float splitSumWeight(float ndotl, float ndotv, float ndoth, float vdoth, float a
     return 4 * visibility * ndotl * vdoth / ndoth;
 }
 
-/// How strongly a rough surface mirrors light that comes from everywhere alike: the entries of SplitSumTable.
+/// How strongly a rough surface reflects a uniform environment: the entries of SplitSumTable.
 ///
-/// The reflectance is f0 scale + f90 offset. Half vectors are integrated over tan(angle) = alpha sinh(x), in which
-/// GGX is smooth at its peak and in its tail, in two ranges that end where the reflected light first, and at last
-/// altogether, falls below the horizon.
+/// The reflectance is f0 scale + f90 offset. Half vectors are integrated over tan(angle) = alpha sinh(x), in which GGX
+/// is smooth at its peak and in its tail. The first range ends where some reflected light falls below the horizon, the
+/// second where all of it does.
 ///
 /// formula: scale = integral of (1 - F) w, offset = integral of F w, over D (n.h) dh;
 /// formula: F = (1 - v.h)^5, w = 4 V (n.l) (v.h) / (n.h)
@@ -38,9 +38,9 @@ float SplitSumIntegral(
     [range(0.05, 1)] float roughness = 0.5,            ///< perceptual roughness
     [range(0.01, 1)] float ndotv,                      ///< cosine of normal and view
     const SplitSumVisibility visibility = SmithJoint,  ///< visibility term
-    const int samples = 16,                            ///< along the angle in each range; around it half as many
+    const int samples = 16,                            ///< samples along the angle of each range; half as many around
     out float offset,                                  ///< share of f90
-    out float total                                    ///< scale + offset: the share of light that one bounce sends back
+    out float total                                    ///< scale + offset: the share of light after one bounce
 ) {
     float alpha = roughness * roughness;
     float viewSine = sqrt(max(1 - ndotv * ndotv, 0));
@@ -51,7 +51,7 @@ float SplitSumIntegral(
         float begin = segment == 0 ? 0 : inverseSinh(tan(0.25 * PI - 0.5 * viewAngle) / alpha);
         float end = inverseSinh(tan(0.25 * PI + (float(segment) - 0.5) * viewAngle) / alpha);
         for (int i = 0; i < samples; i++) {
-            // Points crowd at both ends, where the integrand has a root.
+            // Points are denser at both ends, where the integrand has a root.
             float s = (float(i) + 0.5) / float(samples);
             float x = begin + (end - begin) * s * s * (3 - 2 * s);
             float step = (end - begin) * 6 * s * (1 - s) / float(samples);
@@ -59,7 +59,7 @@ float SplitSumIntegral(
             float ndoth = rsqrt(1 + tangent * tangent);
             float sine = tangent * ndoth;
             float density = 2 * sinh(x) / (cosh(x) * cosh(x) * cosh(x));
-            // Beyond this azimuth the light is below the horizon.
+            // Beyond this azimuth, the light is below the horizon.
             float edge = (ndotv / (2 * ndoth) - ndotv * ndoth) / max(viewSine * sine, 1e-7);
             float last = acos(clamp(edge, -1, 1));
             for (int k = 0; k < samples / 2; k++) {
@@ -78,11 +78,11 @@ float SplitSumIntegral(
     return scale;
 }
 
-/// Coefficients of light whose radiance depends on the height z of the direction alone, as a sky's does.
+/// Coefficients of light whose radiance depends only on the height z of the direction, like that of a sky.
 ///
-/// Give its radiance at three heights above the horizon and at the same three below it: z = 0.1127017, 0.5 and
-/// 0.8872983. The result is exact where it is a polynomial of z, up to the third degree, above and another below. The
-/// other six coefficients are zero.
+/// Give the radiance at three heights above the horizon and at the same three below it: z = 0.1127017, 0.5 and
+/// 0.8872983. The result is exact if the radiance above, and that below, is a polynomial of z up to the third degree.
+/// The other six coefficients are zero.
 ///
 /// formula: c_l = 2 pi integral of L(z) Y_l0(z) dz from -1 to 1, by Gauss and Legendre's rule of three points in each half
 /// source: Ramamoorthi and Hanrahan, SIGGRAPH 2001; Abramowitz and Stegun, "Handbook of Mathematical Functions", 25.4.30

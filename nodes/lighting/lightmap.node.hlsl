@@ -1,9 +1,9 @@
-// Light that was computed before and lies in a texture, and real-time light that must agree with it.
+// Lightmaps: decoding light that was baked into a texture, and combining it with real-time light.
 
-/// The shadow of a moving object in a lightmap that has the main light in it already.
+/// Subtracts the shadow of a moving object from a lightmap that already contains the main light.
 ///
-/// What the light would add here is taken away again, as far as the shadow goes, but not below the shadow colour, and
-/// nothing gets brighter.
+/// The node subtracts the shadowed share of the main light. The result does not fall below the shadow colour, and does
+/// not become brighter.
 ///
 /// formula: min(m, lerp(max(m - color saturate(n.l) (1 - attenuation), shadowColor), m, fade))
 /// source: Unity built-in shaders, SubtractMainLightWithRealtimeAttenuationFromLightmap
@@ -17,25 +17,25 @@ float3 SubtractMainLight(
     float3 normal = normalWS,           ///< unit normal
     float3 lightDir = light.direction,  ///< unit direction to the main light
     [color] float3 lightColor = 1,      ///< the main light's colour times intensity, E / pi
-    [range(0, 1)] float attenuation = 1, ///< how much of it arrives: 0 is in shadow
-    [color] float3 shadowColor = 0,     ///< what no shadow falls below
-    [range(0, 1)] float fade = 0         ///< how much of the shadow is left out; 1 - strength of the light's shadows
+    [range(0, 1)] float attenuation = 1, ///< share of the light that arrives: 0 is in shadow
+    [color] float3 shadowColor = 0,     ///< lower limit of the shadow
+    [range(0, 1)] float fade = 0         ///< omitted share of the shadow: 1 - strength of the light's shadows
 ) {
     float3 taken = lightColor * (saturate(dot(normal, lightDir)) * (1 - attenuation));
     float3 shadowed = max(lightmap - taken, shadowColor);
     return min(lightmap, lerp(shadowed, lightmap, fade));
 }
 
-/// How the texels of a lightmap hold light that is brighter than 1.
+/// How the texels of a lightmap encode light that is brighter than 1.
 enum LightmapEncoding {
-    FullHDR,    ///< as it is, in floats
+    FullHDR,    ///< unchanged, in floats
     DoubleLDR,  ///< half of it: up to 2 in gamma space
     RGBM        ///< with a factor in alpha: up to 5 in gamma space
 };
 
-/// The light of a lightmap's texel.
+/// Decodes the light of a lightmap's texel.
 ///
-/// The ranges are those of gamma space, 2 and 5, raised to 2.2 where lighting is computed in linear space.
+/// The ranges are 2 and 5 in gamma space; if lighting is computed in linear space, they are raised to the power of 2.2.
 ///
 /// formula: linear: c, 2^2.2 c, (5 a)^2.2 c; gamma: c, 2 c, 5 a c
 /// source: Unity built-in shaders, DecodeLightmap
@@ -48,7 +48,7 @@ enum LightmapEncoding {
 [node("Lighting/Lightmap/Decode Lightmap")]
 float3 DecodeLightmap(
     float4 encoded,                             ///< the texel
-    const LightmapEncoding encoding = FullHDR,  ///< how it holds light
+    const LightmapEncoding encoding = FullHDR,  ///< how it encodes light
     const WorkingSpace space = Linear           ///< colour space that lighting is computed in
 ) {
     if (encoding == FullHDR) { return encoded.rgb; }
@@ -56,10 +56,10 @@ float3 DecodeLightmap(
     return DecodeHDR(encoded, float4(space == Linear ? 34.4932415 : 5, 2.2, 0, 1), space);
 }
 
-/// Light in 8 bits a channel: alpha is a factor for the other three, so that what is bright and what is dark keep their
-/// precision. DecodeHDR reads it, with the range, an exponent of 1, 0 and 1.
+/// Encodes light in four 8-bit channels: alpha is a factor for the other three, so that bright and dark values keep
+/// their precision. DecodeHDR decodes it, with the range, an exponent of 1, 0 and 1.
 ///
-/// Light above the range loses its hue where a target cuts it off at 1.
+/// Light above the range loses its hue if the render target clamps it to 1.
 ///
 /// formula: m = ceil(255 max(r, g, b, 0.02 range) / range) / 255; (c / (range m), m)
 /// source: Unity built-in shaders, UnityEncodeRGBM
@@ -76,7 +76,7 @@ float4 EncodeRGBM(
     return float4(share / factor, factor);
 }
 
-/// The light of a lightmap that also holds where most of it comes from, on a surface with bumps.
+/// The light of a directional lightmap, which also holds the dominant direction, on a surface with a normal map.
 ///
 /// formula: c (n . (t.xyz - 0.5) + 0.5) / max(t.w, 0.0001), t the texel
 /// source: Unity built-in shaders, DecodeDirectionalLightmap
@@ -86,8 +86,8 @@ float4 EncodeRGBM(
 /// test: DirectionalLightmap(float3(1, 0.5, 0.25), float4(0.75, 0.25, 0.5, 1), float3(0, 1, 0)) == float3(0.25, 0.125, 0.0625)
 [node("Lighting/Lightmap/Directional Lightmap")]
 float3 DirectionalLightmap(
-    [color] float3 lightmap = 1,     ///< light on the surface without bumps, decoded
-    [range(0, 1)] float4 direction,  ///< xyz: 0.5 d + 0.5, d to the light, short if spread; w: the dividend without bumps
+    [color] float3 lightmap = 1,     ///< light on the surface without the normal map, decoded
+    [range(0, 1)] float4 direction,  ///< xyz: 0.5 d + 0.5, d to the light, short if spread; w: the divisor
     float3 normal = normalWS        ///< unit normal
 ) {
     float halfLambert = dot(normal, direction.xyz - 0.5) + 0.5;

@@ -1,17 +1,17 @@
-// From what an artist gives (a base colour, metallic or specular, roughness or smoothness) to what lighting computes
-// with: a diffuse colour, the reflectance f0, and alpha.
+// Conversions from an artist's parameters (a base colour, metallic or specular, roughness or smoothness) to the
+// parameters of lighting: a diffuse colour, the reflectance f0, and alpha.
 
-/// How SpecularSetup keeps a surface from sending out more light than falls on it.
+/// How SpecularSetup prevents a surface from reflecting more light than it receives.
 enum EnergyConservation {
-    Monochrome,  ///< the diffuse colour is scaled by one minus the strongest specular channel: it keeps its hue
+    Monochrome,  ///< the diffuse colour is scaled by one minus the strongest specular channel, which keeps its hue
     Colored,     ///< each diffuse channel is scaled by one minus the same specular channel
-    None         ///< the diffuse colour stays
+    None         ///< the diffuse colour is not scaled
 };
 
-/// Diffuse colour and reflectance of a surface between plastic and metal.
+/// Diffuse colour and reflectance of a surface from base colour and metallic.
 ///
-/// A dielectric mirrors 4 % of the light looked at straight, without colour, and scatters the rest; a metal mirrors in
-/// its own colour and scatters nothing.
+/// At normal incidence, a dielectric reflects 4 % of the light, without colour, and scatters the rest. A metal reflects
+/// light in its own colour and scatters none.
 ///
 /// formula: f0 = lerp(0.04, baseColor, metallic); diffuse = baseColor 0.96 (1 - metallic)
 /// source: the metallic workflow of Unity's Standard shader, in linear colour space
@@ -25,8 +25,8 @@ void MetallicSetup(
     [color] float3 baseColor = 0.5,                ///< colour of the surface
     [range(0, 1)] float metallic = 0,               ///< 0 is a dielectric, 1 a metal
     [range(0, 1)] out float3 diffuseColor,         ///< colour of the scattered light
-    [range(0, 1)] out float3 f0,                    ///< reflectance looked at straight
-    [range(0, 1)] out float oneMinusReflectivity  ///< share of the light that is not mirrored
+    [range(0, 1)] out float3 f0,                    ///< reflectance at normal incidence
+    [range(0, 1)] out float oneMinusReflectivity  ///< share of the light that is not reflected specularly
 ) {
     const float dielectric = 0.04;
     oneMinusReflectivity = (1 - dielectric) * (1 - metallic);
@@ -34,7 +34,7 @@ void MetallicSetup(
     f0 = lerp(dielectric, baseColor, metallic);
 }
 
-/// Diffuse colour and reflectance of a surface whose reflectance is given.
+/// Diffuse colour and reflectance of a surface from base colour and specular colour.
 ///
 /// formula: f0 = specular
 /// formula: monochrome: diffuse = baseColor (1 - max(specular)); colored: diffuse = baseColor (1 - specular)
@@ -47,11 +47,11 @@ void MetallicSetup(
 [node("Lighting/Setup/Specular")]
 void SpecularSetup(
     [color] float3 baseColor = 0.5,                     ///< colour of the scattered light, before conservation
-    [color] float3 specular = 0.2,                       ///< reflectance looked at straight
+    [color] float3 specular = 0.2,                       ///< reflectance at normal incidence
     const EnergyConservation conservation = Monochrome,  ///< how the diffuse colour is scaled
     [range(0, 1)] out float3 diffuseColor,              ///< colour of the scattered light
-    [range(0, 1)] out float3 f0,                         ///< reflectance looked at straight
-    [range(0, 1)] out float oneMinusReflectivity       ///< share of the light that is not mirrored
+    [range(0, 1)] out float3 f0,                         ///< reflectance at normal incidence
+    [range(0, 1)] out float oneMinusReflectivity       ///< share of the light that is not reflected specularly
 ) {
     oneMinusReflectivity = 1 - max(max(specular.r, specular.g), specular.b);
     diffuseColor = baseColor;
@@ -60,7 +60,7 @@ void SpecularSetup(
     f0 = specular;
 }
 
-/// Perceptual roughness, from smoothness or glossiness.
+/// Converts smoothness or glossiness to perceptual roughness.
 ///
 /// formula: 1 - smoothness
 /// test: RoughnessFromSmoothness(0.75) == 0.25
@@ -72,10 +72,10 @@ float RoughnessFromSmoothness(
     return 1 - smoothness;
 }
 
-/// The roughness that the microfacet formulas take: the square of the one that an artist sees as even steps.
+/// The roughness alpha of the microfacet formulas: the square of perceptual roughness.
 ///
-/// The lower limit keeps the highlight of a lamp, which has no size, from becoming smaller than a pixel. Set it to zero
-/// for the mapping alone.
+/// The lower limit keeps the highlight of a punctual light from becoming smaller than a pixel. Set it to zero for the
+/// mapping alone.
 ///
 /// formula: alpha = max(roughness^2, minimum)
 /// source: Burley, "Physically Based Shading at Disney", SIGGRAPH 2012, section 5.4; the limit is Unity's
@@ -92,11 +92,11 @@ float AlphaFromRoughness(
 
 /// The colour space that an engine computes lighting in.
 enum WorkingSpace {
-    Linear,  ///< light as it is: insulators reflect 0.04
-    Gamma    ///< encoded as for a screen: that is 0.2209
+    Linear,  ///< linear light: dielectrics reflect 0.04
+    Gamma    ///< encoded as for a screen: dielectrics reflect 0.2209
 };
 
-/// The straight reflectance that the metallic workflow gives insulators.
+/// The reflectance at normal incidence of dielectrics in the metallic workflow.
 ///
 /// formula: linear: 0.04; gamma: 0.220916301
 /// source: Unity built-in shaders, unity_ColorSpaceDielectricSpec
@@ -109,7 +109,7 @@ float DielectricF0(
     return space == Linear ? 0.04 : 0.220916301;
 }
 
-/// The share of light that a surface between insulator and metal does not mirror.
+/// The share of light that a surface does not reflect specularly, from metallic.
 ///
 /// formula: (1 - d) - metallic (1 - d), d as DielectricF0's
 /// source: Unity built-in shaders, OneMinusReflectivityFromMetallic
@@ -126,11 +126,11 @@ float OneMinusReflectivityFromMetallic(
 
 /// How a specular colour becomes one number.
 enum SpecularStrengthForm {
-    Largest,  ///< the strongest channel: no channel sends out more light than falls on it
-    Red       ///< the red one: what shader model 2 could afford
+    Largest,  ///< the strongest channel: no channel reflects more light than it receives
+    Red       ///< the red channel, as for shader model 2
 };
 
-/// How much a surface mirrors, as one number.
+/// The specular strength of a surface, as one number.
 ///
 /// formula: max(r, g, b), or r
 /// source: Unity built-in shaders, SpecularStrength
@@ -139,13 +139,13 @@ enum SpecularStrengthForm {
 /// test: SpecularStrength(float3(0.1, 0.2, 0.75), Red) == 0.1
 [node("Lighting/Setup/Specular Strength")] [range(0, 1)]
 float SpecularStrength(
-    [color] float3 specular = 0.2,             ///< reflectance looked at straight
-    const SpecularStrengthForm form = Largest  ///< which channel counts
+    [color] float3 specular = 0.2,             ///< reflectance at normal incidence
+    const SpecularStrengthForm form = Largest  ///< which channel is used
 ) {
     return form == Largest ? max(max(specular.r, specular.g), specular.b) : specular.r;
 }
 
-/// A diffuse colour scaled so that with the mirrored light it is not more than what falls in.
+/// Scales a diffuse colour so that diffuse and specular light together do not exceed the incident light.
 ///
 /// formula: monochrome: albedo (1 - max(specular)); colored: albedo (1 - specular); none: albedo
 /// source: Unity built-in shaders, EnergyConservationBetweenDiffuseAndSpecular
@@ -156,7 +156,7 @@ float SpecularStrength(
 [node("Lighting/Setup/Conserve Energy")] [range(0, 1)]
 float3 ConserveEnergy(
     [color] float3 albedo = 0.5,                         ///< diffuse colour
-    [color] float3 specular = 0.2,                       ///< reflectance looked at straight
+    [color] float3 specular = 0.2,                       ///< reflectance at normal incidence
     const EnergyConservation conservation = Monochrome,  ///< how it is scaled
     [range(0, 1)] out float oneMinusReflectivity       ///< 1 - the strongest specular channel
 ) {
@@ -164,7 +164,7 @@ float3 ConserveEnergy(
     return SpecularSetup(albedo, specular, conservation).diffuseColor;
 }
 
-/// A diffuse colour for blending with pre-multiplied alpha: what is mirrored stays as the material fades.
+/// A diffuse colour for blending with pre-multiplied alpha: reflections stay as the material fades.
 ///
 /// formula: diffuse alpha; alpha' = 1 - r + alpha r, r = one minus reflectivity
 /// source: Unity built-in shaders, PreMultiplyAlpha
@@ -175,14 +175,14 @@ float3 ConserveEnergy(
 float3 PremultiplyAlpha(
     [color] float3 diffuseColor = 0.5,                 ///< colour of the scattered light
     [range(0, 1)] float alpha = 1,                      ///< coverage
-    [range(0, 1)] float oneMinusReflectivity = 0.96,  ///< share of the light that is not mirrored
-    [range(0, 1)] out float outAlpha                   ///< alpha to blend with: one, one minus source alpha
+    [range(0, 1)] float oneMinusReflectivity = 0.96,  ///< share of the light that is not reflected specularly
+    [range(0, 1)] out float outAlpha                   ///< alpha for blending: one, one minus source alpha
 ) {
     outAlpha = 1 - oneMinusReflectivity + alpha * oneMinusReflectivity;
     return diffuseColor * alpha;
 }
 
-/// Smoothness, from perceptual roughness.
+/// Converts perceptual roughness to smoothness.
 ///
 /// formula: 1 - roughness
 /// test: SmoothnessFromRoughness(0.25) == 0.75
@@ -194,7 +194,7 @@ float SmoothnessFromRoughness(
     return 1 - roughness;
 }
 
-/// Alpha, from smoothness, without a lower limit.
+/// Converts smoothness to alpha, without a lower limit.
 ///
 /// formula: (1 - smoothness)^2
 /// source: Unity built-in shaders, SmoothnessToRoughness
@@ -207,7 +207,7 @@ float AlphaFromSmoothness(
     return (1 - smoothness) * (1 - smoothness);
 }
 
-/// Perceptual roughness, from alpha.
+/// Converts alpha to perceptual roughness.
 ///
 /// formula: sqrt(alpha)
 /// source: Burley, "Physically Based Shading at Disney", SIGGRAPH 2012, section 5.4
@@ -220,7 +220,7 @@ float RoughnessFromAlpha(
     return sqrt(max(alpha, 0));
 }
 
-/// The Blinn-Phong exponent that Unity gives a perceptual roughness.
+/// Converts perceptual roughness to a Blinn-Phong exponent, as Unity does.
 ///
 /// formula: max(2 / max(roughness^4, 0.0001) - 2, 0.0001), from 0.0001 to 19998
 /// source: Unity built-in shaders, PerceptualRoughnessToSpecPower
@@ -234,7 +234,7 @@ float SpecPowerFromRoughness(
     return BlinnPhongExponentFromAlpha(roughness * roughness);
 }
 
-/// The perceptual roughness of a Blinn-Phong exponent.
+/// Converts a Blinn-Phong exponent to perceptual roughness.
 ///
 /// formula: (2 / (exponent + 2))^(1/4)
 /// source: the inverse of SpecPowerFromRoughness
@@ -247,10 +247,10 @@ float RoughnessFromSpecPower(
     return sqrt(AlphaFromBlinnPhongExponent(exponent));
 }
 
-/// The specular/gloss description of a metallic/roughness surface: always exact.
+/// Converts a metallic/roughness surface to specular/gloss. The conversion is always exact.
 ///
-/// The specular workflow scales its diffuse colour by one minus the strongest specular channel; so that colour is
-/// given undone.
+/// The specular workflow scales its diffuse colour by one minus the strongest specular channel; the result compensates
+/// for that.
 ///
 /// formula: specular = lerp(0.04, baseColor, metallic), glossiness = 1 - roughness,
 /// formula: diffuse = baseColor 0.96 (1 - metallic) / (1 - max(specular))
@@ -267,12 +267,12 @@ void SpecularFromMetallic(
     [range(0, 1)] float metallic = 0,     ///< 0 is a dielectric, 1 a metal
     [range(0, 1)] float roughness = 0.5,  ///< perceptual roughness
     [range(0, 1)] out float3 diffuse,     ///< base colour of the specular workflow
-    [range(0, 1)] out float3 specular,    ///< reflectance looked at straight
+    [range(0, 1)] out float3 specular,    ///< reflectance at normal incidence
     [range(0, 1)] out float glossiness    ///< 1 - roughness
 ) {
     specular = MetallicSetup(baseColor, metallic).f0;
     float rest = 1 - SpecularStrength(specular, Largest);
-    // A white metal has no diffuse colour, whatever is divided by what is left.
+    // A white metal has no diffuse colour: the limit only prevents a division by zero.
     diffuse = MetallicSetup(baseColor, metallic).diffuseColor / max(rest, 1e-4);
     glossiness = 1 - roughness;
 }
@@ -280,11 +280,11 @@ void SpecularFromMetallic(
 /// How well MetallicFromSpecular fits a surface that has no exact description.
 enum MetallicFit {
     Quick,  ///< metallic from the strongest channels
-    Best    ///< metallic searched for: too slow for a picture, right for converting a material once
+    Best    ///< metallic from a search: too slow for rendering, suited to converting a material once
 };
 
-// The base colour whose diffuse and specular colours are equally far off in each channel, for a given metallic: no other
-// is nearer. Exact where one is.
+// The nearest base colour for a given metallic: in each channel, its diffuse and specular colours have equal errors. It
+// is exact if an exact one exists.
 float3 fittedBaseColor(float3 scattered, float3 specular, float metallic) {
     float dielectric = 1 - metallic;
     return saturate((scattered + specular - 0.04 * dielectric) / (0.96 * dielectric + metallic));
@@ -298,7 +298,7 @@ float metallicFitError(float3 scattered, float3 specular, float metallic) {
     return max(SpecularStrength(offDiffuse, Largest), SpecularStrength(offSpecular, Largest));
 }
 
-// The metallic of the smallest error: the best of 64, then the golden section between its neighbours.
+// The metallic with the smallest error: the best of 64, refined by golden-section search between its neighbours.
 float bestMetallic(float3 scattered, float3 specular, float quick) {
     float best = quick;
     float least = metallicFitError(scattered, specular, quick);
@@ -320,12 +320,12 @@ float bestMetallic(float3 scattered, float3 specular, float quick) {
     return metallicFitError(scattered, specular, middle) < least ? middle : best;
 }
 
-/// The metallic/roughness description of a specular/gloss surface, exact where one exists and the nearest elsewhere.
+/// Converts a specular/gloss surface to metallic/roughness, exactly if possible and approximately otherwise.
 ///
-/// One exists where the specular colour lies between 0.04 and the base colour. Elsewhere (a reflectance below 0.04, or
-/// a coloured one on a diffuse surface of another hue) the base colour is the best for its metallic, and `fit` says
-/// where that comes from. `error` is the largest difference in any channel of the diffuse and the specular colour that
-/// come out of the description, 0 where it is exact.
+/// The conversion is exact if the specular colour lies between 0.04 and the base colour. Otherwise (a reflectance below
+/// 0.04, or a coloured one on a diffuse surface of another hue), `fit` selects how metallic is found, and the base
+/// colour is the nearest for that metallic. `error` is the largest difference in any channel of the resulting diffuse
+/// and specular colours; it is 0 if the conversion is exact.
 ///
 /// formula: metallic m solves 0.04 (1 - m) + b m = s and 0.96 (1 - m) b = d for the strongest channel:
 /// formula: 0.04 m^2 + (d / 0.96 + s - 0.08) m + 0.04 - s = 0; b = (d + s - 0.04 (1 - m)) / (0.96 (1 - m) + m)
@@ -340,9 +340,9 @@ float bestMetallic(float3 scattered, float3 specular, float quick) {
 [node("Lighting/Setup/Metallic from Specular")]
 void MetallicFromSpecular(
     [color] float3 diffuse = 0.5,          ///< base colour of the specular workflow
-    [color] float3 specular = 0.04,        ///< reflectance looked at straight
+    [color] float3 specular = 0.04,        ///< reflectance at normal incidence
     [range(0, 1)] float glossiness = 0.5,  ///< 1 - roughness
-    const MetallicFit fit = Quick,         ///< where no description is exact
+    const MetallicFit fit = Quick,         ///< how to find metallic if no conversion is exact
     [range(0, 1)] out float3 baseColor,   ///< colour of the surface
     [range(0, 1)] out float metallic,      ///< 0 is a dielectric, 1 a metal
     [range(0, 1)] out float roughness,     ///< perceptual roughness
@@ -353,7 +353,7 @@ void MetallicFromSpecular(
     float s = SpecularStrength(specular, Largest);
     float halfB = 0.5 * (d / 0.96 + s - 0.08);
     float c = 0.04 - s;
-    // The root between 0 and 1 of 0.04 m^2 + 2 halfB m + c, in the form that loses no digits for a small c.
+    // The root between 0 and 1 of 0.04 m^2 + 2 halfB m + c, in the form that stays precise for a small c.
     float root = sqrt(max(halfB * halfB - 0.04 * c, 0));
     float plain = halfB > 0 ? -c / max(halfB + root, 1e-6) : (root - halfB) / 0.04;
     metallic = saturate(s <= 0.04 ? 0 : plain);

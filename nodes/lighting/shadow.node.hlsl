@@ -1,7 +1,7 @@
-// Shadow maps: how much of a light arrives, from the depths that the light itself sees; and how that is mixed with
-// shadows that were computed before.
+// Shadow maps: the share of a light that reaches a point, from the depths that the light sees, and its combination with
+// baked shadows.
 
-/// How much of a tent of base width 5 lies before a place, as a share of the whole.
+/// The share of a tent of base width 5 that lies before a place.
 ///
 /// It is the integral of (1 - |t| / 2.5) / 2.5 up to t: 1/2 + v - v |v| / 2, v = t / 2.5 within -1 to 1.
 float3 Tent5Share(float3 t) {
@@ -9,10 +9,10 @@ float3 Tent5Share(float3 t) {
     return v * (1 - 0.5 * abs(v)) + 0.5;
 }
 
-/// What each of six texels in a row weighs in a filter that is a tent five texels wide: the tent's share over the texel.
+/// The weights of six texels in a row for a tent filter five texels wide: each is the tent's share over its texel.
 ///
-/// The tent is (1 - |t| / 2.5) / 2.5, t in texels from its peak. The six texels lie around that border between two texels
-/// which is nearest to the peak. Together they weigh 1.
+/// The tent is (1 - |t| / 2.5) / 2.5, t in texels from its peak. The six texels lie around the texel border that is
+/// nearest to the peak. The weights add up to 1.
 ///
 /// formula: w_i = S(i - 2 - offset) - S(i - 3 - offset), i = 0 to 5, S the tent's integral:
 /// formula: S(t) = 1/2 + v - v |v| / 2, v = t / 2.5 within -1 to 1
@@ -26,9 +26,9 @@ float3 Tent5Share(float3 t) {
 /// test: TentWeights5(-0.5).before == float3(0.08, 0.24, 0.36)
 [node("Lighting/Shadow/Tent Weights")]
 void TentWeights5(
-    [range(-0.5, 0.5)] float offset = 0,  ///< of the tent's peak from the border, in texels
+    [range(-0.5, 0.5)] float offset = 0,  ///< distance of the tent's peak from the border, in texels
     [range(0, 0.36)] out float3 before,   ///< weights of the three texels before the border, the outermost first
-    [range(0, 0.36)] out float3 after     ///< of the three behind it, the outermost last
+    [range(0, 0.36)] out float3 after     ///< weights of the three texels after it, the outermost last
 ) {
     float3 lower = Tent5Share(float3(-2, -1, 0) - offset);
     float3 upper = Tent5Share(float3(1, 2, 3) - offset);
@@ -36,25 +36,25 @@ void TentWeights5(
     after = upper - float3(lower.z, upper.xy);
 }
 
-/// How much of a light arrives, by percentage-closer filtering of its shadow map with a tent five texels wide.
+/// The share of a light that arrives: percentage-closer filtering of its shadow map with a tent five texels wide.
 ///
-/// The depth is compared with each of 6 x 6 texels, which are read one by one at their centres, and the outcomes are
-/// weighted. Beyond the map's borders and behind its far end everything is lit.
+/// The depth is compared with each of 6 x 6 texels, which are read one by one at their centres, and the results are
+/// weighted. Outside the map and beyond its far plane, everything is lit.
 ///
 /// formula: sum over i, j of w_i(x) w_j(y) [depth <= map_ij], the weights those of TentWeights5
 /// source: Reeves, Salesin and Cook, "Rendering Antialiased Shadows with Depth Maps", SIGGRAPH 1987
 [node("Lighting/Shadow/Sample Tent 5x5")] [range(0, 1)]
 float SampleShadowTent5x5(
-    Texture2D map,                    ///< red: depth of what the light sees first, 0 near to 1 far
-    float2 uv,                        ///< where in the map, 0 to 1 from the top left
-    [range(0, 1)] float depth,        ///< depth of the point that is lit, its bias taken off
+    Texture2D map,                    ///< red: depth of the first surface that the light sees, 0 near to 1 far
+    float2 uv,                        ///< place in the map, 0 to 1 from the top left
+    [range(0, 1)] float depth,        ///< depth of the lit point, minus its bias
     float texel,                      ///< 1 / size of the whole texture in texels, which is square
     float4 tile = float4(1, 1, 0, 0)  ///< which part of the texture the map is: size (xy) and upper left corner (zw)
 ) {
     float2 peak = (uv * tile.xy + tile.zw) / texel;
     float2 border = floor(peak + 0.5);
     float2 offset = peak - border;
-    // Centres of the map's outermost texels: a neighbouring map is never read.
+    // The centres of the map's outermost texels, so that a neighbouring map is never read.
     float2 first = tile.zw + 0.5 * texel;
     float2 last = tile.zw + tile.xy - 0.5 * texel;
     float3 left = clamp((border.x + float3(-2.5, -1.5, -0.5)) * texel, first.x, last.x);
@@ -77,8 +77,8 @@ float SampleShadowTent5x5(
     return max(fromMiddle.x, fromMiddle.y) <= 0.5 && depth <= 1 ? lit : 1;
 }
 
-/// Where a surface is drawn into a shadow map: a little inside itself, the more the light grazes it, so that it does not
-/// fall into its own shadow.
+/// Moves a surface inwards when it is drawn into a shadow map, so that it does not shadow itself: the more, the more
+/// the light grazes it.
 ///
 /// formula: position - bias sqrt(1 - (n.l)^2) n
 /// source: Holbert, "Saying Goodbye to Shadow Acne", GDC 2011; Unity built-in shaders, UnityClipSpaceShadowCasterPos
@@ -90,13 +90,13 @@ float3 ShadowNormalBias(
     [unit("m")] float3 position = positionWS,   ///< point of the surface
     float3 normal = normalWS,                   ///< unit normal
     float3 lightDir = light.direction,          ///< unit direction to the light
-    [range(0, 1)] [unit("m")] float bias = 0.01  ///< how far inside, where the light only grazes it
+    [range(0, 1)] [unit("m")] float bias = 0.01  ///< distance inwards where the light grazes the surface
 ) {
     float cosine = dot(normal, lightDir);
     return position - normal * (bias * sqrt(max(1 - cosine * cosine, 0)));
 }
 
-/// How far shadows have faded where a light's shadows end: 0 near the camera, 1 where there are none any more.
+/// How far real-time shadows have faded out: 0 near the camera, 1 where shadows have ended.
 ///
 /// formula: saturate(distance scale + offset)
 /// source: Unity built-in shaders, UnityComputeShadowFade
@@ -112,7 +112,7 @@ float ShadowFade(
     return saturate(distance * scale + offset);
 }
 
-/// One light's shadow in a shadow mask: each channel holds that of another light.
+/// The shadow of one light in a shadow mask: each channel holds the shadow of one light.
 ///
 /// formula: saturate(mask . selector)
 /// source: Unity built-in shaders, UnitySampleBakedOcclusion
@@ -127,14 +127,14 @@ float ShadowMaskChannel(
     return saturate(dot(mask, selector));
 }
 
-/// What baked shadows do beside those of moving objects.
+/// How baked shadows combine with the real-time shadows of moving objects.
 enum ShadowMixing {
-    Shadowmask,          ///< both darken; baked shadows alone reach far
+    Shadowmask,          ///< both apply; only baked shadows reach far
     DistanceShadowmask,  ///< real-time shadows near the camera, baked ones where they have faded
-    RealtimeOnly         ///< nothing was baked
+    RealtimeOnly         ///< there are no baked shadows
 };
 
-/// Real-time and baked shadows of one light, as one.
+/// Combines the real-time and baked shadows of one light.
 ///
 /// formula: Shadowmask: min(saturate(realtime + fade), baked); DistanceShadowmask: lerp(realtime, baked, fade);
 /// formula: RealtimeOnly: saturate(realtime + fade)
@@ -146,10 +146,10 @@ enum ShadowMixing {
 /// test: MixRealtimeAndBakedShadow(0.25, 0.75, 1, RealtimeOnly) == 1
 [node("Lighting/Shadow/Mix Realtime and Baked")] [range(0, 1)]
 float MixRealtimeAndBakedShadow(
-    [range(0, 1)] float realtime = 1,       ///< of the shadow map: 1 lit, 0 in shadow
-    [range(0, 1)] float baked = 1,          ///< of the shadow mask
-    [range(0, 1)] float fade = 0,           ///< how far real-time shadows have faded: 1 where there are none any more
-    const ShadowMixing mixing = Shadowmask  ///< how
+    [range(0, 1)] float realtime = 1,       ///< from the shadow map: 1 lit, 0 in shadow
+    [range(0, 1)] float baked = 1,          ///< from the shadow mask
+    [range(0, 1)] float fade = 0,           ///< how far real-time shadows have faded: 1 where they have ended
+    const ShadowMixing mixing = Shadowmask  ///< how they combine
 ) {
     if (mixing == DistanceShadowmask) { return lerp(realtime, baked, fade); }
     if (mixing == RealtimeOnly) { return saturate(realtime + fade); }

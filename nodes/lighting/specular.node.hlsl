@@ -1,16 +1,16 @@
-// Highlights as whole terms: the empirical ones of before the microfacet theory, and those of Unity's two simpler
+// Highlights as complete terms: empirical ones that predate microfacet theory, and those of Unity's two simpler
 // models. Light is given as E / pi, as for the diffuse terms: specular colour * term * light is radiance.
 
-/// How bright the middle of a highlight is.
+/// The brightness of the middle of a highlight.
 enum HighlightNormalization {
     Classic,    ///< 1 whatever the exponent: a sharper highlight is a smaller one
-    Normalized  ///< brighter the sharper it is: with a view along the normal, the lobe reflects just what falls in
+    Normalized  ///< brighter the sharper it is: a view along the normal gets exactly the incident light
 };
 
-/// Phong's highlight: a lobe around the direction in which a mirror would send the light.
+/// Phong's highlight: a lobe around the mirrored light direction.
 ///
-/// Multiply the classic form by 1 where the light is before the surface and by 0 elsewhere, and the normalised one by
-/// the cosine n.l: by itself the lobe reaches around to the dark side.
+/// The lobe alone reaches around to the dark side. Multiply the classic form by 1 if the light is in front of the
+/// surface, else by 0; multiply the normalised form by the cosine n.l.
 ///
 /// formula: classic: max(0, r.v)^exponent, r = 2 (n.l) n - l; normalised: (exponent + 2) / 2 of that
 /// source: Phong, "Illumination for Computer Generated Pictures", CACM 18(6), 1975
@@ -26,7 +26,7 @@ float PhongHighlight(
     float3 lightDir = light.direction,                    ///< unit direction to the light
     float3 view = viewDirWS,                             ///< unit direction to the viewer
     [range(0, 1000)] float exponent = 32,                  ///< sharpness
-    const HighlightNormalization normalization = Classic  ///< how bright its middle is
+    const HighlightNormalization normalization = Classic  ///< brightness of its middle
 ) {
     float lobe = HighlightLobe(RdotV(normal, lightDir, view), exponent);
     return normalization == Classic ? lobe : lobe * (0.5 * exponent + 1);
@@ -34,7 +34,7 @@ float PhongHighlight(
 
 /// Blinn's highlight: a lobe around the half vector, longer than Phong's at grazing angles, as real ones are.
 ///
-/// It is about as wide as Phong's with a fourth of the exponent. The dark side is as with PhongHighlight.
+/// It is about as wide as Phong's with a fourth of the exponent. Treat the dark side as for PhongHighlight.
 ///
 /// formula: classic: max(0, n.h)^e; normalised: (e + 2) (e + 4) / (8 (2^(-e / 2) + e)) of that
 /// source: Blinn, "Models of Light Reflection for Computer Synthesized Pictures", SIGGRAPH 1977
@@ -50,7 +50,7 @@ float BlinnPhongHighlight(
     float3 lightDir = light.direction,                    ///< unit direction to the light
     float3 view = viewDirWS,                             ///< unit direction to the viewer
     [range(0, 1000)] float exponent = 32,                  ///< sharpness
-    const HighlightNormalization normalization = Classic  ///< how bright its middle is
+    const HighlightNormalization normalization = Classic  ///< brightness of its middle
 ) {
     float e = exponent;
     float lobe = HighlightLobe(NdotH(normal, HalfVectorExact(view, lightDir)), e);
@@ -58,16 +58,16 @@ float BlinnPhongHighlight(
     return lobe * ((e + 2) / (8 * (exp2(-0.5 * e) + e)) * (e + 4));
 }
 
-// Zero to the power of zero has no value; a highlight has none where the cosine is zero, whatever its exponent.
+// Zero to the power of zero is not defined; where the cosine is zero, the highlight is zero for every exponent.
 float HighlightLobe(float cosine, float exponent) {
     float lobe = pow(cosine > 0 ? cosine : 1, exponent);
     return cosine > 0 ? lobe : 0;
 }
 
-/// The highlight of Unity's second model, a Cook-Torrance form with next to no divisions: D, V and F in one.
+/// The highlight of Unity's second model (BRDF2), a Cook-Torrance form with few divisions: D, V and F in one.
 ///
-/// In linear space it is pi DistributionGGXMinimalist VisibilityMinimalist. The form for lighting in gamma space is the
-/// square root of a similar one.
+/// In linear space it is pi DistributionGGXMinimalist VisibilityMinimalist. The form for gamma space is the square root
+/// of a similar one.
 ///
 /// formula: d = (n.h)^2 (alpha^2 - 1) + 1.00001, alpha = (1 - smoothness)^2,
 /// formula: linear: alpha^2 / (4 max(0.1, (l.h)^2) (alpha + 0.5) d^2); gamma: alpha / (max(0.32, l.h) (1.5 + alpha) d)
@@ -93,7 +93,7 @@ float MinimalistHighlight(
     return PI * DistributionGGXMinimalist(ndoth, alpha) * VisibilityMinimalist(ldoth, alpha);
 }
 
-/// Phong's highlight as an early release of Unity documents what its third model reads from a table.
+/// The highlight of Unity's third model (BRDF3): Phong's lobe, as an early release documents its table.
 ///
 /// The table itself is not public. It holds values up to 16, and is read with (r.l)^4.
 ///

@@ -1,7 +1,7 @@
-// Visibility terms V = G / (4 n.l n.v): how much of the facets both the light and the viewer see (the masking-shadowing
-// function G), with the denominator of the Cook-Torrance BRDF already in it. The BRDF is then D V F.
+// Visibility terms V = G / (4 n.l n.v): the share of facets that both the light and the viewer see (the
+// masking-shadowing function G), divided by the denominator of the Cook-Torrance BRDF. The BRDF is then D V F.
 
-/// Smith's masking-shadowing for GGX, with the correlation of heights, exact.
+/// Smith's exact height-correlated masking-shadowing for GGX.
 ///
 /// formula: V = 0.5 / (n.l sqrt((n.v)^2 (1 - alpha^2) + alpha^2) + n.v sqrt((n.l)^2 (1 - alpha^2) + alpha^2))
 /// source: Heitz, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT 3(2), 2014
@@ -19,15 +19,15 @@ float VisibilitySmithJoint(
     float a2 = alpha * alpha;
     float viewPart = ndotl * sqrt(ndotv * ndotv * (1 - a2) + a2);
     float lightPart = ndotv * sqrt(ndotl * ndotl * (1 - a2) + a2);
-    // Both are zero only at the very outline, where the factor n.l outside makes the light vanish.
+    // Both cosines are zero only at the silhouette, where the outer factor n.l makes the light zero.
     return 0.5 / max(viewPart + lightPart, 1e-5);
 }
 
-/// Smith's masking-shadowing for GGX without its square roots.
+/// An approximation of Smith's masking-shadowing for GGX without square roots.
 ///
-/// Exact at roughness 0 and 1; between them it is too dark at grazing angles. It is what Unity's Standard shader uses,
-/// with the 0.00001 that it adds to the denominator; with a guard of 0 it is the formula alone, which has no value where
-/// both cosines are 0.
+/// It is exact at roughness 0 and 1; between them it is too dark at grazing angles. Unity's Standard shader uses it and
+/// adds 0.00001 to the denominator. With a guard of 0, it is the formula alone, which is not defined if both cosines
+/// are 0.
 ///
 /// formula: V = 0.5 / (n.l (n.v (1 - alpha) + alpha) + n.v (n.l (1 - alpha) + alpha) + guard)
 /// source: Hammon, "PBR Diffuse Lighting for GGX+Smith Microsurfaces", GDC 2017
@@ -48,7 +48,7 @@ float VisibilitySmithJointApproximate(
     return 0.5 / (viewPart + lightPart + guard);
 }
 
-/// Smith's masking-shadowing for GGX with light and view taken as independent.
+/// Smith's separable masking-shadowing for GGX: light and view are independent.
 ///
 /// formula: V = 1 / ((n.v + sqrt((n.v)^2 (1 - alpha^2) + alpha^2)) (n.l + sqrt((n.l)^2 (1 - alpha^2) + alpha^2)))
 /// source: Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007, eq. 34
@@ -68,10 +68,10 @@ float VisibilitySmithSeparable(
     return 1 / max(viewPart * lightPart, 1e-5);
 }
 
-/// Which k stands for a roughness in VisibilitySchlick.
+/// How VisibilitySchlick computes k from roughness.
 enum SchlickRemapping {
     Ambient,  ///< alpha / 2: for image-based light
-    Direct,   ///< (roughness + 1)^2 / 8: for lamps, less extreme at low roughness
+    Direct,   ///< (roughness + 1)^2 / 8: for direct light, less extreme at low roughness
     Beckmann  ///< alpha sqrt(2 / pi): Schlick's own, for the Beckmann distribution
 };
 
@@ -88,7 +88,7 @@ float VisibilitySchlick(
     [range(0, 1)] float ndotl,                  ///< cosine of normal and light
     [range(0, 1)] float ndotv,                  ///< cosine of normal and view
     [range(0, 1)] float roughness = 0.5,        ///< perceptual roughness
-    const SchlickRemapping remapping = Ambient  ///< how k follows from it
+    const SchlickRemapping remapping = Ambient  ///< how k is computed from it
 ) {
     float k = 0.5 * roughness * roughness;
     if (remapping == Direct) { k = (roughness + 1) * (roughness + 1) * 0.125; }
@@ -96,7 +96,7 @@ float VisibilitySchlick(
     return 0.25 / max((ndotv * (1 - k) + k) * (ndotl * (1 - k) + k), 1e-5);
 }
 
-/// Schlick's masking-shadowing for Beckmann as Unity's older shaders have it: with 0.00001 in the denominator.
+/// Schlick's masking-shadowing for Beckmann as in Unity's older shaders: with 0.00001 in the denominator.
 ///
 /// formula: V = 0.25 / ((n.l (1 - k) + k) (n.v (1 - k) + k) + 0.00001), k = alpha sqrt(2 / pi)
 /// source: Schlick 1994; Unity built-in shaders, SmithBeckmannVisibilityTerm
@@ -113,7 +113,7 @@ float VisibilitySmithBeckmannUnity(
     return 0.25 / ((ndotl * (1 - k) + k) * (ndotv * (1 - k) + k) + 1e-5);
 }
 
-/// Smith's masking-shadowing for Beckmann, by Walter's rational fit, light and view independent.
+/// Smith's separable masking-shadowing for Beckmann, by Walter's rational fit.
 ///
 /// formula: G1 = (3.535 a + 2.181 a^2) / (1 + 2.276 a + 2.577 a^2) for a < 1.6, else 1; a = cot(angle) / alpha
 /// source: Walter et al., EGSR 2007, eq. 27
@@ -129,18 +129,18 @@ float VisibilitySmithBeckmann(
     return 0.25 * BeckmannMaskingOverCosine(ndotl, alpha) * BeckmannMaskingOverCosine(ndotv, alpha);
 }
 
-// Walter's G1 divided by the cosine, which is finite where the cosine goes to zero.
+// Walter's G1 divided by the cosine, which stays finite as the cosine approaches zero.
 float BeckmannMaskingOverCosine(float cosine, float alpha) {
     float c = max(cosine, 1e-4);
     float sine = sqrt(max(1 - c * c, 0));
-    // a / c, so that one division by the cosine is left out.
+    // a / c, which saves one division by the cosine.
     float slope = 1 / max(alpha * sine, 1e-6);
     float a = c * slope;
     float fit = slope * (3.535 + 2.181 * a) / (1 + 2.276 * a + 2.577 * a * a);
     return a < 1.6 ? fit : 1 / c;
 }
 
-/// Lambda of Smith's theory for GGX: how many facets hide behind each one that is seen.
+/// Smith's Lambda for GGX: the number of hidden facets for each visible one.
 ///
 /// formula: (sqrt(1 + alpha^2 (1 - c^2) / c^2) - 1) / 2
 /// source: Heitz, JCGT 3(2), 2014, eq. 72
@@ -155,7 +155,7 @@ float SmithLambda(
     return 0.5 * (sqrt(1 + alpha * alpha * max(1 - c2, 0) / c2) - 1);
 }
 
-/// Smith's masking for GGX: the share of facets that are seen from one direction.
+/// Smith's masking for GGX: the share of facets that are visible from one direction.
 ///
 /// formula: G1 = 1 / (1 + lambda)
 /// source: Heitz, JCGT 3(2), 2014, eq. 43
@@ -172,7 +172,7 @@ float SmithMasking(
     return 2 * cosine / max(cosine + sqrt(c2 + alpha * alpha * max(1 - c2, 0)), 1e-5);
 }
 
-/// One direction's part of the separable Smith visibility for GGX: that of the light times that of the view is V.
+/// The factor of one direction in the separable Smith visibility for GGX: the factors of light and view multiply to V.
 ///
 /// formula: G1 / (2 c) = 1 / (c + sqrt(c^2 + alpha^2 (1 - c^2)))
 /// source: Walter et al., EGSR 2007, eq. 34; Disney's BRDF Explorer uses it for the clearcoat, with alpha 0.25
@@ -218,7 +218,7 @@ float DisneyMasking(
     return SmithMasking(cosine, root * root);
 }
 
-/// Cook and Torrance's masking-shadowing: facets as the sides of V-shaped grooves. A factor G, not yet a V.
+/// Cook and Torrance's masking-shadowing: facets are the sides of V-shaped grooves. The result is a factor G, not a V.
 ///
 /// formula: G = min(1, 2 (n.h) (n.v) / (v.h), 2 (n.h) (n.l) / (v.h))
 /// source: Torrance and Sparrow 1967; Cook and Torrance, ACM TOG 1(1), 1982
@@ -234,7 +234,7 @@ float MaskingCookTorrance(
     return min(1, 2 * ndoth * min(ndotl, ndotv) / max(ldoth, 1e-4));
 }
 
-/// The implicit visibility: G = (n.l) (n.v), which cancels the denominator. Cheap, and too dark at grazing angles.
+/// The implicit visibility: G = (n.l) (n.v), which cancels the denominator. It is cheap, but too dark at grazing angles.
 ///
 /// formula: V = 1 / 4
 /// source: Hoffman, "Background: Physics and Math of Shading", SIGGRAPH 2013
@@ -244,7 +244,7 @@ float VisibilityImplicit() {
     return 0.25;
 }
 
-/// Kelemen and Szirmay-Kalos's visibility: depends on the half vector alone, and on no roughness.
+/// Kelemen and Szirmay-Kalos's visibility: depends only on the half vector, not on roughness.
 ///
 /// formula: V = 1 / (4 (l.h)^2)
 /// source: Kelemen and Szirmay-Kalos, "A Microfacet Based Coupled Specular-Matte BRDF Model", Eurographics 2001
@@ -257,8 +257,9 @@ float VisibilityKelemen(
     return 0.25 / max(ldoth * ldoth, 1e-4);
 }
 
-/// Schüler's visibility with Fresnel's curve folded in: both are close to one over the squared cosine. It then needs no
-/// Fresnel term but the reflectance f0.
+/// Schüler's visibility, which includes Fresnel's curve: multiply it by f0 alone.
+///
+/// Visibility and Fresnel's curve together are close to one over the squared cosine.
 ///
 /// formula: V F = 1 / (4 max(0.1, (l.h)^2) (alpha + 0.5))
 /// source: Schüler, "An Efficient and Physically Plausible Real Time Shading Model", ShaderX 7, 2009
@@ -274,7 +275,7 @@ float VisibilityMinimalist(
     return 0.25 / (max(ldoth * ldoth, 0.1) * (alpha + 0.5));
 }
 
-/// Neumann's visibility: divides by the larger cosine, so that nothing grows without end at grazing angles.
+/// Neumann's visibility: divides by the larger cosine, so that it does not grow without limit at grazing angles.
 ///
 /// formula: V = 1 / (4 max(n.l, n.v))
 /// source: Neumann, Neumann and Szirmay-Kalos, "Compact Metallic Reflectance Models", Eurographics 1999
@@ -325,7 +326,7 @@ float VisibilitySmithAnisotropic(
     return 0.5 / max(viewPart + lightPart, 1e-5);
 }
 
-/// A masking-shadowing factor G as a visibility term V: the correction factor of the Cook-Torrance BRDF.
+/// Converts a masking-shadowing factor G to a visibility term V.
 ///
 /// formula: V = G / (4 (n.l) (n.v))
 /// source: Walter et al., EGSR 2007, eq. 20
@@ -340,7 +341,7 @@ float VisibilityFromMasking(
     return masking / max(4 * ndotl * ndotv, 1e-5);
 }
 
-/// A visibility term V as the masking-shadowing factor G that is in it.
+/// Converts a visibility term V to its masking-shadowing factor G.
 ///
 /// formula: G = 4 (n.l) (n.v) V
 /// source: Walter et al., EGSR 2007, eq. 20
@@ -355,7 +356,7 @@ float MaskingFromVisibility(
     return 4 * ndotl * ndotv * visibility;
 }
 
-/// Smith's masking-shadowing for anisotropic GGX with light and view taken as independent, as Disney's model has it.
+/// Smith's separable masking-shadowing for anisotropic GGX, as in Disney's model.
 ///
 /// formula: V = 1 / ((n.v + |(at t.v, ab b.v, n.v)|) (n.l + |(at t.l, ab b.l, n.l)|))
 /// source: Burley, "Physically Based Shading at Disney", SIGGRAPH 2012, and its reference implementation

@@ -1,4 +1,4 @@
-// Choices. Every input of these nodes is computed: a branch picks a value, it does not skip work.
+// Conditions and choices. All inputs of these nodes are computed: a branch picks a value, it does not skip work.
 
 /// How Compare compares.
 enum Comparison {
@@ -10,13 +10,13 @@ enum Comparison {
     NotEqual         ///< any other number
 };
 
-/// One of two values, by a condition.
+/// Picks one of two values by a condition.
 ///
 /// test: Branch(true, 1, 2) == 1
 /// test: Branch(false, float2(1, 2), 3) == float2(3, 3)
 [node("Logic/Branch")]
 floatN Branch(
-    bool condition = true,  ///< which value is taken
+    bool condition = true,  ///< decides which value is picked
     floatN ifTrue = 1,     ///< the value where the condition holds
     floatN ifFalse = 0     ///< the value where it does not
 ) {
@@ -25,7 +25,7 @@ floatN Branch(
 
 /// Whether a comparison of two numbers holds.
 ///
-/// A number that was computed is seldom exactly equal to another: compare with Less or Greater where you can.
+/// Computed numbers are seldom exactly equal: compare with Less or Greater where you can.
 ///
 /// test: Compare(1, 2) == true
 /// test: Compare(2, 2, Less) == false
@@ -38,7 +38,7 @@ floatN Branch(
 bool Compare(
     float left = 0,                     ///< first number
     float right = 0,                    ///< second number
-    const Comparison comparison = Less  ///< what is asked
+    const Comparison comparison = Less  ///< the comparison
 ) {
     if (comparison == Less) { return left < right; }
     if (comparison == LessOrEqual) { return left <= right; }
@@ -83,7 +83,7 @@ bool Not(
     return !condition;
 }
 
-/// Whether a value is not a number: the result of 0 / 0, and of everything computed from it.
+/// Whether a value is not a number (NaN): the result of 0 / 0, and of everything computed from it.
 ///
 /// test: IsNan(asfloat(0x7fc00000u)) == true
 /// test: IsNan(0) == false

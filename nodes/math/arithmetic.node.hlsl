@@ -1,4 +1,4 @@
-// Arithmetic, component by component. A scalar joins a vector by being repeated.
+// Arithmetic, component by component. A scalar combined with a vector is repeated for each component.
 
 /// The sum of two values.
 ///
@@ -12,14 +12,14 @@ floatN Add(
     return left + right;
 }
 
-/// The left value less the right one.
+/// The left value minus the right one.
 ///
 /// test: Subtract(1, 3) == -2
 /// test: Subtract(1, float2(0.25, 2)) == float2(0.75, -1)
 [node("Math/Subtract")]
 floatN Subtract(
-    floatN left = 0,  ///< what is subtracted from
-    floatN right = 0  ///< what is subtracted
+    floatN left = 0,  ///< the value to subtract from
+    floatN right = 0  ///< the value to subtract
 ) {
     return left - right;
 }
@@ -38,7 +38,7 @@ floatN Multiply(
 
 /// The left value divided by the right one.
 ///
-/// Division by zero gives infinity, and zero by zero is not a number: keep the divisor away from zero.
+/// Division by zero gives infinity, and zero divided by zero is not a number: keep the divisor away from zero.
 ///
 /// test: Divide(1, 4) == 0.25
 /// test: Divide(float2(3, -6), 2) == float2(1.5, -3)
@@ -61,7 +61,7 @@ floatN Reciprocal(
     return 1 / value;
 }
 
-/// The value with its sign turned.
+/// The value with its sign reversed.
 ///
 /// test: Negate(2) == -2
 /// test: Negate(float2(-1, 3)) == float2(1, -3)

@@ -1,4 +1,4 @@
-// Numbers with a name, visible in every node and expression.
+// Named constants, visible in every node and expression.
 
 /// Half the circumference of the unit circle.
 const float PI = 3.14159265358979323846;

@@ -2,7 +2,7 @@
 
 /// The base raised to a power.
 ///
-/// A base below zero counts as zero, as a fractional power of it does not exist. Zero to the power of zero is not
+/// A base below zero counts as zero, because a fractional power of it does not exist. Zero to the power of zero is not
 /// defined.
 ///
 /// test: Power(3, 2) == 9
@@ -11,13 +11,13 @@
 /// test: Power(-2, 2) == 0
 [node("Math/Power")]
 floatN Power(
-    floatN base = 1,     ///< what is raised, 0 or more
+    floatN base = 1,     ///< the base, 0 or more
     floatN exponent = 2  ///< the power
 ) {
     return pow(max(base, 0), exponent);
 }
 
-/// The square root; of a value below zero it is zero.
+/// The square root; for a value below zero the result is zero.
 ///
 /// test: SquareRoot(2.25) == 1.5
 /// test: SquareRoot(float2(16, -4)) == float2(4, 0)
@@ -28,7 +28,7 @@ floatN SquareRoot(
     return sqrt(max(value, 0));
 }
 
-/// Euler's number raised to a power: growth, or with a negative power decay.
+/// Euler's number raised to a power: growth if the power is positive, decay if it is negative.
 ///
 /// test: Exponential(1) == 2.718281828459045
 /// test: Exponential(float2(0, -0.6931471805599453)) == float2(1, 0.5)
@@ -39,7 +39,7 @@ floatN Exponential(
     return exp(exponent);
 }
 
-/// The logarithm to base two: how often a value can be halved until it is 1.
+/// The logarithm to base two: how many times a value can be halved until it is 1.
 ///
 /// test: Log2(8) == 3
 /// test: Log2(float2(0.25, 1)) == float2(-2, 0)

@@ -1,6 +1,6 @@
-// Numbers in textures whose channels hold 8 bits.
+// Storing numbers in textures with 8-bit channels.
 
-/// A number from 0 to 1 in two channels of 8 bits each: the first holds it coarsely, the second what is left.
+/// Stores a number from 0 to 1 in two 8-bit channels: the first holds the coarse value, the second the remainder.
 ///
 /// formula: (floor(255 x) / 255, frac(255 x))
 /// source: Unity built-in shaders, EncodeFloatRG; here 1 stays 1, and does not become 0
@@ -10,14 +10,14 @@
 /// test: EncodeFloatRG(1) == float2(1, 0)
 [node("Math/Packing/Encode Float RG")]
 float2 EncodeFloatRG(
-    [range(0, 1)] float value = 0  ///< what is stored
+    [range(0, 1)] float value = 0  ///< the number to store
 ) {
     float scaled = 255 * value;
     float whole = floor(scaled);
     return float2(whole / 255, scaled - whole);
 }
 
-/// The number that EncodeFloatRG wrote.
+/// Reads the number that EncodeFloatRG stored.
 ///
 /// formula: r + g / 255
 /// source: Unity built-in shaders, DecodeFloatRG

@@ -1,4 +1,4 @@
-// Keeping values in a range, and moving them from one range to another.
+// Limiting values to a range, and mapping them from one range to another.
 
 /// The smaller of two values.
 ///
@@ -24,7 +24,7 @@ floatN Maximum(
     return max(left, right);
 }
 
-/// The value, held between two limits.
+/// Limits a value to a range.
 ///
 /// test: Clamp(5, 0, 2) == 2
 /// test: Clamp(float3(-1, 0.5, 3), 0, 2) == float3(0, 0.5, 2)
@@ -37,7 +37,7 @@ floatN Clamp(
     return clamp(value, minimum, maximum);
 }
 
-/// The value, held between 0 and 1.
+/// Limits a value to the range from 0 to 1.
 ///
 /// test: Saturate(1.5) == 1
 /// test: Saturate(float2(-0.5, 0.25)) == float2(0, 0.25)
@@ -48,9 +48,9 @@ floatN Saturate(
     return saturate(value);
 }
 
-/// The value a part of the way from one value to another.
+/// Interpolates linearly between two values.
 ///
-/// Beyond 0 and 1 it goes on along the same line.
+/// If t is outside 0 to 1, the result continues along the same line.
 ///
 /// formula: from + (to - from) t
 /// test: Lerp(0, 10, 0.25) == 2.5
@@ -60,12 +60,12 @@ floatN Saturate(
 floatN Lerp(
     floatN from = 0,              ///< the value at t = 0
     floatN to = 1,                ///< the value at t = 1
-    [range(0, 1)] floatN t = 0.5  ///< the part of the way
+    [range(0, 1)] floatN t = 0.5  ///< the interpolation factor
 ) {
     return lerp(from, to, t);
 }
 
-/// How far a value is on the way from one value to another: Lerp backwards.
+/// The position of a value between two others: the inverse of Lerp.
 ///
 /// formula: (value - from) / (to - from)
 /// test: InverseLerp(10, 20, 12.5) == 0.25
@@ -79,9 +79,9 @@ floatN InverseLerp(
     return (value - from) / (to - from);
 }
 
-/// Moves a value from one range to the same place in another.
+/// Maps a value from one range to the same place in another.
 ///
-/// A value outside its range lands outside the other; Clamp or Saturate it where that is not wanted.
+/// A value outside the first range maps to a value outside the second; use Clamp or Saturate to prevent that.
 ///
 /// formula: outMin + (outMax - outMin) (value - inMin) / (inMax - inMin)
 /// test: Remap(0, -1, 1, 0, 1) == 0.5
@@ -91,14 +91,14 @@ floatN InverseLerp(
 floatN Remap(
     floatN value = 0,    ///< a number in the first range
     floatN inMin = -1,  ///< where the first range begins
-    floatN inMax = 1,   ///< where it ends; not where it begins
+    floatN inMax = 1,   ///< where it ends; not equal to the beginning
     floatN outMin = 0,  ///< where the second range begins
     floatN outMax = 1   ///< where it ends
 ) {
     return lerp(outMin, outMax, InverseLerp(inMin, inMax, value));
 }
 
-/// 1 where the value has reached the edge, else 0.
+/// 1 if the value has reached the edge, else 0.
 ///
 /// test: Step(0.5, 0.25) == 0
 /// test: Step(0.5, 0.5) == 1
@@ -111,7 +111,7 @@ floatN Step(
     return step(edge, value);
 }
 
-/// A soft step: 0 up to the first edge, 1 from the second one on, and a smooth curve between them.
+/// A soft step: 0 up to the first edge, 1 from the second edge on, and a smooth curve between them.
 ///
 /// formula: t^2 (3 - 2t), t = saturate((value - edge0) / (edge1 - edge0))
 /// test: Smoothstep(0, 1, 0.5) == 0.5

@@ -1,4 +1,4 @@
-// Whole numbers and what is left over.
+// Rounding and remainders.
 
 /// The largest whole number that is not above the value.
 ///
@@ -33,7 +33,7 @@ floatN Round(
     return round(value);
 }
 
-/// What is left above the largest whole number below: 0 or more, and less than 1.
+/// The fractional part of a value: 0 or more, and less than 1.
 ///
 /// formula: value - floor(value)
 /// test: Fraction(2.75) == 0.75
@@ -45,7 +45,7 @@ floatN Fraction(
     return frac(value);
 }
 
-/// What is left of a value after whole steps of the divisor: it repeats without a seam at zero.
+/// The remainder of a division: it repeats without a seam at zero.
 ///
 /// The result has the sign of the divisor. (The operator % has the sign of the value.)
 ///

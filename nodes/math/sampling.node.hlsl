@@ -1,8 +1,8 @@
-// Where to take samples so that few of them say much.
+// Sample sequences that need few samples for an accurate result.
 
 /// A sequence of numbers that fills the range from 0 to 1 evenly: the digits of a count, mirrored at the binary point.
 ///
-/// With index / count beside it, it makes the points of Hammersley.
+/// Together with index / count, it gives the points of Hammersley.
 ///
 /// formula: sum over k of digit_k 2^(-k - 1), of the 24 lowest binary digits
 /// source: van der Corput, "Verteilungsfunktionen", 1935; Hammersley 1960
@@ -26,8 +26,8 @@ float RadicalInverse(
     return inverse;
 }
 
-/// The angle of a facet that is chosen by chance, as often as GGX has facets of that angle: the cosine of normal and
-/// half vector.
+/// Samples the GGX distribution: the cosine between normal and half vector of a random facet, distributed as the facets
+/// of GGX are.
 ///
 /// formula: sqrt((1 - u) / (1 + (alpha^2 - 1) u))
 /// source: Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007, eq. 35
@@ -38,10 +38,10 @@ float RadicalInverse(
 /// test: SampleGGXCosine(1, 0.3) == 0
 [node("Math/Sampling/GGX Cosine")]
 float SampleGGXCosine(
-    [range(0, 1)] float u = 0.5,      ///< a number by chance, each equally often
+    [range(0, 1)] float u = 0.5,      ///< a uniformly distributed random number
     [range(0, 1)] float alpha = 0.25  ///< roughness squared
 ) {
     float rest = max(1 - u, 0);
-    // 1 + (alpha^2 - 1) u, without its loss of digits where both are small.
+    // 1 + (alpha^2 - 1) u, in a form that keeps its precision where both are small.
     return sqrt(rest / max(rest + alpha * alpha * u, 1e-7));
 }

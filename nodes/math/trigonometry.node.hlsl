@@ -35,15 +35,15 @@ floatN Tangent(
 
 /// The angle of the direction (x, y) from the positive x axis, from -pi to pi.
 ///
-/// At the origin there is no direction and the result is not defined.
+/// At the origin, the result is not defined.
 ///
 /// test: ArcTangent2(1, 1) == 0.7853981633974483
 /// test: ArcTangent2(1, -1) == 2.356194490192345
 /// test: ArcTangent2(-2, 0) == -1.5707963267948966
 [node("Math/Arc Tangent 2")]
 floatN ArcTangent2(
-    floatN rise = 0,  ///< the y of the direction
-    floatN run = 1    ///< the x of the direction
+    floatN rise = 0,  ///< y of the direction
+    floatN run = 1    ///< x of the direction
 ) {
     return atan2(rise, run);
 }

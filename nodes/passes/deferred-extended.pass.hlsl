@@ -1,7 +1,7 @@
-// Deferred, with room for what a lighting graph reads beyond Unity's layout: up to twelve numbers more, of whatever
-// members of the surface they are. Every lighting graph packs and unpacks its own.
+// Deferred, with room for the members of the surface that a lighting graph reads and Unity's layout lacks: up to twelve
+// more numbers. Every lighting graph packs and unpacks its own.
 
-/// Numbers that have no place of their own.
+/// Additional numbers of the surface, packed by the lighting graph.
 struct SurfaceExtras {
     float4 first;
     float4 second;

@@ -1,5 +1,5 @@
-// Deferred for a picture without high dynamic range: RT3 holds 2^-light in 10:10:10:2, which lights multiply, and a last
-// pass turns it into the picture, up to a light of 11 (DecodeLightLdr). Reflections are part of the G-buffer's light.
+// Deferred without high dynamic range: RT3 holds 2^-light in 10:10:10:2, each light multiplies it, and a last pass
+// converts it to the picture, up to a light of 11 (DecodeLightLdr). The G-buffer's light includes reflections.
 
 struct GBufferLdr {
     [target("gbufferDiffuse", "rgba8")] float4 diffuse;

@@ -1,5 +1,5 @@
-// Deferred, with a fifth target for baked shadows: each channel of RT4 holds those of one light, 1 lit and 0 in shadow.
-// Objects without a shadow mask are lit in all of them.
+// Deferred, with a fifth render target for baked shadows: each channel of RT4 holds the shadow of one light, 1 lit and
+// 0 in shadow. Objects without a shadow mask are lit in all channels.
 // source: Unity's built-in shaders, UnityStandardCore (RT4, SV_Target4)
 
 struct GBufferShadowmask {

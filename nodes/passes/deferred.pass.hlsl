@@ -1,7 +1,7 @@
-// Deferred: objects leave their surface in a G-buffer, then each light is added to the pixels that it reaches. Every
-// lighting graph of the scene lights its own pixels, which the stencil knows. Surfaces that a G-buffer cannot hold go
+// Deferred: objects write their surface to a G-buffer, then each light is added to the pixels that it reaches. Every
+// lighting graph of the scene lights its own pixels, which the stencil marks. Surfaces that a G-buffer cannot hold use
 // the forward path.
-// The layout is Unity's, as its shaders have it:
+// The layout is that of Unity's shaders:
 //   RT0  8 bits each    diffuse colour, occlusion
 //   RT1  8 bits each    f0, smoothness
 //   RT2  10:10:10:2     normal in the world
@@ -19,7 +19,7 @@ struct GBuffer {
 [reads("gbufferSpecular")] Texture2D gbufferSpecularTexture;
 [reads("gbufferNormal")] Texture2D gbufferNormalTexture;
 
-/// The part of `indirect` that mirrors the surroundings, and the rest.
+/// The part of `indirect` that reflects the environment, and the rest.
 [slot] [part("indirect", "EnvironmentRadiance")]
 float3 reflected(LightingSurface surface);
 [slot] [without("indirect", "EnvironmentRadiance")]
@@ -30,7 +30,7 @@ float3 addedIndirect(LightingSurface surface, LightSum sum);
 
 [static("pass", "deferred-reflections", "extended-reflections", "shadowmask-reflections")] bool reflectsLater;
 
-/// Emission and ambient light: `final`, before there is any light.
+/// Emission and ambient light: `final` before any light is added.
 [inline]
 float3 unlitColor(LightingSurface lit) {
     LightSum start;
@@ -110,7 +110,7 @@ float4 deferredDirectional(float2 uv = screenUV, float3 position = positionWS) {
     return float4(fadedByFog(addedByLight(told(uv), position), position), 0);
 }
 
-// The back of a light's volume, where it is behind what is seen: the light may reach it, also with the camera inside.
+// Draws the back faces of a light's volume that lie behind the visible surface. This works with the camera inside, too.
 [pass("deferred-local")] [fragment] [draws("light-volumes")] [each("light")] [lights("local")]
 [needs("added")] [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")] [fallback("forward")]
 [cull("front")] [depth("greaterEqual", "keep")] [stencil("equal", "keep", "lighting")] [blend("one", "one")]

@@ -1,5 +1,5 @@
-// Depth and shaded normals in one texture of four bytes, as Unity's camera offers them: red and green hold the normal in
-// view space, blue and alpha the distance along the camera's axis as a share of the far plane's.
+// Depth and shading normals in one texture of four bytes, as Unity's camera offers them: red and green hold the normal
+// in view space, blue and alpha the distance along the camera's axis as a fraction of the far plane's.
 
 [pass("depth-normals")] [fragment] [lights("none")] [target("color", "rgba8")]
 [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]

@@ -1,4 +1,4 @@
-// Depth, and nothing else but what alpha clipping asks for.
+// Depth only, with alpha clipping.
 
 [pass("depth-only")] [pass("depth-normals")] [vertex]
 float4 depthVertex(float3 position = positionWS) {

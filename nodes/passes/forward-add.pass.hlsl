@@ -1,12 +1,12 @@
-// Forward as Unity does it: the main light and everything that belongs to no pixel light in the base pass, then one pass
-// for each further light, added to it.
+// Forward as in Unity: the base pass draws the main light and all light that is not computed per pixel; then one pass
+// adds each further light.
 // Lights that are not computed per pixel reach the lighting graph as ambient light, because a graph that is not linear
-// in its light cannot be taken apart: up to four at the vertices, the others as spherical harmonics.
+// in its light cannot be split: up to four at the vertices, the others as spherical harmonics.
 
-/// The second order of the ambient light is computed at the vertices, and the others in the pixel.
+/// The second order of the ambient light is computed at the vertices, and the other orders in the pixel.
 [switch] bool shPerVertex;
 
-// The two halves of EvaluateSH9, which may be below zero each.
+// The two halves of EvaluateSH9. Each may be below zero.
 float3 shLinear(float3 n, float3 sh0, float3 sh1, float3 sh2, float3 sh3) {
     return sh0 * SH_CONSTANT + (sh1 * n.y + sh2 * n.z + sh3 * n.x) * SH_LINEAR;
 }
@@ -18,7 +18,7 @@ float3 shQuadratic(float3 n, float3 sh4, float3 sh5, float3 sh6, float3 sh7, flo
 
 const int MAX_VERTEX_LIGHTS = 4;
 
-/// What the lights behind the main one send to a white Lambert surface.
+/// The light that a white Lambert surface reflects from the lights computed per vertex.
 [semantic("vertex")]
 float3 vertexLights(float3 position = positionWS, float3 normal = vertexNormalWS) {
     float3 sum = float3(0);

@@ -1,5 +1,5 @@
-// The base and additive passes for objects that take no light at their vertices and none from spherical harmonics: what
-// Unity calls OnlyDirectional.
+// The base and additive passes for objects without lights at their vertices and without spherical harmonics: Unity's
+// OnlyDirectional.
 
 [pass("directional-base")] [pass("directional-add")] [vertex]
 float4 directionalVertex(float3 position = positionWS) {

@@ -1,15 +1,15 @@
-// Forward: every light in one loop, ambient light once. What the lighting graph computes per light stays in the loop;
-// the rest of it is computed once, before.
+// Forward: every light in one loop, ambient light once. The loop holds only the computations that depend on the light;
+// the others are done once, before the loop.
 
 [pass("forward")] [pass("forward-base")] [pass("forward-add")] [pass("vertex")] [vertex]
 float4 forwardVertex(float3 position = positionWS) {
     return mul(worldToClip, float4(position, 1));
 }
 
-/// Which instance of an object is drawn. Properties and matrices of instances are read by it (compiler/lower/instances.h).
+/// Index of the drawn instance. It selects the properties and matrices of the instance (compiler/lower/instances.h).
 [builtin("instanceIndex")] int instanceIndex;
 
-/// What is baked for this point: light of the lightmap, what is left of the main light in it, and shadows.
+/// The baked light of this point: light of the lightmap, the remaining share of the main light, and shadows.
 [semantic("pixel")]
 float3 lightOfLightmap(float2 uv = uv1) {
     return lightmapLight(uv);

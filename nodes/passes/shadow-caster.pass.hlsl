@@ -1,9 +1,9 @@
-// What a light sees: depth, and nothing else but what alpha clipping asks for. The camera is the light's.
+// The depth that a light sees, with alpha clipping. The camera is the light's.
 // source: Williams, "Casting Curved Shadows on Curved Surfaces", SIGGRAPH 1978; the two biases in the vertex stage as in
 // source: Unity's built-in shaders, UnityClipSpaceShadowCasterPos
 //
-// The slope bias is twice the 3 texels that SampleShadowTent5x5 reaches along each axis: depths of a plane at two places so
-// far apart differ by at most 3 |dz/dx| + 3 |dz/dy|, the rasteriser knows the larger of both, and so no plane shadows itself.
+// The slope bias is twice the 3 texels that SampleShadowTent5x5 reaches along each axis. Depths of a plane at two places
+// that far apart differ by at most 3 |dz/dx| + 3 |dz/dy|, and the rasteriser uses the larger: no plane shadows itself.
 
 [pass("shadow-caster")] [vertex]
 float4 casterVertex(float3 position = positionWS, float3 normal = vertexNormalWS) {

@@ -1,15 +1,15 @@
-// Vertex lit (Gouraud): the lighting graph runs at the vertices and its light is interpolated. Where `direct` is a colour
-// that multiplies the diffuse one, plus the rest, the two are interpolated apart, and the diffuse colour of the pixel,
-// with its texture, comes in last; so does the base colour, which some lighting graphs read in its place.
+// Vertex lit (Gouraud): the lighting graph runs at the vertices and its light is interpolated. If `direct` is the
+// diffuse colour times a factor, plus a rest, both are interpolated separately, and the pixel multiplies the factor by
+// its diffuse colour, with the texture. The base colour, which some lighting graphs read, is treated alike.
 // source: Gouraud, "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers 1971
 
-/// `direct` for a diffuse colour of 1 but for what does not depend on it.
+/// The part of `direct` that depends on the diffuse colour, for a diffuse colour of 1.
 [slot] [part("direct", "surface.diffuseColor", "componentwise")]
 [otherwise("a texture of the diffuse colour is sampled only at the vertices")]
 float3 directByDiffuse(LightingSurface surface, [perLight] Light light);
 [slot] [without("direct", "surface.diffuseColor")]
 float3 directWithoutDiffuse(LightingSurface surface, [perLight] Light light);
-/// The same of what is left, and the base colour.
+/// The same for the remaining part and the base colour.
 [slot] [part("directWithoutDiffuse", "surface.baseColor", "componentwise")]
 [otherwise("a texture of the base colour is sampled only at the vertices")]
 float3 directByBase(LightingSurface surface, [perLight] Light light);
@@ -37,8 +37,8 @@ Light lightAtVertex(int index, float3 position, float2 uv) {
     return light;
 }
 
-/// Light that a colour multiplies, for a colour of 1, and light that they do not change; what cannot be told apart is of
-/// the last kind.
+/// Light that the diffuse or base colour multiplies, for a colour of 1, and all other light. Light that cannot be split
+/// counts as other.
 struct SplitLight {
     float3 byDiffuse;
     float3 byBase;
@@ -58,7 +58,7 @@ LightingSurface withBase(LightingSurface surface, float3 color) {
     return changed;
 }
 
-/// Direct light. One loop makes all kinds, so that each light is evaluated once. Worked out where it is read, which is
+/// Direct light. One loop computes all parts, so that each light is evaluated once. It is computed where it is read:
 /// at the vertices.
 [semantic("pixel")]
 SplitLight splitLight(float3 position = positionWS, float2 uv = uv1) {
@@ -95,7 +95,7 @@ float3 otherLight(SplitLight sum = splitLight) {
     return sum.other;
 }
 
-/// The same of indirect light.
+/// The same for indirect light.
 [semantic("vertex")]
 float3 indirectLightByDiffuse() {
     if (!splitsIndirectDiffuse) { return float3(0); }
@@ -134,6 +134,6 @@ float4 vertexFragment(float3 position = positionWS, float3 byDiffuse = lightByDi
     total.indirect = indirectOther;
     if (splitsIndirectDiffuse) { total.indirect += lit.diffuseColor * indirectDiffuse; }
     if (splitsIndirectBase) { total.indirect += lit.baseColor * indirectBase; }
-    if (lightmap) { total.indirect = indirect(lit); }  // a lightmap is finer than vertices are
+    if (lightmap) { total.indirect = indirect(lit); }  // a lightmap is finer than the vertices
     return blendedInFog(final(lit, total), lit.alpha, position);
 }

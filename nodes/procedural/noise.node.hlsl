@@ -1,6 +1,6 @@
-// Noise without textures. All of it stands on one integer hash, so every machine gets the same picture: the hash is
-// arithmetic of unsigned integers, which wraps in the same way everywhere, and its result is a fraction that a float
-// holds exactly. Coordinates must stay within what an int holds, about two thousand million cells.
+// Noise without textures. All functions use one integer hash, so every machine renders the same picture: the hash uses
+// unsigned integers, which wrap in the same way everywhere, and its result is a fraction that a float holds exactly.
+// Coordinates must fit into an int: about two thousand million cells.
 
 /// Two independent random numbers for a cell of the integer lattice, 0 or more and less than 1.
 ///
@@ -15,11 +15,11 @@ float2 RandomAt(int2 cell) {
     v.x += v.y * multiplier;
     v.y += v.x * multiplier;
     v = v ^ (v >> 16u);
-    // The upper 24 bits are what a float holds. In two parts, because a half ends at 65504.
+    // A float holds the upper 24 bits. They are converted in two parts, because a half ends at 65504.
     return float2(v >> 21u) / 2048 + float2((v >> 8u) & 8191u) / 8192 / 2048;
 }
 
-/// The curve that leads from one lattice point to the next with no slope and no curvature at either.
+/// The interpolation curve between lattice points; its slope and curvature are zero at both ends.
 ///
 /// formula: t^3 (6 t^2 - 15 t + 10)
 /// source: Perlin, "Improving Noise", SIGGRAPH 2002
@@ -27,7 +27,7 @@ float2 LatticeFade(float2 t) {
     return t * t * t * (t * (t * 6 - 15) + 10);
 }
 
-/// A random number for each cell: the same in the whole of it, unrelated to its neighbours.
+/// A random number for each cell: constant within the cell, unrelated to its neighbours.
 ///
 /// source: Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020
 /// test: Random(float2(0, 0)) == 0.097231924533844
@@ -43,9 +43,9 @@ float Random(
     return random.x;
 }
 
-/// Soft blotches: random values at the points of a lattice, smoothly joined.
+/// Soft blotches: random values at the points of a lattice, interpolated smoothly.
 ///
-/// At a lattice point it is Random's value there; half-way between four points it is their mean.
+/// At a lattice point, the result is the value of Random there; half-way between four points, it is their mean.
 ///
 /// source: Perlin, "Improving Noise", SIGGRAPH 2002 (the curve); Jarzynski and Olano, JCGT 9(3), 2020 (the values)
 /// test: ValueNoise(float2(0.5, 0.25), 8) == 0.27105700969696045
@@ -53,7 +53,7 @@ float Random(
 /// test: ValueNoise(float2(-1.25, 2.75), 1) == 0.7191152535576748
 [node("Procedural/Value Noise")]
 float ValueNoise(
-    float2 uv = uv0,                 ///< where
+    float2 uv = uv0,                 ///< texture coordinates
     [range(0, 100)] float scale = 8  ///< lattice cells in one unit of uv
 ) {
     float2 position = uv * scale;
@@ -65,12 +65,12 @@ float ValueNoise(
     return lerp(upper, lower, t.y);
 }
 
-/// The height over a point of the slope that a lattice point was given: random in the square from -1 to 1.
+/// The height at a point of the slope of one lattice point; slopes are random in the square from -1 to 1.
 float SlopeAt(int2 cell, float2 fromCorner) {
     return dot(RandomAt(cell) * 2 - 1, fromCorner);
 }
 
-/// Gradient noise between -1 and 1; GradientNoise and FractalNoise are made of it.
+/// Gradient noise between -1 and 1; GradientNoise and FractalNoise use it.
 float SignedGradientNoise(float2 position) {
     float2 corner = floor(position);
     int2 cell = int2(corner);
@@ -81,9 +81,9 @@ float SignedGradientNoise(float2 position) {
     return lerp(upper, lower, t.y);
 }
 
-/// Soft waves: random slopes at the points of a lattice, smoothly joined; from 0 to 1, around 0.5.
+/// Soft waves: random slopes at the points of a lattice, interpolated smoothly; from 0 to 1, around 0.5.
 ///
-/// It has less of a grid than ValueNoise. At every lattice point it is 0.5.
+/// Its grid is less visible than that of ValueNoise. At every lattice point, the result is 0.5.
 ///
 /// source: Perlin, "An Image Synthesizer", SIGGRAPH 1985, with the curve of "Improving Noise", SIGGRAPH 2002
 /// test: GradientNoise(float2(0.375, 0.625), 8) == 0.5
@@ -91,13 +91,13 @@ float SignedGradientNoise(float2 position) {
 /// test: GradientNoise(float2(-1.25, 2.75), 1) == 0.500304522816009
 [node("Procedural/Gradient Noise")]
 float GradientNoise(
-    float2 uv = uv0,                 ///< where
+    float2 uv = uv0,                 ///< texture coordinates
     [range(0, 100)] float scale = 8  ///< lattice cells in one unit of uv
 ) {
     return SignedGradientNoise(uv * scale) * 0.5 + 0.5;
 }
 
-/// Gradient noise with ever finer noise on top of it, as in clouds, rust and mountains; from 0 to 1, around 0.5.
+/// Layers of ever finer gradient noise, as in clouds, rust and mountains; from 0 to 1, around 0.5.
 ///
 /// formula: sum of gain^i noise(lacunarity^i p), divided by the sum of gain^i
 /// source: Musgrave, in Ebert et al., "Texturing and Modeling: A Procedural Approach", 2003, chapter 16 (fBm)
@@ -106,11 +106,11 @@ float GradientNoise(
 /// test: FractalNoise(float2(0.3, 0.45), 2, 3, 2, 0.5) == 0.4788152412317103
 [node("Procedural/Fractal Noise")]
 float FractalNoise(
-    float2 uv = uv0,                       ///< where
+    float2 uv = uv0,                       ///< texture coordinates
     [range(0, 100)] float scale = 4,       ///< lattice cells of the coarsest octave in one unit of uv
     [range(1, 12)] const int octaves = 4,  ///< how many layers of noise; each costs as much as the first
-    [range(1, 4)] float lacunarity = 2,    ///< how much finer each layer is than the one before
-    [range(0, 1)] float gain = 0.5         ///< how much of the height of the one before each layer has
+    [range(1, 4)] float lacunarity = 2,    ///< how much finer each layer is than the previous one
+    [range(0, 1)] float gain = 0.5         ///< height of each layer as a fraction of the previous one
 ) {
     float2 position = uv * scale;
     float height = 0;

@@ -1,6 +1,6 @@
 // Patterns of cells: boards, walls and Voronoi cells.
 
-/// Squares of 0 and 1 in turn, as on a chess board.
+/// A checkerboard: squares alternate between 0 and 1.
 ///
 /// test: Checker(float2(0.1, 0.1), 4) == 0
 /// test: Checker(float2(0.3, 0.1), 4) == 1
@@ -8,7 +8,7 @@
 /// test: Checker(float2(0.9, 0.6), float2(2, 4)) == 1
 [node("Procedural/Checker")]
 float Checker(
-    float2 uv = uv0,      ///< where
+    float2 uv = uv0,      ///< texture coordinates
     float2 frequency = 4  ///< squares in one unit of u and v
 ) {
     int2 cell = int2(floor(uv * frequency));
@@ -25,7 +25,7 @@ float Checker(
 /// test: Bricks(float2(0.125, 0.0625), float2(4, 8)).random == 0.097231924533844
 [node("Procedural/Bricks")]
 float Bricks(
-    float2 uv = uv0,                      ///< where
+    float2 uv = uv0,                      ///< texture coordinates
     float2 count = float2(4, 8),          ///< bricks in one unit of u and v
     [range(0, 1)] float shift = 0.5,      ///< how far every second row is moved, in bricks
     [range(0, 0.1)] float mortar = 0.01,  ///< half the width of a joint, in units of uv
@@ -43,9 +43,9 @@ float Bricks(
     return smoothstep(mortar, mortar + bevel, min(toEdge.x, toEdge.y));
 }
 
-/// The distance to the nearest of points strewn about, one in each cell: cells as of skin, stones or foam.
+/// The distance to the nearest of random points, one in each cell: a pattern as of skin, stones or foam.
 ///
-/// The nine cells around are searched. Above a jitter of 0.65 a nearer point may, rarely, lie beyond them.
+/// The node searches the nine cells around the position. Above a jitter of 0.65, a nearer point may rarely lie outside.
 ///
 /// source: Worley, "A Cellular Texture Basis Function", SIGGRAPH 1996
 /// test: Voronoi(float2(0.5, 0.25), 1, 0) == 0.25
@@ -55,7 +55,7 @@ float Bricks(
 /// test: Voronoi(float2(0.3, 0.6), 4, 1) == 0.3980660311555204
 [node("Procedural/Voronoi")]
 float Voronoi(
-    float2 uv = uv0,                  ///< where
+    float2 uv = uv0,                  ///< texture coordinates
     [range(0, 100)] float scale = 8,  ///< cells in one unit of uv
     [range(0, 1)] float jitter = 1,   ///< how far the points are from their cell's centre: 0 makes a grid
     out float random,                 ///< a random number for each point, from 0 to 1
@@ -64,7 +64,7 @@ float Voronoi(
     float2 position = uv * scale;
     float2 corner = floor(position);
     int2 cell = int2(corner);
-    float nearest = 8;  // squared; more than any distance within nine cells
+    float nearest = 8;  // squared; larger than any distance within nine cells
     for (int j = -1; j < 2; j++) {
         for (int i = -1; i < 2; i++) {
             int2 stepTo = int2(i, j);

@@ -13,10 +13,10 @@
 /// Direction that the camera looks along in world space, unit.
 [extern("Camera")] [semantic("uniform")] float3 cameraForwardWS;
 
-[extern("Camera")] float shadowBias;         // of a light's own view: metres that everything is moved away from it
+[extern("Camera")] float shadowBias;         // in a light's own view: metres that everything is moved away from it
 [extern("Camera")] float4x4 clipToWorld;
 [extern("Camera")] float2 clipPlanes;        // distances of the near and the far plane, metres
-[extern("Camera")] float shadowNormalBias;  // of a light's own view: metres that a surface is moved inside, for w of clip space 1
+[extern("Camera")] float shadowNormalBias;  // in a light's own view: metres that a surface is moved inwards, at w = 1
 
 /// Direction from the surface to the camera in world space, unit.
 [semantic("pixel")]
@@ -39,7 +39,7 @@ float3 normalVS(float3 normal = normalWS) {
 [reads("color")] Texture2D colorTexture;
 [reads("depth")] Texture2D depthTexture;
 
-/// What has been drawn so far at a place of the screen, linear. The material is drawn after all that do not read it.
+/// The colour drawn so far at a place of the screen, linear. The material is drawn after all that do not read it.
 [node("Input/Scene/Scene Color")]
 float3 SceneColor(
     float2 uv = screenUV  ///< position on the screen, 0 to 1 from the top left
@@ -47,7 +47,7 @@ float3 SceneColor(
     return colorTexture.SampleLevel(uv, 0).rgb;
 }
 
-/// Distance in metres, along the camera's axis, of what has been drawn so far at a place of the screen.
+/// Distance in metres, along the camera's axis, of the surface drawn so far at a place of the screen.
 [node("Input/Scene/Scene Depth")] [inFloat]
 float SceneDepth(
     float2 uv = screenUV  ///< position on the screen, 0 to 1 from the top left
@@ -56,13 +56,13 @@ float SceneDepth(
     return dot(behind - cameraPositionWS, cameraForwardWS);
 }
 
-/// What has been drawn so far behind this pixel, linear. The material is drawn after all that do not read it.
+/// The colour drawn so far behind this pixel, linear. The material is drawn after all that do not read it.
 [semantic("pixel")]
 float3 sceneColor(float2 uv = screenUV) {
     return SceneColor(uv);
 }
 
-/// Distance in metres, along the camera's axis, of what has been drawn so far behind this pixel.
+/// Distance in metres, along the camera's axis, of the surface drawn so far behind this pixel.
 [semantic("pixel")]
 float sceneDepth(float2 uv = screenUV) {
     return SceneDepth(uv);

@@ -1,34 +1,34 @@
-// Fog: the engine seam. An engine may replace the [extern] function.
+// Fog: part of the engine's interface. An engine may replace the [extern] function.
 
-/// What is far fades into fog.
+/// Distant surfaces fade into fog.
 [switch] bool fog;
 [extern("Frame")] [with("fog")] float4 fogColor;     // rgb, linear
 [extern("Frame")] [with("fog")] float4 fogSettings;  // x: 0 none, 1 linear, 2 exponential, 3 exponential squared; y:
                                                       // density per metre; z, w: where linear fog starts and ends, metres
 
-/// How much of a surface fog leaves to be seen: 1 all of it. Distance counts along the camera's axis.
+/// The visible fraction of a surface in fog: 1 is fully visible. Distance is measured along the camera's axis.
 [extern]
 float fogVisibility(float3 position) {
     if (!fog) { return 1; }
     return FogFactor(dot(position - cameraPositionWS, cameraForwardWS), fogSettings);
 }
 
-/// A surface's colour in the fog.
+/// The colour of a surface in fog.
 [inline]
 float3 inFog(float3 color, float3 position) {
     if (!fog) { return color; }
     return lerp(fogColor.rgb, color, fogVisibility(position));
 }
 
-/// What is added to a surface's colour that has been put into the fog already.
+/// Applies fog to light that is added to a surface whose colour already includes fog.
 [inline]
 float3 fadedByFog(float3 color, float3 position) {
     if (!fog) { return color; }
     return color * fogVisibility(position);
 }
 
-/// A pixel, ready to be blended as its kind of surface is: fog covers as much as the surface does, dims what is only
-/// added, and takes away from what the picture is multiplied by. `color`: of a transparent surface, times its coverage.
+/// A pixel in fog, ready for the blend mode of its surface: fog covers as much as the surface does, dims additive
+/// surfaces, and weakens multiplying ones. If the surface is transparent, `color` is multiplied by its coverage.
 [inline]
 float4 blendedInFog(float3 color, float alpha, float3 position) {
     float covered = 1;

@@ -1,31 +1,31 @@
-// What a pass may call: the functions that the graph provides. Their parameters are semantics of the lighting graph;
-// a body is what happens when the lighting graph leaves that output out.
+// The functions that the graph provides and a pass may call. Their parameters are semantics of the lighting graph. If
+// the lighting graph omits an output, the body here is used.
 
-/// The surface that the material and its workflow make of this point.
+/// The surface at this point, from the material and its workflow.
 [slot]
 LightingSurface lightingSurface();
 
-/// What one light adds, as the lighting graph says.
+/// The light that one light adds, by the lighting graph.
 [slot]
 float3 direct(LightingSurface surface, [perLight] Light light);
 
-/// What all light adds that comes from no single light, as the lighting graph says.
+/// All light that does not come from a single light, by the lighting graph.
 [slot]
 float3 indirect(LightingSurface surface) {
     return float3(0);
 }
 
-/// The lighting graph's last word.
+/// The final colour, by the lighting graph.
 [slot]
 float3 final(LightingSurface surface, LightSum sum) {
     return sum.direct + sum.indirect + surface.emission;
 }
 
-/// What one light adds to the picture: the part of `final` that is linear in sum.direct. Only that member is read.
+/// The colour that one light adds: the part of `final` that is linear in sum.direct. Only that member is read.
 [slot] [part("final", "sum.direct")]
 float3 added(LightingSurface surface, LightSum sum);
 
-/// `added`, of the light that is alone in the list.
+/// `added` for the only light of the list.
 [inline]
 float3 addedByLight(LightingSurface surface, float3 position) {
     float3 fromLight = direct(surface, lightAt(0, position));
@@ -34,7 +34,7 @@ float3 addedByLight(LightingSurface surface, float3 position) {
     return added(surface, one);
 }
 
-/// `final` over all lights of the list.
+/// `final` for all lights of the list.
 [inline]
 float3 litByAll(LightingSurface surface, float3 position) {
     float3 directSum = float3(0);

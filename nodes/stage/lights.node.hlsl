@@ -1,18 +1,18 @@
-// Lights: the engine seam. An engine may replace the [extern] functions; their bodies are what the runtime and the CPU
-// reference use.
-// Units: a light's colour is E/pi, what a white Lambert surface that faces it sends out.
+// Lights: part of the engine's interface. An engine may replace the [extern] functions; the runtime and the CPU
+// reference use the bodies here.
+// Units: a light's colour is E/pi, the radiance of a white Lambert surface that faces the light.
 
 /// One light, as seen from a point.
 struct Light {
     float3 direction;   ///< to the light, unit
     float3 color;       ///< linear colour times intensity
-    float attenuation;  ///< of distance and cone, 0 to 1 at one metre or more
+    float attenuation;  ///< by distance and cone, 0 to 1 at one metre or more
     float shadow;       ///< 1: lit, 0: in shadow
     int index;          ///< which light of the list
     int type;           ///< 0 directional, 1 point, 2 spot
 };
 
-/// What lights add up to; only `final` reads it.
+/// The sum of all light; only `final` reads it.
 struct LightSum {
     float3 direct;    ///< sum of `direct` over all lights
     float3 indirect;  ///< `indirect`
@@ -26,7 +26,7 @@ const int MAX_LIGHTS = 16;
 [extern("Lights")] float4 lightAxis[16];      // xyz: direction that a spot shines along; w: 1 if it has the cookie
 [extern("Lights")] float4 lightCone[16];      // cosines of a spot's half angles: x inner, y outer; z: number of the
                                                // light in the scene; w: number of its shadow map, or -1
-[extern("Lights")] int vertexLightCount;     // lights behind the first `lightCount` that count per vertex, up to four
+[extern("Lights")] int vertexLightCount;     // lights after the first `lightCount`, computed per vertex, up to four
 
 /// Lights cast shadows.
 [switch("shadow-caster")] bool shadows;
@@ -36,7 +36,7 @@ const int MAX_LIGHTS = 16;
 [extern("Shadows")] float shadowTexel;           // 1 / width of the texture in texels
 [reads("shadowMap")] Texture2D shadowMap;      // red: depth, 0 near to 1 far; up to four maps
 
-/// A light shines through a picture.
+/// A light shines through a texture, its cookie.
 [switch] bool cookies;
 [extern("Shadows")] [with("cookies")] float4x4 worldToCookie;
 [extern] [with("cookies")] Texture2D lightCookie;
@@ -53,14 +53,14 @@ int shadowMapOf(int index) {
     return int(lightCone[index].w);
 }
 
-/// How dark the real-time shadow of the light in slot `index` is: 0 to 1.
+/// The strength of the real-time shadow of the light in slot `index`: 0 to 1.
 float strengthOfShadow(int index) {
     if (!shadows) { return 0; }
     int map = shadowMapOf(index);
     return map >= 0 ? shadowStrength[map] : 0;
 }
 
-/// How much of its light reaches a point, by a shadow map: 1 lit, 0 in shadow.
+/// How much of a light reaches a point, by its shadow map: 1 lit, 0 in shadow.
 float shadowInMap(int map, float3 position) {
     if (!shadows) { return 1; }
     float4 place = mul(worldToShadow[map], float4(position, 1));
@@ -69,7 +69,7 @@ float shadowInMap(int map, float3 position) {
     return SampleShadowTent5x5(shadowMap, uv, at.z, shadowTexel, shadowTile[map]);
 }
 
-/// How much of the light in slot `index` its shadow map leaves.
+/// How much of the light in slot `index` reaches a point, by its shadow map.
 float realtimeShadow(int index, float3 position) {
     if (!shadows) { return 1; }
     int map = shadowMapOf(index);
@@ -86,7 +86,7 @@ float shadow(int index, float3 position) {
     return realtimeShadow(index, position);
 }
 
-/// How much of the light in slot `index` its cookie lets through.
+/// How much of the light in slot `index` passes through its cookie.
 [extern] [inline]
 float lightThroughCookie(int index, float3 position) {
     if (!cookies) { return 1; }
@@ -94,7 +94,7 @@ float lightThroughCookie(int index, float3 position) {
     return lightAxis[index].w > 0.5 ? passes : 1;
 }
 
-/// The inverse square law, with a window that ends it smoothly at the light's range.
+/// The inverse square law, with a window that fades it out at the light's range.
 /// source: Lagarde and de Rousiers, "Moving Frostbite to PBR", SIGGRAPH 2014, listing 4; the window is that of Karis, "Real
 /// source: Shading in Unreal Engine 4", SIGGRAPH 2013, eq. 9
 float distanceAttenuation(float distanceSquared, float range) {

@@ -1,4 +1,4 @@
-// The mesh: vertex attributes, and what follows from them in object and world space.
+// The mesh: vertex attributes, and values computed from them in object and world space.
 // Right-handed world, y up; normals are unit; tangentOS.w is the handedness of the bitangent, 1 or -1.
 
 /// Vertex position in object space; in the fragment stage after displacement.
@@ -19,17 +19,17 @@
 /// Pixel centre in x and y (from the top left), depth in z.
 [builtin("fragCoord")] float4 fragCoord;
 
-/// The material is seen from both sides ("cull": "off" or "front").
+/// The material is visible from both sides ("cull": "off" or "front").
 [static("cull", "off", "front")] bool twoSided;
-/// The material is cut out where alpha is below alphaClip.
+/// The material is not drawn where alpha is below alphaClip.
 [static("surface", "cutout")] bool alphaClip;
-/// The material lets through what is behind it, and still mirrors as if it were whole.
+/// The material is transparent, but its reflections keep full strength.
 [static("surface", "transparent")] bool premultiplied;
-/// The material fades as a whole, with what it mirrors.
+/// The material fades as a whole, including its reflections.
 [static("surface", "fade")] bool fades;
-/// The material adds to what is behind it.
+/// The colour of the material is added to the background.
 [static("surface", "additive")] bool adds;
-/// What is behind the material is multiplied by it.
+/// The background is multiplied by the colour of the material.
 [static("surface", "multiply")] bool multiplies;
 
 [extern("Object")] [perObject] float4x4 objectToWorld;
@@ -54,21 +54,21 @@ float4 vertexTangentWS(float4 tangent = tangentOS) {
     return float4(normalize(mul(objectToWorld, float4(tangent.xyz, 0)).xyz), handedness);
 }
 
-/// Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
+/// Mesh normal in world space, unit; on the back of a two-sided material it points to the viewer.
 [semantic("pixel")]
 float3 geometryNormalWS(float3 interpolated = vertexNormalWS, bool front = frontFacing) {
     float3 normal = normalize(interpolated);
     return twoSided && !front ? -normal : normal;
 }
 
-/// Mesh normal in world space, unit. In a lighting graph: the shaded normal, with the normal map in it.
+/// Mesh normal in world space, unit. In a lighting graph: the shading normal, which includes the normal map.
 [semantic("pixel")]
 float3 normalWS(float3 normal = geometryNormalWS) {
     return normal;
 }
 
-/// Mesh tangent in world space, unit. On the back of a two-sided material the whole frame is turned, as in glTF: what
-/// is a bump in front is a dent behind.
+/// Mesh tangent in world space, unit. On the back of a two-sided material the whole frame is flipped, as in glTF: a
+/// bump in front is a dent behind.
 [semantic("pixel")]
 float3 tangentWS(float4 interpolated = vertexTangentWS, bool front = frontFacing) {
     float3 tangent = normalize(interpolated.xyz);
@@ -83,12 +83,12 @@ float3 bitangentWS(float3 normal = geometryNormalWS, float3 tangent = tangentWS,
     return twoSided && !front ? -bitangent : bitangent;
 }
 
-/// Normals go by the inverse transpose, so that they stay perpendicular under uneven scale.
+/// Transforms a normal by the inverse transpose, so that it stays perpendicular under non-uniform scale.
 float3 normalObjectToWorld(float3 normal) {
     return normalize(mul(float4(normal, 0), worldToObject).xyz);
 }
 
-/// The same of a material's own normal in a pixel; on the back of a two-sided material it is turned, as the mesh's is.
+/// The same for the material's own normal in a pixel; on the back of a two-sided material it is flipped, too.
 float3 shownNormalObjectToWorld(float3 normal, bool front = frontFacing) {
     float3 world = normalObjectToWorld(normal);
     return twoSided && !front ? -world : world;

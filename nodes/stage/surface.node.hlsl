@@ -1,27 +1,27 @@
-// The lighting surface: what stands between a material and its lighting. A workflow fills it, lighting graphs read it,
-// a G-buffer stores it. A lighting model's own inputs are added to it by the compiler.
+// The lighting surface: the interface between a material and its lighting. A workflow fills it, lighting graphs read
+// it, and a G-buffer stores it. The compiler adds the lighting model's own inputs to it.
 
-/// What lighting knows about a point of a surface.
+/// The properties of a surface point that lighting reads.
 struct LightingSurface {
     float3 diffuseColor;          ///< diffuse albedo, linear
     float3 f0;                    ///< specular reflectance at normal incidence, linear
     float3 baseColor;             ///< colour of the surface: albedo of a dielectric, f0 of a metal
     float metallic;               ///< 0 dielectric, 1 metal
-    float oneMinusReflectivity;   ///< what the specular reflection leaves to the diffuse one
+    float oneMinusReflectivity;   ///< share of the light that is left for diffuse reflection
     float roughness;              ///< perceptual roughness, 0 to 1
     float3 normalWS;             ///< shaded normal in world space, unit
     float occlusion;              ///< ambient occlusion: 1 open, 0 closed
-    [hdr] float3 emission;        ///< radiance that the surface sends out by itself
+    [hdr] float3 emission;        ///< radiance that the surface emits
     float alpha;                  ///< coverage
-    float alphaClip;              ///< a cutout surface is cut where alpha is below it
+    float alphaClip;              ///< a cutout surface is not drawn where alpha is below it
 };
 
 /// The surface that is being lit.
 [given] LightingSurface surface;
-/// What the lights and the surroundings add up to; only in `final`.
+/// The sum of the light from all lights and the environment; only in `final`.
 [given] LightSum sum;
 
-/// Roughness squared: the alpha of the microfacet terms.
+/// Perceptual roughness squared: the alpha of the microfacet terms.
 [member]
 float alphaRoughness(LightingSurface surface) {
     return surface.roughness * surface.roughness;
@@ -33,15 +33,15 @@ float smoothness(LightingSurface surface) {
     return 1 - surface.roughness;
 }
 
-/// The colour of an unlit surface as what it sends out: a transparent one has no highlight that would stay without it, and
-/// shows its colour only as far as it covers what is behind it.
+/// The emitted colour of an unlit surface. It has no reflections that keep full strength, so a transparent surface
+/// shows its colour only as far as it covers the background.
 [inline]
 float3 shownUnlitColor(float3 color, float alpha) {
     return premultiplied ? color * alpha : color;
 }
 
-/// The surface as it is lit: a transparent one scatters light only as far as it covers what is behind it, and still
-/// mirrors as if it were whole.
+/// The surface as it is lit: a transparent surface scatters light only as far as it covers the background, but its
+/// reflections keep full strength.
 [inline]
 LightingSurface asLit(LightingSurface whole) {
     LightingSurface surface = whole;

@@ -1,17 +1,17 @@
-// Light from all around: the engine seam. An engine may replace the [extern] functions; their bodies are what the runtime
-// and the CPU reference use.
-// Units: radiance; the ambient irradiance is E/pi, what a white Lambert surface sends out.
+// Light from all around: part of the engine's interface. An engine may replace the [extern] functions; the runtime and
+// the CPU reference use the bodies here.
+// Units: radiance; the ambient irradiance is E/pi, the radiance of a white Lambert surface.
 
 [extern("Ambient")] float4 ambientSH[9];  // radiance coefficients, order l(l+1)+m, z up as in Ramamoorthi & Hanrahan 2001
 
-const float ENVIRONMENT_STEPS = 5;  // level of the map that is blurred for a roughness of 1
+const float ENVIRONMENT_STEPS = 5;  // level of the map for a roughness of 1
 
-[extern] TextureCube environmentMap;  // radiance; each level is blurred as a rougher surface mirrors it
-// x: square root of n.v, y: perceptual roughness, from 0 to 1 at the centres of the outer of 64 x 64 texels; red: scale of
-// f0, green: offset
+[extern] TextureCube environmentMap;  // radiance; each level is blurred for a rougher surface
+// x: square root of n.v, y: perceptual roughness, from 0 to 1 between the centres of the outer texels of 64 x 64; red:
+// scale of f0, green: offset
 [extern] Texture2D splitSumTable;
 
-/// Light that arrives at a surface from all around, divided by pi: a colour times it is radiance.
+/// Ambient irradiance divided by pi: a diffuse colour times it is radiance.
 ///
 /// source: Ramamoorthi & Hanrahan, "An Efficient Representation for Irradiance Environment Maps", SIGGRAPH 2001
 [node("Lighting/Ambient/Ambient Irradiance")] [extern]
@@ -22,8 +22,7 @@ float3 AmbientIrradiance(
                        ambientSH[4].rgb, ambientSH[5].rgb, ambientSH[6].rgb, ambientSH[7].rgb, ambientSH[8].rgb);
 }
 
-/// Radiance that arrives from a direction, as a surface of that roughness reflects it: the surroundings, blurred by the
-/// surface's GGX lobe.
+/// Radiance that a surface of a given roughness reflects from a direction: the environment, blurred by its GGX lobe.
 ///
 /// source: Karis, "Real Shading in Unreal Engine 4", SIGGRAPH 2013; levels as in Unity's reflection probes
 [node("Lighting/Ambient/Environment Radiance")] [extern]
@@ -34,15 +33,15 @@ float3 EnvironmentRadiance(
     return environmentMap.SampleLevel(direction, MipFromRoughness(saturate(roughness), ENVIRONMENT_STEPS)).rgb;
 }
 
-// Scale and offset at a place of the table. The root gives grazing views, where both change fastest, most of it.
+// Scale and offset at a place of the table. The root gives most of the table to grazing views, where both change most.
 float2 splitSumShare(float roughness, float ndotv) {
     return splitSumTable.SampleLevel(float2(sqrt(ndotv), roughness) * (63.0 / 64) + 0.5 / 64, 0).xy;
 }
 
-/// The table of the split sum: how strongly a rough surface mirrors light that comes from everywhere alike.
+/// The table of the split sum: how strongly a rough surface reflects a uniform environment.
 ///
 /// The reflectance is f0 scale + f90 offset, for GGX with Smith's exact joint visibility. scale + offset is the share of
-/// light that one reflection of a perfect mirror's facets sends back: what is missing has bounced between them.
+/// light that perfectly reflecting facets send back after one bounce: the rest bounces between facets more than once.
 ///
 /// formula: scale = mean of (1 - F) w, offset = mean of F w, F = (1 - v.h)^5, w = 4 V (n.l) (v.h) / (n.h)
 /// source: Karis, "Real Shading in Unreal Engine 4", SIGGRAPH 2013

@@ -1,67 +1,67 @@
-// Reading textures. `texture.tiling` is what the material's user has set as the texture's scale (xy) and offset (zw).
+// Reading textures. `texture.tiling` holds the scale (xy) and offset (zw) that the material sets for the texture.
 
-/// A texture's colour, filtered.
+/// Samples a texture with filtering.
 ///
-/// The level of detail comes from the neighbouring pixels. Where these are not known (in the vertex stage, per light,
-/// inside a branch) use SampleTexture2DLevel.
+/// The level of detail is derived from the neighbouring pixels. Where these are not known (in the vertex stage, per
+/// light, inside a branch), use SampleTexture2DLevel.
 [node("Texture/Sample Texture 2D")]
 float4 SampleTexture2D(
-    Texture2D texture,  ///< what is read
-    float2 uv = uv0     ///< where, before the texture's own tiling
+    Texture2D texture,  ///< texture to read
+    float2 uv = uv0     ///< texture coordinates, before the texture's own tiling
 ) {
     return texture.Sample(uv * texture.tiling.xy + texture.tiling.zw);
 }
 
-/// A texture's colour at a given level of detail.
+/// Samples a texture at a given level of detail.
 [node("Texture/Sample Texture 2D Level")]
 float4 SampleTexture2DLevel(
-    Texture2D texture,  ///< what is read
-    float2 uv = uv0,    ///< where, before the texture's own tiling
-    float level = 0     ///< level of detail: 0 is the full size, each next one half of it
+    Texture2D texture,  ///< texture to read
+    float2 uv = uv0,    ///< texture coordinates, before the texture's own tiling
+    float level = 0     ///< level of detail: 0 is the full size, each further level half of it
 ) {
     return texture.SampleLevel(uv * texture.tiling.xy + texture.tiling.zw, level);
 }
 
-/// A texture's colour where coordinates jump from pixel to pixel, as behind the edges of a relief (ParallaxOcclusion).
+/// Samples a texture where coordinates jump from pixel to pixel, as behind the edges of a relief (ParallaxOcclusion).
 ///
-/// The level of detail comes from other coordinates, which do not jump: SampleTexture2D would take an edge for a texture
-/// that is seen from far away, and draw a seam of its smallest levels along it. Of a normal map, UnpackNormal makes the
-/// normal.
+/// The level of detail is derived from other coordinates, which do not jump. SampleTexture2D would treat an edge as a
+/// texture seen from far away, and draw a seam of its smallest levels along the edge. If the texture is a normal map,
+/// UnpackNormal decodes the normal.
 [node("Texture/Sample Texture 2D Grad")]
 float4 SampleTexture2DGrad(
-    Texture2D texture,      ///< what is read
-    float2 uv = uv0,        ///< where, before the texture's own tiling
-    float2 smoothUV = uv0  ///< the coordinates before they were moved: how they differ between pixels chooses the level
+    Texture2D texture,      ///< texture to read
+    float2 uv = uv0,        ///< texture coordinates, before the texture's own tiling
+    float2 smoothUV = uv0  ///< the coordinates before they were moved: their change between pixels selects the level
 ) {
     float2 unmoved = smoothUV * texture.tiling.xy;
     return texture.SampleGrad(uv * texture.tiling.xy + texture.tiling.zw, ddx(unmoved), ddy(unmoved));
 }
 
-/// The normal that a normal map holds, in tangent space.
+/// Samples a normal map: a normal in tangent space.
 ///
 /// Give the texture the usage "normal", so that it is not decoded as a colour.
 [node("Texture/Sample Normal Map")]
 float3 SampleNormalMap(
     Texture2D texture,              ///< a normal map, y up
-    float2 uv = uv0,                ///< where, before the texture's own tiling
-    [range(-2, 2)] float scale = 1  ///< how strong the bumps are
+    float2 uv = uv0,                ///< texture coordinates, before the texture's own tiling
+    [range(-2, 2)] float scale = 1  ///< strength of the bumps
 ) {
     return UnpackNormal(SampleTexture2D(texture, uv), scale);
 }
 
-/// One texel, not filtered.
+/// Reads one texel without filtering.
 ///
 /// Neither tiling nor wrapping applies: keep the texel inside the texture.
 [node("Texture/Load Texture 2D")]
 float4 LoadTexture2D(
-    Texture2D texture,            ///< what is read
+    Texture2D texture,            ///< texture to read
     float2 texel = 0,             ///< column and row, counted from 0 at the upper left; a fraction is dropped
     [range(0, 14)] int level = 0  ///< level of detail
 ) {
     return texture.Load(int2(floor(texel)), level);
 }
 
-/// How large a texel of a texture is, and how many there are.
+/// The size of one texel, and of the whole texture.
 [node("Texture/Texel Size")]
 float2 TexelSize(
     Texture2D texture,  ///< any texture

@@ -1,6 +1,6 @@
-// Texture coordinates. (0, 0) is the picture's upper left corner and v grows downwards.
+// Texture coordinates. (0, 0) is the upper left corner of the texture, and v grows downwards.
 
-/// Texture coordinates, repeated and moved.
+/// Scales and moves texture coordinates.
 ///
 /// formula: uv tiling + offset
 /// test: TilingOffset(float2(0.5, 0.25), float2(2, 4), float2(0.1, 0.2)) == float2(1.1, 1.2)
@@ -9,12 +9,12 @@
 float2 TilingOffset(
     float2 uv = uv0,    ///< texture coordinates
     float2 tiling = 1,  ///< how often the texture fits along u and v
-    float2 offset = 0   ///< how far it is moved, in textures
+    float2 offset = 0   ///< translation, in textures
 ) {
     return uv * tiling + offset;
 }
 
-/// Texture coordinates, turned about a centre. A positive angle takes u towards v.
+/// Rotates texture coordinates around a centre. A positive angle turns u towards v.
 ///
 /// formula: (x cos - y sin, x sin + y cos) of uv - center
 /// test: Rotate(float2(1, 0), 1.5707963267948966, float2(0, 0)) == float2(0, 1)
@@ -23,8 +23,8 @@ float2 TilingOffset(
 [node("UV/Rotate")]
 float2 Rotate(
     float2 uv = uv0,                ///< texture coordinates
-    [unit("rad")] float angle = 0,  ///< how far
-    float2 center = 0.5             ///< what stays where it is
+    [unit("rad")] float angle = 0,  ///< angle of the rotation
+    float2 center = 0.5             ///< centre of the rotation
 ) {
     float2 d = uv - center;
     float sine = sin(angle);
@@ -32,7 +32,7 @@ float2 Rotate(
     return center + float2(d.x * cosine - d.y * sine, d.x * sine + d.y * cosine);
 }
 
-/// Distance and direction from a centre, as texture coordinates: for rings, rays and spirals.
+/// The distance and direction from a centre, as texture coordinates: for rings, rays and spirals.
 ///
 /// u is the distance: 1 at the edge of the circle that fits into the texture. v is the direction in turns, -0.5 to 0.5,
 /// 0 towards growing u and 0.25 towards growing v; it jumps at the seam opposite to u, and has no value at the centre.
@@ -53,7 +53,7 @@ float2 PolarCoordinates(
     return float2(radius * radialScale, turns * angularScale);
 }
 
-/// Texture coordinates of one frame of a flip-book: frames in rows, the first at the upper left.
+/// The texture coordinates of one frame of a flip-book: frames lie in rows, the first at the upper left.
 ///
 /// test: Flipbook(float2(0.5, 0.5), 4, 2, 0) == float2(0.125, 0.25)
 /// test: Flipbook(float2(0, 0), 4, 2, 5) == float2(0.25, 0.5)
@@ -64,9 +64,9 @@ float2 Flipbook(
     float2 uv = uv0,                   ///< texture coordinates within the frame
     [range(1, 64)] float columns = 4,  ///< frames in a row, a whole number
     [range(1, 64)] float rows = 4,     ///< rows, a whole number
-    float frame = 0                    ///< which frame, from 0; a fraction is dropped, and the last leads to the first
+    float frame = 0                    ///< which frame, from 0; a fraction is dropped, and the first follows the last
 ) {
-    // Half a frame keeps a division that should be whole from falling just below it.
+    // Half a frame is added so that rounding cannot move a whole quotient just below its value.
     float whole = floor(frame);
     float count = columns * rows;
     float index = whole - count * floor((whole + 0.5) / count);

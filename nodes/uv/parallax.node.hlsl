@@ -1,15 +1,15 @@
-// Parallax: reading a texture elsewhere, so that the flat surface seems to have the relief of a height map. Lengths are in
-// units of uv. Directions are in tangent space, whose y points up in the texture's picture while v grows downwards.
+// Parallax: moving texture coordinates so that a flat surface seems to have the relief of a height map. Lengths are in
+// units of uv. Directions are in tangent space, whose y points up in the texture while v grows downwards.
 
-// A step in the surface's plane, as a step of uv.
+// Converts a step in the surface's plane to a step of uv.
 float2 uvOfTangent(float2 tangent) {
     return float2(tangent.x, -tangent.y);
 }
 
-/// How far to move the texture coordinates so that a height map seems to stand out: the more, the more slanted the view.
+/// The offset of texture coordinates that makes a height map stand out: it grows as the view slants.
 ///
-/// One step, so it is right for shallow relief only: ParallaxOcclusion hides what lies behind. Half of the height lies
-/// above the surface and half below. The 0.42 keeps the offset below 1.2 heights at the outline.
+/// The node takes one step, so it suits only shallow relief: ParallaxOcclusion also hides covered parts. Half of the
+/// height lies above the surface and half below. The 0.42 keeps the offset below 1.2 heights at the silhouette.
 ///
 /// formula: height (texel - 0.5) v.xy / (v.z + 0.42), v = normalize(viewTS); uv runs against v.y
 /// source: Kaneko et al., "Detailed Shape Representation with Parallax Mapping", ICAT 2001; Welsh, "Parallax Mapping",
@@ -21,23 +21,23 @@ float2 uvOfTangent(float2 tangent) {
 /// test: ParallaxOffset(1, 0.084, float3(0, 1, 0)) == float2(0, -0.1)
 [node("UV/Parallax Offset")]
 float2 ParallaxOffset(
-    [range(0, 1)] float texel = 0.5,           ///< of the height map: 0 is deep, 1 high
-    [range(0.005, 0.08)] float height = 0.02,  ///< between the deepest and the highest point, in units of uv
-    float3 viewTS                             ///< direction to the viewer in tangent space: WorldToTangent gives it
+    [range(0, 1)] float texel = 0.5,           ///< value of the height map: 0 is deep, 1 high
+    [range(0.005, 0.08)] float height = 0.02,  ///< distance between the deepest and the highest point, in units of uv
+    float3 viewTS                             ///< direction to the viewer in tangent space, from WorldToTangent
 ) {
     float3 view = viewTS * rsqrt(max(dot(viewTS, viewTS), 1e-6));
     return (texel * height - 0.5 * height) * uvOfTangent(view.xy) / (max(view.z, 0) + 0.42);
 }
 
-/// How far to move the texture coordinates to what is seen of a height map's relief, high parts hiding what lies behind.
+/// The offset of texture coordinates to the visible point of a height map's relief; high parts hide parts behind them.
 ///
-/// The surface itself is the top, and the relief is cut into it. The line of sight is followed down from there in equal
-/// steps, and where it has passed below the relief it is cut with the straight line between the last two heights. A part
-/// that is thinner than a step can be missed: flat views take more steps. Views flatter than 6 degrees are taken for as
-/// flat as that.
+/// The surface itself is the top, and the relief is cut into it. The node follows the line of sight down in equal
+/// steps. Once the line is below the relief, it is intersected with the straight line between the last two heights. A
+/// part that is thinner than a step can be missed: flat views take more steps. Views flatter than 6 degrees are treated
+/// as 6 degrees.
 ///
-/// Where a high part hides what lies behind it the moved coordinates jump. Read textures there by SampleTexture2DGrad, which
-/// takes its level of detail from the coordinates before; SampleTexture2D would draw seams along the edges.
+/// Where a high part hides another, the moved coordinates jump. Read textures there with SampleTexture2DGrad, which
+/// takes its level of detail from the original coordinates; SampleTexture2D would draw seams along the edges.
 ///
 /// formula: uv(t) = uv - t height v.xy / v.z, the first t at which 1 - t is not above the map's red
 /// source: Tatarchuk, "Practical Parallax Occlusion Mapping with Approximate Soft Shadows for Detailed Surface
@@ -45,16 +45,16 @@ float2 ParallaxOffset(
 [node("UV/Parallax Occlusion")]
 float2 ParallaxOcclusion(
     Texture2D texture,                       ///< the height map, in red: 0 is deep, 1 the surface itself
-    float2 uv = uv0,                         ///< where the surface is looked at, before the texture's own tiling
-    [range(0, 0.2)] float height = 0.05,     ///< how deep 0 lies, in units of uv
-    float3 viewTS,                          ///< direction to the viewer in tangent space: WorldToTangent gives it
-    [range(1, 128)] float fewestSteps = 8,  ///< along a view straight down
-    [range(1, 128)] float mostSteps = 32    ///< along the surface
+    float2 uv = uv0,                         ///< texture coordinates of the surface, before the texture's own tiling
+    [range(0, 0.2)] float height = 0.05,     ///< depth of the value 0, in units of uv
+    float3 viewTS,                          ///< direction to the viewer in tangent space, from WorldToTangent
+    [range(1, 128)] float fewestSteps = 8,  ///< steps for a view straight down
+    [range(1, 128)] float mostSteps = 32    ///< steps for a view along the surface
 ) {
     float3 view = viewTS * rsqrt(max(dot(viewTS, viewTS), 1e-6));
     float2 deepest = -uvOfTangent(view.xy) * (height / max(view.z, 0.1));
 
-    // Where the loop reads, no neighbouring pixels are known: what is a texel's share of a pixel is found before.
+    // Inside the loop, no neighbouring pixels are known: the level of detail is computed before.
     float2 start = uv * texture.tiling.xy + texture.tiling.zw;
     float2 path = deepest * texture.tiling.xy;
     float2 right = ddx(start);

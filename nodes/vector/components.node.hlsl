@@ -1,6 +1,6 @@
-// Taking vectors apart and putting them together. A link can also do it in passing: "albedo.rgb", "albedo.a".
+// Splitting and combining vectors. A link can also select components: "albedo.rgb", "albedo.a".
 
-/// The components of a vector, each at its own output.
+/// Splits a vector: each component at its own output.
 ///
 /// test: Split(float4(1, 2, 3, 4)).b == 3
 /// test: Split(float4(1, 2, 3, 4)).a == 4
@@ -20,7 +20,7 @@ float4 Split(
     return value;
 }
 
-/// A vector made of components.
+/// Combines components into a vector.
 ///
 /// test: Combine(1, 2, 3, 4) == float4(1, 2, 3, 4)
 /// test: Combine(1, 2, 3).rgb == float3(1, 2, 3)

@@ -1,17 +1,17 @@
-// Normals: as a normal map holds them, scaled, layered, and turned from the map's space to the world and back. In
-// tangent space x follows the texture's u, y points up in the picture and z out of the surface; the flat normal is
+// Normals: decoded from a normal map, scaled, blended, and transformed between tangent space and world space. In
+// tangent space, x follows the texture's u, y points up in the texture and z out of the surface; the flat normal is
 // (0, 0, 1).
 
-/// How NormalBlend lays one normal on another.
+/// How NormalBlend combines two normals.
 enum NormalBlendMode {
-    Whiteout,           ///< adds x and y, multiplies z: cheap, and the same with the layers exchanged
-    Reoriented,         ///< turns the detail onto the base: keeps all of both
-    Linear,             ///< the direction half way between: each layer loses strength, even to a flat one
+    Whiteout,           ///< adds x and y, multiplies z: cheap, and independent of the order of the layers
+    Reoriented,         ///< rotates the detail onto the base: keeps both at full strength
+    Linear,             ///< the direction half-way between: each layer loses strength, even to a flat one
     Unreal,             ///< adds x and y, keeps the z of the base: the detail fades where the base is steep
-    PartialDerivative   ///< adds the slopes, as the heights would be added
+    PartialDerivative   ///< adds the slopes, as if the heights were added
 };
 
-/// The z of a unit normal, from its x and y.
+/// Computes the z of a unit normal from its x and y.
 ///
 /// formula: z = sqrt(1 - x^2 - y^2)
 /// test: NormalReconstructZ(float2(0.6, 0)) == float3(0.6, 0, 0.8)
@@ -24,15 +24,15 @@ float3 NormalReconstructZ(
     return float3(xy, sqrt(saturate(1 - dot(xy, xy))));
 }
 
-/// Which channels of a normal map hold what.
+/// Which channels of a normal map hold x, y and z.
 enum NormalEncoding {
-    RedGreen,      ///< x and y; z is computed, so two-channel formats serve as well as three
-    RedAlphaGreen, ///< x is red times alpha: the same formats, and those that keep x in alpha and leave red at 1
-    AlphaGreen,    ///< x in alpha, y in green: what block compression keeps best
+    RedGreen,      ///< x and y; z is computed, so two channels are enough
+    RedAlphaGreen, ///< x is red times alpha: also reads formats that keep x in alpha and leave red at 1
+    AlphaGreen,    ///< x in alpha, y in green: block compression keeps these best
     RedGreenBlue   ///< x, y and z; a scale then leaves it shorter or longer than 1
 };
 
-/// A tangent-space normal from the texel of a normal map.
+/// Decodes a tangent-space normal from the texel of a normal map.
 ///
 /// formula: xy = (2 texel - 1) scale, z = sqrt(1 - x^2 - y^2), or 2 blue - 1
 /// source: the encodings: Unity built-in shaders, UnpackScaleNormal
@@ -46,8 +46,8 @@ enum NormalEncoding {
 [node("Vector/Normal/Unpack")]
 float3 UnpackNormal(
     float4 encoded = float4(0.5, 0.5, 1, 1),  ///< the texel, not decoded from sRGB
-    [range(-2, 2)] float scale = 1,           ///< how strong the bumps are; below zero they turn into dents
-    const NormalEncoding encoding = RedGreen  ///< which channels hold what
+    [range(-2, 2)] float scale = 1,           ///< strength of the bumps; a negative scale turns them into dents
+    const NormalEncoding encoding = RedGreen  ///< which channels hold x, y and z
 ) {
     float2 xy = encoded.rg;
     if (encoding == RedAlphaGreen) { xy = float2(encoded.r * encoded.a, encoded.g); }
@@ -57,7 +57,7 @@ float3 UnpackNormal(
     return NormalReconstructZ(xy);
 }
 
-/// A tangent-space normal with its slope made weaker or stronger.
+/// Weakens or strengthens the slope of a tangent-space normal.
 ///
 /// formula: normalize(strength x, strength y, z)
 /// test: NormalStrength(float3(0.6, 0, 0.8), 0) == float3(0, 0, 1)
@@ -68,11 +68,11 @@ float3 NormalStrength(
     float3 normal = float3(0, 0, 1),  ///< unit normal in tangent space
     [range(0, 2)] float strength = 1  ///< 0 is flat, 1 leaves it as it is
 ) {
-    // A normal in the surface's plane has no slope that could be scaled: it counts as almost there.
+    // The slope of a normal in the surface's plane is infinite: the normal counts as almost in the plane.
     return normalize(float3(normal.xy * strength, max(normal.z, 0.001)));
 }
 
-/// Lays a detail normal on a base normal, both in tangent space.
+/// Blends a detail normal over a base normal, both in tangent space.
 ///
 /// formula: reoriented: t (t . u) / t.z - u, t = base + (0, 0, 1), u = detail (-1, -1, 1)
 /// formula: whiteout: normalize(b.xy + d.xy, b.z d.z); linear: normalize(b + d); Unreal: normalize(b.xy + d.xy, b.z)
@@ -98,7 +98,7 @@ float3 NormalBlend(
     if (mode == Reoriented) {
         float3 tilted = base + float3(0, 0, 1);
         float3 mirrored = detail * float3(-1, -1, 1);
-        // A base that points straight into the surface has no tilt to speak of.
+        // If the base points straight into the surface, its tilt is not defined.
         return tilted * (dot(tilted, mirrored) / max(tilted.z, 1e-4)) - mirrored;
     }
     float3 sum = base + detail;
@@ -108,9 +108,9 @@ float3 NormalBlend(
     return sum * rsqrt(max(dot(sum, sum), 1e-7));
 }
 
-/// Lays a detail normal on a base normal where a mask lets it show, both in tangent space.
+/// Blends a detail normal over a base normal through a mask, both in tangent space.
 ///
-/// Between 0 and 1 of the mask the result is a little shorter than 1; what turns it to the world makes it unit again.
+/// If the mask is between 0 and 1, the result is a little shorter than 1; NormalTangentToWorld normalizes it.
 ///
 /// formula: lerp(base, NormalBlend(base, detail), mask)
 /// source: Unity built-in shaders, NormalInTangentSpace (Whiteout)
@@ -130,7 +130,7 @@ float3 DetailNormal(
     return lerp(base, NormalBlend(base, detail, mode), mask);
 }
 
-/// A normal from tangent space, in the world.
+/// Transforms a normal from tangent space to world space.
 ///
 /// The frame may be interpolated and slightly skewed; the result is unit length.
 ///
@@ -143,12 +143,12 @@ float3 NormalTangentToWorld(
     float3 normalTS = float3(0, 0, 1),  ///< unit normal in tangent space
     float3 normal = geometryNormalWS,  ///< unit normal of the mesh, in the world
     float3 tangent = tangentWS,         ///< unit direction of growing u
-    float3 bitangent = bitangentWS      ///< unit direction that is up in the texture's picture
+    float3 bitangent = bitangentWS      ///< unit direction that points up in the texture
 ) {
     return normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
 }
 
-/// A direction of the world, in tangent space: its parts along the surface and away from it.
+/// Transforms a direction from world space to tangent space: its parts along the surface and away from it.
 ///
 /// formula: (tangent . d, bitangent . d, normal . d)
 /// test: WorldToTangent(float3(0, 1, 0), float3(0, 1, 0), float3(1, 0, 0), float3(0, 0, -1)) == float3(0, 0, 1)
@@ -158,18 +158,18 @@ float3 WorldToTangent(
     float3 direction = viewDirWS,      ///< any vector in the world
     float3 normal = geometryNormalWS,  ///< unit normal of the mesh, in the world
     float3 tangent = tangentWS,         ///< unit direction of growing u
-    float3 bitangent = bitangentWS      ///< unit direction that is up in the texture's picture
+    float3 bitangent = bitangentWS      ///< unit direction that points up in the texture
 ) {
     return float3(dot(tangent, direction), dot(bitangent, direction), dot(normal, direction));
 }
 
-// How far from the middle the stereographic map of a normal is read as 1: at 121 degrees from the viewer.
+// The distance from the centre of the stereographic projection that is stored as 1: 121 degrees from the viewer.
 const float STEREOGRAPHIC_SCALE = 1.7777;
 
-/// A view-space normal in two numbers, by stereographic projection from the point behind it.
+/// Stores a view-space normal in two numbers, by stereographic projection.
 ///
-/// Normals up to 121 degrees from the direction to the viewer lie within 0 and 1: more than a perspective view shows. One
-/// that points straight away has no place.
+/// Normals up to 121 degrees from the direction to the viewer lie between 0 and 1: more than a perspective view shows.
+/// A normal that points straight away cannot be stored.
 ///
 /// formula: 0.5 + 0.5 n.xy / (1.7777 (1 + n.z))
 /// source: Unity built-in shaders, EncodeViewNormalStereo
@@ -184,7 +184,7 @@ float2 EncodeNormalStereographic(
     return normalVS.xy * (0.5 / STEREOGRAPHIC_SCALE / max(1 + normalVS.z, 1e-4)) + 0.5;
 }
 
-/// The view-space normal that EncodeNormalStereographic wrote.
+/// Reads the view-space normal that EncodeNormalStereographic stored.
 ///
 /// formula: p = 1.7777 (2 e - 1), g = 2 / (p.p + 1), n = (g p, g - 1)
 /// source: Unity built-in shaders, DecodeViewNormalStereo

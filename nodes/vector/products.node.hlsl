@@ -1,4 +1,4 @@
-// Directions and distances.
+// Products of vectors, directions and distances.
 
 /// The dot product: for unit vectors, the cosine of the angle between them.
 ///
@@ -13,9 +13,9 @@ float Dot(
     return dot(left, right);
 }
 
-/// The vector at right angles to both, as long as the area of the parallelogram they span.
+/// The cross product: perpendicular to both vectors, as long as the area of the parallelogram that they span.
 ///
-/// x, y, z in this order make a right-handed set: the cross product of the x and the y axis is the z axis.
+/// The axes are right-handed: the cross product of the x axis and the y axis is the z axis.
 ///
 /// test: Cross(float3(1, 0, 0), float3(0, 1, 0)) == float3(0, 0, 1)
 /// test: Cross(float3(1, 2, 3), float3(4, 5, 6)) == float3(-3, 6, -3)
@@ -27,9 +27,9 @@ float3 Cross(
     return cross(left, right);
 }
 
-/// The vector's direction: the same vector with length one.
+/// The direction of a vector: the same vector with length one.
 ///
-/// The zero vector has no direction and gives no number; SafeNormalize accepts it.
+/// For the zero vector the result is not a number; SafeNormalize accepts it.
 ///
 /// test: Normalize(float3(0, 3, -4)) == float3(0, 0.6, -0.8)
 /// test: Normalize(float3(2, 2, 1)) == float3(2 / 3, 2 / 3, 1 / 3)
@@ -40,7 +40,7 @@ float3 Normalize(
     return normalize(value);
 }
 
-/// The vector's direction, or a direction of your choice where the vector is zero.
+/// The direction of a vector, or a fallback if the vector is zero.
 ///
 /// test: SafeNormalize(float3(0, 3, 4), float3(0, 0, 1)) == float3(0, 0.6, 0.8)
 /// test: SafeNormalize(float3(0, 0, 0), float3(0, 0, 1)) == float3(0, 0, 1)
@@ -54,7 +54,7 @@ float3 SafeNormalize(
     return squared > 1e-30 ? value * rsqrt(squared) : fallback;
 }
 
-/// How long a vector is.
+/// The length of a vector.
 ///
 /// test: Length(float3(2, 3, 6)) == 7
 /// test: Length(float2(-3, 4)) == 5
@@ -65,7 +65,7 @@ float Length(
     return length(value);
 }
 
-/// How far two points are from each other.
+/// The distance between two points.
 ///
 /// test: Distance(float3(1, 1, 1), float3(3, 4, 7)) == 7
 /// test: Distance(float2(1, 2), float2(4, -2)) == 5
@@ -77,7 +77,7 @@ float Distance(
     return distance(from, to);
 }
 
-/// The direction in which a ray leaves a mirror.
+/// The direction of a ray after reflection at a mirror.
 ///
 /// formula: incident - 2 (normal . incident) normal
 /// test: Reflect(float3(0.6, 0, -0.8), float3(0, 0, 1)) == float3(0.6, 0, 0.8)
@@ -90,7 +90,7 @@ float3 Reflect(
     return reflect(incident, normal);
 }
 
-/// The direction of a ray after it has entered another medium, by Snell's law; zero where it is totally reflected.
+/// The direction of a ray after refraction by Snell's law; zero if it is totally reflected.
 ///
 /// formula: eta i - (eta (n.i) + sqrt(1 - eta^2 (1 - (n.i)^2))) n
 /// test: Refract(float3(0, 0, -1), float3(0, 0, 1), 0.75) == float3(0, 0, -1)

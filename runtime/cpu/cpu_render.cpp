@@ -29,7 +29,7 @@ void shade(const CpuStep& step, CpuStages& stages) {
 
 // --- one pixel, watched
 
-// The fragment that each sample of a pixel shows; where all were discarded, the nearest of those.
+// The fragment that each sample of a pixel shows; if all were discarded, the nearest of them.
 struct Sample {
     std::optional<CpuFragment> drawn, discarded;
 
@@ -42,7 +42,7 @@ struct Sample {
     }
 };
 
-// Of the samples that `has`, the one nearest to the middle of the pixel; -1: none has.
+// The sample nearest to the middle of the pixel for which `has` is true; -1: there is none.
 template <class Predicate>
 int most_central(int samples, Predicate has) {
     int best = -1;
@@ -56,7 +56,7 @@ int most_central(int samples, Predicate has) {
     return best;
 }
 
-// What the two stages were worth for one fragment.
+// The values of the two stages for one fragment.
 void trace_stages(const CpuStep& step, CpuStages& stages, const CpuFragment& fragment, PixelTrace& trace) {
     QuadInputs inputs;
     gather_inputs(step.sources, fragment.triangle->screen, fragment.quad, step.precision, inputs);

@@ -23,11 +23,11 @@ namespace patina::runtime {
 Outcome<Image> cpu_draw(const Frame& frame, Precision precision = Precision::Float);
 Outcome<Image> cpu_draw(const Draw& draw, Precision precision = Precision::Float);
 
-// What one pixel of a draw is made of.
+// The values behind one pixel of a draw.
 struct PixelTrace {
     bool is_covered = false;    // by the mesh; if not, there is nothing but the background's colour
     bool is_discarded = false;  // every fragment was, such as in the holes of a cutout; `values` are of the nearest
-    // Of the pixel's samples the one that is traced: nearest to the middle of those that show the material.
+    // The traced sample of the pixel: of the samples that show the material, the one nearest to the middle.
     int sample_x = 0, sample_y = 0;                     // 0 to samples - 1, right and down
     std::vector<TracedValue> values{};                  // of the fragment stage
     std::array<std::vector<TracedValue>, 3> corners{};  // of the vertex stage, at the triangle's corners

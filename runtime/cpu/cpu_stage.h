@@ -1,5 +1,5 @@
-// The two stages of a pass on the CPU: what goes into the interpreter and what comes out of it, by name. Not the
-// interpreter itself (patina/interpret.h), and not what becomes of the pixels (cpu_step.h).
+// Runs the two stages of a pass on the CPU: maps the inputs and outputs of the interpreter by name. The interpreter
+// itself is patina/interpret.h; cpu_step.h processes the pixels.
 //
 //   Outcome<std::vector<ClipVertex>> vertices = run_vertices(vertex_stage, mesh);
 //   Outcome<std::vector<InputSource>> sources = fragment_sources(vertex_stage, fragment_stage);
@@ -15,7 +15,7 @@
 
 namespace patina::runtime {
 
-// In the mesh's order; varyings are the stage's outputs but the position, end to end. `instance`: which one is drawn.
+// In the mesh's order. Varyings are the stage's outputs except the position, end to end. `instance`: the drawn one.
 Outcome<std::vector<ClipVertex>> run_vertices(Interpreter& stage, const Mesh& mesh, std::uint32_t instance = 0);
 // One vertex of a mesh that run_vertices() took.
 std::vector<TracedValue> trace_vertex(Interpreter& stage, const Vertex& vertex);

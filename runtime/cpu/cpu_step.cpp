@@ -67,7 +67,7 @@ PixelBounds intersection(const PixelArea& area, const PixelBounds& window) {
 
 // --- pixels
 
-// How a sample fares in the tests, and what that makes of the stencil.
+// The result of a sample's depth and stencil tests, and the new stencil value.
 struct Tested {
     bool is_visible = true;
     std::optional<StencilOp> stencil{};  // nothing: there is no stencil

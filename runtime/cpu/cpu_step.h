@@ -1,5 +1,5 @@
-// One step of a frame on the CPU: the vertex stage and everything up to the pixels, then rows of pixels, which threads
-// share. Stages are kept from step to step, since making one costs more than a small triangle.
+// Draws one step of a frame on the CPU: the vertex stage and everything up to the pixels, then rows of pixels, which
+// threads share. Stages are reused for later steps, because creating one costs more than drawing a small triangle.
 //
 //   CpuStages stages{.fragments = std::vector<std::optional<Interpreter>>(1)};
 //   Outcome<CpuStep> made = make_cpu_step(frame, step, targets, stages, precision);
@@ -39,7 +39,7 @@ struct CpuFragment {
     bool is_discarded = false;
 };
 
-// Everything that the threads share and only read; of the targets, each has rows of its own.
+// Everything that the threads share and only read; each thread writes its own rows of the targets.
 struct CpuStep {
     const FrameStep* step = nullptr;
     Precision precision = Precision::Float;
@@ -53,7 +53,7 @@ struct CpuStep {
     std::function<void(const CpuFragment&)> on_fragment{};  // called for each fragment, if there is one thread only
 };
 
-// Of a frame without a frame_error(). `stages` are those of this pass; the first fragment stage is there afterwards.
+// The frame must have no frame_error(). `stages` are those of this pass; the first fragment stage exists afterwards.
 Outcome<CpuStep> make_cpu_step(const Frame& frame, const FrameStep& step, std::vector<CpuTarget>& targets,
                                CpuStages& stages, Precision precision);
 

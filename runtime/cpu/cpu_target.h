@@ -1,5 +1,5 @@
-// The images that a frame draws into, in memory: bytes of their formats, so that what is written is rounded as a GPU
-// rounds it. Only a window of a target need be there, for those who look at one pixel.
+// The render targets of a frame in memory. They store the bytes of their formats, so that values are rounded as on a
+// GPU. A target may hold only a window of its pixels, which is enough to trace one pixel.
 //
 //   CpuTarget target = make_cpu_target({.width = 4, .height = 4}, {.right = 4, .bottom = 4});
 //   target.store(1, 2, {0.5f, 0, 0, 1});
@@ -19,7 +19,7 @@ struct CpuTarget {
     PixelBounds window{};
     std::vector<std::byte> pixels{};
     std::vector<std::uint8_t> stencil{};  // of a depth target
-    // How often the frame has drawn into it, and what it was worth as a texture at one such time.
+    // How often the frame has drawn into it, and its pixels as a texture at one such time.
     unsigned version = 1, seen_version = 0;
     std::shared_ptr<const TextureData> seen{};
 

@@ -1,5 +1,5 @@
-// The fixed-function state of a pass as formulas: what a comparison holds for, what becomes of a stencil, how a pixel
-// is mixed with what is in the target. The GPU takes the same words as Vulkan's values (gpu/vulkan_words.h).
+// The fixed-function state of a pass as formulas: comparisons, stencil operations, and blending a pixel with the
+// target. For the GPU, gpu/vulkan_words.h translates the same words to Vulkan's values.
 //
 //   holds(Compare::LessEqual, 0.25f, 1.0f)      // true
 //   changed(StencilOp::Increment, 255, 0)       // 255

@@ -1,5 +1,5 @@
-// Triangles to pixels by Vulkan's rules, with no idea of what a pixel is for: clips, snaps to 1/256 pixel, applies the
-// top-left rule, and hands out 2 x 2 quads with the weights of the three corners in each lane. Used by cpu_step.cpp.
+// Rasterises triangles by Vulkan's rules: clips, snaps to 1/256 pixel, applies the top-left rule, and produces 2 x 2
+// quads with the weights of the three corners in each lane. It does not shade pixels; cpu_step.cpp does.
 //
 //   for (const ScreenTriangle& t : clip_to_screen(a, b, c, width, height))
 //       for_each_quad(t, width, height, 0, 1, [&](const Quad& quad) { ... });

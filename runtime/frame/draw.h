@@ -1,5 +1,5 @@
-// One mesh, one pass, one picture: the smallest frame, for a material that is looked at alone. The GPU (renderer.h) and
-// the CPU (cpu_render.h) draw the frame that it stands for.
+// One mesh, one pass, one picture: the smallest frame, for a single material. frame_of() converts it to a frame, which
+// the GPU (renderer.h) and the CPU (cpu_render.h) draw.
 //
 //   Draw draw{.reflection = &r, .pass = "forward", .scene = &scene, ...};
 //   Outcome<const Pass*> pass = drawable_pass(draw);

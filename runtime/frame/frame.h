@@ -1,9 +1,8 @@
-// A frame as a list: images to draw into, and draws, one after the other. It knows neither scenes nor rendering paths:
-// what is in the list has been decided (frame_plan.h). The GPU (renderer.h) and the CPU (cpu_render.h) draw the same
-// list.
+// A frame as a list: render targets, and draws in order. It knows neither scenes nor rendering paths: frame_plan.h has
+// decided the contents of the list. The GPU (renderer.h) and the CPU (cpu_render.h) draw the same list.
 //
-// The room `frame`: how a world becomes such a list, and whether the list holds together. It compiles nothing, and
-// neither runs a shader nor names anything of Vulkan.
+// The room `frame`: converts a world to such a list, and checks the list. It compiles nothing, runs no shader, and
+// does not depend on Vulkan.
 //
 //   Frame frame{.targets = {{.name = "color", .width = 64, .height = 64},
 //                           {.name = "depth", .format = TargetFormat::Depth, .width = 64, .height = 64}},
@@ -42,7 +41,7 @@ struct FrameTarget {
     glm::vec4 clear{0};
 };
 
-// A texture of the step that is a target: as it stands when the step begins, even where the step draws into it.
+// A texture of the step that is a render target: its content when the step begins, even if the step draws into it.
 struct FrameRead {
     std::string texture{};  // of the reflection
     std::size_t target = 0;

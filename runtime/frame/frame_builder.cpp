@@ -127,7 +127,7 @@ std::string FrameBuilder::make_targets(std::span<const std::size_t> used, bool h
     return "";
 }
 
-// Lighting groups and materials share the stencil of a frame: what one has left there is gone for the other.
+// Lighting groups and materials share the stencil of a frame: each overwrites the values of the other.
 bool FrameBuilder::changes_owner(const Stencil& stencil) {
     if (!stencil.is_used()) return false;
     const StencilOwner owner = stencil.is_of_lighting() ? StencilOwner::Lighting : StencilOwner::Materials;
@@ -166,7 +166,7 @@ std::span<const LoadedTexture> FrameBuilder::textures_of(const PlannedStep& step
 void FrameBuilder::add(PlannedStep planned) {
     const DrawnMaterial& material = materials_[planned.material];
     const Pass& pass = *planned.pass;
-    // A lightmap that is not there gives no light, whatever is bound.
+    // A missing lightmap gives no light, regardless of the bound texture.
     planned.seen.lightmap_decode = has_own(planned, "lightmapTexture")
                                        ? lightmap_decode(world_.objects[*planned.object].lightmap_encoding)
                                        : glm::vec4(0, 1, 0, 0);

@@ -1,5 +1,5 @@
-// Makes the targets and steps of a frame from what a plan (frame_plan.h) has decided: formats and sizes of targets, the
-// bytes of blocks, textures, and what each step reads. It owns what steps point to.
+// Builds the targets and steps of a frame from a plan (frame_plan.h): formats and sizes of targets, the bytes of
+// blocks, textures, and the inputs of each step. It owns everything that steps point to.
 //
 //   FrameBuilder builder(world, materials, options);
 //   std::string error = builder.make_targets(used, true);

@@ -1,5 +1,5 @@
-// Whether a frame can be drawn by anyone: what its steps draw into and read is there, fits together and is filled.
-// What a certain device cannot take is limits.h.
+// Checks a frame independently of a device: the targets, blocks and textures of its steps exist, match and are filled.
+// limits.h checks the limits of a device.
 //
 //   if (std::string error = frame_error(frame); !error.empty()) return Failure{error};
 #pragma once

@@ -48,7 +48,7 @@ bool is_blended(const Passes& passes) {
                        [](const Pass* pass) { return shows_objects(*pass) && pass->queue >= kFirstBlendedQueue; });
 }
 
-// A pass wants to see what was drawn before it in its own targets.
+// A pass reads the previous content of its own targets.
 bool reads_own_targets(const Passes& passes, const std::vector<Texture>& textures) {
     auto draws_into = [](const Pass& pass, const std::string& target) {
         return pass.depth_target == target || std::any_of(pass.targets.begin(), pass.targets.end(),

@@ -1,14 +1,13 @@
-// Turns a world and its compiled materials into a frame: which pass of which material draws what, in which order, with
-// which lights and into which targets. All that it knows of a rendering path is what the passes of the reflection
-// state; it has no names of passes or paths. Files are not its business: materials are compiled and textures loaded
-// before.
+// Converts a world and its compiled materials to a frame: which pass of which material draws which object, in which
+// order, with which lights and into which targets. It knows rendering paths only from the passes of the reflection, and
+// contains no names of passes or paths. It reads no files: materials are compiled and textures loaded before.
 //
 // The order:
 //   1. shadow maps: passes that draw from lights, over all objects that have such a pass
 //   2. passes that materials add with a lower queue than their own, by queue
-//   3. opaque objects of the wanted path: pass by pass in the order of the reflection; in each, objects by queue, then
-//      as the scene has them; full-screen passes and light volumes once for each lighting group (lighting_groups.h)
-//   4. opaque objects of other paths: materials that the wanted path could not take
+//   3. opaque objects of the requested path: pass by pass in the order of the reflection; in each, objects by queue,
+//      then in scene order; full-screen passes and light volumes once for each lighting group (lighting_groups.h)
+//   4. opaque objects of other paths: materials that the requested path does not support
 //   5. the other passes that materials add, by queue
 //   6. opaque objects that read what they draw into (scene colour or depth)
 //   7. blended objects and passes (queue 2500 or more), by queue, then the farthest first; all passes of one, then the
@@ -61,8 +60,8 @@ struct FrameOptions {
 Outcome<Frame> plan_frame(const World& world, std::span<const DrawnMaterial> materials,
                           const FrameOptions& options = {});
 
-// The path that a material is to be compiled for so that this camera can draw it: its own, or the fallback of a pass
-// that wants another camera. Empty: there is none.
+// The path to compile a material for, so that this camera can draw it: its own path, or the fallback of a pass that
+// needs another camera. Empty: there is none.
 std::string path_for(const Camera& camera, const Reflection& reflection);
 
 }  // namespace patina::runtime

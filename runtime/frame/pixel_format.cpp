@@ -100,7 +100,7 @@ std::uint16_t half_bits(float value) {
     const float size = std::abs(value);
     if (size == 0) return sign;
     if (std::isinf(size)) return sign | 0x7c00;
-    // In units of the last place, of which subnormal numbers have the smallest; nearbyint rounds ties to even.
+    // Rounds in units of the last place; subnormal numbers have the smallest unit. nearbyint rounds ties to even.
     const int exponent = std::max(std::ilogb(size), kLeastExponent);
     const auto units = std::uint32_t(std::nearbyint(std::ldexp(size, kFraction - exponent)));
     if (exponent > kMostExponent) return sign | 0x7c00;

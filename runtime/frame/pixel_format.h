@@ -1,5 +1,5 @@
-// The formats of render targets as bytes: what each keeps of a colour, laid out as Vulkan lays it out. The CPU stores
-// its pixels in these bytes, and the GPU's are read back by the same rules.
+// The formats of render targets as bytes, in Vulkan's layout. The CPU stores its pixels in these bytes, and the pixels
+// of the GPU are read back by the same rules.
 //
 //   const PixelFormat& format = pixel_format(TargetFormat::Rgba8);
 //   format.store({0.5f, 0, 0, 1}, bytes);   // 128, 0, 0, 255

@@ -9,7 +9,7 @@
 namespace patina::runtime {
 namespace {
 
-// What no list of draws can give.
+// Inputs that a list of draws cannot provide.
 std::string check_state(const Pass& pass) {
     if (pass.draws != PassDraws::Objects && is_shadow_pass(pass))
         return "draws from the lights, so it must draw objects";

@@ -1,6 +1,5 @@
-// Whether a world and its compiled materials can become a frame: everything is there, every pass asks for what a list
-// of draws can give, and the camera is one that the passes work for. Whether the frame itself holds together is
-// frame_check.h.
+// Checks whether a world and its compiled materials can become a frame: nothing is missing, a list of draws can provide
+// everything that the passes need, and the passes support the camera. frame_check.h checks the frame itself.
 //
 //   if (std::string error = plan_error(world, materials, options); !error.empty()) return Failure{error};
 #pragma once

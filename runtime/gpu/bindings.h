@@ -1,5 +1,5 @@
-// A reflection's blocks and textures as Vulkan's descriptor sets. What lies where is found first (slots); its shape
-// alone makes the layout, which steps of the same shape share; each step fills sets of its own.
+// A reflection's blocks and textures as Vulkan's descriptor sets. First, the places of all resources are found. The
+// layout depends only on their shape, and steps of the same shape share it; each step fills its own sets.
 //
 //   Slots slots = find_slots(reflection, uniform_buffer, blocks, textures);
 //   BindingLayout layout = make_layout(gpu, slots);

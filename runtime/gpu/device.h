@@ -1,6 +1,6 @@
-// A headless Vulkan 1.3 device: instance, one queue, one command pool, and what the validation layer said. No surface,
-// no swapchain. The default is a software device (lavapipe), so that pictures are the same everywhere; a GPU is chosen
-// by name.
+// A headless Vulkan 1.3 device: instance, one queue, one command pool, and the messages of the validation layer. It has
+// no surface and no swapchain. The default is a software device (lavapipe), so that pictures are the same everywhere; a
+// GPU is chosen by name.
 //
 //   Outcome<std::unique_ptr<Device>> device = open_device({.validation = true});
 //   if (!device) return Failure{device.error};   // says what to install

@@ -1,4 +1,4 @@
-// A frame's steps made ready for the device, and recorded. Making them ready can fail; recording cannot.
+// Prepares a frame's steps for the device, and records them. Preparing can fail; recording cannot.
 //
 //   Outcome<ReadyFrame> ready = make_ready(gpu, frame, targets, textures);
 //   run_commands(gpu, [&](VkCommandBuffer commands) { record_frame(commands, frame, ready.value, targets); });

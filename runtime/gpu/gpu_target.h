@@ -1,5 +1,5 @@
-// The images that a frame draws into, on the device. They stay from frame to frame while the same ones are wanted. A
-// step that reads what it also draws into reads a copy, which lasts until something draws into the target again.
+// The render targets of a frame on the device. Later frames reuse them while they need the same ones. If a step reads a
+// target that it also draws into, it reads a copy, which is valid until something draws into the target again.
 //
 //   std::vector<GpuTarget> targets;
 //   Outcome<bool> fitted = fit_targets(gpu, targets, frame.targets);
@@ -29,7 +29,7 @@ struct GpuTarget {
     unsigned version = 0, copied_version = 0;
 };
 
-// Makes `targets` those that are wanted, with what they held no longer of use.
+// Makes `targets` match the given list; their old contents are lost.
 Outcome<bool> fit_targets(Gpu& gpu, std::vector<GpuTarget>& targets, std::span<const FrameTarget> wanted);
 // Sees to it that there is an image for the copy.
 Outcome<bool> need_copy(Gpu& gpu, GpuTarget& target);

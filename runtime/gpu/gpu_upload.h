@@ -1,5 +1,5 @@
-// What goes from the CPU to the device before a frame is drawn: textures, which stay there for later frames, and the
-// frame's meshes and uniform blocks, which do not.
+// Uploads data to the device before a frame is drawn: textures, which stay there for later frames, and the frame's
+// meshes and uniform blocks, which do not.
 //
 //   TextureCache textures;
 //   Outcome<BoundTexture> bound = textures.bind(gpu, loaded_texture);

@@ -45,7 +45,7 @@ public:
 
     void add_target(const FrameTarget& target);
     void add_step(const FrameStep& step);
-    // The first that is more than its limit; null: there is none.
+    // The first number that exceeds its limit; null: there is none.
     const Need* unmet() const {
         auto found =
             std::find_if(needs_.begin(), needs_.end(), [](const Need& need) { return need.amount > need.limit; });

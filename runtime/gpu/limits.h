@@ -1,5 +1,5 @@
-// What a device cannot take, found out before anything is made for a frame: a driver that is asked for more than it
-// says it has may crash.
+// Checks a frame against the limits of a device before any object is created: a driver may crash if its limits are
+// exceeded.
 //
 //   std::string error = beyond_limits(device.limits, device.name, frame);   // empty: the device can take it
 #pragma once
@@ -14,7 +14,7 @@ namespace patina::runtime {
 
 // Empty, or what the frame needs and what the device has, with Vulkan's name of the limit.
 std::string beyond_limits(const VkPhysicalDeviceLimits& limits, const std::string& device, const Frame& frame);
-// The same of the frame that the draw stands for.
+// The same for the frame of a draw.
 std::string beyond_limits(const VkPhysicalDeviceLimits& limits, const std::string& device, const Draw& draw);
 
 }  // namespace patina::runtime

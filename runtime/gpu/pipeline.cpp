@@ -31,7 +31,7 @@ Outcome<std::vector<VkVertexInputAttributeDescription>> vertex_attributes(const 
     return result;
 }
 
-// Empty, or what the device cannot do of what the targets ask of blending.
+// Empty, or the blend state of the targets that the device does not support.
 std::string blending_error(const Device& device, const PipelineInfo& wanted) {
     const std::vector<RenderTarget>& targets = wanted.pass->targets;
     for (std::size_t i = 0; i < targets.size(); i++) {

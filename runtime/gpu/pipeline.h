@@ -1,4 +1,4 @@
-// A pass's two stages, vertex inputs and state as Vulkan's graphics pipeline. What is bound to it is bindings.h.
+// A pass's two stages, vertex inputs and state as Vulkan's graphics pipeline. bindings.h handles its descriptors.
 //
 //   Outcome<PipelineHandle> pipeline = make_pipeline(gpu, {.pass = &pass, .layout = layout.layout.get(), ...});
 #pragma once

@@ -10,7 +10,7 @@
 //   3. images of the wanted sizes and formats are taken from the last frame, or made (gpu_target.h)
 //   4. each mesh and all uniforms go to the device in one buffer; textures that were seen before are still there
 //      (gpu_upload.h)
-//   5. each step gets descriptor sets (bindings.h), and a pipeline (pipeline.h) that it shares with its like
+//   5. each step gets descriptor sets (bindings.h), and a pipeline (pipeline.h) that it shares with equal steps
 //   6. one command buffer (gpu_frame.h): clear every image, then step after step, with a copy of an image where a step
 //      reads what it also draws into; copy back the one that is shown; the call waits for it
 //   7. samples are averaged on the CPU
@@ -38,8 +38,8 @@ public:
     // The target Frame::shown, its samples averaged.
     Outcome<Image> draw(const Frame& frame);
     Outcome<Image> draw(const Draw& draw);
-    // Of what can be drawn (frame_check.h, drawable_pass()): empty, or what this device cannot take (limits.h). draw()
-    // refuses it too.
+    // For a valid frame (frame_check.h, drawable_pass()): empty, or the limit of this device that it exceeds
+    // (limits.h). draw() refuses it too.
     std::string beyond_limits(const Frame& frame) const;
     std::string beyond_limits(const Draw& draw) const;
 

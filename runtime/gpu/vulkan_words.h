@@ -1,5 +1,5 @@
-// The words of passes and textures (patina/words.h) as Vulkan's values. The CPU takes the same words as formulas
-// (cpu/fixed_state.h).
+// Translates the words of passes and textures (patina/words.h) to Vulkan's values. For the CPU, cpu/fixed_state.h has
+// the same words as formulas.
 //
 //   info.cullMode = vulkan_cull(pass.cull);
 #pragma once

@@ -66,9 +66,9 @@ double radical_inverse(std::uint32_t bits) {
     return bits * (1.0 / 4294967296.0);
 }
 
-// The radiance on the faces of a cube, and halves of it down to one texel a face: what a sample stands for is as wide
-// as the samples are far apart (Krivanek and Colbert, "Real-time Shading with Filtered Importance Sampling", EGSR
-// 2008).
+// The radiance on the faces of a cube, with mip levels down to one texel per face. A sample reads the level whose
+// texels are as wide as the distance between samples (Krivanek and Colbert, "Real-time Shading with Filtered Importance
+// Sampling", EGSR 2008).
 class Pyramid {
 public:
     Pyramid(const Radiance& radiance, int size) : size_(size) {
@@ -130,7 +130,7 @@ private:
     std::vector<std::vector<glm::vec3>> levels_;
 };
 
-// A direction around +z in which a surface, looked at along its normal, mirrors.
+// A direction around +z in which a surface reflects a view along its normal.
 struct Mirrored {
     glm::vec3 direction;
     float weight;  // with n.l in it
@@ -141,7 +141,7 @@ std::vector<Mirrored> mirrored_directions(float roughness, int count, int size) 
     double a2 = std::pow(double(roughness), 4), texel = 4 * kPi / (6.0 * size * size);
     std::vector<Mirrored> result;
     for (int i = 0; i < count; i++) {
-        // More of them in the tail, and each for less of it.
+        // More samples lie in the tail, each with less weight.
         double s = (i + 0.5) / count, u = 1 - (1 - s) * (1 - s), weight = 2 * (1 - s);
         double phi = kPi * radical_inverse(std::uint32_t(i));
         double cos2 = (1 - u) / (1 + (a2 - 1) * u), sin2 = std::max(1 - cos2, 0.0);
@@ -151,9 +151,9 @@ std::vector<Mirrored> mirrored_directions(float roughness, int count, int size) 
         // Its probability by solid angle: D (n.h) / (4 (v.h)), and here v is n.
         double root = cos2 * (a2 - 1) + 1, density = a2 / (kPi * root * root) / 4;
         double wide = weight / (2 * count * density);
-        // Faces of fewer than 16 texels are too coarse for what is blurred no more than that.
+        // Faces of fewer than 16 texels are too coarse for a lobe that is blurred less.
         float level = float(std::clamp(0.5 * std::log2(wide / texel) + 0.5, 0.0, std::log2(size) - 4.0));
-        // In pairs, so that the lobe does not lean; azimuths are half a turn, or the pairs would fall on one another.
+        // Samples come in pairs, so that the lobe is symmetric; azimuths cover half a turn, or pairs would coincide.
         for (double side : {across, -across}) {
             result.push_back({{side * std::cos(phi), side * std::sin(phi), along}, float(along * weight), level});
         }
@@ -161,10 +161,10 @@ std::vector<Mirrored> mirrored_directions(float roughness, int count, int size) 
     return result;
 }
 
-// The mean of what is mirrored, weighted by n.l (Karis, SIGGRAPH 2013), for a view along the normal.
+// The mean of the reflected radiance, weighted by n.l (Karis, SIGGRAPH 2013), for a view along the normal.
 TextureLevel blurred(const Pyramid& pyramid, int level, int size) {
     std::vector<Mirrored> around = {{{0, 0, 1}, 1, 0}};
-    // Coarser levels have fewer texels, each of which looks at more of the surroundings.
+    // Coarser levels have fewer texels, and each covers more of the environment.
     constexpr int kSamples[kEnvironmentLevels] = {1, 16, 48, 96, 256, 1024};
     if (level > 0) around = mirrored_directions(roughness_of_level(level), kSamples[level], pyramid.size());
     TextureLevel result{.width = size, .height = size, .texels = std::vector<float>(std::size_t(24) * size * size)};

@@ -15,7 +15,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "tables are read as they lie in the file");
 
 constexpr double kPi = std::numbers::pi;
-// What the database's numbers are multiplied by.
+// The scale factors of the database's numbers.
 constexpr std::array<double, 3> kScale = {1.0 / 1500, 1.15 / 1500, 1.66 / 1500};
 constexpr int kMostAngles = 1024;
 
@@ -51,7 +51,7 @@ Outcome<MerlTable> read_merl(const std::string& path) {
         file.read(reinterpret_cast<char*>(channel.data()), std::streamsize(channel.size() * sizeof(double)));
         if (!file) return Failure{"cannot read '" + path + "'"};
         for (double& value : channel) {
-            // Beyond that a texture of floats holds nothing; what was measured is below a million.
+            // A texture of floats cannot hold larger numbers; measured values are below a million.
             if (!(std::abs(value) < 1e30)) return Failure{"'" + path + "' holds a value that is not a reflectance"};
             value *= kScale[c];
         }

@@ -56,8 +56,8 @@ Result compile(const Compiler& compiler, const ModelChoice& choice, const Words&
     return compiler.compile_text("--model", material, options);
 }
 
-// What the surface does not have may be a property of the lighting graph; if that has none of the name either, the
-// surface's complaint tells more.
+// A name that the surface lacks may be a property of the lighting graph. If the lighting graph lacks it too, the
+// surface's message is more helpful.
 Result compile(const Compiler& compiler, const ModelChoice& choice) {
     Result first = compile(compiler, choice, choice.values, {});
     Words surface, properties;
@@ -176,7 +176,7 @@ const std::vector<Diagnostic>& Model::diagnostics() const {
 // The point is the world's origin; the camera stands where v points to.
 Triple Model::Impl::run(const ModelPoint& given, const ModelLight& light, bool with_environment) {
     const auto four = [](const Triple& t) { return std::array{t[0], t[1], t[2], 0.0}; };
-    // Only the way that they point counts; the squares of very long and very short ones would not fit.
+    // Only the directions matter; the squares of very long and very short vectors would overflow.
     ModelPoint point = given;
     for (Triple* direction : {&point.n, &point.l, &point.v, &point.t}) {
         const double largest =

@@ -1,5 +1,5 @@
-// A lighting model at one point of a surface, in double precision on the CPU: what it sends to the viewer for one light
-// and for even surroundings. Behind `patina eval --model`; proofs of the models are built on it.
+// Evaluates a lighting model at one point of a surface, in double precision on the CPU: the light to the viewer for one
+// light and for a uniform environment. `patina eval --model` and the proofs of the models use it.
 //
 //   Model model(compiler, {.model = "unity-brdf1", .values = {{"baseColor", "1,0.5,0.2"}, {"metallic", "1"}}});
 //   if (model.ok()) model.direct({.l = {0, 0.6, 0.8}, .v = {0, 0, 1}});   // {r, g, b}

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// A point of [0, 1] moved towards both ends, and by how much the steps shrink there. What is integrated, root or slope
-// at an end and all, then ends flat up to its second derivative, for which the midpoint rule is of the fourth order.
+// Moves a point of [0, 1] towards both ends, and gives the factor by which steps shrink there. An integrand with a root
+// or a slope at an end becomes flat there up to its second derivative, so that the midpoint rule has fourth order.
 struct Crowded {
     double at, step;
 };

@@ -1,5 +1,5 @@
-// How strongly a rough surface mirrors light that comes from everywhere alike, as the table that the node SplitSumTable
-// reads: a reflectance of f0 scale + f90 offset (Karis, SIGGRAPH 2013), for GGX with Smith's exact joint visibility.
+// Computes the table that the node SplitSumTable reads: how strongly a rough surface reflects a uniform environment, as
+// a reflectance of f0 scale + f90 offset (Karis, SIGGRAPH 2013), for GGX with Smith's exact joint visibility.
 //
 //   auto [scale, offset] = split_sum(0.25, 0.5, 32);   texture = split_sum_table();
 #pragma once

@@ -1,21 +1,21 @@
-// How each light reaches an object where a rendering path cannot compute all of them per pixel: the main light, further
-// lights per pixel, lights per vertex, and the rest as spherical harmonics. By the rules of Unity's forward path
-// (Manual, "Forward Rendering Rendering Path Details"):
+// Splits the lights of an object if a rendering path cannot compute all of them per pixel: the main light, further
+// lights per pixel, lights per vertex, and the rest as spherical harmonics. It follows the rules of Unity's forward
+// path (Manual, "Forward Rendering Rendering Path Details"):
 //
 //   1. the brightest directional light is the main one and always per pixel, whatever its render mode; the others are
 //      taken by decreasing brightness at the object, and the scene's order where they are as bright
-//   2. those that are "important" are per pixel however many they are, those that are "not important" never
+//   2. all lights that are "important" are per pixel, lights that are "not important" never
 //   3. as long as the main and the important lights are fewer than the pixel light count, the next ones are per pixel
-//   4. of what is left, the first four point lights are per vertex; the others, and all spots and directional lights,
-//      are spherical harmonics
+//   4. of the remaining lights, the first four point lights are per vertex; the others, and all spots and directional
+//      lights, are spherical harmonics
 //
-// What is decided here: in Unity's groups the last light of one is the first of the next too, and its share moves from
-// one to the other as the object does (A-D, D-G, G-H of eight lights). Here each light is in one group (A-D, E-H), so
-// that the groups add up to what one loop over all lights gives. Spots are never per vertex, because Unity's vertex
-// lights of the forward path are points alone (Shade4PointLights).
+// One rule differs: in Unity, the last light of a group is also the first of the next, and its share moves between them
+// with the object (A-D, D-G, G-H of eight lights). Here each light is in one group (A-D, E-H), so that the groups add
+// up to the result of one loop over all lights. Spots are never per vertex, because Unity's vertex lights of the
+// forward path are only point lights (Shade4PointLights).
 //
-// The room `lights`: what a light of a scene reaches, and what it sees for its shadow map. It knows no material's
-// values and no passes.
+// The room `lights`: which objects a light of a scene reaches, and its view for the shadow map. It knows neither
+// values of materials nor passes.
 //
 //   LightSplit split = split_lights(scene.lights, world_bounds(mesh, matrix), world.pixel_light_count);
 #pragma once

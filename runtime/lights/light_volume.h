@@ -1,5 +1,5 @@
-// Shapes that hold all that a light reaches, to draw a full-screen pass only where it can matter. Closed, and front
-// faces are counter-clockwise from outside, as with every mesh.
+// Meshes that enclose everything that a light reaches, so that a lighting pass is drawn only where the light can
+// matter. They are closed, and front faces are counter-clockwise from outside, as in every mesh.
 //
 //   LightVolume volume = light_volume(light);   // mesh * object_to_world
 #pragma once

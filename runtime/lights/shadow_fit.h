@@ -1,5 +1,5 @@
-// What part of a scene the shadow map of a directional light has to hold: what the camera sees of places where one
-// object can shadow another, or itself.
+// The part of a scene that the shadow map of a directional light must hold: the visible places where one object can
+// shadow another, or itself.
 //
 //   std::vector<ShadowObject> objects = {{.mesh = &ball, .object_to_world = turn}};
 //   Extent extent = shadowed_extent(world_to_light(sun), objects, camera_view(scene), 30);

@@ -51,7 +51,7 @@ ShadowView directional_shadow(const Light& light, std::span<const ShadowObject> 
     const float texel = 2 * rounded_up(std::max({size.x / 2, size.y / 2, 1e-3f})) / texels;
     const glm::vec2 middle = glm::floor(glm::vec2(extent.lowest + extent.highest) / (2 * texel)) * texel;
     const float half = texel * float(map.area.width) / 2;
-    // Room for the biases, and for what rounding does to what touches a plane.
+    // Space for the biases, and for rounding of points on a plane.
     const float room = 0.01f * (extent.highest.z - extent.lowest.z) + light.shadow.bias +
                        (light.shadow.normal_bias + kShadowLookupBias) * texel;
     const float nearest = extent.highest.z + room, farthest = extent.lowest.z - room;

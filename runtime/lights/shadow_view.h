@@ -1,6 +1,6 @@
-// The shadow maps of a frame: what each light that casts sees, and where in the atlas it is drawn. The atlas is a
-// square of 2 x 2 tiles. Around a map kShadowMargin texels of its tile stay empty, so that a filter that wide reads
-// "lit" beyond the map, and never the neighbour.
+// The shadow maps of a frame: the view of each light that casts shadows, and its tile in the atlas. The atlas is a
+// square of 2 x 2 tiles. kShadowMargin texels around each map stay empty, so that a filter of that width reads "lit"
+// outside the map, and never the neighbour.
 //
 //   ShadowView map = directional_shadow(light, objects, camera_view(scene), {}, {.number = 0, .atlas_size = 2048});
 //   view_to_clip and world_to_view are the caster pass's; map.world_to_shadow and map.tile are for who reads it.

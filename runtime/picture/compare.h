@@ -1,5 +1,5 @@
-// Do two pictures look the same? Two gates: how many pixels differ by more than a threshold, which finds a wrong edge
-// or a missing highlight, and the average error, which finds a change too faint for the first. Not a perceptual metric.
+// Compares two pictures by two limits: the share of pixels that differ by more than a threshold, which finds a wrong
+// edge or a missing highlight, and the average error, which finds a fainter change. It is not a perceptual metric.
 //
 //   Comparison c = compare(reference, received, 3.01 / 255);
 //   bool same = c.same_size && c.share <= 0.001 && c.average <= 0.002;
@@ -20,8 +20,8 @@ struct Comparison {
 // Channels are compared as they stand: give both encoded, or both linear. NaN equals NaN, and nothing else.
 Comparison compare(const Image& a, const Image& b, double threshold);
 
-// What differs, for the eye: black where equal, brighter with the difference (times `gain`), red where it is over the
-// threshold. Of different sizes: the common part, red outside.
+// A picture of the differences: black where equal, brighter with the difference (times `gain`), red where it is over
+// the threshold. Of different sizes: the common part, red outside.
 Image difference_image(const Image& a, const Image& b, double threshold, float gain = 8);
 
 }  // namespace patina::runtime

@@ -1,5 +1,5 @@
-// What is said of a compiled material that can be drawn, but not as its author may think: textures that the CPU samples
-// otherwise, cookies that do not fit into a draw, values that no engine has. Reads reflections, and changes nothing.
+// Warnings about compiled materials that can be drawn, but not as their author may expect: textures that the CPU
+// samples differently, too many cookies for a draw, values that the engine does not provide. It only reads reflections.
 //
 //   if (auto warning = anisotropy_warning(material.graph, reflection)) diagnostics.push_back(*warning);
 #pragma once
@@ -21,7 +21,7 @@ Diagnostic complaint(const std::string& file, Severity severity, std::string cod
 std::optional<Diagnostic> anisotropy_warning(const std::string& graph, const Reflection& reflection,
                                              std::string_view pass = {});
 
-// A draw binds one cookie (engine_values.h), whatever lights it loops over.
+// A draw binds one cookie (engine_values.h), regardless of its lights.
 std::vector<Diagnostic> cookie_warnings(const std::string& graph, const Reflection& reflection, const Scene& view);
 
 // A pass file may declare values of an engine that only its author's engine has.

@@ -1,4 +1,4 @@
-// The pictures that objects of a world bring with them: lightmaps and shadow masks. Each file is loaded once.
+// The textures of objects of a world: lightmaps and shadow masks. Each file is loaded once.
 //
 //   ObjectTextures loaded = load_object_textures(world);
 //   if (loaded.ok) use(loaded.textures[object]);

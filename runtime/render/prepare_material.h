@@ -1,5 +1,5 @@
-// A material made ready for draws: compiled with the variants that its values ask for, its values read, its textures
-// loaded. A picture of one material, a world and a trace all prepare their materials here. It opens no device.
+// Prepares a material for drawing: compiles it with the variants that its values select, reads its values, and loads
+// its textures. A picture of one material, a world and a trace all prepare their materials here. It opens no device.
 //
 //   Result compiled = compile_material(compiler, material, compile_options(options));
 //   PreparedMaterial made = prepare_material(material, std::move(compiled), options.exact_textures);

@@ -1,4 +1,4 @@
-// How a picture is drawn and what comes of it: what a request for one material and one for a world have in common.
+// The options and the result of a render: shared by requests for one material and for a world.
 //
 //   RenderOptions options{.path = "deferred", .via = "cpu"};
 #pragma once

@@ -1,8 +1,8 @@
-// The whole way from a graph file to a picture, as one call: what `patina render` and snapshots use. The words in it
-// are the user's own (scene_text.h, material_values.h); everything wrong with them comes back as text or diagnostics.
+// Renders a graph file to a picture in one call, for `patina render` and snapshots. The request holds the user's own
+// words (scene_text.h, material_values.h); all errors in them are returned as text or diagnostics.
 //
-// The room `render`: compiles materials, prepares them, plans the frame and has it drawn. No formula of light or of
-// drawing stands here.
+// The room `render`: compiles materials, prepares them, plans the frame and has it drawn. It contains no formulas of
+// lighting or drawing.
 //
 //   RenderMachine machine;                      // keeps the GPU between calls; opened when first needed
 //   RenderRequest request{.graph = "rust.graph.json", .overrides = {{"_Roughness", "0.2"}}, .options = {.via = "cpu"}};

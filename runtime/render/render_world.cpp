@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::string_view kPicture = "color";
 
-// What the shaders of an object depend on beside its graph.
+// The properties of an object that its shaders depend on, in addition to its graph.
 struct Variant {
     std::size_t material = 0;
     bool lightmap = false, shadow_mask = false;
@@ -65,7 +65,7 @@ public:
     }
 
 private:
-    // Each material, the pictures of the objects, and the shaders; tells of as much as there is.
+    // Checks each material, the textures of the objects, and the shaders; reports as many problems as possible.
     void prepare() {
         for (std::size_t i = 0; i < variants_.size(); ++i) compile(i);
         ObjectTextures loaded = load_object_textures(world_);
@@ -186,7 +186,7 @@ private:
             const std::string stated = compiled.reflection.path;
             const std::string path = path_for(world_.view.camera, compiled.reflection);
             if (path != stated && !path.empty()) {
-                // Of the camera, not of the material: said once.
+                // The problem is the camera, not the material: it is reported once.
                 report({complaint(
                     {}, Severity::Warning, "path-refused",
                     fmt::format("the path '{}' needs a perspective camera; its materials are drawn with the path '{}'",
@@ -272,7 +272,7 @@ private:
         return drawn;
     }
 
-    // The wanted path as reflections name it.
+    // The requested path as reflections name it.
     bool is_pass_file() const { return options_.path.ends_with(".hlsl"); }
     std::string path_name() const {
         if (!is_pass_file()) return options_.path;

@@ -1,5 +1,5 @@
-// A world drawn along a rendering path: its materials are compiled for the path, or for what it falls back to, a frame
-// is planned (frame_plan.h), and the GPU or the CPU draws it.
+// Draws a world with a rendering path: compiles its materials for the path or its fallback, plans a frame
+// (frame_plan.h), and draws it on the GPU or the CPU.
 //
 //   RenderOutcome outcome = draw_world(compiler, world, {.path = "deferred"}, machine);
 #pragma once
@@ -14,8 +14,8 @@ namespace patina::runtime {
 RenderOutcome draw_world(const Compiler& compiler, const World& world, const RenderOptions& options,
                          RenderMachine& machine);
 
-// What draw_world() would say before it draws, with the shaders of every target proved; also of materials that no
-// object has. Ok if it would draw.
+// The messages that draw_world() gives before it draws, with the shaders of every target proved; also for materials
+// that no object has. Ok if it would draw.
 RenderOutcome check_world(const Compiler& compiler, const World& world, const RenderOptions& options);
 
 }  // namespace patina::runtime

@@ -1,4 +1,4 @@
-// Spheres that hold objects: all that lights, shadow maps and the order of drawing need to know of a shape.
+// Bounding spheres of objects: the only shape information that lights, shadow maps and the drawing order need.
 //
 //   Sphere sphere = world_bounds(*object.mesh, object.object_to_world);
 #pragma once

@@ -1,7 +1,7 @@
 // The preview meshes, made in code: sphere, plane, cube, capsule, torus, and the quad that covers the screen. World
 // space is right-handed with y up; front faces are counter-clockwise seen from outside. uv has its origin at the top
 // left of the picture, v down. The tangent follows +u, and cross(normal, tangent) * w follows -v: up in the picture, so
-// normal maps with y up (OpenGL style) are right. Not a mesh file reader.
+// normal maps with y up (OpenGL style) are right. It does not read mesh files.
 //
 //   std::optional<Mesh> mesh = make_mesh("torus");
 #pragma once

@@ -39,8 +39,8 @@ Outcome<Words> split_words(std::string_view text) {
     }
 }
 
-// Takes settings out of Words one by one; what is left at the end is an error that lists what was asked for. The first
-// error is kept.
+// Takes settings out of Words one by one. Remaining settings at the end are an error that lists the known names. The
+// first error is kept.
 class Settings {
 public:
     explicit Settings(Words words, std::string what) : words_(std::move(words)), what_(std::move(what)) {}

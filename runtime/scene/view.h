@@ -1,5 +1,5 @@
-// What the scene is seen from, as matrices: its camera, or a light while its shadow map is drawn; and how a light looks
-// at the world. Conventions of clip space are those of scene.h.
+// Views of a scene as matrices: its camera, or a light while its shadow map is drawn; and the view space of a light.
+// The conventions of clip space are those of scene.h.
 //
 //   View view = camera_view(scene);   glm::vec4 clip = view.view_to_clip * view.world_to_view * position;
 #pragma once

@@ -1,5 +1,5 @@
-// Several objects, each with a material, seen together: what a scene file (patina/scene.h) says, with its meshes made
-// and its numbers turned into matrices. Which shaders draw it, and in which order, is frame_plan.h.
+// Several objects, each with a material: the contents of a scene file (patina/scene.h), with meshes created and
+// transforms converted to matrices. frame_plan.h decides which shaders draw it, and in which order.
 //
 //   World world{.view = default_scene(""), .materials = {{.name = "rust", .graph = "rust.graph.json"}},
 //               .objects = {{.name = "ball", .mesh = sphere, .material = 0}}};

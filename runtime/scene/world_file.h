@@ -1,6 +1,6 @@
-// A scene file -> a world that can be drawn: meshes are made, transforms become matrices, pictures of lights are
-// loaded. What the compiler could not know (which meshes there are, whether a picture can be read) is found out here
-// and said at its place in the file. Compiling the materials is not its work.
+// Converts a scene file to a world that can be drawn: creates meshes, converts transforms to matrices, loads cookies of
+// lights. It reports errors that the compiler cannot find (unknown meshes, unreadable pictures) at their place in the
+// file. It does not compile the materials.
 //
 //   WorldFile file = read_world(compiler, "shelf.scene.json", {});
 //   if (file.ok) draw(file.world);

@@ -25,7 +25,7 @@ Outcome<std::vector<fs::path>> find_cases(const std::string& dir) {
     return cases;
 }
 
-// What the comparison found, against what was allowed.
+// The result of the comparison and the tolerance.
 std::string describe(const Comparison& c, const Tolerance& tolerance) {
     return fmt::format(
         "{:.3g} % of the pixels differ (limit {:.3g} %), the average error is {:.2g} (limit {:.2g}); the largest is "
@@ -111,7 +111,7 @@ SnapshotCase run_case(const Compiler& compiler, const fs::path& stem, const std:
 
     RenderOutcome outcome = render(compiler, request, machine);
     result.diagnostics = std::move(outcome.diagnostics);
-    // What has no place is about the path.
+    // Diagnostics without a place are about the path.
     for (Diagnostic& each : result.diagnostics) {
         if (!each.file.empty()) continue;
         Diagnostic placed = diagnostic_at(read.path_place, each.code, each.message);

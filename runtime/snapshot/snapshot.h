@@ -1,5 +1,5 @@
-// Picture tests that live as files: each NAME.snapshot.json in a folder names a graph and a scene, and NAME.png beside
-// it is what it should look like. A plain run never writes there: what was rendered, and the difference, go to
+// Picture tests as files: each NAME.snapshot.json in a folder names a graph and a scene, and NAME.png next to it is the
+// expected picture. A plain run never writes there: the rendered picture and the difference are written to
 // `received_dir`.
 //
 // The room `snapshot`: reads such files, has them rendered and compares. It draws nothing itself.

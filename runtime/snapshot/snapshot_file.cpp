@@ -255,7 +255,7 @@ Problem apply(const Entry& entry, const std::filesystem::path& folder, SnapshotF
     return unknown_key(entry.path);
 }
 
-// NAME.graph.json; a scene where there is no such graph.
+// NAME.graph.json, or the scene if there is no such graph.
 std::string default_graph(const std::filesystem::path& folder, const std::string& stem) {
     std::error_code ignored;
     const std::string graph = stem + ".graph.json", scene = stem + ".scene.json";

@@ -1,13 +1,12 @@
-// Reads NAME.snapshot.json: which graph or scene, how it is looked at, and how near its picture has to be. Running it
-// is snapshot.h.
+// Reads NAME.snapshot.json: the graph or scene, its view, and the tolerance of the comparison. snapshot.h runs it.
 //
 //   { "patina": 1, "graph": "rust.graph.json", "mesh": "torus", "size": 128, "samples": 2, "time": 0, "node": "mask",
 //     "camera": "fov=40", "lights": ["directional direction=0,1,1"], "ambient": "0.2", "via": "glsl",
 //     "path": "forward", "set": { "_Roughness": 0.2, "_Tint": [1, 0, 0], "_MainTex": "rust.png" },
 //     "tolerance": { "pixel": 0.0118, "share": 0.001, "average": 0.002 } }
 //
-// All but "patina" may be left out; the graph is then NAME.graph.json, or NAME.scene.json where only that is there. A
-// path may be a file, "./mine.pass.hlsl". A scene brings its own meshes, so "mesh", "set" and "node" are for graphs.
+// All keys except "patina" are optional; the default graph is NAME.graph.json, or NAME.scene.json if only that exists.
+// A path may be a file, "./mine.pass.hlsl". A scene brings its own meshes, so "mesh", "set" and "node" are for graphs.
 // // comments and trailing commas are accepted.
 #pragma once
 

@@ -79,7 +79,7 @@ double main_slot(const Scene& scene, std::span<const SeenLight> lights) {
     return -1;
 }
 
-// What baked light must know of the lights.
+// The values of the lights that baked light needs.
 void add_mixed_lighting(Values& values, const EngineScene& seen, std::span<const SeenLight> lights) {
     const Scene& scene = *seen.scene;
     const MixedLighting& mixed = scene.mixed_lighting;

@@ -1,5 +1,5 @@
-// What a scene says for each value that nodes/stage/ declares as the engine's, by its name there: camera, object,
-// frame, lights and ambient light. Only numbers and names; material_values.h puts them where the reflection wants them.
+// The value that a scene gives to each engine value of nodes/stage/, by its name there: camera, object, frame, lights
+// and ambient light. It holds only numbers and names; material_values.h writes them to the places of the reflection.
 //
 //   engine_values(scene).at("lightColor").numbers   // four for each light
 #pragma once
@@ -36,7 +36,7 @@ struct SeenInstance {
     const MaterialValues* values = nullptr;  // null: the material's
 };
 
-// What one draw knows of its surroundings.
+// The scene as one draw sees it.
 struct EngineScene {
     const Scene* scene = nullptr;  // time, size and fog are its
     View view{};

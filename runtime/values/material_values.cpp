@@ -165,7 +165,7 @@ void write(std::vector<std::byte>& bytes, const BlockMember& member, MatrixOrder
     }
 }
 
-// What the graph's own block holds at a member: a property, or a texture's tiling or size.
+// The value of a member of the graph's own block: a property, or a texture's tiling or size.
 std::optional<Numbers> material_number(const BlockMember& member, const std::string& block,
                                        const Reflection& reflection, const MaterialValues& values) {
     for (const Property& property : reflection.properties) {
@@ -182,7 +182,7 @@ std::optional<Numbers> material_number(const BlockMember& member, const std::str
     return std::nullopt;
 }
 
-// What the instances have at a member of a block, one after the other.
+// The values of all instances at a member of a block, one after the other.
 EngineValue instance_numbers(const BlockMember& member, const std::string& block, const Reflection& reflection,
                              const MaterialValues& values, std::span<const SeenInstance> instances,
                              const std::map<std::string, EngineValue>& engine) {

@@ -1,9 +1,9 @@
-// Gives a material's properties their values: the defaults of the reflection, changed by the user's words. And fills
-// the uniform blocks, its own and the engine's, through the reflection alone: members are found by name and written at
-// their offsets. Shared by the GPU and the CPU renderer, so both see the same bytes.
+// Gives a material's properties their values: the defaults of the reflection, changed by the user's words. It also
+// fills the uniform blocks, the material's and the engine's: members are found by name in the reflection and written at
+// their offsets. The GPU and the CPU renderer share it, so both see the same bytes.
 //
-// The room `values`: what a scene and a material give to the blocks and textures that a reflection names. It decides
-// nothing about passes and their order, and knows no device.
+// The room `values`: the contents of the blocks and textures of a reflection, from a scene and a material. It does
+// not depend on passes, their order or a device.
 //
 //   Outcome<MaterialValues> values = material_values(reflection, {{"_Roughness", "0.2"}, {"_MainTex", "rust.png"}});
 //   std::vector<BlockBytes> blocks = fill_blocks(reflection, values.value, scene);
@@ -42,9 +42,9 @@ Outcome<MaterialValues> material_values(const Reflection& reflection, const std:
 // Of everything that can be given a value, tilings too.
 std::vector<std::string> property_names(const Reflection& reflection);
 
-// The keywords that the compiler must know of, as CompileOptions::switches: variants that the material was compiled
-// with other values of; and, of words from a command line, those that are no value of their variant or constant, of
-// which the compiler says so at its declaration.
+// The keywords to pass to the compiler as CompileOptions::switches: variants whose values differ from those that the
+// material was compiled with, and words from a command line that are not values of their variant or constant: the
+// compiler reports these at the declaration.
 std::vector<std::pair<std::string, std::string>> keywords_of(const Reflection& reflection,
                                                              const std::map<std::string, std::string>& words,
                                                              Spelling spelling = Spelling::Words);

@@ -1,5 +1,5 @@
-// Textures as both renderers take them: mip levels of linear texels, made from a file or a named default, plus the
-// format that a GPU should store them in.
+// Textures for both renderers: mip levels of linear texels, from a file or a named default, and the format in which a
+// GPU should store them.
 //
 //   LoadedTextures loaded = load_textures(reflection, "graphs", {{"_MainTex", "rust.png"}}, false);
 //   if (loaded.errors.empty()) use(loaded.textures);

@@ -1,5 +1,5 @@
-// A reporter that remembers the best time of each benchmark, and prints beside what the compiler promises what it
-// does. The best, because other programs only ever add to a time.
+// A reporter that remembers the best time of each benchmark, and prints it next to the compiler's promise. The best
+// time counts, because other programs can only add to it.
 #pragma once
 
 #include <benchmark/benchmark.h>

@@ -1,5 +1,5 @@
-// The compiler's figures: what a warm compile, of one pass and of all, the whole command, the library and very long
-// graphs cost, and how long the text is that comes out. Google Benchmark's options apply; the table at the end is the
+// The compiler's benchmarks: the time of a warm compile (of one pass and of all), of the whole command, of the library
+// and of very long graphs, and the length of the output. Google Benchmark's options apply; the table at the end is the
 // best of the repetitions.
 #include <fcntl.h>
 #include <spawn.h>

@@ -59,7 +59,7 @@ TEST_P(Example, CompilesForBothTargets) {
     expect_accepted(compiler().compile_file(GetParam()));
 }
 
-// One of the graph, or of the scene of its name that lies beside it.
+// One of the graph, or of the scene with the same name in its folder.
 TEST_P(Example, HasAPicture) {
     std::string scene = GetParam();
     scene.replace(scene.rfind(".graph.json"), std::string::npos, ".scene.json");

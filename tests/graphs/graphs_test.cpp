@@ -1,7 +1,7 @@
-// Each folder beside this file tells one story: a small graph, and what it becomes. The *.graph.json of the folder is
+// Each folder next to this file is a test: a small graph, and its expected output. The *.graph.json of the folder is
 // compiled; both other compilers must accept every stage, and GLSL, HLSL and reflection are compared with the files
-// beside it. A folder with a file `prefix` tells of functions under that prefix instead of passes. A change of a
-// printer shows here as a diff that a reviewer can read: tests/accept takes it over.
+// next to it. A folder with a file `prefix` expects functions with that prefix instead of passes. A change of a printer
+// shows here as a diff that a reviewer can read: tests/accept accepts it.
 #include <algorithm>
 #include <vector>
 

@@ -63,7 +63,7 @@ constexpr Case kCases[] = {
          return glm::dvec4(glm::mix(glm::dvec3(kBehind), fogged(kFog, light, seen), kAlpha),
                            kAlpha + (1 - kAlpha) * kBehind.a);
      }},
-    {"transparent",  // what it mirrors stays: its coverage is no less than its reflectance
+    {"transparent",  // its reflections stay: its coverage is not less than its reflectance
      [](double light, double seen) {
          const double covered = 1 - (1 - kAlpha) * (1 - kDielectric);
          return glm::dvec4(fogged(kFog * covered, light * kAlpha, seen), covered) + (1 - covered) * kBehind;

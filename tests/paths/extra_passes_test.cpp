@@ -141,7 +141,7 @@ TEST(ExtraPasses, ShareOneBlockAndHaveFilesOfTheirOwn) {
         return compiled(graph, "forward").reflection.layout_hash;
     };
     EXPECT_EQ(layout(""), layout(R"(, "passes": [ { "name": "p", "surface": { "color": "= t.rgb * $_A" } } ])"));
-    // A pass that draws no picture has nothing to be seen beside.
+    // A pass that does not draw into the picture cannot be seen in it.
     EXPECT_FALSE(find_pass(compiled("examples/graphs/outlined.graph.json", "depth-only"), "outline"));
 }
 

@@ -1,4 +1,4 @@
-// A matt plane that fills the picture, for pictures that formulas tell pixel by pixel.
+// A matt plane that fills the picture, for pictures that formulas give pixel by pixel.
 //
 //   World world = matt_plane();
 //   world.view.lights = {{.direction = {0, 0, 1}, .color = glm::vec3(2)}};

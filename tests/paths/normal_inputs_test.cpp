@@ -1,5 +1,5 @@
 // The normal of a material, given in each of the three spaces, on both sides of a sheet that is turned and stretched:
-// what lighting reads must be what its space says. The picture is that normal.
+// lighting must read the normal in its own space. The picture shows that normal.
 #include <fmt/format.h>
 
 #include <glm/gtc/matrix_transform.hpp>

@@ -161,7 +161,7 @@ TEST(ParallaxOcclusion, MovesTheSilhouetteOfAStepByThePredictedTexels) {
     }
 }
 
-// Over a relief of one slope the cut with the straight line between two heights is no approximation, so few steps
+// Over a relief of one slope the cut with the straight line between two heights is exact, so few steps
 // suffice: 1 - t = height = 1 - u - t path.u.
 TEST(ParallaxOcclusion, MeetsASlopeExactly) {
     const std::string graph = occlusion("slope.graph.json", "linear", 3, 7);

@@ -1,4 +1,4 @@
-// What "render" says is what is drawn, by formulas: planes in front of each other, along each path, on the GPU and the
+// The state in "render" has its effect, by formulas: planes in front of each other, along each path, on the GPU and the
 // CPU. Every picture is 8 x 8 pixels of planes that fill it or its left half.
 #include <fmt/format.h>
 

@@ -46,7 +46,7 @@ struct ClosedModel {
     std::vector<Own> own{};
     // For a light of E/pi = 1.
     Color (*direct)(const Surface&, const Directions&) = nullptr;
-    // For an ambient irradiance of E/pi = 1 and an environment of radiance 0, and the other way round. Null: not told.
+    // For an ambient irradiance of E/pi = 1 and an environment of radiance 0, and the other way round. Null: not given.
     Color (*ambient)(const Surface&, const Directions&) = nullptr;
     Color (*environment)(const Surface&, const Directions&) = nullptr;
 };

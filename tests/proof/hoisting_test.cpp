@@ -209,7 +209,7 @@ TEST(Hoisting, OfTheExamples) {
     EXPECT_GT(loops, 9);
 }
 
-// The search sees what there is to see: with one pass left out there is something in the loop, or in what it calls.
+// The search can fail: without one IR pass, it finds a computation in the loop or in a function that it calls.
 TEST(Hoisting, TakesBothPasses) {
     const Compiler compiler;
     const ModelInfo& workflow = compiler.workflows().front();

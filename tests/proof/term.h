@@ -1,5 +1,5 @@
 // A function of the node language made ready to run millions of times: emitted once, not folded, and executed by the
-// interpreter four points at a time. What the proofs beside it integrate, maximise and compare.
+// interpreter four points at a time. The proofs in this folder integrate, maximise and compare it.
 //
 //   Term ggx = Term::of("float f(float c, float alpha) { return DistributionGGX(c, alpha) * c; }");
 //   ggx({0.9, 0.25});                                                    // one value

@@ -1,5 +1,5 @@
-// One surface told in two ways: metallic and roughness, or specular colour and glossiness. Pairs that convert exactly
-// give the same light in double, and the same picture through GLSL and through HLSL.
+// One surface described in two ways: metallic and roughness, or specular colour and glossiness. Pairs that convert
+// exactly give the same light in double, and the same picture through GLSL and through HLSL.
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -1,4 +1,4 @@
-// Expected texts in the source tree: a test writes what it received beside the build, never into the tree, and fails
+// Expected texts in the source tree: a test writes what it received into the build, never into the tree, and fails
 // with the first line that differs. `tests/accept` shows the differences and takes them over.
 //
 //   EXPECT_TRUE(as_expected("diagnostics/cycle/expected.txt", text));

@@ -83,7 +83,7 @@ TEST(UnityProperties, OutsideOfGroupsAreSetApart) {
         << text;
 }
 
-// Slashes are Unity's menus; what it cannot read or would show empty is left out, and told of at the name.
+// Slashes are Unity's menus; text that it cannot read or would show empty is omitted, with a message at the name.
 TEST(UnityName, IsTheGraphsAsFarAsShaderLabCan) {
     for (const auto& [name, shown, is_told] : std::initializer_list<std::tuple<std::string, std::string, bool>>{
              {"Worn metal", "Worn metal", false},
@@ -150,7 +150,7 @@ TEST(UnityInterpolators, AskForTheModelThatHoldsThem) {
         EXPECT_EQ(model_of_first(text), model) << count;
         EXPECT_TRUE(has(text, inside + std::to_string(count) + ")")) << text;
     }
-    // Lit, the normal, the position and what comes of lightmaps are three more.
+    // A lit material needs three more: the normal, the position and the light of lightmaps.
     for (const auto& [count, model] :
          std::initializer_list<std::pair<int, std::string>>{{4, "3.0"}, {5, "3.5"}, {7, "3.5"}, {8, "5.0"}}) {
         const std::string text = shader(with_values("metallic-roughness", count));
@@ -393,7 +393,7 @@ TEST(UnityKeywords, AreTestedInFewWords) {
     EXPECT_EQ(narrow.substr(test, narrow.find('\n', test) - test), "#if defined(_A)") << narrow;
 }
 
-// A switch of other passes is none of this file; beside GLSL it is GLSL's.
+// A switch of other passes does not belong to this file; if GLSL is also written, it is GLSL's.
 TEST(UnitySwitches, ArePropertiesAlone) {
     const std::string graph = material(R"("properties": [ { "name": "_WORN", "type": "bool", "as": "variant" } ],
       "surface": { "metallic": "= $_WORN ? 1 : 0" })");

@@ -1,5 +1,5 @@
-// Which passes a material has for Unity and what is said of it as a whole, where that depends on its state and on what
-// it reads.
+// The passes and tags that a material has for Unity, where they depend on its state and on the values that it
+// reads.
 #include <algorithm>
 
 #include "unity/compiled.h"
@@ -85,7 +85,7 @@ TEST(UnityDepth, IsThereForPassesThatWriteIt) {
     }
 }
 
-// A stencil that changes what it tests is for what is drawn once: what no light lights, and passes that are added.
+// A stencil that changes the value that it tests requires a single draw: unlit materials, and extra passes.
 TEST(UnityStencil, MayChangeWhatItTestsWhereAnObjectIsDrawnOnce) {
     const std::string stencil = R"("stencil": { "reference": 1, "test": "notEqual", "pass": "replace" })";
     for (const std::string kind : {"fade", "opaque"}) {

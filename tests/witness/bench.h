@@ -1,6 +1,7 @@
 // One graph, three witnesses: drawn on a Vulkan device through GLSL, the same through HLSL, and run by the CPU
 // interpreter from IR that was never folded. A graph reads its inputs from the texture `_Data`, texel by texel and
-// exactly, so that nothing about them is known when it is compiled. Used by the tests beside it; compares nothing.
+// exactly, so that nothing about them is known when it is compiled. The tests in this folder use it; it compares
+// nothing.
 //
 //   Bench bench;
 //   std::optional<Material> material = bench.compile(text);

@@ -36,7 +36,7 @@ protected:
     static inline std::unique_ptr<Bench> bench;
 
     // How far a witness may be from the CPU's result in double: what rounding to float makes, and what noise makes.
-    // Negative: the result is worthless, because it is no number, huge, or all noise.
+    // Negative: the result is useless, because it is not a number, huge, or all noise.
     static double tolerance(std::size_t i, const Image& exact, const Image& single, const std::vector<Image>& twins,
                             bool uses_half) {
         const double value = static_cast<double>(exact.pixels[i]);

@@ -28,8 +28,8 @@ RowInputs row_inputs(const reference::Json& row, const reference::Json& term);
 std::optional<std::string> port_text(const reference::Json& mapping, const reference::Json& term,
                                      const RowInputs& inputs);
 
-// The graph of a term that is no lighting model. `widths`: of each part of what comes out; empty: the graph is not
-// complete, and only good to be told apart from others.
+// The graph of a term that is not a lighting model. `widths`: the width of each part of the result; empty: the graph is
+// incomplete, and can only be compared with others.
 std::string term_graph(const Compiler& compiler, const reference::Json& term, const RowInputs& inputs,
                        const std::vector<std::size_t>& widths);
 

@@ -212,7 +212,7 @@ TEST(Variants, ThatAreFixedDoNotMultiply) {
     EXPECT_EQ(compiler().compile_variants("sixteen.graph.json", plan, options).programs.size(), 1u);
 }
 
-// A file of Unity's holds all combinations of what is not fixed, and stands beside each program of the others.
+// A file for Unity holds all combinations of variants that are not fixed; it belongs to each program of the others.
 TEST(Variants, OfUnityAreInOneFile) {
     CompileOptions options = options_for(kSixteen);
     options.switches = {{"_A", "true"}, {"shadows", ""}};
@@ -271,7 +271,7 @@ TEST(Variants, AreCountedWithoutBeingListed) {
     EXPECT_EQ(last_but_one.back(), std::pair(std::string("_V18"), std::string("false")));
 }
 
-// A choice between equal values is none, whenever it is made.
+// A choice between equal values leaves no trace in the shader, for both kinds of property.
 TEST(Variants, BetweenEqualValuesAreNotInTheShader) {
     const auto hash = [&](std::string_view binding, std::string_view value) {
         CompileOptions options;

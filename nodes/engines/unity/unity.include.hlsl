@@ -1,12 +1,12 @@
-// What a shader for Unity says beside its passes, where it needs it. Each piece ends at an empty line.
+// Declarations that a shader for Unity needs outside its passes. Each piece ends at an empty line.
 
-// The macros for lights of all kinds are of 2018; before that the position alone was enough.
+// Before 2018, Unity lacks the macros for all kinds of lights, and the position alone is enough.
 #ifndef UNITY_LIGHTING_COORDS
 #define UNITY_LIGHTING_COORDS(first, second) UNITY_SHADOW_COORDS(second)
 #define UNITY_TRANSFER_LIGHTING(o, uv) UNITY_TRANSFER_SHADOW(o, uv)
 #endif
 
-// A level of a texture that the shader chooses: with a sampler beside the texture, or in it.
+// Samples a given level of a texture, with a separate or a combined sampler.
 #if defined(UNITY_SEPARATE_TEXTURE_SAMPLER) || defined(UNITY_COMPILER_HLSLCC) || defined(SHADER_API_D3D11) || \
     defined(SHADER_API_XBOXONE) || defined(SHADER_API_PSSL)
 #define SAMPLE_TEX2D_LOD(tex, coord, level) tex.SampleLevel(sampler##tex, coord, level)
@@ -14,7 +14,7 @@
 #define SAMPLE_TEX2D_LOD(tex, coord, level) tex2Dlod(tex, float4(coord, 0, level))
 #endif
 
-// A level of a texture that the shader chooses, with another texture's sampler.
+// Samples a given level of a texture, with another texture's sampler.
 #if defined(UNITY_SEPARATE_TEXTURE_SAMPLER) || defined(UNITY_COMPILER_HLSLCC) || defined(SHADER_API_D3D11) || \
     defined(SHADER_API_XBOXONE) || defined(SHADER_API_PSSL)
 #define SAMPLE_TEX2D_SAMPLER_LOD(tex, samplertex, coord, level) tex.SampleLevel(sampler##samplertex, coord, level)
@@ -22,7 +22,7 @@
 #define SAMPLE_TEX2D_SAMPLER_LOD(tex, samplertex, coord, level) tex2Dlod(tex, float4(coord, 0, level))
 #endif
 
-// A level that is so much above the texture's own.
+// Samples a texture with a bias of the level.
 #if defined(UNITY_SEPARATE_TEXTURE_SAMPLER) || defined(UNITY_COMPILER_HLSLCC) || defined(SHADER_API_D3D11) || \
     defined(SHADER_API_XBOXONE) || defined(SHADER_API_PSSL)
 #define SAMPLE_TEX2D_BIAS(tex, coord, bias) tex.SampleBias(sampler##tex, coord, bias)
@@ -30,7 +30,7 @@
 #define SAMPLE_TEX2D_BIAS(tex, coord, bias) tex2Dbias(tex, float4(coord, 0, bias))
 #endif
 
-// A level that is so much above the texture's own, with another texture's sampler.
+// Samples a texture with a bias of the level, with another texture's sampler.
 #if defined(UNITY_SEPARATE_TEXTURE_SAMPLER) || defined(UNITY_COMPILER_HLSLCC) || defined(SHADER_API_D3D11) || \
     defined(SHADER_API_XBOXONE) || defined(SHADER_API_PSSL)
 #define SAMPLE_TEX2D_SAMPLER_BIAS(tex, samplertex, coord, bias) tex.SampleBias(sampler##samplertex, coord, bias)
@@ -38,7 +38,7 @@
 #define SAMPLE_TEX2D_SAMPLER_BIAS(tex, samplertex, coord, bias) tex2Dbias(tex, float4(coord, 0, bias))
 #endif
 
-// The level that belongs to these steps from pixel to pixel.
+// Samples a texture with given derivatives.
 #if defined(UNITY_SEPARATE_TEXTURE_SAMPLER) || defined(UNITY_COMPILER_HLSLCC) || defined(SHADER_API_D3D11) || \
     defined(SHADER_API_XBOXONE) || defined(SHADER_API_PSSL)
 #define SAMPLE_TEX2D_GRAD(tex, coord, dx, dy) tex.SampleGrad(sampler##tex, coord, dx, dy)
@@ -46,7 +46,7 @@
 #define SAMPLE_TEX2D_GRAD(tex, coord, dx, dy) tex2Dgrad(tex, coord, dx, dy)
 #endif
 
-// The level that belongs to these steps from pixel to pixel, with another texture's sampler.
+// Samples a texture with given derivatives, with another texture's sampler.
 #if defined(UNITY_SEPARATE_TEXTURE_SAMPLER) || defined(UNITY_COMPILER_HLSLCC) || defined(SHADER_API_D3D11) || \
     defined(SHADER_API_XBOXONE) || defined(SHADER_API_PSSL)
 #define SAMPLE_TEX2D_SAMPLER_GRAD(tex, samplertex, coord, dx, dy) tex.SampleGrad(sampler##samplertex, coord, dx, dy)
@@ -54,7 +54,7 @@
 #define SAMPLE_TEX2D_SAMPLER_GRAD(tex, samplertex, coord, dx, dy) tex2Dgrad(tex, coord, dx, dy)
 #endif
 
-// In a project of gamma space colours come encoded; lighting is computed in linear light all the same.
+// In a gamma-space project, colours arrive encoded; lighting is still computed in linear space.
 half3 LinearColor(half3 color)
 {
 #ifdef UNITY_COLORSPACE_GAMMA
@@ -67,7 +67,7 @@ half4 LinearColor(half4 color)
     return half4(LinearColor(color.rgb), color.a);
 }
 
-// A linear colour as the project keeps it.
+// Converts a linear colour to the project's colour space.
 half3 ProjectColor(half3 color)
 {
 #ifdef UNITY_COLORSPACE_GAMMA
@@ -76,7 +76,7 @@ half3 ProjectColor(half3 color)
     return color;
 }
 
-// A normal map's texel as it was painted, however Unity has packed it.
+// The original texel of a normal map, independent of how Unity packs it.
 half4 NormalTexel(half4 texel)
 {
     return half4(UnpackNormal(texel) * 0.5 + 0.5, 1);
@@ -94,7 +94,7 @@ int LightType()
 #endif
 }
 
-// The coordinates of the lightmaps, or the light of four lights and the second order of the probes at a vertex.
+// At a vertex: the lightmap coordinates, or the light of four lights and the second order of the probes.
 float4 AmbientOrLightmapUV(float2 uv1, float2 uv2, float3 position, half3 normal)
 {
     float4 ambient = 0;
@@ -113,7 +113,7 @@ float4 AmbientOrLightmapUV(float2 uv1, float2 uv2, float3 position, half3 normal
     return ambient;
 }
 
-// What Unity's global illumination asks of a pixel. The light is white: what is left of it is a shadow.
+// The input of Unity's global illumination. The light is white, so that its result is the shadow.
 UnityGIInput GIInput(float3 position, half attenuation, float4 ambient)
 {
     UnityGIInput data;
@@ -143,19 +143,19 @@ UnityGIInput GIInput(float3 position, half attenuation, float4 ambient)
     return data;
 }
 
-// Light from all around over pi: probes, lights at vertices, lightmaps, real-time global illumination.
+// Ambient light over pi: probes, lights at vertices, lightmaps, real-time global illumination.
 half3 AmbientLight(half3 normal, float3 position, half attenuation, float4 ambient)
 {
     return LinearColor(UnityGI_Base(GIInput(position, attenuation, ambient), 1, normal).indirect.diffuse);
 }
 
-// What real-time and baked shadows leave of the main light.
+// The fraction of the main light that real-time and baked shadows leave.
 half MixedShadow(float3 position, half attenuation, float4 ambient)
 {
     return UnityGI_Base(GIInput(position, attenuation, ambient), 1, half3(0, 1, 0)).light.color.r;
 }
 
-// Light of the reflection probes from a direction, blurred as a surface of that perceptual roughness mirrors it.
+// Light of the reflection probes from a direction, blurred for a perceptual roughness.
 half3 ReflectedLight(half3 direction, half roughness, float3 position, bool readsProbes)
 {
     if (!readsProbes) return 0;
@@ -166,7 +166,7 @@ half3 ReflectedLight(half3 direction, half roughness, float3 position, bool read
     return LinearColor(UnityGI_IndirectSpecular(GIInput(position, 1, 0), 1, environment));
 }
 
-// Whether reflections go into the G-buffer with the rest: not where Unity adds them afterwards.
+// Whether the G-buffer includes reflections: not if Unity adds them afterwards.
 bool BufferReadsProbes()
 {
 #if UNITY_ENABLE_REFLECTION_BUFFERS
@@ -176,7 +176,7 @@ bool BufferReadsProbes()
 #endif
 }
 
-// Without high dynamic range the buffer keeps 2 to the power of minus the light.
+// Without high dynamic range, the buffer stores 2^-light.
 half3 StoredLight(half3 color)
 {
 #ifndef UNITY_HDR_ON
@@ -191,7 +191,7 @@ half4 BakedShadows(float4 ambient, float3 position)
     return UnityGetRawBakedOcclusions(ambient.xy, position);
 }
 
-// What has been drawn before, at a place of the screen that is counted from the lower left.
+// The colour drawn before at a place of the screen, counted from the lower left.
 sampler2D _BackgroundTexture;
 half3 BackgroundColor(float2 uv)
 {
@@ -203,7 +203,7 @@ half3 BackgroundColor(float2 uv)
     return LinearColor(tex2Dlod(_BackgroundTexture, float4(uv, 0, 0)).rgb);
 }
 
-// How far along the camera's axis that is which has been drawn before, at a place of the screen.
+// The distance along the camera's axis of the surface drawn before at a place of the screen.
 UNITY_DECLARE_DEPTH_TEXTURE(_CameraDepthTexture);
 float BackgroundDepth(float2 uv)
 {

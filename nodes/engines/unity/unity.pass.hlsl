@@ -1,7 +1,7 @@
-// Unity's built-in render pipeline: the passes that a ShaderLab file holds for it, over the values, functions and macros
-// that Unity's own includes declare. Colours are linear in here; in a project of gamma space they arrive and leave
-// encoded (unity.include.hlsl).
-// The names are those that 2017.4, 2019.4 and 6000 have in common.
+// Unity's built-in render pipeline: the passes of a ShaderLab file. They use the values, functions and macros that
+// Unity's own includes declare. Colours are linear here; in a gamma-space project they arrive and leave encoded
+// (unity.include.hlsl).
+// All names exist in 2017.4, 2019.4 and 6000.
 
 // --- the mesh and the camera
 
@@ -47,7 +47,7 @@ float3 unityViewDir(float3 position = positionWS) {
     return normalize(toViewer);
 }
 
-// Where the pixel is on the screen. The origin is Unity's, the lower left.
+// The position of the pixel on the screen. The origin is Unity's, the lower left.
 [foreign] float4 ComputeScreenPos(float4 position);
 
 [semantic("vertex")]
@@ -68,15 +68,15 @@ float2 unityUvOfTangent(float2 tangent) {
 
 // --- colour
 
-/// What is read of textures and colours goes through these.
+/// Converts colours of textures and properties to linear.
 [decodes("color")] [foreign] float3 LinearColor(float3 color);
-/// Of a normal map mostly its normal is wanted, which Unity unpacks and scales at once.
+/// Graphs mostly read the normal of a normal map, which Unity unpacks and scales in one call.
 [decodes("normal", "UnpackNormalRedGreen", "UnpackScaleNormal")] [text("include", "UnityPBSLighting.cginc")]
 [foreign] float4 NormalTexel(float4 texel);
-/// A linear colour as the project keeps it.
+/// Converts a linear colour to the project's colour space.
 [foreign] float3 ProjectColor(float3 color);
 
-// What an include declares for materials: a property of this name is not declared again.
+// An include declares this property for materials: the shader does not declare it again.
 [foreign] [text("include", "UnityPBSLighting.cginc")] float4 _SpecColor;
 
 // --- light
@@ -87,7 +87,7 @@ float3 LightColor();
 [foreign] float3 UnityWorldSpaceLightDir(float3 position);
 [foreign] int LightType();
 
-/// What the shadow map, distance, cone and cookie leave of the light.
+/// The fraction of the light that shadow map, distance, cone and cookie leave.
 [foreign("UNITY_LIGHT_ATTENUATION({result}, i, {0})")]
 [text("include", "AutoLight.cginc")]
 [text("interpolators", "UNITY_LIGHTING_COORDS({}, {})")]
@@ -99,7 +99,7 @@ float Attenuation(float3 position);
 [text("vertex end", "UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);")]
 float MainAttenuation(float3 position);
 
-/// Light of what is not computed per pixel: at the vertices in rgb, or where the lightmaps are read.
+/// Light that is not computed per pixel: the light at the vertices in rgb, or the lightmap coordinates.
 [foreign("AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, {0}, {1})")]
 [text("include", "UnityPBSLighting.cginc")]
 float4 AmbientOrLightmapUV(float3 position, float3 normal);
@@ -120,7 +120,7 @@ float attenuation(float3 position = positionWS) {
 float unityMainAttenuation(float3 position = positionWS) {
     return MainAttenuation(position);
 }
-/// Lights are added to the G-buffer later, with their shadows.
+/// The deferred path adds lights later, with their shadows.
 [gives("attenuation", "unity-deferred")]
 float unityNoAttenuation() {
     return 1;
@@ -131,8 +131,8 @@ float4 ambientOrLightmapUV(float3 position = positionWS, float3 normal = vertexN
     return AmbientOrLightmapUV(position, normal);
 }
 
-/// The main light. Its shadow is the real-time one, or mixed with a baked one; in subtractive lighting nothing of the
-/// light is left, where a lightmap holds it.
+/// The main light. Its shadow is the real-time one, or mixed with a baked one. In subtractive lighting, the light is
+/// zero if a lightmap holds it.
 [gives("lightAt", "unity-forward-base")]
 Light unityMainLight(int index, float3 position, float left = attenuation, float4 ambient = ambientOrLightmapUV) {
     Light light;
@@ -145,7 +145,7 @@ Light unityMainLight(int index, float3 position, float left = attenuation, float
     return light;
 }
 
-/// Each further light. What shadow, distance, cone and cookie leave of it is one number in Unity.
+/// Each further light. Unity combines its shadow, distance, cone and cookie into one number.
 [gives("lightAt", "unity-forward-add")]
 Light unityFurtherLight(int index, float3 position, float left = attenuation) {
     Light light;
@@ -173,15 +173,15 @@ float3 unityReflection(float3 direction, float roughness, float3 position = posi
 bool readsProbes() {
     return true;
 }
-/// Whether reflections come from the probes in this pass: to the G-buffer Unity adds them later, where the project says so.
+/// Whether this pass reads reflections from the probes. Depending on the project, Unity adds them to the G-buffer later.
 [gives("readsProbes", "unity-deferred")]
 bool unityBufferReadsProbes() {
     return BufferReadsProbes();
 }
 
-/// Unity has no table of the split sum. This is a fit of it, by quotients of polynomials: least squares on a grid of 22
-/// by 21 values of sqrt(n.v) and roughness, of the integral for GGX with Smith's exact joint visibility. It is within 0.04
-/// of the scale and within 0.07 of the offset everywhere, and in the root of the mean square within 0.015 of both.
+/// Unity has no table of the split sum, so this function fits it with quotients of polynomials: least squares on a grid
+/// of 22 by 21 values of sqrt(n.v) and roughness, for GGX with Smith's exact joint visibility. The largest error is
+/// 0.04 for the scale and 0.07 for the offset; the root mean square error is within 0.015 for both.
 [gives("splitSumShare")]
 float2 fittedSplitSum(float roughness, float ndotv) {
     float r = roughness;
@@ -196,12 +196,12 @@ float2 fittedSplitSum(float roughness, float ndotv) {
     return saturate(float2(scale, offset));
 }
 
-// --- what has been drawn before
+// --- the picture drawn so far
 
-/// From a copy of the picture, which Unity makes before the first object that reads it.
+/// Reads a copy of the picture, which Unity makes before the first object that reads it.
 [foreign] [text("grab", "_BackgroundTexture")] [text("queue", "2900")]
 float3 BackgroundColor(float2 uv);
-/// From the camera's depth texture, of which a script or another effect must ask Unity.
+/// Reads the camera's depth texture, which a script or another effect must enable.
 [foreign] [text("include", "UnityCG.cginc")] [text("queue", "2900")]
 float BackgroundDepth(float2 uv);
 
@@ -214,7 +214,7 @@ float unitySceneDepth(float2 uv) {
     return BackgroundDepth(uv);
 }
 
-// --- fog, which Unity mixes with colours as they are shown
+// --- fog, which Unity blends with encoded colours
 
 [foreign("float4 {result} = {0}; UNITY_APPLY_FOG_COLOR(i.fogCoord, {result}, {1});")]
 [text("pragma", "multi_compile_fog")] [text("include", "UnityCG.cginc")]
@@ -223,8 +223,8 @@ float4 InFog(float4 color, float4 fog);
 
 [foreign] float4 unity_FogColor;
 
-/// A pixel as it is blended: fog covers as much as the surface does, dims what is only added, and takes away from what
-/// the picture is multiplied by.
+/// A pixel in fog, ready for the blend mode of its surface: fog covers as much as the surface does, dims additive
+/// surfaces, and weakens multiplying ones.
 [inline]
 float4 unityPixel(float3 color, float alpha) {
     float4 fog = unity_FogColor;
@@ -315,13 +315,13 @@ struct UnityTargets {
     float4 shadowMask;
 };
 
-/// Without high dynamic range Unity keeps the light as 2^-light.
+/// Without high dynamic range, Unity stores the light as 2^-light.
 [foreign] float3 StoredLight(float3 color);
 [foreign] [text("include", "UnityPBSLighting.cginc")]
 float4 BakedShadows(float4 ambientOrLightmapUV, float3 position);
 
-/// Only what is lit by the model that Unity's own lighting passes compute. Of an object that has this pass the deferred
-/// path draws no other one, and its stencil says which pixels are lit.
+/// Only materials with a lighting model that Unity's own lighting passes compute have this pass. If an object has it,
+/// the deferred path draws no other pass of the object, and its stencil marks the lit pixels.
 [pass("unity-deferred")] [fragment] [lights("none")] [optional] [alone]
 [lighting("unity-brdf1", "unity-brdf2", "unity-brdf3")] [stencil("always", "keep")]
 [tag("Name", "DEFERRED")] [tag("LightMode", "Deferred")]

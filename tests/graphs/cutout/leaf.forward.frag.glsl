@@ -36,14 +36,14 @@ layout(location = 1) in vec3 vPositionWS;
 layout(location = 2) in vec3 vVertexNormalWS;
 layout(location = 0) out vec4 outColor;
 
-// Diffuse colour and reflectance of a surface between plastic and metal.
+// Diffuse colour and reflectance of a surface from base colour and metallic.
 vec3 MetallicSetup(vec3 baseColor, float metallic)
 {
     float oneMinusReflectivity = 0.96 * (1.0 - metallic);
     return baseColor * oneMinusReflectivity;
 }
 
-// The inverse square law, with a window that ends it smoothly at the light's range.
+// The inverse square law, with a window that fades it out at the light's range.
 float distanceAttenuation(float distanceSquared, float range)
 {
     float ratio = distanceSquared / (range * range);
@@ -73,7 +73,7 @@ Light lightAt(int index, vec3 position)
     return light;
 }
 
-// Diffuse light of the surroundings, from nine coefficients of their radiance.
+// Diffuse light of the environment, from nine coefficients of its radiance.
 vec3 EvaluateSH9(vec3 normal, vec3 sh0, vec3 sh1, vec3 sh2, vec3 sh3, vec3 sh4, vec3 sh5, vec3 sh6, vec3 sh7, vec3 sh8)
 {
     vec3 irradiance = sh0 * 0.2820948;

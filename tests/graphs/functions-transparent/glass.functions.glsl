@@ -9,7 +9,7 @@
 #endif
 
 // The engine provides these functions.
-// Light that arrives at a surface from all around, divided by pi: a colour times it is radiance.
+// Ambient irradiance divided by pi: a diffuse colour times it is radiance.
 vec3 AmbientIrradiance(vec3 normal);
 
 struct GlassLightingSurface
@@ -74,7 +74,7 @@ layout(set = Glassset, binding = 0, std140) uniform GlassMaterial
 };
 
 // The surface as the graph describes it, in the words of its workflow.
-//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
+//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it points to the viewer.
 GlassSurface Glasssurface(vec3 geometryNormalWS)
 {
     GlassSurface surface;
@@ -89,7 +89,7 @@ GlassSurface Glasssurface(vec3 geometryNormalWS)
     return surface;
 }
 
-// Diffuse colour and reflectance of a surface between plastic and metal.
+// Diffuse colour and reflectance of a surface from base colour and metallic.
 GlassMetallicSetupResult GlassMetallicSetup(vec3 baseColor, float metallic)
 {
     float oneMinusReflectivity = 0.96 * (1.0 - metallic);
@@ -100,7 +100,7 @@ GlassMetallicSetupResult GlassMetallicSetup(vec3 baseColor, float metallic)
     return metallicSetupResult;
 }
 
-// A diffuse colour for blending with pre-multiplied alpha: what is mirrored stays as the material fades.
+// A diffuse colour for blending with pre-multiplied alpha: reflections stay as the material fades.
 GlassPremultiplyAlphaResult GlassPremultiplyAlpha(vec3 diffuseColor, float alpha, float oneMinusReflectivity)
 {
     GlassPremultiplyAlphaResult premultiplyAlphaResult;
@@ -109,9 +109,8 @@ GlassPremultiplyAlphaResult GlassPremultiplyAlpha(vec3 diffuseColor, float alpha
     return premultiplyAlphaResult;
 }
 
-// The surface of this point, as its lighting takes it. A cutout surface is not drawn where its alpha is below
-// alphaClip.
-//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
+// The surface at this point, as lighting reads it. A cutout surface is not drawn where its alpha is below alphaClip.
+//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it points to the viewer.
 GlassLightingSurface GlasslightingSurface(vec3 geometryNormalWS)
 {
     GlassSurface material = Glasssurface(geometryNormalWS);
@@ -136,7 +135,7 @@ GlassLightingSurface GlasslightingSurface(vec3 geometryNormalWS)
     return surface;
 }
 
-// What one light adds to LightSum.direct.
+// The light that one light adds to LightSum.direct.
 vec3 Glassdirect(GlassLightingSurface surface, GlassLight light)
 {
     // NdotL "ndotl"
@@ -147,7 +146,7 @@ vec3 Glassdirect(GlassLightingSurface surface, GlassLight light)
     return surface.diffuseColor * ndotl * radiance;
 }
 
-// LightSum.indirect: all light that comes from no single light.
+// LightSum.indirect: all light that does not come from a single light.
 vec3 Glassindirect(GlassLightingSurface surface)
 {
     // AmbientIrradiance "ambient"

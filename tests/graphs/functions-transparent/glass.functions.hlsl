@@ -7,7 +7,7 @@
 #endif
 
 // The engine provides these functions.
-// Light that arrives at a surface from all around, divided by pi: a colour times it is radiance.
+// Ambient irradiance divided by pi: a diffuse colour times it is radiance.
 float3 AmbientIrradiance(float3 normal);
 
 struct GlassLightingSurface
@@ -72,7 +72,7 @@ cbuffer GlassMaterial : register(b0, Glassset)
 };
 
 // The surface as the graph describes it, in the words of its workflow.
-//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
+//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it points to the viewer.
 GlassSurface Glasssurface(float3 geometryNormalWS)
 {
     GlassSurface surface;
@@ -87,7 +87,7 @@ GlassSurface Glasssurface(float3 geometryNormalWS)
     return surface;
 }
 
-// Diffuse colour and reflectance of a surface between plastic and metal.
+// Diffuse colour and reflectance of a surface from base colour and metallic.
 GlassMetallicSetupResult GlassMetallicSetup(float3 baseColor, float metallic)
 {
     float oneMinusReflectivity = 0.96 * (1.0 - metallic);
@@ -98,7 +98,7 @@ GlassMetallicSetupResult GlassMetallicSetup(float3 baseColor, float metallic)
     return metallicSetupResult;
 }
 
-// A diffuse colour for blending with pre-multiplied alpha: what is mirrored stays as the material fades.
+// A diffuse colour for blending with pre-multiplied alpha: reflections stay as the material fades.
 GlassPremultiplyAlphaResult GlassPremultiplyAlpha(float3 diffuseColor, float alpha, float oneMinusReflectivity)
 {
     GlassPremultiplyAlphaResult premultiplyAlphaResult;
@@ -107,9 +107,8 @@ GlassPremultiplyAlphaResult GlassPremultiplyAlpha(float3 diffuseColor, float alp
     return premultiplyAlphaResult;
 }
 
-// The surface of this point, as its lighting takes it. A cutout surface is not drawn where its alpha is below
-// alphaClip.
-//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
+// The surface at this point, as lighting reads it. A cutout surface is not drawn where its alpha is below alphaClip.
+//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it points to the viewer.
 GlassLightingSurface GlasslightingSurface(float3 geometryNormalWS)
 {
     GlassSurface material = Glasssurface(geometryNormalWS);
@@ -134,7 +133,7 @@ GlassLightingSurface GlasslightingSurface(float3 geometryNormalWS)
     return surface;
 }
 
-// What one light adds to LightSum.direct.
+// The light that one light adds to LightSum.direct.
 float3 Glassdirect(GlassLightingSurface surface, GlassLight light)
 {
     // NdotL "ndotl"
@@ -145,7 +144,7 @@ float3 Glassdirect(GlassLightingSurface surface, GlassLight light)
     return surface.diffuseColor * ndotl * radiance;
 }
 
-// LightSum.indirect: all light that comes from no single light.
+// LightSum.indirect: all light that does not come from a single light.
 float3 Glassindirect(GlassLightingSurface surface)
 {
     // AmbientIrradiance "ambient"

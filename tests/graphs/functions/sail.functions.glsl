@@ -18,14 +18,13 @@ struct SplitSumTableResult
 #endif
 
 // The engine provides these functions.
-// The table of the split sum: how strongly a rough surface mirrors light that comes from everywhere alike.
+// The table of the split sum: how strongly a rough surface reflects a uniform environment.
 SplitSumTableResult SplitSumTable(float roughness, float ndotv);
 
-// Light that arrives at a surface from all around, divided by pi: a colour times it is radiance.
+// Ambient irradiance divided by pi: a diffuse colour times it is radiance.
 vec3 AmbientIrradiance(vec3 normal);
 
-// Radiance that arrives from a direction, as a surface of that roughness reflects it: the surroundings, blurred by the
-// surface's GGX lobe.
+// Radiance that a surface of a given roughness reflects from a direction: the environment, blurred by its GGX lobe.
 vec3 EnvironmentRadiance(vec3 direction, float roughness);
 
 struct Sail_LightingSurface
@@ -92,20 +91,20 @@ layout(set = Sail_set, binding = 3) uniform sampler Sail_sampler_MainTex;
 layout(set = Sail_set, binding = 2) uniform texture2D Sail_BumpMap;
 layout(set = Sail_set, binding = 4) uniform sampler Sail_sampler_BumpMap;
 
-// The z of a unit normal, from its x and y.
+// Computes the z of a unit normal from its x and y.
 vec3 Sail_NormalReconstructZ(vec2 xy)
 {
     return vec3(xy, sqrt(clamp(1.0 - dot(xy, xy), 0.0, 1.0)));
 }
 
-// A tangent-space normal from the texel of a normal map.
+// Decodes a tangent-space normal from the texel of a normal map.
 vec3 Sail_UnpackNormalRedGreen(vec4 encoded, float scale)
 {
     vec2 xy = (encoded.xy * 2.0 - 1.0) * scale;
     return Sail_NormalReconstructZ(xy);
 }
 
-// A normal from tangent space, in the world.
+// Transforms a normal from tangent space to world space.
 vec3 Sail_NormalTangentToWorld(vec3 normalTS, vec3 normal, vec3 tangent, vec3 bitangent)
 {
     return normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
@@ -113,7 +112,7 @@ vec3 Sail_NormalTangentToWorld(vec3 normalTS, vec3 normal, vec3 tangent, vec3 bi
 
 // The surface as the graph describes it, in the words of its workflow.
 //   uv0: First texture coordinates; v grows downwards, as texels are stored.
-//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
+//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it points to the viewer.
 //   tangentWS: Mesh tangent in world space, unit
 //   bitangentWS: Bitangent in world space: cross(normal, tangent) with the mesh's handedness.
 //   sway: interpolated, from vertexSway()
@@ -138,7 +137,7 @@ Sail_Surface Sail_surface(vec2 uv0, vec3 geometryNormalWS, vec3 tangentWS, vec3 
     return surface;
 }
 
-// Diffuse colour and reflectance of a surface between plastic and metal.
+// Diffuse colour and reflectance of a surface from base colour and metallic.
 Sail_MetallicSetupResult Sail_MetallicSetup(vec3 baseColor, float metallic)
 {
     float oneMinusReflectivity = 0.96 * (1.0 - metallic);
@@ -149,7 +148,7 @@ Sail_MetallicSetupResult Sail_MetallicSetup(vec3 baseColor, float metallic)
     return metallicSetupResult;
 }
 
-// The direction half-way between the light and the viewer: the normal of a mirror that shows one to the other.
+// The direction half-way between the light and the viewer.
 vec3 Sail_HalfVector(vec3 view, vec3 lightDir)
 {
     vec3 sum = lightDir + view;
@@ -165,7 +164,7 @@ float Sail_DistributionGGX(float ndoth, float alpha)
     return p * p * 0.31830987;
 }
 
-// Smith's masking-shadowing for GGX, with the correlation of heights, exact.
+// Smith's exact height-correlated masking-shadowing for GGX.
 float Sail_VisibilitySmithJoint(float ndotl, float ndotv, float alpha)
 {
     float a2 = alpha * alpha;
@@ -175,7 +174,7 @@ float Sail_VisibilitySmithJoint(float ndotl, float ndotv, float alpha)
     return 0.5 / max(viewPart + lightPart, 1e-05);
 }
 
-// How far a surface is on the way from its straight reflectance to its grazing one.
+// Schlick's weight: 0 at normal incidence, 1 at a grazing angle.
 float Sail_SchlickWeight(float cosine)
 {
     float m = clamp(1.0 - cosine, 0.0, 1.0);
@@ -183,16 +182,15 @@ float Sail_SchlickWeight(float cosine)
     return m2 * m2 * m;
 }
 
-// Schlick's Fresnel reflectance, for the mirroring of a light.
+// Schlick's Fresnel reflectance, for direct light.
 vec3 Sail_FresnelSchlick(vec3 f0, float cosine, float f90)
 {
     return f0 + (f90 - f0) * Sail_SchlickWeight(cosine);
 }
 
-// The surface of this point, as its lighting takes it. A cutout surface is not drawn where its alpha is below
-// alphaClip.
+// The surface at this point, as lighting reads it. A cutout surface is not drawn where its alpha is below alphaClip.
 //   uv0: First texture coordinates; v grows downwards, as texels are stored.
-//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
+//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it points to the viewer.
 //   tangentWS: Mesh tangent in world space, unit
 //   bitangentWS: Bitangent in world space: cross(normal, tangent) with the mesh's handedness.
 //   sway: interpolated, from vertexSway()
@@ -218,7 +216,7 @@ Sail_LightingSurface Sail_lightingSurface(vec2 uv0, vec3 geometryNormalWS, vec3 
     return surface;
 }
 
-// What one light adds to LightSum.direct.
+// The light that one light adds to LightSum.direct.
 //   viewDirWS: Direction from the surface to the camera in world space, unit.
 vec3 Sail_direct(Sail_LightingSurface surface, Sail_Light light, vec3 viewDirWS)
 {
@@ -261,7 +259,7 @@ vec3 Sail_direct(Sail_LightingSurface surface, Sail_Light light, vec3 viewDirWS)
     return ((1.0 - fresnel) * scattering * ndotl + specular) * radiance;
 }
 
-// LightSum.indirect: all light that comes from no single light.
+// LightSum.indirect: all light that does not come from a single light.
 //   viewDirWS: Direction from the surface to the camera in world space, unit.
 vec3 Sail_indirect(Sail_LightingSurface surface, vec3 viewDirWS)
 {

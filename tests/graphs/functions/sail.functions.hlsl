@@ -16,14 +16,13 @@ struct SplitSumTableResult
 #endif
 
 // The engine provides these functions.
-// The table of the split sum: how strongly a rough surface mirrors light that comes from everywhere alike.
+// The table of the split sum: how strongly a rough surface reflects a uniform environment.
 SplitSumTableResult SplitSumTable(float roughness, float ndotv);
 
-// Light that arrives at a surface from all around, divided by pi: a colour times it is radiance.
+// Ambient irradiance divided by pi: a diffuse colour times it is radiance.
 float3 AmbientIrradiance(float3 normal);
 
-// Radiance that arrives from a direction, as a surface of that roughness reflects it: the surroundings, blurred by the
-// surface's GGX lobe.
+// Radiance that a surface of a given roughness reflects from a direction: the environment, blurred by its GGX lobe.
 float3 EnvironmentRadiance(float3 direction, float roughness);
 
 struct Sail_LightingSurface
@@ -90,20 +89,20 @@ SamplerState Sail_sampler_MainTex : register(s0, Sail_set);
 Texture2D Sail_BumpMap : register(t1, Sail_set);
 SamplerState Sail_sampler_BumpMap : register(s1, Sail_set);
 
-// The z of a unit normal, from its x and y.
+// Computes the z of a unit normal from its x and y.
 float3 Sail_NormalReconstructZ(float2 xy)
 {
     return float3(xy, sqrt(saturate(1.0 - dot(xy, xy))));
 }
 
-// A tangent-space normal from the texel of a normal map.
+// Decodes a tangent-space normal from the texel of a normal map.
 float3 Sail_UnpackNormalRedGreen(float4 encoded, float scale)
 {
     float2 xy = (encoded.xy * 2.0 - 1.0) * scale;
     return Sail_NormalReconstructZ(xy);
 }
 
-// A normal from tangent space, in the world.
+// Transforms a normal from tangent space to world space.
 float3 Sail_NormalTangentToWorld(float3 normalTS, float3 normal, float3 tangent, float3 bitangent)
 {
     return normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
@@ -111,7 +110,7 @@ float3 Sail_NormalTangentToWorld(float3 normalTS, float3 normal, float3 tangent,
 
 // The surface as the graph describes it, in the words of its workflow.
 //   uv0: First texture coordinates; v grows downwards, as texels are stored.
-//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
+//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it points to the viewer.
 //   tangentWS: Mesh tangent in world space, unit
 //   bitangentWS: Bitangent in world space: cross(normal, tangent) with the mesh's handedness.
 //   sway: interpolated, from vertexSway()
@@ -136,7 +135,7 @@ Sail_Surface Sail_surface(float2 uv0, float3 geometryNormalWS, float3 tangentWS,
     return surface;
 }
 
-// Diffuse colour and reflectance of a surface between plastic and metal.
+// Diffuse colour and reflectance of a surface from base colour and metallic.
 Sail_MetallicSetupResult Sail_MetallicSetup(float3 baseColor, float metallic)
 {
     float oneMinusReflectivity = 0.96 * (1.0 - metallic);
@@ -147,7 +146,7 @@ Sail_MetallicSetupResult Sail_MetallicSetup(float3 baseColor, float metallic)
     return metallicSetupResult;
 }
 
-// The direction half-way between the light and the viewer: the normal of a mirror that shows one to the other.
+// The direction half-way between the light and the viewer.
 float3 Sail_HalfVector(float3 view, float3 lightDir)
 {
     float3 sum = lightDir + view;
@@ -163,7 +162,7 @@ float Sail_DistributionGGX(float ndoth, float alpha)
     return p * p * 0.31830987;
 }
 
-// Smith's masking-shadowing for GGX, with the correlation of heights, exact.
+// Smith's exact height-correlated masking-shadowing for GGX.
 float Sail_VisibilitySmithJoint(float ndotl, float ndotv, float alpha)
 {
     float a2 = alpha * alpha;
@@ -173,7 +172,7 @@ float Sail_VisibilitySmithJoint(float ndotl, float ndotv, float alpha)
     return 0.5 / max(viewPart + lightPart, 1e-05);
 }
 
-// How far a surface is on the way from its straight reflectance to its grazing one.
+// Schlick's weight: 0 at normal incidence, 1 at a grazing angle.
 float Sail_SchlickWeight(float cosine)
 {
     float m = saturate(1.0 - cosine);
@@ -181,16 +180,15 @@ float Sail_SchlickWeight(float cosine)
     return m2 * m2 * m;
 }
 
-// Schlick's Fresnel reflectance, for the mirroring of a light.
+// Schlick's Fresnel reflectance, for direct light.
 float3 Sail_FresnelSchlick(float3 f0, float cosine, float f90)
 {
     return f0 + (f90 - f0) * Sail_SchlickWeight(cosine);
 }
 
-// The surface of this point, as its lighting takes it. A cutout surface is not drawn where its alpha is below
-// alphaClip.
+// The surface at this point, as lighting reads it. A cutout surface is not drawn where its alpha is below alphaClip.
 //   uv0: First texture coordinates; v grows downwards, as texels are stored.
-//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it is turned to the viewer.
+//   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it points to the viewer.
 //   tangentWS: Mesh tangent in world space, unit
 //   bitangentWS: Bitangent in world space: cross(normal, tangent) with the mesh's handedness.
 //   sway: interpolated, from vertexSway()
@@ -217,7 +215,7 @@ Sail_LightingSurface Sail_lightingSurface(float2 uv0, float3 geometryNormalWS, f
     return surface;
 }
 
-// What one light adds to LightSum.direct.
+// The light that one light adds to LightSum.direct.
 //   viewDirWS: Direction from the surface to the camera in world space, unit.
 float3 Sail_direct(Sail_LightingSurface surface, Sail_Light light, float3 viewDirWS)
 {
@@ -260,7 +258,7 @@ float3 Sail_direct(Sail_LightingSurface surface, Sail_Light light, float3 viewDi
     return ((1.0 - fresnel) * scattering * ndotl + specular) * radiance;
 }
 
-// LightSum.indirect: all light that comes from no single light.
+// LightSum.indirect: all light that does not come from a single light.
 //   viewDirWS: Direction from the surface to the camera in world space, unit.
 float3 Sail_indirect(Sail_LightingSurface surface, float3 viewDirWS)
 {

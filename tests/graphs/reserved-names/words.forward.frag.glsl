@@ -96,7 +96,7 @@ Surface surface(vec2 uv0, vec3 geometryNormalWS)
     return s;
 }
 
-// Diffuse colour and reflectance of a surface between plastic and metal.
+// Diffuse colour and reflectance of a surface from base colour and metallic.
 MetallicSetupResult MetallicSetup(vec3 baseColor, float metallic)
 {
     float oneMinusReflectivity = 0.96 * (1.0 - metallic);
@@ -107,7 +107,7 @@ MetallicSetupResult MetallicSetup(vec3 baseColor, float metallic)
     return metallicSetupResult;
 }
 
-// The inverse square law, with a window that ends it smoothly at the light's range.
+// The inverse square law, with a window that fades it out at the light's range.
 float distanceAttenuation(float distanceSquared, float range)
 {
     float ratio = distanceSquared / (range * range);
@@ -137,14 +137,14 @@ Light lightAt(int index, vec3 position)
     return light;
 }
 
-// The direction half-way between the light and the viewer: the normal of a mirror that shows one to the other.
+// The direction half-way between the light and the viewer.
 vec3 HalfVector(vec3 view, vec3 lightDir)
 {
     vec3 sum = lightDir + view;
     return sum * inversesqrt(max(dot(sum, sum), 0.001));
 }
 
-// How far a surface is on the way from its straight reflectance to its grazing one.
+// Schlick's weight: 0 at normal incidence, 1 at a grazing angle.
 float SchlickWeight(float cosine)
 {
     float m = clamp(1.0 - cosine, 0.0, 1.0);
@@ -152,7 +152,7 @@ float SchlickWeight(float cosine)
     return m2 * m2 * m;
 }
 
-// Diffuse light of the surroundings, from nine coefficients of their radiance.
+// Diffuse light of the environment, from nine coefficients of its radiance.
 vec3 EvaluateSH9(vec3 normal, vec3 sh0, vec3 sh1, vec3 sh2, vec3 sh3, vec3 sh4, vec3 sh5, vec3 sh6, vec3 sh7, vec3 sh8)
 {
     vec3 irradiance = sh0 * 0.2820948;
@@ -164,7 +164,7 @@ vec3 EvaluateSH9(vec3 normal, vec3 sh0, vec3 sh1, vec3 sh2, vec3 sh3, vec3 sh4, 
     return max(irradiance, 0.0);
 }
 
-// Which level of a blurred cube map a roughness reads.
+// The level of a pre-filtered cube map for a roughness.
 float MipFromRoughness(float roughness, float steps)
 {
     return roughness * (1.7 - 0.7 * roughness) * steps;

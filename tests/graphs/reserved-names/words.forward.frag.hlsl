@@ -102,7 +102,7 @@ Surface surface(float2 uv0, float3 geometryNormalWS)
     return s;
 }
 
-// Diffuse colour and reflectance of a surface between plastic and metal.
+// Diffuse colour and reflectance of a surface from base colour and metallic.
 MetallicSetupResult MetallicSetup(float3 baseColor, float metallic)
 {
     float oneMinusReflectivity = 0.96 * (1.0 - metallic);
@@ -113,7 +113,7 @@ MetallicSetupResult MetallicSetup(float3 baseColor, float metallic)
     return metallicSetupResult;
 }
 
-// The inverse square law, with a window that ends it smoothly at the light's range.
+// The inverse square law, with a window that fades it out at the light's range.
 float distanceAttenuation(float distanceSquared, float range)
 {
     float ratio = distanceSquared / (range * range);
@@ -143,14 +143,14 @@ Light lightAt(int index, float3 position)
     return light;
 }
 
-// The direction half-way between the light and the viewer: the normal of a mirror that shows one to the other.
+// The direction half-way between the light and the viewer.
 float3 HalfVector(float3 view, float3 lightDir)
 {
     float3 sum = lightDir + view;
     return sum * rsqrt(max(dot(sum, sum), 0.001));
 }
 
-// How far a surface is on the way from its straight reflectance to its grazing one.
+// Schlick's weight: 0 at normal incidence, 1 at a grazing angle.
 float SchlickWeight(float cosine)
 {
     float m = saturate(1.0 - cosine);
@@ -158,7 +158,7 @@ float SchlickWeight(float cosine)
     return m2 * m2 * m;
 }
 
-// Diffuse light of the surroundings, from nine coefficients of their radiance.
+// Diffuse light of the environment, from nine coefficients of its radiance.
 float3 EvaluateSH9(float3 normal, float3 sh0, float3 sh1, float3 sh2, float3 sh3, float3 sh4, float3 sh5, float3 sh6,
     float3 sh7, float3 sh8)
 {
@@ -171,7 +171,7 @@ float3 EvaluateSH9(float3 normal, float3 sh0, float3 sh1, float3 sh2, float3 sh3
     return max(irradiance, 0.0);
 }
 
-// Which level of a blurred cube map a roughness reads.
+// The level of a pre-filtered cube map for a roughness.
 float MipFromRoughness(float roughness, float steps)
 {
     return roughness * (1.7 - 0.7 * roughness) * steps;

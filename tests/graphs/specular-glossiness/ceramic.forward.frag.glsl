@@ -87,20 +87,20 @@ layout(location = 2) in vec3 vVertexNormalWS;
 layout(location = 3) in vec4 vVertexTangentWS;
 layout(location = 0) out vec4 outColor;
 
-// The z of a unit normal, from its x and y.
+// Computes the z of a unit normal from its x and y.
 vec3 NormalReconstructZ(vec2 xy)
 {
     return vec3(xy, sqrt(clamp(1.0 - dot(xy, xy), 0.0, 1.0)));
 }
 
-// A tangent-space normal from the texel of a normal map.
+// Decodes a tangent-space normal from the texel of a normal map.
 vec3 UnpackNormalRedGreen(vec4 encoded, float scale)
 {
     vec2 xy = (encoded.xy * 2.0 - 1.0) * scale;
     return NormalReconstructZ(xy);
 }
 
-// A normal from tangent space, in the world.
+// Transforms a normal from tangent space to world space.
 vec3 NormalTangentToWorld(vec3 normalTS, vec3 normal, vec3 tangent, vec3 bitangent)
 {
     return normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
@@ -122,7 +122,7 @@ Surface surface(vec2 uv0, vec3 geometryNormalWS, vec3 tangentWS, vec3 bitangentW
     return s;
 }
 
-// Diffuse colour and reflectance of a surface whose reflectance is given.
+// Diffuse colour and reflectance of a surface from base colour and specular colour.
 SpecularSetupMonochromeResult SpecularSetupMonochrome(vec3 baseColor, vec3 specular)
 {
     float oneMinusReflectivity = 1.0 - max(max(specular.x, specular.y), specular.z);
@@ -139,7 +139,7 @@ vec3 fittedBaseColor(vec3 scattered, vec3 specular, float metallic)
     return clamp((scattered + specular - 0.04 * dielectric) / (0.96 * dielectric + metallic), 0.0, 1.0);
 }
 
-// Diffuse colour and reflectance of a surface between plastic and metal.
+// Diffuse colour and reflectance of a surface from base colour and metallic.
 MetallicSetupResult MetallicSetup(vec3 baseColor, float metallic)
 {
     float oneMinusReflectivity = 0.96 * (1.0 - metallic);
@@ -159,7 +159,7 @@ float metallicFitError(vec3 scattered, vec3 specular, float metallic)
     return max(max(max(offDiffuse.x, offDiffuse.y), offDiffuse.z), specularStrengthLargest);
 }
 
-// The metallic/roughness description of a specular/gloss surface, exact where one exists and the nearest elsewhere.
+// Converts a specular/gloss surface to metallic/roughness, exactly if possible and approximately otherwise.
 MetallicFromSpecularQuickResult MetallicFromSpecularQuick(vec3 diffuse, vec3 specular)
 {
     float s = max(max(specular.x, specular.y), specular.z);
@@ -176,7 +176,7 @@ MetallicFromSpecularQuickResult MetallicFromSpecularQuick(vec3 diffuse, vec3 spe
     return metallicFromSpecularQuickResult;
 }
 
-// The inverse square law, with a window that ends it smoothly at the light's range.
+// The inverse square law, with a window that fades it out at the light's range.
 float distanceAttenuation(float distanceSquared, float range)
 {
     float ratio = distanceSquared / (range * range);
@@ -206,14 +206,14 @@ Light lightAt(int index, vec3 position)
     return light;
 }
 
-// The direction half-way between the light and the viewer: the normal of a mirror that shows one to the other.
+// The direction half-way between the light and the viewer.
 vec3 HalfVector(vec3 view, vec3 lightDir)
 {
     vec3 sum = lightDir + view;
     return sum * inversesqrt(max(dot(sum, sum), 0.001));
 }
 
-// How far a surface is on the way from its straight reflectance to its grazing one.
+// Schlick's weight: 0 at normal incidence, 1 at a grazing angle.
 float SchlickWeight(float cosine)
 {
     float m = clamp(1.0 - cosine, 0.0, 1.0);
@@ -221,7 +221,7 @@ float SchlickWeight(float cosine)
     return m2 * m2 * m;
 }
 
-// Diffuse light of the surroundings, from nine coefficients of their radiance.
+// Diffuse light of the environment, from nine coefficients of its radiance.
 vec3 EvaluateSH9(vec3 normal, vec3 sh0, vec3 sh1, vec3 sh2, vec3 sh3, vec3 sh4, vec3 sh5, vec3 sh6, vec3 sh7, vec3 sh8)
 {
     vec3 irradiance = sh0 * 0.2820948;
@@ -233,7 +233,7 @@ vec3 EvaluateSH9(vec3 normal, vec3 sh0, vec3 sh1, vec3 sh2, vec3 sh3, vec3 sh4, 
     return max(irradiance, 0.0);
 }
 
-// Which level of a blurred cube map a roughness reads.
+// The level of a pre-filtered cube map for a roughness.
 float MipFromRoughness(float roughness, float steps)
 {
     return roughness * (1.7 - 0.7 * roughness) * steps;

@@ -93,20 +93,20 @@ struct FragmentOutput
     float4 color : SV_Target0;
 };
 
-// The z of a unit normal, from its x and y.
+// Computes the z of a unit normal from its x and y.
 float3 NormalReconstructZ(float2 xy)
 {
     return float3(xy, sqrt(saturate(1.0 - dot(xy, xy))));
 }
 
-// A tangent-space normal from the texel of a normal map.
+// Decodes a tangent-space normal from the texel of a normal map.
 float3 UnpackNormalRedGreen(float4 encoded, float scale)
 {
     float2 xy = (encoded.xy * 2.0 - 1.0) * scale;
     return NormalReconstructZ(xy);
 }
 
-// A normal from tangent space, in the world.
+// Transforms a normal from tangent space to world space.
 float3 NormalTangentToWorld(float3 normalTS, float3 normal, float3 tangent, float3 bitangent)
 {
     return normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
@@ -128,7 +128,7 @@ Surface surface(float2 uv0, float3 geometryNormalWS, float3 tangentWS, float3 bi
     return s;
 }
 
-// Diffuse colour and reflectance of a surface whose reflectance is given.
+// Diffuse colour and reflectance of a surface from base colour and specular colour.
 SpecularSetupMonochromeResult SpecularSetupMonochrome(float3 baseColor, float3 specular)
 {
     float oneMinusReflectivity = 1.0 - max(max(specular.x, specular.y), specular.z);
@@ -145,7 +145,7 @@ float3 fittedBaseColor(float3 scattered, float3 specular, float metallic)
     return saturate((scattered + specular - 0.04 * dielectric) / (0.96 * dielectric + metallic));
 }
 
-// Diffuse colour and reflectance of a surface between plastic and metal.
+// Diffuse colour and reflectance of a surface from base colour and metallic.
 MetallicSetupResult MetallicSetup(float3 baseColor, float metallic)
 {
     float oneMinusReflectivity = 0.96 * (1.0 - metallic);
@@ -165,7 +165,7 @@ float metallicFitError(float3 scattered, float3 specular, float metallic)
     return max(max(max(offDiffuse.x, offDiffuse.y), offDiffuse.z), specularStrengthLargest);
 }
 
-// The metallic/roughness description of a specular/gloss surface, exact where one exists and the nearest elsewhere.
+// Converts a specular/gloss surface to metallic/roughness, exactly if possible and approximately otherwise.
 MetallicFromSpecularQuickResult MetallicFromSpecularQuick(float3 diffuse, float3 specular)
 {
     float s = max(max(specular.x, specular.y), specular.z);
@@ -182,7 +182,7 @@ MetallicFromSpecularQuickResult MetallicFromSpecularQuick(float3 diffuse, float3
     return metallicFromSpecularQuickResult;
 }
 
-// The inverse square law, with a window that ends it smoothly at the light's range.
+// The inverse square law, with a window that fades it out at the light's range.
 float distanceAttenuation(float distanceSquared, float range)
 {
     float ratio = distanceSquared / (range * range);
@@ -212,14 +212,14 @@ Light lightAt(int index, float3 position)
     return light;
 }
 
-// The direction half-way between the light and the viewer: the normal of a mirror that shows one to the other.
+// The direction half-way between the light and the viewer.
 float3 HalfVector(float3 view, float3 lightDir)
 {
     float3 sum = lightDir + view;
     return sum * rsqrt(max(dot(sum, sum), 0.001));
 }
 
-// How far a surface is on the way from its straight reflectance to its grazing one.
+// Schlick's weight: 0 at normal incidence, 1 at a grazing angle.
 float SchlickWeight(float cosine)
 {
     float m = saturate(1.0 - cosine);
@@ -227,7 +227,7 @@ float SchlickWeight(float cosine)
     return m2 * m2 * m;
 }
 
-// Diffuse light of the surroundings, from nine coefficients of their radiance.
+// Diffuse light of the environment, from nine coefficients of its radiance.
 float3 EvaluateSH9(float3 normal, float3 sh0, float3 sh1, float3 sh2, float3 sh3, float3 sh4, float3 sh5, float3 sh6,
     float3 sh7, float3 sh8)
 {
@@ -240,7 +240,7 @@ float3 EvaluateSH9(float3 normal, float3 sh0, float3 sh1, float3 sh2, float3 sh3
     return max(irradiance, 0.0);
 }
 
-// Which level of a blurred cube map a roughness reads.
+// The level of a pre-filtered cube map for a roughness.
 float MipFromRoughness(float roughness, float steps)
 {
     return roughness * (1.7 - 0.7 * roughness) * steps;

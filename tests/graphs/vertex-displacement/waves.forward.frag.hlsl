@@ -38,14 +38,14 @@ struct FragmentOutput
     float4 color : SV_Target0;
 };
 
-// Diffuse colour and reflectance of a surface between plastic and metal.
+// Diffuse colour and reflectance of a surface from base colour and metallic.
 float3 MetallicSetup(float3 baseColor, float metallic)
 {
     float oneMinusReflectivity = 0.96 * (1.0 - metallic);
     return baseColor * oneMinusReflectivity;
 }
 
-// The inverse square law, with a window that ends it smoothly at the light's range.
+// The inverse square law, with a window that fades it out at the light's range.
 float distanceAttenuation(float distanceSquared, float range)
 {
     float ratio = distanceSquared / (range * range);
@@ -75,7 +75,7 @@ Light lightAt(int index, float3 position)
     return light;
 }
 
-// Diffuse light of the surroundings, from nine coefficients of their radiance.
+// Diffuse light of the environment, from nine coefficients of its radiance.
 float3 EvaluateSH9(float3 normal, float3 sh0, float3 sh1, float3 sh2, float3 sh3, float3 sh4, float3 sh5, float3 sh6,
     float3 sh7, float3 sh8)
 {

@@ -52,7 +52,7 @@ constexpr const char* kGlass = R"json({
   }
   })json";
 
-// The shader's author keeps to what both languages have, beside these.
+// Except for these, the shader's author uses only features that both languages have.
 constexpr const char* kGlslHead = R"(#version 450
 #define float2 vec2
 #define float3 vec3

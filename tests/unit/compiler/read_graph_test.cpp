@@ -1,4 +1,4 @@
-// The graph reader: what each key becomes, what stands at a port, and what is said about everything else.
+// The graph reader: the meaning of each key, the values at ports, and the messages for everything else.
 #include "compiler/format/read_graph.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The scene reader: what each key becomes, what is there if it is left out, and what is said about everything else.
+// The scene reader: the meaning of each key, its default, and the messages for everything else.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ SceneResult read(const std::string& text) {
     return compiler().read_scene("dir/t.scene.json", options);
 }
 
-// A scene with these keys beside a camera; a camera of their own replaces it.
+// A scene with these keys and a camera; a camera among the keys replaces it.
 std::string scene_of(const std::string& keys) {
     const std::string camera = keys.find("\"camera\"") == keys.npos ? R"("camera":{"position":[0,1,5]},)" : "";
     const std::string objects = keys.find("\"objects\"") == keys.npos ? R"(,"objects":[])" : "";
@@ -224,7 +224,7 @@ TEST(ReadScene, Objects) {
     EXPECT_EQ(floor.scale, (SceneVector{1, 2, 3}));
     EXPECT_EQ(floor.lightmap.path, "dir/window.png");
     EXPECT_EQ(floor.shadow_mask.path, "dir/window.png");
-    // Meshes are the runtime's; it is told where the name stands.
+    // The runtime checks meshes; it gets the place of the name.
     EXPECT_EQ(floor.mesh, "teapot");
     EXPECT_EQ(floor.mesh_place.line, 3);
     EXPECT_EQ(floor.mesh_place.column, 31);

@@ -1,4 +1,4 @@
-// What a trace says of graphs whose values are worked out by hand, and that the pixel it explains is the pixel that is
+// Traces of graphs whose values are computed by hand; and the pixel that a trace explains equals the pixel that is
 // drawn.
 #include <gtest/gtest.h>
 

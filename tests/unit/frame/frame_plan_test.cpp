@@ -1,4 +1,4 @@
-// The order of a frame, and what each of its steps is told: one rendering path after the other.
+// The order of a frame, and the values of each of its steps: one rendering path after the other.
 #include "runtime/frame/frame_plan.h"
 
 #include <gtest/gtest.h>

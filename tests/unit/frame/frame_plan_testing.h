@@ -81,7 +81,7 @@ struct Stage {
     std::vector<DrawnMaterial> materials{};
     FrameOptions options{};
 
-    // `shaders`: one for each pass, by which lighting passes are told apart; missing ones are alike.
+    // `shaders`: one for each pass; lighting passes with different ones differ, missing ones are equal.
     std::size_t add_material(Reflection reflection, std::map<std::string, std::string> shaders = {}) {
         static std::deque<std::string> texts;
         DrawnMaterial made{.reflection = &reflections.emplace_back(std::move(reflection))};

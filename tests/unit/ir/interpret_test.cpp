@@ -26,7 +26,7 @@ constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 const Type kInt2 = Type::vector(Scalar::Int, 2);
 
-// One function, built as it is told: no folding.
+// One function, built without folding.
 struct Body {
     Module module;
     Function function;

@@ -1,5 +1,5 @@
-// drop_members: which members go, and what goes with them. That what is read stays the same:
-// ir_passes_meaning_test.cpp.
+// drop_members: which members are removed, and which instructions with them. ir_passes_meaning_test.cpp checks that the
+// meaning stays the same.
 #include "compiler/ir/passes/passes.h"
 #include "tests/unit/ir/ir_testing.h"
 

@@ -1,4 +1,4 @@
-// What the name hints of inlined values say.
+// The name hints of inlined values.
 #include <gtest/gtest.h>
 
 #include "compiler/ir/hints.h"

@@ -22,7 +22,7 @@ using Numbers = std::vector<double>;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The types of the variables, and of a number that stands beside no variable.
+// The types of the variables, and of a number that has no variable as its neighbour.
 struct Typing {
     Type any, integer, boolean, lone_number;
     Type of(const Node& variable) const {
@@ -86,7 +86,7 @@ auto make_side(const Pattern& side, const Make& make, Type wanted) {
 struct MakeType {
     const Typing& typing;
     Type variable(const Node& node) const { return typing.of(node); }
-    // -1 is no uint, and 2 no bool.
+    // -1 is not a uint, and 2 is not a bool.
     Type number(Type type, int number) const {
         if (!type.is_numeric()) return Type::error();
         const bool fits = type.is_bool() ? number == 0 || number == 1 : type.scalar != Scalar::Uint || number >= 0;

@@ -1,4 +1,4 @@
-// What is left of a function without one of its inputs: a true zero wherever that input is a factor.
+// A function without one of its inputs: a true zero wherever that input is a factor.
 #include <cmath>
 #include <limits>
 
@@ -107,7 +107,7 @@ std::vector<Rest> rests(FunctionId product) {
              return b.emit(Op::Add, {b.emit(Op::Mul, {b.extract(both, 0), k(b)}), b.extract(both, 1)});
          },
          3},
-        // Not affine in x: what leads there goes, and the rest is what it is at zero.
+        // The function is not affine in x: instructions that use x are removed, and the rest has its value at zero.
         {"max(x k, 3) + sin(x)",
          [](Builder& b) {
              const Value most = b.emit(Op::Max, {xk(b), numbers(b, {3, 3, 3})});

@@ -1,4 +1,4 @@
-// What shaders are told of camera, lights, shadow maps and fog.
+// The engine values of camera, lights, shadow maps and fog.
 #include "runtime/values/engine_values.h"
 
 #include <gtest/gtest.h>

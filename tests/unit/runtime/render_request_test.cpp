@@ -1,4 +1,4 @@
-// What a picture of a material alone is told with: that nothing of it is seen.
+// The messages for a picture of a single material: nothing of it is visible.
 #include "runtime/render/render_request.h"
 
 #include <gtest/gtest.h>

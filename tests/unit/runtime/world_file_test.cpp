@@ -35,7 +35,7 @@ protected:
     void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
     std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-    // Of a scene with these keys beside a camera and a material "plain".
+    // For a scene with these keys, a camera and a material "plain".
     WorldFile read(const std::string& keys) const {
         write("t.scene.json", R"({"patina":1,"kind":"scene","camera":{"position":[0,1,5]},
 "materials":[{"name":"plain","graph":"plain.graph.json","set":{"_A":[1,0.5,0],"_B":"map.png"}}],

@@ -38,13 +38,13 @@ Shader "Patina/Standard"
     UNITY_DECLARE_TEX2D(_OcclusionMap);
     UNITY_DECLARE_TEX2D(_EmissionMap);
 
-    // The macros for lights of all kinds are of 2018; before that the position alone was enough.
+    // Before 2018, Unity lacks the macros for all kinds of lights, and the position alone is enough.
     #ifndef UNITY_LIGHTING_COORDS
     #define UNITY_LIGHTING_COORDS(first, second) UNITY_SHADOW_COORDS(second)
     #define UNITY_TRANSFER_LIGHTING(o, uv) UNITY_TRANSFER_SHADOW(o, uv)
     #endif
 
-    // In a project of gamma space colours come encoded; lighting is computed in linear light all the same.
+    // In a gamma-space project, colours arrive encoded; lighting is still computed in linear space.
     half3 LinearColor(half3 color)
     {
     #ifdef UNITY_COLORSPACE_GAMMA
@@ -57,7 +57,7 @@ Shader "Patina/Standard"
         return half4(LinearColor(color.rgb), color.a);
     }
 
-    // A linear colour as the project keeps it.
+    // Converts a linear colour to the project's colour space.
     half3 ProjectColor(half3 color)
     {
     #ifdef UNITY_COLORSPACE_GAMMA
@@ -66,7 +66,7 @@ Shader "Patina/Standard"
         return color;
     }
 
-    // The coordinates of the lightmaps, or the light of four lights and the second order of the probes at a vertex.
+    // At a vertex: the lightmap coordinates, or the light of four lights and the second order of the probes.
     float4 AmbientOrLightmapUV(float2 uv1, float2 uv2, float3 position, half3 normal)
     {
         float4 ambient = 0;
@@ -85,7 +85,7 @@ Shader "Patina/Standard"
         return ambient;
     }
 
-    // What Unity's global illumination asks of a pixel. The light is white: what is left of it is a shadow.
+    // The input of Unity's global illumination. The light is white, so that its result is the shadow.
     UnityGIInput GIInput(float3 position, half attenuation, float4 ambient)
     {
         UnityGIInput data;
@@ -115,19 +115,19 @@ Shader "Patina/Standard"
         return data;
     }
 
-    // Light from all around over pi: probes, lights at vertices, lightmaps, real-time global illumination.
+    // Ambient light over pi: probes, lights at vertices, lightmaps, real-time global illumination.
     half3 AmbientLight(half3 normal, float3 position, half attenuation, float4 ambient)
     {
         return LinearColor(UnityGI_Base(GIInput(position, attenuation, ambient), 1, normal).indirect.diffuse);
     }
 
-    // What real-time and baked shadows leave of the main light.
+    // The fraction of the main light that real-time and baked shadows leave.
     half MixedShadow(float3 position, half attenuation, float4 ambient)
     {
         return UnityGI_Base(GIInput(position, attenuation, ambient), 1, half3(0, 1, 0)).light.color.r;
     }
 
-    // Light of the reflection probes from a direction, blurred as a surface of that perceptual roughness mirrors it.
+    // Light of the reflection probes from a direction, blurred for a perceptual roughness.
     half3 ReflectedLight(half3 direction, half roughness, float3 position, bool readsProbes)
     {
         if (!readsProbes) return 0;
@@ -138,7 +138,7 @@ Shader "Patina/Standard"
         return LinearColor(UnityGI_IndirectSpecular(GIInput(position, 1, 0), 1, environment));
     }
 
-    // Whether reflections go into the G-buffer with the rest: not where Unity adds them afterwards.
+    // Whether the G-buffer includes reflections: not if Unity adds them afterwards.
     bool BufferReadsProbes()
     {
     #if UNITY_ENABLE_REFLECTION_BUFFERS
@@ -148,7 +148,7 @@ Shader "Patina/Standard"
     #endif
     }
 
-    // Without high dynamic range the buffer keeps 2 to the power of minus the light.
+    // Without high dynamic range, the buffer stores 2^-light.
     half3 StoredLight(half3 color)
     {
     #ifndef UNITY_HDR_ON
@@ -199,7 +199,7 @@ Shader "Patina/Standard"
         float oneMinusReflectivity;
     };
 
-    // A normal from tangent space, in the world.
+    // Transforms a normal from tangent space to world space.
     float3 NormalTangentToWorld(float3 normalTS, float3 normal, float3 tangent, float3 bitangent)
     {
         return normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
@@ -235,7 +235,7 @@ Shader "Patina/Standard"
         return surface;
     }
 
-    // Diffuse colour and reflectance of a surface between plastic and metal.
+    // Diffuse colour and reflectance of a surface from base colour and metallic.
     MetallicSetupResult MetallicSetup(float3 baseColor, float metallic)
     {
         float oneMinusReflectivity = 0.96 * (1.0 - metallic);
@@ -246,7 +246,7 @@ Shader "Patina/Standard"
         return metallicSetupResult;
     }
 
-    // The surface that the material and its workflow make of this point.
+    // The surface at this point, from the material and its workflow.
     LightingSurface lightingSurface(float2 uv0, float3 geometryNormalWS, float3 tangentWS, float3 bitangentWS)
     {
         Surface material = getSurface(uv0, geometryNormalWS, tangentWS, bitangentWS);
@@ -265,15 +265,14 @@ Shader "Patina/Standard"
         return ls;
     }
 
-    // The direction half-way between the light and the viewer: the normal of a mirror that shows one to the
-    // other.
+    // The direction half-way between the light and the viewer.
     float3 HalfVector(float3 view, float3 lightDir)
     {
         float3 sum = lightDir + view;
         return sum * rsqrt(max(dot(sum, sum), 0.001));
     }
 
-    // How far a surface is on the way from its straight reflectance to its grazing one.
+    // Schlick's weight: 0 at normal incidence, 1 at a grazing angle.
     float SchlickWeight(float cosine)
     {
         float m = saturate(1.0 - cosine);
@@ -281,7 +280,7 @@ Shader "Patina/Standard"
         return m2 * m2 * m;
     }
 
-    // Disney's diffuse term: darker at the outline of a smooth surface, brighter at that of a rough one.
+    // Disney's diffuse term: darker at the silhouette of a smooth surface, brighter at that of a rough one.
     float DisneyDiffuseTerm(float ndotv, float ndotl, float ldoth, float roughness)
     {
         float f90 = 0.5 + 2.0 * roughness * ldoth * ldoth;
@@ -291,7 +290,7 @@ Shader "Patina/Standard"
         return lightScatter * viewScatter;
     }
 
-    // Smith's masking-shadowing for GGX without its square roots.
+    // An approximation of Smith's masking-shadowing for GGX without square roots.
     float VisibilitySmithJointApproximate(float ndotl, float ndotv, float alpha, float guard)
     {
         float difference = 1.0 - alpha;
@@ -300,8 +299,7 @@ Shader "Patina/Standard"
         return 0.5 / (viewPart + lightPart + guard);
     }
 
-    // GGX as Unity's Standard shader computes it: with 0.0000001 beside the square, which lowers the peak of
-    // surfaces smoother than alpha 0.05 and puts out that of mirrors.
+    // GGX as Unity's Standard shader computes it.
     float DistributionGGXUnity(float ndoth, float alpha)
     {
         float a2 = alpha * alpha;
@@ -309,13 +307,13 @@ Shader "Patina/Standard"
         return 0.31830987 * a2 / (spread * spread + 1e-07);
     }
 
-    // Schlick's Fresnel reflectance, for the mirroring of a light.
+    // Schlick's Fresnel reflectance, for direct light.
     float3 FresnelSchlick(float3 f0, float cosine, float f90)
     {
         return f0 + (f90 - f0) * SchlickWeight(cosine);
     }
 
-    // What one light adds, as the lighting graph says.
+    // The light that one light adds, by the lighting graph.
     float3 direct(LightingSurface surface, Light light, float3 viewDirWS)
     {
         // NdotL "ndotl"
@@ -358,7 +356,7 @@ Shader "Patina/Standard"
         return (surface.diffuseColor * (diffuse * ndotl) + specular) * radiance;
     }
 
-    // What all light adds that comes from no single light, as the lighting graph says.
+    // All light that does not come from a single light, by the lighting graph.
     float3 indirect(LightingSurface surface, float3 viewDirWS, float3 positionWS, float attenuation,
         float4 ambientOrLightmapUV, bool readsProbes)
     {

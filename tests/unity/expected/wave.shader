@@ -21,13 +21,13 @@ Shader "Patina/Wave"
     float _Sea;
     float4 _Drift;
 
-    // The macros for lights of all kinds are of 2018; before that the position alone was enough.
+    // Before 2018, Unity lacks the macros for all kinds of lights, and the position alone is enough.
     #ifndef UNITY_LIGHTING_COORDS
     #define UNITY_LIGHTING_COORDS(first, second) UNITY_SHADOW_COORDS(second)
     #define UNITY_TRANSFER_LIGHTING(o, uv) UNITY_TRANSFER_SHADOW(o, uv)
     #endif
 
-    // In a project of gamma space colours come encoded; lighting is computed in linear light all the same.
+    // In a gamma-space project, colours arrive encoded; lighting is still computed in linear space.
     half3 LinearColor(half3 color)
     {
     #ifdef UNITY_COLORSPACE_GAMMA
@@ -40,7 +40,7 @@ Shader "Patina/Wave"
         return half4(LinearColor(color.rgb), color.a);
     }
 
-    // A linear colour as the project keeps it.
+    // Converts a linear colour to the project's colour space.
     half3 ProjectColor(half3 color)
     {
     #ifdef UNITY_COLORSPACE_GAMMA
@@ -49,7 +49,7 @@ Shader "Patina/Wave"
         return color;
     }
 
-    // The coordinates of the lightmaps, or the light of four lights and the second order of the probes at a vertex.
+    // At a vertex: the lightmap coordinates, or the light of four lights and the second order of the probes.
     float4 AmbientOrLightmapUV(float2 uv1, float2 uv2, float3 position, half3 normal)
     {
         float4 ambient = 0;
@@ -68,7 +68,7 @@ Shader "Patina/Wave"
         return ambient;
     }
 
-    // What Unity's global illumination asks of a pixel. The light is white: what is left of it is a shadow.
+    // The input of Unity's global illumination. The light is white, so that its result is the shadow.
     UnityGIInput GIInput(float3 position, half attenuation, float4 ambient)
     {
         UnityGIInput data;
@@ -98,19 +98,19 @@ Shader "Patina/Wave"
         return data;
     }
 
-    // Light from all around over pi: probes, lights at vertices, lightmaps, real-time global illumination.
+    // Ambient light over pi: probes, lights at vertices, lightmaps, real-time global illumination.
     half3 AmbientLight(half3 normal, float3 position, half attenuation, float4 ambient)
     {
         return LinearColor(UnityGI_Base(GIInput(position, attenuation, ambient), 1, normal).indirect.diffuse);
     }
 
-    // What real-time and baked shadows leave of the main light.
+    // The fraction of the main light that real-time and baked shadows leave.
     half MixedShadow(float3 position, half attenuation, float4 ambient)
     {
         return UnityGI_Base(GIInput(position, attenuation, ambient), 1, half3(0, 1, 0)).light.color.r;
     }
 
-    // Light of the reflection probes from a direction, blurred as a surface of that perceptual roughness mirrors it.
+    // Light of the reflection probes from a direction, blurred for a perceptual roughness.
     half3 ReflectedLight(half3 direction, half roughness, float3 position, bool readsProbes)
     {
         if (!readsProbes) return 0;
@@ -121,7 +121,7 @@ Shader "Patina/Wave"
         return LinearColor(UnityGI_IndirectSpecular(GIInput(position, 1, 0), 1, environment));
     }
 
-    // Whether reflections go into the G-buffer with the rest: not where Unity adds them afterwards.
+    // Whether the G-buffer includes reflections: not if Unity adds them afterwards.
     bool BufferReadsProbes()
     {
     #if UNITY_ENABLE_REFLECTION_BUFFERS
@@ -131,7 +131,7 @@ Shader "Patina/Wave"
     #endif
     }
 
-    // Without high dynamic range the buffer keeps 2 to the power of minus the light.
+    // Without high dynamic range, the buffer stores 2^-light.
     half3 StoredLight(half3 color)
     {
     #ifndef UNITY_HDR_ON
@@ -197,7 +197,7 @@ Shader "Patina/Wave"
         return surface;
     }
 
-    // Diffuse colour and reflectance of a surface between plastic and metal.
+    // Diffuse colour and reflectance of a surface from base colour and metallic.
     MetallicSetupResult MetallicSetup(float3 baseColor, float metallic)
     {
         float oneMinusReflectivity = 0.96 * (1.0 - metallic);
@@ -208,7 +208,7 @@ Shader "Patina/Wave"
         return metallicSetupResult;
     }
 
-    // The surface that the material and its workflow make of this point.
+    // The surface at this point, from the material and its workflow.
     LightingSurface lightingSurface(float3 geometryNormalWS, float phase)
     {
         Surface material = getSurface(geometryNormalWS, phase);
@@ -227,8 +227,7 @@ Shader "Patina/Wave"
         return ls;
     }
 
-    // The direction half-way between the light and the viewer: the normal of a mirror that shows one to the
-    // other.
+    // The direction half-way between the light and the viewer.
     float3 HalfVector(float3 view, float3 lightDir)
     {
         float3 sum = lightDir + view;
@@ -241,14 +240,13 @@ Shader "Patina/Wave"
         return alpha / (spread + 1e-05);
     }
 
-    // Schüler's visibility with Fresnel's curve folded in: both are close to one over the squared cosine. It
-    // then needs no Fresnel term but the reflectance f0.
+    // Schüler's visibility, which includes Fresnel's curve: multiply it by f0 alone.
     float VisibilityMinimalist(float ldoth, float alpha)
     {
         return 0.25 / (max(ldoth * ldoth, 0.1) * (alpha + 0.5));
     }
 
-    // What one light adds, as the lighting graph says.
+    // The light that one light adds, by the lighting graph.
     float3 direct(LightingSurface surface, Light light, float3 viewDirWS)
     {
         // NdotL "ndotl"
@@ -280,14 +278,14 @@ Shader "Patina/Wave"
         return (surface.diffuseColor * ndotl + surface.f0 * specular) * radiance;
     }
 
-    // How much of the mirrored surroundings a rough surface keeps: 1 for a mirror, one half for the roughest.
+    // The share of environment reflections that a rough surface keeps: 1 for a mirror, 0.5 for the roughest.
     float SurfaceReductionSimpleLinear(float alpha)
     {
         float r = sqrt(max(alpha, 0.0));
         return 1.0 - alpha * r * (0.6 - 0.08 * r);
     }
 
-    // Schlick's reflectance with the fourth power instead of the fifth: a little too bright between.
+    // Schlick's reflectance with the fourth power instead of the fifth: cheaper, and slightly too bright.
     float3 FresnelToGrazingFast(float3 f0, float3 f90, float cosine)
     {
         float m = saturate(1.0 - cosine);
@@ -295,7 +293,7 @@ Shader "Patina/Wave"
         return lerp(f0, f90, product * product);
     }
 
-    // What all light adds that comes from no single light, as the lighting graph says.
+    // All light that does not come from a single light, by the lighting graph.
     float3 indirect(LightingSurface surface, float3 viewDirWS, float3 positionWS, float attenuation,
         float4 ambientOrLightmapUV, bool readsProbes)
     {
