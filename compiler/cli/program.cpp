@@ -204,26 +204,28 @@ int run(Program& program, int argc, char** argv) {
         const std::vector<CLI::App*> parsed = app.get_subcommands();
         return parsed.empty() ? nullptr : parsed.front();
     };
+    Exit exit = Exit::Usage;
     try {
         app.parse(argc, argv);
+        for (const Program::Command& command : program.commands) {
+            if (command.app == chosen()) exit = command.work(program.console);
+        }
     } catch (const CLI::ExtrasError&) {
         return complain_of_usage(chosen(), explain_extras(app, chosen()));
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
         return complain_of_usage(chosen(), error.what());
     }
-    for (const Program::Command& command : program.commands) {
-        if (command.app != chosen()) continue;
-        Exit exit = command.work(program.console);
-        end_progress(program.console);
-        if (output_failed()) {
-            std::fputs("patina: cannot write to standard output\n", stderr);
-            exit = worse(exit, Exit::Wrong);
-        }
+    if (!chosen()) {
+        std::fputs(app.help().c_str(), stderr);
         return static_cast<int>(exit);
     }
-    std::fputs(app.help().c_str(), stderr);
-    return static_cast<int>(Exit::Usage);
+    end_progress(program.console);
+    if (output_failed()) {
+        std::fputs("patina: cannot write to standard output\n", stderr);
+        exit = worse(exit, Exit::Wrong);
+    }
+    return static_cast<int>(exit);
 }
 
 }  // namespace patina::cli

@@ -79,6 +79,7 @@ constexpr AttributeInfo kAttributes[] = {
     {kVariable, "foreign"},
     {kVariable, "text"},
     {kVariable, "gives"},
+    {kMember, "hdr"},
     {kMember, "target"},
     {kMember, "onlyIf"},
 };

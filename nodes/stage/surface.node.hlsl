@@ -9,7 +9,7 @@ struct LightingSurface {
     float metallic;               ///< 0 dielectric, 1 metal
     float oneMinusReflectivity;   ///< share of the light that is left for diffuse reflection
     float roughness;              ///< perceptual roughness, 0 to 1
-    float3 normalWS;             ///< shaded normal in world space, unit
+    float3 normalWS;              ///< shaded normal in world space, unit
     float occlusion;              ///< ambient occlusion: 1 open, 0 closed
     [hdr] float3 emission;        ///< radiance that the surface emits
     float alpha;                  ///< coverage

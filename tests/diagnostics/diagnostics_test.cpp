@@ -147,10 +147,12 @@ TEST(DiagnosticFolders, OneForEachCode) {
 // What is wrong with the command itself is said before any file is looked for, and ends with 2.
 TEST(Usage, IsRefusedWithWhatIsWrong) {
     const std::pair<std::string, std::string> cases[] = {
-        {"plain.graph.json -t glsl,,hlsl", "--target: '' is not a target; these exist: glsl, hlsl, spirv and unity"},
-        {"plain.graph.json -t glsl -t hlsl,", "--target: '' is not a target; these exist: glsl, hlsl, spirv and unity"},
+        {"plain.graph.json -t glsl,,hlsl",
+         "--target: '' is not a target; these exist: glsl, hlsl, vulkan, unity and spirv"},
+        {"plain.graph.json -t glsl -t hlsl,",
+         "--target: '' is not a target; these exist: glsl, hlsl, vulkan, unity and spirv"},
         {"plain.graph.json -t glsl,metal",
-         "--target: 'metal' is not a target; these exist: glsl, hlsl, spirv and unity"},
+         "--target: 'metal' is not a target; these exist: glsl, hlsl, vulkan, unity and spirv"},
         {"plain.graph.json --dump ,tidy", "--dump: '' is not a stage; these exist: graph, ir, linked, tidy and rates"},
         {"a/plain.graph.json b/plain.graph.json",
          "GRAPH: 'a/plain.graph.json' and 'b/plain.graph.json' would both write plain.*: compile them into different "

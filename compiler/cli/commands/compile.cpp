@@ -38,8 +38,8 @@ bool contains(const std::vector<Target>& targets, const Target& target) {
     return std::find(targets.begin(), targets.end(), target) != targets.end();
 }
 
-// Reads the words of -t. What is wrong with one; empty: nothing.
-std::string read_targets(Arguments& arguments, const Compiler& compiler) {
+// Reads the words of -t. Throws the usage error if there is no such target.
+void read_targets(Arguments& arguments, const Compiler& compiler) {
     std::vector<std::string> known;
     for (const EngineInfo& engine : compiler.engines()) {
         if (engine.is_default) known.insert(known.begin(), engine.languages.begin(), engine.languages.end());
@@ -47,7 +47,8 @@ std::string read_targets(Arguments& arguments, const Compiler& compiler) {
     }
     known.emplace_back(kSpirv);
     for (const std::string& word : arguments.targets) {
-        if (std::string wrong = one_of("a target", known)(word); !wrong.empty()) return wrong;
+        if (const std::string wrong = one_of("a target", known)(word); !wrong.empty())
+            throw CLI::ValidationError("--target", wrong);
     }
     // In the order of the engines and their languages, whatever the order of the words.
     for (const EngineInfo& engine : compiler.engines()) {
@@ -56,7 +57,6 @@ std::string read_targets(Arguments& arguments, const Compiler& compiler) {
             if (arguments.wants(word) || arguments.wants(engine.name)) arguments.written.push_back(target);
         }
     }
-    return {};
 }
 
 CompileOptions options_of(const Arguments& arguments) {
@@ -240,10 +240,7 @@ void add_compile(Program& program) {
             return Exit::Usage;
         }
         const Compiler compiler;
-        if (const std::string why = read_targets(*arguments, compiler); !why.empty()) {
-            complain(console, Complaint::Usage, {"--target: " + why});
-            return Exit::Usage;
-        }
+        read_targets(*arguments, compiler);
         if (const std::string why = not_for_engine(*arguments, compiler); !why.empty()) {
             complain(console, Complaint::Usage, {why});
             return Exit::Usage;

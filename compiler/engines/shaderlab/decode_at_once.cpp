@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "compiler/engines/shaderlab/dialect.h"
+#include "compiler/ir/builder.h"
 
 namespace patina::engines::shaderlab {
 
@@ -46,9 +47,11 @@ std::uint32_t foreign_function(Module& module, const Function& like, const std::
     const auto found = std::find_if(module.functions.begin(), module.functions.end(),
                                     [&](const Function& each) { return each.name == name; });
     if (found != module.functions.end()) return static_cast<std::uint32_t>(found - module.functions.begin());
-    Function made = like;
-    made.name = name;
-    made.linkage = Linkage::Foreign;
+    Function made{.name = name, .params = like.params, .result = like.result, .linkage = Linkage::Foreign};
+    {
+        Builder builder(module, made);
+        builder.ret(builder.zero(made.result));  // never printed
+    }
     // A callee comes before its callers, so it goes to the front and all others move up.
     for (Function& function : module.functions) {
         for (Inst& inst : function.insts) {
