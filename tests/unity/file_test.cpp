@@ -170,7 +170,7 @@ TEST(UnityInterpolators, AreRefusedWhereNoModelHoldsThem) {
     EXPECT_TRUE(has(told.notes.back().message, "stereo")) << to_text(told);
 }
 
-// Of what the tool's text has, no more than is read stands in the file.
+// The file contains only those parts of the engine's text that it needs.
 TEST(UnityTextures, BringTheMacrosThatReadThem) {
     const std::string text = shader(material(R"("properties": [ { "name": "_MainTex", "type": "texture2d" } ],
       "nodes": [ { "id": "texel", "node": "SampleTexture2DLevel", "in": { "texture": "$_MainTex", "level": 2 } } ],
@@ -325,7 +325,7 @@ TEST(UnityBackground, IsGrabbed) {
     EXPECT_FALSE(taken_apart(text).pass("Deferred"));
 }
 
-// What belongs to another tool's files means nothing elsewhere.
+// Attributes of an engine's passes are refused in other pass files.
 TEST(UnityAttributes, AreRefusedInPassFilesOfOnesOwn) {
     for (const std::string declaration :
          {"[foreign] float4 _Sun;", "[foreign] float3 Sun(float3 position);",
