@@ -18,7 +18,7 @@ namespace {
 // A variant without a value, and its declaration.
 struct Axis {
     const graph::Property* property;
-    VariantAxis told;
+    VariantAxis info;
 };
 
 std::vector<Axis> open_axes(const graph::Material& material) {
@@ -26,12 +26,12 @@ std::vector<Axis> open_axes(const graph::Material& material) {
     for (const graph::MaterialProperty& entry : material.properties) {
         if (entry.property->binding != Binding::Variant || entry.is_chosen) continue;
         axes.push_back({.property = entry.property,
-                        .told = {.property = entry.property->name,
+                        .info = {.property = entry.property->name,
                                  .values = {},
                                  .otherwise = static_cast<std::size_t>(entry.property->value[0]),
                                  .is_bool = entry.property->type == PropertyType::Bool}});
         for (const std::string_view word : graph::keyword_words(*entry.property))
-            axes.back().told.values.emplace_back(word);
+            axes.back().info.values.emplace_back(word);
     }
     return axes;
 }
@@ -47,12 +47,12 @@ void refuse(graph::Session& session, const graph::Graph& graph, const std::vecto
         const std::string left = without(axis);
         if (left == count) continue;
         record.note(axis.property->name_span, fmt::format("'{}' has {} values: without it there are {}",
-                                                          axis.told.property, axis.told.values.size(), left));
+                                                          axis.info.property, axis.info.values.size(), left));
     }
     record.note("-D NAME=VALUE fixes one, and --variants-limit sets another limit");
 }
 
-std::string told(double count) {
+std::string count_text(double count) {
     return fmt::format("{:.0f}", count);
 }
 
@@ -60,8 +60,8 @@ void plan_all(graph::Session& session, const graph::Graph& graph, const std::vec
               VariantPlan& made) {
     const double count = combinations_of(made.axes);
     if (count > static_cast<double>(limit))
-        return refuse(session, graph, axes, told(count), limit, [&](const Axis& axis) {
-            return told(std::round(count / static_cast<double>(axis.told.values.size())));
+        return refuse(session, graph, axes, count_text(count), limit, [&](const Axis& axis) {
+            return count_text(std::round(count / static_cast<double>(axis.info.values.size())));
         });
     made.count = static_cast<std::size_t>(count);
 }
@@ -97,9 +97,9 @@ void plan_listed(graph::Session& session, const graph::Material& material, const
         VariantValues values;
         for (const Axis& axis : axes) {
             const auto given = std::find_if(listed.values.begin(), listed.values.end(),
-                                            [&](const auto& each) { return each.name == axis.told.property; });
-            values.emplace_back(axis.told.property,
-                                given == listed.values.end() ? axis.told.values[axis.told.otherwise] : given->word);
+                                            [&](const auto& each) { return each.name == axis.info.property; });
+            values.emplace_back(axis.info.property,
+                                given == listed.values.end() ? axis.info.values[axis.info.otherwise] : given->word);
         }
         if (known.insert(values).second) made.picked.push_back(std::move(values));
     }
@@ -151,9 +151,9 @@ public:
         if (chosen.empty()) multiplying = read;
         if (read.empty()) return add(chosen);
         const Axis* next = read.front();
-        return std::all_of(next->told.values.begin(), next->told.values.end(), [&](const std::string& value) {
+        return std::all_of(next->info.values.begin(), next->info.values.end(), [&](const std::string& value) {
             VariantValues longer = chosen;
-            longer.emplace_back(next->told.property, value);
+            longer.emplace_back(next->info.property, value);
             return walk(longer);
         });
     }
@@ -173,7 +173,7 @@ private:
         std::vector<const Axis*> read;
         for (const Axis& axis : axes_) {
             const bool is_read = std::any_of(reflection.passes.begin(), reflection.passes.end(), [&](const Pass& pass) {
-                return std::count(pass.keywords.begin(), pass.keywords.end(), axis.told.property) > 0;
+                return std::count(pass.keywords.begin(), pass.keywords.end(), axis.info.property) > 0;
             });
             if (is_read) read.push_back(&axis);
         }
@@ -182,7 +182,7 @@ private:
     VariantValues in_order(VariantValues values) const {
         const auto place = [&](const auto& value) {
             return std::find_if(axes_.begin(), axes_.end(),
-                                [&](const Axis& axis) { return axis.told.property == value.first; });
+                                [&](const Axis& axis) { return axis.info.property == value.first; });
         };
         std::sort(values.begin(), values.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
         return values;
@@ -217,10 +217,10 @@ void plan_reachable(const Compiler& compiler, graph::Session& session, const std
     double all = 1;
     for (const Axis* axis : reachable.multiplying) {
         multiplying.push_back(*axis);
-        all *= static_cast<double>(axis->told.values.size());
+        all *= static_cast<double>(axis->info.values.size());
     }
     refuse(session, graph, multiplying, "the reachable", limit, [&](const Axis& axis) {
-        return "at most " + told(std::round(all / static_cast<double>(axis.told.values.size())));
+        return "at most " + count_text(std::round(all / static_cast<double>(axis.info.values.size())));
     });
 }
 
@@ -233,7 +233,7 @@ void plan(const Compiler& compiler, graph::Session& session, const std::string& 
     if (!file.material || session.diagnostics.has_errors()) return;
     const graph::Graph& graph = *file.material->graph->graph;
     const std::vector<Axis> axes = open_axes(*file.material);
-    for (const Axis& axis : axes) made.axes.push_back(axis.told);
+    for (const Axis& axis : axes) made.axes.push_back(axis.info);
     const auto& properties = file.material->properties;
     made.fixed = static_cast<std::size_t>(
         std::count_if(properties.begin(), properties.end(), [](const graph::MaterialProperty& entry) {

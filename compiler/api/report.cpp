@@ -21,7 +21,7 @@ void place(Diagnostic& diagnostic, Span span, const SourceMap& sources) {
     diagnostic.column = begin.column;
     diagnostic.end_line = end.line;
     diagnostic.end_column = end.column;
-    // A whole graph may stand on one line, which is too long to copy into each diagnostic.
+    // A whole graph may be one line, which is too long to copy into each diagnostic.
     constexpr std::size_t kMaxLine = 1u << 16;
     if (begin.line_text.size() <= kMaxLine) diagnostic.source_line = begin.line_text;
 }

@@ -21,7 +21,7 @@ std::string_view swizzle_prefix(unsigned width);
 Typed literal_as(Emitter& emitter, Typed value, ir::Scalar scalar, Scope& scope, Span span);
 // Brings operands to one type: literals adapt, half becomes float, scalars are splatted. Reports what cannot be joined.
 bool unify(Emitter& emitter, std::span<Typed> operands, Scope& scope, Span span, std::string_view op);
-// A value of the graph in the precision of the node that reads it, whoever made the value.
+// A value of the graph in the precision of the node that reads it.
 Typed at_border(Typed value, const Scope& scope);
 
 }  // namespace patina::emit

@@ -40,7 +40,7 @@ struct Emitter {
     std::vector<const FunctionDecl*> active{};  // whose bodies are being emitted, the innermost last: finds recursion
 };
 
-// --- expressions. A mistake is reported where it stands, and the result is then not ok().
+// --- expressions. A mistake is reported at its place, and the result is then not ok().
 Typed expression(Emitter& emitter, const Expr& expr, Scope& scope);
 // Converted to `type` by the implicit conversions. `what` opens the message: "the input 'uv'".
 Typed expression_as(Emitter& emitter, const Expr& expr, ir::Type type, Scope& scope, std::string_view what);

@@ -11,7 +11,7 @@ namespace patina::emit {
 const Instance& instantiate(Emitter& emitter, const FunctionDecl& function, const Declarations& home,
                             std::span<const Argument> arguments, unsigned width, bool half, Span call_span);
 
-// The function's statements. Those of a library function are parsed now if nothing has asked for them yet; a mistake in
+// The function's statements. Those of a library function are parsed now if they have not been parsed yet; a mistake in
 // them is reported.
 const Statements& sound_body_of(Emitter& emitter, const FunctionDecl& function);
 

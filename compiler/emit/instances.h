@@ -2,8 +2,8 @@
 // for each width of floatN, each precision and each list of constant arguments that somebody calls it with.
 //
 // An instance is passing if its body depends on an answer of Known::make_static that holds only for the pass that is
-// being lowered. Whoever gives such an answer calls note_passing_answer(); forget_passing() then drops these instances,
-// and they are emitted again for the next pass.
+// being lowered. The code that gives such an answer calls note_passing_answer(); forget_passing() then drops these
+// instances, and they are emitted again for the next pass.
 #pragma once
 
 #include <compare>

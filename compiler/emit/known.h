@@ -1,6 +1,6 @@
 // What the caller of emission knows of declarations that have no body in the language: which function fills a slot,
 // which global an [extern] variable is, which value a [static] has. Emission reads this and never changes it; what is
-// not known yet is asked for through the two makers.
+// not known yet is made by the two makers.
 //
 //   emitter.known.slots["direct"] = {.function = direct, .result = ir::kFloat3};
 //   emitter.known.externs[&variable] = global;
@@ -31,7 +31,7 @@ struct Known {
     std::map<const nodelang::VariableDecl*, double> statics{};  // [static] variables, which are 0 or 1
     // Members that a struct gets beyond those of its declaration, before anything reads the struct.
     std::map<const nodelang::StructDecl*, std::vector<ir::Member>> extra_members{};
-    // Asked for a slot or a static that is not listed above. If there is no such slot, the maker reports why at `at`.
+    // Makes a slot or a static that is not listed above. If there is no such slot, the maker reports why at `at`.
     std::function<const Slot*(const nodelang::FunctionDecl& slot, Span at)> make_slot{};
     std::function<std::optional<double>(const nodelang::VariableDecl& variable)> make_static{};
 };
@@ -40,7 +40,7 @@ const Slot* find_slot(const Known& known, std::string_view name);
 // The name of the slot that the function fills, or empty.
 std::string_view slot_name(const Known& known, ir::FunctionId function);
 std::optional<ir::GlobalId> find_extern(const Known& known, const nodelang::VariableDecl& variable);
-// `variable` stands for the same global as `known_as`.
+// `variable` means the same global as `known_as`.
 void share_extern(Known& known, const nodelang::VariableDecl& variable, const nodelang::VariableDecl& known_as);
 std::optional<double> static_value(const Known& known, const nodelang::VariableDecl& variable);
 

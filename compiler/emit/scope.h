@@ -1,5 +1,5 @@
 // What an emitted expression gives (Typed), and what the code that is being emitted can see (Scope). A Scope is made by
-// whoever begins a function or a graph; emission adds and removes the local variables.
+// the caller that begins a function or a graph; emission adds and removes the local variables.
 //
 //   Scope scope{.builder = &builder, .declarations = &library, .environment = &graph};
 //   Typed mask = expression(emitter, *expr, scope);

@@ -51,7 +51,7 @@ bool is_list_of_objects(const Json& json) {
                        [](const Json& element) { return element.kind == Json::Kind::Object; });
 }
 
-// A value that holds comments cannot stand on one line.
+// A value that holds comments cannot be written on one line.
 bool must_break(const Json& json) {
     const auto breaks = [](const Json& child) {
         return has_text(comments_of(child).before) || !comments_of(child).trailing.empty() || must_break(child);

@@ -24,7 +24,7 @@ ScenePlace place_of(const Reading& reading, Span span) {
                      .end_line = end.line,
                      .end_column = end.column,
                      .source_line = {}};
-    constexpr std::size_t kMaxLine = 1000;  // a scene may stand on one line, which is too long to copy for each word
+    constexpr std::size_t kMaxLine = 1000;  // a scene may be one line, which is too long to copy for each word
     if (begin.line_text.size() <= kMaxLine) place.source_line = begin.line_text;
     return place;
 }

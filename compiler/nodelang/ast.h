@@ -97,11 +97,11 @@ struct ParamDecl {
 
 struct UnreadBody;
 
-// What the attributes of a function say to whoever emits it. The parser reads them once.
+// What the attributes of a function mean for the emitter. The parser reads them once.
 struct FunctionMarks {
     bool is_slot = false;         // [slot]: a pass calls it, and lowering fills it
     bool is_inlined = false;      // [inline]: it is spelled out where it is called
-    bool is_member = false;       // [member]: its first parameter is what stands before the dot
+    bool is_member = false;       // [member]: its first parameter is the value before the dot
     bool is_in_float = false;     // [inFloat]: it computes in float, also for half arguments
     bool is_of_object = false;    // [perObject]: it depends on the object that is drawn
     bool is_foreign = false;      // [foreign]: an included file defines it

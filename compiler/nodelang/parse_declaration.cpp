@@ -6,7 +6,7 @@
 namespace patina::nodelang {
 namespace {
 
-// The attributes of each kind of declaration. ([light] stands before a loop.)
+// The attributes of each kind of declaration. ([light] is an attribute of loops.)
 constexpr std::string_view kFunction = "a function", kParameter = "a parameter", kVariable = "a variable",
                            kMember = "a member";
 struct AttributeInfo {

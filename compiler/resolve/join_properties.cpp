@@ -31,31 +31,31 @@ struct Difference {
     Span first_at, second_at;
 };
 
-std::string told_range(const Property& property, bool by_hardness) {
+std::string range_text(const Property& property, bool by_hardness) {
     if (!property.range) return "no range";
     if (by_hardness) return property.hard ? "a hard range" : "a soft range";
     return fmt::format("the range {} to {}", shortest((*property.range)[0]), shortest((*property.range)[1]));
 }
 
-std::string told_sampler(const Sampler& sampler, const Sampler& other) {
+std::string sampler_text(const Sampler& sampler, const Sampler& other) {
     if (sampler.wrap != other.wrap) return fmt::format("the wrap mode {}", to_string(sampler.wrap));
     if (sampler.filter != other.filter) return fmt::format("the filter {}", to_string(sampler.filter));
     return fmt::format("an anisotropy of {}", sampler.anisotropy);
 }
 
-std::string told_values_of(const Property& property) {
+std::string values_text_of(const Property& property) {
     const std::vector<std::string_view> values(property.values.begin(), property.values.end());
     return fmt::format("the values {}", enumerate(values));
 }
 
-std::string told_default(const Session& session, const Property& property) {
+std::string default_text(const Session& session, const Property& property) {
     if (!property.default_span) return "no default";
     return fmt::format("the default {}", shown(session.sources.text(property.default_span)));
 }
 
-Difference difference(const Property& first, const Property& second, auto told, Span Property::*at = nullptr) {
+Difference difference(const Property& first, const Property& second, auto text, Span Property::*at = nullptr) {
     const auto place = [&](const Property& p) { return at && p.*at ? p.*at : p.name_span; };
-    return {told(first), told(second), place(first), place(second)};
+    return {text(first), text(second), place(first), place(second)};
 }
 
 // A difference in the kind of property, which all declarations must share.
@@ -63,10 +63,10 @@ std::optional<Difference> differing_kind(const Property& a, const Property& b) {
     if (a.type != b.type)
         return difference(a, b, [](auto& p) { return fmt::format("the type {}", to_string(p.type)); });
     if (a.binding != b.binding) {
-        const auto told = [](auto& p) { return fmt::format("\"as\": \"{}\"", to_string(p.binding)); };
-        return difference(a, b, told, &Property::binding_span);
+        const auto text = [](auto& p) { return fmt::format("\"as\": \"{}\"", to_string(p.binding)); };
+        return difference(a, b, text, &Property::binding_span);
     }
-    if (a.values != b.values) return difference(a, b, told_values_of);
+    if (a.values != b.values) return difference(a, b, values_text_of);
     if (a.usage == b.usage) return {};
     return difference(a, b, [](auto& p) { return fmt::format("the usage {}", to_string(p.usage)); });
 }
@@ -77,13 +77,13 @@ std::optional<Difference> differing_choice(const Session& session, const Propert
                                            bool same_default) {
     if (!same_default && (a.default_span || b.default_span))
         return difference(
-            a, b, [&](auto& p) { return told_default(session, p); }, &Property::default_span);
+            a, b, [&](auto& p) { return default_text(session, p); }, &Property::default_span);
     if (a.range != b.range || a.hard != b.hard)
-        return difference(a, b, [&](auto& p) { return told_range(p, a.range == b.range); });
+        return difference(a, b, [&](auto& p) { return range_text(p, a.range == b.range); });
     if (a.tiling != b.tiling)
         return difference(a, b, [](auto& p) { return std::string(p.tiling ? "tiling" : "no tiling"); });
     if (a.sampler == b.sampler) return {};
-    Difference of{told_sampler(a.sampler, b.sampler), told_sampler(b.sampler, a.sampler), {}, {}};
+    Difference of{sampler_text(a.sampler, b.sampler), sampler_text(b.sampler, a.sampler), {}, {}};
     of.first_at = a.sampler_span ? a.sampler_span : a.name_span;
     of.second_at = b.sampler_span ? b.sampler_span : b.name_span;
     return of;

@@ -36,7 +36,7 @@ void choose(Session& session, MaterialProperty& entry, const std::string& word) 
     }
     const std::vector<std::string_view> words = keyword_words(property);
     if (word.empty() && property.type != PropertyType::Bool) {
-        session.diagnostics.report(Code::ImpossibleValue, {}, property.name, told_values(property))
+        session.diagnostics.report(Code::ImpossibleValue, {}, property.name, values_text(property))
             .note(fmt::format("write {}={}", property.name, words[0]))
             .note(property.name_span, "the property is here");
         return;
@@ -73,7 +73,7 @@ void check_listed(Session& session, const Material& material) {
             if (value.is_bool != is_bool) {
                 session.diagnostics
                     .report(Code::WrongJsonType, value.value_span, fmt::format("'{}'", property->name),
-                            is_bool ? "true or false" : told_values(*property),
+                            is_bool ? "true or false" : values_text(*property),
                             is_bool ? "a string" : std::string_view(value.word))
                     .note(property->name_span, "the property is here");
                 continue;
@@ -110,7 +110,7 @@ const MaterialProperty* keyword_named(const Material& material, const nodelang::
     return is_keyword(entry.property->binding) ? &entry : nullptr;
 }
 
-std::string told_values(const Property& property) {
+std::string values_text(const Property& property) {
     if (property.type == PropertyType::Bool) return "a bool";
     return fmt::format("one of {}", enumerate(keyword_words(property)));
 }

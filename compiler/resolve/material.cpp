@@ -108,7 +108,7 @@ void bind_variant(Session& session, Material& material, const Property& property
         }
         session.diagnostics
             .report(Code::TypeMismatch, input->value_span, fmt::format("'{}'", keyword->property->name),
-                    told_values(*keyword->property), told_values(property))
+                    values_text(*keyword->property), values_text(property))
             .note(keyword->property->name_span, "it is declared here");
         material.variants[&property] = property.value[0];
         return;
@@ -304,7 +304,7 @@ void warn_unused(Session& session, const Material& material) {
     const std::vector<bool> used = material.graph->reachable(roots);
     for (std::size_t i = 0; i < used.size(); ++i) {
         const Node& node = graph.nodes[i];
-        const bool is_part = node.span == graph.span;  // the node stands for the whole file (part.h)
+        const bool is_part = node.span == graph.span;  // the node represents the whole file (part.h)
         if (used[i] || is_part) continue;
         session.diagnostics.report(Code::UnusedNode, node.id_span, node.id).at(node.id);
     }

@@ -72,7 +72,7 @@ void check_listed(Session& session, const Material& material);
 // The keyword of the material, if the expression reads only that; else null.
 const MaterialProperty* keyword_named(const Material& material, const nodelang::Expr& expr);
 // The possible values of such a property: "a bool", "one of Dry and Wet".
-std::string told_values(const Property& property);
+std::string values_text(const Property& property);
 // The words of its values: "false" and "true", or an enum's.
 std::vector<std::string_view> keyword_words(const Property& property);
 // Names of all keywords.
@@ -83,7 +83,7 @@ std::vector<std::string_view> keyword_names(const Material& material);
 void warn_unused(Session& session, const Material& material);
 void warn_unheeded(Session& session, const Material& material);
 
-// The name of the texture property that stands for a file at a port.
+// The name of the texture property that represents a file at a port.
 std::string file_texture_name(std::string_view path);
 
 }  // namespace patina::graph

@@ -129,10 +129,10 @@ private:
 void check_list(const graph::Property& property, bool is_keyword, Diagnostics& diagnostics) {
     const std::size_t most = is_keyword ? kMostKeywords : kMostPairs;
     if (property.type != PropertyType::Enum || property.values.size() <= most) return;
-    DiagnosticRecord& told =
+    DiagnosticRecord& report =
         diagnostics.report(Code::InspectorLimit, property.name_span, property.name,
                            fmt::format("it lists at most {} values, and there are {}", most, property.values.size()));
-    if (is_keyword) told.note("the number does not set the keyword: enable the keyword from a script");
+    if (is_keyword) report.note("the number does not set the keyword: enable the keyword from a script");
 }
 
 // Reports labels and names of groups that ShaderLab shows differently. A group is reported once.

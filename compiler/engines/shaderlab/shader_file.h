@@ -31,7 +31,7 @@ std::vector<ir::Origin> origins_of(std::span<const LinkedPass> passes);
 // The lines of the block `Properties`.
 std::vector<std::string> shader_properties(const graph::Material& material, const graph::Lowered& lowered,
                                            const Reflection& reflection);
-// Text without the characters that cannot stand between quotes: ShaderLab has no escapes there.
+// Text without the characters that cannot be written between quotes: ShaderLab has no escapes there.
 std::string quoted(std::string_view text);
 // The name under which Unity lists the shader: "Patina/Rust".
 std::string listed_name(std::string_view name);
@@ -86,7 +86,7 @@ struct PassText {
         languages::Piece::Kind kind{};
         std::string name, text;
         std::vector<languages::PrintedLine> lines{};  // counted from 0
-        bool is_own = false;  // no other pass has it, so it stands in the pass (shader_shared.cpp)
+        bool is_own = false;  // no other pass has it, so it is declared in the pass (shader_shared.cpp)
     };
     std::vector<Declaration> declarations;  // each declaration after those that it reads; the entry functions last
     std::vector<ir::StageText> texts;       // the lines that both stages and the foreign functions that they call need

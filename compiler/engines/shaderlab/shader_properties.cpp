@@ -83,7 +83,7 @@ Declared counted(const graph::Property& property, double value) {
     return {"[IntRange] ", fmt::format("Range(0, {})", property.values.size() - 1), number(value)};
 }
 
-// A property that stands for keywords. Unity itself derives an enum's keywords from the names.
+// A property that sets keywords. Unity itself derives an enum's keywords from the names.
 Declared switched(const graph::MaterialProperty& entry) {
     const graph::Property& property = *entry.property;
     if (property.type == PropertyType::Bool)
