@@ -188,7 +188,7 @@ void add_compile(Program& program) {
     auto arguments = std::make_shared<Arguments>();
     command.add_option("GRAPH", arguments->graphs, "Material graphs (JSON)")->required()->type_name(" ");
     add_words_option(command, "-t,--target", arguments->targets,
-                     "glsl, hlsl, spirv, or an engine, with commas between (glsl,hlsl)",
+                     "glsl, hlsl, spirv, or an engine; several with commas between; default: glsl,hlsl",
                      [](const std::string&) { return std::string(); })
         ->type_name("TARGETS");
     command
