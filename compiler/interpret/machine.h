@@ -45,8 +45,7 @@ struct Step {
     Slot to = kNowhere;
     std::uint32_t count = 0;  // components of the result
     std::array<Slot, 5> from{};
-    std::uint32_t data =
-        0;  // of Branch, Loop, Call and Watch: the index of what it runs; of an op: what its kernel says
+    std::uint32_t data = 0;  // Branch, Loop, Call, Watch: the index of the code to run; an op: its kernel defines it
 };
 
 struct Move {

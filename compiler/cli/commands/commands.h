@@ -1,6 +1,6 @@
 // The subcommands: one file each. commands.def lists them. To add one: write commands/NAME.cpp with add_NAME(), and a
-// row in commands.def. A command reads its options, calls the library, and prints or writes what came of it; what it
-// shows is made in ../pages, what `patina eval` computes in ../eval.
+// row in commands.def. A command reads its options, calls the library, and prints or writes the result.
+// The code that formats output is in ../pages; the computations of `patina eval` are in ../eval.
 //
 //   void add_schema(Program& program) {
 //       CLI::App& command = add_command(program, "schema", {"patina schema > patina.schema.json"});

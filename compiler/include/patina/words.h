@@ -188,7 +188,7 @@ inline constexpr auto kWords<StencilReference> = std::to_array<Word<StencilRefer
     {"lighting", StencilReference::Lighting},
 });
 
-// What a pixel, or what is in the target, is multiplied by before the two are added. Source is the pixel.
+// A blend factor: it multiplies the new pixel (source) or the target's value (destination) before the two are added.
 enum class BlendFactor {
     One,
     Zero,
@@ -289,7 +289,7 @@ inline constexpr auto kWords<LightImportance> = std::to_array<Word<LightImportan
     {"notImportant", LightImportance::NotImportant},
 });
 
-// What mirrors show: the studio, or what the ambient light says.
+// The surroundings that mirrors reflect: the studio, or the ambient light.
 enum class SceneEnvironment { Studio, None };
 template <>
 inline constexpr auto kWords<SceneEnvironment> = std::to_array<Word<SceneEnvironment>>({

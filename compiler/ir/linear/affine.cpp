@@ -106,7 +106,7 @@ private:
         }
     }
 
-    // What a loop carries depends on what its body yields at the end, so the body is repeated until nothing is added.
+    // The values that a loop carries depend on the end of its body, so the body is repeated until nothing is added.
     // Dependences only grow, so this ends.
     void loop(Frame& frame, const Inst& inst) {
         const auto args = frame.function.args(inst);

@@ -31,7 +31,7 @@ public:
     Walk(const Module& module, const Function& function)
         : module_(module), function_(function), rates_(function.insts.size()), within_(function.insts.size()) {}
 
-    // What a loop carries depends on what its body yields at the end, so this is repeated until no rate rises.
+    // The values that a loop carries depend on the end of its body, so this is repeated until no rate rises.
     // Each loop has one rate, so this takes a few rounds for each level of nesting.
     std::vector<Rate> run() {
         do {
