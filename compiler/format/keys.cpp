@@ -305,7 +305,8 @@ constexpr std::array kEngineVertexInput = {
     KeyInfo{"location", "the location; default: the inputs that a pass reads are numbered in order"},
 };
 constexpr std::array kEngineClip = {
-    KeyInfo{"depth", "z of what the camera sees: nearToFar (0 to 1) or reversed (1 to 0)", ObjectKind::Free, true},
+    KeyInfo{"depth", "z of what the camera sees: nearToFar (0 to 1), reversed (1 to 0) or symmetric (-1 to 1)",
+            ObjectKind::Free, true},
 };
 constexpr std::array kEngineLimits = {
     KeyInfo{"varyings", "the number of vectors from the vertex stage to the fragment stage", ObjectKind::Free, true},

@@ -243,7 +243,7 @@ struct StageVariable {
     Type type{};
     std::uint32_t location = 0;
     Builtin builtin = Builtin::None;
-    std::string semantic{};  // HLSL semantic: "POSITION", "TEXCOORD0", "SV_Target0", "SV_Position"
+    std::string semantic{};  // of a vertex input: the HLSL semantic of the engine's meshes, "POSITION"
     bool flat = false;
     std::string spelling{};  // of an output: what the text assigns it to, instead of a member; may be empty
     std::string guard{};     // of an output: the preprocessor condition under which it exists; may be empty

@@ -90,9 +90,13 @@ private:
     }
     // ".member", "[2]", ".y"
     std::string part(ir::Type type, std::uint32_t index) const;
+
+    // value_names.cpp
     std::string declare(ir::NameId hint, std::string_view otherwise, ir::OriginId origin);
     std::string_view node_of(ir::OriginId origin) const;
     std::string name_without_hint(ir::Value v) const;
+    std::string name_of_operands(ir::Value v) const;
+    std::string noun(ir::Value v) const;
     void find_member_names();
 
     Writer& writer_;
@@ -108,8 +112,5 @@ private:
     std::vector<bool> commented_;  // by origin
     bool at_block_start_ = true;
 };
-
-// The name of a value without a hint: "texel" for a sample, "surface" for a Surface.
-std::string_view fallback_name(ir::Op op);
 
 }  // namespace patina::languages

@@ -42,19 +42,21 @@ struct Spelling {
 };
 using SpellingTable = std::array<Spelling, ir::kOpCount>;
 
-// Makes a table indexed by Op of the rows of a spelling file, in any order. Does not compile if an op is missing or
-// there twice.
-template <std::size_t N>
-consteval SpellingTable by_op(const Spelling (&rows)[N]) {
-    static_assert(N == ir::kOpCount, "a spelling table needs one row for each op");
+// Makes a table indexed by Op of rows in any order: those that languages share, and a language's own. Does not compile
+// if an op is missing or there twice.
+template <std::size_t N, std::size_t M>
+consteval SpellingTable by_op(const Spelling (&shared)[N], const Spelling (&own)[M]) {
+    static_assert(N + M == ir::kOpCount, "a spelling table needs one row for each op");
     SpellingTable table{};
     std::array<bool, ir::kOpCount> seen{};
-    for (const Spelling& row : rows) {
+    const auto add = [&](const Spelling& row) {
         const auto index = static_cast<std::size_t>(row.op);
         if (seen[index]) throw "an op is spelled twice";
         seen[index] = true;
         table[index] = row;
-    }
+    };
+    for (const Spelling& row : shared) add(row);
+    for (const Spelling& row : own) add(row);
     return table;
 }
 

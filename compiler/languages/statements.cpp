@@ -1,10 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "compiler/base/spelling.h"
-#include "compiler/ir/hints.h"
 #include "compiler/languages/body.h"
 
 namespace patina::languages {
@@ -13,33 +11,9 @@ using namespace ir;
 
 namespace {
 
-struct Fallback {
-    Op op;
-    std::string_view name;
-};
-constexpr Fallback kFallbacks[] = {
-    {Op::Add, "sum"},           {Op::Sub, "difference"},    {Op::Mul, "product"},         {Op::MatMul, "product"},
-    {Op::Div, "ratio"},         {Op::Mod, "remainder"},     {Op::Neg, "opposite"},        {Op::Dot, "projection"},
-    {Op::Length, "size"},       {Op::Distance, "size"},     {Op::Normalize, "direction"}, {Op::Cross, "perpendicular"},
-    {Op::Reflect, "reflected"}, {Op::Refract, "refracted"}, {Op::Lerp, "blend"},          {Op::Select, "choice"},
-    {Op::Sample, "texel"},      {Op::SampleBias, "texel"},  {Op::SampleLevel, "texel"},   {Op::SampleGrad, "texel"},
-    {Op::TexelLoad, "texel"},   {Op::TextureSize, "size"},  {Op::Ddx, "slopeX"},          {Op::Ddy, "slopeY"},
-    {Op::Fwidth, "slope"},      {Op::Pow, "power"},         {Op::Exp, "power"},           {Op::Exp2, "power"},
-    {Op::Sqrt, "root"},         {Op::Less, "test"},         {Op::LessEqual, "test"},      {Op::Greater, "test"},
-    {Op::GreaterEqual, "test"}, {Op::Equal, "test"},        {Op::NotEqual, "test"},       {Op::And, "test"},
-    {Op::Or, "test"},           {Op::Not, "test"},          {Op::Index, "element"},       {Op::Saturate, "limited"},
-    {Op::Min, "limited"},       {Op::Max, "limited"},       {Op::Clamp, "limited"},       {Op::Transpose, "transposed"},
-};
-
 constexpr std::string_view kLoopIndices[] = {"i", "j", "k", "l"};
 
 }  // namespace
-
-std::string_view fallback_name(Op op) {
-    const auto found =
-        std::find_if(std::begin(kFallbacks), std::end(kFallbacks), [&](const Fallback& f) { return f.op == op; });
-    return found == std::end(kFallbacks) ? "value" : found->name;
-}
 
 Body::Body(Writer& writer, FunctionId id, const EntryPoint* entry)
     : writer_(writer), function_(writer.module[id]), entry_(entry), plan_(writer.plans[id.index]) {
@@ -81,68 +55,7 @@ void Body::print() {
     writer_.names.close();
 }
 
-// --- names
-
-// The purpose of a value says more than its computation, so a value that is stored in a struct is named after the
-// member.
-void Body::find_member_names() {
-    member_of_.resize(function_.insts.size());
-    const auto note = [&](Value value, Type structure, std::uint32_t member) {
-        Value named = plan_.resolve(value);
-        if (function_[named].op == Op::Swizzle) named = plan_.resolve(function_.args(function_[named])[0]);
-        member_of_[named.index] = writer_.module.structs[structure.ref].members[member].name;
-    };
-    for (const Inst& inst : function_.insts) {
-        if (inst.type.kind != Kind::Struct) continue;
-        const std::span<const Value> args = function_.args(inst);
-        if (inst.op == Op::Insert) note(args[1], inst.type, inst.data);
-        if (inst.op != Op::Construct) continue;
-        for (std::uint32_t i = 0; i < args.size(); ++i) note(args[i], inst.type, i);
-    }
-}
-
-// The id of the node that an instruction comes from; empty if there is none.
-std::string_view Body::node_of(OriginId origin) const {
-    const std::string_view id = origin ? std::string_view(writer_.module.origins[origin.index].id) : "";
-    return id.substr(id.rfind('/') + 1);
-}
-
-std::string Body::name_without_hint(Value v) const {
-    const Inst& inst = function_[v];
-    if (inst.type.kind == Kind::Struct) {
-        const std::string name = camel_case(writer_.plain(writer_.module.structs[inst.type.ref].name));
-        return writer_.names.is_free(name) ? name : initials(name);
-    }
-    if (!member_of_[v.index].empty()) return std::string(member_of_[v.index]);
-    if (inst.op == Op::Construct && inst.type.is_matrix()) return "basis";
-    if (const std::string_view callee = hint_of(writer_.module, inst.name).callee; !callee.empty()) {
-        return std::string(callee);
-    }
-    if (inst.op == Op::Call) {
-        const std::string name = camel_case(writer_.plain(writer_.module.functions[inst.data].name));
-        return writer_.names.is_free(name) ? name : joined(name, "Value");
-    }
-    // A step in the computation of a node's value is named after the node.
-    const std::string_view last = node_of(inst.origin);
-    const std::string_view step = fallback_name(inst.op);
-    return step.starts_with(last) ? std::string(step) : joined(last, step);
-}
-
-// Two values may want one name, usually locals of inlined functions. The second one then adds its origin: the node or
-// the function, whichever is shorter.
-std::string Body::declare(NameId id, std::string_view otherwise, OriginId origin) {
-    const Hint hint = hint_of(writer_.module, id);
-    const std::string_view wanted = hint.name.empty() ? otherwise : hint.name;
-    if (hint.callee.empty() || writer_.names.is_free(safe_identifier(wanted))) return writer_.names.declare(wanted);
-    std::array whose = {node_of(origin), hint.callee};
-    if (whose[1].size() < whose[0].size()) std::swap(whose[0], whose[1]);
-    for (const std::string_view each : whose) {
-        if (each.empty() || each == wanted) continue;
-        const std::string longer = safe_identifier(joined(each, wanted));
-        if (writer_.names.is_free(longer)) return writer_.names.declare(longer);
-    }
-    return writer_.names.declare(wanted);
-}
+// --- variables
 
 std::string Body::target(std::uint32_t id) {
     if (is_declared(id)) return names_[id];

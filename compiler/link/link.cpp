@@ -331,7 +331,6 @@ ir::Module link_fragment(const Linked& linked, const graph::LoweredPass& pass, i
         outputs.push_back({.name = std::move(name),
                            .type = of,
                            .location = location,
-                           .semantic = "SV_Target" + std::to_string(location),
                            .guard = location < guards.size() ? std::string(guards[location]) : std::string()});
         values.push_back(value);
     };
@@ -360,16 +359,13 @@ ir::Module link_vertex(const Linked& linked, const graph::LoweredPass& pass, ir:
         const auto found = std::find_if(semantics.begin(), semantics.end(),
                                         [&](const ir::Semantic& s) { return s.name == input.name; });
         input.location = location++;
-        input.semantic = "TEXCOORD" + std::to_string(input.location);
         outputs.push_back(input);
         values.push_back(entry.value({static_cast<std::uint32_t>(found - semantics.begin())}));
     }
     // In some passes, lines at the end of the vertex stage compute the position.
     if (entry.builder().type(position).kind != ir::Kind::Struct) {
-        outputs.push_back({.name = "position",
-                           .type = entry.builder().type(position),
-                           .builtin = ir::Builtin::Position,
-                           .semantic = "SV_Position"});
+        outputs.push_back(
+            {.name = "position", .type = entry.builder().type(position), .builtin = ir::Builtin::Position});
         values.push_back(position);
     }
     // If included files declare the mesh's values, they need them as the material has moved them.

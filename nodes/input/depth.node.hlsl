@@ -46,7 +46,7 @@ float Linear01Depth(
 
 /// The position in clip space of a pixel with its depth; w is 1.
 ///
-/// formula: (2 u - 1, 1 - 2 v, depth, 1)
+/// formula: (2 u - 1, 1 - 2 v, z, 1), where z is depth, or 2 depth - 1 in an engine whose clip space begins at -1
 /// test: ClipFromScreen(float2(0, 0), 0.5) == float4(-1, 1, 0.5, 1)
 /// test: ClipFromScreen(float2(0.75, 1), 1) == float4(0.5, -1, 1, 1)
 [node("Input/Depth/Clip from Screen")]
@@ -54,7 +54,7 @@ float4 ClipFromScreen(
     float2 uv = screenUV,     ///< position on the screen, 0 to 1 from the top left
     [range(0, 1)] float depth  ///< depth from the depth buffer
 ) {
-    return float4(2 * uv.x - 1, 1 - 2 * uv.y, depth, 1);
+    return float4(2 * uv.x - 1, 1 - 2 * uv.y, symmetricDepth ? 2 * depth - 1 : depth, 1);
 }
 
 /// The position in world space of a pixel with its depth. `clipToWorld` is the inverse of the camera's view-projection

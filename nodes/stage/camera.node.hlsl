@@ -1,4 +1,4 @@
-// The camera and the frame. Clip space is y up, depth 0 to 1; view space looks along -z.
+// The camera and the frame. Clip space is y up, its depth is the engine's; view space looks along -z.
 
 /// Seconds since the start.
 [extern("Frame")] [semantic("uniform")] float time;
@@ -17,6 +17,9 @@
 [extern("Camera")] float4x4 clipToWorld;
 [extern("Camera")] float2 clipPlanes;        // distances of the near and the far plane, metres
 [extern("Camera")] float shadowNormalBias;  // in a light's own view: metres that a surface is moved inwards, at w = 1
+
+/// Depth in clip space is from -1 to 1.
+[static("clip", "symmetric")] bool symmetricDepth;
 
 /// Direction from the surface to the camera in world space, unit.
 [semantic("pixel")]

@@ -172,6 +172,8 @@ Outcome<CpuStep> make_cpu_step(const Frame& frame, const FrameStep& step, std::v
     for (std::uint32_t instance = 0; instance < step.instances; instance++) {
         Outcome<std::vector<ClipVertex>> vertices = run_vertices(vertex, *step.mesh, instance);
         if (!vertices) return Failure{vertices.error};
+        if (step.clip_depth() == ClipDepth::Symmetric)
+            for (ClipVertex& v : vertices.value) v.position.z = (v.position.z + v.position.w) / 2;
         for (CpuTriangle& triangle : visible_triangles(step, area, vertices.value))
             made.triangles.push_back(std::move(triangle));
     }

@@ -56,6 +56,10 @@ struct StagePair {
 struct FrameStep {
     const Reflection* reflection = nullptr;
     const Pass* pass = nullptr;  // of `reflection`
+    // z / w of the vertex stage's positions. Shadow maps are near to far, whatever the camera's view is.
+    ClipDepth clip_depth() const {
+        return pass->lights == PassLights::Shadowed ? ClipDepth::NearToFar : reflection->clip_depth;
+    }
     StagePair stages{};
     const Mesh* mesh = nullptr;
     std::uint32_t instances = 1;  // of the mesh, in one draw

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstring>
+#include <string_view>
 
 namespace patina::runtime {
 namespace {
@@ -86,12 +87,14 @@ struct Features {
     VkPhysicalDeviceVulkan11Features v11{};
     VkPhysicalDeviceVulkan12Features v12{};
     VkPhysicalDeviceVulkan13Features v13{};
+    VkPhysicalDeviceDepthClipControlFeaturesEXT clip{};  // not in the chain: an extension
 
     Features() {
         core.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
         v11.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES;
         v12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
         v13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
+        clip.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DEPTH_CLIP_CONTROL_FEATURES_EXT;
         core.pNext = &v11;
         v11.pNext = &v12;
         v12.pNext = &v13;
@@ -107,6 +110,15 @@ bool graphics_family(VkPhysicalDevice physical, std::uint32_t& family) {
     for (family = 0; family < count; family++)
         if (families[family].queueFlags & VK_QUEUE_GRAPHICS_BIT) return true;
     return false;
+}
+
+bool has_extension(VkPhysicalDevice physical, std::string_view name) {
+    std::uint32_t count = 0;
+    vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr);
+    std::vector<VkExtensionProperties> found(count);
+    vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, found.data());
+    return std::any_of(found.begin(), found.end(),
+                       [&](const VkExtensionProperties& each) { return each.extensionName == name; });
 }
 
 bool can_draw(VkPhysicalDevice physical, const VkPhysicalDeviceProperties& properties) {
@@ -164,6 +176,12 @@ Outcome<bool> create_logical_device(Device& device) {
     device.anisotropy = available.core.features.samplerAnisotropy;
     wanted.core.features.independentBlend = available.core.features.independentBlend;
     device.independent_blend = available.core.features.independentBlend;
+    device.symmetric_depth = has_extension(device.physical, VK_EXT_DEPTH_CLIP_CONTROL_EXTENSION_NAME);
+    const char* const extension = VK_EXT_DEPTH_CLIP_CONTROL_EXTENSION_NAME;
+    if (device.symmetric_depth) {
+        wanted.clip.depthClipControl = VK_TRUE;
+        wanted.v13.pNext = &wanted.clip;
+    }
 
     graphics_family(device.physical, device.queue_family);
     float priority = 1;
@@ -177,6 +195,8 @@ Outcome<bool> create_logical_device(Device& device) {
     info.pNext = &wanted.core;
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queue;
+    info.enabledExtensionCount = device.symmetric_depth ? 1 : 0;
+    info.ppEnabledExtensionNames = &extension;
     VkResult result = vkCreateDevice(device.physical, &info, nullptr, &device.device);
     if (result != VK_SUCCESS) return Failure{"'" + device.name + "' cannot be opened: " + result_name(result)};
     vkGetDeviceQueue(device.device, device.queue_family, 0, &device.queue);

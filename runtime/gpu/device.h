@@ -35,6 +35,7 @@ struct Device {
     VkPhysicalDeviceLimits limits{};
     bool anisotropy = false;
     bool independent_blend = false;  // targets of one draw may blend differently
+    bool symmetric_depth = false;    // clip space may begin at z = -w
     std::string name;
     std::vector<std::string> messages;  // warnings and errors of the validation layer
 

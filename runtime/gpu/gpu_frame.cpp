@@ -38,6 +38,7 @@ Outcome<std::vector<BoundTexture>> bind_textures(Gpu& gpu, const FrameStep& step
 Outcome<VkPipeline> find_pipeline(Gpu& gpu, ReadyFrame& ready, const FrameStep& step, VkPipelineLayout layout,
                                   const std::vector<GpuTarget>& targets) {
     PipelineInfo info{.pass = step.pass,
+                      .clip_depth = step.clip_depth(),
                       .layout = layout,
                       .vertex_spirv = step.stages.vertex_spirv,
                       .fragment_spirv = step.stages.fragment_spirv,

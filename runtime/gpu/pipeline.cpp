@@ -56,6 +56,7 @@ Info started(VkStructureType type) {
 // it stays where it is made.
 struct FixedState {
     VkPipelineInputAssemblyStateCreateInfo assembly;
+    VkPipelineViewportDepthClipControlCreateInfoEXT clip;
     VkPipelineViewportStateCreateInfo viewport;
     VkPipelineRasterizationStateCreateInfo raster;
     VkPipelineMultisampleStateCreateInfo multisample;
@@ -66,7 +67,7 @@ struct FixedState {
                                         VK_DYNAMIC_STATE_STENCIL_REFERENCE};
     VkPipelineDynamicStateCreateInfo dynamic;
 
-    explicit FixedState(const Pass& pass);
+    FixedState(const Pass& pass, ClipDepth clip_depth);
     FixedState(const FixedState&) = delete;
 
 private:
@@ -74,8 +75,9 @@ private:
     void set_blending(const Pass& pass);
 };
 
-FixedState::FixedState(const Pass& pass)
+FixedState::FixedState(const Pass& pass, ClipDepth clip_depth)
     : assembly{started<decltype(assembly)>(VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO)},
+      clip{started<decltype(clip)>(VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_DEPTH_CLIP_CONTROL_CREATE_INFO_EXT)},
       viewport{started<decltype(viewport)>(VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO)},
       raster{started<decltype(raster)>(VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO)},
       multisample{started<decltype(multisample)>(VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO)},
@@ -84,6 +86,8 @@ FixedState::FixedState(const Pass& pass)
       dynamic{started<decltype(dynamic)>(VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO)} {
     assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     viewport.viewportCount = viewport.scissorCount = 1;
+    clip.negativeOneToOne = VK_TRUE;
+    if (clip_depth == ClipDepth::Symmetric) viewport.pNext = &clip;
     raster.cullMode = vulkan_cull(pass.cull);
     raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
     raster.lineWidth = 1;
@@ -163,6 +167,10 @@ Outcome<PipelineHandle> make_pipeline(Gpu& gpu, const PipelineInfo& wanted) {
     auto attributes = vertex_attributes(pass);
     if (!attributes) return Failure{attributes.error};
     if (std::string error = blending_error(gpu.device, wanted); !error.empty()) return Failure{error};
+    if (wanted.clip_depth == ClipDepth::Symmetric && !gpu.device.symmetric_depth)
+        return Failure{
+            "'" + gpu.device.name + "' cannot draw the pass '" + pass.name +
+            "', whose clip space begins at -1: it lacks VK_EXT_depth_clip_control; draw with '--device cpu'"};
     ShaderHandle vertex = make_shader(gpu, wanted.vertex_spirv), fragment = make_shader(gpu, wanted.fragment_spirv);
     if (!gpu.error.empty()) return Failure{gpu.error};
 
@@ -178,7 +186,7 @@ Outcome<PipelineHandle> make_pipeline(Gpu& gpu, const PipelineInfo& wanted) {
     input.vertexAttributeDescriptionCount = std::uint32_t(attributes.value.size());
     input.pVertexAttributeDescriptions = attributes.value.data();
 
-    FixedState fixed(pass);
+    FixedState fixed(pass, wanted.clip_depth);
     auto rendering = started<VkPipelineRenderingCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO);
     rendering.colorAttachmentCount = std::uint32_t(wanted.color_formats.size());
     rendering.pColorAttachmentFormats = wanted.color_formats.data();

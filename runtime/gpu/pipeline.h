@@ -16,6 +16,7 @@ namespace patina::runtime {
 
 struct PipelineInfo {
     const Pass* pass = nullptr;
+    ClipDepth clip_depth = ClipDepth::NearToFar;
     VkPipelineLayout layout = VK_NULL_HANDLE;
     std::span<const std::uint32_t> vertex_spirv{};
     std::span<const std::uint32_t> fragment_spirv{};

@@ -60,15 +60,18 @@ glm::mat4 world_to_view(const Camera& camera) {
 
 glm::mat4 view_to_clip(const Camera& camera, float aspect) {
     if (camera.clip_space) return glm::mat4(1);
+    const bool is_symmetric = camera.clip_depth == ClipDepth::Symmetric;
     // Swapped planes give 1 at the near one and 0 at the far one.
     const bool is_reversed = camera.clip_depth == ClipDepth::Reversed;
     const float at_zero = is_reversed ? camera.far_plane : camera.near_plane;
     const float at_one = is_reversed ? camera.near_plane : camera.far_plane;
     if (camera.orthographic_height) {
         float half = *camera.orthographic_height / 2;
-        return glm::orthoRH_ZO(-half * aspect, half * aspect, -half, half, at_zero, at_one);
+        return (is_symmetric ? glm::orthoRH_NO<float> : glm::orthoRH_ZO<float>)(-half * aspect, half * aspect, -half,
+                                                                                half, at_zero, at_one);
     }
-    return glm::perspectiveRH_ZO(glm::radians(camera.fov), aspect, at_zero, at_one);
+    return (is_symmetric ? glm::perspectiveRH_NO<float> : glm::perspectiveRH_ZO<float>)(glm::radians(camera.fov),
+                                                                                        aspect, at_zero, at_one);
 }
 
 }  // namespace patina::runtime

@@ -1,5 +1,5 @@
-// An engine is data: the default one and a second one of which every convention differs (mirror.json) draw the same
-// pictures, and each text holds the engine's own numbers and names.
+// An engine is data: the default one, a second one of which every convention differs (mirror.json) and a third one with
+// the clip space of OpenGL and WebGL draw the same pictures, and each text holds the engine's own numbers and names.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -22,9 +22,17 @@ std::string mirror_text() {
     return text.str();
 }
 
+// With depth from -1 to 1, and otherwise as the first one.
+std::string symmetric_text() {
+    std::string text = mirror_text();
+    text.replace(text.find("reversed\""), 8, "symmetric");
+    return text;
+}
+
 const Compiler& compiler() {
-    static const std::string kText = mirror_text();
-    static const nodelang::EmbeddedFile kFiles[] = {{"nodes/engines/mirror/engine.json", kText}};
+    static const std::string kText = mirror_text(), kSymmetric = symmetric_text();
+    static const nodelang::EmbeddedFile kFiles[] = {{"nodes/engines/mirror/engine.json", kText},
+                                                    {"nodes/engines/symmetric/engine.json", kSymmetric}};
     static const Compiler kCompiler = CompilerAccess::with_files(kFiles);
     return kCompiler;
 }
@@ -87,14 +95,14 @@ TEST(Engines, ThePageNamesEveryKey) {
 
 TEST(Engines, AreListedTheDefaultOneFirst) {
     const std::vector<EngineInfo>& engines = compiler().engines();
-    ASSERT_EQ(engines.size(), 3u);
+    ASSERT_EQ(engines.size(), 4u);
     EXPECT_TRUE(engines[0].is_default);
     EXPECT_EQ(engines[1].name, "mirror");
     EXPECT_EQ(engines[1].title, "Mirror");
     EXPECT_EQ(engines[1].file, "stages");
     EXPECT_FALSE(engines[1].has_own_passes);
-    EXPECT_TRUE(engines[2].is_one_file);
-    EXPECT_TRUE(engines[2].has_own_passes);
+    EXPECT_TRUE(engines[3].is_one_file);
+    EXPECT_TRUE(engines[3].has_own_passes);
 }
 
 TEST(Engines, WordsOfTargets) {
@@ -189,6 +197,7 @@ struct Picture {
     const char* file;
     const char* path;
     const char* via;
+    const char* engine = "mirror";
 };
 
 class Pictures : public testing::TestWithParam<Picture> {};
@@ -204,7 +213,7 @@ TEST_P(Pictures, AreTheDefaultEngines) {
         request.options.engine = engine;
         return runtime::render(compiler(), request, machine);
     };
-    const runtime::RenderOutcome wanted = draw(""), received = draw("mirror");
+    const runtime::RenderOutcome wanted = draw(""), received = draw(picture.engine);
     ASSERT_TRUE(wanted.ok) << wanted.error;
     for (const Diagnostic& d : received.diagnostics) EXPECT_NE(d.severity, Severity::Error) << to_text(d);
     ASSERT_TRUE(received.ok) << received.error;
@@ -219,15 +228,21 @@ TEST_P(Pictures, AreTheDefaultEngines) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, Pictures,
-    testing::Values(Picture{"TilesGlsl", "examples/graphs/azulejo.graph.json", "forward", "glsl"},
-                    Picture{"TilesHlsl", "examples/graphs/azulejo.graph.json", "forward", "hlsl"},
-                    Picture{"TilesCpu", "examples/graphs/azulejo.graph.json", "forward", "cpu"},
-                    Picture{"LightsForward", "examples/scenes/five-lights.scene.json", "forward", "glsl"},
-                    Picture{"LightsForwardAdd", "examples/scenes/five-lights.scene.json", "forward-add", "hlsl"},
-                    Picture{"LightsDeferred", "examples/scenes/five-lights.scene.json", "deferred", "glsl"},
-                    Picture{"LightsDeferredHlsl", "examples/scenes/five-lights.scene.json", "deferred", "hlsl"},
-                    Picture{"LightsVertex", "examples/scenes/five-lights.scene.json", "vertex", "glsl"},
-                    Picture{"ShoreReadsDepth", "examples/scenes/shore.scene.json", "forward", "glsl"}),
+    testing::Values(
+        Picture{"TilesGlsl", "examples/graphs/azulejo.graph.json", "forward", "glsl"},
+        Picture{"TilesHlsl", "examples/graphs/azulejo.graph.json", "forward", "hlsl"},
+        Picture{"TilesCpu", "examples/graphs/azulejo.graph.json", "forward", "cpu"},
+        Picture{"LightsForward", "examples/scenes/five-lights.scene.json", "forward", "glsl"},
+        Picture{"LightsForwardAdd", "examples/scenes/five-lights.scene.json", "forward-add", "hlsl"},
+        Picture{"LightsDeferred", "examples/scenes/five-lights.scene.json", "deferred", "glsl"},
+        Picture{"LightsDeferredHlsl", "examples/scenes/five-lights.scene.json", "deferred", "hlsl"},
+        Picture{"LightsVertex", "examples/scenes/five-lights.scene.json", "vertex", "glsl"},
+        Picture{"ShoreReadsDepth", "examples/scenes/shore.scene.json", "forward", "glsl"},
+        Picture{"SymmetricTiles", "examples/graphs/azulejo.graph.json", "forward", "hlsl", "symmetric"},
+        Picture{"SymmetricTilesCpu", "examples/graphs/azulejo.graph.json", "forward", "cpu", "symmetric"},
+        Picture{"SymmetricLights", "examples/scenes/five-lights.scene.json", "forward", "glsl", "symmetric"},
+        Picture{"SymmetricDeferred", "examples/scenes/five-lights.scene.json", "deferred", "glsl", "symmetric"},
+        Picture{"SymmetricDepth", "examples/scenes/shore.scene.json", "forward", "glsl", "symmetric"}),
     [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace

@@ -231,7 +231,7 @@ std::string declare_targets(Writer& w, EntryPoint& entry) {
     for (const StageVariable& v : stage.outputs) {
         const std::string member = members.declare(v.name);
         if (!v.guard.empty()) w.line(0, "#if " + v.guard);
-        w.line(1, fmt::format("half4 {} : {};", member, v.semantic));
+        w.line(1, fmt::format("half4 {} : {};", member, hlsl::semantic(v, true)));
         if (!v.guard.empty()) w.line(0, "#endif");
         entry.outputs.push_back("output." + member);
         entry.guards.push_back(v.guard);

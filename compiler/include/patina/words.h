@@ -136,12 +136,13 @@ inline constexpr auto kWords<Cull> = std::to_array<Word<Cull>>({
     {"off", Cull::Off},
 });
 
-// z of clip space at the near plane and at the far plane: 0 and 1, or 1 and 0.
-enum class ClipDepth { NearToFar, Reversed };
+// z / w of clip space at the near plane and at the far plane: 0 and 1, 1 and 0, or -1 and 1.
+enum class ClipDepth { NearToFar, Reversed, Symmetric };
 template <>
 inline constexpr auto kWords<ClipDepth> = std::to_array<Word<ClipDepth>>({
     {"nearToFar", ClipDepth::NearToFar},
     {"reversed", ClipDepth::Reversed},
+    {"symmetric", ClipDepth::Symmetric},
 });
 
 // How a matrix lies in a uniform block.
