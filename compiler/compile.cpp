@@ -15,9 +15,9 @@ bool compile(Compilation& c) {
            && link_materials(c)  // link: names of the interface are settled, and semantics become parameters
            && link_stages(c)     // link, ir/passes: two stages a pass; inlined, hoisted, pruned
            && check_stages(c)    // link: what stages still read must be there
-           && order_passes(c)    // engines: as the files hold them
+           && order_passes(c)    // engines: the order in which the file holds them
            && reflect(c)         // output: what a runtime must know of all this
-           && check_files(c)     // engines: what the files cannot say
+           && check_files(c)     // engines: what the file format cannot express
            && write_files(c)     // engines, output, languages: rewritten for the language, and printed
            && keep_programs(c);  // lower, link: the same without folding, for the CPU reference
 }

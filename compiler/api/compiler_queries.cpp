@@ -8,6 +8,7 @@
 #include "compiler/api/evaluate.h"
 #include "compiler/api/report.h"
 #include "compiler/base/text.h"
+#include "compiler/engines/writers.h"
 #include "compiler/format/canonical_form.h"
 #include "compiler/format/read_graph.h"
 #include "compiler/format/read_scene.h"
@@ -106,7 +107,7 @@ std::string_view version() {
 }
 
 Compiler::Compiler() : impl_(std::make_unique<Impl>()) {
-    impl_->library = graph::load_library(nodelang::embedded_files());
+    impl_->library = graph::load_library(nodelang::embedded_files(), engines::printable());
 }
 Compiler::Compiler(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
@@ -115,7 +116,7 @@ Compiler CompilerAccess::with_files(std::span<const nodelang::EmbeddedFile> more
     std::vector<nodelang::EmbeddedFile> files(own.begin(), own.end());
     files.insert(files.end(), more.begin(), more.end());
     auto impl = std::make_unique<Compiler::Impl>();
-    impl->library = graph::load_library(files);
+    impl->library = graph::load_library(files, engines::printable());
     return Compiler(std::move(impl));
 }
 Compiler::~Compiler() = default;

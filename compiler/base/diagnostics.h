@@ -1,3 +1,6 @@
+// The room `base` holds what all other rooms use: places in sources, diagnostics, text and identifiers. It knows no
+// graph, no IR and no language.
+//
 // The list of errors and warnings that a compilation reports. Each has a code from diagnostics.def, the narrowest wrong
 // range of the source, and notes that say what to do. Reporting never throws and never stops a stage: a stage that
 // cannot go on returns early, and its caller asks `has_errors()`.

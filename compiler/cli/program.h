@@ -1,3 +1,5 @@
+// The room `cli` is the command line. It reads options, calls the library and prints. It computes nothing itself.
+//
 // The command line as a whole: a list of subcommands, each with its options and the function that does its work.
 // CLI11 parses it. This adds one form for mistakes in it ("did you mean ...?", exit code 2) and the options that all
 // subcommands have.

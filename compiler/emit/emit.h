@@ -1,4 +1,4 @@
-// This room turns syntax trees of the node language into IR, and checks their types on the way. It parses nothing
+// The room `emit` turns syntax trees of the node language into IR, and checks their types on the way. It parses nothing
 // (nodelang does), and it knows no graph, material or pass (lower does): it asks an Environment what a name means that
 // is not the language's own, and a Known which slots, externs and statics there are. So function bodies and expressions
 // of graphs are emitted by the same code.

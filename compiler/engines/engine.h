@@ -50,6 +50,11 @@ struct Names {
     std::map<std::string, std::string, std::less<>> instead;  // the engine's names for functions of the library
 };
 
+// What an engine may choose from: the languages (languages/languages.cpp) and the file formats (writers.cpp).
+struct Printable {
+    std::vector<std::string_view> languages, formats;
+};
+
 struct Engine {
     std::string name;   // the name of its folder: "vulkan"
     std::string title;  // "Vulkan"
@@ -65,7 +70,7 @@ struct Engine {
     std::map<std::string, std::string, std::less<>> blocks;  // the library's name of a block -> the engine's
     std::vector<VertexInput> vertex_inputs;
 
-    ClipDepth clip_depth = ClipDepth::NearToFar;  // of what the camera sees; shadow maps are near to far
+    ClipDepth clip_depth = ClipDepth::NearToFar;  // of what the camera sees; shadow maps store 0 (near) to 1 (far)
     MatrixOrder matrices = MatrixOrder::Columns;
 
     // How the engine stores the values of a material, by type; empty: as the shader reads them.

@@ -16,16 +16,20 @@ constexpr int kMostNumber = 1 << 20;  // of sets, bindings and locations
 
 class Reader {
 public:
-    Reader(graph::Reading& reading, const FindFile& find_file, Engine& engine)
-        : reading_(reading), find_file_(find_file), engine_(engine) {}
+    Reader(graph::Reading& reading, const FindFile& find_file, const Printable& printable, Engine& engine)
+        : reading_(reading), find_file_(find_file), printable_(printable), engine_(engine) {}
 
     void engine(const Json& json) {
         using enum graph::ObjectKind;
         check_keys(reading_, json, Engine);
         engine_.title = text(json, "name");
         engine_.help = text(json, "help");
-        engine_.languages = texts(json, "languages");
-        engine_.file = text(json, "file");
+        if (const Json* languages = json.find("languages"))
+            engine_.languages = chosen(*languages, printable_.languages, "a language that Patina writes");
+        if (const Json* format = json.find("file")) {
+            for (std::string& name : chosen(*format, printable_.formats, "a file format that Patina writes"))
+                engine_.file = std::move(name);
+        }
         if (const Json* name = json.find("passes")) engine_.passes = file(*name);
         if (const Json* name = json.find("include")) {
             if (const std::optional<std::uint32_t> base = file(*name))
@@ -72,6 +76,24 @@ private:
         if (!value || !expect(reading_, *value, Json::Kind::Object, fmt::format("'{}'", key))) return nullptr;
         check_keys(reading_, *value, kind);
         return value;
+    }
+
+    // The words of an array, or one word, that are known.
+    std::vector<std::string> chosen(const Json& json, std::span<const std::string_view> known, std::string_view what) {
+        std::vector<std::string> made;
+        const auto add = [&](const Json& each) {
+            const std::string* word = read_string(reading_, each, what);
+            if (!word) return;
+            if (std::find(known.begin(), known.end(), *word) != known.end()) return made.push_back(*word);
+            reading_.diagnostics.report(Code::UnknownWord, each.span, *word, what)
+                .note(Diagnostics::suggestion(*word, known));
+        };
+        if (json.kind == Json::Kind::Array) {
+            for (const Json& each : json.elements) add(each);
+        } else {
+            add(json);
+        }
+        return made;
     }
 
     std::vector<std::string> texts(const Json& json, std::string_view key) {
@@ -139,20 +161,22 @@ private:
 
     graph::Reading& reading_;
     const FindFile& find_file_;
+    const Printable& printable_;
     Engine& engine_;
 };
 
 }  // namespace
 
 Engine read_engine(const SourceMap& sources, std::uint32_t base, std::string folder, const FindFile& find_file,
-                   Diagnostics& diagnostics) {
+                   const Printable& printable, Diagnostics& diagnostics) {
     Engine engine;
     engine.name = std::move(folder);
     const std::unique_ptr<Json> json = graph::parse_json(sources, base, diagnostics);
     if (!json) return engine;
     nodelang::Ast unused;
     graph::Reading reading{.sources = sources, .ast = unused, .diagnostics = diagnostics};
-    if (expect(reading, *json, Json::Kind::Object, "an engine")) Reader(reading, find_file, engine).engine(*json);
+    if (expect(reading, *json, Json::Kind::Object, "an engine"))
+        Reader(reading, find_file, printable, engine).engine(*json);
     return engine;
 }
 

@@ -14,6 +14,6 @@ using FindFile = std::function<std::optional<std::uint32_t>(std::string_view nam
 // `base`: the start of engine.json in the sources. `folder`: the engine's name. Reports errors in the file, and returns
 // what could be read.
 Engine read_engine(const SourceMap& sources, std::uint32_t base, std::string folder, const FindFile& find_file,
-                   Diagnostics& diagnostics);
+                   const Printable& printable, Diagnostics& diagnostics);
 
 }  // namespace patina::engines

@@ -21,4 +21,11 @@ const output::Writer& writer_of(const graph::Session& session) {
     return found == std::end(kFormats) ? output::kStageFiles : **found;
 }
 
+Printable printable() {
+    Printable all;
+    for (const languages::LanguageInfo& each : languages::all_languages()) all.languages.push_back(each.name);
+    for (const output::Writer* each : kFormats) all.formats.push_back(each->format);
+    return all;
+}
+
 }  // namespace patina::engines

@@ -1,5 +1,5 @@
-// This room reads graphs and scenes, writes their canonical text and makes their JSON Schema. It checks keys, JSON
-// types and words. It resolves no name, opens no file that a graph names, and knows no types.
+// The room `format` reads graphs and scenes, writes their canonical text and makes their JSON Schema. It checks keys,
+// JSON types and words. It resolves no name, opens no file that a graph names, and knows no types.
 //
 // A Graph is a graph as its file states it. The values at ports are syntax trees of the node language (nodelang/ast.h),
 // which get their types in lower/lower.h.

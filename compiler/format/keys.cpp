@@ -301,7 +301,7 @@ constexpr std::array kEngineSet = {
 };
 constexpr std::array kEngineVertexInput = {
     KeyInfo{"semantic", "the semantic of the library: positionOS", ObjectKind::Free, true},
-    KeyInfo{"hlsl", "the HLSL semantic: POSITION", ObjectKind::Free, true},
+    KeyInfo{"hlsl", "the HLSL semantic: POSITION; default: TEXCOORD and the location"},
     KeyInfo{"location", "the location; default: the inputs that a pass reads are numbered in order"},
 };
 constexpr std::array kEngineClip = {

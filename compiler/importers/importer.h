@@ -1,9 +1,12 @@
+// The room `importers` turns materials of other programs into graph files. It needs no GPU and compiles nothing.
+//
 // The seam for importers: materials of other programs become graph files and their textures. This folder holds this
 // interface, the list of importers (importers.cpp) and graph_writer.h, which all of them write graphs with. To add one:
 // write a folder with a function that returns its row, and add the row to the list. No other file names a format.
 //
-// An importer reads the file that it is given and nothing else, draws nothing and writes nothing: `patina import`
-// writes what it returns, all or nothing. Whatever it does not carry over is a remark; nothing is dropped silently.
+// An importer reads the file that it is given and the files that this one names. It draws nothing and writes nothing:
+// `patina import` writes what it returns, all or nothing. Whatever it does not carry over is a remark; nothing is
+// dropped silently.
 //
 //   const Source source = {.path = "gold-paint.binary", .start = first_bytes};
 //   if (const Importer* importer = importer_of(source)) Imported made = importer->read(source, {});

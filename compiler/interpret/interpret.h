@@ -1,6 +1,6 @@
-// This room executes IR on four lanes (a 2x2 quad of pixels), to check what GPUs compute. It has arithmetic of its own,
-// shares no code with the compiler's folding, and knows no node by name: what an op does is a row of a table.
-// patina/interpret.h is its public face; that, the doc tests and `eval` call what is declared here.
+// The room `interpret` executes IR on four lanes (a 2x2 quad of pixels), to check what GPUs compute. It has arithmetic
+// of its own, shares no code with the compiler's folding, and knows no node by name: what an op does is a row of a
+// table. patina/interpret.h is its public face; that, the doc tests and `eval` call what is declared here.
 #pragma once
 
 #include <array>

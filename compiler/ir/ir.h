@@ -1,6 +1,6 @@
-// The intermediate representation (IR): what a graph means, apart from any language. This room makes, checks and
-// rewrites IR. It knows nothing of graphs, of the node language, of GLSL or HLSL, or of engines; what it stores for
-// them (names, spellings, lines of text) it hands on unread.
+// The room `ir` makes, checks and rewrites the intermediate representation (IR): what a graph means, apart from any
+// language. It knows nothing of graphs, of the node language, of GLSL or HLSL, or of engines. It stores text for them
+// (names, registers, semantics, spellings) and never reads it.
 //
 // A Module holds functions. A Function is one structured block of instructions in SSA form: an instruction is a value,
 // computed once, used by those after it in its own block or in blocks nested in it. There are no jumps: `If` and `For`
@@ -19,10 +19,9 @@
 // Lifetime is the Module's: everything is an index into one of its vectors.
 //
 // An IR pass does not edit the instructions of a function in place: it rebuilds the function through a Builder
-// (builder.h), which finds what can be folded now. There are two exceptions. renumber_calls() (rebuild.h) tells calls
-// where their callees stand now, when functions have moved and nothing else of the caller changes. And link() and
-// make_instanced() replace the reads of semantics and globals where they stand, because every value must keep its
-// index: probes refer to values, and a rebuilt function has none.
+// (builder.h), which finds what can be folded now. There are two exceptions. If functions have moved,
+// renumber_calls() (rebuild.h) corrects the indices in calls. link() and make_instanced() replace reads of semantics
+// and globals in place, because a rebuilt function would lose its probes.
 #pragma once
 
 #include <cstdint>
@@ -77,7 +76,7 @@ struct Param {
 // Who calls or defines a function outside of its module.
 enum class Linkage : std::uint8_t {
     Internal,  // nobody: its signature may change
-    Exported,  // other texts call it: of its signature only semantics that it does not read may go
+    Exported,  // other texts call it: only parameters of semantics that it does not read may go
     External,  // another text defines it: its body here means nothing, and its signature must stay
     Foreign,   // an included file defines it: as External, and the text does not declare it
 };

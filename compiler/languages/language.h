@@ -75,24 +75,29 @@ struct EntryPoint {
 // How a language writes what stands around expressions. Each function makes one line, or a part of one.
 struct Syntax {
     // "vec3 n", "float k[4]". `sizes`: "[4]"
-    std::string (*variable)(std::string_view type, std::string_view name, std::string_view sizes) = nullptr;
-    // "vec3 shade(vec3 n, float k)". `params`: as variable() makes them
+    using Declaration = std::string (*)(std::string_view type, std::string_view name, std::string_view sizes);
+    Declaration local = nullptr;
+    Declaration parameter = nullptr;
+    Declaration member = nullptr;  // of a struct or a uniform block
+    // "vec3 shade(vec3 n, float k)". `params`: as parameter() makes them
     std::string (*signature)(std::string_view result, std::string_view name,
                              std::span<const std::string> params) = nullptr;
     // The line that opens a loop from `begin` up to `end`, which is not in it; "}" closes it.
     std::string (*loop)(std::string_view type, std::string_view index, std::string_view begin,
                         std::string_view end) = nullptr;
-    std::string (*discard_if)(std::string_view condition) = nullptr;
+    // A branch of one statement, on one line: "if (a < 0.5) discard;"
+    std::string (*only_where)(std::string_view condition, std::string_view statement) = nullptr;
     std::string (*open_struct)(std::string_view name) = nullptr;  // the line before "{"
     std::string_view member_end, close_struct;
-    // Guards of the preprocessor. Null in a language that has none: it takes no text that needs them.
+    // Guards of the preprocessor. Null in a language that has none: it can print neither functions for pasting nor
+    // keywords.
     std::string (*once)(std::string_view name) = nullptr;  // until end_guard, unless the name is defined
     std::string (*define)(std::string_view name, std::string_view value) = nullptr;
     std::string (*only_if)(std::string_view condition) = nullptr;
     std::string (*else_if)(std::string_view condition) = nullptr;
     std::string_view otherwise, end_guard;
 };
-extern const Syntax kCSyntax;  // of GLSL and HLSL (c_syntax.cpp)
+extern const Syntax kCSyntax;  // of GLSL and HLSL (c/syntax.cpp)
 
 struct Language {
     std::string_view name;

@@ -1,6 +1,7 @@
-// This room prints stages: a linked and tidied stage -> text in one language, with a map from its lines to the graph. A
-// language is a row in languages.cpp: a spelling table, a few functions and its legalize. This room sees the IR and
-// nothing else: it knows no graph and no engine, and it changes no values except to rewrite what a language lacks.
+// The room `languages` prints stages: a linked and tidied stage -> text in one language, with a map from its lines to
+// the graph. A language is a row in languages.cpp: a spelling table, a few functions and its legalize. This room sees
+// the IR and nothing else: it knows no graph and no engine, and it changes no values except to rewrite what a language
+// lacks.
 #pragma once
 
 #include <optional>
@@ -36,7 +37,7 @@ struct Plan;
 std::vector<Plan> make_plans(const ir::Module& module);
 
 // For a text that is pasted into shaders. It has no version, and the material's descriptor set has a name in it,
-// "Rust_set", which the shader may define before.
+// "Rust_set". If the shader defines that name first, its number is used.
 struct Pasting {
     std::string prefix;  // "Rust_"
     std::uint32_t set = 0;
@@ -63,7 +64,7 @@ struct LanguageInfo {
 std::span<const LanguageInfo> all_languages();
 const LanguageInfo* find_language(std::string_view name);
 
-// True for a word that cannot be an identifier in every language: keywords, reserved words, intrinsics.
+// True if some language reserves the word: keywords, reserved words, intrinsics.
 bool is_reserved_word(std::string_view word);
 // The word itself, or the name that replaces a reserved word or a word with __ or gl_ in it.
 std::string safe_identifier(std::string_view word);

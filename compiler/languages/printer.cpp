@@ -110,9 +110,7 @@ void print_struct(Writer& w, std::size_t index, const std::vector<bool>& shared,
     const Declared declared(w, Piece::Kind::Struct, w.structs[index]);
     if (shared[index]) open_guard(w, "PATINA_" + w.structs[index], "");
     const Syntax& syntax = *w.language.syntax;
-    const auto member = [&](Type type, std::string_view name) {
-        w.line(1, w.declaration(type, name).append(syntax.member_end));
-    };
+    const auto member = [&](Type type, std::string_view name) { w.line(1, w.member(type, name)); };
     w.line(0, syntax.open_struct(w.structs[index]));
     w.line(0, "{");
     for (std::size_t i = 0; i < structure.members.size(); ++i) member(structure.members[i].type, w.members[index][i]);

@@ -27,7 +27,7 @@ std::string Body::signature() {
     std::vector<std::string> list;
     for (const Param& param : function_.params) {
         params_.push_back(writer_.names.declare(param.name));
-        list.push_back(writer_.declaration(param.type, params_.back()));
+        list.push_back(writer_.declaration(param.type, params_.back(), syntax().parameter));
     }
     const auto index = static_cast<std::size_t>(&function_ - writer_.module.functions.data());
     return syntax().signature(writer_.type(function_.result), writer_.functions[index], list);
@@ -124,7 +124,7 @@ void Body::print_statement(Value v) {
     if (op == Op::If) return print_if(v);
     if (op == Op::For) return print_for(v);
     if (op == Op::Return) return print_return(v);
-    if (op == Op::DiscardIf) return statement(v, syntax().discard_if(argument(v, 0)));
+    if (op == Op::DiscardIf) return statement(v, syntax().only_where(argument(v, 0), "discard;"));
     const bool is_bound_elsewhere = op == Op::LoopIndex || op == Op::LoopCarried || op == Op::Result || op == Op::Yield;
     if (!is_bound_elsewhere && is_variable(v)) print_assignment(v);
 }
@@ -200,7 +200,7 @@ void Body::print_insert(Value v) {
 void Body::print_select(Value v) {
     const std::string condition = argument(v, 0), if_true = argument(v, 1), if_false = argument(v, 2);
     statement(v, fmt::format("{} = {};", target(v), if_false));
-    statement(v, fmt::format("if ({}) {} = {};", condition, names_[plan_.variable[v.index]], if_true));
+    statement(v, syntax().only_where(condition, names_[plan_.variable[v.index]] + " = " + if_true + ";"));
 }
 
 // --- control flow

@@ -40,10 +40,10 @@ struct Pattern {
     std::string_view before, between, behind;
 };
 constexpr Pattern kPatterns[] = {
-    {Op::Add, "", "Plus", ""},      {Op::Sub, "", "Minus", ""},
-    {Op::Mul, "", "Times", ""},     {Op::Div, "", "Over", ""},
-    {Op::Dot, "", "Dot", ""},       {Op::Cross, "", "Cross", ""},
-    {Op::Length, "", "", "Length"}, {Op::Normalize, "", "", "Direction"},
+    {Op::Add, "", "plus", ""},      {Op::Sub, "", "minus", ""},
+    {Op::Mul, "", "times", ""},     {Op::Div, "", "over", ""},
+    {Op::Dot, "", "dot", ""},       {Op::Cross, "", "cross", ""},
+    {Op::Length, "", "", "length"}, {Op::Normalize, "", "", "direction"},
     {Op::Sqrt, "sqrt", "", ""},     {Op::Abs, "abs", "", ""},
     {Op::Neg, "minus", "", ""},     {Op::Sin, "sin", "", ""},
     {Op::Cos, "cos", "", ""},       {Op::Exp, "exp", "", ""},

@@ -160,12 +160,12 @@ std::string Writer::type(Type type) const {
     return {};
 }
 
-std::string Writer::declaration(Type type, std::string_view name) const {
+std::string Writer::declaration(Type type, std::string_view name, Syntax::Declaration form) const {
     std::string sizes;
     for (; type.kind == Kind::Array; type = module.arrays[type.ref].element) {
         sizes += fmt::format("[{}]", module.arrays[type.ref].count);
     }
-    return language.syntax->variable(this->type(type), name, sizes);
+    return (form ? form : language.syntax->local)(this->type(type), name, sizes);
 }
 
 std::string_view Writer::plain(std::string_view name) const {
@@ -192,13 +192,13 @@ void Writer::block_body(const UniformBlock& block) {
         for (std::uint32_t n = 0; n < block.members[i].padding; ++n) {
             const std::string name =
                 fmt::format("{}pad{}", options.pasting ? options.pasting->prefix : "_", paddings++);
-            line(1, declaration(kFloat, names.declare(name)) + ";");
+            line(1, member(kFloat, names.declare(name)));
         }
         Type element = block.members[i].type;
         while (element.kind == Kind::Array) element = module.arrays[element.ref].element;
         const bool by_rows = block.matrices_by_rows && element.is_matrix();
-        line(1, fmt::format("{}{};", by_rows ? language.row_major : "",
-                            declaration(stored(block.members[i].type), block_members[index][i])));
+        line(1, std::string(by_rows ? language.row_major : "") +
+                    member(stored(block.members[i].type), block_members[index][i]));
     }
 }
 

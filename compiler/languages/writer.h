@@ -45,7 +45,12 @@ struct Writer {
 
     std::string type(ir::Type type) const;
     // "vec3 n", "float k[4]"
-    std::string declaration(ir::Type type, std::string_view name) const;
+    // `form`: null: a local's
+    std::string declaration(ir::Type type, std::string_view name, Syntax::Declaration form = nullptr) const;
+    // The line of a member of a struct or a block.
+    std::string member(ir::Type type, std::string_view name) const {
+        return declaration(type, name, language.syntax->member).append(language.syntax->member_end);
+    }
     // A name without the prefix of pasted texts.
     std::string_view plain(std::string_view name) const;
     // The value of a keyword until another one is set: "true", "2".

@@ -1,6 +1,6 @@
-// This room turns lowered functions and a pass into two whole stages. It settles names, hashes and interpolators, and
-// runs the IR passes. It makes no new operations of the graph, checks no types, and does not know how a language spells
-// a stage.
+// The room `link` turns lowered functions and a pass into two whole stages. It settles names, hashes and interpolators,
+// and runs the IR passes. It makes no new operations of the graph, checks no types, and does not know how a language
+// spells a stage.
 //
 // Semantics become parameters. Each entry function computes their values by their recipes: from vertex attributes, by
 // interpolation, or in the pixel. The vertex stage computes exactly what the fragment stage still reads.

@@ -1,7 +1,7 @@
-// This room turns a checked material into IR functions: one each for the surface, the workflow's set-up, the outputs of
-// the lighting graph, each vertex output and each interpolator, and the functions of the passes. It checks types,
-// because they are first known here (expressions are emitted by compiler/emit), and decides which passes can draw the
-// material. It resolves no files or names of files, and prints nothing. Reads of the mesh and the camera stay
+// The room `lower` turns a checked material into IR functions: one each for the surface, the workflow's set-up, the
+// outputs of the lighting graph, each vertex output and each interpolator, and the functions of the passes. It checks
+// types, because they are first known here (expressions are emitted by compiler/emit), and decides which passes can
+// draw the material. It resolves no files or names of files, and prints nothing. Reads of the mesh and the camera stay
 // `semantic` instructions until a pass is linked (compiler/link).
 #pragma once
 
@@ -30,7 +30,7 @@ struct LoweredPass {
     std::vector<ir::FunctionId> in_both_stages{};  // those of the recipes and replacements that apply in both stages
     std::vector<std::pair<ir::SemanticId, ir::FunctionId>> at_vertices{};  // recipes of interpolated semantics
 
-    // Those of the stage.
+    // Each finds what this pass uses in the given stage.
     std::optional<ir::FunctionId> recipe_of(ir::SemanticId semantic, ir::StageKind stage) const;
     std::optional<ir::FunctionId> replacement_of(ir::FunctionId function, ir::StageKind stage) const;
     std::optional<ir::GlobalId> attribute_of(ir::SemanticId semantic) const;

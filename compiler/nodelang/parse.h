@@ -1,5 +1,5 @@
-// This room reads the text of the node language: lexer, parser, syntax trees (ast.h) and an index of declarations
-// (library.h). It reports wrong syntax and knows no types and no IR: what a tree means is emit's business.
+// The room `nodelang` reads the text of the node language: lexer, parser, syntax trees (ast.h) and an index of
+// declarations (library.h). It reports wrong syntax and knows no types and no IR: what a tree means is emit's business.
 //
 // The parser makes a syntax tree of a text. After an error it continues behind the next ; or }, so that one run finds
 // several errors.

@@ -84,9 +84,9 @@ struct SlotDecl {
         Graph,    // the material, its workflow or its lighting graph; or the slot's own body
         Part,     // [part("final", "sum.direct")]: the part of another slot that is linear in a value
         Without,  // [without("indirect", "EnvironmentRadiance")]: another slot without the contribution of a function
-        Pack,    // [pack("direct")] [holds("f0")]: the values that those slots read and no target holds, as a struct of
-                 // float4
-        Unpack,  // [unpack("packSurface")]
+        Pack,     // [pack("direct")] [holds("f0")]: stores values that those slots read, and that no target holds, in a
+                  // struct of float4
+        Unpack,   // [unpack("packSurface")]
     };
     const nodelang::FunctionDecl* function = nullptr;
     Making making = Making::Graph;
@@ -144,14 +144,14 @@ struct PassDecl {
     std::vector<std::pair<std::string_view, std::string_view>> tags;  // for an engine that selects passes by tag
     std::vector<std::string_view> guards;                             // by render target: a condition, or empty
     std::vector<ir::StageText> vertex_texts, fragment_texts;          // lines of the engine's file
-    // From another file than the one that is read now, which may replace them.
+    // An earlier file declared it, so the current file may replace it.
     bool is_older_vertex = false, is_older_fragment = false;
 };
 
 // [gives("positionWS", "deferred-light")]: a recipe of a semantic, or a body of an [extern] function, for these passes
-// only. Without passes it applies to all passes of the same file, in both stages. Then it may also be a value that an
-// included file declares and that replaces an attribute or an [extern] value, and it may replace any function of the
-// library.
+// only. If no pass is named, it applies to all passes of the same file, in both stages. Only in that case may it
+// replace any function of the library, and only in that case may it be a variable: a value that an included file
+// declares, in place of an attribute or an [extern] value.
 struct GivenDecl {
     std::string_view what;
     const nodelang::FunctionDecl* function = nullptr;

@@ -25,7 +25,7 @@ void add_engine_file(Library& library, std::uint32_t base, std::string_view path
     const std::string_view name = path.substr(kEngines.size());
     if (const std::size_t slash = name.find('/'); slash != name.npos) {
         const std::string folder(name.substr(0, slash));
-        const auto [engine, is_new] = library.engines.try_emplace(folder, library.sources, folder);
+        const auto [engine, is_new] = library.engines.try_emplace(folder, library.sources, folder, library.printable);
         engine->second.add_file(name.substr(slash + 1), base);
         return;
     }
@@ -50,7 +50,7 @@ const engines::Engine& LibraryEngine::get() const {
             return found == files_.end() ? std::nullopt : std::optional(found->second);
         };
         if (const std::optional<std::uint32_t> base = find("engine.json"))
-            engine_ = engines::read_engine(sources_, *base, name_, find, diagnostics_);
+            engine_ = engines::read_engine(sources_, *base, name_, find, printable_, diagnostics_);
     });
     return engine_;
 }
@@ -60,8 +60,9 @@ const engines::Engine* Library::engine(std::string_view name) const {
     return found == engines.end() ? nullptr : &found->second.get();
 }
 
-std::unique_ptr<Library> load_library(std::span<const nodelang::EmbeddedFile> files) {
+std::unique_ptr<Library> load_library(std::span<const nodelang::EmbeddedFile> files, engines::Printable printable) {
     auto library = std::make_unique<Library>();
+    library->printable = std::move(printable);
     std::vector<std::pair<std::uint32_t, std::string_view>> graphs;
     for (const nodelang::EmbeddedFile& file : files) {
         const std::uint32_t base = library->sources.add(std::string(file.path), std::string(file.text));

@@ -2,7 +2,7 @@
 // of nodes/stage and nodes/passes (paths/declarations.h), the workflow and lighting graphs, and the engines. It knows
 // none of them by name.
 //
-//   const Library library = load_library(nodelang::embedded_files());
+//   const Library library = load_library(nodelang::embedded_files(), engines::printable());
 //   library.declarations.function("Lerp");
 #pragma once
 
@@ -43,7 +43,8 @@ private:
 // An engine of the library: read at the first request, from any thread.
 class LibraryEngine {
 public:
-    LibraryEngine(const SourceMap& sources, std::string name) : sources_(sources), name_(std::move(name)) {}
+    LibraryEngine(const SourceMap& sources, std::string name, const engines::Printable& printable)
+        : sources_(sources), name_(std::move(name)), printable_(printable) {}
 
     void add_file(std::string_view name, std::uint32_t base) { files_.emplace(name, base); }
     const engines::Engine& get() const;
@@ -53,6 +54,7 @@ public:
 private:
     const SourceMap& sources_;
     std::string name_;
+    const engines::Printable& printable_;
     std::map<std::string, std::uint32_t, std::less<>> files_;  // of its folder, in the sources
     mutable std::once_flag once_;
     mutable Diagnostics diagnostics_;
@@ -65,6 +67,7 @@ struct Library {
     Diagnostics diagnostics;
     nodelang::Declarations declarations;
     PathDeclarations paths;
+    engines::Printable printable;  // what an engine may choose from
     std::map<std::string, LibraryEngine, std::less<>> engines;
     std::string default_engine;
     std::map<std::string, LibraryGraph, std::less<>> workflows;
@@ -74,6 +77,6 @@ struct Library {
     const engines::Engine* engine(std::string_view name) const;
 };
 
-std::unique_ptr<Library> load_library(std::span<const nodelang::EmbeddedFile> files);
+std::unique_ptr<Library> load_library(std::span<const nodelang::EmbeddedFile> files, engines::Printable printable);
 
 }  // namespace patina::graph

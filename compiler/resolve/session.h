@@ -1,5 +1,5 @@
-// This room finds what a material is made of (files, nodes, models, properties) and checks it. It reports unknown names
-// and circles. It checks no types, makes no IR, and does not know how a pass is drawn.
+// The room `resolve` finds what a material is made of (files, nodes, models, properties) and checks it. It reports
+// unknown names and circles. It checks no types, makes no IR, and does not know how a pass is drawn.
 //
 // A Session is the state of one compilation: its sources, diagnostics, the files that it read, and the graphs and node
 // files that it loaded. Files are searched in the folder of the file that names them, then in the include folders.

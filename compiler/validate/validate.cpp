@@ -219,7 +219,8 @@ Validated validate(const Shader& shader, HlslSamplers samplers) {
     if (language)
         result.ok = compile(shader, *language, samplers, result) && check_spirv(shader, result);
     else
-        result.diagnostics.push_back(diagnostic(shader, "no front end here reads this language"));
+        result.diagnostics.push_back(
+            diagnostic(shader, "it was not checked, because glslang does not read this language"));
     return result;
 }
 

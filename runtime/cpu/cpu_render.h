@@ -1,9 +1,9 @@
+// The room `cpu`: draws a frame as it stands. It includes nothing of Vulkan, and decides nothing about what is drawn.
+//
 // Draws the same Frame as the GPU, on the CPU: a small rasteriser around patina::Interpreter. It works in 2 x 2 quads
 // with helper lanes, so derivatives and mip levels exist, by Vulkan's rules: eight bits of sub-pixel precision,
 // top-left rule, perspective-correct varyings, clipping at the near plane, tests of depth and stencil, blending in the
 // target's format. Slow: a witness, and a fallback without a GPU.
-//
-// The room `cpu`: draws a frame as it stands. It includes nothing of Vulkan, and decides nothing about what is drawn.
 //
 //   Outcome<Image> image = cpu_draw(frame);
 //   Outcome<Image> alone = cpu_draw({.reflection = &r, .program = result.program.get(), ...});

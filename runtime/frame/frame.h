@@ -1,8 +1,8 @@
-// A frame as a list: render targets, and draws in order. It knows neither scenes nor rendering paths: frame_plan.h has
-// decided the contents of the list. The GPU (renderer.h) and the CPU (cpu_render.h) draw the same list.
-//
 // The room `frame`: converts a world to such a list, and checks the list. It compiles nothing, runs no shader, and
 // does not depend on Vulkan.
+//
+// A frame as a list: render targets, and draws in order. It knows neither scenes nor rendering paths: frame_plan.h has
+// decided the contents of the list. The GPU (renderer.h) and the CPU (cpu_render.h) draw the same list.
 //
 //   Frame frame{.targets = {{.name = "color", .width = 64, .height = 64},
 //                           {.name = "depth", .format = TargetFormat::Depth, .width = 64, .height = 64}},

@@ -1,8 +1,8 @@
+// The room `gpu`: the only one that includes Vulkan; only `render`, which opens the device, includes its headers.
+//
 // Draws a frame on a Vulkan device and reads the picture back as linear floats. A frame is a list (frame.h): which
 // images there are, and which mesh is drawn into which of them with which shaders. Everything about a material comes
 // from its reflection: bindings, vertex inputs, state, block layouts. It knows neither scenes nor rendering paths.
-//
-// The room `gpu`: the only one that includes Vulkan; only `render`, which opens the device, includes its headers.
 //
 // The life of a frame:
 //   1. the caller decides what is drawn and resolves values, textures and blocks (material_values.h, textures.h)

@@ -1,9 +1,9 @@
+// The room `lighting`: light as numbers and tables, computed on the CPU. It knows no scene and no device; all but
+// MERL files is a library of its own, which reads no pictures either.
+//
 // The environment of a scene, in the three forms that shaders read: nine coefficients for diffuse light, a cube map
 // blurred level by level for specular light, and the table of the split sum, which is the same for all environments.
 // It is computed on the CPU from a function of the direction.
-//
-// The room `lighting`: light as numbers and tables, computed on the CPU. It knows no scene and no device; all but
-// MERL files is a library of its own, which reads no pictures either.
 //
 //   Environment sunset([](glm::vec3 d) { return glm::vec3(d.y > 0 ? 1 : 0.2f); }, 64);
 //   scene.ambient = sunset.ambient();   texture = sunset.map();

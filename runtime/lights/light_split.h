@@ -1,3 +1,6 @@
+// The room `lights`: which objects a light of a scene reaches, and its view for the shadow map. It knows neither
+// values of materials nor passes.
+//
 // Splits the lights of an object if a rendering path cannot compute all of them per pixel: the main light, further
 // lights per pixel, lights per vertex, and the rest as spherical harmonics. It follows the rules of Unity's forward
 // path (Manual, "Forward Rendering Rendering Path Details"):
@@ -13,9 +16,6 @@
 // with the object (A-D, D-G, G-H of eight lights). Here each light is in one group (A-D, E-H), so that the groups add
 // up to the result of one loop over all lights. Spots are never per vertex, because Unity's vertex lights of the
 // forward path are only point lights (Shade4PointLights).
-//
-// The room `lights`: which objects a light of a scene reaches, and its view for the shadow map. It knows neither
-// values of materials nor passes.
 //
 //   LightSplit split = split_lights(scene.lights, world_bounds(mesh, matrix), world.pixel_light_count);
 #pragma once

@@ -1,8 +1,8 @@
+// The room `picture`: pixels in memory, their files and their comparison. It knows no scene, material or device.
+//
 // Pictures in memory as float RGBA, and the files they come from and go to (OpenImageIO). Colour encoding is explicit:
 // load_image and save_exr keep the numbers as they are, save_png encodes linear light to sRGB. Not a texture: see
 // mip_chain.h for mip levels, and values/textures.h for GPU formats.
-//
-// The room `picture`: pixels in memory, their files and their comparison. It knows no scene, material or device.
 //
 //   Outcome<Image> image = load_image("rust.png");           // the file's own numbers, 8 bits as n / 255
 //   if (image) decode_srgb(image.value);                     // now linear

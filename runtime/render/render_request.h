@@ -1,8 +1,8 @@
-// Renders a graph file to a picture in one call, for `patina render` and snapshots. The request holds the user's own
-// words (scene_text.h, material_values.h); all errors in them are returned as text or diagnostics.
-//
 // The room `render`: compiles materials, prepares them, plans the frame and has it drawn. It contains no formulas of
 // lighting or drawing.
+//
+// Renders a graph file to a picture in one call, for `patina render` and snapshots. The request holds the user's own
+// words (scene_text.h, material_values.h); all errors in them are returned as text or diagnostics.
 //
 //   RenderMachine machine;                      // keeps the GPU between calls; opened when first needed
 //   RenderRequest request{.graph = "rust.graph.json", .overrides = {{"_Roughness", "0.2"}}, .options = {.via = "cpu"}};

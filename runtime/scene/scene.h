@@ -1,8 +1,8 @@
-// The scene of one material: mesh, camera, lights, ambient light, time and the size of the picture. It is plain data
-// with useful defaults, and knows no material. scene_text.h reads its parts from the words of the command line.
-//
 // The room `scene`: scenes and worlds as plain data, and the words and files that describe them. It does not compile
 // materials, and does not know how they are drawn.
+//
+// The scene of one material: mesh, camera, lights, ambient light, time and the size of the picture. It is plain data
+// with useful defaults, and knows no material. scene_text.h reads its parts from the words of the command line.
 //
 //   Scene scene = default_scene("sphere");
 //   scene.lights = {{.color = glm::vec3(2)}};

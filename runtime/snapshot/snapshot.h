@@ -1,8 +1,8 @@
+// The room `snapshot`: reads such files, has them rendered and compares. It draws nothing itself.
+//
 // Picture tests as files: each NAME.snapshot.json in a folder names a graph and a scene, and NAME.png next to it is the
 // expected picture. A plain run never writes there: the rendered picture and the difference are written to
 // `received_dir`.
-//
-// The room `snapshot`: reads such files, has them rendered and compares. It draws nothing itself.
 //
 //   { "patina": 1, "mesh": "torus", "size": 128, "set": { "_Roughness": 0.2 }, "tolerance": { "share": 0.01 } }
 //

@@ -1,9 +1,9 @@
+// The room `values`: the contents of the blocks and textures of a reflection, from a scene and a material. It does
+// not depend on passes, their order or a device.
+//
 // Gives a material's properties their values: the defaults of the reflection, changed by the user's words. It also
 // fills the uniform blocks, the material's and the engine's: members are found by name in the reflection and written at
 // their offsets. The GPU and the CPU renderer share it, so both see the same bytes.
-//
-// The room `values`: the contents of the blocks and textures of a reflection, from a scene and a material. It does
-// not depend on passes, their order or a device.
 //
 //   Outcome<MaterialValues> values = material_values(reflection, {{"_Roughness", "0.2"}, {"_MainTex", "rust.png"}});
 //   std::vector<BlockBytes> blocks = fill_blocks(reflection, values.value, scene);

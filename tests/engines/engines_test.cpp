@@ -74,6 +74,11 @@ TEST(Engines, MistakesInTheFileAreReportedAtTheirPlaces) {
     EXPECT_TRUE(has(faults, "did you mean 'matrices'?")) << faults;
     faults = with("\"rows\"", "\"row\"");
     EXPECT_TRUE(has(faults, "did you mean 'rows'?")) << faults;
+    faults = with("[\"hlsl\", \"glsl\"]", "[\"hlsl\", \"gsl\"]");
+    EXPECT_TRUE(has(faults, "'gsl' is not a language that Patina writes")) << faults;
+    EXPECT_TRUE(has(faults, "did you mean 'glsl'?")) << faults;
+    faults = with("\"matrices\"", "\"file\": \"shaderlap\", \"matrices\"");
+    EXPECT_TRUE(has(faults, "'shaderlap' is not a file format that Patina writes")) << faults;
     faults = with("\"set\": 2", "\"set\": -2");
     EXPECT_TRUE(has(faults, "'set'")) << faults;
     faults = with("\"clip\": { \"depth\": \"reversed\" },", "\"passes\": \"gone.pass.hlsl\",");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "compiler/engines/writers.h"
 #include "compiler/lower/declare.h"
 #include "compiler/nodelang/embedded.h"
 #include "compiler/nodelang/parse.h"
@@ -11,7 +12,8 @@ namespace patina::proof {
 using nodelang::Expr;
 
 const graph::Library& library() {
-    static const std::unique_ptr<graph::Library> loaded = graph::load_library(nodelang::embedded_files());
+    static const std::unique_ptr<graph::Library> loaded =
+        graph::load_library(nodelang::embedded_files(), engines::printable());
     return *loaded;
 }
 

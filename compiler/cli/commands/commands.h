@@ -1,3 +1,5 @@
+// The room `cli/commands` holds a file for each subcommand. A command uses public headers only.
+//
 // The subcommands: one file each. commands.def lists them. To add one: write commands/NAME.cpp with add_NAME(), and a
 // row in commands.def. A command reads its options, calls the library, and prints or writes the result.
 // The code that formats output is in ../pages; the computations of `patina eval` are in ../eval.

@@ -1,3 +1,5 @@
+// The room `cli/eval` computes what `patina eval` shows. It prints nothing.
+//
 // `patina eval --term`: the lighting terms of the reference values (tests/data/brdf-values.json), with the names and
 // inputs that they have there, computed by nodes and lighting models. terms.json in this folder says which node and
 // port computes which term, so a new term is a row there. This folder holds what `patina eval` computes: terms, and

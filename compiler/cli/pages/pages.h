@@ -1,3 +1,5 @@
+// The room `cli/pages` makes the pages of the reference. It prints nothing.
+//
 // The pages of the reference: one for each node, one for each lighting model. This folder makes what `patina node`,
 // `patina model` and their lists show, as pages (page.h) or as JSON (library_json.h), and measures what a model costs
 // (model_cost.h, spirv_size.h). It reads the library through public headers and prints nothing itself.

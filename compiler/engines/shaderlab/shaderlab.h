@@ -1,3 +1,5 @@
+// The room `engines/shaderlab` makes one file of finished passes. It changes no value that a shader computes.
+//
 // The writer of ShaderLab, Unity's file format that holds all passes of a material: properties, passes with their
 // state, and shared declarations. shader_file.h lists its parts; dialect.h prints the HLSL in it.
 #pragma once

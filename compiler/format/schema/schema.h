@@ -1,3 +1,5 @@
+// The room `format/schema` writes the JSON Schema of the format. It reads nothing.
+//
 // Makes the JSON Schema (draft 2020-12) of the graph format, with which an editor completes and explains keys, nodes,
 // ports and words. It is made from the tables that the reader uses and from the content of the library. It knows no
 // links and no types, which only compiling checks.

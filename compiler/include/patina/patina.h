@@ -1,3 +1,5 @@
+// The room `include/patina` is what embedders see. Its headers include no other room.
+//
 // The compiler library: a material graph in, readable shaders and their reflection out. No GPU and no shader compiler
 // is needed here; `patina/validate.h` adds glslang, the runtime adds Vulkan.
 //

@@ -1,3 +1,5 @@
+// The room `validate` compiles and checks emitted texts with other compilers. It knows texts and their line maps only.
+//
 // Checks emitted GLSL or HLSL with another compiler: glslang turns it into SPIR-V, and spirv-val validates that.
 // Messages become diagnostics at the graph's own lines. Links glslang and SPIRV-Tools; the core library does not.
 #pragma once

@@ -1,3 +1,5 @@
+// The room `ir/fold` computes ops of constants. It makes no instructions of its own.
+//
 // What an op gives for constant operands, as numbers: no instruction is made here. evaluate() computes what the op
 // means, NaN and infinity included, also for the tests of the identities; fold_constant() (builder.h) refuses what the
 // builder must not fold. The interpreter has arithmetic of its own, so that the two can be compared.

@@ -1,3 +1,5 @@
+// The room `ir/linear` finds and makes linear parts of functions. It changes no function that is there.
+//
 // Is a function f(x, ...) affine in one of its inputs: f = A x + B, where neither A nor B depends on x? If so, this
 // makes functions of its linear part A x and of B, with the same signature. A rendering path needs them if it computes
 // with one x in one pass and multiplies by another x in a later pass. x is a member of a parameter, or the result of

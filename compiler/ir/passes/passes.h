@@ -1,3 +1,5 @@
+// The room `ir/passes` rewrites linked stages. A pass never changes what a stage computes.
+//
 // The IR passes: rewrites of a linked stage. Each is a function from Module to Module in a file of its own. It rebuilds
 // functions through the Builder, which folds what can be folded now, and does not edit instructions in place (ir.h).
 // tidy() runs the list of passes.def in its order. If a module has no stage, its exported functions are kept as other

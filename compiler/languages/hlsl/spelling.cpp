@@ -1,5 +1,6 @@
 // How HLSL writes the operations that it writes in its own way.
-#include "compiler/languages/c_spelling.h"
+#include "compiler/languages/c/spelling.h"
+
 #include "compiler/languages/hlsl/hlsl.h"
 
 namespace patina::languages::hlsl {

@@ -85,8 +85,7 @@ TEST(Names, InnerScopesSeeOuterOnesAndAreForgotten) {
 TEST(Names, TargetsAreFoundByName) {
     ASSERT_NE(find_language("glsl"), nullptr);
     EXPECT_EQ(find_language("hlsl")->name, "hlsl");
-    EXPECT_EQ(find_language("wgsl"), nullptr);
-    EXPECT_EQ(all_languages().size(), 2u);
+    EXPECT_EQ(find_language("cobol"), nullptr);
 }
 
 }  // namespace

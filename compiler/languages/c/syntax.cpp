@@ -20,8 +20,8 @@ std::string loop(std::string_view type, std::string_view index, std::string_view
     return fmt::format("for ({3} {0} = {1}; {0} < {2}; ++{0}) {{", index, begin, end, type);
 }
 
-std::string discard_if(std::string_view condition) {
-    return fmt::format("if ({}) discard;", condition);
+std::string only_where(std::string_view condition, std::string_view statement) {
+    return fmt::format("if ({}) {}", condition, statement);
 }
 
 std::string open_struct(std::string_view name) {
@@ -47,10 +47,12 @@ std::string else_if(std::string_view condition) {
 }  // namespace
 
 const Syntax kCSyntax = {
-    .variable = variable,
+    .local = variable,
+    .parameter = variable,
+    .member = variable,
     .signature = signature,
     .loop = loop,
-    .discard_if = discard_if,
+    .only_where = only_where,
     .open_struct = open_struct,
     .member_end = ";",
     .close_struct = "};",
