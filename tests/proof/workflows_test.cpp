@@ -1,6 +1,6 @@
 // One surface described in two ways: metallic and roughness, or specular colour and glossiness. Pairs that convert
-// exactly give the same light in double, and the same picture through GLSL and through HLSL. Models with Unity's grazing
-// term are the exception: Unity's two set-ups reflect the surroundings differently, and so do these models.
+// exactly give the same light in double, and the same picture through GLSL and through HLSL. Models with Unity's
+// grazing term are the exception: Unity's two set-ups reflect the surroundings differently, and so do these models.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -112,8 +112,8 @@ TEST(Workflows, GiveTheSameLight) {
     }
 }
 
-// What UnityStandardCore.cginc computes: SpecularSetup sets oneMinusReflectivity = 1 - max(specular), and BRDF1 reflects
-// the surroundings by surfaceReduction * FresnelLerp(specular, grazingTerm, nv).
+// What UnityStandardCore.cginc computes: SpecularSetup sets oneMinusReflectivity = 1 - max(specular), and BRDF1
+// reflects the surroundings by surfaceReduction * FresnelLerp(specular, grazingTerm, nv).
 double unity_reflection(double specular, double strongest, double smoothness, double nv) {
     const double roughness = std::max((1 - smoothness) * (1 - smoothness), 0.002);
     const double grazing = std::min(smoothness + strongest, 1.0);
