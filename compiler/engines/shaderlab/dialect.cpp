@@ -149,7 +149,7 @@ std::vector<std::string> lines_at(const StageInterface& stage, std::string_view 
 // Names of a struct's members, distinct from those that Unity's macros declare.
 class MemberNames {
 public:
-    MemberNames() {
+    explicit MemberNames(const TakenNames* taken) : names_(taken) {
         for (const char* name :
              {"pos", "vec", "hpos", "fogCoord", "instanceID", "stereoTargetEyeIndex", "_ShadowCoord", "_LightCoord"})
             names_.declare(name);
@@ -203,7 +203,7 @@ EntryPoint vertex_entry(Writer& w) {
         entry.inputs.push_back({fmt::format("int({})", name), Precedence::Postfix});
     }
     entry.signature = signature + ")";
-    MemberNames names;
+    MemberNames names(w.options.taken);
     std::vector<std::string> members;
     for (const StageVariable& output : stage.outputs) {
         const bool is_member = output.builtin == Builtin::None && output.spelling.empty();
@@ -227,7 +227,7 @@ std::string declare_targets(Writer& w, EntryPoint& entry) {
     const std::string name = w.names.declare("Targets");
     w.line(0, "struct " + name);
     w.line(0, "{");
-    Names members;
+    Names members(w.options.taken);
     for (const StageVariable& v : stage.outputs) {
         const std::string member = members.declare(v.name);
         if (!v.guard.empty()) w.line(0, "#if " + v.guard);
@@ -248,7 +248,7 @@ EntryPoint fragment_entry(Writer& w) {
     EntryPoint entry;
     entry.names = {"i"};
     std::string parameters = "v2f i";
-    MemberNames names;
+    MemberNames names(w.options.taken);
     for (const StageVariable& input : stage.inputs) {
         if (input.builtin == Builtin::None) entry.inputs.push_back({"i." + names.declare(input.name)});
         if (input.builtin == Builtin::FragCoord) entry.inputs.push_back({"i.pos"});

@@ -79,10 +79,10 @@ std::vector<Declaration> printed(ir::Module stage, PassText& pass, const engines
     stage = legalize(std::move(stage));
     ir::check_if_verifying(stage, "legalized");
     pass.is_modern |= is_modern(stage);
-    std::vector<std::string> names = taken;
-    names.insert(names.end(), engine.names.taken.begin(), engine.names.taken.end());
-    names.insert(names.end(), engine.names.own.begin(), engine.names.own.end());
-    return declarations(print(stage, {.header = {}, .taken = std::move(names), .width = 120 - kIndent}));
+    languages::TakenNames names{.names = {taken.begin(), taken.end()}, .prefixes = engine.names.prefixes};
+    names.names.insert(engine.names.taken.begin(), engine.names.taken.end());
+    names.names.insert(engine.names.own.begin(), engine.names.own.end());
+    return declarations(print(stage, {.header = {}, .taken = &names, .width = 120 - kIndent}));
 }
 
 const Declaration* find(const std::vector<Declaration>& list, const std::string& name) {
