@@ -80,6 +80,7 @@ struct Engine {
     std::uint32_t most_varyings = 0;  // vectors from the vertex stage to the fragment stage
     std::string varyings_note;        // which of the engine's own values take some of these; may be empty
     std::uint32_t most_block_bytes = 0;
+    std::uint32_t most_samplers = 0;  // of a stage; 0: not known
     Names names;
 
     bool has_own_passes() const { return passes.has_value(); }

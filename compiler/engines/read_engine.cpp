@@ -50,6 +50,7 @@ public:
         if (const Json* limits = object(json, "limits", EngineLimits)) {
             number(*limits, "varyings", engine_.most_varyings);
             number(*limits, "blockBytes", engine_.most_block_bytes);
+            number(*limits, "samplers", engine_.most_samplers);
             engine_.varyings_note = text(*limits, "varyingsNote");
         }
         if (const Json* names = object(json, "names", EngineNames)) read_names(*names);

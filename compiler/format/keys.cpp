@@ -312,6 +312,7 @@ constexpr std::array kEngineLimits = {
     KeyInfo{"varyings", "the number of vectors from the vertex stage to the fragment stage", ObjectKind::Free, true},
     KeyInfo{"varyingsNote", "a note that says which of them the engine uses itself"},
     KeyInfo{"blockBytes", "the size of a uniform block in bytes", ObjectKind::Free, true},
+    KeyInfo{"samplers", "the number of samplers of a stage, those of the engine's own text included"},
 };
 constexpr std::array kEngineNames = {
     KeyInfo{"owner", "the text that names the owner of the taken names in messages", ObjectKind::Free, true},

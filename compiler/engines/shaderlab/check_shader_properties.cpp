@@ -6,7 +6,7 @@
 #include <set>
 
 #include "compiler/engines/shaderlab/dialect.h"
-#include "compiler/engines/shaderlab/shader_file.h"
+#include "compiler/engines/shaderlab/share_samplers.h"
 #include "compiler/format/words.h"
 
 namespace patina::engines::shaderlab {
@@ -213,29 +213,41 @@ void check_shader_properties(const graph::Material& material, const graph::Lower
     names.finish();
 }
 
-void check_samplers(const graph::Material& material, const Reflection& reflection, Diagnostics& diagnostics) {
-    constexpr std::size_t kMost = 16;
-    constexpr std::size_t kUnitys = 4;  // shadow map, reflection probe, lightmap, and its directions or shadow mask
-    const Pass* most = nullptr;
-    for (const Pass& pass : reflection.passes) {
-        if (!most || pass.textures.size() > most->textures.size()) most = &pass;
+void check_samplers(std::span<const LinkedPass> passes, const engines::Engine& engine, Diagnostics& diagnostics) {
+    // Of all passes, the one that shares the most.
+    const LinkedPass* worst = nullptr;
+    SamplerUse use;
+    for (const LinkedPass& pass : passes) {
+        SamplerUse each = sampler_use(pass, engine.most_samplers);
+        if (each.count() <= engine.most_samplers && each.shared.size() <= use.shared.size()) continue;
+        const bool is_refused = each.count() > engine.most_samplers;
+        use = std::move(each);
+        worst = &pass;
+        if (is_refused) break;
     }
-    const bool is_lit = std::any_of(reflection.passes.begin(), reflection.passes.end(),
-                                    [](const Pass& pass) { return pass.each == PassEach::Light; });
-    const std::size_t room = is_lit ? kMost - kUnitys : kMost;
-    if (!most || most->textures.size() <= room) return;
-    const std::string& first = most->textures[most->textures.size() > kMost ? kMost : room];
-    for (const graph::MaterialProperty& entry : material.properties) {
-        if (entry.property->name != first) continue;
-        const Span span = entry.property->name_span;
-        if (most->textures.size() > kMost) {
-            diagnostics.report(Code::TooMany, span, most->textures.size(), "textures in one pass", kMost);
-        } else {
-            diagnostics.report(Code::SamplerLimit, span, first,
-                               fmt::format("Direct3D 11 has {} samplers; shadows, probes and lightmaps need {} of "
-                                           "them, and this pass reads {} textures",
-                                           kMost, kUnitys, most->textures.size()));
-        }
+    if (!worst) return;
+    const auto texture_of = [&](std::uint32_t sampler) {
+        return std::string_view(worst->fragment.globals[sampler].name).substr(std::string_view("sampler").size());
+    };
+    const auto span_of = [&](std::string_view name) {
+        for (const graph::MaterialProperty& entry : worst->material->properties)
+            if (entry.property->name == name) return entry.property->name_span;
+        return worst->material->properties.front().property->name_span;
+    };
+    const std::size_t room = engine.most_samplers - std::min<std::size_t>(use.of_engine, engine.most_samplers);
+    const std::string need =
+        fmt::format("the pass '{}' reads {} textures, and of the {} samplers of Direct3D 11, {}", name_of(*worst),
+                    use.of_material, engine.most_samplers,
+                    use.of_engine > 0 ? fmt::format("Unity's own text needs {}", use.of_engine) : "all are free");
+    if (use.count() > engine.most_samplers) {
+        diagnostics.report(Code::TooMany, span_of({}), use.of_material, "textures in one pass", room)
+            .note(need)
+            .note("textures with the same \"sampler\" can share one; textures of the vertex stage cannot");
+        return;
+    }
+    for (const auto& [sampler, owner] : use.shared) {
+        diagnostics.report(Code::SamplerLimit, span_of(texture_of(sampler)), texture_of(sampler), texture_of(owner),
+                           need);
     }
 }
 

@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "compiler/base/spelling.h"
+#include "compiler/engines/shaderlab/share_samplers.h"
 #include "compiler/ir/passes/passes.h"
 #include "compiler/languages/body.h"
 #include "compiler/languages/hlsl/hlsl.h"
@@ -112,7 +113,10 @@ void block(Writer& w, const UniformBlock& block) {
 void resource(Writer& w, GlobalId id) {
     const Global& global = w.module.globals[id.index];
     if (global.type.is_numeric()) w.line(0, w.declaration(global.type, w.globals[id.index]) + ";");
-    if (global.type.kind == Kind::Texture2D) w.line(0, fmt::format("UNITY_DECLARE_TEX2D({});", w.globals[id.index]));
+    if (global.type.kind == Kind::Texture2D) {
+        const std::string_view form = has_no_sampler(w.module, id.index) ? "_NOSAMPLER" : "";
+        w.line(0, fmt::format("UNITY_DECLARE_TEX2D{}({});", form, w.globals[id.index]));
+    }
     if (global.type.kind == Kind::TextureCube)
         w.line(0, fmt::format("UNITY_DECLARE_TEXCUBE({});", w.globals[id.index]));
 }

@@ -57,8 +57,8 @@ void check_shader_properties(const graph::Material& material, const graph::Lower
                              const engines::Engine& engine, Diagnostics& diagnostics);
 // Reports too many keywords: Unity before 2021.2 limits those that belong to one shader.
 void check_keywords(const graph::Material& material, const Reflection& reflection, Diagnostics& diagnostics);
-// Reports too many textures: each has its sampler, of which Direct3D 11 has 16 in a stage.
-void check_samplers(const graph::Material& material, const Reflection& reflection, Diagnostics& diagnostics);
+// Reports textures that share a sampler (share_samplers.h), and passes that still have too many.
+void check_samplers(std::span<const LinkedPass> passes, const engines::Engine& engine, Diagnostics& diagnostics);
 
 // --- shader_order.cpp
 // Sorts the passes by their queues, relative to the material's own passes.

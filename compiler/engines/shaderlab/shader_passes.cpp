@@ -9,7 +9,7 @@
 
 #include "compiler/base/spelling.h"
 #include "compiler/engines/shaderlab/dialect.h"
-#include "compiler/engines/shaderlab/shader_file.h"
+#include "compiler/engines/shaderlab/share_samplers.h"
 #include "compiler/ir/verify.h"
 
 namespace patina::engines::shaderlab {
@@ -117,11 +117,13 @@ PassText pass_text(const LinkedPass& pass, const engines::Engine& engine,
                    const std::vector<std::string>& taken_around) {
     PassText made;
     made.texts = texts_of(pass);
+    const SamplerUse samplers = sampler_use(pass, engine.most_samplers);
     const auto named = [&](ir::Module stage) {
         for (ir::Function& function : stage.functions) {
             if (function.linkage != ir::Linkage::Foreign) function.name = engine.function_name(function.name);
         }
         rename(stage, taken_around, name_of(pass));
+        share_samplers(stage, samplers);
         return stage;
     };
     const std::vector<Declaration> fragment = printed(named(pass.fragment), made, engine, taken_around);

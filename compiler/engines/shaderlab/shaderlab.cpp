@@ -30,7 +30,7 @@ void check(const Compiled& compiled, const Reflection& reflection) {
     check_shader_name(compiled.material, diagnostics);
     check_shader_properties(compiled.material, compiled.lowered, compiled.session.engine, diagnostics);
     check_keywords(compiled.material, reflection, diagnostics);
-    check_samplers(compiled.material, reflection, diagnostics);
+    check_samplers(compiled.passes, compiled.session.engine, diagnostics);
     check_queues(compiled.material, compiled.passes, reflection, diagnostics);
 }
 

@@ -90,11 +90,13 @@ float3 LightColor();
 /// The fraction of the light that shadow map, distance, cone and cookie leave.
 [foreign("UNITY_LIGHT_ATTENUATION({result}, i, {0})")]
 [text("include", "AutoLight.cginc")]
+[text("sampler", "_LightTexture0", "_LightTextureB0", "_ShadowMapTexture", "unity_ShadowMask", "unity_ProbeVolumeSH")]
 [text("interpolators", "UNITY_LIGHTING_COORDS({}, {})")]
 [text("vertex end", "UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);")]
 float Attenuation(float3 position);
 [foreign("UNITY_LIGHT_ATTENUATION({result}, i, {0})")]
 [text("pragma", "multi_compile_fwdbase")] [text("include", "AutoLight.cginc")]
+[text("sampler", "_ShadowMapTexture", "unity_ShadowMask")]
 [text("interpolators", "UNITY_LIGHTING_COORDS({}, {})")]
 [text("vertex end", "UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);")]
 float MainAttenuation(float3 position);
@@ -104,11 +106,12 @@ float MainAttenuation(float3 position);
 [text("include", "UnityPBSLighting.cginc")]
 float4 AmbientOrLightmapUV(float3 position, float3 normal);
 
-[foreign] [text("include", "UnityPBSLighting.cginc")]
+// A lightmap excludes a probe volume.
+[foreign] [text("include", "UnityPBSLighting.cginc")] [text("sampler", "unity_Lightmap", "unity_DynamicLightmap")]
 float3 AmbientLight(float3 normal, float3 position, float attenuation, float4 ambientOrLightmapUV);
-[foreign] [text("include", "UnityPBSLighting.cginc")]
+[foreign] [text("include", "UnityPBSLighting.cginc")] [text("sampler", "unity_ShadowMask")]
 float MixedShadow(float3 position, float attenuation, float4 ambientOrLightmapUV);
-[foreign] [text("include", "UnityPBSLighting.cginc")]
+[foreign] [text("include", "UnityPBSLighting.cginc")] [text("sampler", "unity_SpecCube0")]
 float3 ReflectedLight(float3 direction, float roughness, float3 position, bool readsProbes);
 [foreign] bool BufferReadsProbes();
 
@@ -199,10 +202,10 @@ float2 fittedSplitSum(float roughness, float ndotv) {
 // --- the picture drawn so far
 
 /// Reads a copy of the picture, which Unity makes before the first object that reads it.
-[foreign] [text("grab", "_BackgroundTexture")] [text("queue", "2900")]
+[foreign] [text("grab", "_BackgroundTexture")] [text("queue", "2900")] [text("sampler", "_BackgroundTexture")]
 float3 BackgroundColor(float2 uv);
 /// Reads the camera's depth texture, which a script or another effect must enable.
-[foreign] [text("include", "UnityCG.cginc")] [text("queue", "2900")]
+[foreign] [text("include", "UnityCG.cginc")] [text("queue", "2900")] [text("sampler", "_CameraDepthTexture")]
 float BackgroundDepth(float2 uv);
 
 [gives("SceneColor", "unity-forward-base", "unity-forward-add")]
@@ -317,7 +320,7 @@ struct UnityTargets {
 
 /// Without high dynamic range, Unity stores the light as 2^-light.
 [foreign] float3 StoredLight(float3 color);
-[foreign] [text("include", "UnityPBSLighting.cginc")]
+[foreign] [text("include", "UnityPBSLighting.cginc")] [text("sampler", "unity_ShadowMask")]
 float4 BakedShadows(float4 ambientOrLightmapUV, float3 position);
 
 /// Only materials with a lighting model that Unity's own lighting passes compute have this pass. If an object has it,
