@@ -68,6 +68,9 @@ std::vector<std::string_view> texts_at(const PassText& pass, std::string_view pl
     return lines;
 }
 
+// Unity draws a pass without a mode, too, but batches it with others, and sets no values of lights for it.
+constexpr std::string_view kLitMode = "ForwardBase";
+
 // The shader model that a pass needs.
 std::string_view shader_model(const LinkedPass& linked, const PassText& pass) {
     // 3.0 has 10 interpolators, 3.5 those of OpenGL ES 3.0 and Direct3D 10; 5.0 is the highest that is needed here.
@@ -107,6 +110,12 @@ public:
     }
 
 private:
+    // True if a pass reads values that Unity sets only for passes with the mode.
+    bool is_lit() const {
+        return std::any_of(passes_.begin(), passes_.end(),
+                           [](const PassText& pass) { return !texts_at(pass, "light mode").empty(); });
+    }
+
     const SurfaceRow& surface() const {
         const SurfaceKind kind = in_.material.graph->graph->render.surface;
         return *std::find_if(std::begin(kSurfaces), std::end(kSurfaces),
@@ -174,7 +183,7 @@ private:
         if (moves || std::any_of(in_.passes.begin(), in_.passes.end(), knows_object))
             tags += " \"DisableBatching\" = \"True\"";
         out_.line(2, fmt::format("Tags {{ {} }}", tags));
-        out_.line(2, "LOD 300");
+        out_.line(2, is_lit() ? "LOD 300" : "LOD 100");  // as Unity's Standard and Unlit shaders
         std::vector<std::string_view> lines;
         for (const PassText& pass : passes_) {
             for (const std::string_view line : texts_at(pass, "grab")) {
@@ -193,6 +202,7 @@ private:
         out_.line(3, fmt::format("Name \"{}\"", name_of(in_.passes[index])));
         std::string tags;
         for (const auto& [name, value] : declared.tags) {
+            if (name == "LightMode" && value == kLitMode && !is_lit()) continue;
             if (name != "Name") tags += fmt::format("\"{}\" = \"{}\" ", name, value);
         }
         if (!tags.empty()) out_.line(3, fmt::format("Tags {{ {}}}", tags));

@@ -81,10 +81,12 @@ float2 unityUvOfTangent(float2 tangent) {
 
 // --- light
 
-[foreign] float4 _WorldSpaceLightPos0;
+// Unity sets these values only for passes with a light mode.
+[foreign] [text("light mode", "ForwardBase")] float4 _WorldSpaceLightPos0;
 [foreign("LinearColor(_LightColor0.rgb)")] [text("include", "UnityPBSLighting.cginc")]
+[text("light mode", "ForwardBase")]
 float3 LightColor();
-[foreign] float3 UnityWorldSpaceLightDir(float3 position);
+[foreign] [text("light mode", "ForwardBase")] float3 UnityWorldSpaceLightDir(float3 position);
 [foreign] int LightType();
 
 /// The fraction of the light that shadow map, distance, cone and cookie leave.
@@ -95,7 +97,7 @@ float3 LightColor();
 [text("vertex end", "UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);")]
 float Attenuation(float3 position);
 [foreign("UNITY_LIGHT_ATTENUATION({result}, i, {0})")]
-[text("pragma", "multi_compile_fwdbase")] [text("include", "AutoLight.cginc")]
+[text("pragma", "multi_compile_fwdbase")] [text("include", "AutoLight.cginc")] [text("light mode", "ForwardBase")]
 [text("sampler", "_ShadowMapTexture", "unity_ShadowMask")]
 [text("interpolators", "UNITY_LIGHTING_COORDS({}, {})")]
 [text("vertex end", "UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);")]
@@ -104,14 +106,17 @@ float MainAttenuation(float3 position);
 /// Light that is not computed per pixel: the light at the vertices in rgb, or the lightmap coordinates.
 [foreign("AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, {0}, {1})")]
 [text("include", "UnityPBSLighting.cginc")]
+[text("light mode", "ForwardBase")]
 float4 AmbientOrLightmapUV(float3 position, float3 normal);
 
 // A lightmap excludes a probe volume.
 [foreign] [text("include", "UnityPBSLighting.cginc")] [text("sampler", "unity_Lightmap", "unity_DynamicLightmap")]
+[text("light mode", "ForwardBase")]
 float3 AmbientLight(float3 normal, float3 position, float attenuation, float4 ambientOrLightmapUV);
 [foreign] [text("include", "UnityPBSLighting.cginc")] [text("sampler", "unity_ShadowMask")]
 float MixedShadow(float3 position, float attenuation, float4 ambientOrLightmapUV);
 [foreign] [text("include", "UnityPBSLighting.cginc")] [text("sampler", "unity_SpecCube0")]
+[text("light mode", "ForwardBase")]
 float3 ReflectedLight(float3 direction, float roughness, float3 position, bool readsProbes);
 [foreign] bool BufferReadsProbes();
 
