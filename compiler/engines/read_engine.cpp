@@ -44,6 +44,7 @@ public:
             word(*clip, "depth", "an order of depth", engine_.clip_depth);
         }
         word(json, "matrices", "an order of matrices", engine_.matrices);
+        word(json, "uvOrigin", "an origin of texture coordinates", engine_.uv_origin);
         engine_.storage = map(json, "storage");
         engine_.texture_sizes = text(json, "textureSizes");
         word(json, "samplers", "a way to name samplers", engine_.samplers);

@@ -57,8 +57,12 @@ void declare_semantics(Lowering& lowering) {
     for (const SemanticDecl& semantic : lowering.session.paths->semantics) {
         const Type type = emit::type(lowering.emitter,
                                      semantic.function ? semantic.function->result : semantic.variable->type, scope);
-        lowering.out.module.semantics.push_back(
-            {.name = std::string(semantic.name), .type = type, .rate = rate_of(semantic.source)});
+        const bool from_bottom = semantic.is_uv && lowering.session.engine.uv_origin == engines::UvOrigin::Bottom;
+        lowering.out.module.semantics.push_back({.name = std::string(semantic.name),
+                                                 .type = type,
+                                                 .rate = rate_of(semantic.source),
+                                                 .from_bottom = from_bottom});
+        lowering.out.module.has_values_from_bottom |= from_bottom;
         SemanticRecipe& recipe = lowering.out.semantics.emplace_back();
         recipe.source = semantic.source;
         recipe.declaration = &semantic;
@@ -318,6 +322,10 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     for (std::size_t i = 0; instanced && i < material.properties.size(); ++i) {
         if (material.properties[i].property->binding == Binding::Instance)
             lowering.per_object.insert(out.property_globals[i].value.index);
+    }
+    for (const PropertyGlobals& globals : out.property_globals) {
+        if (globals.tiling && engine.uv_origin == engines::UvOrigin::Bottom)
+            out.module.globals[globals.tiling.index].from_bottom = true;
     }
     // An extra pass of a material shares functions with other passes only if it is lit.
     out.keeps_functions = engine.is_one_file() && (!material.pass || !material.lighting->graph->nodes.empty());

@@ -331,8 +331,10 @@ private:
         const auto semantic = paths_.semantic_index.find(given.what);
         const auto global = emit::find_extern(lowering_.emitter.known, *given.variable);
         if (semantic == paths_.semantic_index.end() || !global) return;
-        if (paths_.semantics[semantic->second].source == SemanticSource::Attribute)
-            pass.attributes.push_back({{semantic->second}, *global});
+        if (paths_.semantics[semantic->second].source != SemanticSource::Attribute) return;
+        pass.attributes.push_back({{semantic->second}, *global});
+        lowering_.out.module.globals[global->index].from_bottom =
+            lowering_.out.module.semantics[semantic->second].from_bottom;
     }
 
     void replace(LoweredPass& pass, const GivenDecl& given, ir::FunctionId old, ir::FunctionId made) {

@@ -170,7 +170,7 @@ private:
         }
         if (declarations_.parent && !decl.is_const) again(decl);
         if (is_of_pass(sources_, decl.span)) {
-            for (const std::string_view name : {"attribute", "given", "vertexOutput"}) {
+            for (const std::string_view name : {"attribute", "given", "vertexOutput", "uv"}) {
                 if (const Attribute* attribute = decl.attribute(name))
                     bad(attribute->span, name,
                         "is not allowed in a pass file: only the library defines what meshes and lighting graphs hold");

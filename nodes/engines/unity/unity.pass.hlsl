@@ -55,15 +55,14 @@ float4 screenPos(float3 position = positionOS) {
     return ComputeScreenPos(UnityObjectToClipPos(position));
 }
 
-[gives("screenUV")]
-float2 unityScreenUV(float4 position = screenPos) {
-    return position.xy / position.w;
+// Coordinates that count from the bottom, as Unity does, as graphs count, and the other way round.
+float2 FromBottom(float2 uv) {
+    return float2(uv.x, 1 - uv.y);
 }
 
-/// Unity's texture coordinates grow upwards, as tangent space does.
-[gives("uvOfTangent")]
-float2 unityUvOfTangent(float2 tangent) {
-    return tangent;
+[gives("screenUV")]
+float2 unityScreenUV(float4 position = screenPos) {
+    return FromBottom(position.xy / position.w);
 }
 
 // --- colour
@@ -215,11 +214,11 @@ float BackgroundDepth(float2 uv);
 
 [gives("SceneColor", "unity-forward-base", "unity-forward-add")]
 float3 unitySceneColor(float2 uv) {
-    return BackgroundColor(uv);
+    return BackgroundColor(FromBottom(uv));
 }
 [gives("SceneDepth", "unity-forward-base", "unity-forward-add")]
 float unitySceneDepth(float2 uv) {
-    return BackgroundDepth(uv);
+    return BackgroundDepth(FromBottom(uv));
 }
 
 // --- fog, which Unity blends with encoded colours
