@@ -50,6 +50,7 @@ struct Pasting {
 // that begins so becomes "own...".
 struct TakenNames {
     std::unordered_set<std::string> names;
+    std::unordered_set<std::string> macros;  // the names among them that members must avoid, too
     std::vector<std::string> prefixes;
 };
 

@@ -68,7 +68,7 @@ void name_globals(Writer& w) {
     for (std::size_t i = 0; i < m.structs.size(); ++i) {
         if (!w.reachable.structs[i]) continue;
         w.structs[i] = w.names.declare(m.structs[i].name);
-        Names members(w.options.taken);
+        Names members(w.options.taken, Names::Of::Members);
         for (const Member& member : m.structs[i].members) w.members[i].push_back(members.declare(member.name));
     }
     for (std::size_t i = 0; i < m.functions.size(); ++i) {

@@ -39,8 +39,8 @@ struct SemanticDecl {
     const nodelang::FunctionDecl* function = nullptr;  // recipes
     ir::Builtin builtin = ir::Builtin::None;           // of Builtin
     bool is_vertex_output = false;                     // a material may replace it in "vertex"
-    bool is_of_pass = false;                           // declared in a pass file: graphs cannot read it
     bool is_uv = false;                                // texture coordinates of the mesh
+    bool is_of_pass = false;                           // declared in a pass file: graphs cannot read it
 };
 
 // [extern("Camera")] float4x4 m; [extern] Texture2D t; [reads("depth")] Texture2D d;

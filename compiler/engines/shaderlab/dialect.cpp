@@ -6,7 +6,6 @@
 #include <cctype>
 
 #include "compiler/base/spelling.h"
-#include "compiler/engines/shaderlab/share_samplers.h"
 #include "compiler/ir/passes/passes.h"
 #include "compiler/languages/body.h"
 #include "compiler/languages/hlsl/hlsl.h"
@@ -153,7 +152,7 @@ std::vector<std::string> lines_at(const StageInterface& stage, std::string_view 
 // Names of a struct's members, distinct from those that Unity's macros declare.
 class MemberNames {
 public:
-    explicit MemberNames(const TakenNames* taken) : names_(taken) {
+    explicit MemberNames(const TakenNames* taken) : names_(taken, Names::Of::Members) {
         for (const char* name :
              {"pos", "vec", "hpos", "fogCoord", "instanceID", "stereoTargetEyeIndex", "_ShadowCoord", "_LightCoord"})
             names_.declare(name);
@@ -231,7 +230,7 @@ std::string declare_targets(Writer& w, EntryPoint& entry) {
     const std::string name = w.names.declare("Targets");
     w.line(0, "struct " + name);
     w.line(0, "{");
-    Names members(w.options.taken);
+    Names members(w.options.taken, Names::Of::Members);
     for (const StageVariable& v : stage.outputs) {
         const std::string member = members.declare(v.name);
         if (!v.guard.empty()) w.line(0, "#if " + v.guard);

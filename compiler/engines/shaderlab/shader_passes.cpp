@@ -79,9 +79,13 @@ std::vector<Declaration> printed(ir::Module stage, PassText& pass, const engines
     stage = legalize(std::move(stage));
     ir::check_if_verifying(stage, "legalized");
     pass.is_modern |= is_modern(stage);
-    languages::TakenNames names{.names = {taken.begin(), taken.end()}, .prefixes = engine.names.prefixes};
+    languages::TakenNames names{.names = {taken.begin(), taken.end()}, .macros = {}, .prefixes = engine.names.prefixes};
     names.names.insert(engine.names.taken.begin(), engine.names.taken.end());
     names.names.insert(engine.names.own.begin(), engine.names.own.end());
+    // Names of locals and functions do not matter to members; macros begin with a capital or an underscore.
+    for (const std::string& name : engine.names.taken) {
+        if (name[0] == '_' || std::isupper(static_cast<unsigned char>(name[0]))) names.macros.insert(name);
+    }
     return declarations(print(stage, {.header = {}, .taken = &names, .width = 120 - kIndent}));
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "compiler/engines/shaderlab/dialect.h"
+
 namespace patina::engines::shaderlab {
 namespace {
 

@@ -21,7 +21,5 @@ struct SamplerUse {
 SamplerUse sampler_use(const LinkedPass& pass, std::size_t most);
 // Replaces the samplers in a stage of that pass.
 void share_samplers(ir::Module& stage, const SamplerUse& use);
-// True if all reads of a texture use the samplers of others.
-bool has_no_sampler(const ir::Module& stage, std::uint32_t texture);
 
 }  // namespace patina::engines::shaderlab

@@ -2,6 +2,7 @@
 #include <array>
 #include <utility>
 
+#include "compiler/ir/hints.h"
 #include "compiler/ir/passes/passes.h"
 #include "compiler/ir/rebuild.h"
 
@@ -101,7 +102,13 @@ private:
         const Type scalar = b.type(uv).with_width(1);
         const std::array parts = {b.extract(uv, 0),
                                   b.emit(Op::Sub, scalar, {b.splat_constant(scalar, 1), b.extract(uv, 1)})};
-        return b.construct(b.type(uv), parts);
+        return named(b, b.construct(b.type(uv), parts), "turnedUV");
+    }
+
+    // A name for a value that needs one.
+    static Value named(Builder& b, Value value, std::string_view name) {
+        b.name(value, inlined_result(b.module(), name, {}));
+        return value;
     }
 
     // v' = 1 - ((1 - v) s + o') is v s + o with o' = 1 - s - o.
@@ -110,7 +117,7 @@ private:
         const Value rest = b.emit(Op::Sub, scalar, {b.splat_constant(scalar, 1), b.extract(tiling, 1)});
         const std::array parts = {b.extract(tiling, 0), b.extract(tiling, 1), b.extract(tiling, 2),
                                   b.emit(Op::Sub, scalar, {rest, b.extract(tiling, 3)})};
-        return b.construct(b.type(tiling), parts);
+        return named(b, b.construct(b.type(tiling), parts), "turnedTiling");
     }
 
     static Value turned_texel(Builder& b, const std::vector<Value>& operands) {
