@@ -128,8 +128,7 @@ TEST(UnityFile, NamesDoNotRaiseTheShaderModel) {
       "surface": { "metallic": "uintLike", "smoothness": "= uintLike * 0.5" })"));
     EXPECT_TRUE(has(named, "_Squint"));
     EXPECT_FALSE(has(named, "#pragma target 3.5")) << named;
-    const std::string whole = shader(material(R"("surface": { "metallic": "= float(uint(@uv0.x * 8) & 1u)"
-})"));
+    const std::string whole = shader(material(R"j("surface": { "metallic": "= float(uint(@uv0.x * 8) & 1u)" })j"));
     EXPECT_TRUE(has(whole, "#pragma target 3.5")) << whole;
 }
 

@@ -17,17 +17,17 @@ TEST(UnityNames, KeepOutOfTheWayOfTheIncludes) {
 
 // Whatever a name belongs to: nodes, functions, members and values between the stages.
 TEST(UnityNames, OfEveryKindKeepOutOfTheWay) {
-    const std::string text = shader(material(R"("properties": [ { "name": "_Wear", "type": "float", "default": 1 } ],
+    const std::string text = shader(material(R"j("properties": [ { "name": "_Wear", "type": "float", "default": 1 } ],
       "nodes": [ { "id": "UNITY_PI", "expr": "sin($_Wear) + 1" },
         { "id": "UnityObjectToWorldDir", "expr": "UNITY_PI * UNITY_PI + UNITY_PI", "stage": "vertex" },
         { "id": "GGXTerm", "expr": "@positionOS.x * $_Wear", "stage": "vertex" } ],
-      "surface": { "metallic": "= saturate(UNITY_PI * UnityObjectToWorldDir)", "smoothness": "= GGXTerm * GGXTerm" })"));
+      "surface": { "metallic": "= saturate(UNITY_PI * UnityObjectToWorldDir)", "smoothness": "= GGXTerm * GGXTerm" })j"));
     for (const char* name : {"UNITY_PI", "UnityObjectToWorldDir", "GGXTerm"}) {
-    EXPECT_FALSE(has(text, std::string("float ") + name + " ")) << name << text;
-    EXPECT_FALSE(has(text, std::string("float ") + name + ";")) << name << text;
-    EXPECT_FALSE(has(text, std::string("o.") + name)) << name << text;
-    EXPECT_FALSE(has(text, std::string("i.") + name)) << name << text;
-}
+        EXPECT_FALSE(has(text, std::string("float ") + name + " ")) << name << text;
+        EXPECT_FALSE(has(text, std::string("float ") + name + ";")) << name << text;
+        EXPECT_FALSE(has(text, std::string("o.") + name)) << name << text;
+        EXPECT_FALSE(has(text, std::string("i.") + name)) << name << text;
+    }
 }
 
 // A property's name is what materials keep its value under: it is refused, not changed.

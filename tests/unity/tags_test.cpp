@@ -90,13 +90,13 @@ TEST(UnityModes, UnlitFilesHaveNone) {
     const Result unlit = of_text(R"({ "patina": 1, "workflow": "unlit", "surface": { "color": 0.5 } })");
     EXPECT_EQ(modes(unlit), (Words{"", "ShadowCaster"}));
     EXPECT_TRUE(has(unlit.shaders.front().text, "LOD 100"));
-    const Result lit = of_text(material(""));
+    const Result lit = of_text(material(R"("name": "Lit")"));
     EXPECT_EQ(modes(lit).front(), "ForwardBase");
     EXPECT_TRUE(has(lit.shaders.front().text, "LOD 300"));
     // Whatever reads a value of lights needs the mode.
     for (const char* value : {"@light.direction", "@light.radiance", "AmbientIrradiance(@geometryNormalWS)"}) {
-        const Result reads = of_text(R"({ "patina": 1, "workflow": "unlit", "surface": { "color": "= abs()" +
-                                     std::string(value) + R"()" } })");
+        const Result reads = of_text(R"j({ "patina": 1, "workflow": "unlit", "surface": { "color": "= abs()j" +
+                                     std::string(value) + R"j()" } })j");
         EXPECT_EQ(modes(reads).front(), "ForwardBase") << value;
     }
 }
