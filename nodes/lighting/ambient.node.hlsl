@@ -337,7 +337,7 @@ float3 DecodeHDR(
 /// test: MatcapUV(float3(0, -3, 4)) == float2(0.5, 0.8)
 [node("Lighting/Ambient/Matcap UV")] [range(0, 1)]
 float2 MatcapUV(
-    float3 normalVS = float3(0, 0, 1)  ///< normal in view space: x right, y up, z to the viewer
+    float3 normalVS = normalVS  ///< normal in view space: x right, y up, z to the viewer
 ) {
     return normalVS.xy * rsqrt(max(dot(normalVS, normalVS), 1e-7)) * float2(0.5, -0.5) + 0.5;
 }

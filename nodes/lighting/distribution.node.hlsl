@@ -196,14 +196,15 @@ float DistributionGGXMobile(
 float GTRMean(float a2) {
     float d = a2 - 1;
     float series = 1 / (1 - d * (0.5 - d * (1.0 / 3 - d * (0.25 - d * 0.2))));
-    return abs(d) < 0.01 ? series : d / log(a2);
+    // The other divisor only prevents a division by zero where the series is used.
+    return abs(d) < 0.01 ? series : d / (abs(d) < 0.01 ? 1 : log(a2));
 }
 
 // |x| / (1 - e^-|x|); the rest of the constant is e^min(x, 0).
 float GTRScale(float x) {
     float m = abs(x);
     float series = 1 + m * (0.5 + m * (1.0 / 12 - m * m / 720));
-    return m < 0.05 ? series : m / (1 - exp(-m));
+    return m < 0.05 ? series : m / max(1 - exp(-m), 0.04);
 }
 
 /// The constant that normalises GTR.
@@ -260,7 +261,7 @@ float DistributionGTR1(
 ) {
     float a2 = max(alpha * alpha, 1e-7);
     float spread = max(1 - ndoth, 0) * (1 + ndoth) + ndoth * ndoth * a2;
-    return GTRConstant(alpha, 1) / max(spread, 1e-7);
+    return INV_PI * GTRMean(a2) / max(spread, 1e-7);
 }
 
 /// Anisotropic GGX (GTR with gamma 2): rougher along one direction than along the other, like brushed metal.
