@@ -1,10 +1,13 @@
 #include "compiler/api/evaluate.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "compiler/api/describe.h"
+#include "compiler/base/text.h"
 #include "compiler/interpret/interpret.h"
 #include "compiler/lower/declare.h"
 #include "compiler/nodelang/parse.h"
@@ -199,8 +202,11 @@ std::optional<NodeTest> read_test(const EvaluationContext& context, const nodela
     const std::size_t within = right.find(" within ");
     std::optional<double> relative;
     if (within != std::string_view::npos) {
-        const auto number = std::string(right.substr(within + 8));
-        relative = std::strtod(number.c_str(), nullptr);
+        std::string_view number = right.substr(within + 8);
+        number = number.substr(0, number.find_last_not_of(' ') + 1);
+        relative = read_number(number);
+        if (!relative || !(*relative > 0 && std::isfinite(*relative)))
+            return refuse(fmt::format("'within' needs a relative tolerance above 0, not '{}'", number));
         right = right.substr(0, within);
     }
     const auto offset = static_cast<std::uint32_t>(right.data() - line.data());

@@ -125,7 +125,7 @@ constexpr std::array kSampler = {
 };
 
 constexpr std::array kRender = {
-    KeyInfo{"surface", "opaque, or cutout with alphaClip"},
+    KeyInfo{"surface", "opaque, cutout (with alphaClip), transparent, fade, additive or multiply"},
     KeyInfo{"cull", "the faces that are not drawn: back, front or off"},
     KeyInfo{"depthWrite", "whether the surface writes depth"},
     KeyInfo{"depthTest", "the comparison with the stored depth: lessEqual, ..."},

@@ -282,25 +282,21 @@ private:
 
     // --- drawing
 
+    Outcome<Image> gpu_draw(const Frame& frame) {
+        std::string error = open_machine(options_.device, options_.validation, machine_);
+        if (error.empty()) error = machine_.renderer->beyond_limits(frame);
+        outcome_.missing_machine = !error.empty();
+        if (!error.empty()) return Failure{error};
+        const std::size_t messages_before = machine_.renderer->messages().size();
+        Outcome<Image> image = machine_.renderer->draw(frame);
+        const std::vector<std::string>& messages = machine_.renderer->messages();
+        if (image && messages.size() > messages_before)
+            return Failure{"the Vulkan validation layer reports: " + messages[messages_before]};
+        return image;
+    }
+
     RenderOutcome draw(const Frame& frame) {
-        Outcome<Image> image = Failure{""};
-        if (on_cpu()) {
-            image = cpu_draw(frame);
-        } else {
-            if (std::string error = open_machine(options_.device, options_.validation, machine_); !error.empty()) {
-                outcome_.missing_machine = true;
-                return failed(error);
-            }
-            if (std::string error = machine_.renderer->beyond_limits(frame); !error.empty()) {
-                outcome_.missing_machine = true;
-                return failed(error);
-            }
-            const std::size_t messages_before = machine_.renderer->messages().size();
-            image = machine_.renderer->draw(frame);
-            const std::vector<std::string>& messages = machine_.renderer->messages();
-            if (image && messages.size() > messages_before)
-                return failed("the Vulkan validation layer reports: " + messages[messages_before]);
-        }
+        Outcome<Image> image = on_cpu() ? cpu_draw(frame) : gpu_draw(frame);
         if (!image) return failed(image.error);
         outcome_.image = std::move(image.value);
         outcome_.draws = frame.steps.size();

@@ -121,6 +121,17 @@ TEST(UnityTextures, HaveTheirSizeBesideThem) {
     EXPECT_TRUE(has(text, "#pragma target 3.0") && !has(text, "#pragma target 3.5")) << text;
 }
 
+// The shader model follows from what the shader does, not from names.
+TEST(UnityFile, NamesDoNotRaiseTheShaderModel) {
+    const std::string named = shader(material(R"("properties": [ { "name": "_Squint", "type": "float", "default": 1 } ],
+      "nodes": [ { "id": "uintLike", "expr": "sin($_Squint) * $_Squint" } ],
+      "surface": { "metallic": "uintLike", "smoothness": "= uintLike * 0.5" })"));
+    EXPECT_TRUE(has(named, "_Squint"));
+    EXPECT_FALSE(has(named, "#pragma target 3.5")) << named;
+    const std::string whole = shader(material(R"("surface": { "metallic": "= float(uint(@uv0.x * 8) & 1u)" })"));
+    EXPECT_TRUE(has(whole, "#pragma target 3.5")) << whole;
+}
+
 // Values that are computed at vertices, a vector each.
 std::string with_values(const std::string& workflow, int count) {
     std::string nodes, sum = "float3(0)";

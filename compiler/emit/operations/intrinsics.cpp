@@ -89,6 +89,9 @@ constexpr Intrinsic kIntrinsics[] = {
     {"transpose", Op::Transpose, 1, Takes::Matrix},
     {"trunc", Op::Trunc, 1, Takes::Floats},
 };
+static_assert(std::is_sorted(std::begin(kIntrinsics), std::end(kIntrinsics),
+                             [](const Intrinsic& a, const Intrinsic& b) { return a.name < b.name; }),
+              "find_intrinsic() searches by halves");
 constexpr std::pair<std::string_view, Scalar> kBitcasts[] = {
     {"asfloat", Scalar::Float}, {"asint", Scalar::Int}, {"asuint", Scalar::Uint}};
 

@@ -68,20 +68,13 @@ std::vector<std::string_view> texts_at(const PassText& pass, std::string_view pl
     return lines;
 }
 
-// The shader model that a pass needs, together with the declarations that all passes begin with.
-std::string_view shader_model(const LinkedPass& linked, const PassText& pass,
-                              std::span<const Declaration* const> shared) {
+// The shader model that a pass needs.
+std::string_view shader_model(const LinkedPass& linked, const PassText& pass) {
     // 3.0 has 10 interpolators, 3.5 those of OpenGL ES 3.0 and Direct3D 10; 5.0 is the highest that is needed here.
     const Varyings vectors = varyings_of(linked);
     if (vectors.numbered + vectors.others > 15) return "5.0";
     if (vectors.numbered > 10) return "3.5";
-    std::string text;
-    for (const Declaration& each : pass.declarations) text += each.text;
-    for (const Declaration* each : shared) text += each->text;
-    constexpr std::string_view kModern[] = {".Load(", ".GetDimensions(", "uint", "SV_IsFrontFace"};
-    const bool is_modern = std::any_of(std::begin(kModern), std::end(kModern),
-                                       [&](std::string_view word) { return text.find(word) != text.npos; });
-    return is_modern ? "3.5" : "3.0";
+    return pass.is_modern ? "3.5" : "3.0";
 }
 
 class Writing {
@@ -206,7 +199,7 @@ private:
         for (const std::string& line : shader_state(in_.reflection.passes[index])) out_.line(3, line);
         out_.line(0, "");
         out_.line(3, "CGPROGRAM");
-        out_.line(3, fmt::format("#pragma target {}", shader_model(in_.passes[index], text, shared_)));
+        out_.line(3, fmt::format("#pragma target {}", shader_model(in_.passes[index], text)));
         for (const std::string_view line : texts_at(text, "pragma")) out_.line(3, fmt::format("#pragma {}", line));
         keywords(in_.reflection.passes[index]);
         out_.line(3, "#pragma vertex vert");

@@ -52,11 +52,33 @@ void rename(ir::Module& stage, const std::vector<std::string>& taken, std::strin
     for (ir::Struct& structure : stage.structs) rename_if_taken(structure.name);
 }
 
-std::vector<Declaration> printed(ir::Module stage, const std::vector<ir::StageText>& texts,
-                                 const engines::Engine& engine, const std::vector<std::string>& taken) {
-    stage.stage.texts = texts;
+bool is_unsigned(ir::Type type) {
+    return type.is_numeric() && type.scalar == ir::Scalar::Uint;
+}
+
+// True if the stage has what shader model 3.0 lacks.
+bool is_modern(const ir::Module& stage) {
+    using ir::Builtin;
+    const auto is_modern_input = [](const ir::StageVariable& input) {
+        return input.builtin == Builtin::FrontFacing || input.builtin == Builtin::VertexIndex ||
+               input.builtin == Builtin::InstanceIndex || is_unsigned(input.type);
+    };
+    const auto is_modern_inst = [](const ir::Inst& inst) {
+        return inst.op == ir::Op::TexelLoad || inst.op == ir::Op::TextureSize || is_unsigned(inst.type);
+    };
+    const auto& inputs = stage.stage.inputs;
+    return std::any_of(inputs.begin(), inputs.end(), is_modern_input) ||
+           std::any_of(stage.functions.begin(), stage.functions.end(), [&](const ir::Function& function) {
+               return std::any_of(function.insts.begin(), function.insts.end(), is_modern_inst);
+           });
+}
+
+std::vector<Declaration> printed(ir::Module stage, PassText& pass, const engines::Engine& engine,
+                                 const std::vector<std::string>& taken) {
+    stage.stage.texts = pass.texts;
     stage = legalize(std::move(stage));
     ir::check_if_verifying(stage, "legalized");
+    pass.is_modern |= is_modern(stage);
     std::vector<std::string> names = taken;
     names.insert(names.end(), engine.names.taken.begin(), engine.names.taken.end());
     names.insert(names.end(), engine.names.own.begin(), engine.names.own.end());
@@ -102,12 +124,12 @@ PassText pass_text(const LinkedPass& pass, const engines::Engine& engine,
         rename(stage, taken_around, name_of(pass));
         return stage;
     };
-    const std::vector<Declaration> fragment = printed(named(pass.fragment), made.texts, engine, taken_around);
+    const std::vector<Declaration> fragment = printed(named(pass.fragment), made, engine, taken_around);
     std::vector<Declaration> vertex;
     std::vector<std::string> taken = taken_around;
     for (bool differ = true; differ;) {
         differ = false;
-        vertex = printed(named(pass.vertex), made.texts, engine, taken);
+        vertex = printed(named(pass.vertex), made, engine, taken);
         for (const Declaration& each : vertex) {
             const Declaration* other = find(fragment, each.name);
             if (!other || other->text == each.text) continue;
