@@ -30,7 +30,8 @@ constexpr const char* kFolders[] = {"nodes", "models"};
 
 // If scripts/pictures has drawn a picture of the node or model, it goes before the section "In a graph".
 void add_picture(Page& page, const std::string& folder, const std::string& name, std::string_view caption) {
-    if (!fs::exists(folder + "/" + name)) return;
+    std::error_code ignored;
+    if (!fs::exists(folder + "/" + name, ignored)) return;
     const auto before = std::ranges::find(page.sections, "In a graph", &Section::title);
     Section section{.title = "Picture"};
     section.pictures.push_back({.path = name, .caption = page.title + ": " + std::string(caption)});

@@ -65,8 +65,9 @@ Exit render_graph(Outputs& outputs, const Console& console, const Arguments& arg
 
 // Empty, or why no picture can have this name.
 std::string not_an_output(const std::string& output) {
-    if (output.empty() || is_one_picture(output) || std::filesystem::is_directory(output)) return {};
-    const bool is_file = std::filesystem::exists(output) || std::filesystem::path(output).has_extension();
+    std::error_code ignored;  // links that lead nowhere: writing says so
+    if (output.empty() || is_one_picture(output) || std::filesystem::is_directory(output, ignored)) return {};
+    const bool is_file = std::filesystem::exists(output, ignored) || std::filesystem::path(output).has_extension();
     return is_file ? "'" + output + "' is not a .png file, an .exr file or a folder" : std::string();
 }
 
