@@ -165,7 +165,8 @@ void declare_switches(Lowering& lowering) {
             if (has_passes) words.insert(words.begin(), known.begin(), known.end());
             DiagnosticRecord& record = session.diagnostics.report(
                 Code::UnknownWord, {}, name,
-                has_passes ? "a switch of a pass or a keyword of the graph" : "a keyword of the graph");
+                has_passes ? "a switch of the path, nor a variant or specialization constant of the graph"
+                           : "a variant or specialization constant of the graph");
             if (const Property* property = variant_of_lighting(lowering.material, name)) {
                 record.note(property->name_span,
                             fmt::format("it is a variant of the lighting graph: set it in the material with "

@@ -114,7 +114,8 @@ bool accepts_functions(graph::Session& session) {
     const std::string& prefix = session.options.functions;
     if (session.engine.is_one_file()) {
         session.diagnostics.report(Code::NotYet, {},
-                                   fmt::format("functions for the target '{}'", session.options.targets[0].name()));
+                                   fmt::format("--functions cannot write the target '{}': choose another target",
+                                               session.options.targets[0].name()));
     } else if (!is_identifier(prefix)) {
         session.diagnostics.report(Code::BadIdentifier, {}, prefix);
     } else if (const std::string name = prefix + "x"; languages::safe_identifier(name) != name) {

@@ -101,7 +101,7 @@ TEST(UnityName, IsTheGraphsAsFarAsShaderLabCan) {
         if (!is_told) continue;
         EXPECT_EQ(result.diagnostics.front().code, "inspector-text");
         EXPECT_EQ(result.diagnostics.front().column, 45) << name;  // of the name's value
-        EXPECT_TRUE(has(result.diagnostics.front().message, "\"Patina/" + shown + "\" for this name")) << name;
+        EXPECT_TRUE(has(result.diagnostics.front().message, "\"Patina/" + shown + "\" for the name")) << name;
     }
 }
 
@@ -269,7 +269,7 @@ TEST(UnityDeferred, IsForUnitysModelsAlone) {
         ASSERT_EQ(result.diagnostics.size(), 1u);
         EXPECT_EQ(result.diagnostics.front().code, "pass-left-out");
         const std::string message = result.diagnostics.front().message;
-        EXPECT_TRUE(has(message, "no pass 'Deferred'") && has(message, "unity-brdf1")) << message;
+        EXPECT_TRUE(has(message, "the pass 'Deferred' is left out") && has(message, "unity-brdf1")) << message;
         EXPECT_EQ(result.diagnostics.front().column, 63);  // of the model
         EXPECT_FALSE(taken_apart(result.shaders.front().text).pass("Deferred")) << model;
     }
@@ -419,7 +419,7 @@ TEST(UnitySwitches, ArePropertiesAlone) {
     options.switches.emplace_back("shadows", "");
     const Result refused = compiler().compile_text("t.graph.json", graph, options);
     EXPECT_EQ(first_error(refused).code, "unknown-word");
-    EXPECT_EQ(first_error(refused).message, "'shadows' is not a keyword of the graph");
+    EXPECT_EQ(first_error(refused).message, "'shadows' is not a variant or specialization constant of the graph");
 
     options.targets = {Target::Glsl, kUnity};
     const Result both = compiler().compile_text("t.graph.json", graph, options);

@@ -243,16 +243,16 @@ void add_compile(Program& program) {
     command.add_flag("--depfile", arguments->depfile,
                      "Write NAME.d next to NAME.reflect.json, a list of the files that this was made from, for ninja");
     add_words_option(command, "--dump", arguments->dump,
-                     "Print a stage of the compilation: graph, ir, linked, tidy, rates; files are written only with -o",
-                     one_of("a stage", {"graph", "ir", "linked", "tidy", "rates"}))
-        ->type_name("STAGE");
+                     "Print the result of a step: graph, ir, linked, tidy, rates; files are written only with -o",
+                     one_of("a step", {"graph", "ir", "linked", "tidy", "rates"}))
+        ->type_name("STEP");
     add_path_options(command, arguments->path);
     CLI::Option* variants =
         command
             .add_option("--variants", arguments->variants.wanted,
-                        "Compile the graph's variants: all combinations, those that the graph lists, or those that "
-                        "differ. Each different shader is written once; NAME.variants.json says which belongs to "
-                        "which combination")
+                        "Compile the graph's variants. all: every combination; listed: those under \"variants\"; "
+                        "reachable: without choices that change nothing. Each different shader is written once; "
+                        "NAME.variants.json says which belongs to which combination")
             ->type_name("all|listed|reachable")
             ->check(one_of("a choice of variants", {"all", "listed", "reachable"}));
     command

@@ -61,9 +61,9 @@ void add_models(Pages& pages, const Compiler& compiler, const std::string& folde
     std::string index =
         std::string(kWritten) +
         "# Lighting models\n\nEach is a graph of [nodes](../nodes/README.md); `patina model NAME` shows the "
-        "same. [The gallery](../gallery.md) has their pictures side by side. What one costs is the size of its "
-        "optimised "
-        "fragment shader, in SPIR-V instructions, and how many of them each light takes; its page says of which.\n\n"
+        "same. [The gallery](../gallery.md) has their pictures side by side. The cost is the number of "
+        "SPIR-V instructions of the optimised fragment shader. The next column is the number for each light. The "
+        "model's page names the shader.\n\n"
         "| model | cost | per light | |\n|---|---|---|---|\n";
     for (const ModelInfo& model : compiler.lighting_models()) {
         const ModelCost cost = cost_of(compiler, model);
@@ -82,14 +82,12 @@ void add_semantics(Pages& pages, const Compiler& compiler) {
         std::string_view name, title, text;
     };
     static constexpr Rate kRates[] = {
-        {"vertex", "Of the mesh", "Known at each vertex; pixels read what is interpolated between them."},
+        {"vertex", "Of the mesh", "These values exist for each vertex and are interpolated."},
         {"pixel", "Of the pixel",
-         "Computed where they are read. The `vertex` block, and a node that is pinned to the vertex stage, are "
-         "computed "
-         "before there are pixels: `@fragCoord`, `@frontFacing`, `@screenUV`, `@sceneColor`, `@sceneDepth` and "
-         "neighbouring pixels are not there."},
+         "Computed where they are read. The vertex stage (the `vertex` block, and nodes that are pinned to it) has "
+         "none of these: `@fragCoord`, `@frontFacing`, `@screenUV`, `@sceneColor`, `@sceneDepth`, derivatives."},
         {"uniform", "Of the frame and of the object", "The same for all that is drawn at once."},
-        {"lighting", "In a lighting graph", "Handed to it by the material; a material cannot read them."},
+        {"lighting", "In a lighting graph", "Only lighting graphs read these values; the pass provides them."},
     };
     std::string text = std::string(kWritten) +
                        "# Semantics\n\nWhat mesh, camera, engine and light provide, read as `@uv0` in a port or an "

@@ -119,10 +119,14 @@ void add_render(Program& program) {
         ->check([](const std::string& port) { return port.empty() ? std::string("it is empty") : std::string(); });
     add_picture_options(command, arguments->set, request);
     add_path_options(command, arguments->path);
-    command.add_option("--via", request.options.via, "Which shaders to run; default: glsl")
+    command
+        .add_option("--via", request.options.via,
+                    "Render with the GLSL or the HLSL on the GPU, or with the CPU reference; default: glsl")
         ->type_name("glsl|hlsl|cpu")
         ->check(one_of("a way to render", {"glsl", "hlsl", "cpu"}));
-    command.add_option("--device", request.options.device, "Part of a GPU's name; default: the software renderer")
+    command
+        .add_option("--device", request.options.device,
+                    "Use the GPU whose name contains NAME; default: the software renderer")
         ->type_name("NAME");
     command.add_flag("--vulkan-validation", request.options.validation, "Turn on the Khronos validation layer");
     command.parse_complete_callback(

@@ -87,7 +87,8 @@ void add_snapshot(Program& program) {
     command.add_option("--via", options.via, "Render all cases this way, instead of the way that their files name")
         ->type_name("glsl|hlsl|cpu")
         ->check(one_of("a way to render", {"glsl", "hlsl", "cpu"}));
-    command.add_option("--device", options.device, "Part of a GPU's name; default: the software renderer")
+    command
+        .add_option("--device", options.device, "Use the GPU whose name contains NAME; default: the software renderer")
         ->type_name("NAME");
     command.add_flag("--vulkan-validation", options.validation, "Turn on the Khronos validation layer");
     add_include_option(command, options.include_dirs);

@@ -51,10 +51,9 @@ constexpr std::size_t kMostKeywords = 9, kMostPairs = 7;
 
 // --- check_shader_properties.cpp
 // Reports the shader's name if it differs from the graph's.
-void check_shader_name(const graph::Material& material, Diagnostics& diagnostics);
+void check_shader_name(const graph::Material& material, graph::Session& session);
 // Refuses names that Unity's includes declare, and reports what a ShaderLab file cannot express about a property.
-void check_shader_properties(const graph::Material& material, const graph::Lowered& lowered,
-                             const engines::Engine& engine, Diagnostics& diagnostics);
+void check_shader_properties(const graph::Material& material, const graph::Lowered& lowered, graph::Session& session);
 // Reports too many keywords: Unity before 2021.2 limits those that belong to one shader.
 void check_keywords(const graph::Material& material, const Reflection& reflection, Diagnostics& diagnostics);
 // Reports textures that share a sampler (share_samplers.h), and passes that still have too many.
