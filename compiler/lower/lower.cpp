@@ -33,19 +33,19 @@ ir::Rate rate_of(SemanticSource source) {
 
 void declare_statics(Lowering& lowering) {
     const RenderState& render = lowering.material.graph->graph->render;
-    const engines::Engine& engine = lowering.session.engine;
     const auto is_true = [&](const StaticDecl& asked, std::string_view word) {
         switch (asked.about) {
             case StaticDecl::About::Surface: return word == to_string(render.surface);
             case StaticDecl::About::Cull: return word == to_string(render.cull);
-            case StaticDecl::About::Clip: return word == to_string(engine.clip_depth);
+            case StaticDecl::About::Clip:
             case StaticDecl::About::Slot:
             case StaticDecl::About::Pass: break;
         }
         return false;
     };
     for (const StaticDecl& asked : lowering.session.paths->statics) {
-        if (asked.is_of_passes()) continue;  // known later (lower_passes.cpp)
+        if (asked.is_of_passes()) continue;                    // known later (lower_passes.cpp)
+        if (asked.about == StaticDecl::About::Clip) continue;  // known already (declare_engine())
         const bool is_any = std::any_of(asked.words.begin(), asked.words.end(),
                                         [&](std::string_view word) { return is_true(asked, word); });
         lowering.emitter.known.statics[asked.variable] = is_any ? 1 : 0;

@@ -84,8 +84,14 @@ bool has_grazing_term(const std::string& model) {
 // The largest relative difference of one pair under one model, over directions.
 double difference(const std::string& model, const Pair& pair, const runtime::ModelLight& light) {
     static const Sequence points(4);
-    Model metallic(compiler(), {.model = model, .values = pair.metallic_words()});
-    Model specular(compiler(), {.model = model, .workflow = "specular-glossiness", .values = pair.specular_words()});
+    Words by_metallic = pair.metallic_words(), by_specular = pair.specular_words();
+    // By default it reflects a picture of its own.
+    if (model == "cl-pbr-specular") {
+        by_metallic.emplace_back("_Surroundings", "Scene");
+        by_specular.emplace_back("_Surroundings", "Scene");
+    }
+    Model metallic(compiler(), {.model = model, .values = by_metallic});
+    Model specular(compiler(), {.model = model, .workflow = "specular-glossiness", .values = by_specular});
     if (!metallic.ok() || !specular.ok()) return INFINITY;
     double worst = 0;
     for (std::size_t i = 0; i < 60; ++i) {
