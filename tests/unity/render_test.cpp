@@ -178,7 +178,7 @@ Image in_unity(const Material& given, const runtime::Scene& downward, const Keyw
     std::vector<Drawn> passes;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const runtime::Light& light = scene.lights[i];
-        const LabPass* pass = material.file.pass(i == 0 ? "ForwardBase" : "ForwardAdd");
+        const LabPass* pass = i == 0 ? material.file.forward() : material.file.pass("ForwardAdd");
         if (!pass) continue;
         Keywords defined = keywords;
         defined.push_back(light.kind == LightKind::Directional ? "DIRECTIONAL"

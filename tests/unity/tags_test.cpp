@@ -109,7 +109,7 @@ TEST(UnityStencil, MayChangeWhatItTestsWhereAnObjectIsDrawnOnce) {
             "render": { "surface": ")" +
                                      kind + "\", " + stencil + " } }");
         ASSERT_TRUE(unlit.ok) << to_text(first_error(unlit));
-        EXPECT_EQ(modes(unlit).front(), "ForwardBase");
+        EXPECT_EQ(modes(unlit).front(), "");
         EXPECT_TRUE(has(unlit.shaders.front().text, "Stencil { Ref 1 Comp NotEqual Pass Replace }"));
     }
     for (const std::string workflow : {"\"unlit\", \"surface\": { \"color\": 0 }", "\"metallic-roughness\""}) {

@@ -89,7 +89,9 @@ struct PassText {
     };
     std::vector<Declaration> declarations;  // each declaration after those that it reads; the entry functions last
     std::vector<ir::StageText> texts;       // the lines that both stages and the foreign functions that they call need
-    bool is_modern = false;                 // needs shader model 3.5: unsigned numbers, texel loads, sides of faces
+    // What needs shader model 3.5 (unsigned numbers, texel loads, sides of faces): the entries, and other functions.
+    bool is_modern = false;
+    std::vector<std::string> modern_functions{};
 };
 // `taken`: names that have another meaning outside the pass.
 PassText pass_text(const LinkedPass& pass, const engines::Engine& engine, const std::vector<std::string>& taken);

@@ -137,8 +137,11 @@ private:
             for (std::size_t i = 0; i < 2; ++i) {
                 const Value tiling = tiling_of(args[1 - i], kZW);
                 if (!tiling || from_[args[i]].op != Op::Mul) continue;
-                if (const Value scaled = scaled_by(c, args[i], tiling))
-                    return c.to.emit(Op::Add, inst.type, {scaled, c.to.swizzle(tiling, kZW)});
+                const Value scaled = scaled_by(c, args[i], tiling);
+                if (!scaled) continue;
+                const Value made = c.to.emit(Op::Add, inst.type, {scaled, c.to.swizzle(tiling, kZW)});
+                c.to.name(made, inst.name);
+                return made;
             }
         }
         return turned(c.to, c.map[old.index]);

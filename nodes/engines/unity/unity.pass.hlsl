@@ -81,7 +81,7 @@ float2 unityScreenUV(float4 position = screenPos) {
 // --- light
 
 // Unity sets these values only for passes with a light mode.
-[foreign] [text("light mode", "ForwardBase")] float4 _WorldSpaceLightPos0;
+[foreign("_WorldSpaceLightPos0.xyz")] [text("light mode", "ForwardBase")] float3 LightDirection();
 [foreign("LinearColor(_LightColor0.rgb)")] [text("include", "UnityPBSLighting.cginc")]
 [text("light mode", "ForwardBase")]
 float3 LightColor();
@@ -143,7 +143,7 @@ float4 ambientOrLightmapUV(float3 position = positionWS, float3 normal = vertexN
 [gives("lightAt", "unity-forward-base")]
 Light unityMainLight(int index, float3 position, float left = attenuation, float4 ambient = ambientOrLightmapUV) {
     Light light;
-    light.direction = _WorldSpaceLightPos0.xyz;
+    light.direction = LightDirection();
     light.color = LightColor();
     light.attenuation = 1;
     light.shadow = MixedShadow(position, left, ambient);
