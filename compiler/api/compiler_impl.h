@@ -17,6 +17,8 @@ struct Compiler::Impl {
     mutable std::vector<SemanticInfo> semantics;
     mutable std::vector<ModelInfo> workflows, lighting_models;
     mutable std::vector<PathInfo> paths;
+    // Apart from the others, which are many: each compilation of the command asks for the engines.
+    mutable std::once_flag engines_once;
     mutable std::vector<EngineInfo> engines;
 
     void describe() const;

@@ -139,7 +139,6 @@ void Compiler::Impl::describe() const {
         });
         semantics = describe_semantics(*library);
         paths = describe_paths(*library);
-        engines = describe_engines(*library);
         for (const auto& [name, graph] : library->workflows) {
             if (graph.get()) workflows.push_back(describe_model(*graph.get(), name, library->sources));
         }
@@ -192,7 +191,7 @@ const std::vector<PathInfo>& Compiler::paths() const {
     return impl_->paths;
 }
 const std::vector<EngineInfo>& Compiler::engines() const {
-    impl_->describe();
+    std::call_once(impl_->engines_once, [&] { impl_->engines = describe_engines(*impl_->library); });
     return impl_->engines;
 }
 std::vector<Target> Compiler::targets(std::string_view word) const {

@@ -59,6 +59,7 @@ struct PrintOptions {
     const std::vector<Plan>* plans = nullptr;  // those of this module; null: made for this printing
     std::optional<Pasting> pasting = {};       // none: a whole shader
     const TakenNames* taken = nullptr;         // null: there is no surrounding text
+    std::vector<std::string> also_taken = {};  // more names of the surrounding text
     std::size_t width = 120;                   // columns; longer lines are broken
 };
 

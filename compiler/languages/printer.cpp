@@ -40,6 +40,7 @@ void name_globals(Writer& w) {
     w.block_members.resize(m.blocks.size());
     w.globals.resize(m.globals.size());
     w.functions.resize(m.functions.size());
+    for (const std::string& name : w.options.also_taken) w.names.declare(name);
     for (std::size_t i = 0; i < m.functions.size(); ++i) {
         if (m.functions[i].linkage != Linkage::Foreign || !w.reachable.functions[i]) continue;
         w.functions[i] = m.functions[i].name;

@@ -94,7 +94,10 @@ struct PassText {
     std::vector<std::string> modern_functions{};
 };
 // `taken`: names that have another meaning outside the pass.
-PassText pass_text(const LinkedPass& pass, const engines::Engine& engine, const std::vector<std::string>& taken);
+PassText pass_text(const LinkedPass& pass, const engines::Engine& engine, const languages::TakenNames& engine_names,
+                   const std::vector<std::string>& taken);
+// The names that no declaration of the file may have.
+languages::TakenNames taken_names(const engines::Names& names);
 
 // The name of the pass in the file.
 std::string_view name_of(const LinkedPass& pass);

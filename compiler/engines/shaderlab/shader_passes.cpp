@@ -77,20 +77,14 @@ void note_modern(const ir::Module& stage, PassText& pass) {
     }
 }
 
-std::vector<Declaration> printed(ir::Module stage, PassText& pass, const engines::Engine& engine,
+std::vector<Declaration> printed(ir::Module stage, PassText& pass, const languages::TakenNames& engine_names,
                                  const std::vector<std::string>& taken) {
     stage.stage.texts = pass.texts;
     stage = legalize(std::move(stage));
     ir::check_if_verifying(stage, "legalized");
     note_modern(stage, pass);
-    languages::TakenNames names{.names = {taken.begin(), taken.end()}, .macros = {}, .prefixes = engine.names.prefixes};
-    names.names.insert(engine.names.taken.begin(), engine.names.taken.end());
-    names.names.insert(engine.names.own.begin(), engine.names.own.end());
-    // Names of locals and functions do not matter to members; macros begin with a capital or an underscore.
-    for (const std::string& name : engine.names.taken) {
-        if (name[0] == '_' || std::isupper(static_cast<unsigned char>(name[0]))) names.macros.insert(name);
-    }
-    return declarations(print(stage, {.header = {}, .taken = &names, .width = 120 - kIndent}));
+    return declarations(
+        print(stage, {.header = {}, .taken = &engine_names, .also_taken = taken, .width = 120 - kIndent}));
 }
 
 const Declaration* find(const std::vector<Declaration>& list, const std::string& name) {
@@ -121,7 +115,18 @@ bool mentions(std::string_view text, std::string_view name) {
     return false;
 }
 
-PassText pass_text(const LinkedPass& pass, const engines::Engine& engine,
+languages::TakenNames taken_names(const engines::Names& names) {
+    languages::TakenNames made{
+        .names = {names.taken.begin(), names.taken.end()}, .macros = {}, .prefixes = names.prefixes};
+    made.names.insert(names.own.begin(), names.own.end());
+    // Names of locals and functions do not matter to members; macros begin with a capital or an underscore.
+    for (const std::string& name : names.taken) {
+        if (name[0] == '_' || std::isupper(static_cast<unsigned char>(name[0]))) made.macros.insert(name);
+    }
+    return made;
+}
+
+PassText pass_text(const LinkedPass& pass, const engines::Engine& engine, const languages::TakenNames& engine_names,
                    const std::vector<std::string>& taken_around) {
     PassText made;
     made.texts = texts_of(pass);
@@ -134,12 +139,12 @@ PassText pass_text(const LinkedPass& pass, const engines::Engine& engine,
         share_samplers(stage, samplers);
         return stage;
     };
-    const std::vector<Declaration> fragment = printed(named(pass.fragment), made, engine, taken_around);
+    const std::vector<Declaration> fragment = printed(named(pass.fragment), made, engine_names, taken_around);
     std::vector<Declaration> vertex;
     std::vector<std::string> taken = taken_around;
     for (bool differ = true; differ;) {
         differ = false;
-        vertex = printed(named(pass.vertex), made, engine, taken);
+        vertex = printed(named(pass.vertex), made, engine_names, taken);
         for (const Declaration& each : vertex) {
             const Declaration* other = find(fragment, each.name);
             if (!other || other->text == each.text) continue;

@@ -101,7 +101,8 @@ std::vector<ir::Origin> origins_of(std::span<const LinkedPass> passes) {
 std::vector<PassText> pass_texts(std::span<const LinkedPass> linked, const engines::Engine& engine) {
     std::vector<PassText> passes;
     std::vector<std::vector<std::string>> taken(linked.size());
-    for (std::size_t i = 0; i < linked.size(); ++i) passes.push_back(pass_text(linked[i], engine, {}));
+    const languages::TakenNames engine_names = taken_names(engine.names);
+    for (std::size_t i = 0; i < linked.size(); ++i) passes.push_back(pass_text(linked[i], engine, engine_names, {}));
     for (bool differ = true; differ;) {
         differ = false;
         const auto common = most_common(passes);
@@ -113,7 +114,8 @@ std::vector<PassText> pass_texts(std::span<const LinkedPass> linked, const engin
             }
             differ = differ || taken[i].size() > before;
         }
-        for (std::size_t i = 0; differ && i < linked.size(); ++i) passes[i] = pass_text(linked[i], engine, taken[i]);
+        for (std::size_t i = 0; differ && i < linked.size(); ++i)
+            passes[i] = pass_text(linked[i], engine, engine_names, taken[i]);
     }
     mark_own(passes);
     std::uint32_t first = 0;
