@@ -63,8 +63,9 @@ constexpr std::array<std::string_view, kWords<E>.size()> texts() {
 inline constexpr std::array<std::string_view, 4> kDefaultTextures = {"white", "black", "gray", "bump"};
 
 // The types that an input of a sub-graph, a workflow or a lighting model can have.
-inline constexpr std::array<std::string_view, 8> kInputTypes = {"float", "float2", "float3", "float4",
-                                                                "color", "int",    "bool",   "texture2d"};
+// As everywhere, "color" has alpha; "color3" has none.
+inline constexpr std::array<std::string_view, 9> kInputTypes = {"float",  "float2", "float3", "float4",   "color",
+                                                                "color3", "int",    "bool",   "texture2d"};
 
 }  // namespace patina::graph
 

@@ -175,10 +175,7 @@ void GraphScope::fill_inputs(GraphScope& inner, const Node& node, const Graph& s
     for (const Input& input : subgraph.inputs) {
         const auto port = std::find_if(node.inputs.begin(), node.inputs.end(),
                                        [&](const PortValue& p) { return p.name == input.name; });
-        const std::string_view type_name = input.type == "color"       ? "float4"
-                                           : input.type == "texture2d" ? "Texture2D"
-                                                                       : std::string_view(input.type);
-        const Type type = emit::type(emitter, {.name = type_name, .span = input.type_span}, scope_);
+        const Type type = input_type(lowering_, input);
         if (type.is_error()) continue;
         const std::string what = fmt::format("the input '{}'", input.name);
         if (port != node.inputs.end()) {

@@ -291,7 +291,8 @@ ir::FunctionId add_function(ir::Module& module, ir::Function function) {
 
 Type input_type(Lowering& lowering, const Input& input) {
     const emit::Scope scope{.declarations = lowering.session.declarations};
-    const std::string_view name = input.type == "color"       ? "float3"
+    const std::string_view name = input.type == "color"       ? "float4"
+                                  : input.type == "color3"    ? "float3"
                                   : input.type == "texture2d" ? "Texture2D"
                                                               : std::string_view(input.type);
     return emit::type(lowering.emitter, {.name = name, .span = input.type_span}, scope);

@@ -24,9 +24,10 @@ std::string material_of(const Compiler& compiler, const ModelInfo& model) {
         for (const ModelInputInfo& input : inputs) {
             if (!takes_property(input)) continue;
             const std::string_view comma = properties.empty() ? "" : ", ";
-            properties += fmt::format(R"({}{{ "name": "_{}", "type": "{}" }})", comma, input.name, input.type);
-            surface +=
-                fmt::format(R"({}"{}": "$_{}{}")", comma, input.name, input.name, input.type == "color" ? ".rgb" : "");
+            const bool is_color = input.type == "color3";
+            properties += fmt::format(R"({}{{ "name": "_{}", "type": "{}" }})", comma, input.name,
+                                      is_color ? "color" : input.type);
+            surface += fmt::format(R"({}"{}": "$_{}{}")", comma, input.name, input.name, is_color ? ".rgb" : "");
         }
     };
     const std::vector<ModelInfo>& workflows = compiler.workflows();
