@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compiler/api/report.h"
+#include "compiler/link/dumps.h"
 
 namespace patina {
 namespace {
@@ -37,7 +38,8 @@ std::vector<EngineTargets> by_engine(const graph::Library& library, const std::v
         const engines::Engine* engine = library.engine(target.engine);
         auto found = std::find_if(made.begin(), made.end(), [&](const auto& each) { return each.engine == engine; });
         if (found == made.end()) found = made.insert(found, {.engine = engine, .targets = {}});
-        found->targets.push_back(target);
+        if (std::find(found->targets.begin(), found->targets.end(), target) == found->targets.end())
+            found->targets.push_back(target);
     }
     std::stable_partition(made.begin(), made.end(),
                           [](const EngineTargets& each) { return !each.engine || !each.engine->has_own_passes(); });
@@ -60,6 +62,20 @@ std::optional<Diagnostic> unknown_target(const graph::Library& library, const Ta
     return to_public(diagnostics, library.sources).front();
 }
 
+std::optional<Diagnostic> unknown_dump(const graph::Library& library, std::string_view step) {
+    if (std::find(link::kDumps.begin(), link::kDumps.end(), step) != link::kDumps.end()) return {};
+    Diagnostics diagnostics;
+    diagnostics.report(Code::UnknownWord, {}, step, "a step that can be dumped")
+        .note(Diagnostics::suggestion(step, link::kDumps));
+    return to_public(diagnostics, library.sources).front();
+}
+
+Result refused(Diagnostic why) {
+    Result result;
+    result.diagnostics.push_back(std::move(why));
+    return result;
+}
+
 }  // namespace
 
 void without_switches(std::vector<std::pair<std::string, std::string>>& given, const Reflection& of_path) {
@@ -76,11 +92,10 @@ bool holds_variants(const graph::Library& library, const Target& target) {
 
 Result compile_targets(const graph::Library& library, const CompileOptions& options, const CompileForEngine& compile) {
     for (const Target& target : options.targets) {
-        std::optional<Diagnostic> unknown = unknown_target(library, target);
-        if (!unknown) continue;
-        Result refused;
-        refused.diagnostics.push_back(std::move(*unknown));
-        return refused;
+        if (std::optional<Diagnostic> unknown = unknown_target(library, target)) return refused(std::move(*unknown));
+    }
+    for (const std::string& step : options.dump) {
+        if (std::optional<Diagnostic> unknown = unknown_dump(library, step)) return refused(std::move(*unknown));
     }
     std::optional<Result> result;
     std::vector<EngineTargets> engines = by_engine(library, options.targets);

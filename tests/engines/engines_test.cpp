@@ -130,6 +130,21 @@ TEST(Engines, AnUnknownOneIsRefused) {
     EXPECT_TRUE(has(to_text(result.diagnostics.at(0)), "'glsl'")) << to_text(result.diagnostics[0]);
 }
 
+TEST(Engines, RequestsThatMeanNothingAreRefused) {
+    const std::string graph = "examples/graphs/azulejo.graph.json";
+    CompileOptions options;
+    options.dump = {"ir", "nonsense"};
+    const Result refused = compiler().compile_file(graph, options);
+    EXPECT_FALSE(refused.ok);
+    ASSERT_EQ(refused.diagnostics.size(), 1u);
+    EXPECT_TRUE(has(refused.diagnostics[0].message, "'nonsense' is not a step that can be dumped"));
+    options.dump.clear();
+    options.targets = {Target::Glsl, Target::Glsl};
+    const Result twice = compiler().compile_file(graph, options);
+    ASSERT_TRUE(twice.ok);
+    EXPECT_EQ(twice.shaders.size(), 2u);  // two stages, each once
+}
+
 TEST(Engines, EachTextHasTheEnginesNumbersAndNames) {
     const Result result = compile("examples/graphs/azulejo.graph.json", "forward", "mirror");
     ASSERT_TRUE(result.ok);

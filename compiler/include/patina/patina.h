@@ -1,7 +1,8 @@
 // The room `include/patina` is what embedders see. Its headers include no other room.
 //
 // The compiler library: a material graph in, readable shaders and their reflection out. No GPU and no shader compiler
-// is needed here; `patina/validate.h` adds glslang, the runtime adds Vulkan.
+// is needed here. Checking the shaders with glslang and rendering them are libraries of their own, which are not
+// installed.
 //
 //   patina::Compiler compiler;
 //   patina::Result result = compiler.compile_file("rust.graph.json");
