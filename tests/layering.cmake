@@ -305,7 +305,8 @@ if(count_of_engines LESS 2)
   string(APPEND breaches "only ${count_of_engines} engines were found: the search itself is broken\n")
 endif()
 file(GLOB_RECURSE files ${ROOT}/compiler/*.h ${ROOT}/compiler/*.cpp ${ROOT}/compiler/*.def ${ROOT}/runtime/*.h ${ROOT}/runtime/*.cpp)
-list(FILTER files EXCLUDE REGEX "/compiler/engines/")
+# A format of another program may hold the name of its engine, so importers may, too.
+list(FILTER files EXCLUDE REGEX "/compiler/(engines|importers)/")
 foreach(file IN LISTS files)
   file(READ ${file} text)
   # Comments may cite an engine's manual or its names as an example; so may the examples of --help.

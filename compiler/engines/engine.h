@@ -38,17 +38,13 @@ struct VertexInput {
 enum class Variants { Chosen, Keywords };
 // The place of the values that each instance of a draw has: arrays in uniform blocks, or the engine's own text.
 enum class Instances { Arrays, Engine };
-// Where texture coordinates of meshes and textures are (0, 0). Graphs count from the top.
-enum class UvOrigin { Top, Bottom };
-// What a sampler is named after: the property, or the texture's identifier in the shader.
-enum class SamplerNames { OfProperties, OfTextures };
 
 struct Names {
     std::string owner;                  // who owns `taken` and `prefixes`, in words: "one of Unity's includes"
     std::vector<std::string> taken;     // names that the engine's text declares
     std::vector<std::string> prefixes;  // every name that begins so belongs to the engine
     std::vector<std::string> own;       // names that the written file declares itself
-    std::vector<std::string> own_near_properties;             // names that only properties must not have
+    std::vector<std::string> own_near_properties;  // names that are forbidden to properties, and allowed elsewhere
     std::map<std::string, std::string, std::less<>> instead;  // the engine's names for functions of the library
 };
 
@@ -78,8 +74,7 @@ struct Engine {
 
     // How the engine stores the values of a material, by type; empty: as the shader reads them.
     std::map<std::string, std::string, std::less<>> storage;
-    std::string texture_sizes;  // the ending of the name of a texture's size; empty: there is no such value
-    SamplerNames samplers = SamplerNames::OfProperties;
+    std::string texture_sizes;        // the ending of the name of a texture's size; empty: there is no such value
     std::uint32_t most_varyings = 0;  // vectors from the vertex stage to the fragment stage
     std::string varyings_note;        // which of the engine's own values take some of these; may be empty
     std::uint32_t most_block_bytes = 0;
@@ -114,16 +109,6 @@ template <>
 inline constexpr auto kWords<engines::Instances> = std::to_array<Word<engines::Instances>>({
     {"arrays", engines::Instances::Arrays},
     {"engine", engines::Instances::Engine},
-});
-template <>
-inline constexpr auto kWords<engines::UvOrigin> = std::to_array<Word<engines::UvOrigin>>({
-    {"top", engines::UvOrigin::Top},
-    {"bottom", engines::UvOrigin::Bottom},
-});
-template <>
-inline constexpr auto kWords<engines::SamplerNames> = std::to_array<Word<engines::SamplerNames>>({
-    {"ofProperties", engines::SamplerNames::OfProperties},
-    {"ofTextures", engines::SamplerNames::OfTextures},
 });
 
 }  // namespace patina

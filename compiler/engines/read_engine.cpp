@@ -47,7 +47,6 @@ public:
         word(json, "uvOrigin", "an origin of texture coordinates", engine_.uv_origin);
         engine_.storage = map(json, "storage");
         engine_.texture_sizes = text(json, "textureSizes");
-        word(json, "samplers", "a way to name samplers", engine_.samplers);
         if (const Json* limits = object(json, "limits", EngineLimits)) {
             number(*limits, "varyings", engine_.most_varyings);
             number(*limits, "blockBytes", engine_.most_block_bytes);

@@ -48,7 +48,7 @@ struct Node {
     std::string note;
 };
 
-// A property with this binding has a value for each shader, and no place in the material's uniform block.
+// A property with this binding is known before a shader runs, so it has no member in the material's block.
 constexpr bool is_keyword(Binding binding) {
     return binding == Binding::Specialization || binding == Binding::Variant;
 }
@@ -86,8 +86,8 @@ struct Input {
     std::optional<std::array<double, 2>> range;
     bool hard = false;
     std::string help;
-    // Workflows only: this input is an alternative to the input `gives`, whose value `as` computes (an expression that
-    // reads $name).
+    // Workflows only: a material may set this input instead of the one named `gives`. The expression `as`, which reads
+    // $name, converts its value.
     std::string gives;
     const nodelang::Expr* as = nullptr;
 };

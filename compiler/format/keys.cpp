@@ -285,7 +285,6 @@ constexpr std::array kEngine = {
     KeyInfo{"uvOrigin", "the corner of a texture with the coordinates (0, 0), on the left: top (default) or bottom"},
     KeyInfo{"storage", "the types that it stores material values as, by type"},
     KeyInfo{"textureSizes", "the suffix that makes the name of a texture's size from the texture's name"},
-    KeyInfo{"samplers", "the source of sampler names: ofProperties or ofTextures"},
     KeyInfo{"limits", "the limits of its shaders", ObjectKind::EngineLimits, true},
     KeyInfo{"names", "the names that shaders must not use", ObjectKind::EngineNames},
 };

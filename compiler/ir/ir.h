@@ -5,7 +5,7 @@
 // A Module holds functions. A Function is one structured block of instructions in SSA form: an instruction is a value,
 // computed once, used by those after it in its own block or in blocks nested in it. There are no jumps: `If` and `For`
 // own blocks, and their blocks end in a Yield whose operands become the Results of the If or For. Everything is pure
-// but Yield, Return and DiscardIf; derivatives and samples that need them are pure but may not be moved into control
+// except Yield, Return and DiscardIf. Derivatives, and samples that need derivatives, may not be moved into control
 // flow. Types are values (types.h); what each op means and takes is ops.def. The textual dump (dump.h) reads like this:
 //
 //   func tint(uv0: float2 pixel) -> float4 {

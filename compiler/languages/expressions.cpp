@@ -309,8 +309,11 @@ Text Body::extract(Value v) const {
 
 // A value of the engine, or one that it stores in a wider vector.
 bool Body::may_end_in_swizzle(Value v) const {
-    return function_[v].op == Op::Global && function_[v].type.is_vector() && !is_variable(v) &&
-           (module().globals[function_[v].data].is_foreign() || writer_.language.read);
+    if (function_[v].op != Op::Global || !function_[v].type.is_vector() || is_variable(v)) return false;
+    const Global& global = module().globals[function_[v].data];
+    const bool is_stored_wider =
+        global.in_block() && !module().blocks[global.block].members[global.member].stored_as.empty();
+    return global.is_foreign() || (writer_.language.read && is_stored_wider);
 }
 
 Text Body::swizzle(Value v) const {

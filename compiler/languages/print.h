@@ -1,7 +1,7 @@
 // The room `languages` prints stages: a linked and tidied stage -> text in one language, with a map from its lines to
-// the graph. A language is a row in languages.cpp: a spelling table, a few functions and its legalize. This room sees
-// the IR and nothing else: it knows no graph and no engine, and it changes no values except to rewrite what a language
-// lacks.
+// the graph. A language is a row in languages.cpp: its name, legalize() and print(). Its print() passes a Language
+// (language.h: the spelling table and the hooks) to the shared printer. This room sees the IR and nothing else: it
+// knows no graph and no engine, and it changes no values except to rewrite what a language lacks.
 #pragma once
 
 #include <optional>
@@ -69,6 +69,7 @@ struct LanguageInfo {
     // Rewrites what the language cannot express; nothing if it can express the whole stage.
     std::optional<ir::Module> (*legalize)(const ir::Module& module);
     Printed (*print)(const ir::Module& module, const PrintOptions& options);
+    bool has_preprocessor = true;  // texts that are pasted into others need it
 };
 
 std::span<const LanguageInfo> all_languages();

@@ -130,8 +130,9 @@ EngineGlobals declare_engine(const engines::Engine& engine, const PathDeclaratio
     ir::Module& module = emitter.module;
     const emit::Scope scope{.declarations = &declarations};
     for (const StaticDecl& asked : paths.statics) {
-        if (asked.about != StaticDecl::About::Clip) continue;
-        const std::string_view word = to_string(engine.clip_depth);
+        if (!asked.is_of_engine()) continue;
+        const bool is_clip = asked.about == StaticDecl::About::Clip;
+        const std::string_view word = is_clip ? to_string(engine.clip_depth) : to_string(engine.uv_origin);
         const bool is_so = std::find(asked.words.begin(), asked.words.end(), word) != asked.words.end();
         emitter.known.statics[asked.variable] = is_so ? 1 : 0;
     }

@@ -1,6 +1,7 @@
 #include "compiler/lower/instances.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "compiler/base/spelling.h"
@@ -26,7 +27,7 @@ std::uint32_t bytes_of_element(const ir::Module& module, Type type) {
 
 // The number of elements for which every block of these globals has room.
 std::uint32_t count_of(const std::vector<InstanceSize>& sizes) {
-    std::uint32_t count = kMostBlockBytes;
+    std::uint32_t count = std::numeric_limits<std::uint32_t>::max();
     for (const InstanceSize& size : sizes) {
         if (size.bytes > 0) count = std::min(count, size.room / size.bytes);
     }
@@ -34,7 +35,8 @@ std::uint32_t count_of(const std::vector<InstanceSize>& sizes) {
 }
 
 // By block.
-std::vector<InstanceSize> sizes_of(const ir::Module& module, const std::set<std::uint32_t>& globals) {
+std::vector<InstanceSize> sizes_of(const ir::Module& module, const std::set<std::uint32_t>& globals,
+                                   std::uint32_t most_bytes) {
     std::vector<InstanceSize> sizes;
     for (std::uint32_t block = 0; block < module.blocks.size(); ++block) {
         std::uint32_t alike = 0, each = 0;
@@ -43,7 +45,7 @@ std::vector<InstanceSize> sizes_of(const ir::Module& module, const std::set<std:
             if (global.block != block) continue;
             (globals.contains(i) ? each : alike) += bytes_of_element(module, global.type);
         }
-        sizes.push_back({.bytes = each, .room = kMostBlockBytes - std::min(alike, kMostBlockBytes)});
+        sizes.push_back({.bytes = each, .room = most_bytes - std::min(alike, most_bytes)});
     }
     return sizes;
 }
@@ -100,15 +102,16 @@ bool is_instanced(const Material& material) {
                        [](const MaterialProperty& each) { return each.property->binding == Binding::Instance; });
 }
 
-InstanceSize size_of_instance(const Lowered& lowered, const std::set<std::uint32_t>& globals) {
-    const std::vector<InstanceSize> sizes = sizes_of(lowered.module, globals);
+InstanceSize size_of_instance(const Lowered& lowered, const std::set<std::uint32_t>& globals,
+                              std::uint32_t most_bytes) {
+    const std::vector<InstanceSize> sizes = sizes_of(lowered.module, globals, most_bytes);
     return *std::max_element(sizes.begin(), sizes.end(),
                              [](const auto& a, const auto& b) { return a.bytes < b.bytes; });
 }
 
-std::uint32_t make_instanced(Lowered& lowered, const std::set<std::uint32_t>& globals) {
+std::uint32_t make_instanced(Lowered& lowered, const std::set<std::uint32_t>& globals, std::uint32_t most_bytes) {
     ir::Module& module = lowered.module;
-    const std::uint32_t count = count_of(sizes_of(module, globals));
+    const std::uint32_t count = count_of(sizes_of(module, globals, most_bytes));
     if (count == 0) return 0;
     std::vector<Type> elements;
     for (const ir::Global& global : module.globals) elements.push_back(global.type);

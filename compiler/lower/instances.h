@@ -8,18 +8,15 @@ namespace patina::graph {
 
 bool is_instanced(const Material& material);
 
-// The bytes that a uniform block may hold: the limit of D3D11, and of Vulkan on every GPU.
-inline constexpr std::uint32_t kMostBlockBytes = 65536;
-
 // How many bytes of a block one instance takes, and how many there are for all instances.
 struct InstanceSize {
     std::uint32_t bytes = 0, room = 0;
 };
-// For the block of which one instance takes the most.
-InstanceSize size_of_instance(const Lowered& lowered, const std::set<std::uint32_t>& globals);
+// For the block of which one instance takes the most. `most_bytes`: the engine's limit of a uniform block.
+InstanceSize size_of_instance(const Lowered& lowered, const std::set<std::uint32_t>& globals, std::uint32_t most_bytes);
 
 // Makes the globals arrays of as many elements as fit in their blocks, and replaces each read by a read of the element
 // of the instance that is drawn. Returns the number of elements. The functions must be lowered and not linked yet.
-std::uint32_t make_instanced(Lowered& lowered, const std::set<std::uint32_t>& globals);
+std::uint32_t make_instanced(Lowered& lowered, const std::set<std::uint32_t>& globals, std::uint32_t most_bytes);
 
 }  // namespace patina::graph

@@ -38,14 +38,15 @@ void declare_statics(Lowering& lowering) {
             case StaticDecl::About::Surface: return word == to_string(render.surface);
             case StaticDecl::About::Cull: return word == to_string(render.cull);
             case StaticDecl::About::Clip:
+            case StaticDecl::About::UvOrigin:
             case StaticDecl::About::Slot:
             case StaticDecl::About::Pass: break;
         }
         return false;
     };
     for (const StaticDecl& asked : lowering.session.paths->statics) {
-        if (asked.is_of_passes()) continue;                    // known later (lower_passes.cpp)
-        if (asked.about == StaticDecl::About::Clip) continue;  // known already (declare_engine())
+        if (asked.is_of_passes()) continue;  // known later (lower_passes.cpp)
+        if (asked.is_of_engine()) continue;  // known already (declare_engine())
         const bool is_any = std::any_of(asked.words.begin(), asked.words.end(),
                                         [&](std::string_view word) { return is_true(asked, word); });
         lowering.emitter.known.statics[asked.variable] = is_any ? 1 : 0;
@@ -57,7 +58,7 @@ void declare_semantics(Lowering& lowering) {
     for (const SemanticDecl& semantic : lowering.session.paths->semantics) {
         const Type type = emit::type(lowering.emitter,
                                      semantic.function ? semantic.function->result : semantic.variable->type, scope);
-        const bool from_bottom = semantic.is_uv && lowering.session.engine.uv_origin == engines::UvOrigin::Bottom;
+        const bool from_bottom = semantic.is_uv && lowering.session.engine.uv_origin == UvOrigin::Bottom;
         lowering.out.module.semantics.push_back({.name = std::string(semantic.name),
                                                  .type = type,
                                                  .rate = rate_of(semantic.source),
@@ -198,11 +199,12 @@ void report_large_instance(Session& session, const Material& material, const Low
                            const std::set<std::uint32_t>& globals) {
     const auto first = std::find_if(material.properties.begin(), material.properties.end(),
                                     [](const auto& each) { return each.property->binding == Binding::Instance; });
-    const auto [bytes, room] = size_of_instance(lowered, globals);
+    const std::uint32_t most = session.engine.most_block_bytes;
+    const auto [bytes, room] = size_of_instance(lowered, globals, most);
     session.diagnostics.report(Code::TooMany, first->property->name_span, bytes, "bytes for each instance", room)
-        .note(
-            "a uniform block has 64 KiB, too little for one instance: remove \"as\": \"instance\" from properties that "
-            "all instances share");
+        .note(fmt::format("a uniform block has {} bytes, too little for one instance: remove \"as\": \"instance\" from "
+                          "properties that all instances share",
+                          most));
 }
 
 // The switches that are on, and the path.
@@ -326,7 +328,7 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
             lowering.per_object.insert(out.property_globals[i].value.index);
     }
     for (const PropertyGlobals& globals : out.property_globals) {
-        if (globals.tiling && engine.uv_origin == engines::UvOrigin::Bottom)
+        if (globals.tiling && engine.uv_origin == UvOrigin::Bottom)
             out.module.globals[globals.tiling.index].from_bottom = true;
     }
     // An extra pass of a material shares functions with other passes only if it is lit.
@@ -349,7 +351,7 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     }
     if (instanced && !session.diagnostics.has_errors()) {
         out.instance_globals = lowering.per_object;
-        out.instances = make_instanced(out, out.instance_globals);
+        out.instances = make_instanced(out, out.instance_globals, engine.most_block_bytes);
         if (out.instances == 0) report_large_instance(session, material, out, out.instance_globals);
     }
     return out;

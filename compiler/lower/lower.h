@@ -60,7 +60,7 @@ struct Lowered {
     std::vector<SetShifts> shifts;                  // by set: from HLSL registers to bindings
     std::uint32_t target_set = 0;                   // the set of the other passes' targets
     ClipDepth clip_depth = ClipDepth::NearToFar;    // the order of depth in the camera's view
-    bool keeps_functions = false;  // passes that show the surface keep functions as they are, to share their text
+    bool keeps_functions = false;  // passes that draw the surface print identical functions, to share their text
 };
 
 // Reports errors; the result may be used only if the session has none. `material`: the material itself with all passes

@@ -109,6 +109,13 @@ void write_stages(const Compiled& compiled, Result& result) {
 
 // --- functions instead of passes
 
+const Target* without_preprocessor(const std::vector<Target>& targets) {
+    const auto found = std::find_if(targets.begin(), targets.end(), [](const Target& each) {
+        return !languages::find_language(each.language)->has_preprocessor;
+    });
+    return found == targets.end() ? nullptr : &*found;
+}
+
 // True if the prefix can begin the names of functions, and the engine takes functions.
 bool accepts_functions(graph::Session& session) {
     const std::string& prefix = session.options.functions;
@@ -116,6 +123,10 @@ bool accepts_functions(graph::Session& session) {
         session.diagnostics.report(Code::NotYet, {},
                                    fmt::format("--functions cannot write the target '{}': choose another target",
                                                session.options.targets[0].name()));
+    } else if (const Target* target = without_preprocessor(session.options.targets)) {
+        session.diagnostics.report(
+            Code::NotYet, {},
+            fmt::format("--functions cannot write '{}', which has no preprocessor", target->language));
     } else if (!is_identifier(prefix)) {
         session.diagnostics.report(Code::BadIdentifier, {}, prefix);
     } else if (const std::string name = prefix + "x"; languages::safe_identifier(name) != name) {

@@ -25,11 +25,9 @@ using nodelang::VariableDecl;
 using Words = std::span<const std::string_view>;
 
 constexpr std::array<std::string_view, 4> kParts = {"part", "without", "pack", "unpack"};
-constexpr StaticWord kStatics[] = {{"surface", StaticDecl::About::Surface},
-                                   {"cull", StaticDecl::About::Cull},
-                                   {"slot", StaticDecl::About::Slot},
-                                   {"pass", StaticDecl::About::Pass},
-                                   {"clip", StaticDecl::About::Clip}};
+constexpr StaticWord kStatics[] = {{"surface", StaticDecl::About::Surface}, {"cull", StaticDecl::About::Cull},
+                                   {"slot", StaticDecl::About::Slot},       {"pass", StaticDecl::About::Pass},
+                                   {"clip", StaticDecl::About::Clip},       {"uvOrigin", StaticDecl::About::UvOrigin}};
 // The types that std140 can lay out.
 constexpr std::array<std::string_view, 14> kUniforms = {"float", "float2", "float3",   "float4",  "int",
                                                         "int2",  "int3",   "int4",     "uint",    "uint2",
@@ -219,6 +217,7 @@ private:
             if (key.text == "slot") slot(given);
             if (key.text == "pass") pass(given);
             if (key.text == "clip") one_of(given, texts<ClipDepth>(), "a convention of clip space");
+            if (key.text == "uvOrigin") one_of(given, texts<UvOrigin>(), "an origin of texture coordinates");
         }
     }
 

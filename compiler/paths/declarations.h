@@ -56,13 +56,14 @@ struct ExternDecl {
 
 // [static("surface", "cutout")] bool b; it is true if the value that it asks about is one of the words.
 struct StaticDecl {
-    enum class About { Surface, Cull, Slot, Pass, Clip };
+    enum class About { Surface, Cull, Slot, Pass, Clip, UvOrigin };
     const nodelang::VariableDecl* variable = nullptr;
     About about = About::Surface;
     std::vector<std::string_view> words;
 
     // True if the value is known only while the passes are lowered.
     bool is_of_passes() const { return about == About::Slot || about == About::Pass; }
+    bool is_of_engine() const { return about == About::Clip || about == About::UvOrigin; }
 };
 
 // [foreign("_Time.y")] float seconds; an included file declares it.
@@ -181,7 +182,7 @@ struct PathDeclarations {
     std::vector<ForeignDecl> foreign;
     std::vector<ForeignFunctionDecl> foreign_functions;
     std::map<std::string_view, DecoderDecl> decoders;  // by usage of a texture or property
-    // Library variables that a file repeats. The library's functions then use the repeated declaration.
+    // Library variables that a pass file declares again. The library's functions then read the file's declaration.
     std::vector<const nodelang::VariableDecl*> repeated;
     std::vector<SlotDecl> slots;
     std::vector<ExportDecl> exports;

@@ -18,6 +18,8 @@
 [extern("Camera")] float2 clipPlanes;        // distances of the near and the far plane, metres
 [extern("Camera")] float shadowNormalBias;  // in a light's own view: metres that a surface is moved inwards, at w = 1
 
+/// Pixels, textures and texture coordinates of the engine count from the bottom.
+[static("uvOrigin", "bottom")] bool uvFromBottom;
 /// Depth in clip space is from -1 to 1.
 [static("clip", "symmetric")] bool symmetricDepth;
 
@@ -74,5 +76,6 @@ float sceneDepth(float2 uv = screenUV) {
 /// Position on the screen, 0 to 1 from the top left.
 [semantic("pixel")]
 float2 screenUV(float4 pixel = fragCoord) {
-    return pixel.xy / screenSize;
+    float2 uv = pixel.xy / screenSize;
+    return uvFromBottom ? float2(uv.x, 1 - uv.y) : uv;
 }

@@ -145,6 +145,14 @@ inline constexpr auto kWords<ClipDepth> = std::to_array<Word<ClipDepth>>({
     {"symmetric", ClipDepth::Symmetric},
 });
 
+// Where texture coordinates of meshes, textures and the screen are (0, 0). Graphs count from the top.
+enum class UvOrigin { Top, Bottom };
+template <>
+inline constexpr auto kWords<UvOrigin> = std::to_array<Word<UvOrigin>>({
+    {"top", UvOrigin::Top},
+    {"bottom", UvOrigin::Bottom},
+});
+
 // How a matrix lies in a uniform block.
 enum class MatrixOrder { Columns, Rows };
 template <>
