@@ -72,7 +72,8 @@ private:
         for (const std::string_view path : paths_.names()) {
             begin_path();
             for (const PassDecl* pass : optional_first(paths_.passes_of(path))) {
-                if (!lower_pass(*pass) || pass->is_optional || pass->state.fallback.empty()) continue;
+                const Refusal refusal = lower_pass(*pass);
+                if (!refusal || refusal.is_vain || pass->is_optional || pass->state.fallback.empty()) continue;
                 lowering_.out.passes.resize(first_of_path_);  // the path cannot draw the material
                 break;
             }
@@ -222,9 +223,17 @@ private:
     // True if the engine draws passes of its own, which it selects by tag; then no frame of ours decides.
     bool has_own_passes() const { return lowering_.session.engine.has_own_passes(); }
 
-    // The slot that one of the engine's own passes needs, if it is always 0.
+    // True if the pass leaves the picture as it is where its light is 0.
+    static bool only_adds(const PassDecl& pass) {
+        return pass.state.each == PassEach::Light ||
+               (!pass.blends.empty() && std::all_of(pass.blends.begin(), pass.blends.end(), [](const BlendRow& row) {
+                   return row.blend.destination == BlendFactor::One;
+               }));
+    }
+
+    // The slot that a pass which adds light needs, if it is always 0.
     std::optional<std::string_view> vain_part(const PassDecl& pass) const {
-        if (!has_own_passes()) return {};
+        if (!only_adds(pass)) return {};
         for (const std::string_view name : pass.needs) {
             const SlotDecl* slot = paths_.slot(name);
             if (!slot) continue;
@@ -286,8 +295,19 @@ private:
         const ir::Module& module = lowering_.out.module;
         const ir::Function& function = module[found->function];
         const ir::Value result = function.args(function.blocks[0].insts.back())[0];
-        if (function[result].op != Op::Constant) return false;
-        const auto numbers = module.numbers_of(module.constants[function[result].data]);
+        return is_zero(module, function, result);
+    }
+
+    // Without folding, a vector is made of constants.
+    static bool is_zero(const ir::Module& module, const ir::Function& function, ir::Value value) {
+        const ir::Inst& inst = function[value];
+        if (inst.op == Op::Construct) {
+            const auto parts = function.args(inst);
+            return std::all_of(parts.begin(), parts.end(),
+                               [&](ir::Value part) { return is_zero(module, function, part); });
+        }
+        if (inst.op != Op::Constant) return false;
+        const auto numbers = module.numbers_of(module.constants[inst.data]);
         return std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == 0; });
     }
 

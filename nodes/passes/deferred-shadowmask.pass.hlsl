@@ -36,14 +36,14 @@ GBufferShadowmask gbufferShadowMaskFragment(float3 position = positionWS, float4
 }
 
 [pass("shadowmask-directional")] [fragment] [draws("fullscreen")] [each("light")] [lights("directional")]
-[needs("added")] [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")] [fallback("forward")]
+[needs("added", "direct")] [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")] [fallback("forward")]
 [cull("off")] [depth("always", "keep")] [stencil("equal", "keep", "lighting")] [blend("one", "one")]
 float4 shadowMaskDirectional(float2 uv = screenUV, float3 position = positionWS) {
     return float4(fadedByFog(addedByLight(told(uv), position), position), 0);
 }
 
 [pass("shadowmask-local")] [fragment] [draws("light-volumes")] [each("light")] [lights("local")]
-[needs("added")] [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")] [fallback("forward")]
+[needs("added", "direct")] [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")] [fallback("forward")]
 [cull("front")] [depth("greaterEqual", "keep")] [stencil("equal", "keep", "lighting")] [blend("one", "one")]
 float4 shadowMaskLocal(float2 uv = screenUV, float3 position = positionWS) {
     return float4(fadedByFog(addedByLight(told(uv), position), position), 0);
