@@ -12,7 +12,7 @@ struct GBufferShadowmask {
 
 [reads("gbufferShadowMask")] [with("deferred-shadowmask")] Texture2D gbufferShadowMaskTexture;
 
-[gives("shadow", "shadowmask-directional", "shadowmask-local")]
+[gives("shadow", "shadowmask-directional", "shadowmask-local")] [fragment]
 float shadowWithGbuffer(int index, float3 position, float2 uv = screenUV) {
     return maskedShadow(index, position, gbufferShadowMaskTexture.SampleLevel(uv, 0));
 }

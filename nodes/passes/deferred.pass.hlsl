@@ -64,12 +64,13 @@ LightingSurface told(float2 uv) {
 
 [gives("positionWS", "deferred-directional", "deferred-local", "deferred-reflections", "extended-directional",
        "extended-local", "extended-reflections", "ldr-directional", "ldr-local", "shadowmask-directional",
-       "shadowmask-local", "shadowmask-reflections")]
+       "shadowmask-local", "shadowmask-reflections")] [fragment]
 float3 positionBehind(float2 uv = screenUV) {
     return WorldFromDepth(uv, depthTexture.SampleLevel(uv, 0).r, clipToWorld);
 }
 
 [gives("AmbientIrradiance", "gbuffer", "gbuffer-extended", "gbuffer-ldr", "gbuffer-shadowmask")]
+[fragment]
 float3 ambientOfGbuffer(float3 normal, float3 light = lightOfLightmap) {
     if (lightmap) { return light; }
     return AmbientIrradiance(normal);

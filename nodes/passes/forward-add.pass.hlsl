@@ -33,7 +33,7 @@ float3 vertexLights(float3 position = positionWS, float3 normal = vertexNormalWS
     return sum;
 }
 
-[gives("AmbientIrradiance", "forward-base")]
+[gives("AmbientIrradiance", "forward-base")] [fragment]
 float3 ambientWithVertexLights(float3 normal, float3 atVertices = vertexLights, float3 light = lightOfLightmap,
                                   float left = mainLightOfLightmap) {
     if (lightmap) { return bakedLight(normal, light, left) + atVertices; }
