@@ -145,7 +145,7 @@ function(check_includes file allowed)
 endfunction()
 
 # The command uses the public headers, as any program does that embeds the compiler. The commands that draw or import do
-# so through the runtime and the importers. The others need at most the lighting at one point.
+# so through the runtime and the importers. The others need at most the lighting at one point, and write files.
 file(GLOB_RECURSE files ${ROOT}/compiler/cli/*.h ${ROOT}/compiler/cli/*.cpp ${ROOT}/compiler/cli/*.in)
 set(draws "/(render|check_scene|snapshot|trace)\\.cpp$|/picture_options\\.(h|cpp)$")
 foreach(file IN LISTS files)
@@ -154,7 +154,7 @@ foreach(file IN LISTS files)
   elseif(file MATCHES "/import\\.cpp$")
     check_includes(${file} "^(compiler/cli|patina)/|^compiler/importers/importer\\.h$")
   else()
-    check_includes(${file} "^(compiler/cli|patina)/|^runtime/lighting/model\\.h$")
+    check_includes(${file} "^(compiler/cli|patina)/|^runtime/(lighting/model|files/files)\\.h$")
   endif()
 endforeach()
 
@@ -188,9 +188,10 @@ endforeach()
 
 # --- the rooms of the runtime, from the bottom to the top: room -> rooms that it may include (itself and outcome.h
 # always). A room includes only rooms above it in this list, so that there are no circles.
-set(runtime_rooms picture lighting scene lights values frame cpu gpu render snapshot)
-set(runtime_picture "")
-set(runtime_lighting "picture")
+set(runtime_rooms files picture lighting scene lights values frame cpu gpu render snapshot)
+set(runtime_files "")
+set(runtime_picture "files")
+set(runtime_lighting "files;picture")
 set(runtime_scene "picture;lighting")
 set(runtime_lights "picture;scene")
 set(runtime_values "picture;lighting;scene;lights")

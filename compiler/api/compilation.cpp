@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compiler/api/dumps.h"
+#include "compiler/format/read_graph.h"
 #include "compiler/ir/verify.h"
 #include "compiler/link/check_reads.h"
 #include "compiler/link/dumps.h"
@@ -36,7 +37,7 @@ output::Compiled compiled(const Compilation& c) {
             .lowered = c.linked.front().lowered,
             .passes = c.passes,
             .linked = c.linked.front(),
-            .name = graph::file_stem(c.path)};
+            .name = graph::name_of_file(c.path)};
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "compiler/json/json.h"
 #include "compiler/nodelang/parse.h"
 #include "compiler/resolve/check_graph.h"
+#include "patina/output_name.h"
 
 namespace patina {
 namespace {
@@ -104,6 +105,10 @@ std::vector<const nodelang::Expr*> read_arguments(graph::Session& session, const
 
 std::string_view version() {
     return "0.1.0";
+}
+
+std::string output_name(std::string_view path) {
+    return graph::name_of_file(path);
 }
 
 Compiler::Compiler() : impl_(std::make_unique<Impl>()) {

@@ -46,10 +46,11 @@ void refuse(graph::Session& session, const graph::Graph& graph, const std::vecto
     for (const Axis& axis : axes) {
         const std::string left = without(axis);
         if (left == count) continue;
-        record.note(axis.property->name_span, fmt::format("'{}' has {} values: without it there are {}",
-                                                          axis.info.property, axis.info.values.size(), left));
+        record.note(axis.property->name_span,
+                    fmt::format("'{}' has {} values: if -D fixes it, the number of combinations is {}",
+                                axis.info.property, axis.info.values.size(), left));
     }
-    record.note("-D NAME=VALUE fixes one, and --variants-limit sets another limit");
+    record.note("-D NAME=VALUE fixes a property, and --variants-limit sets another limit");
 }
 
 std::string count_text(double count) {
@@ -109,12 +110,13 @@ void plan_listed(graph::Session& session, const graph::Material& material, const
     std::vector<std::string> fixed;
     for (const graph::MaterialProperty& entry : material.properties) {
         if (entry.property->binding == Binding::Variant && entry.is_chosen)
-            fixed.push_back(fmt::format("'{}' = {}", entry.property->name,
+            fixed.push_back(fmt::format("-D {}={}", entry.property->name,
                                         graph::keyword_words(*entry.property)[static_cast<std::size_t>(entry.chosen)]));
     }
     const std::vector<std::string_view> views(fixed.begin(), fixed.end());
-    session.diagnostics.report(Code::NothingListed, graph.variants[0].span, enumerate(views))
-        .note("-D sets this; combinations with another value are left out");
+    const bool is_one = views.size() == 1;
+    session.diagnostics.report(Code::NothingListed, graph.variants[0].span, enumerate(views),
+                               is_one ? "excludes" : "exclude", is_one ? "remove it, or " : "remove one, or ");
 }
 
 // --- reachable

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <map>
 
-#include "compiler/cli/files.h"
 #include "patina/name_value.h"
+#include "patina/output_name.h"
 
 namespace patina::cli {
 namespace {
@@ -184,15 +184,16 @@ std::function<std::string(std::string)> one_of(std::string what, std::vector<std
 void refuse_equal_outputs(const std::vector<std::string>& graphs, std::string_view ending, std::string_view verb) {
     std::map<std::string, std::string> seen;  // by name in lower case
     for (const std::string& graph : graphs) {
-        const std::string name = stem(graph), file = name + std::string(ending);
+        const std::string name = output_name(graph), file = name + std::string(ending);
         std::string folded = name;
         std::ranges::transform(folded, folded.begin(), [](unsigned char c) { return std::tolower(c); });
         const auto [found, is_new] = seen.emplace(folded, graph);
         if (is_new) continue;
         const std::string& other = found->second;
-        const std::string both = stem(other) == name ? "would both write " + file
-                                                     : "would write " + stem(other) + std::string(ending) + " and " +
-                                                           file + ", which are one for some file systems";
+        const std::string other_name = output_name(other);
+        const std::string both = other_name == name ? "would both write " + file
+                                                    : "would write " + other_name + std::string(ending) + " and " +
+                                                          file + ", which are one for some file systems";
         throw CLI::ValidationError("GRAPH", "'" + other + "' and '" + graph + "' " + both + ": " + std::string(verb) +
                                                 " them into different folders");
     }

@@ -112,7 +112,7 @@ bool gather_arguments(Emitter& emitter, const FunctionDecl& function, const Decl
         if (param.is_out) continue;
         const Expr* given = arguments[i];
         if (!given && !param.initial) {
-            emitter.diagnostics.report(Code::MissingInput, span, function.name, param.name);
+            emitter.diagnostics.report(Code::MissingInput, span, param.name, function.name);
             good = false;
             continue;
         }

@@ -118,7 +118,7 @@ ir::FunctionId outer_function(Emitter& emitter, const FunctionDecl& function, co
             continue;
         }
         if (!param.initial) {
-            emitter.diagnostics.report(Code::MissingInput, param.span, function.name, param.name)
+            emitter.diagnostics.report(Code::MissingInput, param.span, param.name, function.name)
                 .note(
                     "nothing calls it with arguments: give each parameter a semantic as its default, 'float3 position "
                     "= positionWS'");

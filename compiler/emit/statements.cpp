@@ -31,7 +31,8 @@ bool statements(Emitter& emitter, const Statements& list, std::size_t first, Sco
                 const Typed condition = expression_as(emitter, *stmt.value, ir::kBool, scope, "the condition");
                 if (!condition.ok()) break;
                 if (scope.builder->depth() > 0 || !scope.flow.empty()) {
-                    emitter.diagnostics.report(Code::DerivativeInFlow, stmt.span, "discardIf", scope.flow);
+                    emitter.diagnostics.report(Code::DerivativeInFlow, stmt.span, "discardIf", scope.flow,
+                                               "call it outside of branches and loops");
                     break;
                 }
                 scope.builder->emit(Op::DiscardIf, Type::none(), {condition.value});

@@ -38,6 +38,8 @@ struct VertexInput {
 enum class Variants { Chosen, Keywords };
 // The place of the values that each instance of a draw has: arrays in uniform blocks, or the engine's own text.
 enum class Instances { Arrays, Engine };
+// Where texture coordinates of meshes and textures are (0, 0). Graphs count from the top.
+enum class UvOrigin { Top, Bottom };
 // What a sampler is named after: the property, or the texture's identifier in the shader.
 enum class SamplerNames { OfProperties, OfTextures };
 
@@ -72,6 +74,7 @@ struct Engine {
 
     ClipDepth clip_depth = ClipDepth::NearToFar;  // of what the camera sees; shadow maps store 0 (near) to 1 (far)
     MatrixOrder matrices = MatrixOrder::Columns;
+    UvOrigin uv_origin = UvOrigin::Top;
 
     // How the engine stores the values of a material, by type; empty: as the shader reads them.
     std::map<std::string, std::string, std::less<>> storage;
@@ -80,6 +83,7 @@ struct Engine {
     std::uint32_t most_varyings = 0;  // vectors from the vertex stage to the fragment stage
     std::string varyings_note;        // which of the engine's own values take some of these; may be empty
     std::uint32_t most_block_bytes = 0;
+    std::uint32_t most_samplers = 0;  // of a stage; 0: not known
     Names names;
 
     bool has_own_passes() const { return passes.has_value(); }
@@ -110,6 +114,11 @@ template <>
 inline constexpr auto kWords<engines::Instances> = std::to_array<Word<engines::Instances>>({
     {"arrays", engines::Instances::Arrays},
     {"engine", engines::Instances::Engine},
+});
+template <>
+inline constexpr auto kWords<engines::UvOrigin> = std::to_array<Word<engines::UvOrigin>>({
+    {"top", engines::UvOrigin::Top},
+    {"bottom", engines::UvOrigin::Bottom},
 });
 template <>
 inline constexpr auto kWords<engines::SamplerNames> = std::to_array<Word<engines::SamplerNames>>({

@@ -44,12 +44,14 @@ public:
             word(*clip, "depth", "an order of depth", engine_.clip_depth);
         }
         word(json, "matrices", "an order of matrices", engine_.matrices);
+        word(json, "uvOrigin", "an origin of texture coordinates", engine_.uv_origin);
         engine_.storage = map(json, "storage");
         engine_.texture_sizes = text(json, "textureSizes");
         word(json, "samplers", "a way to name samplers", engine_.samplers);
         if (const Json* limits = object(json, "limits", EngineLimits)) {
             number(*limits, "varyings", engine_.most_varyings);
             number(*limits, "blockBytes", engine_.most_block_bytes);
+            number(*limits, "samplers", engine_.most_samplers);
             engine_.varyings_note = text(*limits, "varyingsNote");
         }
         if (const Json* names = object(json, "names", EngineNames)) read_names(*names);

@@ -282,6 +282,7 @@ constexpr std::array kEngine = {
     KeyInfo{"vertexInputs", "the vertex inputs of its meshes", ObjectKind::EngineVertexInput},
     KeyInfo{"clip", "the conventions of clip space", ObjectKind::EngineClip, true},
     KeyInfo{"matrices", "the order of matrices in uniform blocks: columns or rows", ObjectKind::Free, true},
+    KeyInfo{"uvOrigin", "the corner of a texture with the coordinates (0, 0), on the left: top (default) or bottom"},
     KeyInfo{"storage", "the types that it stores material values as, by type"},
     KeyInfo{"textureSizes", "the suffix that makes the name of a texture's size from the texture's name"},
     KeyInfo{"samplers", "the source of sampler names: ofProperties or ofTextures"},
@@ -312,6 +313,7 @@ constexpr std::array kEngineLimits = {
     KeyInfo{"varyings", "the number of vectors from the vertex stage to the fragment stage", ObjectKind::Free, true},
     KeyInfo{"varyingsNote", "a note that says which of them the engine uses itself"},
     KeyInfo{"blockBytes", "the size of a uniform block in bytes", ObjectKind::Free, true},
+    KeyInfo{"samplers", "the number of samplers of a stage, those of the engine's own text included"},
 };
 constexpr std::array kEngineNames = {
     KeyInfo{"owner", "the text that names the owner of the taken names in messages", ObjectKind::Free, true},

@@ -15,17 +15,6 @@ void read_lighting_graph(Reading& reading, const Json& json, Graph& graph);
 constexpr std::array kGraphObjects = {ObjectKind::Material, ObjectKind::Subgraph, ObjectKind::Lighting,
                                       ObjectKind::Workflow};
 
-// "textures/rust.graph.json" -> "rust"
-std::string stem(std::string_view path) {
-    if (const std::size_t slash = path.find_last_of("/\\"); slash != std::string_view::npos)
-        path.remove_prefix(slash + 1);
-    for (const std::string_view ending :
-         {".graph.json", ".subgraph.json", ".lighting.json", ".workflow.json", ".json"}) {
-        if (path.ends_with(ending)) return std::string(path.substr(0, path.size() - ending.size()));
-    }
-    return std::string(path);
-}
-
 // --- keys that every kind of graph has
 
 void read_common(Reading& reading, const Json& json, Graph& graph, UniqueNames& names) {
@@ -239,12 +228,23 @@ void read_kind(Reading& reading, const Json& json, Graph& graph) {
 
 }  // namespace
 
+std::string name_of_file(std::string_view path) {
+    if (const std::size_t slash = path.find_last_of("/\\"); slash != std::string_view::npos)
+        path.remove_prefix(slash + 1);
+    for (const std::string_view ending :
+         {".graph.json", ".subgraph.json", ".lighting.json", ".workflow.json", ".scene.json", ".json"}) {
+        if (path.size() > ending.size() && path.ends_with(ending))
+            return std::string(path.substr(0, path.size() - ending.size()));
+    }
+    return std::string(path);
+}
+
 std::shared_ptr<Graph> read_graph(const Json& json, std::string path, const SourceMap& sources, nodelang::Ast& ast,
                                   Diagnostics& diagnostics, std::optional<GraphKind> expected) {
     Reading reading{sources, ast, diagnostics};
     auto graph = std::make_shared<Graph>();
     graph->kind = expected.value_or(GraphKind::Material);
-    graph->name = stem(path);
+    graph->name = name_of_file(path);
     graph->path = std::move(path);
     graph->span = json.span;
     std::span<const ObjectKind> allowed = kGraphObjects;

@@ -8,6 +8,9 @@
 
 namespace patina::graph {
 
+// "textures/wall.v1.graph.json" -> "wall.v1": the name of a graph that states none, and of the files made from it.
+std::string name_of_file(std::string_view path);
+
 // Returns a graph even after errors (the parts that could be read). `ast` owns the expressions. `expected`: the kind
 // that the place requires (a material file, a sub-graph at a node, ...), or nothing if every kind is allowed.
 std::shared_ptr<Graph> read_graph(const Json& json, std::string path, const SourceMap& sources, nodelang::Ast& ast,

@@ -59,7 +59,8 @@ std::optional<SceneAmbient> read_ambient(Reading& reading, const Json& json) {
         read("horizon", ambient.horizon);
         read("ground", ambient.ground);
         if (!ambient.sky && !ambient.horizon && !ambient.ground) {
-            reading.diagnostics.report(Code::MissingKey, opening(json), describe(ObjectKind::Ambient), "sky");
+            reading.diagnostics.report(Code::MissingKey, opening(json), describe(ObjectKind::Ambient),
+                                       "sky', 'horizon' or 'ground");
         }
         return ambient;
     }

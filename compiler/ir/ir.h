@@ -71,6 +71,7 @@ struct Param {
     Type type{};
     Rate rate = Rate::Pixel;
     bool is_semantic = false;  // added by link() for a semantic; may be removed where the function does not read it
+    bool from_bottom = false;  // as Semantic::from_bottom
 };
 
 // Who calls or defines a function outside of its module.
@@ -197,6 +198,7 @@ struct Global {
     std::string follower{};
     std::string at_once{};
     bool is_of_object = false;  // of an included declaration: it depends on the object that is drawn
+    bool from_bottom = false;   // as Semantic::from_bottom; of float4: the tiling of a texture
     bool in_block() const { return block != 0xffffffffu; }
     bool is_keyword() const { return keyword != 0xffffffffu; }
     bool is_foreign() const { return !spelling.empty(); }
@@ -225,6 +227,7 @@ struct Semantic {
     std::string name{};
     Type type{};
     Rate rate = Rate::Pixel;
+    bool from_bottom = false;  // texture coordinates of an engine that counts y from the bottom (turn_textures())
 };
 
 // The graph node (or library function) that an instruction comes from.
@@ -244,8 +247,9 @@ struct StageVariable {
     Builtin builtin = Builtin::None;
     std::string semantic{};  // of a vertex input: the HLSL semantic of the engine's meshes, "POSITION"
     bool flat = false;
-    std::string spelling{};  // of an output: what the text assigns it to, instead of a member; may be empty
-    std::string guard{};     // of an output: the preprocessor condition under which it exists; may be empty
+    bool from_bottom = false;  // as Semantic::from_bottom
+    std::string spelling{};    // of an output: what the text assigns it to, instead of a member; may be empty
+    std::string guard{};       // of an output: the preprocessor condition under which it exists; may be empty
 };
 enum class StageKind : std::uint8_t { Vertex, Fragment };
 struct StageInterface {
@@ -266,6 +270,7 @@ struct Module {
     std::vector<Global> globals;
     std::vector<Keyword> keywords;
     bool tests_keywords = false;  // the text's preprocessor decides what depends on keywords alone
+    bool has_values_from_bottom = false;
     std::vector<Semantic> semantics;
     std::vector<Origin> origins;
     std::vector<std::string> names;

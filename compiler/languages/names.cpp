@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "compiler/base/spelling.h"
-#include "compiler/languages/print.h"
 
 namespace patina::languages {
 namespace {
@@ -40,17 +39,23 @@ std::string safe_identifier(std::string_view word) {
     return name;
 }
 
+bool Names::is_free(std::string_view name) const {
+    const std::string text(name);
+    return !next_.contains(text) && !is_taken(text);
+}
+
 std::string Names::declare(std::string_view wanted) {
-    const auto [entry, is_free] = next_.try_emplace(safe_identifier(wanted), 2);
+    std::string safe = safe_identifier(wanted);
+    const auto begins_so = [&](const std::string& prefix) { return safe.starts_with(prefix); };
+    if (taken_ && std::any_of(taken_->prefixes.begin(), taken_->prefixes.end(), begins_so)) safe = joined("own", safe);
+    const auto [entry, is_new] = next_.try_emplace(std::move(safe), 2);
     const std::string& base = entry->first;
     unsigned& number = entry->second;
     const std::string* name = &base;
-    if (!is_free) {
-        for (bool is_new = false; !is_new;) {
-            const auto made = next_.try_emplace(numbered(base, number++), 2);
-            name = &made.first->first;
-            is_new = made.second;
-        }
+    for (bool is_free = is_new && !is_taken(base); !is_free;) {
+        const auto made = next_.try_emplace(numbered(base, number++), 2);
+        name = &made.first->first;
+        is_free = made.second && !is_taken(*name);
     }
     scopes_.back().push_back({name, &number});
     return *name;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "compiler/ir/ir.h"
@@ -45,11 +46,19 @@ struct Pasting {
     std::string set_name() const { return prefix + "set"; }
 };
 
+// Names that the surrounding text declares, and what all others of its names begin with. A name of the printed text
+// that begins so becomes "own...".
+struct TakenNames {
+    std::unordered_set<std::string> names;
+    std::unordered_set<std::string> macros;  // the names among them that members must avoid, too
+    std::vector<std::string> prefixes;
+};
+
 struct PrintOptions {
     std::string header;                        // lines for a comment at the top, without comment marks
     const std::vector<Plan>* plans = nullptr;  // those of this module; null: made for this printing
     std::optional<Pasting> pasting = {};       // none: a whole shader
-    std::vector<std::string> taken = {};       // names that the surrounding text uses
+    const TakenNames* taken = nullptr;         // null: there is no surrounding text
     std::size_t width = 120;                   // columns; longer lines are broken
 };
 

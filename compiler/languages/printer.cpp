@@ -40,7 +40,6 @@ void name_globals(Writer& w) {
     w.block_members.resize(m.blocks.size());
     w.globals.resize(m.globals.size());
     w.functions.resize(m.functions.size());
-    for (const std::string& name : w.options.taken) w.names.declare(name);
     for (std::size_t i = 0; i < m.functions.size(); ++i) {
         if (m.functions[i].linkage != Linkage::Foreign || !w.reachable.functions[i]) continue;
         w.functions[i] = m.functions[i].name;
@@ -69,7 +68,7 @@ void name_globals(Writer& w) {
     for (std::size_t i = 0; i < m.structs.size(); ++i) {
         if (!w.reachable.structs[i]) continue;
         w.structs[i] = w.names.declare(m.structs[i].name);
-        Names members;
+        Names members(w.options.taken, Names::Of::Members);
         for (const Member& member : m.structs[i].members) w.members[i].push_back(members.declare(member.name));
     }
     for (std::size_t i = 0; i < m.functions.size(); ++i) {

@@ -88,7 +88,12 @@ std::string Body::noun(Value v) const {
     const Inst& inst = function_[v];
     if (is_variable(v)) return names_[plan_.variable[v.index]];
     if (inst.op == Op::Param) return entry_ ? writer_.module.stage.inputs[inst.data].name : params_[inst.data];
-    if (inst.op == Op::Global) return writer_.module.globals[inst.data].is_foreign() ? "" : writer_.globals[inst.data];
+    if (inst.op == Op::Global) {
+        const std::string& name = writer_.globals[inst.data];
+        return writer_.module.globals[inst.data].is_foreign()
+                   ? ""
+                   : name.substr(std::min(name.find_first_not_of('_'), name.size()));
+    }
     if (inst.op != Op::Extract && inst.op != Op::Swizzle) return {};
     const Value from = arg(v, 0);
     const Type type = function_[from].type;

@@ -19,7 +19,7 @@ Reachable find_reachable(const ir::Module& module);
 struct Writer {
     Writer(const ir::Module& module, const Language& language, const PrintOptions& options,
            const std::vector<Plan>& plans)
-        : module(module), language(language), options(options), plans(plans) {}
+        : module(module), language(language), options(options), plans(plans), names(options.taken) {}
 
     const ir::Module& module;
     const Language& language;

@@ -79,7 +79,7 @@ void thread_function(const ir::Module& module, ir::Function& function, const std
         inst.op = Op::Param;
         inst.type = info.type;
         inst.data = static_cast<std::uint32_t>(function.params.size());
-        function.params.push_back({info.name, info.type, info.rate, true});
+        function.params.push_back({info.name, info.type, info.rate, true, info.from_bottom});
         function.insts.push_back(inst);
         params.push_back({static_cast<std::uint32_t>(function.insts.size() - 1)});
     }
@@ -223,7 +223,7 @@ private:
     }
 
     Value input(ir::StageVariable variable, ir::Rate rate) {
-        entry_.params.push_back({variable.name, variable.type, rate});
+        entry_.params.push_back({variable.name, variable.type, rate, false, variable.from_bottom});
         module_.stage.inputs.push_back(std::move(variable));
         return builder_.param(static_cast<std::uint32_t>(entry_.params.size() - 1));
     }
@@ -240,7 +240,8 @@ private:
         const Value made = input({.name = info.name,
                                   .type = info.type,
                                   .location = recipe.location.value_or(kNumberedLater),
-                                  .semantic = std::string(recipe.hlsl)},
+                                  .semantic = std::string(recipe.hlsl),
+                                  .from_bottom = info.from_bottom},
                                  ir::Rate::Vertex);
         originals_[semantic.index] = made;
         return made;
@@ -248,7 +249,7 @@ private:
 
     Value varying(SemanticId semantic) {
         const ir::Semantic& info = module_.semantics[semantic.index];
-        return once(semantic, {.name = info.name, .type = info.type, .semantic = {}});
+        return once(semantic, {.name = info.name, .type = info.type, .semantic = {}, .from_bottom = info.from_bottom});
     }
 
     // One input for all readers.

@@ -144,8 +144,8 @@ void check_varyings(const LinkedPass& pass, graph::Session& session) {
     DiagnosticRecord& report = session.diagnostics.report(Code::TooMany, {graph.begin, graph.begin + 1}, count,
                                                           "interpolated values", engine.most_varyings);
     report.note(
-        fmt::format("in the pass '{}'; each node with \"stage\": \"vertex\" takes one, as does each mesh value that "
-                    "such a node or the surface reads",
+        fmt::format("in the pass '{}', each node with \"stage\": \"vertex\" is one, and so is each mesh value that "
+                    "it or the surface reads",
                     pass.pass->name));
     if (!engine.varyings_note.empty()) report.note(engine.varyings_note);
 }

@@ -129,6 +129,12 @@ EngineGlobals declare_engine(const engines::Engine& engine, const PathDeclaratio
     EngineGlobals made;
     ir::Module& module = emitter.module;
     const emit::Scope scope{.declarations = &declarations};
+    for (const StaticDecl& asked : paths.statics) {
+        if (asked.about != StaticDecl::About::Clip) continue;
+        const std::string_view word = to_string(engine.clip_depth);
+        const bool is_so = std::find(asked.words.begin(), asked.words.end(), word) != asked.words.end();
+        emitter.known.statics[asked.variable] = is_so ? 1 : 0;
+    }
     std::vector<const ExternDecl*> externs;
     for (const ExternDecl& each : paths.externs) {
         if (is_wanted(each, on)) externs.push_back(&each);

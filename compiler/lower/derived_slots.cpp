@@ -92,7 +92,7 @@ std::string_view root_of(const Lowering& lowering, std::string_view of) {
 
 DerivedSlot not_linear(const Lowering& lowering, std::string_view of, std::string_view name,
                        const ir::LinearPart& found) {
-    return {.why_not = fmt::format("'{}' is not linear in '{}': {}", root_of(lowering, of), name, found.reason),
+    return {.why_not = fmt::format("'{}' must be linear in '{}', but {}", root_of(lowering, of), name, found.reason),
             .where = origin_of(lowering.out.module, found.origin)};
 }
 

@@ -105,8 +105,8 @@ void GraphScope::emit_node(std::uint32_t index) {
     if (node.stage == NodeStage::Fragment && scope_.in_vertex_stage) {
         Diagnostics& diagnostics = lowering_.session.diagnostics;
         diagnostics.set_context(id_path(node.id), {});
-        tell_reader(diagnostics.report(Code::WrongStage, node.stage_span,
-                                       fmt::format("'{}' is pinned to the fragment stage", node.id)));
+        tell_reader(diagnostics.report(Code::WrongStage, node.stage_span, fmt::format("'{}'", node.id),
+                                       "it is pinned to the fragment stage"));
         return;
     }
     if (node.stage == NodeStage::Vertex && !scope_.in_vertex_stage) {
@@ -186,7 +186,7 @@ void GraphScope::fill_inputs(GraphScope& inner, const Node& node, const Graph& s
         } else if (input.value) {
             inner.set_input(input.name, inner.value_as(*input.value, type, what));
         } else {
-            lowering_.session.diagnostics.report(Code::MissingInput, node.type_span, node.type, input.name);
+            lowering_.session.diagnostics.report(Code::MissingInput, node.type_span, input.name, node.type);
             inner.set_input(input.name, {});
         }
     }

@@ -20,10 +20,10 @@ using ir::Value;
 
 constexpr std::size_t kMostOnTheWay = 8;
 
-// "reads it through 'b' and 'c'": the way from a reader to the node that is being emitted. Empty if the reader is that
-// node.
+// "reads this value through 'b' and 'c'": the way from a reader to the node that is being emitted. Empty if the reader
+// is that node.
 std::string GraphScope::way_from(const Lowering::VertexReader& reader) const {
-    const std::string plain = "reads it";
+    const std::string plain = "reads this value";
     const GraphScope* scope = this;
     std::optional<std::uint32_t> to = at_;
     for (; &scope->graph_ != reader.graph; scope = scope->outer_) {
@@ -62,13 +62,15 @@ void GraphScope::tell_reader(DiagnosticRecord& record) const {
     const Lowering::VertexReader& reader = lowering_.vertex_readers.back();
     const std::string way = way_from(reader);
     if (reader.is_interpolator) {
-        record.note(reader.span, fmt::format("'{0}' is pinned to the vertex stage here{1}, to be interpolated for the "
-                                             "fragment stage: remove \"stage\": \"vertex\" to compute it there",
-                                             reader.name, way.empty() ? "" : ", and " + way));
+        record.note(reader.span,
+                    fmt::format("'{0}' is pinned to the vertex stage here{1}: remove \"stage\": \"vertex\" "
+                                "to compute '{0}' per pixel",
+                                reader.name, way.empty() ? "" : ", and " + way));
     } else {
-        record.note(reader.span, fmt::format("'{}' {}: an interpolator cannot carry it, because interpolators go from "
-                                             "the vertex stage to the fragment stage",
-                                             reader.name, way));
+        record.note(reader.span,
+                    fmt::format("'{}' in the vertex block {}: the vertex stage cannot read a value that the "
+                                "fragment stage computes",
+                                reader.name, way));
     }
 }
 

@@ -33,19 +33,19 @@ ir::Rate rate_of(SemanticSource source) {
 
 void declare_statics(Lowering& lowering) {
     const RenderState& render = lowering.material.graph->graph->render;
-    const engines::Engine& engine = lowering.session.engine;
     const auto is_true = [&](const StaticDecl& asked, std::string_view word) {
         switch (asked.about) {
             case StaticDecl::About::Surface: return word == to_string(render.surface);
             case StaticDecl::About::Cull: return word == to_string(render.cull);
-            case StaticDecl::About::Clip: return word == to_string(engine.clip_depth);
+            case StaticDecl::About::Clip:
             case StaticDecl::About::Slot:
             case StaticDecl::About::Pass: break;
         }
         return false;
     };
     for (const StaticDecl& asked : lowering.session.paths->statics) {
-        if (asked.is_of_passes()) continue;  // known later (lower_passes.cpp)
+        if (asked.is_of_passes()) continue;                    // known later (lower_passes.cpp)
+        if (asked.about == StaticDecl::About::Clip) continue;  // known already (declare_engine())
         const bool is_any = std::any_of(asked.words.begin(), asked.words.end(),
                                         [&](std::string_view word) { return is_true(asked, word); });
         lowering.emitter.known.statics[asked.variable] = is_any ? 1 : 0;
@@ -57,8 +57,12 @@ void declare_semantics(Lowering& lowering) {
     for (const SemanticDecl& semantic : lowering.session.paths->semantics) {
         const Type type = emit::type(lowering.emitter,
                                      semantic.function ? semantic.function->result : semantic.variable->type, scope);
-        lowering.out.module.semantics.push_back(
-            {.name = std::string(semantic.name), .type = type, .rate = rate_of(semantic.source)});
+        const bool from_bottom = semantic.is_uv && lowering.session.engine.uv_origin == engines::UvOrigin::Bottom;
+        lowering.out.module.semantics.push_back({.name = std::string(semantic.name),
+                                                 .type = type,
+                                                 .rate = rate_of(semantic.source),
+                                                 .from_bottom = from_bottom});
+        lowering.out.module.has_values_from_bottom |= from_bottom;
         SemanticRecipe& recipe = lowering.out.semantics.emplace_back();
         recipe.source = semantic.source;
         recipe.declaration = &semantic;
@@ -161,7 +165,8 @@ void declare_switches(Lowering& lowering) {
             if (has_passes) words.insert(words.begin(), known.begin(), known.end());
             DiagnosticRecord& record = session.diagnostics.report(
                 Code::UnknownWord, {}, name,
-                has_passes ? "a switch of a pass or a keyword of the graph" : "a keyword of the graph");
+                has_passes ? "a switch of the path, nor a variant or specialization constant of the graph"
+                           : "a variant or specialization constant of the graph");
             if (const Property* property = variant_of_lighting(lowering.material, name)) {
                 record.note(property->name_span,
                             fmt::format("it is a variant of the lighting graph: set it in the material with "
@@ -310,6 +315,10 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     for (std::size_t i = 0; instanced && i < material.properties.size(); ++i) {
         if (material.properties[i].property->binding == Binding::Instance)
             lowering.per_object.insert(out.property_globals[i].value.index);
+    }
+    for (const PropertyGlobals& globals : out.property_globals) {
+        if (globals.tiling && engine.uv_origin == engines::UvOrigin::Bottom)
+            out.module.globals[globals.tiling.index].from_bottom = true;
     }
     // An extra pass of a material shares functions with other passes only if it is lit.
     out.keeps_functions = engine.is_one_file() && (!material.pass || !material.lighting->graph->nodes.empty());

@@ -66,7 +66,9 @@ private:
             if (input.type != "texture2d") continue;
             lowering_.session.diagnostics.report(
                 Code::NotYet, input.type_span,
-                fmt::format("'{}', a texture parameter of a lighting function,", input.name));
+                fmt::format("--functions cannot pass the texture input '{}' of the lighting graph: make it a property "
+                            "of the lighting graph",
+                            input.name));
         }
         return !lowering_.session.diagnostics.has_errors();
     }

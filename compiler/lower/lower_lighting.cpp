@@ -33,7 +33,7 @@ void refuse_derivatives_per_light(Lowering& lowering, const ir::Function& functi
             .report(Code::DerivativePerLight, origin.span,
                     inst.op == Op::Call ? module.functions[inst.data].name : std::string(ir::info(inst.op).text))
             .at(origin.id)
-            .note("sample with an explicit level, or move it before what depends on the light");
+            .note("sample with an explicit mip level, or move it before what depends on the light");
     }
 }
 

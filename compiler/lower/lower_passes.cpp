@@ -114,7 +114,7 @@ private:
             const bool is_own = std::find(passes.begin() + std::ptrdiff_t(own), passes.end(), pass) != passes.end();
             if (is_own && !pass->state.fallback.empty()) {
                 // If a path leaves a kind of surface to its fallback by design, there is no warning.
-                if (has_blend(*pass)) report(Code::PathRefused, refusal, path, pass->state.fallback, refusal.reason);
+                if (has_blend(*pass)) report(Code::PathRefused, refusal, path, refusal.reason, pass->state.fallback);
                 tried_.insert(path);
                 if (!tried_.contains(pass->state.fallback)) return lower_path(pass->state.fallback);
             }
@@ -207,11 +207,11 @@ private:
         if (!stencil || !draws_objects(pass) || pass.state.targets.empty()) return {};
         const ir::Origin where{.span = {stencil->span.begin, stencil->span.begin + 1}};
         if (pass.has_stencil)
-            return {.reason = "it uses the stencil itself", .where = where, .is_news = has_own_passes()};
+            return {.reason = "the path uses the stencil", .where = where, .is_news = has_own_passes()};
         if (has_own_passes() && pass.state.each != PassEach::Light) return {};  // the other pass reports it
         if (!stencil->changes() || stencil->test == Compare::Always || !is_drawn_again(pass)) return {};
         Refusal refusal{
-            .reason = "it draws an object once for each light, and this stencil changes the value that it tests",
+            .reason = "the path draws an object once for each light, and the stencil changes the value that it tests",
             .where = where};
         if (has_own_passes())
             refusal.advice =
@@ -394,8 +394,10 @@ private:
         const auto semantic = paths_.semantic_index.find(given.what);
         const auto global = emit::find_extern(lowering_.emitter.known, *given.variable);
         if (semantic == paths_.semantic_index.end() || !global) return;
-        if (paths_.semantics[semantic->second].source == SemanticSource::Attribute)
-            pass.attributes.push_back({{semantic->second}, *global});
+        if (paths_.semantics[semantic->second].source != SemanticSource::Attribute) return;
+        pass.attributes.push_back({{semantic->second}, *global});
+        lowering_.out.module.globals[global->index].from_bottom =
+            lowering_.out.module.semantics[semantic->second].from_bottom;
     }
 
     // Lowers the recipes of every semantic that a function reads, and of those that the recipes read.
@@ -435,7 +437,7 @@ private:
         const DerivedSlot& part = derived_slot(lowering_, *declared);
         if (part.slot.function) return &part.slot;
         lowering_.session.diagnostics
-            .report(Code::PassRefused, at, pass_, fmt::format("it calls '{}', and {}", slot.name, part.why_not))
+            .report(Code::PassRefused, at, pass_, fmt::format("it calls '{}': {}", slot.name, part.why_not))
             .note(fmt::format(
                 "put [needs(\"{0}\")] on the pass, or ask whether the material has it with static(\"slot\", \"{0}\")",
                 slot.name));
@@ -472,7 +474,13 @@ private:
     void remark(const SlotDecl& slot, const DerivedSlot& part) {
         if (part.slot.function || part.is_of_missing || slot.otherwise.empty()) return;
         if (!remarked_.insert(slot.name()).second) return;
-        report(Code::PathLoses, {.reason = {}, .where = part.where}, lowering_.out.path, slot.otherwise, part.why_not);
+        const PassDecl* pass = paths_.pass(pass_);
+        const std::string_view instead = pass ? pass->state.fallback : std::string_view();
+        report(Code::PathLoses,
+               {.reason = {},
+                .where = part.where,
+                .advice = instead.empty() ? "" : fmt::format("use the path '{}'", instead)},
+               lowering_.out.path, slot.otherwise, part.why_not);
     }
 
     Lowering& lowering_;

@@ -56,7 +56,7 @@ Typed surface_value(Lowering& lowering, GraphScope& scope, std::span<const Input
     lowering.session.diagnostics.set_context({}, {});
     if (!input.value) {
         const Span span = lowering.material.graph->graph->span;
-        lowering.session.diagnostics.report(Code::MissingInput, span, "the surface", input.name);
+        lowering.session.diagnostics.report(Code::MissingInput, span, input.name, "the surface");
         return {};
     }
     return scope.value_as(*input.value, type, fmt::format("the default of '{}'", input.name));
@@ -160,8 +160,8 @@ ir::FunctionId lower_setup(Lowering& lowering, const FunctionDecl& slot, ir::Fun
             const auto input =
                 std::find_if(members.begin(), members.end(), [&](const Input* i) { return i->name == member.name; });
             if (input == members.end()) {
-                lowering.session.diagnostics.report(Code::MissingInput, workflow.graph->span, workflow.graph->name,
-                                                    member.name);
+                lowering.session.diagnostics.report(Code::MissingInput, workflow.graph->span, member.name,
+                                                    workflow.graph->name);
                 return {};
             }
             const Value own = builder.extract(inputs, static_cast<std::uint32_t>(input - members.begin()));

@@ -87,9 +87,9 @@ private:
     void derivative(Op op, const Place& place) {
         if (place.at_vertex) {
             if (op == Op::Sample) return;  // in the vertex stage it reads level 0
-            refuse(place, fmt::format("{} compares neighbouring pixels, and vertices have none", said(place)));
+            refuse(place, fmt::format("{} uses derivatives, which the vertex stage does not have", said(place)));
         } else if (!draws_objects()) {
-            refuse(place, fmt::format("{} compares neighbouring pixels, and here they may belong to other objects",
+            refuse(place, fmt::format("{} uses derivatives, and neighbouring pixels may belong to other objects here",
                                       said(place)));
         }
     }

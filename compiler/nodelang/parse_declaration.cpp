@@ -76,6 +76,7 @@ constexpr AttributeInfo kAttributes[] = {
     {kVariable, "perObject"},
     {kVariable, "unit"},
     {kVariable, "vertexOutput"},
+    {kVariable, "uv"},
     {kVariable, "foreign"},
     {kVariable, "text"},
     {kVariable, "gives"},

@@ -61,6 +61,13 @@ private:
     std::vector<languages::Plan> plans_;  // shared by the languages that print the module unchanged
 };
 
+// What the file names begin with. Engines may share a language, and their files must differ in name.
+std::string base_name(const Compiled& compiled) {
+    const graph::Session& session = compiled.session;
+    const bool is_default = session.engine.name == session.library.default_engine;
+    return is_default ? compiled.name : fmt::format("{}.{}", compiled.name, session.engine.name);
+}
+
 // --- a file for each stage
 
 TextPrinter stage_printer(const ir::Module& tidied, Stage stage, const std::string& pass, const std::string& name,
@@ -97,7 +104,7 @@ void name_interface(const graph::Session&, graph::Lowered& lowered) {
 }
 
 void write_stages(const Compiled& compiled, Result& result) {
-    for (const LinkedPass& pass : compiled.passes) print_pass(compiled.session, pass, compiled.name, result);
+    for (const LinkedPass& pass : compiled.passes) print_pass(compiled.session, pass, base_name(compiled), result);
 }
 
 // --- functions instead of passes
@@ -107,7 +114,8 @@ bool accepts_functions(graph::Session& session) {
     const std::string& prefix = session.options.functions;
     if (session.engine.is_one_file()) {
         session.diagnostics.report(Code::NotYet, {},
-                                   fmt::format("functions for the target '{}'", session.options.targets[0].name()));
+                                   fmt::format("--functions cannot write the target '{}': choose another target",
+                                               session.options.targets[0].name()));
     } else if (!is_identifier(prefix)) {
         session.diagnostics.report(Code::BadIdentifier, {}, prefix);
     } else if (const std::string name = prefix + "x"; languages::safe_identifier(name) != name) {
@@ -137,7 +145,7 @@ void write_functions(const Compiled& compiled, Result& result) {
              .pass = pass,
              .stage = stage,
              .what = fmt::format("functions of its {} stage, to be pasted into shaders", to_string(stage)),
-             .file_name = fmt::format("{}.{}", compiled.name, pass),
+             .file_name = fmt::format("{}.{}", base_name(compiled), pass),
              .pasting = languages::Pasting{.prefix = prefix, .set = set}});
         for (const Target& target : session.options.targets)
             result.shaders.push_back(printer.print(target, result.reflection, session.sources));

@@ -192,7 +192,7 @@ private:
         }
         again(decl);
         if (is_of_pass(sources_, decl.span)) {
-            for (const std::string_view name : {"attribute", "given", "vertexOutput"}) {
+            for (const std::string_view name : {"attribute", "given", "vertexOutput", "uv"}) {
                 if (const Attribute* attribute = decl.attribute(name))
                     bad(attribute->span, name,
                         "is not allowed in a pass file: only the library defines what meshes and lighting graphs hold");

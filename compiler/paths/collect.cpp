@@ -42,6 +42,7 @@ public:
                  .variable = &variable,
                  .builtin = builtin_of(variable),
                  .is_vertex_output = variable.attribute("vertexOutput") != nullptr,
+                 .is_uv = variable.attribute("uv") != nullptr,
                  .is_of_pass = is_of_pass(sources_, variable.span)});
         }
     }

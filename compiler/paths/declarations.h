@@ -39,6 +39,7 @@ struct SemanticDecl {
     const nodelang::FunctionDecl* function = nullptr;  // recipes
     ir::Builtin builtin = ir::Builtin::None;           // of Builtin
     bool is_vertex_output = false;                     // a material may replace it in "vertex"
+    bool is_uv = false;                                // texture coordinates of the mesh
     bool is_of_pass = false;                           // declared in a pass file: graphs cannot read it
 };
 

@@ -118,8 +118,9 @@ void read_stencil(Arguments& in, std::size_t count, PassDecl& pass) {
 }
 
 // The places of an engine's file where a pass can insert lines.
-constexpr std::array<std::string_view, 10> kPlaces = {
-    "grab",          "queue",        "pragma",     "include",        "first interpolator",
+// "sampler" and "light mode" add no line: they name a sampler, and a mode of the pass, that the others need.
+constexpr std::array<std::string_view, 12> kPlaces = {
+    "grab",          "queue",        "pragma",     "include",        "sampler",     "light mode", "first interpolator",
     "interpolators", "vertex begin", "vertex end", "fragment begin", "fragment end"};
 
 void read_tag(Arguments& in, PassDecl& pass) {

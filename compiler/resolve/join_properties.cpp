@@ -120,8 +120,9 @@ void share(Session& session, const Material& material, MaterialProperty& entry, 
     if (&first == &property) return;
     const auto report = [&](const Difference& of) -> DiagnosticRecord& {
         return session.diagnostics
-            .report(Code::ImpossibleValue, of.second_at, property.name, "the same wherever it is declared")
-            .note(of.first_at, fmt::format("here it has {}, there {}", of.first, of.second));
+            .report(Code::ImpossibleValue, of.second_at, property.name,
+                    fmt::format("declared alike everywhere: it has {} here, but {} elsewhere", of.second, of.first))
+            .note(of.first_at, "the other declaration is here");
     };
     if (const std::optional<Difference> kind = differing_kind(first, property)) {
         report(*kind);

@@ -28,10 +28,10 @@ void choose(Session& session, MaterialProperty& entry, const std::string& word) 
     if (!is_keyword(property.binding)) {
         if (is_switch(session, property.name)) return;  // the name means the switch
         const bool can_be = property.type == PropertyType::Bool || property.type == PropertyType::Enum;
-        session.diagnostics.report(Code::NotAKeyword, {}, property.name)
+        session.diagnostics.report(Code::NotAKeyword, {}, property.name, to_string(property.binding))
             .note(property.name_span,
-                  can_be ? "add \"as\": \"variant\" or \"specialization\" here to set it when the graph is compiled"
-                         : "only a bool or an enum can be bound as a variant or a constant");
+                  can_be ? "add \"as\": \"variant\" or \"specialization\" here, or use 'patina render --set'"
+                         : "only a bool or an enum can be a variant or a constant: use 'patina render --set'");
         return;
     }
     const std::vector<std::string_view> words = keyword_words(property);

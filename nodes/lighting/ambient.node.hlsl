@@ -281,7 +281,7 @@ float3 SplitSum(
 [node("Lighting/Ambient/Mip from Roughness")] [range(0, 12)]
 float MipFromRoughness(
     [range(0, 1)] float roughness = 0.5,  ///< perceptual roughness
-    [range(0, 12)] float steps = 6        ///< index of the last level that is used
+    [range(0, 12)] float steps = 6        ///< index of the last mip level that is used
 ) {
     return roughness * (1.7 - 0.7 * roughness) * steps;
 }

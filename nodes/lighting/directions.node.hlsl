@@ -73,17 +73,21 @@ float LdotV(
 
 /// The cosine between the mirrored light and the view: the argument of Phong's highlight.
 ///
-/// formula: max(0, r.v), r = 2 (n.l) n - l
+/// formula: r.v, r = 2 (n.l) n - l; at least 0 if Clamped
 /// source: Phong, "Illumination for Computer Generated Pictures", CACM 18(6), 1975
 /// test: RdotV(float3(0, 0, 1), float3(0.6, 0, 0.8), float3(-0.6, 0, 0.8)) == 1
 /// test: RdotV(float3(0, 0, 1), float3(0.6, 0, 0.8), float3(0, 0, 1)) == 0.8
-[node("Lighting/Cosine/R.V")] [range(0, 1)]
+/// test: RdotV(float3(0, 0, 1), float3(0.8, 0, 0.6), float3(0.8, 0, 0.6)) == 0
+/// test: RdotV(float3(0, 0, 1), float3(0.8, 0, 0.6), float3(0.8, 0, 0.6), Absolute) == 0.28
+/// test: RdotV(float3(0, 0, 1), float3(0.8, 0, 0.6), float3(0.8, 0, 0.6), Signed) == -0.28
+[node("Lighting/Cosine/R.V")] [range(-1, 1)]
 float RdotV(
     float3 normal = normalWS,           ///< unit normal
     float3 lightDir = light.direction,  ///< unit direction to the light
-    float3 view = viewDirWS            ///< unit direction to the viewer
+    float3 view = viewDirWS,            ///< unit direction to the viewer
+    const CosineMode mode = Clamped      ///< how a viewer opposite to the mirrored light is treated
 ) {
-    return saturate(dot(ReflectionVector(lightDir, normal), view));
+    return CosineBetween(ReflectionVector(lightDir, normal), view, mode);
 }
 
 /// The cosine between normal and view, with the normal tilted to the viewer where it points away.

@@ -6,7 +6,7 @@
 struct Light {
     float3 direction;   ///< to the light, unit
     float3 color;       ///< linear colour times intensity
-    float attenuation;  ///< by distance and cone, 0 to 1 at one metre or more
+    float attenuation;  ///< by distance, cone and cookie, 0 to 1 at one metre or more
     float shadow;       ///< 1: lit, 0: in shadow
     int index;          ///< which light of the list
     int type;           ///< 0 directional, 1 point, 2 spot
@@ -15,7 +15,7 @@ struct Light {
 /// The sum of all light; only `final` reads it.
 struct LightSum {
     float3 direct;    ///< sum of `direct` over all lights
-    float3 indirect;  ///< `indirect`
+    float3 indirect;  ///< the result of the output `indirect`
 };
 
 const int MAX_LIGHTS = 16;
@@ -128,7 +128,8 @@ Light lightAt(int index, float3 position) {
     return light;
 }
 
-/// In a material: the main directional light. In a lighting graph: the light being evaluated.
+/// In a material: the main directional light. In a lighting graph: the light being evaluated. In a material it is always
+/// light 0, which is the brightest directional light if the scene has one.
 [semantic("pixel")]
 Light light(float3 position = positionWS) {
     return lightAt(0, position);

@@ -8,9 +8,9 @@
 /// Vertex tangent in object space, unit; w is the handedness of the bitangent, 1 or -1.
 [attribute] [vertexOutput] float4 tangentOS;
 /// First texture coordinates; v grows downwards, as texels are stored.
-[attribute] float2 uv0;
+[attribute] [uv] float2 uv0;
 /// Second texture coordinates.
-[attribute] float2 uv1;
+[attribute] [uv] float2 uv1;
 /// Vertex colour, linear.
 [attribute] float4 vertexColor;
 

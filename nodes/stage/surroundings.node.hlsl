@@ -24,7 +24,7 @@ float3 AmbientIrradiance(
 
 /// Radiance that a surface of a given roughness reflects from a direction: the environment, blurred by its GGX lobe.
 ///
-/// source: Karis, "Real Shading in Unreal Engine 4", SIGGRAPH 2013; levels as in Unity's reflection probes
+/// source: Karis, "Real Shading in Unreal Engine 4", SIGGRAPH 2013; mip levels as in Unity's reflection probes
 [node("Lighting/Ambient/Environment Radiance")] [extern]
 float3 EnvironmentRadiance(
     float3 direction = normalWS,        ///< unit direction in world space

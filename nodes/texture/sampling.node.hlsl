@@ -2,8 +2,8 @@
 
 /// Samples a texture with filtering.
 ///
-/// The level of detail is derived from the neighbouring pixels. Where these are not known (in the vertex stage, per
-/// light, inside a branch), use SampleTexture2DLevel.
+/// The mip level follows from derivatives. Where there are none (in the vertex stage, for each light, inside a branch), use
+/// SampleTexture2DLevel.
 [node("Texture/Sample Texture 2D")]
 float4 SampleTexture2D(
     Texture2D texture,  ///< texture to read
@@ -17,21 +17,21 @@ float4 SampleTexture2D(
 float4 SampleTexture2DLevel(
     Texture2D texture,  ///< texture to read
     float2 uv = uv0,    ///< texture coordinates, before the texture's own tiling
-    float level = 0     ///< level of detail: 0 is the full size, each further level half of it
+    float level = 0     ///< mip level: 0 is the full size, each further one half of it
 ) {
     return texture.SampleLevel(uv * texture.tiling.xy + texture.tiling.zw, level);
 }
 
 /// Samples a texture where coordinates jump from pixel to pixel, as behind the edges of a relief (ParallaxOcclusion).
 ///
-/// The level of detail is derived from other coordinates, which do not jump. SampleTexture2D would treat an edge as a
-/// texture seen from far away, and draw a seam of its smallest levels along the edge. If the texture is a normal map,
+/// The mip level is derived from other coordinates, which do not jump. SampleTexture2D would treat an edge as a
+/// texture seen from far away, and draw a seam of its smallest mip levels along the edge. If the texture is a normal map,
 /// UnpackNormal decodes the normal.
 [node("Texture/Sample Texture 2D Grad")]
 float4 SampleTexture2DGrad(
     Texture2D texture,      ///< texture to read
     float2 uv = uv0,        ///< texture coordinates, before the texture's own tiling
-    float2 smoothUV = uv0  ///< the coordinates before they were moved: their change between pixels selects the level
+    float2 smoothUV = uv0  ///< the coordinates before they were moved: their change between pixels selects the mip level
 ) {
     float2 unmoved = smoothUV * texture.tiling.xy;
     return texture.SampleGrad(uv * texture.tiling.xy + texture.tiling.zw, ddx(unmoved), ddy(unmoved));
@@ -56,7 +56,7 @@ float3 SampleNormalMap(
 float4 LoadTexture2D(
     Texture2D texture,            ///< texture to read
     float2 texel = 0,             ///< column and row, counted from 0 at the upper left; a fraction is dropped
-    [range(0, 14)] int level = 0  ///< level of detail
+    [range(0, 14)] int level = 0  ///< mip level
 ) {
     return texture.Load(int2(floor(texel)), level);
 }

@@ -37,7 +37,7 @@ float2 ParallaxOffset(
 /// as 6 degrees.
 ///
 /// Where a high part hides another, the moved coordinates jump. Read textures there with SampleTexture2DGrad, which
-/// takes its level of detail from the original coordinates; SampleTexture2D would draw seams along the edges.
+/// takes the mip level from the original coordinates; SampleTexture2D would draw seams along the edges.
 ///
 /// formula: uv(t) = uv - t height v.xy / v.z, the first t at which 1 - t is not above the map's red
 /// source: Tatarchuk, "Practical Parallax Occlusion Mapping with Approximate Soft Shadows for Detailed Surface

@@ -9,6 +9,8 @@
 #include <fstream>
 #include <numbers>
 
+#include "runtime/files/files.h"
+
 namespace patina::runtime {
 namespace {
 
@@ -60,16 +62,16 @@ Outcome<MerlTable> read_merl(const std::string& path) {
 }
 
 std::string write_merl(const std::string& path, const MerlTable& table) {
-    std::ofstream file(path, std::ios::binary | std::ios::trunc);
+    std::string bytes;
+    const auto add = [&](const void* data, std::size_t size) { bytes.append(static_cast<const char*>(data), size); };
     const std::array<std::int32_t, 3> counts = {table.half, table.difference, table.azimuth};
-    file.write(reinterpret_cast<const char*>(counts.data()), sizeof counts);
+    add(counts.data(), sizeof counts);
     for (std::size_t c = 0; c < 3; c++) {
         std::vector<double> scaled = table.channels[c];
         for (double& value : scaled) value /= kScale[c];
-        file.write(reinterpret_cast<const char*>(scaled.data()), std::streamsize(scaled.size() * sizeof(double)));
+        add(scaled.data(), scaled.size() * sizeof(double));
     }
-    file.flush();
-    return file ? "" : "cannot write '" + path + "'";
+    return write_file(path, std::move(bytes));
 }
 
 DirectionPair directions_of(const MerlTable& table, int half, int difference, int azimuth) {

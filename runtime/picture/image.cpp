@@ -1,11 +1,14 @@
 #include "runtime/picture/image.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
+
+#include "runtime/files/files.h"
 
 namespace patina::runtime {
 namespace {
@@ -23,28 +26,32 @@ void change_colors(Image& image, Function function) {
         if (i % 4 != 3) image.pixels[i] = function(image.pixels[i]);
 }
 
-std::string write(const std::string& path, const Image& image, OIIO::TypeDesc type, const char* color_space) {
-    std::filesystem::path target(path);
-    std::filesystem::path part = target;
-    part.replace_extension(".part" + target.extension().string());
+// OpenImageIO chooses the format by the ending of `name`.
+Outcome<std::string> encode(const char* name, const Image& image, const OIIO::ImageSpec& spec) {
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    auto output = OIIO::ImageOutput::create(name);
+    if (!output) return Failure{reason(OIIO::geterror())};
+    const bool made = output->set_ioproxy(&memory) && output->open(name, spec) &&
+                      output->write_image(OIIO::TypeDesc::FLOAT, image.pixels.data()) && output->close();
+    if (!made) return Failure{reason(output->geterror())};
+    return std::string(bytes.begin(), bytes.end());
+}
 
-    auto failure = [&](const std::string& why) {
-        std::error_code ignored;
-        std::filesystem::remove(part, ignored);
-        return "cannot write '" + path + "': " + reason(why);
-    };
-    auto output = OIIO::ImageOutput::create(part.string());
-    if (!output) return failure(OIIO::geterror());
+OIIO::ImageSpec spec_of(const Image& image, OIIO::TypeDesc type, const char* color_space) {
     OIIO::ImageSpec spec(image.width, image.height, 4, type);
     spec.attribute("oiio:UnassociatedAlpha", 1);
     spec.attribute("oiio:ColorSpace", color_space);
-    if (!output->open(part.string(), spec)) return failure(output->geterror());
-    if (!output->write_image(OIIO::TypeDesc::FLOAT, image.pixels.data())) return failure(output->geterror());
-    if (!output->close()) return failure(output->geterror());
+    return spec;
+}
 
-    std::error_code error;
-    std::filesystem::rename(part, target, error);
-    return error ? failure(error.message()) : "";
+Outcome<std::string> encode_png_as_is(const Image& encoded) {
+    return encode("picture.png", quantized(encoded), spec_of(encoded, OIIO::TypeDesc::UINT8, "sRGB"));
+}
+
+std::string save(const std::string& path, Outcome<std::string> bytes) {
+    if (!bytes) return "cannot write '" + path + "': " + bytes.error;
+    return write_file(path, std::move(bytes.value));
 }
 
 }  // namespace
@@ -116,24 +123,38 @@ Outcome<Image> load_image(const std::string& path) {
     return image;
 }
 
-std::string save_png(const std::string& path, const Image& linear) {
+Outcome<std::string> encode_png(const Image& linear) {
     Image encoded = linear;
     encode_srgb(encoded);
-    return save_png_as_is(path, encoded);
+    return encode_png_as_is(encoded);
+}
+
+Outcome<std::string> encode_exr(const Image& linear) {
+    OIIO::ImageSpec spec = spec_of(linear, OIIO::TypeDesc::FLOAT, "Linear");
+    spec.attribute("DateTime", "");  // without this, OpenImageIO writes the time of day
+    return encode("picture.exr", linear, spec);
+}
+
+Outcome<std::string> encode_image(const std::string& path, const Image& linear) {
+    if (path.ends_with(".png")) return encode_png(linear);
+    if (path.ends_with(".exr")) return encode_exr(linear);
+    return Failure{"a picture's name ends in .png or .exr"};
+}
+
+std::string save_png(const std::string& path, const Image& linear) {
+    return save(path, encode_png(linear));
 }
 
 std::string save_png_as_is(const std::string& path, const Image& encoded) {
-    return write(path, quantized(encoded), OIIO::TypeDesc::UINT8, "sRGB");
+    return save(path, encode_png_as_is(encoded));
 }
 
 std::string save_exr(const std::string& path, const Image& linear) {
-    return write(path, linear, OIIO::TypeDesc::FLOAT, "Linear");
+    return save(path, encode_exr(linear));
 }
 
 std::string save_image(const std::string& path, const Image& linear) {
-    if (path.ends_with(".png")) return save_png(path, linear);
-    if (path.ends_with(".exr")) return save_exr(path, linear);
-    return "cannot write '" + path + "': a picture's name ends in .png or .exr";
+    return save(path, encode_image(path, linear));
 }
 
 Image box_filtered(const Image& image, int factor) {

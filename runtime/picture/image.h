@@ -44,11 +44,16 @@ Image quantized(const Image& encoded);
 // Any format that OpenImageIO reads. One channel is a grey, two a grey and alpha; without alpha it is 1.
 Outcome<Image> load_image(const std::string& path);
 
-// Both write beside the target and rename, so that no half-written file is ever seen; the result is empty or what went
-// wrong. PNG: 8 bits, sRGB-encoded here, from linear values. EXR: 32-bit float, the values as they are.
+// The bytes of a picture's file. Equal pictures have equal bytes: they hold no date. PNG: 8 bits, sRGB-encoded here,
+// from linear values. EXR: 32-bit float, the values as they are.
+Outcome<std::string> encode_png(const Image& linear);
+Outcome<std::string> encode_exr(const Image& linear);
+// By the ending of the name: .png or .exr.
+Outcome<std::string> encode_image(const std::string& path, const Image& linear);
+
+// The same, written to a file (runtime/files): all of it or nothing. Returns nothing, or what is wrong.
 std::string save_png(const std::string& path, const Image& linear);
 std::string save_exr(const std::string& path, const Image& linear);
-// By the ending of the name: .png or .exr.
 std::string save_image(const std::string& path, const Image& linear);
 // For pictures whose numbers are meant as they stand, such as differences: no encoding.
 std::string save_png_as_is(const std::string& path, const Image& encoded);

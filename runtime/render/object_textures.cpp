@@ -22,6 +22,7 @@ ObjectTextures load_object_textures(const World& world) {
                 made.ok = false;
                 return;
             }
+            made.files.push_back(file);
             if (is_color && image.value.bits <= 8) decode_srgb(image.value);
             TextureData data{.levels = mip_chain(image.value), .sampler = {.wrap = Wrap::Clamp}};
             known[key] = {.data = std::make_shared<const TextureData>(std::move(data)), .format = TexelFormat::Float32};

@@ -15,6 +15,7 @@ namespace patina::runtime {
 struct ObjectTextures {
     bool ok = true;
     std::vector<std::vector<LoadedTexture>> textures{};  // by object: "lightmapTexture", "shadowMaskTexture"
+    std::vector<std::string> files{};                    // that were read
     std::vector<Diagnostic> diagnostics{};               // of each file that cannot be loaded, at its place
 };
 ObjectTextures load_object_textures(const World& world);

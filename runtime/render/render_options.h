@@ -32,11 +32,12 @@ struct RenderOptions {
 
 struct RenderOutcome {
     bool ok = false;
-    Image image;                          // linear
-    std::vector<Diagnostic> diagnostics;  // of the compiler and of glslang; warnings too
-    std::string error;                    // what else went wrong: a word of the request, a file, the device
-    std::size_t draws = 0;                // calls that drew the image, shadow maps among them
-    bool missing_machine = false;         // `error` is about this machine: no Vulkan device, or one with too low limits
+    Image image;                              // linear
+    std::vector<Diagnostic> diagnostics;      // of the compiler and of glslang; warnings too
+    std::string error;                        // what else went wrong: a word of the request, a file, the device
+    std::vector<std::string> dependencies{};  // files that were read: the scene, its graphs, textures
+    std::size_t draws = 0;                    // calls that drew the image, shadow maps among them
+    bool missing_machine = false;  // `error` is about this machine: no Vulkan device, or one with too low limits
 };
 
 }  // namespace patina::runtime

@@ -107,6 +107,7 @@ bool world_of_file(const Compiler& compiler, const RenderRequest& request, World
     if (!is_time(request.time)) return refuse("the time must be a number of seconds that a float can hold");
     WorldFile file = read_world(compiler, request.graph, compile_options(request.options));
     outcome.diagnostics = std::move(file.diagnostics);
+    outcome.dependencies = std::move(file.dependencies);
     if (!file.ok) return false;
     world = std::move(file.world);
     world.view.width = request.size;
@@ -134,6 +135,7 @@ RenderOutcome render(const Compiler& compiler, const RenderRequest& request, Ren
     }
     RenderOutcome drawn = draw_world(compiler, world, request.options, machine);
     drawn.diagnostics.insert(drawn.diagnostics.begin(), outcome.diagnostics.begin(), outcome.diagnostics.end());
+    drawn.dependencies.insert(drawn.dependencies.end(), outcome.dependencies.begin(), outcome.dependencies.end());
     if (!is_scene && drawn.ok && is_empty(drawn.image, world.view.background))
         drawn.diagnostics.push_back(
             complaint(request.graph, Severity::Warning, "nothing-seen",

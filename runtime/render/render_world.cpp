@@ -70,6 +70,7 @@ private:
         for (std::size_t i = 0; i < variants_.size(); ++i) compile(i);
         ObjectTextures loaded = load_object_textures(world_);
         report(loaded.diagnostics);
+        add_dependencies(loaded.files);
         ok_ &= loaded.ok;
         if (!ok_) return;
         object_textures_ = std::move(loaded.textures);
@@ -171,6 +172,10 @@ private:
         return compile_material(compiler_, world_.materials[variant.material], std::move(options));
     }
 
+    void add_dependencies(const std::vector<std::string>& files) {
+        outcome_.dependencies.insert(outcome_.dependencies.end(), files.begin(), files.end());
+    }
+
     // Several variants of one graph say the same.
     void report(const std::vector<Diagnostic>& diagnostics) {
         for (const Diagnostic& diagnostic : diagnostics) {
@@ -199,6 +204,8 @@ private:
             prepare_material(material, std::move(compiled), options_.exact_textures));
         report(made->diagnostics);
         if (!made->error.empty()) outcome_.error = made->error;
+        add_dependencies(made->compiled.dependencies);
+        add_dependencies(made->loaded.files);
         if (made->ok) finish(material, *made);
         ok_ &= made->ok;
         compiled_.push_back(std::move(made));

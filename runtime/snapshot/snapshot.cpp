@@ -40,10 +40,7 @@ bool passes(const Comparison& c, const Tolerance& tolerance) {
 
 // Writes a picture into the received folder and keeps its path in `written`; appends to `message` what went wrong.
 void write_received(const fs::path& path, const Image& encoded, std::string& written, std::string& message) {
-    std::error_code error;
-    fs::create_directories(path.parent_path(), error);
-    std::string problem = error ? "cannot make '" + path.parent_path().string() + "': " + error.message()
-                                : save_png_as_is(path.string(), encoded);
+    const std::string problem = save_png_as_is(path.string(), encoded);
     if (problem.empty())
         written = path.string();
     else
@@ -56,9 +53,17 @@ void accept(SnapshotCase& result, const Image& received) {
     result.message = error;
 }
 
+// Reference pictures were once named NAME.png, which is now a picture that 'patina render' writes.
+std::string advice_on(const SnapshotCase& result) {
+    std::error_code ignored;
+    const fs::path old = result.file.substr(0, result.file.size() - kEnding.size()) + ".png";
+    if (!fs::exists(old, ignored)) return "";
+    return fmt::format("; if '{}' is it, rename it", old.string());
+}
+
 // `received` is what an 8-bit file would hold, so that it can meet the reference exactly.
 void judge(SnapshotCase& result, const Image& received, const SnapshotOptions& options) {
-    fs::path kept = fs::path(options.received_dir) / (result.name + ".png");
+    fs::path kept = fs::path(options.received_dir) / (result.name + ".received.png");
     fs::path difference = fs::path(options.received_dir) / (result.name + ".difference.png");
     std::error_code ignored;
     fs::remove(kept, ignored);  // of an earlier run
@@ -67,7 +72,7 @@ void judge(SnapshotCase& result, const Image& received, const SnapshotOptions& o
     if (!fs::exists(result.reference, ignored)) {
         if (options.update) return accept(result, received);
         result.state = SnapshotState::Missing;
-        result.message = "there is no reference picture '" + result.reference + "' yet";
+        result.message = "there is no reference picture '" + result.reference + "' yet" + advice_on(result);
         write_received(kept, received, result.received, result.message);
         return;
     }
@@ -96,7 +101,7 @@ void judge(SnapshotCase& result, const Image& received, const SnapshotOptions& o
 SnapshotCase run_case(const Compiler& compiler, const fs::path& stem, const std::string& name,
                       const SnapshotOptions& options, RenderMachine& machine) {
     SnapshotCase result{
-        .name = name, .file = stem.string() + std::string(kEnding), .reference = stem.string() + ".png"};
+        .name = name, .file = stem.string() + std::string(kEnding), .reference = stem.string() + ".reference.png"};
     ReadSnapshot read = read_snapshot(result.file);
     if (!read.file) {
         result.diagnostics = {read.error};

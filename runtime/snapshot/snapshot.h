@@ -1,8 +1,8 @@
 // The room `snapshot`: reads such files, has them rendered and compares. It draws nothing itself.
 //
-// Picture tests as files: each NAME.snapshot.json in a folder names a graph and a scene, and NAME.png next to it is the
-// expected picture. A plain run never writes there: the rendered picture and the difference are written to
-// `received_dir`.
+// Picture tests as files: each NAME.snapshot.json in a folder names a graph and a scene, and NAME.reference.png next to
+// it is the expected picture. A plain run never writes there: the rendered picture and the difference are written to
+// `received_dir`, as NAME.received.png and NAME.difference.png.
 //
 //   { "patina": 1, "mesh": "torus", "size": 128, "set": { "_Roughness": 0.2 }, "tolerance": { "share": 0.01 } }
 //
@@ -27,7 +27,7 @@ struct SnapshotCase {
     std::string name{};  // NAME, with the folder below `dir` if there is one
     std::string file{};  // path of NAME.snapshot.json
     SnapshotState state = SnapshotState::Failed;
-    std::string reference{};  // path of NAME.png
+    std::string reference{};  // path of NAME.reference.png
     std::string received{};   // written pictures; empty: none
     std::string difference{};
     std::string message{};  // why it failed; empty where `diagnostics` say it

@@ -93,9 +93,10 @@ LoadedTextures load_textures(const Reflection& reflection, const std::string& gr
     for (const Texture& texture : reflection.textures) {
         if (!texture.is_material) continue;
         auto chosen = files.find(texture.name);
-        Outcome<LoadedTexture> loaded = load_texture(
-            texture, chosen == files.end() ? default_source(texture, graph_folder) : chosen->second, exact);
+        const std::string source = chosen == files.end() ? default_source(texture, graph_folder) : chosen->second;
+        Outcome<LoadedTexture> loaded = load_texture(texture, source, exact);
         if (loaded) {
+            if (default_texture(source).pixels.empty()) result.files.push_back(source);
             result.textures.push_back(std::move(loaded.value));
         } else {
             result.errors.push_back(loaded.error);

@@ -39,6 +39,7 @@ struct LoadedTextures {
     std::vector<LoadedTexture> textures{};  // one for each of the material that could be loaded, in its order
     std::vector<std::string> errors{};      // one for each that could not, with its name
     std::vector<std::string> failed{};      // the names of those, in the same order
+    std::vector<std::string> files{};       // that were read
 };
 
 // What the scene gives to a material that reads it: its environment and the table of the split sum.

@@ -153,7 +153,7 @@ TEST(Usage, IsRefusedWithWhatIsWrong) {
          "--target: '' is not a target; these exist: glsl, hlsl, vulkan, unity and spirv"},
         {"plain.graph.json -t glsl,metal",
          "--target: 'metal' is not a target; these exist: glsl, hlsl, vulkan, unity and spirv"},
-        {"plain.graph.json --dump ,tidy", "--dump: '' is not a stage; these exist: graph, ir, linked, tidy and rates"},
+        {"plain.graph.json --dump ,tidy", "--dump: '' is not a step; these exist: graph, ir, linked, tidy and rates"},
         {"a/plain.graph.json b/plain.graph.json",
          "GRAPH: 'a/plain.graph.json' and 'b/plain.graph.json' would both write plain.*: compile them into different "
          "folders"},

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""docs/sources.md keeps its word: each item, slip and option has one row, which leads somewhere, and every link is good.
+"""docs/sources.md keeps its word: each item, error and option has one row, which leads somewhere, and every link is good.
 
 The pages of nodes and models are generated: a link to one is good if the library has the node or model.
 
@@ -12,7 +12,7 @@ import subprocess
 import sys
 
 ITEMS = [str(number) for number in range(1, 172)]
-SLIPS = [f"E{number}" for number in range(1, 80)]
+ERRORS = [f"E{number}" for number in range(1, 80)]
 OPTIONS = [f"O{number}" for number in range(1, 30)]
 
 
@@ -47,16 +47,16 @@ def bad_rows(page):
         cells = [cell.strip() for cell in re.split(r"(?<!\\)\|", line)[1:-1]]
         if cells and re.fullmatch(r"[EO]?\d+", cells[0]):
             rows.setdefault(cells[0], []).append(cells[1:])
-    for key in ITEMS + SLIPS + OPTIONS:
+    for key in ITEMS + ERRORS + OPTIONS:
         if len(rows.get(key, [])) != 1:
             yield f"row {key}: there are {len(rows.get(key, []))} of it"
-    for key in rows.keys() - set(ITEMS + SLIPS + OPTIONS):
+    for key in rows.keys() - set(ITEMS + ERRORS + OPTIONS):
         yield f"row {key}: there is no such item"
     for key, found in rows.items():
         for cells in found:
             if not all(cells) or len(cells) != (3 if key.startswith("E") else 2):
                 yield f"row {key}: a cell is missing or empty"
-            elif not re.search(r"\]\(|decided, because", cells[-1]):
+            elif not re.search(r"\]\(|(differs?|not planned)[^|:]*: ", cells[-1]):
                 yield f"row {key}: leads nowhere: {cells[-1]}"
 
 
@@ -67,7 +67,7 @@ def main():
     nodes = set(re.findall(r"^  (\w+)", listed, re.MULTILINE))
     models = {path.name.partition(".")[0] for path in root.glob("nodes/models/*.lighting.json")}
     wrong = [*bad_rows(page), *bad_links(page, nodes, models)]
-    print("\n".join(wrong) or f"{len(ITEMS)} items, {len(SLIPS)} slips, {len(OPTIONS)} options, {len(nodes)} nodes in the library: all is well")
+    print("\n".join(wrong) or f"{len(ITEMS)} items, {len(ERRORS)} errors, {len(OPTIONS)} options, {len(nodes)} nodes in the library: all is well")
     sys.exit(1 if wrong or not nodes else 0)
 
 

@@ -54,9 +54,11 @@ struct Cosines {
     }
 };
 // Phong: the light mirrored at the surface, seen by the viewer.
+double signed_mirror_cosine(const Directions& d) {
+    return dot(plus(times(d.n, 2 * dot(d.n, d.l)), times(d.l, -1)), d.v);
+}
 double mirror_cosine(const Directions& d) {
-    const Vector r = plus(times(d.n, 2 * dot(d.n, d.l)), times(d.l, -1));
-    return clamped(dot(r, d.v));
+    return clamped(signed_mirror_cosine(d));
 }
 
 Color schlick(const Color& f0, double f90, double cosine) {
@@ -156,10 +158,10 @@ Color brdf2_environment(const Surface& s, const Directions& d) {
     const double weight = std::pow(1 - clamped(dot(d.n, d.v)), 4);
     return times(mixed(s.f0(), gray(grazing(s)), weight), reduction * s.occlusion);
 }
-// The branch of an early release that stands in for the table.
+// The branch of an early release that stands in for the table, with the table's argument: (r.l)^4, which has no sign.
 Color brdf3(const Surface& s, const Directions& d) {
-    const double exponent = spec_power(s.roughness) / 4, cosine = mirror_cosine(d);
-    const double lobe = cosine > 0 ? (exponent + 2) / (2 * kPi * kPi) * std::pow(cosine, exponent) : 0;
+    const double exponent = spec_power(s.roughness) / 4, fourth = std::pow(signed_mirror_cosine(d), 4);
+    const double lobe = fourth > 0 ? (exponent + 2) / (2 * kPi * kPi) * std::pow(fourth, exponent / 4) : 0;
     return times(plus(s.diffuse_color(), times(s.f0(), std::min(lobe, 16.0))), clamped(dot(d.n, d.l)));
 }
 Color brdf3_environment(const Surface& s, const Directions& d) {

@@ -240,6 +240,14 @@ TEST(Models, ClPbrSpecularMirrorsMiddleGreyWithoutItsBall) {
     for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], gray / (1 + 0.002 * 0.002), 1e-6) << c;
 }
 
+// The figure is that of Unity's BRDF3_Unity_PBS, which reads its table with (r.l)^4.
+TEST(Models, UnityBrdf3HasAHighlightOppositeToTheMirror) {
+    Model model(compiler(),
+                {.model = "unity-brdf3", .values = {{"baseColor", "1,1,1"}, {"metallic", "1"}, {"roughness", "0.7"}}});
+    const double z = 0.199, x = std::sqrt(1 - z * z);
+    EXPECT_NEAR(model.direct({.l = {x, 0, z}, .v = {x, 0, z}})[0], 0.0317, 0.00005);
+}
+
 TEST(Models, EachHasAClosedFormOrAReasonForNone) {
     std::set<std::string_view> known;
     for (const ClosedModel& closed : closed_models()) known.insert(closed.name);

@@ -1,6 +1,6 @@
 // One surface described in two ways: metallic and roughness, or specular colour and glossiness. Pairs that convert
-// exactly give the same light in double, and the same picture through GLSL and through HLSL. Models with Unity's grazing
-// term are the exception: Unity's two set-ups reflect the surroundings differently, and so do these models.
+// exactly give the same light in double, and the same picture through GLSL and through HLSL. Models with Unity's
+// grazing term are the exception: Unity's two set-ups reflect the surroundings differently, and so do these models.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -84,8 +84,14 @@ bool has_grazing_term(const std::string& model) {
 // The largest relative difference of one pair under one model, over directions.
 double difference(const std::string& model, const Pair& pair, const runtime::ModelLight& light) {
     static const Sequence points(4);
-    Model metallic(compiler(), {.model = model, .values = pair.metallic_words()});
-    Model specular(compiler(), {.model = model, .workflow = "specular-glossiness", .values = pair.specular_words()});
+    Words by_metallic = pair.metallic_words(), by_specular = pair.specular_words();
+    // By default it reflects a picture of its own.
+    if (model == "cl-pbr-specular") {
+        by_metallic.emplace_back("_Surroundings", "Scene");
+        by_specular.emplace_back("_Surroundings", "Scene");
+    }
+    Model metallic(compiler(), {.model = model, .values = by_metallic});
+    Model specular(compiler(), {.model = model, .workflow = "specular-glossiness", .values = by_specular});
     if (!metallic.ok() || !specular.ok()) return INFINITY;
     double worst = 0;
     for (std::size_t i = 0; i < 60; ++i) {
@@ -112,8 +118,8 @@ TEST(Workflows, GiveTheSameLight) {
     }
 }
 
-// What UnityStandardCore.cginc computes: SpecularSetup sets oneMinusReflectivity = 1 - max(specular), and BRDF1 reflects
-// the surroundings by surfaceReduction * FresnelLerp(specular, grazingTerm, nv).
+// What UnityStandardCore.cginc computes: SpecularSetup sets oneMinusReflectivity = 1 - max(specular), and BRDF1
+// reflects the surroundings by surfaceReduction * FresnelLerp(specular, grazingTerm, nv).
 double unity_reflection(double specular, double strongest, double smoothness, double nv) {
     const double roughness = std::max((1 - smoothness) * (1 - smoothness), 0.002);
     const double grazing = std::min(smoothness + strongest, 1.0);

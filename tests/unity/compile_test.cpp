@@ -32,6 +32,7 @@ const std::map<std::string, std::vector<Keywords>>& variants() {
           {"DIRECTIONAL", "LIGHTMAP_ON", "SHADOWS_SCREEN", "FOG_EXP2", "STAND_IN_2017"},
           {"LIGHTMAP_ON", "DYNAMICLIGHTMAP_ON", "DIRLIGHTMAP_COMBINED", "UNITY_SPECCUBE_BOX_PROJECTION"},
           {"UNITY_SPECCUBE_BLENDING", "STAND_IN_2017"}}},
+        {"", {{}, {"UNITY_COLORSPACE_GAMMA", "FOG_LINEAR"}, {"FOG_EXP2", "INSTANCING_ON", "STAND_IN_2017"}}},
         {"ForwardAdd",
          {{"POINT"},
           {"POINT", "STAND_IN_2017", "FOG_LINEAR"},
@@ -127,7 +128,7 @@ TEST_P(UnityExample, CompilesInEveryVariant) {
     }
     ASSERT_TRUE(result.ok);
     const ShaderLab file = taken_apart(result.shaders.back().text);
-    ASSERT_TRUE(file.pass("ForwardBase"));
+    ASSERT_TRUE(file.forward());
     for (const LabPass& pass : file.passes) {
         ASSERT_TRUE(variants().contains(pass.light_mode)) << pass.light_mode;
         for (const Keywords& keywords : variants().at(pass.light_mode)) {

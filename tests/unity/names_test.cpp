@@ -15,11 +15,51 @@ TEST(UnityNames, KeepOutOfTheWayOfTheIncludes) {
     EXPECT_TRUE(has(text, "DisneyDiffuseTerm(")) << text;
 }
 
+// Whatever a name belongs to: nodes, functions, members and values between the stages.
+TEST(UnityNames, OfEveryKindKeepOutOfTheWay) {
+    const std::string text = shader(material(R"j("properties": [ { "name": "_Wear", "type": "float", "default": 1 } ],
+      "nodes": [ { "id": "UNITY_PI", "expr": "sin($_Wear) + 1" },
+        { "id": "UnityObjectToWorldDir", "expr": "UNITY_PI * UNITY_PI + UNITY_PI", "stage": "vertex" },
+        { "id": "GGXTerm", "expr": "@positionOS.x * $_Wear", "stage": "vertex" } ],
+      "surface": { "metallic": "= saturate(UNITY_PI * UnityObjectToWorldDir)", "smoothness": "= GGXTerm * GGXTerm" })j"));
+    for (const char* name : {"UNITY_PI", "UnityObjectToWorldDir", "GGXTerm"}) {
+        EXPECT_FALSE(has(text, std::string("float ") + name + " ")) << name << text;
+        EXPECT_FALSE(has(text, std::string("float ") + name + ";")) << name << text;
+        EXPECT_FALSE(has(text, std::string("o.") + name + " =")) << name << text;
+        EXPECT_FALSE(has(text, std::string("i.") + name + " ")) << name << text;
+    }
+}
+
 // A property's name is what materials keep its value under: it is refused, not changed.
 TEST(UnityNames, OfPropertiesAreNotUnitysOwn) {
-    for (const std::string name :
-         {"_Time", "_LightColor0", "unity_Wetness", "_CameraDepthTexture", "Luminance", "SPOT", "_ShadowMapTexture",
-          "_ZBufferParams", "UNITY_PI", "UnityGI", "UnityLight", "UnityObjectToClipPos", "Unity_SafeNormalize"}) {
+    for (const std::string name : {"_Time",
+                                   "_LightColor0",
+                                   "unity_Wetness",
+                                   "_CameraDepthTexture",
+                                   "Luminance",
+                                   "SPOT",
+                                   "_ShadowMapTexture",
+                                   "_ZBufferParams",
+                                   "UNITY_PI",
+                                   "UnityGI",
+                                   "UnityLight",
+                                   "UnityObjectToClipPos",
+                                   "Unity_SafeNormalize",
+                                   "KelemenVisibilityTerm",
+                                   "ModifiedKelemenVisibilityTerm",
+                                   "CookTorranceVisibilityTerm",
+                                   "ODSOffset",
+                                   "ImplicitVisibilityTerm",
+                                   "LazarovFresnelTerm",
+                                   "SebLagardeFresnelTerm",
+                                   "RDFBlinnPhongNormalizedTerm",
+                                   "DecodeHDR_NoLinearSupportInSM2",
+                                   "unitySampleShadow",
+                                   "unityShadowCoord4x4",
+                                   "Texture2DMS_half",
+                                   "sampler1D_float",
+                                   "SAMPLER_UNIFORM",
+                                   "SHADOWS_CUBE_IN_DEPTH_TEX"}) {
         const Result result = of_text(material(R"("properties": [ { "name": ")" + name +
                                                R"(", "type": "float", "default": 1 } ],
       "surface": { "metallic": "$)" + name + R"(" })"));

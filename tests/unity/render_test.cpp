@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
 #include "paths/drawing.h"
 #include "patina/validate.h"
@@ -143,13 +145,37 @@ Image forward(const Material& material, const runtime::Scene& scene) {
     return drawn(material, scene, passes);
 }
 
+// Unity's meshes and textures count from the bottom: pictures and coordinates are upside down there.
+runtime::Scene upward(runtime::Scene scene) {
+    for (runtime::Vertex& vertex : scene.mesh.vertices) vertex.uv0.y = 1 - vertex.uv0.y;
+    return scene;
+}
+Material upward(Material material) {
+    for (runtime::LoadedTexture& texture : material.textures) {
+        const auto is_own = [&](const Texture& t) { return t.name == texture.name && t.is_material; };
+        const auto& known = material.result.reflection.textures;
+        if (std::none_of(known.begin(), known.end(), is_own)) continue;
+        TextureData data = *texture.data;
+        for (TextureLevel& level : data.levels) {
+            const auto row = static_cast<std::ptrdiff_t>(4 * level.width);
+            for (int y = 0; y < level.height / 2; ++y)
+                std::swap_ranges(level.texels.begin() + y * row, level.texels.begin() + (y + 1) * row,
+                                 level.texels.end() - (y + 1) * row);
+        }
+        texture.data = std::make_shared<const TextureData>(std::move(data));
+    }
+    return material;
+}
+
 // ForwardBase with the first light, and ForwardAdd with each of the others.
-Image in_unity(const Material& material, const runtime::Scene& scene, const Keywords& keywords) {
+Image in_unity(const Material& given, const runtime::Scene& downward, const Keywords& keywords) {
+    const Material material = upward(given);
+    const runtime::Scene scene = upward(downward);
     const Reflection& reflection = material.result.reflection;
     std::vector<Drawn> passes;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const runtime::Light& light = scene.lights[i];
-        const LabPass* pass = material.file.pass(i == 0 ? "ForwardBase" : "ForwardAdd");
+        const LabPass* pass = i == 0 ? material.file.forward() : material.file.pass("ForwardAdd");
         if (!pass) continue;
         Keywords defined = keywords;
         defined.push_back(light.kind == LightKind::Directional ? "DIRECTIONAL"
@@ -195,30 +221,7 @@ void expect_same(const Image& a, const Image& b, const std::string& what) {
 struct Case {
     std::string graph, mesh = "sphere";
     std::map<std::string, std::string> words = {};
-    bool is_upward = false;  // texture coordinates are only read by textures: they can grow upwards, as Unity's do
 };
-
-// Pictures and coordinates upside down: what is seen is the same.
-runtime::Scene upward(runtime::Scene scene) {
-    for (runtime::Vertex& vertex : scene.mesh.vertices) vertex.uv0.y = 1 - vertex.uv0.y;
-    return scene;
-}
-Material upward(Material material) {
-    for (runtime::LoadedTexture& texture : material.textures) {
-        const auto is_own = [&](const Texture& t) { return t.name == texture.name && t.is_material; };
-        const auto& known = material.result.reflection.textures;
-        if (std::none_of(known.begin(), known.end(), is_own)) continue;
-        TextureData data = *texture.data;
-        for (TextureLevel& level : data.levels) {
-            const auto row = static_cast<std::ptrdiff_t>(4 * level.width);
-            for (int y = 0; y < level.height / 2; ++y)
-                std::swap_ranges(level.texels.begin() + y * row, level.texels.begin() + (y + 1) * row,
-                                 level.texels.end() - (y + 1) * row);
-        }
-        texture.data = std::make_shared<const TextureData>(std::move(data));
-    }
-    return material;
-}
 
 class UnityPicture : public testing::TestWithParam<Case> {};
 
@@ -226,11 +229,8 @@ TEST_P(UnityPicture, IsThatOfForward) {
     const runtime::Scene scene = scene_of(GetParam().mesh, {kSun});
     const Material material(GetParam().graph, scene, GetParam().words, {});
     const Image expected = forward(material, scene);
-    const bool is_upward = GetParam().is_upward;
-    const Material seen = is_upward ? upward(material) : material;
-    const runtime::Scene shown = is_upward ? upward(scene) : scene;
-    expect_same(expected, in_unity(seen, shown, {}), "linear");
-    expect_same(expected, decoded(in_unity(seen, shown, {"UNITY_COLORSPACE_GAMMA"})), "gamma");
+    expect_same(expected, in_unity(material, scene, {}), "linear");
+    expect_same(expected, decoded(in_unity(material, scene, {"UNITY_COLORSPACE_GAMMA"})), "gamma");
 }
 
 TEST_P(UnityPicture, AddsUpToThatOfForward) {
@@ -240,9 +240,7 @@ TEST_P(UnityPicture, AddsUpToThatOfForward) {
         EXPECT_EQ(material.result.reflection.workflow, "unlit");  // lights add nothing to it
         return;
     }
-    const bool is_upward = GetParam().is_upward;
-    expect_same(forward(material, scene),
-                in_unity(is_upward ? upward(material) : material, is_upward ? upward(scene) : scene, {}), "linear");
+    expect_same(forward(material, scene), in_unity(material, scene, {}), "linear");
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -253,8 +251,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"examples/graphs/rusted_steel.graph.json"}, Case{"examples/graphs/ivy.graph.json", "plane"},
                     Case{"examples/graphs/toon.graph.json", "torus"}, Case{"examples/graphs/coral.graph.json"},
                     Case{"examples/graphs/lava.graph.json"}, Case{"examples/graphs/azulejo.graph.json", "cube"},
-                    Case{"examples/sources/standard-specular-setup.graph.json", "sphere", {}, true},
-                    Case{"examples/surfaces/bricks_parallax.graph.json", "plane", {}, true},
+                    Case{"examples/sources/standard-specular-setup.graph.json", "sphere"},
+                    Case{"examples/surfaces/bricks_parallax.graph.json", "plane"},
                     Case{"tests/unity/graphs/specular.graph.json", "sphere"},
                     Case{"tests/unity/graphs/texels.graph.json", "sphere"},
                     Case{"tests/unity/graphs/wave.graph.json", "capsule"}),
@@ -316,6 +314,8 @@ TEST(UnityPictures, FillTheSameGBuffer) {
     const Material material("tests/unity/graphs/standard.graph.json", scene,
                             {{"_Color", "#d08050"}, {"_Metallic", "0.4"}, {"_EmissionColor", "0.1,0.2,0.3"}}, {},
                             "deferred");
+    const runtime::Scene upside_down = upward(scene);
+    const Material upward_material = upward(material);
     const Reflection& reflection = material.result.reflection;
     const auto gbuffer = std::find_if(reflection.passes.begin(), reflection.passes.end(),
                                       [](const Pass& pass) { return pass.name == "gbuffer"; });
@@ -323,7 +323,9 @@ TEST(UnityPictures, FillTheSameGBuffer) {
     ASSERT_EQ(gbuffer->targets.size(), 4u);
     const LabPass* pass = material.file.pass("Deferred");
     ASSERT_TRUE(pass);
+    Drawn own{.pass = *gbuffer, .vertex = {}, .fragment = {}, .lights = {}};
     const auto draw = [&](Drawn& made, std::size_t shown) {
+        const bool is_own = &made == &own;
         runtime::Frame frame{.shown = shown};
         for (const RenderTarget& target : gbuffer->targets)
             frame.targets.push_back({.name = target.name, .width = scene.width, .height = scene.height});
@@ -339,16 +341,15 @@ TEST(UnityPictures, FillTheSameGBuffer) {
         frame.steps.push_back({.reflection = &reflection,
                                .pass = &made.pass,
                                .stages = {.vertex_spirv = made.vertex, .fragment_spirv = made.fragment},
-                               .mesh = &scene.mesh,
+                               .mesh = is_own ? &scene.mesh : &upside_down.mesh,
                                .blocks = runtime::fill_blocks(reflection, material.values, seen),
-                               .textures = material.textures,
+                               .textures = is_own ? material.textures : upward_material.textures,
                                .targets = {0, 1, 2, 3},
                                .depth = 4});
         const auto image = renderer().draw(frame);
         EXPECT_TRUE(image) << image.error;
         return image ? image.value : runtime::make_image(scene.width, scene.height);
     };
-    Drawn own{.pass = *gbuffer, .vertex = {}, .fragment = {}, .lights = {}};
     for (const Shader& shader : material.result.shaders) {
         if (shader.pass != "gbuffer" || shader.target != Target::Hlsl) continue;
         (shader.stage == Stage::Vertex ? own.vertex : own.fragment) = spirv(shader);
@@ -384,6 +385,66 @@ TEST(UnityPictures, FadeIntoTheSameFog) {
                             {{"fog", "true"}});
     expect_same(forward(material, scene), in_unity(material, scene, {"FOG_LINEAR", "STAND_IN_FOG"}), "fog");
 }
+
+// One texture that no turn or mirror leaves alone, read in many ways.
+class UnityTexture : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+TEST_P(UnityTexture, ShowsTheSameTexels) {
+    const std::string path = testing::TempDir() + "read_" + GetParam().first + ".graph.json";
+    const std::string picture = std::filesystem::absolute("tests/unity/graphs/patches.png").string();
+    std::filesystem::copy_file(picture, testing::TempDir() + "patches.png",
+                               std::filesystem::copy_options::overwrite_existing);
+    std::ofstream(path) << R"j({ "patina": 1, "workflow": "unlit", "properties": [
+        { "name": "_Map", "type": "texture2d", "default": "./patches.png" },
+        { "name": "_Tiled", "type": "texture2d", "default": "./patches.png", "tiling": true } ],
+      "nodes": [ )j" << GetParam().second
+                        << R"j( ], "surface": { "color": "= texel.rgb" } })j";
+    const runtime::Scene scene = scene_of("sphere", {kSun});
+    const Material material(path, scene, {{"_Tiled_ST", "2,3,0.1,0.3"}}, {});
+    ASSERT_TRUE(material.result.ok);
+    // The same place of the texture, in numbers that count from the bottom: 1 - 3 - 0.3.
+    Material unitys(path, scene, {{"_Tiled_ST", "2,3,0.1,-2.3"}}, {});
+    expect_same(forward(material, scene), in_unity(unitys, scene, {}), GetParam().first);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, UnityTexture,
+    testing::Values(
+        std::pair{"Plain", R"j({ "id": "texel", "node": "SampleTexture2D", "in": { "texture": "$_Map" } })j"},
+        std::pair{"Tiled", R"j({ "id": "texel", "node": "SampleTexture2D", "in": { "texture": "$_Tiled" } })j"},
+        std::pair{
+            "Scaled",
+            R"j({ "id": "texel", "node": "SampleTexture2D", "in": { "texture": "$_Map", "uv": "= @uv0 * float2(2, 3)" } })j"},
+        std::pair{
+            "Moved",
+            R"j({ "id": "texel", "node": "SampleTexture2D", "in": { "texture": "$_Map", "uv": "= @uv0 + float2(0.1, 0.3)" } })j"},
+        std::pair{
+            "MovedAndTiled",
+            R"j({ "id": "texel", "node": "SampleTexture2D", "in": { "texture": "$_Tiled", "uv": "= @uv0 + float2(0.1, 0.3)" } })j"},
+        std::pair{"Swapped",
+                  R"j({ "id": "texel", "node": "SampleTexture2D", "in": { "texture": "$_Map", "uv": "= @uv0.yx" } })j"},
+        std::pair{"Flipbook", R"j({ "id": "frame", "node": "Flipbook", "in": { "frame": 6 } },
+            { "id": "texel", "node": "SampleTexture2D", "in": { "texture": "$_Map", "uv": "frame" } })j"},
+        std::pair{"Matcap", R"j({ "id": "ball", "node": "MatcapUV" },
+            { "id": "texel", "node": "SampleTexture2D", "in": { "texture": "$_Map", "uv": "ball" } })j"},
+        std::pair{
+            "Ramp",
+            R"j({ "id": "texel", "node": "SampleTexture2D", "in": { "texture": "$_Map", "uv": "= @normalWS.xy * 0.5 + 0.5" } })j"},
+        std::pair{"Screen",
+                  R"j({ "id": "texel", "node": "SampleTexture2D", "in": { "texture": "$_Map", "uv": "@screenUV" } })j"},
+        std::pair{"Level",
+                  R"j({ "id": "texel", "node": "SampleTexture2DLevel", "in": { "texture": "$_Tiled", "level": 1 } })j"},
+        std::pair{
+            "Gradients",
+            R"j({ "id": "texel", "node": "SampleTexture2DGrad", "in": { "texture": "$_Tiled", "uv": "= @uv0 * 4" } })j"},
+        std::pair{
+            "Texel",
+            R"j({ "id": "texel", "node": "LoadTexture2D", "in": { "texture": "$_Map", "texel": "= @uv0 * 7" } })j"},
+        std::pair{
+            "AtVertices",
+            R"j({ "id": "texel", "node": "SampleTexture2DLevel", "in": { "texture": "$_Map" }, "stage": "vertex" })j"},
+        std::pair{"Gradient", R"j({ "id": "texel", "expr": "float4(@uv0, @uv0.y * @uv0.y, 1)" })j"}),
+    [](const auto& info) { return std::string(info.param.first); });
 
 }  // namespace
 }  // namespace patina::unity

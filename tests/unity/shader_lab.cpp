@@ -107,6 +107,11 @@ const LabPass* ShaderLab::pass(const std::string& light_mode) const {
     return found == passes.end() ? nullptr : &*found;
 }
 
+const LabPass* ShaderLab::forward() const {
+    const LabPass* lit = pass("ForwardBase");
+    return lit ? lit : pass("");
+}
+
 ShaderLab taken_apart(const std::string& text) {
     ShaderLab made;
     std::string common, state;

@@ -22,6 +22,8 @@ struct ShaderLab {
     std::vector<LabPass> passes;
 
     const LabPass* pass(const std::string& light_mode) const;
+    // The pass with the main light; of unlit files, the one without a mode.
+    const LabPass* forward() const;
 };
 ShaderLab taken_apart(const std::string& text);
 

@@ -85,6 +85,22 @@ TEST(UnityDepth, IsThereForPassesThatWriteIt) {
     }
 }
 
+// Unity's own Unlit shaders have no light mode, so that objects can be batched, and a lower level of detail.
+TEST(UnityModes, UnlitFilesHaveNone) {
+    const Result unlit = of_text(R"({ "patina": 1, "workflow": "unlit", "surface": { "color": 0.5 } })");
+    EXPECT_EQ(modes(unlit), (Words{"", "ShadowCaster"}));
+    EXPECT_TRUE(has(unlit.shaders.front().text, "LOD 100"));
+    const Result lit = of_text(material(R"("name": "Lit")"));
+    EXPECT_EQ(modes(lit).front(), "ForwardBase");
+    EXPECT_TRUE(has(lit.shaders.front().text, "LOD 300"));
+    // Whatever reads a value of lights needs the mode.
+    for (const char* value : {"@light.direction", "@light.radiance", "AmbientIrradiance(@geometryNormalWS)"}) {
+        const Result reads = of_text(R"j({ "patina": 1, "workflow": "unlit", "surface": { "color": "= abs()j" +
+                                     std::string(value) + R"j()" } })j");
+        EXPECT_EQ(modes(reads).front(), "ForwardBase") << value;
+    }
+}
+
 // A stencil that changes the value that it tests requires a single draw: unlit materials, and extra passes.
 TEST(UnityStencil, MayChangeWhatItTestsWhereAnObjectIsDrawnOnce) {
     const std::string stencil = R"("stencil": { "reference": 1, "test": "notEqual", "pass": "replace" })";
@@ -93,7 +109,7 @@ TEST(UnityStencil, MayChangeWhatItTestsWhereAnObjectIsDrawnOnce) {
             "render": { "surface": ")" +
                                      kind + "\", " + stencil + " } }");
         ASSERT_TRUE(unlit.ok) << to_text(first_error(unlit));
-        EXPECT_EQ(modes(unlit).front(), "ForwardBase");
+        EXPECT_EQ(modes(unlit).front(), "");
         EXPECT_TRUE(has(unlit.shaders.front().text, "Stencil { Ref 1 Comp NotEqual Pass Replace }"));
     }
     for (const std::string workflow : {"\"unlit\", \"surface\": { \"color\": 0 }", "\"metallic-roughness\""}) {

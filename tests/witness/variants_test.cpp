@@ -116,7 +116,8 @@ TEST(Variants, PastTheLimitAreRefusedWithWhatTheyCost) {
     ASSERT_EQ(plan.diagnostics.size(), 1u);
     EXPECT_EQ(plan.diagnostics[0].message, "16 combinations of variants are too many: the limit is 15");
     ASSERT_EQ(plan.diagnostics[0].notes.size(), 5u);
-    EXPECT_EQ(plan.diagnostics[0].notes[0].message, "'_A' has 2 values: without it there are 8");
+    EXPECT_EQ(plan.diagnostics[0].notes[0].message,
+              "'_A' has 2 values: if -D fixes it, the number of combinations is 8");
     EXPECT_EQ(plan.diagnostics[0].notes[3].file, "inner.subgraph.json");
     EXPECT_TRUE(planned(VariantsWanted::All, 16).ok);
     // Three can be reached, and no more are counted than the limit. _C and _D cost nothing.
@@ -124,8 +125,10 @@ TEST(Variants, PastTheLimitAreRefusedWithWhatTheyCost) {
     ASSERT_EQ(reachable.diagnostics.size(), 1u);
     EXPECT_EQ(reachable.diagnostics[0].message, "the reachable combinations of variants are too many: the limit is 2");
     ASSERT_EQ(reachable.diagnostics[0].notes.size(), 3u);
-    EXPECT_EQ(reachable.diagnostics[0].notes[0].message, "'_A' has 2 values: without it there are at most 2");
-    EXPECT_EQ(reachable.diagnostics[0].notes[1].message, "'_B' has 2 values: without it there are at most 2");
+    EXPECT_EQ(reachable.diagnostics[0].notes[0].message,
+              "'_A' has 2 values: if -D fixes it, the number of combinations is at most 2");
+    EXPECT_EQ(reachable.diagnostics[0].notes[1].message,
+              "'_B' has 2 values: if -D fixes it, the number of combinations is at most 2");
     EXPECT_TRUE(planned(VariantsWanted::Reachable, 3).ok);
 }
 
@@ -179,7 +182,8 @@ TEST(Variants, ThatAreFixedLeaveOutWhatIsListedOtherwise) {
     EXPECT_FALSE(none.ok);
     ASSERT_EQ(none.diagnostics.size(), 1u);
     EXPECT_EQ(none.diagnostics[0].code, "nothing-listed");
-    EXPECT_EQ(none.diagnostics[0].message, "no combination that the graph lists has '_A' = true and '_B' = false");
+    EXPECT_EQ(none.diagnostics[0].message,
+              "-D _A=true and -D _B=false exclude every entry of 'variants': remove one, or list such a combination");
     EXPECT_GT(none.diagnostics[0].line, 1);
 }
 

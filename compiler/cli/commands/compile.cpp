@@ -2,12 +2,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <memory>
 
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/commands/compile_variants.h"
 #include "compiler/cli/files.h"
+#include "compiler/cli/outputs.h"
+#include "patina/output_name.h"
 #include "patina/validate.h"
 
 namespace patina::cli {
@@ -30,6 +33,8 @@ struct Arguments {
     bool wants(std::string_view target) const { return std::ranges::find(targets, target) != targets.end(); }
     // Whose files are written. SPIR-V is made from GLSL, which may not be among them.
     std::vector<Target> written;
+    // What tells the reflection of this kind of output from those of others: "", ".deferred", ".functions".
+    std::string kind;
     // --dump alone is for looking, not for writing.
     bool writes() const { return dump.empty() || !folder.empty(); }
 };
@@ -70,6 +75,36 @@ CompileOptions options_of(const Arguments& arguments) {
     options.switches = arguments.path.switches();
     options.functions = arguments.functions;
     return options;
+}
+
+// "deferred", "./mine.pass.hlsl" -> "deferred", "mine"
+std::string name_of_path(const std::string& path) {
+    std::string name = std::filesystem::path(path).filename().string();
+    if (const std::string_view ending = ".pass.hlsl"; name.ends_with(ending)) name.resize(name.size() - ending.size());
+    return name;
+}
+
+// What the names of the reflection, its dependency file and its manifest hold besides the graph: nothing for the
+// default engine and path.
+std::string kind_of(const Arguments& arguments, const Compiler& compiler) {
+    // The reflection is that of the first engine that draws the library's paths, if there is one.
+    const auto is_wanted = [&](const EngineInfo& engine) {
+        const auto is_its_target = [&](const Target& target) {
+            return engine.is_default ? target.engine.empty() : target.engine == engine.name;
+        };
+        return std::ranges::any_of(options_of(arguments).targets, is_its_target);
+    };
+    const EngineInfo* described = nullptr;
+    for (const EngineInfo& engine : compiler.engines()) {
+        if (!is_wanted(engine)) continue;
+        if (!described || (described->has_own_passes && !engine.has_own_passes)) described = &engine;
+    }
+    std::string kind;
+    if (described && !described->is_default) kind += "." + described->name;
+    if (!arguments.functions.empty()) return kind + ".functions";
+    const bool has_path = !described || !described->has_own_passes;
+    if (has_path && arguments.path.path != PathOptions{}.path) kind += "." + name_of_path(arguments.path.path);
+    return kind;
 }
 
 // What was asked for and a wanted engine's files do not have; empty: nothing.
@@ -126,37 +161,46 @@ bool has_own_names(const Console& console, const std::string& graph, std::span<c
     return true;
 }
 
-Exit write(const Console& console, const Arguments& arguments, const std::string& graph, const std::string& target,
-           std::span<const std::string> dependencies, OutputFiles files) {
-    if (arguments.depfile) files.add(join_path(arguments.folder, stem(graph)) + ".d", make_rule(target, dependencies));
-    if (std::string error = commit(files); !error.empty()) {
-        complain(console, Complaint::CannotWrite, {error});
-        return Exit::Wrong;
+// What the graphs of one command share.
+struct Run {
+    const Console& console;
+    const Arguments& arguments;
+    const Compiler& compiler;
+    Outputs outputs{console};
+    ShaderNames shader_names{};
+};
+
+Exit write(Run& run, const std::string& graph, const std::string& target, std::span<const std::string> dependencies,
+           OutputFiles files) {
+    if (run.arguments.depfile) {
+        const std::string name = output_name(graph) + run.arguments.kind + ".d";
+        files.add(join_path(run.arguments.folder, name), make_rule(target, dependencies));
     }
-    for (const OutputFile& file : files.files) say(console, file.path);
+    if (!run.outputs.write(graph, files, dependencies)) return Exit::Wrong;
+    say(run.console, files);
     return Exit::Ok;
 }
 
-Exit compile_variants(const Console& console, const Arguments& arguments, const Compiler& compiler,
-                      const std::string& graph, ShaderNames& shader_names) {
+Exit compile_variants(Run& run, const std::string& graph) {
+    const Arguments& arguments = run.arguments;
     OutputFiles files;
     std::vector<std::string> dependencies;
     const Exit exit = make_variants(
-        console, compiler, graph, arguments.variants, options_of(arguments), arguments.folder,
+        run.console, run.compiler, graph, arguments.variants, options_of(arguments), arguments.folder,
         [&](const Shader& shader, OutputFiles& made) {
-            return add_shader(console, arguments, shader, made) &&
-                   has_own_names(console, graph, std::span(&shader, 1), shader_names);
+            return add_shader(run.console, arguments, shader, made) &&
+                   has_own_names(run.console, graph, std::span(&shader, 1), run.shader_names);
         },
         files, dependencies);
     if (exit != Exit::Ok) return exit;
     const std::string manifest = files.files.back().path;
-    return write(console, arguments, graph, manifest, dependencies, std::move(files));
+    return write(run, graph, manifest, dependencies, std::move(files));
 }
 
-Exit compile_graph(const Console& console, const Arguments& arguments, const Compiler& compiler,
-                   const std::string& graph, ShaderNames& shader_names) {
-    const Result result = compiler.compile_file(graph, options_of(arguments));
-    report(console, result.diagnostics);
+Exit compile_graph(Run& run, const std::string& graph) {
+    const Arguments& arguments = run.arguments;
+    const Result result = run.compiler.compile_file(graph, options_of(arguments));
+    report(run.console, result.diagnostics);
     for (const Dump& dump : result.dumps) {
         print("// " + graph + ": " + dump.stage + "\n" + dump.text + (dump.text.ends_with('\n') ? "" : "\n"));
     }
@@ -164,14 +208,13 @@ Exit compile_graph(const Console& console, const Arguments& arguments, const Com
 
     OutputFiles files;
     bool ok = true;
-    for (const Shader& shader : result.shaders) ok &= add_shader(console, arguments, shader, files);
-    if (!ok || !has_own_names(console, graph, result.shaders, shader_names)) return Exit::Wrong;
+    for (const Shader& shader : result.shaders) ok &= add_shader(run.console, arguments, shader, files);
+    if (!ok || !has_own_names(run.console, graph, result.shaders, run.shader_names)) return Exit::Wrong;
     if (!arguments.writes()) return Exit::Ok;
 
-    const std::string name = join_path(arguments.folder, stem(graph));
-    const std::string reflection = name + ".reflect.json";
+    const std::string reflection = join_path(arguments.folder, output_name(graph) + arguments.kind + ".reflect.json");
     files.add(reflection, result.reflection.to_json());
-    return write(console, arguments, graph, reflection, result.dependencies, std::move(files));
+    return write(run, graph, reflection, result.dependencies, std::move(files));
 }
 
 }  // namespace
@@ -194,21 +237,22 @@ void add_compile(Program& program) {
     command
         .add_option("-o,--output", arguments->folder,
                     "Folder to write to, which is made if it is missing; default: the current folder")
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->check(is_folder_name);
     command.add_flag("--validate", arguments->validate, "Check the shaders with glslang and spirv-val");
     command.add_flag("--depfile", arguments->depfile,
-                     "Write NAME.d, a list of the files that NAME.reflect.json was made from, for ninja");
+                     "Write NAME.d next to NAME.reflect.json, a list of the files that this was made from, for ninja");
     add_words_option(command, "--dump", arguments->dump,
-                     "Print a stage of the compilation: graph, ir, linked, tidy, rates; files are written only with -o",
-                     one_of("a stage", {"graph", "ir", "linked", "tidy", "rates"}))
-        ->type_name("STAGE");
+                     "Print the result of a step: graph, ir, linked, tidy, rates; files are written only with -o",
+                     one_of("a step", {"graph", "ir", "linked", "tidy", "rates"}))
+        ->type_name("STEP");
     add_path_options(command, arguments->path);
     CLI::Option* variants =
         command
             .add_option("--variants", arguments->variants.wanted,
-                        "Compile the graph's variants: all combinations, those that the graph lists, or those that "
-                        "differ. Each different shader is written once; NAME.variants.json says which belongs to "
-                        "which combination")
+                        "Compile the graph's variants. all: every combination; listed: those under \"variants\"; "
+                        "reachable: without choices that change nothing. Each different shader is written once; "
+                        "NAME.variants.json says which belongs to which combination")
             ->type_name("all|listed|reachable")
             ->check(one_of("a choice of variants", {"all", "listed", "reachable"}));
     command
@@ -232,7 +276,7 @@ void add_compile(Program& program) {
 
     set_work(program, command, [arguments](const Console& console) {
         if (console.json && !arguments->dump.empty()) {
-            complain(console, Complaint::MixedOutput, {});
+            complain(console, Complaint::MixedOutput, {"--dump"});
             return Exit::Usage;
         }
         if (!arguments->functions.empty() && arguments->wants("spirv")) {
@@ -245,12 +289,13 @@ void add_compile(Program& program) {
             complain(console, Complaint::Usage, {why});
             return Exit::Usage;
         }
-        ShaderNames shader_names;
+        arguments->kind = arguments->variants.kind = kind_of(*arguments, compiler);
+        Run run{console, *arguments, compiler};
         Exit exit = Exit::Ok;
         for (std::size_t i = 0; i < arguments->graphs.size(); ++i) {
             show_progress(console, i, arguments->graphs.size(), arguments->graphs[i]);
             const auto compile = arguments->variants.wanted.empty() ? compile_graph : compile_variants;
-            exit = worse(exit, compile(console, *arguments, compiler, arguments->graphs[i], shader_names));
+            exit = worse(exit, compile(run, arguments->graphs[i]));
         }
         return exit;
     });

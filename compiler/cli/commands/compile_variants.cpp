@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <map>
 
+#include "compiler/cli/files.h"
+#include "patina/output_name.h"
+
 namespace patina::cli {
 namespace {
 
@@ -151,7 +154,7 @@ Exit make_variants(const Console& console, const Compiler& compiler, const std::
     end_progress(console);
     report(console, plan.diagnostics);
     if (!plan.ok) return Exit::Wrong;
-    const std::string name = stem(graph);
+    const std::string name = output_name(graph);
     const bool is_counted = wanted.wanted == to_string(VariantsWanted::Reachable) && !plan.axes.empty();
     remark(console, graph + ": " +
                         (is_counted ? counted(plan.count, "combination") + " can be reached"
@@ -171,7 +174,7 @@ Exit make_variants(const Console& console, const Compiler& compiler, const std::
         // A file that holds all programs, as Unity's does, has no hash in its name.
         const bool is_hashed = std::any_of(program.result.shaders.begin(), program.result.shaders.end(),
                                            [](const Shader& s) { return !s.hash.empty(); });
-        made.reflection = with_hash(name + ".reflect.json", name, is_hashed ? made.hash : "");
+        made.reflection = with_hash(name + wanted.kind + ".reflect.json", name, is_hashed ? made.hash : "");
         files.add(join_path(folder, made.reflection), program.result.reflection.to_json());
         for (Shader& shader : program.result.shaders) {
             const auto [own, is_new] = files_of.try_emplace(shader.file_name + shader.hash);
@@ -179,7 +182,7 @@ Exit make_variants(const Console& console, const Compiler& compiler, const std::
                 shader.file_name = with_hash(shader.file_name, name, stages.name(shader.hash));
                 OutputFiles added;
                 if (!add(shader, added)) return Exit::Wrong;
-                for (OutputFile& file : added.files) {
+                for (runtime::OutputFile& file : added.files) {
                     own->second.push_back(file.path.substr(file.path.rfind('/') + 1));
                     files.files.push_back(std::move(file));
                 }
@@ -189,7 +192,8 @@ Exit make_variants(const Console& console, const Compiler& compiler, const std::
     }
     remark(console, fmt::format("{}: {} in {}", graph, counted(set.programs.size(), "different program"),
                                 counted(files_of.size(), "shader")));
-    files.add(join_path(folder, name + ".variants.json"), manifest(name, wanted, options, plan, set, written));
+    files.add(join_path(folder, name + wanted.kind + ".variants.json"),
+              manifest(name, wanted, options, plan, set, written));
     dependencies = std::move(set.dependencies);
     return Exit::Ok;
 }

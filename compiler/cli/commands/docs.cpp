@@ -9,6 +9,7 @@
 
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/files.h"
+#include "compiler/cli/outputs.h"
 #include "compiler/cli/pages/model_cost.h"
 #include "compiler/cli/pages/pages.h"
 
@@ -29,7 +30,8 @@ constexpr const char* kFolders[] = {"nodes", "models"};
 
 // If scripts/pictures has drawn a picture of the node or model, it goes before the section "In a graph".
 void add_picture(Page& page, const std::string& folder, const std::string& name, std::string_view caption) {
-    if (!fs::exists(folder + "/" + name)) return;
+    std::error_code ignored;
+    if (!fs::exists(folder + "/" + name, ignored)) return;
     const auto before = std::ranges::find(page.sections, "In a graph", &Section::title);
     Section section{.title = "Picture"};
     section.pictures.push_back({.path = name, .caption = page.title + ": " + std::string(caption)});
@@ -59,9 +61,9 @@ void add_models(Pages& pages, const Compiler& compiler, const std::string& folde
     std::string index =
         std::string(kWritten) +
         "# Lighting models\n\nEach is a graph of [nodes](../nodes/README.md); `patina model NAME` shows the "
-        "same. [The gallery](../gallery.md) has their pictures side by side. What one costs is the size of its "
-        "optimised "
-        "fragment shader, in SPIR-V instructions, and how many of them each light takes; its page says of which.\n\n"
+        "same. [The gallery](../gallery.md) has their pictures side by side. The cost is the number of "
+        "SPIR-V instructions of the optimised fragment shader. The next column is the number for each light. The "
+        "model's page names the shader.\n\n"
         "| model | cost | per light | |\n|---|---|---|---|\n";
     for (const ModelInfo& model : compiler.lighting_models()) {
         const ModelCost cost = cost_of(compiler, model);
@@ -80,14 +82,12 @@ void add_semantics(Pages& pages, const Compiler& compiler) {
         std::string_view name, title, text;
     };
     static constexpr Rate kRates[] = {
-        {"vertex", "Of the mesh", "Known at each vertex; pixels read what is interpolated between them."},
+        {"vertex", "Of the mesh", "These values exist for each vertex and are interpolated."},
         {"pixel", "Of the pixel",
-         "Computed where they are read. The `vertex` block, and a node that is pinned to the vertex stage, are "
-         "computed "
-         "before there are pixels: `@fragCoord`, `@frontFacing`, `@screenUV`, `@sceneColor`, `@sceneDepth` and "
-         "neighbouring pixels are not there."},
+         "Computed where they are read. The vertex stage (the `vertex` block, and nodes that are pinned to it) has "
+         "none of these: `@fragCoord`, `@frontFacing`, `@screenUV`, `@sceneColor`, `@sceneDepth`, derivatives."},
         {"uniform", "Of the frame and of the object", "The same for all that is drawn at once."},
-        {"lighting", "In a lighting graph", "Handed to it by the material; a material cannot read them."},
+        {"lighting", "In a lighting graph", "Only lighting graphs read these values; the pass provides them."},
     };
     std::string text = std::string(kWritten) +
                        "# Semantics\n\nWhat mesh, camera, engine and light provide, read as `@uv0` in a port or an "
@@ -138,6 +138,18 @@ Exit compare(const Console& console, const Pages& pages, const std::string& fold
     return different.empty() ? Exit::Ok : Exit::Wrong;
 }
 
+// True if each of the files is new or a page that an earlier run wrote. Otherwise it complains.
+bool is_own(const Console& console, const OutputFiles& files) {
+    for (const runtime::OutputFile& file : files.files) {
+        std::string error;
+        const std::optional<std::string> text = read_file(file.path, error);
+        if (!text || text->starts_with(kWritten)) continue;
+        complain(console, Complaint::FileExists, {file.path});
+        return false;
+    }
+    return true;
+}
+
 Exit write_docs(const Console& console, const Arguments& arguments) {
     const Compiler compiler;
     Pages pages;
@@ -147,10 +159,7 @@ Exit write_docs(const Console& console, const Arguments& arguments) {
     if (arguments.check) return compare(console, pages, arguments.folder);
     OutputFiles files;
     for (const auto& [path, text] : pages) files.add(join_path(arguments.folder, path), text);
-    if (std::string error = commit(files); !error.empty()) {
-        complain(console, Complaint::CannotWrite, {error});
-        return Exit::Wrong;
-    }
+    if (!is_own(console, files) || !Outputs(console).write("docs", files)) return Exit::Wrong;
     for (const std::string& path : stale(pages, arguments.folder)) {
         std::error_code ignored;
         fs::remove(fs::path(arguments.folder) / path, ignored);
@@ -168,9 +177,10 @@ void add_docs(Program& program) {
         .add_option(
             "DIR", arguments->folder,
             "Folder for nodes/*.md, models/*.md and semantics.md; pages of nodes and models that no longer exist are "
-            "removed")
+            "removed, and pages that patina has not written are not overwritten")
         ->required()
-        ->type_name(" ");
+        ->type_name(" ")
+        ->check(is_folder_name);
     command.add_flag("--check", arguments->check, "Write nothing; exit 1 if a page differs from what would be written");
     set_work(program, command, [arguments](const Console& console) { return write_docs(console, *arguments); });
 }

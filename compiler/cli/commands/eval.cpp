@@ -93,7 +93,8 @@ Outputs evaluate_model(const Console& console, const Arguments& arguments, const
         const std::optional<runtime::Triple> numbers = read_triple(text);
         const bool is_direction = name.size() == 1;
         if (!numbers || (is_direction && *numbers == runtime::Triple{})) {
-            complain(console, Complaint::NotThreeNumbers, {name, is_direction ? " that are not all 0" : "", text});
+            complain(console, Complaint::NotThreeNumbers,
+                     {name, text, is_direction ? ", at least one of them not 0" : ""});
             return {};
         }
         *triple->second = *numbers;
@@ -190,8 +191,9 @@ void add_eval(Program& program) {
                     "The workflow that describes the surface of --model; default: metallic-roughness")
         ->needs(model);
     command
-        .add_option("--term", arguments->term,
-                    "A term of the lighting reference, with its name and inputs there; an unknown name lists them")
+        .add_option(
+            "--term", arguments->term,
+            "Compute a reference term of compiler/cli/eval/terms.json; a name that is like none lists the terms")
         ->excludes(model);
     command.add_flag("--float", arguments->single, "Compute in 32-bit float, as a GPU does; default: double");
     command.add_flag("--json", arguments->json, "Print every output with its name and all digits");

@@ -4,6 +4,7 @@
 
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/files.h"
+#include "compiler/cli/outputs.h"
 
 namespace patina::cli {
 namespace {
@@ -39,11 +40,14 @@ Exit format_file(const Console& console, const Compiler& compiler, const Argumen
         complain(console, Complaint::NotFormatted, {path});
         return Exit::Wrong;
     }
-    if (error = replace_file(path, formatted.text); !error.empty()) {
-        complain(console, Complaint::CannotWrite, {error});
+    if (is_stream(path)) {
+        complain(console, Complaint::NotAFile, {path});
         return Exit::Wrong;
     }
-    say(console, path);
+    OutputFiles files;
+    files.add(path, formatted.text);
+    if (!Outputs(console).write(path, files)) return Exit::Wrong;
+    say(console, files);
     return Exit::Ok;
 }
 

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "compiler/cli/commands/commands.h"
-#include "compiler/cli/files.h"
+#include "compiler/cli/outputs.h"
 #include "compiler/importers/importer.h"
 
 namespace patina::cli {
@@ -59,52 +59,18 @@ void report_remarks(const Console& console, const Arguments& arguments, const st
     }
 }
 
-// Writes everything or nothing; returns what is wrong. The graphs come last: if a graph is there, its textures are,
-// too.
-class Output {
-public:
-    explicit Output(fs::path folder) : folder_(std::move(folder)) {
-        is_new_folder_ = !folder_.empty() && !fs::exists(folder_, ignored_);
+// All files of an import, or what is wrong. The graphs come last: if a graph is there, its textures are, too.
+runtime::Outcome<OutputFiles> files_of(const Imported& made, const fs::path& folder) {
+    OutputFiles files;
+    const auto path_of = [&](const std::string& name) { return (folder / name).string(); };
+    for (const importers::PictureFile& picture : made.pictures) {
+        runtime::Outcome<std::string> bytes = runtime::encode_image(picture.name, picture.linear);
+        if (!bytes) return runtime::Failure{"cannot write '" + path_of(picture.name) + "': " + bytes.error};
+        files.add(path_of(picture.name), std::move(bytes.value));
     }
-
-    std::string write(const Imported& made) {
-        std::error_code failure;
-        if (!folder_.empty()) fs::create_directories(folder_, failure);
-        if (failure) return "cannot make the folder '" + folder_.string() + "': " + failure.message();
-        std::string error;
-        for (const importers::PictureFile& picture : made.pictures) {
-            if (error = runtime::save_image(path_of(picture.name), picture.linear); !error.empty()) break;
-            pictures_.push_back(path_of(picture.name));
-        }
-        if (error.empty()) {
-            OutputFiles files;
-            for (const importers::BinaryFile& copy : made.copies) files.add(path_of(copy.name), copy.bytes);
-            for (const importers::TextFile& graph : made.graphs) files.add(path_of(graph.name), graph.text);
-            error = commit(files);
-        }
-        if (!error.empty()) take_back();
-        return error;
-    }
-    std::string path_of(const std::string& name) const { return (folder_ / name).string(); }
-
-private:
-    void take_back() {
-        for (const std::string& picture : pictures_) fs::remove(picture, ignored_);
-        if (is_new_folder_) fs::remove(folder_, ignored_);  // fails, as it should, if there is something in it
-    }
-
-    fs::path folder_;
-    bool is_new_folder_ = false;
-    std::vector<std::string> pictures_;
-    std::error_code ignored_;
-};
-
-std::vector<std::string> names_of(const Imported& made) {
-    std::vector<std::string> names;
-    for (const importers::PictureFile& picture : made.pictures) names.push_back(picture.name);
-    for (const importers::BinaryFile& copy : made.copies) names.push_back(copy.name);
-    for (const importers::TextFile& graph : made.graphs) names.push_back(graph.name);
-    return names;
+    for (const importers::BinaryFile& copy : made.copies) files.add(path_of(copy.name), copy.bytes);
+    for (const importers::TextFile& graph : made.graphs) files.add(path_of(graph.name), graph.text);
+    return files;
 }
 
 Exit import_file(const Console& console, const Arguments& arguments, const std::string& file) {
@@ -120,21 +86,19 @@ Exit import_file(const Console& console, const Arguments& arguments, const std::
         return Exit::Wrong;
     }
     const fs::path folder = arguments.folder.empty() ? fs::path(file).parent_path() : fs::path(arguments.folder);
-    const std::vector<std::string> names = names_of(made);
-    for (const std::string& name : names) {
-        std::error_code ignored;
-        const std::string path = (folder / name).string();
-        if (!fs::exists(path, ignored)) continue;
-        complain(console, Complaint::FileExists, {path});
+    const runtime::Outcome<OutputFiles> files = files_of(made, folder);
+    if (!files) {
+        complain(console, Complaint::CannotWrite, {files.error});
         return Exit::Wrong;
     }
-    Output output(folder);
-    if (const std::string error = output.write(made); !error.empty()) {
-        complain(console, Complaint::CannotWrite, {error});
+    for (const runtime::OutputFile& each : files.value.files) {
+        if (!is_taken(each.path)) continue;
+        complain(console, Complaint::FileExists, {each.path});
         return Exit::Wrong;
     }
+    if (!Outputs(console).write(file, files.value)) return Exit::Wrong;
     report_remarks(console, arguments, file, made.remarks);
-    for (const std::string& name : names) say(console, output.path_of(name));
+    say(console, files.value);
     return Exit::Ok;
 }
 
@@ -148,7 +112,8 @@ void add_import(Program& program) {
     auto arguments = std::make_shared<Arguments>();
     command.add_option("FILES", arguments->files, "Files to import: " + formats())->required()->type_name(" ");
     command.add_option("-o,--output", arguments->folder, "Folder to write to; default: the folder of each file")
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->check(is_folder_name);
     command.add_flag("--report", arguments->shows_remarks,
                      "Print what became of each part of the files: taken, changed or left out");
     set_work(program, command, [arguments](const Console& console) {

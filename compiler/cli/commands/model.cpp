@@ -59,7 +59,9 @@ void add_models(Program& program) {
 void add_model(Program& program) {
     CLI::App& command = add_command(program, "model", {"patina model unity-brdf1", "patina model lambert --json"});
     auto arguments = std::make_shared<Arguments>();
-    command.add_option("NAME", arguments->name, "As a material's \"lighting\" names it")->required()->type_name(" ");
+    command.add_option("NAME", arguments->name, "Name of a lighting model, as in a material's \"lighting\"")
+        ->required()
+        ->type_name(" ");
     command.add_flag("--json", arguments->json, "Print it as JSON");
     set_work(program, command, [arguments](const Console& console) { return show_model(console, *arguments); });
 }

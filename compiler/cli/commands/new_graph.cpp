@@ -1,9 +1,8 @@
 // patina new: writes a graph to start from.
-#include <filesystem>
 #include <memory>
 
 #include "compiler/cli/commands/commands.h"
-#include "compiler/cli/files.h"
+#include "compiler/cli/outputs.h"
 #include "compiler/cli/templates.h"
 
 namespace patina::cli {
@@ -37,17 +36,14 @@ Exit write_template(const Console& console, const Arguments& arguments) {
         print(text);
         return Exit::Ok;
     }
-    if (std::filesystem::exists(arguments.output)) {
+    if (!is_standard_output(arguments.output) && is_taken(arguments.output)) {
         complain(console, Complaint::FileExists, {arguments.output});
         return Exit::Wrong;
     }
     OutputFiles files;
     files.add(arguments.output, std::string(text));
-    if (std::string error = commit(files); !error.empty()) {
-        complain(console, Complaint::CannotWrite, {error});
-        return Exit::Wrong;
-    }
-    say(console, arguments.output);
+    if (!Outputs(console).write(arguments.kind, files)) return Exit::Wrong;
+    say(console, files);
     return Exit::Ok;
 }
 
@@ -64,7 +60,7 @@ void add_new(Program& program) {
         ->check(one_of("a kind of graph", kinds()));
     command
         .add_option("-o,--output", arguments->output,
-                    "File to write, which must not exist yet; default: print the graph")
+                    "File to write, which must not exist yet; default, and -: print the graph")
         ->type_name("FILE");
     set_work(program, command, [arguments](const Console& console) { return write_template(console, *arguments); });
 }

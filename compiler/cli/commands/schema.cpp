@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "compiler/cli/commands/commands.h"
-#include "compiler/cli/files.h"
+#include "compiler/cli/outputs.h"
 
 namespace patina::cli {
 
@@ -10,7 +10,7 @@ void add_schema(Program& program) {
     CLI::App& command = add_command(
         program, "schema", {"patina schema > patina.schema.json", "patina schema -o .vscode/patina.schema.json"});
     auto output = std::make_shared<std::string>();
-    command.add_option("-o,--output", *output, "File to write; default: print the schema")->type_name("FILE");
+    command.add_option("-o,--output", *output, "File to write; default, and -: print the schema")->type_name("FILE");
 
     set_work(program, command, [output](const Console& console) {
         const Compiler compiler;
@@ -22,11 +22,8 @@ void add_schema(Program& program) {
         }
         OutputFiles files;
         files.add(*output, std::move(schema));
-        if (std::string error = commit(files); !error.empty()) {
-            complain(console, Complaint::CannotWrite, {error});
-            return Exit::Wrong;
-        }
-        say(console, *output);
+        if (!Outputs(console).write("schema", files)) return Exit::Wrong;
+        say(console, files);
         return Exit::Ok;
     });
 }

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "compiler/cli/commands/commands.h"
+#include "compiler/cli/outputs.h"
 
 namespace patina::cli {
 namespace {
@@ -68,7 +69,8 @@ void add_snapshot(Program& program) {
     runtime::SnapshotOptions& options = arguments->options;
     command
         .add_option("DIR", arguments->folder,
-                    "Folder with *.snapshot.json files of graphs and scenes; its sub-folders are searched, too")
+                    "Folder with NAME.snapshot.json files of graphs and scenes, each with its reference picture "
+                    "NAME.reference.png; its sub-folders are searched, too")
         ->required()
         ->type_name(" ");
     CLI::Option* update =
@@ -79,12 +81,14 @@ void add_snapshot(Program& program) {
     command.add_option("--only", options.only, "Run one case")->type_name("CASE");
     command
         .add_option("--received", options.received_dir,
-                    "Folder for the received pictures and the differences; default: received")
-        ->type_name("DIR");
+                    "Folder for NAME.received.png and NAME.difference.png of the cases that fail; default: received")
+        ->type_name("DIR")
+        ->check(is_folder_name);
     command.add_option("--via", options.via, "Render all cases this way, instead of the way that their files name")
         ->type_name("glsl|hlsl|cpu")
         ->check(one_of("a way to render", {"glsl", "hlsl", "cpu"}));
-    command.add_option("--device", options.device, "Part of a GPU's name; default: the software renderer")
+    command
+        .add_option("--device", options.device, "Use the GPU whose name contains NAME; default: the software renderer")
         ->type_name("NAME");
     command.add_flag("--vulkan-validation", options.validation, "Turn on the Khronos validation layer");
     add_include_option(command, options.include_dirs);

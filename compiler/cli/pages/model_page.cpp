@@ -92,8 +92,9 @@ std::string equation(const ModelInfo& model) {
 }
 
 constexpr std::string_view kUnits =
-    "`direct` is the radiance that one light adds, `indirect` that of the surroundings; both are linear. A light's\n"
-    "`radiance` and the ambient irradiance are E/pi, what a white matt surface would send out, so a BRDF is multiplied "
+    "`direct` is the radiance that one light adds, `indirect` that of the environment; both are linear. A light's\n"
+    "`radiance` and the ambient irradiance are E/pi, the radiance of a white Lambertian surface, so a BRDF is "
+    "multiplied "
     "by\n"
     "pi. Angles are in radians, directions are unit vectors in world space.";
 

@@ -112,13 +112,11 @@ std::vector<std::string_view> intrinsic_names() {
 void need_quad(Emitter& emitter, Scope& scope, Span span, std::string_view what, bool samples) {
     if (scope.in_vertex_stage) {
         DiagnosticRecord& record =
-            emitter.diagnostics.report(Code::WrongStage, span, fmt::format("{} needs neighbouring pixels", what));
-        record.note(samples
-                        ? "in the vertex stage, sample a texture with SampleLevel, or with a node that takes a level"
-                        : "vertices have no neighbours to compare with");
+            emitter.diagnostics.report(Code::WrongStage, span, what, "it uses screen-space derivatives");
+        if (samples) record.note("in the vertex stage, sample with SampleLevel, or with a node that takes a mip level");
         if (scope.environment) scope.environment->tell_reader(record);
     } else if (!scope.flow.empty()) {
-        emitter.diagnostics.report(Code::DerivativeInFlow, span, what, scope.flow)
+        emitter.diagnostics.report(Code::DerivativeInFlow, span, what, scope.flow, "it uses screen-space derivatives")
             .note("compute it before, or sample with SampleLevel or SampleGrad");
     }
     if (scope.needs_quad) *scope.needs_quad = true;

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "compiler/engines/shaderlab/dialect.h"
-#include "compiler/engines/shaderlab/shader_file.h"
+#include "compiler/engines/shaderlab/share_samplers.h"
 #include "compiler/format/words.h"
 
 namespace patina::engines::shaderlab {
@@ -63,11 +63,12 @@ std::vector<Keyword> keywords_of(const graph::Property& property) {
 
 class Names {
 public:
-    Names(const graph::Material& material, const engines::Engine& engine, Diagnostics& diagnostics)
-        : material_(material), engine_(engine), diagnostics_(diagnostics) {}
+    Names(const graph::Material& material, graph::Session& session)
+        : material_(material), engine_(session.engine), paths_(*session.paths), diagnostics_(session.diagnostics) {}
 
     void check(const graph::Property& property, bool is_keyword) {
         const std::string why = why_taken(material_, engine_, property.name);
+        if (!why.empty() && is_foreign_color(property)) return refuse_type(property);
         if (!why.empty()) return static_cast<void>(refuse(property, why));
         if (!is_keyword) return values_.push_back(&property);
         for (Keyword& each : keywords_of(property)) {
@@ -89,7 +90,7 @@ public:
     void finish() {
         for (const graph::Property* each : values_) {
             if (const Keyword* keyword = with_keyword(each->name))
-                refuse(*each, "the keyword " + keyword->owner()).note(keyword->where, "which is here");
+                refuse(*each, "the keyword " + keyword->owner()).note(keyword->where, "the other declaration is here");
         }
     }
 
@@ -102,10 +103,23 @@ private:
     }
 
     DiagnosticRecord& refuse(const graph::Property& property, const std::string& why) {
-        return diagnostics_.report(
-            Code::TakenName, property.name_span,
-            fmt::format("'{}' is {}: a property cannot have this name, and Unity would not find it under another name",
-                        property.name, why));
+        return diagnostics_.report(Code::TakenName, property.name_span,
+                                   fmt::format("'{}' is {}: rename the property", property.name, why));
+    }
+
+    // A material may have a colour that an included file declares, with the type that it has there.
+    bool is_foreign_color(const graph::Property& property) const {
+        return std::any_of(paths_.foreign.begin(), paths_.foreign.end(), [&](const graph::ForeignDecl& each) {
+            return each.variable->name == property.name && !each.include.empty();
+        });
+    }
+
+    void refuse_type(const graph::Property& property) {
+        const bool is_color = property.type == PropertyType::Color;
+        diagnostics_.report(Code::TakenName, property.name_span,
+                            fmt::format("'{}' must {}, because {} declares it as a colour{}", property.name,
+                                        is_color ? "not have \"as\": \"instance\"" : "have the type color",
+                                        engine_.declarer_of(property.name), is_color ? " of all instances" : ""));
     }
 
     // With the same keyword, two choices would be one.
@@ -115,12 +129,13 @@ private:
             Code::TakenName, keyword.where,
             fmt::format("the keyword '{}' {} is also that {}", keyword.name, keyword.owner(),
                         is_same_enum ? fmt::format("of its value '{}'", other.value) : other.owner()));
-        refused.note(other.where, "which is here");
+        refused.note(other.where, "the other declaration is here");
         if (is_same_enum) refused.note("Unity writes keywords in capitals");
     }
 
     const graph::Material& material_;
     const engines::Engine& engine_;
+    const graph::PathDeclarations& paths_;
     Diagnostics& diagnostics_;
     std::vector<const graph::Property*> values_;
     std::vector<Keyword> keywords_;
@@ -135,38 +150,41 @@ void check_list(const graph::Property& property, bool is_keyword, Diagnostics& d
     if (is_keyword) report.note("the number does not set the keyword: enable the keyword from a script");
 }
 
+constexpr std::string_view kNoEscapes = "has no escapes, so write it without them";
+
 // Reports labels and names of groups that ShaderLab shows differently. A group is reported once.
 class Texts {
 public:
-    explicit Texts(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+    explicit Texts(graph::Session& session) : session_(session) {}
 
     void check(const graph::Property& property) {
         const std::string label = quoted(property.label), header = header_words(property.group);
         if (label != property.label)
-            diagnostics_.report(Code::InspectorText, property.label_span, fmt::format("\"{}\"", label), "label",
-                                "has no escapes in strings");
+            session_.diagnostics.report(Code::InspectorText, property.label_span, fmt::format("\"{}\"", label), "label",
+                                        session_.sources.text(property.label_span), kNoEscapes);
         if (header != property.group && groups_.insert(property.group).second)
-            diagnostics_.report(Code::InspectorText, property.group_span,
-                                header.empty() ? "no header" : fmt::format("\"{}\"", header), "group",
-                                "takes letters, digits and spaces there");
+            session_.diagnostics.report(
+                Code::InspectorText, property.group_span, header.empty() ? "no header" : fmt::format("\"{}\"", header),
+                "group", session_.sources.text(property.group_span), "takes letters, digits and spaces there");
     }
 
 private:
-    Diagnostics& diagnostics_;
+    graph::Session& session_;
     std::set<std::string_view> groups_;
 };
 
 }  // namespace
 
-void check_shader_name(const graph::Material& material, Diagnostics& diagnostics) {
+void check_shader_name(const graph::Material& material, graph::Session& session) {
     const graph::Graph& graph = *material.graph->graph;
     const std::string name = shader_name(graph.name);
     if (name == graph.name) return;
     const bool is_given = graph.name_span.begin != graph.name_span.end;
-    diagnostics.report(
+    session.diagnostics.report(
         Code::InspectorText, is_given ? graph.name_span : Span{graph.span.begin, graph.span.begin + 1},
         fmt::format("\"{}\"", listed_name(graph.name)), "name",
-        quoted(graph.name) != graph.name ? "has no escapes in strings" : "makes a menu of each part between slashes");
+        is_given ? std::string(session.sources.text(graph.name_span)) : fmt::format("\"{}\"", graph.name),
+        quoted(graph.name) != graph.name ? kNoEscapes : "makes a menu of each part between slashes");
 }
 
 void check_keywords(const graph::Material& material, const Reflection& reflection, Diagnostics& diagnostics) {
@@ -184,15 +202,13 @@ void check_keywords(const graph::Material& material, const Reflection& reflectio
         if (count > kMost && !first) first = entry.property;
     }
     if (first)
-        diagnostics.report(
-            Code::KeywordLimit, first->name_span, first->name,
-            fmt::format("Unity before 2021.2 allows {} local keywords in a shader, and there are {}", kMost, count));
+        diagnostics.report(Code::KeywordLimit, first->name_span, count, "Unity before 2021.2", kMost, first->name);
 }
 
-void check_shader_properties(const graph::Material& material, const graph::Lowered& lowered,
-                             const engines::Engine& engine, Diagnostics& diagnostics) {
-    Names names(material, engine, diagnostics);
-    Texts texts(diagnostics);
+void check_shader_properties(const graph::Material& material, const graph::Lowered& lowered, graph::Session& session) {
+    Diagnostics& diagnostics = session.diagnostics;
+    Names names(material, session);
+    Texts texts(session);
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
         const graph::MaterialProperty& entry = material.properties[i];
         const graph::Property& property = *entry.property;
@@ -213,29 +229,41 @@ void check_shader_properties(const graph::Material& material, const graph::Lower
     names.finish();
 }
 
-void check_samplers(const graph::Material& material, const Reflection& reflection, Diagnostics& diagnostics) {
-    constexpr std::size_t kMost = 16;
-    constexpr std::size_t kUnitys = 4;  // shadow map, reflection probe, lightmap, and its directions or shadow mask
-    const Pass* most = nullptr;
-    for (const Pass& pass : reflection.passes) {
-        if (!most || pass.textures.size() > most->textures.size()) most = &pass;
+void check_samplers(std::span<const LinkedPass> passes, const engines::Engine& engine, Diagnostics& diagnostics) {
+    // Of all passes, the one that shares the most.
+    const LinkedPass* worst = nullptr;
+    SamplerUse use;
+    for (const LinkedPass& pass : passes) {
+        SamplerUse each = sampler_use(pass, engine.most_samplers);
+        if (each.count() <= engine.most_samplers && each.shared.size() <= use.shared.size()) continue;
+        const bool is_refused = each.count() > engine.most_samplers;
+        use = std::move(each);
+        worst = &pass;
+        if (is_refused) break;
     }
-    const bool is_lit = std::any_of(reflection.passes.begin(), reflection.passes.end(),
-                                    [](const Pass& pass) { return pass.each == PassEach::Light; });
-    const std::size_t room = is_lit ? kMost - kUnitys : kMost;
-    if (!most || most->textures.size() <= room) return;
-    const std::string& first = most->textures[most->textures.size() > kMost ? kMost : room];
-    for (const graph::MaterialProperty& entry : material.properties) {
-        if (entry.property->name != first) continue;
-        const Span span = entry.property->name_span;
-        if (most->textures.size() > kMost) {
-            diagnostics.report(Code::TooMany, span, most->textures.size(), "textures in one pass", kMost);
-        } else {
-            diagnostics.report(Code::SamplerLimit, span, first,
-                               fmt::format("Direct3D 11 has {} samplers; shadows, probes and lightmaps need {} of "
-                                           "them, and this pass reads {} textures",
-                                           kMost, kUnitys, most->textures.size()));
-        }
+    if (!worst) return;
+    const auto texture_of = [&](std::uint32_t sampler) {
+        return std::string_view(worst->fragment.globals[sampler].name).substr(std::string_view("sampler").size());
+    };
+    const auto span_of = [&](std::string_view name) {
+        for (const graph::MaterialProperty& entry : worst->material->properties)
+            if (entry.property->name == name) return entry.property->name_span;
+        return worst->material->properties.front().property->name_span;
+    };
+    const std::size_t room = engine.most_samplers - std::min<std::size_t>(use.of_engine, engine.most_samplers);
+    const std::string need =
+        fmt::format("the pass '{}' reads {} textures, and of the {} samplers of Direct3D 11, {}", name_of(*worst),
+                    use.of_material, engine.most_samplers,
+                    use.of_engine > 0 ? fmt::format("Unity's own text needs {}", use.of_engine) : "all are free");
+    if (use.count() > engine.most_samplers) {
+        diagnostics.report(Code::TooMany, span_of({}), use.of_material, "textures in one pass", room)
+            .note(need)
+            .note("textures with the same \"sampler\" can share one; textures of the vertex stage cannot");
+        return;
+    }
+    for (const auto& [sampler, owner] : use.shared) {
+        diagnostics.report(Code::SamplerLimit, span_of(texture_of(sampler)), texture_of(sampler), texture_of(owner),
+                           need);
     }
 }
 

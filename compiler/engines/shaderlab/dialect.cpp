@@ -112,7 +112,10 @@ void block(Writer& w, const UniformBlock& block) {
 void resource(Writer& w, GlobalId id) {
     const Global& global = w.module.globals[id.index];
     if (global.type.is_numeric()) w.line(0, w.declaration(global.type, w.globals[id.index]) + ";");
-    if (global.type.kind == Kind::Texture2D) w.line(0, fmt::format("UNITY_DECLARE_TEX2D({});", w.globals[id.index]));
+    if (global.type.kind == Kind::Texture2D) {
+        const std::string_view form = has_no_sampler(w.module, id.index) ? "_NOSAMPLER" : "";
+        w.line(0, fmt::format("UNITY_DECLARE_TEX2D{}({});", form, w.globals[id.index]));
+    }
     if (global.type.kind == Kind::TextureCube)
         w.line(0, fmt::format("UNITY_DECLARE_TEXCUBE({});", w.globals[id.index]));
 }
@@ -149,7 +152,7 @@ std::vector<std::string> lines_at(const StageInterface& stage, std::string_view 
 // Names of a struct's members, distinct from those that Unity's macros declare.
 class MemberNames {
 public:
-    MemberNames() {
+    explicit MemberNames(const TakenNames* taken) : names_(taken, Names::Of::Members) {
         for (const char* name :
              {"pos", "vec", "hpos", "fogCoord", "instanceID", "stereoTargetEyeIndex", "_ShadowCoord", "_LightCoord"})
             names_.declare(name);
@@ -203,7 +206,7 @@ EntryPoint vertex_entry(Writer& w) {
         entry.inputs.push_back({fmt::format("int({})", name), Precedence::Postfix});
     }
     entry.signature = signature + ")";
-    MemberNames names;
+    MemberNames names(w.options.taken);
     std::vector<std::string> members;
     for (const StageVariable& output : stage.outputs) {
         const bool is_member = output.builtin == Builtin::None && output.spelling.empty();
@@ -227,7 +230,7 @@ std::string declare_targets(Writer& w, EntryPoint& entry) {
     const std::string name = w.names.declare("Targets");
     w.line(0, "struct " + name);
     w.line(0, "{");
-    Names members;
+    Names members(w.options.taken, Names::Of::Members);
     for (const StageVariable& v : stage.outputs) {
         const std::string member = members.declare(v.name);
         if (!v.guard.empty()) w.line(0, "#if " + v.guard);
@@ -248,7 +251,7 @@ EntryPoint fragment_entry(Writer& w) {
     EntryPoint entry;
     entry.names = {"i"};
     std::string parameters = "v2f i";
-    MemberNames names;
+    MemberNames names(w.options.taken);
     for (const StageVariable& input : stage.inputs) {
         if (input.builtin == Builtin::None) entry.inputs.push_back({"i." + names.declare(input.name)});
         if (input.builtin == Builtin::FragCoord) entry.inputs.push_back({"i.pos"});

@@ -17,6 +17,8 @@ Printed print(const ir::Module& module, const PrintOptions& options);
 // If all texels of a texture go to its decoder's follower, calls a foreign function that does both
 // (decode_at_once.cpp).
 ir::Module decode_at_once(ir::Module module);
+// True if all reads of a texture use the samplers of others (share_samplers.cpp).
+bool has_no_sampler(const ir::Module& stage, std::uint32_t texture);
 
 // The keyword of a bool property, or of an enum property's value: "_DETAIL", "_MODE_WET". A property whose name is in
 // capitals is its own keyword; another gets "_ON" behind it, as Unity's Toggle does.

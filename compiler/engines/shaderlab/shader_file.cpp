@@ -68,13 +68,26 @@ std::vector<std::string_view> texts_at(const PassText& pass, std::string_view pl
     return lines;
 }
 
-// The shader model that a pass needs.
-std::string_view shader_model(const LinkedPass& linked, const PassText& pass) {
+// Unity draws a pass without a mode, too, but batches it with others, and sets no values of lights for it.
+constexpr std::string_view kLitMode = "ForwardBase";
+
+// The shader model that a pass needs, together with the declarations that all passes begin with.
+std::string_view shader_model(const LinkedPass& linked, std::span<const PassText> passes, const PassText& pass,
+                              std::span<const Declaration* const> shared) {
     // 3.0 has 10 interpolators, 3.5 those of OpenGL ES 3.0 and Direct3D 10; 5.0 is the highest that is needed here.
     const Varyings vectors = varyings_of(linked);
     if (vectors.numbered + vectors.others > 15) return "5.0";
     if (vectors.numbered > 10) return "3.5";
-    return pass.is_modern ? "3.5" : "3.0";
+    const auto is_modern = [&](const std::string& name) {
+        const bool is_shared =
+            std::any_of(shared.begin(), shared.end(), [&](const auto* d) { return d->name == name; });
+        const auto& own = pass.declarations;
+        return is_shared || std::any_of(own.begin(), own.end(), [&](const auto& d) { return d.name == name; });
+    };
+    bool needs_more = pass.is_modern;
+    for (const PassText& each : passes)
+        needs_more |= std::any_of(each.modern_functions.begin(), each.modern_functions.end(), is_modern);
+    return needs_more ? "3.5" : "3.0";
 }
 
 class Writing {
@@ -107,6 +120,12 @@ public:
     }
 
 private:
+    // True if a pass reads values that Unity sets only for passes with the mode.
+    bool is_lit() const {
+        return std::any_of(passes_.begin(), passes_.end(),
+                           [](const PassText& pass) { return !texts_at(pass, "light mode").empty(); });
+    }
+
     const SurfaceRow& surface() const {
         const SurfaceKind kind = in_.material.graph->graph->render.surface;
         return *std::find_if(std::begin(kSurfaces), std::end(kSurfaces),
@@ -174,7 +193,7 @@ private:
         if (moves || std::any_of(in_.passes.begin(), in_.passes.end(), knows_object))
             tags += " \"DisableBatching\" = \"True\"";
         out_.line(2, fmt::format("Tags {{ {} }}", tags));
-        out_.line(2, "LOD 300");
+        out_.line(2, is_lit() ? "LOD 300" : "LOD 100");  // as Unity's Standard and Unlit shaders
         std::vector<std::string_view> lines;
         for (const PassText& pass : passes_) {
             for (const std::string_view line : texts_at(pass, "grab")) {
@@ -193,13 +212,14 @@ private:
         out_.line(3, fmt::format("Name \"{}\"", name_of(in_.passes[index])));
         std::string tags;
         for (const auto& [name, value] : declared.tags) {
+            if (name == "LightMode" && value == kLitMode && !is_lit()) continue;
             if (name != "Name") tags += fmt::format("\"{}\" = \"{}\" ", name, value);
         }
         if (!tags.empty()) out_.line(3, fmt::format("Tags {{ {}}}", tags));
         for (const std::string& line : shader_state(in_.reflection.passes[index])) out_.line(3, line);
         out_.line(0, "");
         out_.line(3, "CGPROGRAM");
-        out_.line(3, fmt::format("#pragma target {}", shader_model(in_.passes[index], text)));
+        out_.line(3, fmt::format("#pragma target {}", shader_model(in_.passes[index], passes_, text, shared_)));
         for (const std::string_view line : texts_at(text, "pragma")) out_.line(3, fmt::format("#pragma {}", line));
         keywords(in_.reflection.passes[index]);
         out_.line(3, "#pragma vertex vert");

@@ -51,14 +51,13 @@ constexpr std::size_t kMostKeywords = 9, kMostPairs = 7;
 
 // --- check_shader_properties.cpp
 // Reports the shader's name if it differs from the graph's.
-void check_shader_name(const graph::Material& material, Diagnostics& diagnostics);
+void check_shader_name(const graph::Material& material, graph::Session& session);
 // Refuses names that Unity's includes declare, and reports what a ShaderLab file cannot express about a property.
-void check_shader_properties(const graph::Material& material, const graph::Lowered& lowered,
-                             const engines::Engine& engine, Diagnostics& diagnostics);
+void check_shader_properties(const graph::Material& material, const graph::Lowered& lowered, graph::Session& session);
 // Reports too many keywords: Unity before 2021.2 limits those that belong to one shader.
 void check_keywords(const graph::Material& material, const Reflection& reflection, Diagnostics& diagnostics);
-// Reports too many textures: each has its sampler, of which Direct3D 11 has 16 in a stage.
-void check_samplers(const graph::Material& material, const Reflection& reflection, Diagnostics& diagnostics);
+// Reports textures that share a sampler (share_samplers.h), and passes that still have too many.
+void check_samplers(std::span<const LinkedPass> passes, const engines::Engine& engine, Diagnostics& diagnostics);
 
 // --- shader_order.cpp
 // Sorts the passes by their queues, relative to the material's own passes.
@@ -90,7 +89,9 @@ struct PassText {
     };
     std::vector<Declaration> declarations;  // each declaration after those that it reads; the entry functions last
     std::vector<ir::StageText> texts;       // the lines that both stages and the foreign functions that they call need
-    bool is_modern = false;                 // needs shader model 3.5: unsigned numbers, texel loads, sides of faces
+    // What needs shader model 3.5 (unsigned numbers, texel loads, sides of faces): the entries, and other functions.
+    bool is_modern = false;
+    std::vector<std::string> modern_functions{};
 };
 // `taken`: names that have another meaning outside the pass.
 PassText pass_text(const LinkedPass& pass, const engines::Engine& engine, const std::vector<std::string>& taken);

@@ -9,7 +9,7 @@
 
 #include "compiler/base/spelling.h"
 #include "compiler/engines/shaderlab/dialect.h"
-#include "compiler/engines/shaderlab/shader_file.h"
+#include "compiler/engines/shaderlab/share_samplers.h"
 #include "compiler/ir/verify.h"
 
 namespace patina::engines::shaderlab {
@@ -56,8 +56,8 @@ bool is_unsigned(ir::Type type) {
     return type.is_numeric() && type.scalar == ir::Scalar::Uint;
 }
 
-// True if the stage has what shader model 3.0 lacks.
-bool is_modern(const ir::Module& stage) {
+// Notes what shader model 3.0 lacks.
+void note_modern(const ir::Module& stage, PassText& pass) {
     using ir::Builtin;
     const auto is_modern_input = [](const ir::StageVariable& input) {
         return input.builtin == Builtin::FrontFacing || input.builtin == Builtin::VertexIndex ||
@@ -67,10 +67,14 @@ bool is_modern(const ir::Module& stage) {
         return inst.op == ir::Op::TexelLoad || inst.op == ir::Op::TextureSize || is_unsigned(inst.type);
     };
     const auto& inputs = stage.stage.inputs;
-    return std::any_of(inputs.begin(), inputs.end(), is_modern_input) ||
-           std::any_of(stage.functions.begin(), stage.functions.end(), [&](const ir::Function& function) {
-               return std::any_of(function.insts.begin(), function.insts.end(), is_modern_inst);
-           });
+    pass.is_modern |= std::any_of(inputs.begin(), inputs.end(), is_modern_input);
+    for (const ir::Function& function : stage.functions) {
+        if (std::none_of(function.insts.begin(), function.insts.end(), is_modern_inst)) continue;
+        if (stage.stage.entry && &function == &stage[stage.stage.entry])
+            pass.is_modern = true;
+        else
+            pass.modern_functions.push_back(function.name);
+    }
 }
 
 std::vector<Declaration> printed(ir::Module stage, PassText& pass, const engines::Engine& engine,
@@ -78,11 +82,15 @@ std::vector<Declaration> printed(ir::Module stage, PassText& pass, const engines
     stage.stage.texts = pass.texts;
     stage = legalize(std::move(stage));
     ir::check_if_verifying(stage, "legalized");
-    pass.is_modern |= is_modern(stage);
-    std::vector<std::string> names = taken;
-    names.insert(names.end(), engine.names.taken.begin(), engine.names.taken.end());
-    names.insert(names.end(), engine.names.own.begin(), engine.names.own.end());
-    return declarations(print(stage, {.header = {}, .taken = std::move(names), .width = 120 - kIndent}));
+    note_modern(stage, pass);
+    languages::TakenNames names{.names = {taken.begin(), taken.end()}, .macros = {}, .prefixes = engine.names.prefixes};
+    names.names.insert(engine.names.taken.begin(), engine.names.taken.end());
+    names.names.insert(engine.names.own.begin(), engine.names.own.end());
+    // Names of locals and functions do not matter to members; macros begin with a capital or an underscore.
+    for (const std::string& name : engine.names.taken) {
+        if (name[0] == '_' || std::isupper(static_cast<unsigned char>(name[0]))) names.macros.insert(name);
+    }
+    return declarations(print(stage, {.header = {}, .taken = &names, .width = 120 - kIndent}));
 }
 
 const Declaration* find(const std::vector<Declaration>& list, const std::string& name) {
@@ -117,11 +125,13 @@ PassText pass_text(const LinkedPass& pass, const engines::Engine& engine,
                    const std::vector<std::string>& taken_around) {
     PassText made;
     made.texts = texts_of(pass);
+    const SamplerUse samplers = sampler_use(pass, engine.most_samplers);
     const auto named = [&](ir::Module stage) {
         for (ir::Function& function : stage.functions) {
             if (function.linkage != ir::Linkage::Foreign) function.name = engine.function_name(function.name);
         }
         rename(stage, taken_around, name_of(pass));
+        share_samplers(stage, samplers);
         return stage;
     };
     const std::vector<Declaration> fragment = printed(named(pass.fragment), made, engine, taken_around);

@@ -27,10 +27,10 @@ void name(const graph::Session&, graph::Lowered& lowered) {
 
 void check(const Compiled& compiled, const Reflection& reflection) {
     Diagnostics& diagnostics = compiled.session.diagnostics;
-    check_shader_name(compiled.material, diagnostics);
-    check_shader_properties(compiled.material, compiled.lowered, compiled.session.engine, diagnostics);
+    check_shader_name(compiled.material, compiled.session);
+    check_shader_properties(compiled.material, compiled.lowered, compiled.session);
     check_keywords(compiled.material, reflection, diagnostics);
-    check_samplers(compiled.material, reflection, diagnostics);
+    check_samplers(compiled.passes, compiled.session.engine, diagnostics);
     check_queues(compiled.material, compiled.passes, reflection, diagnostics);
 }
 

@@ -29,6 +29,11 @@ Module specialise(Module module);
 // of a light loop.
 Module inline_calls(Module module);
 
+// For an engine whose texture coordinates count from the bottom. Graphs count from the top: each read of such a
+// coordinate is turned, and so is each coordinate that a texture is read at. Two turns cancel. Functions pass such
+// coordinates on as the engine has them. Without them, does nothing.
+Module turn_textures(Module module);
+
 // Moves out of each loop what does not depend on it, derivatives and samples too, for these may always move outwards.
 // After it a light loop computes only what depends on the light.
 Module schedule(Module module);

@@ -55,15 +55,14 @@ float4 screenPos(float3 position = positionOS) {
     return ComputeScreenPos(UnityObjectToClipPos(position));
 }
 
-[gives("screenUV")]
-float2 unityScreenUV(float4 position = screenPos) {
-    return position.xy / position.w;
+// Coordinates that count from the bottom, as Unity does, as graphs count, and the other way round.
+float2 FromBottom(float2 uv) {
+    return float2(uv.x, 1 - uv.y);
 }
 
-/// Unity's texture coordinates grow upwards, as tangent space does.
-[gives("uvOfTangent")]
-float2 unityUvOfTangent(float2 tangent) {
-    return tangent;
+[gives("screenUV")]
+float2 unityScreenUV(float4 position = screenPos) {
+    return FromBottom(position.xy / position.w);
 }
 
 // --- colour
@@ -81,20 +80,24 @@ float2 unityUvOfTangent(float2 tangent) {
 
 // --- light
 
-[foreign] float4 _WorldSpaceLightPos0;
+// Unity sets these values only for passes with a light mode.
+[foreign("_WorldSpaceLightPos0.xyz")] [text("light mode", "ForwardBase")] float3 LightDirection();
 [foreign("LinearColor(_LightColor0.rgb)")] [text("include", "UnityPBSLighting.cginc")]
+[text("light mode", "ForwardBase")]
 float3 LightColor();
-[foreign] float3 UnityWorldSpaceLightDir(float3 position);
+[foreign] [text("light mode", "ForwardBase")] float3 UnityWorldSpaceLightDir(float3 position);
 [foreign] int LightType();
 
 /// The fraction of the light that shadow map, distance, cone and cookie leave.
 [foreign("UNITY_LIGHT_ATTENUATION({result}, i, {0})")]
 [text("include", "AutoLight.cginc")]
+[text("sampler", "_LightTexture0", "_LightTextureB0", "_ShadowMapTexture", "unity_ShadowMask", "unity_ProbeVolumeSH")]
 [text("interpolators", "UNITY_LIGHTING_COORDS({}, {})")]
 [text("vertex end", "UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);")]
 float Attenuation(float3 position);
 [foreign("UNITY_LIGHT_ATTENUATION({result}, i, {0})")]
-[text("pragma", "multi_compile_fwdbase")] [text("include", "AutoLight.cginc")]
+[text("pragma", "multi_compile_fwdbase")] [text("include", "AutoLight.cginc")] [text("light mode", "ForwardBase")]
+[text("sampler", "_ShadowMapTexture", "unity_ShadowMask")]
 [text("interpolators", "UNITY_LIGHTING_COORDS({}, {})")]
 [text("vertex end", "UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);")]
 float MainAttenuation(float3 position);
@@ -102,13 +105,17 @@ float MainAttenuation(float3 position);
 /// Light that is not computed per pixel: the light at the vertices in rgb, or the lightmap coordinates.
 [foreign("AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, {0}, {1})")]
 [text("include", "UnityPBSLighting.cginc")]
+[text("light mode", "ForwardBase")]
 float4 AmbientOrLightmapUV(float3 position, float3 normal);
 
-[foreign] [text("include", "UnityPBSLighting.cginc")]
+// A lightmap excludes a probe volume.
+[foreign] [text("include", "UnityPBSLighting.cginc")] [text("sampler", "unity_Lightmap", "unity_DynamicLightmap")]
+[text("light mode", "ForwardBase")]
 float3 AmbientLight(float3 normal, float3 position, float attenuation, float4 ambientOrLightmapUV);
-[foreign] [text("include", "UnityPBSLighting.cginc")]
+[foreign] [text("include", "UnityPBSLighting.cginc")] [text("sampler", "unity_ShadowMask")]
 float MixedShadow(float3 position, float attenuation, float4 ambientOrLightmapUV);
-[foreign] [text("include", "UnityPBSLighting.cginc")]
+[foreign] [text("include", "UnityPBSLighting.cginc")] [text("sampler", "unity_SpecCube0")]
+[text("light mode", "ForwardBase")]
 float3 ReflectedLight(float3 direction, float roughness, float3 position, bool readsProbes);
 [foreign] bool BufferReadsProbes();
 
@@ -136,7 +143,7 @@ float4 ambientOrLightmapUV(float3 position = positionWS, float3 normal = vertexN
 [gives("lightAt", "unity-forward-base")] [fragment]
 Light unityMainLight(int index, float3 position, float left = attenuation, float4 ambient = ambientOrLightmapUV) {
     Light light;
-    light.direction = _WorldSpaceLightPos0.xyz;
+    light.direction = LightDirection();
     light.color = LightColor();
     light.attenuation = 1;
     light.shadow = MixedShadow(position, left, ambient);
@@ -199,19 +206,19 @@ float2 fittedSplitSum(float roughness, float ndotv) {
 // --- the picture drawn so far
 
 /// Reads a copy of the picture, which Unity makes before the first object that reads it.
-[foreign] [text("grab", "_BackgroundTexture")] [text("queue", "2900")]
+[foreign] [text("grab", "_BackgroundTexture")] [text("queue", "2900")] [text("sampler", "_BackgroundTexture")]
 float3 BackgroundColor(float2 uv);
 /// Reads the camera's depth texture, which a script or another effect must enable.
-[foreign] [text("include", "UnityCG.cginc")] [text("queue", "2900")]
+[foreign] [text("include", "UnityCG.cginc")] [text("queue", "2900")] [text("sampler", "_CameraDepthTexture")]
 float BackgroundDepth(float2 uv);
 
 [gives("SceneColor", "unity-forward-base", "unity-forward-add")] [fragment]
 float3 unitySceneColor(float2 uv) {
-    return BackgroundColor(uv);
+    return BackgroundColor(FromBottom(uv));
 }
 [gives("SceneDepth", "unity-forward-base", "unity-forward-add")] [fragment]
 float unitySceneDepth(float2 uv) {
-    return BackgroundDepth(uv);
+    return BackgroundDepth(FromBottom(uv));
 }
 
 // --- fog, which Unity blends with encoded colours
@@ -317,7 +324,7 @@ struct UnityTargets {
 
 /// Without high dynamic range, Unity stores the light as 2^-light.
 [foreign] float3 StoredLight(float3 color);
-[foreign] [text("include", "UnityPBSLighting.cginc")]
+[foreign] [text("include", "UnityPBSLighting.cginc")] [text("sampler", "unity_ShadowMask")]
 float4 BakedShadows(float4 ambientOrLightmapUV, float3 position);
 
 /// Only materials with a lighting model that Unity's own lighting passes compute have this pass. If an object has it,

@@ -157,8 +157,8 @@ float3 Sail_HalfVector(float3 view, float3 lightDir)
 float Sail_DistributionGGX(float ndoth, float alpha)
 {
     float a = max(alpha, 4e-04);
-    float product = ndoth * a;
-    float p = a / ((1.0 - ndoth) * (1.0 + ndoth) + product * product);
+    float ndothTimesA = ndoth * a;
+    float p = a / ((1.0 - ndoth) * (1.0 + ndoth) + ndothTimesA * ndothTimesA);
     return p * p * 0.31830987;
 }
 
@@ -166,9 +166,9 @@ float Sail_DistributionGGX(float ndoth, float alpha)
 float Sail_VisibilitySmithJoint(float ndotl, float ndotv, float alpha)
 {
     float a2 = alpha * alpha;
-    float difference = 1.0 - a2;
-    float viewPart = ndotl * sqrt(ndotv * ndotv * difference + a2);
-    float lightPart = ndotv * sqrt(ndotl * ndotl * difference + a2);
+    float oneMinusA2 = 1.0 - a2;
+    float viewPart = ndotl * sqrt(ndotv * ndotv * oneMinusA2 + a2);
+    float lightPart = ndotv * sqrt(ndotl * ndotl * oneMinusA2 + a2);
     return 0.5 / max(viewPart + lightPart, 1e-05);
 }
 

@@ -196,15 +196,15 @@ void main()
     float alpha = max(material.roughness * material.roughness, 0.002);
 
     // VisibilitySmithJointApproximate "visibility"
-    float visibilityDifference = 1.0 - alpha;
-    float visibilitySum = ndotv * visibilityDifference + alpha;
+    float oneMinusAlpha = 1.0 - alpha;
+    float visibilitySum = ndotv * oneMinusAlpha + alpha;
 
     // DistributionGGXUnity "distribution"
     float a2 = alpha * alpha;
     float distributionProduct = 0.31830987 * a2;
 
     // FresnelSchlick "fresnel"
-    vec3 fresnelDifference = 1.0 - setup.f0;
+    vec3 oneMinusF0 = 1.0 - setup.f0;
 
     float hasSpecular = any(greaterThan(setup.f0, vec3(0.0))) ? 1.0 : 0.0;
 
@@ -226,19 +226,19 @@ void main()
         float ldoth = clamp(dot(light.direction, halfVector), 0.0, 1.0);
 
         float f90 = 0.5 + diffuseProduct * ldoth * ldoth;
-        float diffuseDifference = f90 - 1.0;
-        float lightScatter = 1.0 + diffuseDifference * SchlickWeight(ndotl);
-        float viewScatter = 1.0 + diffuseDifference * schlickWeight;
+        float f90MinusOne = f90 - 1.0;
+        float lightScatter = 1.0 + f90MinusOne * SchlickWeight(ndotl);
+        float viewScatter = 1.0 + f90MinusOne * schlickWeight;
         float diffuse = lightScatter * viewScatter;
 
         float viewPart = ndotl * visibilitySum;
-        float lightPart = ndotv * (ndotl * visibilityDifference + alpha);
+        float lightPart = ndotv * (ndotl * oneMinusAlpha + alpha);
         float visibility = 0.5 / (viewPart + lightPart + 1e-05);
 
         float spread = (ndoth * a2 - ndoth) * ndoth + 1.0;
         float distribution = distributionProduct / (spread * spread + 1e-07);
 
-        vec3 fresnel = setup.f0 + fresnelDifference * SchlickWeight(ldoth);
+        vec3 fresnel = setup.f0 + oneMinusF0 * SchlickWeight(ldoth);
 
         vec3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * hasSpecular * fresnel;
 

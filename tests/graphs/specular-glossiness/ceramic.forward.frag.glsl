@@ -9,12 +9,6 @@ struct SpecularSetupMonochromeResult
     float oneMinusReflectivity;
 };
 
-struct MetallicSetupResult
-{
-    vec3 diffuseColor;
-    vec3 f0;
-};
-
 struct Surface
 {
     vec3 baseColor;
@@ -23,12 +17,6 @@ struct Surface
     vec3 normalWS;
     float occlusion;
     vec3 emission;
-};
-
-struct MetallicFromSpecularQuickResult
-{
-    float metallic;
-    float error;
 };
 
 struct Light
@@ -133,49 +121,6 @@ SpecularSetupMonochromeResult SpecularSetupMonochrome(vec3 baseColor, vec3 specu
     return specularSetupMonochromeResult;
 }
 
-vec3 fittedBaseColor(vec3 scattered, vec3 specular, float metallic)
-{
-    float dielectric = 1.0 - metallic;
-    return clamp((scattered + specular - 0.04 * dielectric) / (0.96 * dielectric + metallic), 0.0, 1.0);
-}
-
-// Diffuse colour and reflectance of a surface from base colour and metallic.
-MetallicSetupResult MetallicSetup(vec3 baseColor, float metallic)
-{
-    float oneMinusReflectivity = 0.96 * (1.0 - metallic);
-    MetallicSetupResult metallicSetupResult;
-    metallicSetupResult.diffuseColor = baseColor * oneMinusReflectivity;
-    metallicSetupResult.f0 = mix(vec3(0.04), baseColor, metallic);
-    return metallicSetupResult;
-}
-
-float metallicFitError(vec3 scattered, vec3 specular, float metallic)
-{
-    vec3 baseColor = fittedBaseColor(scattered, specular, metallic);
-    MetallicSetupResult metallicSetupResult = MetallicSetup(baseColor, metallic);
-    vec3 offDiffuse = abs(metallicSetupResult.diffuseColor - scattered);
-    vec3 offSpecular = abs(metallicSetupResult.f0 - specular);
-    float specularStrengthLargest = max(max(offSpecular.x, offSpecular.y), offSpecular.z);
-    return max(max(max(offDiffuse.x, offDiffuse.y), offDiffuse.z), specularStrengthLargest);
-}
-
-// Converts a specular/gloss surface to metallic/roughness, exactly if possible and approximately otherwise.
-MetallicFromSpecularQuickResult MetallicFromSpecularQuick(vec3 diffuse, vec3 specular)
-{
-    float s = max(max(specular.x, specular.y), specular.z);
-    vec3 scattered = diffuse * (1.0 - s);
-    float d = max(max(scattered.x, scattered.y), scattered.z);
-    float halfB = 0.5 * (d / 0.96 + s - 0.08);
-    float c = 0.04 - s;
-    float root = sqrt(max(halfB * halfB - 0.04 * c, 0.0));
-    float plain = halfB > 0.0 ? (s - 0.04) / max(halfB + root, 1e-06) : (root - halfB) / 0.04;
-    float metallic = clamp(s <= 0.04 ? 0.0 : plain, 0.0, 1.0);
-    MetallicFromSpecularQuickResult metallicFromSpecularQuickResult;
-    metallicFromSpecularQuickResult.metallic = metallic;
-    metallicFromSpecularQuickResult.error = metallicFitError(scattered, specular, metallic);
-    return metallicFromSpecularQuickResult;
-}
-
 // The inverse square law, with a window that fades it out at the light's range.
 float distanceAttenuation(float distanceSquared, float range)
 {
@@ -250,11 +195,6 @@ void main()
     // SpecularSetup "setup"
     SpecularSetupMonochromeResult setup = SpecularSetupMonochrome(material.baseColor, material.specular);
 
-    // MetallicFromSpecular "metal"
-    MetallicFromSpecularQuickResult metal = MetallicFromSpecularQuick(material.baseColor, material.specular);
-
-    float oneMinusReflectivity = mix(0.96 * (1.0 - metal.metallic), setup.oneMinusReflectivity,
-        clamp(metal.error * 50.0, 0.0, 1.0));
     float roughness = 1.0 - material.glossiness;
     vec3 normalWS = normalize(material.normalWS);
     int count = min(lightCount, 16);
@@ -273,15 +213,15 @@ void main()
     float alpha = max(roughness * roughness, 0.002);
 
     // VisibilitySmithJointApproximate "visibility"
-    float visibilityDifference = 1.0 - alpha;
-    float visibilitySum = ndotv * visibilityDifference + alpha;
+    float oneMinusAlpha = 1.0 - alpha;
+    float visibilitySum = ndotv * oneMinusAlpha + alpha;
 
     // DistributionGGXUnity "distribution"
     float a2 = alpha * alpha;
     float distributionProduct = 0.31830987 * a2;
 
     // FresnelSchlick "fresnel"
-    vec3 fresnelDifference = 1.0 - setup.f0;
+    vec3 oneMinusF0 = 1.0 - setup.f0;
 
     float hasSpecular = any(greaterThan(setup.f0, vec3(0.0))) ? 1.0 : 0.0;
 
@@ -303,19 +243,19 @@ void main()
         float ldoth = clamp(dot(light.direction, halfVector), 0.0, 1.0);
 
         float f90 = 0.5 + diffuseProduct * ldoth * ldoth;
-        float diffuseDifference = f90 - 1.0;
-        float lightScatter = 1.0 + diffuseDifference * SchlickWeight(ndotl);
-        float viewScatter = 1.0 + diffuseDifference * schlickWeight;
+        float f90MinusOne = f90 - 1.0;
+        float lightScatter = 1.0 + f90MinusOne * SchlickWeight(ndotl);
+        float viewScatter = 1.0 + f90MinusOne * schlickWeight;
         float diffuse = lightScatter * viewScatter;
 
         float viewPart = ndotl * visibilitySum;
-        float lightPart = ndotv * (ndotl * visibilityDifference + alpha);
+        float lightPart = ndotv * (ndotl * oneMinusAlpha + alpha);
         float visibility = 0.5 / (viewPart + lightPart + 1e-05);
 
         float spread = (ndoth * a2 - ndoth) * ndoth + 1.0;
         float distribution = distributionProduct / (spread * spread + 1e-07);
 
-        vec3 fresnel = setup.f0 + fresnelDifference * SchlickWeight(ldoth);
+        vec3 fresnel = setup.f0 + oneMinusF0 * SchlickWeight(ldoth);
 
         vec3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * hasSpecular * fresnel;
 
@@ -338,7 +278,7 @@ void main()
 
     // GrazingTerm "grazing"
     float smoothness = 1.0 - roughness;
-    float grazing = clamp(smoothness + 1.0 - oneMinusReflectivity, 0.0, 1.0);
+    float grazing = clamp(smoothness + 1.0 - setup.oneMinusReflectivity, 0.0, 1.0);
 
     // FresnelLerp "reflectance"
     vec3 reflectance = mix(setup.f0, vec3(grazing), SchlickWeight(ndotv));

@@ -8,12 +8,6 @@ struct SpecularSetupMonochromeResult
     float oneMinusReflectivity;
 };
 
-struct MetallicSetupResult
-{
-    float3 diffuseColor;
-    float3 f0;
-};
-
 struct Surface
 {
     float3 baseColor;
@@ -22,12 +16,6 @@ struct Surface
     float3 normalWS;
     float occlusion;
     float3 emission;
-};
-
-struct MetallicFromSpecularQuickResult
-{
-    float metallic;
-    float error;
 };
 
 struct Light
@@ -139,49 +127,6 @@ SpecularSetupMonochromeResult SpecularSetupMonochrome(float3 baseColor, float3 s
     return specularSetupMonochromeResult;
 }
 
-float3 fittedBaseColor(float3 scattered, float3 specular, float metallic)
-{
-    float dielectric = 1.0 - metallic;
-    return saturate((scattered + specular - 0.04 * dielectric) / (0.96 * dielectric + metallic));
-}
-
-// Diffuse colour and reflectance of a surface from base colour and metallic.
-MetallicSetupResult MetallicSetup(float3 baseColor, float metallic)
-{
-    float oneMinusReflectivity = 0.96 * (1.0 - metallic);
-    MetallicSetupResult metallicSetupResult;
-    metallicSetupResult.diffuseColor = baseColor * oneMinusReflectivity;
-    metallicSetupResult.f0 = lerp(float3(0.04, 0.04, 0.04), baseColor, metallic);
-    return metallicSetupResult;
-}
-
-float metallicFitError(float3 scattered, float3 specular, float metallic)
-{
-    float3 baseColor = fittedBaseColor(scattered, specular, metallic);
-    MetallicSetupResult metallicSetupResult = MetallicSetup(baseColor, metallic);
-    float3 offDiffuse = abs(metallicSetupResult.diffuseColor - scattered);
-    float3 offSpecular = abs(metallicSetupResult.f0 - specular);
-    float specularStrengthLargest = max(max(offSpecular.x, offSpecular.y), offSpecular.z);
-    return max(max(max(offDiffuse.x, offDiffuse.y), offDiffuse.z), specularStrengthLargest);
-}
-
-// Converts a specular/gloss surface to metallic/roughness, exactly if possible and approximately otherwise.
-MetallicFromSpecularQuickResult MetallicFromSpecularQuick(float3 diffuse, float3 specular)
-{
-    float s = max(max(specular.x, specular.y), specular.z);
-    float3 scattered = diffuse * (1.0 - s);
-    float d = max(max(scattered.x, scattered.y), scattered.z);
-    float halfB = 0.5 * (d / 0.96 + s - 0.08);
-    float c = 0.04 - s;
-    float root = sqrt(max(halfB * halfB - 0.04 * c, 0.0));
-    float plain = halfB > 0.0 ? (s - 0.04) / max(halfB + root, 1e-06) : (root - halfB) / 0.04;
-    float metallic = saturate(s <= 0.04 ? 0.0 : plain);
-    MetallicFromSpecularQuickResult metallicFromSpecularQuickResult;
-    metallicFromSpecularQuickResult.metallic = metallic;
-    metallicFromSpecularQuickResult.error = metallicFitError(scattered, specular, metallic);
-    return metallicFromSpecularQuickResult;
-}
-
 // The inverse square law, with a window that fades it out at the light's range.
 float distanceAttenuation(float distanceSquared, float range)
 {
@@ -257,11 +202,6 @@ FragmentOutput main(FragmentInput input)
     // SpecularSetup "setup"
     SpecularSetupMonochromeResult setup = SpecularSetupMonochrome(material.baseColor, material.specular);
 
-    // MetallicFromSpecular "metal"
-    MetallicFromSpecularQuickResult metal = MetallicFromSpecularQuick(material.baseColor, material.specular);
-
-    float oneMinusReflectivity = lerp(0.96 * (1.0 - metal.metallic), setup.oneMinusReflectivity,
-        saturate(metal.error * 50.0));
     float roughness = 1.0 - material.glossiness;
     float3 normalWS = normalize(material.normalWS);
     int count = min(lightCount, 16);
@@ -280,15 +220,15 @@ FragmentOutput main(FragmentInput input)
     float alpha = max(roughness * roughness, 0.002);
 
     // VisibilitySmithJointApproximate "visibility"
-    float visibilityDifference = 1.0 - alpha;
-    float visibilitySum = ndotv * visibilityDifference + alpha;
+    float oneMinusAlpha = 1.0 - alpha;
+    float visibilitySum = ndotv * oneMinusAlpha + alpha;
 
     // DistributionGGXUnity "distribution"
     float a2 = alpha * alpha;
     float distributionProduct = 0.31830987 * a2;
 
     // FresnelSchlick "fresnel"
-    float3 fresnelDifference = 1.0 - setup.f0;
+    float3 oneMinusF0 = 1.0 - setup.f0;
 
     float hasSpecular = any(setup.f0 > 0.0) ? 1.0 : 0.0;
 
@@ -310,19 +250,19 @@ FragmentOutput main(FragmentInput input)
         float ldoth = saturate(dot(light.direction, halfVector));
 
         float f90 = 0.5 + diffuseProduct * ldoth * ldoth;
-        float diffuseDifference = f90 - 1.0;
-        float lightScatter = 1.0 + diffuseDifference * SchlickWeight(ndotl);
-        float viewScatter = 1.0 + diffuseDifference * schlickWeight;
+        float f90MinusOne = f90 - 1.0;
+        float lightScatter = 1.0 + f90MinusOne * SchlickWeight(ndotl);
+        float viewScatter = 1.0 + f90MinusOne * schlickWeight;
         float diffuse = lightScatter * viewScatter;
 
         float viewPart = ndotl * visibilitySum;
-        float lightPart = ndotv * (ndotl * visibilityDifference + alpha);
+        float lightPart = ndotv * (ndotl * oneMinusAlpha + alpha);
         float visibility = 0.5 / (viewPart + lightPart + 1e-05);
 
         float spread = (ndoth * a2 - ndoth) * ndoth + 1.0;
         float distribution = distributionProduct / (spread * spread + 1e-07);
 
-        float3 fresnel = setup.f0 + fresnelDifference * SchlickWeight(ldoth);
+        float3 fresnel = setup.f0 + oneMinusF0 * SchlickWeight(ldoth);
 
         float3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * hasSpecular * fresnel;
 
@@ -345,7 +285,7 @@ FragmentOutput main(FragmentInput input)
 
     // GrazingTerm "grazing"
     float smoothness = 1.0 - roughness;
-    float grazing = saturate(smoothness + 1.0 - oneMinusReflectivity);
+    float grazing = saturate(smoothness + 1.0 - setup.oneMinusReflectivity);
 
     // FresnelLerp "reflectance"
     float3 reflectance = lerp(setup.f0, grazing.xxx, SchlickWeight(ndotv));

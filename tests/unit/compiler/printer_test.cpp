@@ -318,10 +318,10 @@ TEST(Statements, LoopsCarryVariables) {
     const Value next = f.b->emit(Op::Add, {f.b->loop_carried(0), f.b->emit(Op::Mul, {index, hoisted})});
     const Value loop = f.b->end_for({&next, 1});
     EXPECT_EQ(f.glsl(f.named(f.b->result(loop, 0), "total")),
-              "float power = exp(a);\n"
+              "float expA = exp(a);\n"
               "float total = 0.0;\n"
               "for (int i = 0; i < 4; ++i) {\n"
-              "    total += float(i) * power;\n"
+              "    total += float(i) * expA;\n"
               "}\n"
               "return total;\n");
 }

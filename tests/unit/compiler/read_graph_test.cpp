@@ -356,8 +356,7 @@ TEST(ReadGraphErrors, Nodes) {
     check({
         {R"("nodes":[^{"node":"X"}])", "a node needs the key 'id'"},
         {R"("nodes":[^{"id":"a"}])", "the node 'a' needs the key 'node' | or the key 'expr', with an expression"},
-        {R"("nodes":[{"id":"a","node":"X","^expr":"1"}])",
-         "'node' and 'expr' set the same value in two ways: set only one of them"},
+        {R"("nodes":[{"id":"a","node":"X","^expr":"1"}])", "'node' and 'expr' exclude each other: remove one"},
         {R"("nodes":[{"id":"a","expr":"^= 1"}])",
          "'=' is not allowed here | 'expr' is an expression already: leave out the '='"},
         {R"("nodes":[{"id":"a","expr":"1","^in":{}}])",

@@ -257,7 +257,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{R"("camera":{"position":^[0,0,0]})", "'position' must be another point than 'target'"},
         Wrong{R"("camera":{"position":[0,1,2],"fov":^171})", "171 is outside the range 1 to 170 of 'fov'"},
         Wrong{R"("camera":{"position":[0,1,2],"^fov":30,"orthographic":2})",
-              "'fov' and 'orthographic' set the same value in two ways: set only one of them | the other one is here"},
+              "'fov' and 'orthographic' exclude each other: remove one | the other one is here"},
         Wrong{R"("camera":{"position":[0,1,2],"near":1,"far":^1})", "'far' must be greater than 'near'"},
         Wrong{R"("camera":{"position":[0,1,2],"near":^200})", "'near' must be less than 'far', which is 100"}));
 
@@ -265,7 +265,7 @@ INSTANTIATE_TEST_SUITE_P(
     SurroundingsOf, WrongScene,
     ::testing::Values(
         Wrong{R"("ambient":"^studi")", "'studi' is not ambient light | did you mean 'studio'?"},
-        Wrong{R"("ambient":^{})", "ambient light needs the key 'sky'"},
+        Wrong{R"("ambient":^{})", "ambient light needs the key 'sky', 'horizon' or 'ground'"},
         Wrong{R"("ambient":{"sky":"^#12345"})", "'#12345' is not a colour: write #rgb, #rrggbb or #rrggbbaa"},
         Wrong{R"("ambient":^[1,2])", "'ambient' must be \"#rrggbb\", a number or an array of 3, not an array of 2"},
         Wrong{R"("ambient":{"sky":"^#11223344"})", "'sky' must be a colour without alpha, not #11223344"},

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <thread>
 
 #include "runtime/values/textures.h"
 
@@ -125,11 +126,30 @@ TEST_F(ImageFile, CorruptFilesAreErrors) {
 }
 
 TEST_F(ImageFile, WritingLeavesNothingBehindWhenItFails) {
-    EXPECT_NE(save_png(path("no/such/folder/a.png"), make_image(2, 2)), "");
+    std::ofstream(path("file"));
+    EXPECT_NE(save_png(path("file/a.png"), make_image(2, 2)), "");
     EXPECT_NE(save_image(path("a.xyz"), make_image(2, 2)), "");
-    EXPECT_EQ(file_count(), 0u);
+    EXPECT_EQ(file_count(), 1u);
+    fs::remove(path("file"));
     ASSERT_EQ(save_png(path("a.png"), make_image(2, 2)), "");
     EXPECT_EQ(file_count(), 1u);
+}
+
+// Somebody else's files stay, whatever they are called.
+TEST_F(ImageFile, WritingLeavesOtherFilesAlone) {
+    for (const char* name : {"a.part.png", "a.png.part", "a.tmp"}) std::ofstream(path(name)) << "mine";
+    ASSERT_EQ(save_png(path("a.png"), make_image(2, 2)), "");
+    EXPECT_EQ(file_count(), 4u);
+    for (const char* name : {"a.part.png", "a.png.part", "a.tmp"}) EXPECT_EQ(fs::file_size(path(name)), 4u) << name;
+}
+
+// A date would show as a difference, even a second later.
+TEST_F(ImageFile, APictureHoldsNoDate) {
+    const Outcome<std::string> first = encode_exr(all_bytes()), png = encode_png(all_bytes());
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+    EXPECT_EQ(first.value, encode_exr(all_bytes()).value);
+    EXPECT_EQ(png.value, encode_png(all_bytes()).value);
+    EXPECT_FALSE(first.value.empty());
 }
 
 TEST(BoxFiltered, AveragesBlocks) {

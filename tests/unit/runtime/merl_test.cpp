@@ -94,7 +94,7 @@ TEST_F(Merl, ReadsWhatItHasWritten) {
         ASSERT_EQ(read.value.channels[c].size(), 200u);
         for (std::size_t i = 0; i < 200; ++i) EXPECT_DOUBLE_EQ(read.value.channels[c][i], table.channels[c][i]);
     }
-    EXPECT_NE(write_merl((folder / "missing" / "x.binary").string(), table), "");
+    EXPECT_NE(write_merl((folder / "table.binary" / "x.binary").string(), table), "");
 }
 
 TEST_F(Merl, RefusesFilesThatAreNoTables) {

@@ -215,18 +215,18 @@ Shader "Patina/fade"
     float DisneyDiffuseTerm(float ndotv, float ndotl, float ldoth, float roughness)
     {
         float f90 = 0.5 + 2.0 * roughness * ldoth * ldoth;
-        float difference = f90 - 1.0;
-        float lightScatter = 1.0 + difference * SchlickWeight(ndotl);
-        float viewScatter = 1.0 + difference * SchlickWeight(ndotv);
+        float f90MinusOne = f90 - 1.0;
+        float lightScatter = 1.0 + f90MinusOne * SchlickWeight(ndotl);
+        float viewScatter = 1.0 + f90MinusOne * SchlickWeight(ndotv);
         return lightScatter * viewScatter;
     }
 
     // An approximation of Smith's masking-shadowing for GGX without square roots.
     float VisibilitySmithJointApproximate(float ndotl, float ndotv, float alpha, float guard)
     {
-        float difference = 1.0 - alpha;
-        float viewPart = ndotl * (ndotv * difference + alpha);
-        float lightPart = ndotv * (ndotl * difference + alpha);
+        float oneMinusAlpha = 1.0 - alpha;
+        float viewPart = ndotl * (ndotv * oneMinusAlpha + alpha);
+        float lightPart = ndotv * (ndotl * oneMinusAlpha + alpha);
         return 0.5 / (viewPart + lightPart + guard);
     }
 

@@ -232,7 +232,8 @@ Shader "Patina/Standard, cut out"
     float2 ParallaxShift(float texel, float height, float3 viewTS)
     {
         float3 view = viewTS * rsqrt(max(dot(viewTS, viewTS), 1e-06));
-        return (texel * height - 0.5 * height) * view.xy / (max(view.z, 0.0) + 0.42);
+        float2 product = (texel * height - 0.5 * height) * float2(view.x, -view.y);
+        return product / (max(view.z, 0.0) + 0.42);
     }
 
     // Converts an sRGB colour to linear.
@@ -268,20 +269,28 @@ Shader "Patina/Standard, cut out"
     Surface getSurface(float2 uv0, float2 uv1, float3 viewDirWS, float3 geometryNormalWS, float3 tangentWS,
         float3 bitangentWS)
     {
+        float2 turnedUV = float2(uv0.x, 1.0 - uv0.y);
+
         // TilingOffset "maps/tiled"
-        float2 tiled = uv0 * _MainTex_ST.xy + _MainTex_ST.zw;
+        float2 tiled = turnedUV * _MainTex_ST.xy + float2(_MainTex_ST.z, 1.0 - _MainTex_ST.y - _MainTex_ST.w);
 
         // TilingOffset "maps/tiledDetail"
-        float2 tiledDetail = (int(_UVSec) == 1 ? uv1 : uv0) * _DetailAlbedoMap_ST.xy + _DetailAlbedoMap_ST.zw;
+        float2 tiledDetailValue = float2(_DetailAlbedoMap_ST.z,
+            1.0 - _DetailAlbedoMap_ST.y - _DetailAlbedoMap_ST.w);
+        float2 tiledDetailProduct = (int(_UVSec) == 1 ? float2(uv1.x,
+            1.0 - uv1.y) : turnedUV) * _DetailAlbedoMap_ST.xy;
+        float2 tiledDetail = tiledDetailProduct + tiledDetailValue;
 
         float2 offset;
     #if defined(_PARALLAXMAP)
         // WorldToTangent "maps/viewDirTS"
-        float viewDirTSProjection = dot(geometryNormalWS, viewDirWS);
-        float3 viewDirTS = float3(dot(tangentWS, viewDirWS), dot(bitangentWS, viewDirWS), viewDirTSProjection);
+        float geometryNormalWSDotViewDirWS = dot(geometryNormalWS, viewDirWS);
+        float3 viewDirTS = float3(dot(tangentWS, viewDirWS), dot(bitangentWS, viewDirWS),
+            geometryNormalWSDotViewDirWS);
 
         // SampleTexture2D "maps/height"
-        float4 height = UNITY_SAMPLE_TEX2D(_ParallaxMap, tiled);
+        float2 tiled2 = uv0 * _MainTex_ST.xy + _MainTex_ST.zw;
+        float4 height = UNITY_SAMPLE_TEX2D(_ParallaxMap, tiled2);
 
         // ParallaxOffset "maps/step"
         offset = ParallaxShift(height.y, _Parallax, viewDirTS);
@@ -292,32 +301,32 @@ Shader "Patina/Standard, cut out"
         float2 uv = tiled + offset;
 
         float2 detailUV = tiledDetail + offset;
-
-        // maps/main: The node would tile once more.
-        float4 main_ = LinearColor(UNITY_SAMPLE_TEX2D(_MainTex, uv));
+        float2 detailUVTurnedUV = float2(uv.x, 1.0 - uv.y);
+        float4 main_ = LinearColor(UNITY_SAMPLE_TEX2D(_MainTex, detailUVTurnedUV));
 
         float3 tinted = main_.xyz * LinearColor(_Color).xyz;
 
         // SampleTexture2D "maps/mask"
         float4 mask;
     #if defined(_DETAIL_MULX2)
-        mask = UNITY_SAMPLE_TEX2D(_DetailMask, uv);
+        mask = UNITY_SAMPLE_TEX2D(_DetailMask, detailUVTurnedUV);
     #else
         mask = float4(0.0, 0.0, 0.0, 0.0);
     #endif
+        float2 maskTurnedUV = float2(detailUV.x, 1.0 - detailUV.y);
 
         // SampleTexture2D "maps/metallicGloss"
         float4 metallicGloss;
     #if defined(_METALLICGLOSSMAP)
-        metallicGloss = UNITY_SAMPLE_TEX2D(_MetallicGlossMap, uv);
+        metallicGloss = UNITY_SAMPLE_TEX2D(_MetallicGlossMap, detailUVTurnedUV);
     #else
         metallicGloss = float4(0.0, 0.0, 0.0, 0.0);
     #endif
 
         // SampleTexture2D "maps/cavity"
-        float4 cavity = UNITY_SAMPLE_TEX2D(_OcclusionMap, uv);
+        float4 cavity = UNITY_SAMPLE_TEX2D(_OcclusionMap, detailUVTurnedUV);
     #if defined(_DETAIL_MULX2)
-        float4 detail = LinearColor(UNITY_SAMPLE_TEX2D(_DetailAlbedoMap, detailUV));
+        float4 detail = LinearColor(UNITY_SAMPLE_TEX2D(_DetailAlbedoMap, maskTurnedUV));
 
         // DetailAlbedo "maps/detailed"
         tinted *= lerp(float3(1.0, 1.0, 1.0), 4.5947933 * detail.xyz, mask.w);
@@ -348,11 +357,11 @@ Shader "Patina/Standard, cut out"
         float3 normalTS;
     #if defined(_NORMALMAP)
         // SampleNormalMap "maps/bumps"
-        float4 bumpsTexel = UNITY_SAMPLE_TEX2D(_BumpMap, uv);
+        float4 bumpsTexel = UNITY_SAMPLE_TEX2D(_BumpMap, detailUVTurnedUV);
         normalTS = UnpackScaleNormal(bumpsTexel, _BumpScale);
     #if defined(_DETAIL_MULX2)
         // SampleNormalMap "maps/detailBumps"
-        float4 detailBumpsTexel = UNITY_SAMPLE_TEX2D(_DetailNormalMap, detailUV);
+        float4 detailBumpsTexel = UNITY_SAMPLE_TEX2D(_DetailNormalMap, maskTurnedUV);
         float3 detailBumps = UnpackScaleNormal(detailBumpsTexel, _DetailNormalMapScale);
 
         // DetailNormal "maps/detailedBumps"
@@ -364,7 +373,7 @@ Shader "Patina/Standard, cut out"
         float3 emission;
     #if defined(_EMISSION)
         // SampleTexture2D "maps/glow"
-        float4 glow = LinearColor(UNITY_SAMPLE_TEX2D(_EmissionMap, uv));
+        float4 glow = LinearColor(UNITY_SAMPLE_TEX2D(_EmissionMap, detailUVTurnedUV));
 
         emission = glow.xyz * _EmissionColor.xyz;
     #else
@@ -441,18 +450,18 @@ Shader "Patina/Standard, cut out"
     float DisneyDiffuseTerm(float ndotv, float ndotl, float ldoth, float roughness)
     {
         float f90 = 0.5 + 2.0 * roughness * ldoth * ldoth;
-        float difference = f90 - 1.0;
-        float lightScatter = 1.0 + difference * SchlickWeight(ndotl);
-        float viewScatter = 1.0 + difference * SchlickWeight(ndotv);
+        float f90MinusOne = f90 - 1.0;
+        float lightScatter = 1.0 + f90MinusOne * SchlickWeight(ndotl);
+        float viewScatter = 1.0 + f90MinusOne * SchlickWeight(ndotv);
         return lightScatter * viewScatter;
     }
 
     // An approximation of Smith's masking-shadowing for GGX without square roots.
     float VisibilitySmithJointApproximate(float ndotl, float ndotv, float alpha, float guard)
     {
-        float difference = 1.0 - alpha;
-        float viewPart = ndotl * (ndotv * difference + alpha);
-        float lightPart = ndotv * (ndotl * difference + alpha);
+        float oneMinusAlpha = 1.0 - alpha;
+        float viewPart = ndotl * (ndotv * oneMinusAlpha + alpha);
+        float lightPart = ndotv * (ndotl * oneMinusAlpha + alpha);
         return 0.5 / (viewPart + lightPart + guard);
     }
 
@@ -763,16 +772,19 @@ Shader "Patina/Standard, cut out"
                 fromMapValue = 1.0;
             #else
                 // TilingOffset "maps/tiled"
-                float2 tiled = uv0 * _MainTex_ST.xy + _MainTex_ST.zw;
+                float2 tiledValue = float2(_MainTex_ST.z, 1.0 - _MainTex_ST.y - _MainTex_ST.w);
+                float2 tiled = float2(uv0.x, 1.0 - uv0.y) * _MainTex_ST.xy + tiledValue;
 
                 float2 offset;
             #if defined(_PARALLAXMAP)
                 // WorldToTangent "maps/viewDirTS"
-                float viewDirTSProjection = dot(geometryNormalWS, viewDirWS);
-                float3 viewDirTS = float3(dot(tangentWS, viewDirWS), dot(bitangentWS, viewDirWS), viewDirTSProjection);
+                float geometryNormalWSDotViewDirWS = dot(geometryNormalWS, viewDirWS);
+                float3 viewDirTS = float3(dot(tangentWS, viewDirWS), dot(bitangentWS, viewDirWS),
+                    geometryNormalWSDotViewDirWS);
 
                 // SampleTexture2D "maps/height"
-                float4 height = UNITY_SAMPLE_TEX2D(_ParallaxMap, tiled);
+                float2 tiled2 = uv0 * _MainTex_ST.xy + _MainTex_ST.zw;
+                float4 height = UNITY_SAMPLE_TEX2D(_ParallaxMap, tiled2);
 
                 // ParallaxOffset "maps/step"
                 offset = ParallaxShift(height.y, _Parallax, viewDirTS);
@@ -781,9 +793,7 @@ Shader "Patina/Standard, cut out"
             #endif
 
                 float2 uv = tiled + offset;
-
-                // maps/main: The node would tile once more.
-                float4 main_ = LinearColor(UNITY_SAMPLE_TEX2D(_MainTex, uv));
+                float4 main_ = LinearColor(UNITY_SAMPLE_TEX2D(_MainTex, float2(uv.x, 1.0 - uv.y)));
 
                 fromMapValue = main_.w;
             #endif

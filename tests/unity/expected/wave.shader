@@ -289,8 +289,8 @@ Shader "Patina/Wave"
     float3 FresnelToGrazingFast(float3 f0, float3 f90, float cosine)
     {
         float m = saturate(1.0 - cosine);
-        float product = m * m;
-        return lerp(f0, f90, product * product);
+        float mSquared = m * m;
+        return lerp(f0, f90, mSquared * mSquared);
     }
 
     // All light that does not come from a single light, by the lighting graph.

@@ -1,0 +1,94 @@
+#include "compiler/cli/outputs.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace patina::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using runtime::Destination;
+using runtime::destination_of;
+
+constexpr std::string_view kStandardOutput = "-";
+
+// The snapshot that a file is the reference picture of, or nothing.
+std::string snapshot_of(std::string path) {
+    constexpr std::string_view kReference = ".reference.png";
+    if (!path.ends_with(kReference)) return {};
+    path.replace(path.size() - kReference.size(), std::string::npos, ".snapshot.json");
+    std::error_code ignored;
+    return fs::exists(path, ignored) ? fs::path(path).filename().string() : std::string();
+}
+
+bool is_one_of(const std::string& path, std::span<const std::string> files) {
+    return std::any_of(files.begin(), files.end(), [&](const std::string& file) {
+        std::error_code ignored;
+        return fs::equivalent(path, file, ignored);
+    });
+}
+
+}  // namespace
+
+bool Outputs::write(const std::string& source, const OutputFiles& files, std::span<const std::string> inputs) {
+    if (files.files.size() == 1 && files.files.front().path == kStandardOutput) {
+        print(files.files.front().bytes);  // run() reports it if that fails
+        return true;
+    }
+    for (const runtime::OutputFile& file : files.files) {
+        if (!take(source, file.path, inputs)) return false;
+    }
+    const std::string error = runtime::write_files(files.files);
+    if (!error.empty()) complain(console_, Complaint::CannotWrite, {error});
+    return error.empty();
+}
+
+bool Outputs::take(const std::string& source, const std::string& path, std::span<const std::string> inputs) {
+    const Destination to = destination_of(path);
+    if (to.kind != Destination::Kind::File) return true;
+    const auto [there, is_new] = written_.try_emplace(to.path, Written{source, path});
+    if (!is_new && there->second.path == path) {
+        complain(console_, Complaint::SameOutput, {there->second.source, source, path});
+    } else if (!is_new) {
+        complain(console_, Complaint::OneOutput, {path, source, there->second.path});
+    } else if (const std::string snapshot = snapshot_of(to.path); !snapshot.empty()) {
+        complain(console_, Complaint::ReferencePicture, {path, snapshot});
+    } else if (is_one_of(to.path, inputs)) {
+        complain(console_, Complaint::OverwritesInput, {path, source});
+    } else {
+        return true;
+    }
+    return false;
+}
+
+void say(const Console& console, const OutputFiles& files) {
+    for (const runtime::OutputFile& file : files.files) {
+        if (!is_standard_output(file.path)) say(console, file.path);
+    }
+}
+
+bool is_standard_output(const std::string& path) {
+    if (path == kStandardOutput) return true;
+    const Destination to = destination_of(path);
+    return to.kind == Destination::Kind::Descriptor && to.descriptor == STDOUT_FILENO;
+}
+
+bool is_taken(const std::string& path) {
+    const Destination to = destination_of(path);
+    std::error_code ignored;
+    return to.kind == Destination::Kind::Folder || (to.kind == Destination::Kind::File && fs::exists(to.path, ignored));
+}
+
+bool is_stream(const std::string& path) {
+    const Destination::Kind kind = destination_of(path).kind;
+    return kind == Destination::Kind::Stream || kind == Destination::Kind::Descriptor;
+}
+
+std::string is_folder_name(const std::string& word) {
+    if (word != kStandardOutput) return {};
+    return "'-' is standard output, which cannot hold several files: name a folder ('./-' for one of this name)";
+}
+
+}  // namespace patina::cli

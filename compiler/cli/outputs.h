@@ -1,0 +1,62 @@
+// The files that one command writes. Each write is all or nothing (runtime/files), and no file of the user's is lost
+// without a word: two outputs of one name are refused, and so are outputs that would replace the reference picture of a
+// snapshot or a file that the output is made from.
+//
+//   Outputs outputs(console);
+//   for (const std::string& graph : graphs) {
+//       OutputFiles files;
+//       files.add("out/rust.forward.vert.glsl", text);
+//       if (!outputs.write(graph, files, result.dependencies)) return Exit::Wrong;  // it has complained
+//       say(console, files);
+//   }
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/cli/console.h"
+#include "runtime/files/files.h"
+
+namespace patina::cli {
+
+struct OutputFiles {
+    std::vector<runtime::OutputFile> files;
+
+    void add(std::string path, std::string bytes) { files.push_back({std::move(path), std::move(bytes)}); }
+};
+
+class Outputs {
+public:
+    explicit Outputs(const Console& console) : console_(console) {}
+
+    // Writes all of the files or none; false: none, and it has complained. `source`: the argument that they are made
+    // from, for messages. `inputs`: files that it was made from.
+    bool write(const std::string& source, const OutputFiles& files, std::span<const std::string> inputs = {});
+
+private:
+    struct Written {
+        std::string source, path;
+    };
+    bool take(const std::string& source, const std::string& path, std::span<const std::string> inputs);
+
+    const Console& console_;
+    std::map<std::string, Written> written_;  // by the file itself, whatever links lead to it
+};
+
+// Prints which files were written, but not between the bytes of one that was written to standard output.
+void say(const Console& console, const OutputFiles& files);
+
+// "-", or a name of that descriptor, such as /dev/stdout.
+bool is_standard_output(const std::string& path);
+// True if nothing can be written there without replacing a file: it is there already, or it is a folder.
+bool is_taken(const std::string& path);
+// True for a device, a FIFO or an open descriptor: what is written there goes through it.
+bool is_stream(const std::string& path);
+
+// A check for options and arguments that name a folder. Returns what is wrong, or nothing.
+std::string is_folder_name(const std::string& word);
+
+}  // namespace patina::cli

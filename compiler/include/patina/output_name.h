@@ -1,0 +1,14 @@
+// The name that the files made from a graph begin with. Not the graph's "name", which need not be one that files can
+// have.
+//
+//   output_name("art/wall.v1.graph.json")   // "wall.v1"
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace patina {
+
+std::string output_name(std::string_view path);
+
+}  // namespace patina

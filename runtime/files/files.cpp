@@ -1,0 +1,214 @@
+#include "runtime/files/files.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <vector>
+
+namespace patina::runtime {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostLinks = 40;  // as many as Linux follows
+
+std::string cannot_write(const std::string& path, const std::string& why) {
+    return "cannot write '" + path + "': " + why;
+}
+
+// "/proc/self/fd/1" is 1, which is -1 for what is not a descriptor of this process.
+int own_descriptor(const fs::path& path) {
+    std::error_code failure;
+    const fs::path own = fs::canonical("/proc/self/fd", failure);
+    if (failure || path.parent_path() != own) return -1;
+    const std::string name = path.filename().string();
+    int descriptor = -1;
+    std::from_chars(name.data(), name.data() + name.size(), descriptor);
+    return descriptor;
+}
+
+// Writes all of it. False: errno says why not.
+bool write_all(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+        if (count >= 0) {
+            bytes.remove_prefix(static_cast<std::size_t>(count));
+        } else if (errno == EAGAIN) {
+            pollfd ready{.fd = descriptor, .events = POLLOUT, .revents = 0};
+            ::poll(&ready, 1, -1);
+        } else if (errno != EINTR) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// If the reader of a pipe has gone, that is an error like others. The signal would end the program before it removes
+// its temporary files.
+class WithoutPipeSignal {
+public:
+    WithoutPipeSignal() : before_(std::signal(SIGPIPE, SIG_IGN)) {}
+    ~WithoutPipeSignal() { std::signal(SIGPIPE, before_); }
+    WithoutPipeSignal(const WithoutPipeSignal&) = delete;
+    WithoutPipeSignal& operator=(const WithoutPipeSignal&) = delete;
+
+private:
+    void (*before_)(int);
+};
+
+std::string write_to_stream(const OutputFile& file, const Destination& to) {
+    const bool is_open = to.kind == Destination::Kind::Descriptor;
+    const int descriptor = is_open ? ::dup(to.descriptor) : ::open(to.path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+    if (descriptor < 0) return cannot_write(file.path, std::strerror(errno));
+    if (is_open) std::fflush(nullptr);  // what has been printed comes first
+    const WithoutPipeSignal guard;
+    const bool written = write_all(descriptor, file.bytes);
+    const int failure = errno;
+    const bool closed = ::close(descriptor) == 0;
+    return written && closed ? "" : cannot_write(file.path, std::strerror(written ? errno : failure));
+}
+
+// Files on their way to their names. What has not arrived is taken back.
+class Replacement {
+public:
+    Replacement() = default;
+    Replacement(const Replacement&) = delete;
+    Replacement& operator=(const Replacement&) = delete;
+    ~Replacement() {
+        std::error_code ignored;
+        for (const Temporary& each : temporaries_) fs::remove(each.path, ignored);
+        // The deepest first. A folder that holds something else stays.
+        std::for_each(folders_.rbegin(), folders_.rend(), [&](const fs::path& each) { fs::remove(each, ignored); });
+    }
+
+    std::string add(const OutputFile& file, const std::string& destination) {
+        if (std::string error = make_folder(file, fs::path(destination).parent_path()); !error.empty()) return error;
+        struct stat there {};
+        const bool is_there = ::stat(destination.c_str(), &there) == 0;
+        // Renaming would replace a file that is protected from writing, too.
+        if (is_there && ::access(destination.c_str(), W_OK) != 0) return cannot_write(file.path, std::strerror(errno));
+        const int descriptor = open_temporary(destination, file.path);
+        if (descriptor < 0) return cannot_write(file.path, std::strerror(errno));
+        if (is_there) take_over(descriptor, there);
+        const bool written = write_all(descriptor, file.bytes);
+        const int failure = errno;
+        const bool closed = ::close(descriptor) == 0;  // some file systems report a full disk here
+        return written && closed ? "" : cannot_write(file.path, std::strerror(written ? errno : failure));
+    }
+
+    std::string finish() {
+        for (const Temporary& each : temporaries_) {
+            if (std::rename(each.path.c_str(), each.destination.c_str()) != 0)
+                return cannot_write(each.shown, std::strerror(errno));
+        }
+        temporaries_.clear();
+        folders_.clear();
+        return "";
+    }
+
+private:
+    struct Temporary {
+        std::string path, destination;
+        std::string shown;  // the destination as the user names it
+    };
+
+    std::string make_folder(const OutputFile& file, const fs::path& folder) {
+        std::error_code failure;
+        std::vector<fs::path> missing;
+        for (fs::path at = folder; !fs::exists(at, failure) && at.has_relative_path(); at = at.parent_path())
+            missing.push_back(at);
+        folders_.insert(folders_.end(), missing.rbegin(), missing.rend());
+        fs::create_directories(folder, failure);
+        if (!failure) return "";
+        return "cannot make the folder '" + fs::path(file.path).parent_path().string() + "': " + failure.message();
+    }
+
+    // A new file next to the destination, so that it can be renamed. The name is short: that of the destination may
+    // have the greatest length that there is.
+    int open_temporary(const std::string& destination, const std::string& shown) {
+        const std::string stem = (fs::path(destination).parent_path() / ".patina-").string() + std::to_string(getpid());
+        for (;; ++count_) {
+            const std::string path = stem + "-" + std::to_string(count_);
+            const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            if (descriptor < 0 && errno == EEXIST) continue;
+            if (descriptor >= 0) temporaries_.push_back({path, destination, shown});
+            return descriptor;
+        }
+    }
+
+    // Only root can leave a file to another owner. If either call fails, the file is written all the same.
+    static void take_over(int descriptor, const struct stat& from) {
+        [[maybe_unused]] const bool is_of_same_owner = ::fchown(descriptor, from.st_uid, from.st_gid) == 0;
+        ::fchmod(descriptor, from.st_mode & 0777);
+    }
+
+    std::vector<Temporary> temporaries_;
+    std::vector<fs::path> folders_;  // that were made, from the outside to the inside
+    unsigned count_ = 0;
+};
+
+}  // namespace
+
+Destination destination_of(const std::string& path) {
+    using Kind = Destination::Kind;
+    std::error_code failure;
+    fs::path at = fs::absolute(path, failure);
+    for (int links = 0; links <= kMostLinks; ++links) {
+        const fs::path folder = fs::weakly_canonical(at.parent_path(), failure);
+        if (failure) return {.path = path, .error = failure.message()};
+        at = folder / at.filename();
+        const auto found = [&](Kind kind) { return Destination{.kind = kind, .path = at.string()}; };
+        if (at.filename().empty()) return found(Kind::Folder);
+        if (const int descriptor = own_descriptor(at); descriptor >= 0)
+            return {.kind = Kind::Descriptor, .path = at.string(), .descriptor = descriptor};
+        // The links of /proc stand for open files, and their texts need not be paths.
+        if (at.string().starts_with("/proc/")) return found(Kind::Stream);
+        const fs::file_status status = fs::symlink_status(at, failure);
+        if (fs::is_directory(status)) return found(Kind::Folder);
+        if (!fs::is_symlink(status)) {
+            const bool is_stream = fs::exists(status) && !fs::is_regular_file(status);
+            return found(is_stream ? Kind::Stream : Kind::File);
+        }
+        const fs::path target = fs::read_symlink(at, failure);
+        at = folder / target;  // which is the target alone if that is absolute
+    }
+    return {.path = path, .error = std::strerror(ELOOP)};
+}
+
+std::string write_files(std::span<const OutputFile> files) {
+    Replacement replacement;
+    std::vector<std::pair<const OutputFile*, Destination>> streams;
+    for (const OutputFile& file : files) {
+        Destination to = destination_of(file.path);
+        if (!to.error.empty()) return cannot_write(file.path, to.error);
+        switch (to.kind) {
+            case Destination::Kind::Folder: return cannot_write(file.path, "it is a folder");
+            case Destination::Kind::File:
+                if (std::string error = replacement.add(file, to.path); !error.empty()) return error;
+                break;
+            case Destination::Kind::Stream:
+            case Destination::Kind::Descriptor: streams.emplace_back(&file, std::move(to)); break;
+        }
+    }
+    // What has gone into a pipe cannot be taken back: it goes when nothing else can be in the way.
+    for (const auto& [file, to] : streams) {
+        if (std::string error = write_to_stream(*file, to); !error.empty()) return error;
+    }
+    return replacement.finish();
+}
+
+std::string write_file(const std::string& path, std::string bytes) {
+    const OutputFile file{.path = path, .bytes = std::move(bytes)};
+    return write_files({&file, 1});
+}
+
+}  // namespace patina::runtime

@@ -1,0 +1,41 @@
+// The room `files`: how output files are written. It does not know what is in them.
+//
+// Files are whole or not there: they are written under temporary names in their folders, and renamed when all of them
+// are there. Nobody else can have such a name, because opening the file fails if there is one already. Of a symbolic
+// link the target is replaced, not the link. A file that is replaced keeps its permissions. What is not a regular file
+// (a device, a FIFO, /dev/stdout) is written to and stays what it is.
+//
+//   std::string error = write_files(std::vector<OutputFile>{{.path = "out/rust.png", .bytes = png}});
+//   // empty: written
+#pragma once
+
+#include <span>
+#include <string>
+
+namespace patina::runtime {
+
+struct OutputFile {
+    std::string path{};
+    std::string bytes{};
+};
+
+// What a path stands for when its symbolic links are followed.
+struct Destination {
+    enum class Kind {
+        File,       // a regular file, or nothing so far
+        Folder,     // nothing can be written to it
+        Stream,     // a device, a FIFO or a socket: it is opened and written to
+        Descriptor  // an open descriptor of this process, as /dev/stdout is
+    };
+    Kind kind = Kind::File;
+    std::string path{};   // absolute
+    int descriptor = -1;  // of a Descriptor
+    std::string error{};  // not empty: the links lead nowhere
+};
+Destination destination_of(const std::string& path);
+
+// Makes missing folders and writes everything, or nothing. Returns nothing, or what is wrong: "cannot write 'x': ...".
+std::string write_files(std::span<const OutputFile> files);
+std::string write_file(const std::string& path, std::string bytes);
+
+}  // namespace patina::runtime
