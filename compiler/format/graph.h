@@ -162,11 +162,15 @@ struct Graph {
     std::vector<PortValue> vertex;   // material
     std::vector<PortValue> surface;  // material: surface inputs; workflow: members of the lighting surface
     std::vector<PortValue> outputs;  // sub-graph; in a lighting graph: direct, indirect, final
-    std::string preview_input;       // workflow: the input that shows a previewed node ("preview": "color")
+    // Workflow: the input that shows a previewed node ("preview": "color"). A workflow that shows a value as it is has
+    // no lighting.
+    std::string preview_input;
     RenderState render;
     std::vector<ExtraPass> passes;        // material
     std::vector<ListedVariant> variants;  // material
     std::string meta;                     // raw JSON text of "meta"; carried to the reflection
+
+    bool is_lit() const { return preview_input.empty(); }  // of a workflow
 };
 
 }  // namespace patina::graph

@@ -72,7 +72,7 @@ constexpr std::array kWorkflow = {
     kName,
     kHelp,
     KeyInfo{"lighting", "the lighting model of materials that do not set one", ObjectKind::LightingUse},
-    KeyInfo{"preview", "the input that a previewed node is connected to"},
+    KeyInfo{"preview", "the input that a previewed node is connected to; such a workflow has no lighting"},
     KeyInfo{"inputs", "the surface inputs that a material may set", ObjectKind::Input, true},
     kNodes,
     KeyInfo{"surface", "the members of the lighting surface, computed from the inputs", ObjectKind::Free, true},

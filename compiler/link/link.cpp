@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <utility>
 
 #include "compiler/base/spelling.h"
 #include "compiler/ir/passes/passes.h"
@@ -55,7 +56,7 @@ std::vector<std::vector<SemanticId>> all_needs(const graph::Lowered& lowered, st
     for (bool grows = true; grows;) {
         grows = false;
         for (const graph::LoweredPass& pass : lowered.passes) {
-            for (const auto& [old, made] : pass.replaced) grows |= join(old, made) || join(made, old);
+            for (const auto& given : pass.replaced) grows |= join(given.what, given.by) || join(given.by, given.what);
         }
         if (!grows) break;
         for (std::uint32_t i = 0; i < functions.size(); ++i) {
@@ -136,14 +137,16 @@ public:
         original = original || (recipe.source == SemanticSource::Vertex && !recipe.declaration);
         std::vector<Value>& known = original ? originals_ : values_;
         known.resize(module_.semantics.size());
-        if (!known[semantic.index]) {
-            const Value made = make(semantic, original);
-            known[semantic.index] = made;
-            if (builder_[made].op != Op::Param && builder_[made].op != Op::Global) {
-                builder_.name(made, module_.intern(module_.semantics[semantic.index].name));
-            }
+        if (known[semantic.index]) return known[semantic.index];
+        const bool outside = std::exchange(reads_usual_, false);
+        const Value made = make(semantic, original);
+        // What a recipe of the pass's own reads of its usual value is not the value that other readers get.
+        if (!reads_usual_) known[semantic.index] = made;
+        reads_usual_ = !giving_.empty() && (reads_usual_ || outside);
+        if (builder_[made].op != Op::Param && builder_[made].op != Op::Global) {
+            builder_.name(made, module_.intern(module_.semantics[semantic.index].name));
         }
-        return known[semantic.index];
+        return made;
     }
 
     // Ends the entry function. Its outputs are those of the stage, in order.
@@ -164,9 +167,9 @@ private:
     // pass may call the one that it replaces.
     ir::FunctionId imported(ir::FunctionId function) {
         const bool is_usual = std::find(replacing_.begin(), replacing_.end(), function) != replacing_.end();
-        if (const auto other = is_usual ? std::nullopt : pass_.replacement_of(function, module_.stage.kind)) {
+        if (const auto* other = is_usual ? nullptr : pass_.replacement_of(function, module_.stage.kind)) {
             replacing_.push_back(function);
-            const ir::FunctionId made = imported(*other);
+            const ir::FunctionId made = imported(other->by);
             replacing_.pop_back();
             return made;
         }
@@ -182,20 +185,26 @@ private:
     }
 
     // A pass's own recipe may read the semantic that it computes; that read gets the usual recipe.
-    std::optional<Value> given(SemanticId semantic) {
-        const auto recipe = pass_.recipe_of(semantic, module_.stage.kind);
-        if (!recipe || std::find(giving_.begin(), giving_.end(), semantic) != giving_.end()) return {};
+    std::optional<Value> given(SemanticId semantic, bool original) {
+        const auto* recipe = pass_.recipe_of(semantic, module_.stage.kind);
+        if (!recipe) return {};
+        if (std::find(giving_.begin(), giving_.end(), semantic) != giving_.end()) {
+            reads_usual_ = true;
+            return {};
+        }
         giving_.push_back(semantic);
-        const Value made = call(*recipe);
+        const Value made = call(recipe->by, original);
         giving_.pop_back();
+        if (giving_.empty()) reads_usual_ = false;
         return made;
     }
 
     bool in_vertex_stage() const { return module_.stage.kind == ir::StageKind::Vertex; }
 
     Value make(SemanticId semantic, bool original) {
-        if (const std::optional<Value> made = given(semantic)) return *made;
         const graph::SemanticRecipe& recipe = linked_.lowered.semantics[semantic.index];
+        const bool is_of_mesh = original && recipe.source == SemanticSource::Attribute;
+        if (const auto made = is_of_mesh ? std::nullopt : given(semantic, original)) return *made;
         switch (recipe.source) {
             case SemanticSource::Attribute:
                 if (!in_vertex_stage()) return varying(semantic);
@@ -240,8 +249,15 @@ private:
 
     Value varying(SemanticId semantic) {
         const ir::Semantic& info = module_.semantics[semantic.index];
-        return input({.name = info.name, .type = info.type, .semantic = {}, .from_bottom = info.from_bottom},
-                     ir::Rate::Pixel);
+        return once(semantic, {.name = info.name, .type = info.type, .semantic = {}, .from_bottom = info.from_bottom});
+    }
+
+    // One input for all readers.
+    Value once(SemanticId semantic, ir::StageVariable variable) {
+        inputs_.resize(module_.semantics.size());
+        Value& known = inputs_[semantic.index];
+        if (!known) known = input(std::move(variable), ir::Rate::Pixel);
+        return known;
     }
 
     Value builtin(SemanticId semantic) {
@@ -251,7 +267,7 @@ private:
         if (!in_vertex_stage() && which == ir::Builtin::InstanceIndex) return varying(semantic);
         // A vertex does not belong to one face, so it counts as seen from the front.
         if (in_vertex_stage() && which == ir::Builtin::FrontFacing) return builder_.constant(info.type, {1});
-        return input({.name = info.name, .type = info.type, .builtin = which, .semantic = {}}, ir::Rate::Pixel);
+        return once(semantic, {.name = info.name, .type = info.type, .builtin = which, .semantic = {}});
     }
 
     const Linked& linked_;
@@ -261,7 +277,8 @@ private:
     ir::Module module_;
     ir::Function entry_{};
     ir::Builder builder_;
-    std::vector<Value> values_, originals_;
+    std::vector<Value> values_, originals_, inputs_;
+    bool reads_usual_ = false;  // what is being made reads the usual value of a semantic that the pass gives
     std::vector<ir::FunctionId> imported_;
 };
 
@@ -277,9 +294,8 @@ void drop_unread_members(graph::Lowered& lowered) {
     }
     for (const graph::LoweredPass& pass : lowered.passes) {
         entries.insert(entries.end(), {pass.vertex, pass.fragment});
-        for (const auto& [semantic, recipe] : pass.recipes) add(recipe);
-        for (const auto& [semantic, recipe] : pass.at_vertices) add(recipe);
-        for (const auto& [old, made] : pass.replaced) add(made);
+        for (const auto& given : pass.recipes) add(given.by);
+        for (const auto& given : pass.replaced) add(given.by);
     }
     lowered.module = ir::drop_members(std::move(lowered.module), entries, called);
 }

@@ -222,7 +222,9 @@ Typed GraphScope::subgraph_node(std::uint32_t index) {
     needs_quad_ = needs_quad_ || inner.needs_quad_;
     std::vector<Value> values;
     ir::Struct made{.name = file_stem(subgraph.graph->path) + "Outputs", .members = {}};
-    emit::Outputs outputs{.names = {}, .has_primary = subgraph.graph->outputs.size() == 1};
+    const std::vector<PortValue>& declared = subgraph.graph->outputs;
+    const bool is_shown = !declared.empty() && declared.back().name == kShown;
+    emit::Outputs outputs{.names = {}, .has_primary = declared.size() == (is_shown ? 2 : 1)};
     for (std::size_t i = 0; i < read.size(); ++i) {
         const PortValue& port = subgraph.graph->outputs[i];
         if (!port.value) return {};

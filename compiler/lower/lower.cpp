@@ -221,37 +221,29 @@ std::vector<std::string_view> what_is_on(const Lowering& lowering) {
 
 namespace {
 
-template <class Key, class Found>
-std::optional<Found> found(const std::vector<std::pair<Key, Found>>& pairs, Key wanted) {
-    for (const auto& [key, what] : pairs) {
-        if (key == wanted) return what;
-    }
-    return {};
-}
-
-std::optional<ir::FunctionId> in_stage(const LoweredPass& pass, std::optional<ir::FunctionId> function,
-                                       ir::StageKind stage) {
-    if (!function || stage == ir::StageKind::Fragment) return function;
-    const bool is_there =
-        std::find(pass.in_both_stages.begin(), pass.in_both_stages.end(), *function) != pass.in_both_stages.end();
-    return is_there ? function : std::nullopt;
+template <class What>
+const Given<What>* find_given(const std::vector<Given<What>>& given, What what, ir::StageKind stage) {
+    const auto found = std::find_if(given.begin(), given.end(), [&](const Given<What>& each) {
+        return each.what == what && (stage == ir::StageKind::Vertex ? each.in_vertex_stage : each.in_fragment_stage);
+    });
+    return found == given.end() ? nullptr : &*found;
 }
 
 }  // namespace
 
-std::optional<ir::FunctionId> LoweredPass::recipe_of(ir::SemanticId semantic, ir::StageKind stage) const {
-    if (stage == ir::StageKind::Vertex) {
-        if (const auto recipe = found(at_vertices, semantic)) return recipe;
-    }
-    return in_stage(*this, found(recipes, semantic), stage);
+const Given<ir::SemanticId>* LoweredPass::recipe_of(ir::SemanticId semantic, ir::StageKind stage) const {
+    return find_given(recipes, semantic, stage);
 }
 
-std::optional<ir::FunctionId> LoweredPass::replacement_of(ir::FunctionId function, ir::StageKind stage) const {
-    return in_stage(*this, found(replaced, function), stage);
+const Given<ir::FunctionId>* LoweredPass::replacement_of(ir::FunctionId function, ir::StageKind stage) const {
+    return find_given(replaced, function, stage);
 }
 
 std::optional<ir::GlobalId> LoweredPass::attribute_of(ir::SemanticId semantic) const {
-    return found(attributes, semantic);
+    for (const auto& [known, global] : attributes) {
+        if (known == semantic) return global;
+    }
+    return {};
 }
 
 std::string_view known_as(const PassDecl& pass) {

@@ -20,19 +20,27 @@ struct SemanticRecipe {
     const SemanticDecl* declaration = nullptr;  // null: an interpolator of the graph
 };
 
+// What a pass has in place of the usual recipe of a semantic, or in place of a function (GivenDecl).
+template <class What>
+struct Given {
+    What what{};
+    ir::FunctionId by{};
+    // A semantic that the mesh has or that is interpolated is computed in the vertex stage for both.
+    bool in_vertex_stage = true, in_fragment_stage = true;
+    Span span{};  // of the name of its function
+};
+
 struct LoweredPass {
     const PassDecl* declaration = nullptr;
     std::string name{};  // the declaration's, or that of the extra pass
     ir::FunctionId vertex{}, fragment{};
-    std::vector<std::pair<ir::SemanticId, ir::FunctionId>> recipes{};   // its own recipes, in the fragment stage
-    std::vector<std::pair<ir::FunctionId, ir::FunctionId>> replaced{};  // engine functions, and their replacements
+    std::vector<Given<ir::SemanticId>> recipes{};
+    std::vector<Given<ir::FunctionId>> replaced{};                      // functions of the engine
     std::vector<std::pair<ir::SemanticId, ir::GlobalId>> attributes{};  // those that an included file declares
-    std::vector<ir::FunctionId> in_both_stages{};  // those of the recipes and replacements that apply in both stages
-    std::vector<std::pair<ir::SemanticId, ir::FunctionId>> at_vertices{};  // recipes of interpolated semantics
 
-    // Each finds what this pass uses in the given stage.
-    std::optional<ir::FunctionId> recipe_of(ir::SemanticId semantic, ir::StageKind stage) const;
-    std::optional<ir::FunctionId> replacement_of(ir::FunctionId function, ir::StageKind stage) const;
+    // Each finds what this pass uses in the given stage; null if that is the usual.
+    const Given<ir::SemanticId>* recipe_of(ir::SemanticId semantic, ir::StageKind stage) const;
+    const Given<ir::FunctionId>* replacement_of(ir::FunctionId function, ir::StageKind stage) const;
     std::optional<ir::GlobalId> attribute_of(ir::SemanticId semantic) const;
 };
 // How a pass blends surfaces of a kind; null if it does not draw them.

@@ -72,7 +72,8 @@ private:
         for (const std::string_view path : paths_.names()) {
             begin_path();
             for (const PassDecl* pass : optional_first(paths_.passes_of(path))) {
-                if (!lower_pass(*pass) || pass->is_optional || pass->state.fallback.empty()) continue;
+                const Refusal refusal = lower_pass(*pass);
+                if (!refusal || refusal.is_vain || pass->is_optional || pass->state.fallback.empty()) continue;
                 lowering_.out.passes.resize(first_of_path_);  // the path cannot draw the material
                 break;
             }
@@ -222,9 +223,17 @@ private:
     // True if the engine draws passes of its own, which it selects by tag; then no frame of ours decides.
     bool has_own_passes() const { return lowering_.session.engine.has_own_passes(); }
 
-    // The slot that one of the engine's own passes needs, if it is always 0.
+    // True if the pass leaves the picture as it is where its light is 0.
+    static bool only_adds(const PassDecl& pass) {
+        return pass.state.each == PassEach::Light ||
+               (!pass.blends.empty() && std::all_of(pass.blends.begin(), pass.blends.end(), [](const BlendRow& row) {
+                   return row.blend.destination == BlendFactor::One;
+               }));
+    }
+
+    // The slot that a pass which adds light needs, if it is always 0.
     std::optional<std::string_view> vain_part(const PassDecl& pass) const {
-        if (!has_own_passes()) return {};
+        if (!only_adds(pass)) return {};
         for (const std::string_view name : pass.needs) {
             const SlotDecl* slot = paths_.slot(name);
             if (!slot) continue;
@@ -270,8 +279,9 @@ private:
         made.fragment = emit::semantic_function(emitter, *pass.fragment, declarations, environment_, false);
         if (!made.vertex || !made.fragment) return {};
         lower_recipes();
-        lower_given(made);
+        lower_given_recipes(made);
         lower_recipes();
+        while (lower_given_functions(made)) lower_recipes();
         if (lowering_.session.diagnostics.has_errors()) return {};
         if (may_be_refused(pass)) {
             if (Refusal refusal = refusal_of(lowering_, made)) return refusal;
@@ -286,8 +296,19 @@ private:
         const ir::Module& module = lowering_.out.module;
         const ir::Function& function = module[found->function];
         const ir::Value result = function.args(function.blocks[0].insts.back())[0];
-        if (function[result].op != Op::Constant) return false;
-        const auto numbers = module.numbers_of(module.constants[function[result].data]);
+        return is_zero(module, function, result);
+    }
+
+    // Without folding, a vector is made of constants.
+    static bool is_zero(const ir::Module& module, const ir::Function& function, ir::Value value) {
+        const ir::Inst& inst = function[value];
+        if (inst.op == Op::Construct) {
+            const auto parts = function.args(inst);
+            return std::all_of(parts.begin(), parts.end(),
+                               [&](ir::Value part) { return is_zero(module, function, part); });
+        }
+        if (inst.op != Op::Constant) return false;
+        const auto numbers = module.numbers_of(module.constants[inst.data]);
         return std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == 0; });
     }
 
@@ -297,33 +318,75 @@ private:
         return !draws_objects(pass) || !pass.holds.empty() || reads_of_pass_ || lowering_.session.pass_file;
     }
 
-    void lower_given(LoweredPass& pass) {
-        emit::Emitter& emitter = lowering_.emitter;
-        const nodelang::Declarations& declarations = *lowering_.session.declarations;
+    void lower_given_recipes(LoweredPass& pass) {
         for (const GivenDecl& given : paths_.given) {
             if (!given.is_for(*pass.declaration)) continue;
             if (given.variable) {
                 give_attribute(pass, given);
-                continue;
-            }
-            if (const auto found = paths_.semantic_index.find(given.what); found != paths_.semantic_index.end()) {
-                const ir::FunctionId made =
-                    emit::semantic_function(emitter, *given.function, declarations, environment_, false);
-                const bool is_varying = paths_.semantics[found->second].source == SemanticSource::Vertex;
-                auto& recipes = given.is_of_file && is_varying ? pass.at_vertices : pass.recipes;
-                if (made) recipes.push_back({{found->second}, made});
-                if (made && given.is_of_file) pass.in_both_stages.push_back(made);
-                continue;
-            }
-            const FunctionDecl* replaced = declarations.function(given.what);
-            if (!replaced) continue;  // reported when its file was read
-            for (const emit::InstanceInfo& instance : emitter.instances.of(*replaced)) {
-                const ir::FunctionId made =
-                    emit::given_function(emitter, *given.function, declarations, environment_, instance.half);
-                if (made) replace(pass, given, instance.id, made);
-                if (made && given.is_of_file) pass.in_both_stages.push_back(made);
+            } else if (const auto found = paths_.semantic_index.find(given.what);
+                       found != paths_.semantic_index.end()) {
+                give_recipe(pass, given, {found->second});
             }
         }
+    }
+
+    void give_recipe(LoweredPass& pass, const GivenDecl& given, ir::SemanticId semantic) {
+        const SemanticSource source = paths_.semantics[semantic.index].source;
+        const bool is_interpolated = source == SemanticSource::Vertex || source == SemanticSource::Attribute;
+        const bool is_at_vertices = is_interpolated && !given.is_of_fragment;
+        const ir::FunctionId made = emit::semantic_function(
+            lowering_.emitter, *given.function, *lowering_.session.declarations, environment_, is_at_vertices);
+        if (made)
+            pass.recipes.push_back({.what = semantic,
+                                    .by = made,
+                                    .in_vertex_stage = !given.is_of_fragment,
+                                    .in_fragment_stage = !is_at_vertices,
+                                    .span = given.function->name_span});
+    }
+
+    // Replaces every instance of the functions that exists so far; false if there is no new one. What replaces a
+    // function may call another one that is replaced, too.
+    bool lower_given_functions(LoweredPass& pass) {
+        const nodelang::Declarations& declarations = *lowering_.session.declarations;
+        bool is_new = false;
+        for (const GivenDecl& given : paths_.given) {
+            if (!given.is_for(*pass.declaration) || given.variable || paths_.semantic_index.contains(given.what))
+                continue;
+            const FunctionDecl* replaced = declarations.function(given.what);
+            if (!replaced) continue;  // reported when its file was read
+            for (const emit::InstanceInfo& instance : lowering_.emitter.instances.of(*replaced))
+                is_new = give_function(pass, given, instance) || is_new;
+        }
+        return is_new && !lowering_.session.diagnostics.has_errors();
+    }
+
+    bool give_function(LoweredPass& pass, const GivenDecl& given, const emit::InstanceInfo& instance) {
+        if (std::any_of(pass.replaced.begin(), pass.replaced.end(),
+                        [&](const Given<ir::FunctionId>& known) { return known.what == instance.id; }))
+            return false;
+        const ir::FunctionId made = emit::given_function(lowering_.emitter, *given.function,
+                                                         *lowering_.session.declarations, environment_, instance.half);
+        if (!made) return false;
+        if (!is_alike(instance.id, made)) {
+            lowering_.session.diagnostics.report(Code::BadAttribute, given.function->name_span, "gives",
+                                                 fmt::format("replaces '{}' and must have its parameters and result; "
+                                                             "further parameters need a semantic as their default",
+                                                             given.what));
+            return false;
+        }
+        pass.replaced.push_back({.what = instance.id,
+                                 .by = made,
+                                 .in_vertex_stage = !given.is_of_fragment,
+                                 .span = given.function->name_span});
+        return true;
+    }
+
+    bool is_alike(ir::FunctionId old, ir::FunctionId made) const {
+        const ir::Module& module = lowering_.out.module;
+        const ir::Function &before = module[old], &now = module[made];
+        return before.result == now.result &&
+               std::equal(before.params.begin(), before.params.end(), now.params.begin(), now.params.end(),
+                          [](const ir::Param& a, const ir::Param& b) { return a.type == b.type; });
     }
 
     // declare() has declared a value of the engine for this one (declare.cpp).
@@ -335,19 +398,6 @@ private:
         pass.attributes.push_back({{semantic->second}, *global});
         lowering_.out.module.globals[global->index].from_bottom =
             lowering_.out.module.semantics[semantic->second].from_bottom;
-    }
-
-    void replace(LoweredPass& pass, const GivenDecl& given, ir::FunctionId old, ir::FunctionId made) {
-        const ir::Module& module = lowering_.out.module;
-        const ir::Function &before = module[old], &now = module[made];
-        const bool fits = before.result == now.result &&
-                          std::equal(before.params.begin(), before.params.end(), now.params.begin(), now.params.end(),
-                                     [](const ir::Param& a, const ir::Param& b) { return a.type == b.type; });
-        if (fits) return pass.replaced.push_back({old, made});
-        lowering_.session.diagnostics.report(Code::BadAttribute, given.function->name_span, "gives",
-                                             fmt::format("replaces '{}' and must have its parameters and result; "
-                                                         "further parameters need a semantic as their default",
-                                                         given.what));
     }
 
     // Lowers the recipes of every semantic that a function reads, and of those that the recipes read.

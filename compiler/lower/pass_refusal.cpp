@@ -24,6 +24,7 @@ struct Place {
     bool at_vertex = false;
     ir::OriginId origin{};  // the innermost node
     Span span{};            // the innermost function of a pass or recipe
+    bool is_given = false;  // the span is that of a function with [gives]
 };
 
 class Walk {
@@ -48,8 +49,17 @@ private:
         return place.at_vertex ? ir::StageKind::Vertex : ir::StageKind::Fragment;
     }
 
-    void visit(FunctionId function, Place place) {
-        if (const auto other = pass_.replacement_of(function, stage_of(place))) function = *other;
+    // A function that replaces another one may call the one that it replaces.
+    void visit(FunctionId function, const Place& place) {
+        const bool is_usual = std::find(replacing_.begin(), replacing_.end(), function) != replacing_.end();
+        const auto* other = is_usual ? nullptr : pass_.replacement_of(function, stage_of(place));
+        if (!other) return look_into(function, place);
+        replacing_.push_back(function);
+        look_into(other->by, place);
+        replacing_.pop_back();
+    }
+
+    void look_into(FunctionId function, Place place) {
         if (const std::string_view slot = lowering_.slot_name(function); !slot.empty()) {
             place.slot = slot;
             if (!lowering_.is_packing(slot)) check_members(function, place);
@@ -88,8 +98,7 @@ private:
     bool is_graph(const Place& place) const { return !place.slot.empty(); }
 
     void semantic(SemanticId id, const Place& place) {
-        if (const auto recipe = pass_.recipe_of(id, stage_of(place)))
-            return visit(*recipe, {.at_vertex = place.at_vertex, .span = place.span});
+        if (given(id, place)) return;
         const SemanticRecipe& recipe = lowering_.out.semantics[id.index];
         Place inside = place;
         if (place.semantic.empty() && is_graph(place)) inside.semantic = module_.semantics[id.index].name;
@@ -103,9 +112,23 @@ private:
             return refuse(place, fmt::format("{} reads '@{}', which vertices do not have", said(place), name));
         if (recipe.source == SemanticSource::Builtin && !is_graph(place)) check_builtin(*recipe.declaration, place);
         if (!recipe.recipe) return;
-        if (recipe.declaration) inside.span = recipe.declaration->function->name_span;
+        if (recipe.declaration && !place.is_given) inside.span = recipe.declaration->function->name_span;
         inside.at_vertex = place.at_vertex || recipe.source == SemanticSource::Vertex;
         visit(recipe.recipe, inside);
+    }
+
+    // Visits the pass's own recipe; false if it has none here. Such a recipe may read the usual value.
+    bool given(SemanticId id, const Place& place) {
+        if (std::find(giving_.begin(), giving_.end(), id) != giving_.end()) return false;
+        const auto* recipe = pass_.recipe_of(id, stage_of(place));
+        const auto* at_vertices = pass_.recipe_of(id, ir::StageKind::Vertex);
+        const bool is_interpolated = !recipe && at_vertices && !at_vertices->in_fragment_stage;
+        if (is_interpolated) recipe = at_vertices;
+        if (!recipe) return false;
+        giving_.push_back(id);
+        visit(recipe->by, {.at_vertex = place.at_vertex || is_interpolated, .span = recipe->span, .is_given = true});
+        giving_.pop_back();
+        return true;
     }
 
     // A pass file may read a value that its stage does not have.
@@ -113,9 +136,11 @@ private:
         const bool is_of_pixel = semantic.builtin == ir::Builtin::FragCoord;
         const bool is_of_vertex =
             semantic.builtin == ir::Builtin::VertexIndex || semantic.builtin == ir::Builtin::InstanceIndex;
-        if (place.at_vertex ? is_of_pixel : is_of_vertex)
-            lowering_.session.diagnostics.report(Code::NoSuchStageValue, place.span, semantic.name,
-                                                 place.at_vertex ? "vertex" : "fragment");
+        if (place.at_vertex ? !is_of_pixel : !is_of_vertex) return;
+        DiagnosticRecord& record = lowering_.session.diagnostics.report(
+            Code::NoSuchStageValue, place.span, semantic.name, place.at_vertex ? "vertex" : "fragment");
+        if (place.is_given && place.at_vertex)
+            record.note("put [fragment] on the function, so that the vertex stage keeps the usual value");
     }
 
     void global(ir::GlobalId id, const Place& place) {
@@ -167,6 +192,8 @@ private:
     const PassDecl& declaration_;
     Refusal refusal_;
     std::set<std::tuple<std::uint32_t, bool, bool>> seen_;
+    std::vector<SemanticId> giving_;
+    std::vector<FunctionId> replacing_;
     std::set<std::string> held_;
 };
 

@@ -25,6 +25,10 @@ using nodelang::VariableDecl;
 using Words = std::span<const std::string_view>;
 
 constexpr std::array<std::string_view, 4> kParts = {"part", "without", "pack", "unpack"};
+// The attributes of a pass's fragment function; others have a meaning on other functions, too.
+constexpr std::array<std::string_view, 17> kOfFragment = {
+    "draws",     "each",    "lights", "camera",   "fallback", "cull",  "blend", "depth",   "depthTarget",
+    "depthBias", "stencil", "target", "optional", "extra",    "alone", "needs", "excludes"};
 constexpr StaticWord kStatics[] = {{"surface", StaticDecl::About::Surface}, {"cull", StaticDecl::About::Cull},
                                    {"slot", StaticDecl::About::Slot},       {"pass", StaticDecl::About::Pass},
                                    {"clip", StaticDecl::About::Clip},       {"uvOrigin", StaticDecl::About::UvOrigin}};
@@ -71,6 +75,7 @@ public:
 
     void run() {
         for (const StructDecl& each : ast_.structs) structure(each);
+        for (const nodelang::EnumDecl& each : ast_.enums) enumeration(each);
         for (const VariableDecl& each : ast_.variables) variable(each);
         for (const FunctionDecl& each : ast_.functions) function(each);
         for (const FunctionDecl& each : ast_.functions) {
@@ -115,14 +120,26 @@ private:
 
     // --- structs and variables
 
-    // The functions of graphs and of the library use the library's struct, so a file cannot declare another one of that
-    // name.
+    // What the library declares outside of pass files keeps its meaning for graphs and for the library's functions, so
+    // a file cannot declare something else of that name.
+    template <class Decl>
+    bool is_taken(const Decl* older) const {
+        return older && !is_of_pass(sources_, older->span);
+    }
+
+    DiagnosticRecord& twice(Span span, std::string_view name, Span older) {
+        return diagnostics_.report(Code::Redefinition, span, name)
+            .note(older, "the library's declaration is here: give this one another name");
+    }
+
     void structure(const StructDecl& decl) {
-        if (!declarations_.parent) return;
-        const StructDecl* older = declarations_.parent->structure(decl.name);
-        if (older && !is_of_pass(sources_, older->span))
-            diagnostics_.report(Code::Redefinition, decl.span, decl.name)
-                .note(older->span, "the library's declaration is here: give this one another name");
+        const StructDecl* older = declarations_.parent ? declarations_.parent->structure(decl.name) : nullptr;
+        if (is_taken(older)) twice(decl.span, decl.name, older->span);
+    }
+
+    void enumeration(const nodelang::EnumDecl& decl) {
+        const nodelang::EnumDecl* older = declarations_.parent ? declarations_.parent->enumeration(decl.name) : nullptr;
+        if (is_taken(older)) twice(decl.span, decl.name, older->span);
     }
 
     // True for a declaration in an engine's passes. The engine reads the text that they state (engines/engine.h).
@@ -155,6 +172,11 @@ private:
     }
 
     void variable(const VariableDecl& decl) {
+        const bool is_read = decl.attribute("extern") || decl.attribute("reads");
+        if (const Attribute* attribute = decl.attribute("with"); attribute && !is_read)
+            bad(attribute->span, "with", "applies only to a value of the engine or a target that is read");
+        if (const Attribute* attribute = decl.attribute("perObject"); attribute && !is_read)
+            bad(attribute->span, "perObject", "applies only to a value of the engine or a [foreign] function");
         if (const Attribute* attribute = decl.attribute("foreign")) {
             foreign(*attribute, decl.span);
             if (!is_in(kUniforms, decl.type.name) || decl.type.array_size)
@@ -166,7 +188,7 @@ private:
             if (!decl.attribute("foreign"))
                 bad(attribute->span, "text", "applies only to a [foreign] value or a function");
         }
-        if (declarations_.parent && !decl.is_const) again(decl);
+        again(decl);
         if (is_of_pass(sources_, decl.span)) {
             for (const std::string_view name : {"attribute", "given", "vertexOutput", "uv"}) {
                 if (const Attribute* attribute = decl.attribute(name))
@@ -190,14 +212,44 @@ private:
 
     // A copy of a library file repeats the library's declarations, and may not change them.
     void again(const VariableDecl& decl) {
-        const VariableDecl* older = declarations_.parent->variable(decl.name);
-        if (!older || older->is_const) return;
-        const auto kind = [](const VariableDecl& each) {
-            return each.attributes.empty() ? std::string_view() : each.attributes[0].name;
-        };
-        if (!is_same(older->type, decl.type) || kind(*older) != kind(decl))
+        const VariableDecl* older = declarations_.parent ? declarations_.parent->variable(decl.name) : nullptr;
+        if (!older) return;
+        if (decl.is_const || older->is_const) {
+            if (is_taken(older) || decl.is_const != older->is_const) twice(decl.span, decl.name, older->span);
+        } else if (!is_same(older->type, decl.type) || !has_same_attributes(*older, decl)) {
             diagnostics_.report(Code::Redefinition, decl.span, decl.name)
                 .note(older->span, "the library's declaration is here: a file may only repeat it unchanged");
+        }
+    }
+
+    static bool has_same_attributes(const VariableDecl& a, const VariableDecl& b) {
+        const auto is_alike = [](const Attribute& x, const Attribute& y) {
+            return x.name == y.name && attribute_words(x) == attribute_words(y);
+        };
+        return std::is_permutation(a.attributes.begin(), a.attributes.end(), b.attributes.begin(), b.attributes.end(),
+                                   is_alike);
+    }
+
+    // A file may declare the recipe of a semantic or the derivation of a slot again: all readers get the new one.
+    void again(const FunctionDecl& decl) {
+        const FunctionDecl* older = declarations_.parent ? declarations_.parent->function(decl.name) : nullptr;
+        if (!older) return;
+        if (decl.attribute("slot") && older->attribute("slot")) {
+            if (!is_like(decl, *older))
+                diagnostics_.report(Code::Redefinition, decl.name_span, decl.name)
+                    .note(older->name_span,
+                          "the library's slot is here: one of this name needs the same parameters and result");
+        } else if (decl.attribute("semantic") && older->attribute("semantic")) {
+            if (!is_same(decl.result, older->result))
+                diagnostics_
+                    .report(Code::TypeMismatch, decl.result.span, fmt::format("the semantic '{}'", decl.name),
+                            decl.result.name, older->result.name)
+                    .note(older->name_span, "the library's declaration is here");
+        } else if (is_taken(older) || older->attribute("slot")) {
+            DiagnosticRecord& record = twice(decl.name_span, decl.name, older->name_span);
+            if (older->attribute("extern"))
+                record.note(fmt::format("in a pass, [gives(\"{}\", \"PASS\")] replaces it", decl.name));
+        }
     }
 
     void is_bool(const VariableDecl& decl, const Attribute& attribute) {
@@ -269,12 +321,14 @@ private:
         for (const Attribute& attribute : decl.attributes) {
             if (attribute.name == "pass") pass_name(attribute);
             if (attribute.name == "gives") gives(decl, attribute);
+            place(decl, attribute);
             if (attribute.name == "fallback") fallback(decl, attribute);
             if (attribute.name == "needs") {
                 if (attribute.args.empty()) bad(attribute.span, "needs", "is written like this: [needs(\"added\")]");
                 for (const Expr* given : attribute.args) slot(*given);
             }
         }
+        again(decl);
         if (const Attribute* attribute = decl.attribute("foreign")) foreign_function(decl, *attribute);
         texts_of(decl.attributes, diagnostics_);
         const Attribute* of_object = decl.attribute("perObject");
@@ -290,6 +344,24 @@ private:
             diagnostics_.report(Code::TypeMismatch, decl.result.span, "the result of a [vertex] function",
                                 decl.result.name, "float4");
         if (const Attribute* attribute = decl.attribute("slot")) part(decl, *attribute);
+    }
+
+    // An attribute that says nothing of such a function would do nothing.
+    void place(const FunctionDecl& decl, const Attribute& attribute) {
+        const std::string_view name = attribute.name;
+        const bool is_pass = decl.attribute("pass") != nullptr;
+        const bool is_fragment = is_pass && decl.attribute("fragment") != nullptr;
+        if (name == "vertex" && !is_pass) bad(attribute.span, name, "needs [pass] on the same function");
+        if (name == "fragment" && !is_pass && !decl.attribute("gives"))
+            bad(attribute.span, name, "needs [pass] or [gives] on the same function");
+        if (name == "gives" && is_pass)
+            bad(attribute.span, name, "is on a function of a pass: put it on a function of its own");
+        const bool is_part = is_in(kParts, name) && !decl.attribute("slot");
+        if (is_part) bad(attribute.span, name, "needs [slot] on the same function");
+        if (is_fragment) return;
+        const bool is_of_slot = decl.attribute("slot") && (name == "holds" || name == "otherwise");
+        const bool is_stated = is_in(kOfFragment, name) || name == "holds" || name == "otherwise" || name == "lighting";
+        if (is_stated && !is_of_slot) bad(attribute.span, name, "applies only to the [fragment] function of a pass");
     }
 
     void foreign_function(const FunctionDecl& decl, const Attribute& attribute) {
@@ -328,6 +400,16 @@ private:
                                 is_varying ? "a number or vector, which can be interpolated," : "a value");
     }
 
+    // A file gives to the passes of its own path, and to those that are drawn along with it.
+    bool is_drawn(const Expr& to) {
+        if (!declarations_.parent || paths_.is_drawn_along(stem_of(to.span), *paths_.pass(to.text))) return true;
+        bad(to.span, "gives",
+            fmt::format("names '{}', a pass of the path '{}', which is not drawn along with this one", to.text,
+                        paths_.pass(to.text)->path));
+        return false;
+    }
+    std::string stem_of(Span span) const { return stem(sources_.resolve(span.begin).file); }
+
     void gives(const FunctionDecl& decl, const Attribute& attribute) {
         if (attribute.args.empty()) return;  // reported when it was read
         const Expr& what = *attribute.args[0];
@@ -336,7 +418,7 @@ private:
                        "takes a semantic or function, and passes: [gives(\"positionWS\", \"mine\")]");
         for (std::size_t i = 1; i < attribute.args.size(); ++i) {
             const Expr& to = *attribute.args[i];
-            if (!pass(to)) continue;
+            if (!pass(to) || !is_drawn(to)) continue;
             const auto first = std::find_if(paths_.given.begin(), paths_.given.end(), [&](const GivenDecl& each) {
                 return each.what == what.text && is_in(each.passes, to.text);
             });
@@ -389,7 +471,7 @@ private:
             return bad(made->span, made->name,
                        fmt::format("is written like this: [{}(\"final\", \"sum.direct\")]", made->name));
         const FunctionDecl* whole = slot(*made->args[0]);
-        if (whole && is_like(decl, *whole, made->span, made->name)) part_source(decl, *made->args[1]);
+        if (whole && derives(decl, *whole, made->span, made->name)) part_source(decl, *made->args[1]);
     }
 
     // "sum.direct", or a function. Each lighting model decides which members a lighting surface has
@@ -420,13 +502,16 @@ private:
                 .note(Diagnostics::suggestion(member, known));
     }
 
-    bool is_like(const FunctionDecl& decl, const FunctionDecl& whole, Span span, std::string_view attribute) {
-        const auto same = [](const ParamDecl& a, const ParamDecl& b) {
-            return is_same(a.type, b.type) && a.name == b.name;
+    static bool is_like(const FunctionDecl& a, const FunctionDecl& b) {
+        const auto same = [](const ParamDecl& x, const ParamDecl& y) {
+            return is_same(x.type, y.type) && x.name == y.name;
         };
-        if (is_same(decl.result, whole.result) &&
-            std::equal(decl.params.begin(), decl.params.end(), whole.params.begin(), whole.params.end(), same))
-            return true;
+        return is_same(a.result, b.result) &&
+               std::equal(a.params.begin(), a.params.end(), b.params.begin(), b.params.end(), same);
+    }
+
+    bool derives(const FunctionDecl& decl, const FunctionDecl& whole, Span span, std::string_view attribute) {
+        if (is_like(decl, whole)) return true;
         diagnostics_
             .report(
                 Code::BadAttribute, span, attribute,

@@ -9,11 +9,6 @@ using nodelang::Attribute;
 using nodelang::FunctionDecl;
 using nodelang::VariableDecl;
 
-std::string stem(std::string_view path) {
-    const std::string_view name = path.substr(path.find_last_of("/\\") + 1);
-    return std::string(name.substr(0, name.find('.', 1)));
-}
-
 std::optional<SemanticSource> source_of(const VariableDecl& variable) {
     if (variable.attribute("attribute")) return SemanticSource::Attribute;
     if (variable.attribute("builtin")) return SemanticSource::Builtin;
@@ -81,6 +76,7 @@ public:
                                     .function = &function,
                                     .passes = attribute_words(attribute, 1),
                                     .is_of_file = attribute.args.size() == 1,
+                                    .is_of_fragment = function.attribute("fragment") != nullptr,
                                     .path = stem(sources_.resolve(function.span.begin).file)});
             if (attribute.args.empty())
                 diagnostics_.report(Code::BadAttribute, attribute.span, "gives",
@@ -266,7 +262,6 @@ void make_way(const nodelang::Ast& ast, PathDeclarations& paths) {
     };
     const auto of_repeated = [&](const auto& each) { return is_repeated(each.variable); };
     std::erase_if(paths.externs, of_repeated);
-    std::erase_if(paths.statics, of_repeated);
     std::erase_if(paths.switches, of_repeated);
 }
 
@@ -315,6 +310,19 @@ std::vector<std::string_view> PathDeclarations::names() const {
     return names;
 }
 
+bool PathDeclarations::is_drawn_along(std::string_view path, const PassDecl& pass) const {
+    if (pass.path == path || &pass == pass_for_extra(path)) return true;
+    std::vector<std::string_view> drawn = {path};
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        for (const PassDecl* each : passes_of(drawn[i])) {
+            if (!each->state.fallback.empty() && !is_in(drawn, each->state.fallback))
+                drawn.push_back(each->state.fallback);
+        }
+    }
+    return is_in(drawn, pass.path) || std::any_of(switches.begin(), switches.end(),
+                                                  [&](const SwitchDecl& each) { return each.brings == pass.name; });
+}
+
 const PassDecl* PathDeclarations::pass_for_extra(std::string_view path) const {
     const PassDecl* found = nullptr;
     for (const PassDecl& each : passes) {
@@ -347,6 +355,11 @@ const ExternDecl* PathDeclarations::extern_of(const VariableDecl* variable) cons
     const auto found =
         std::find_if(externs.begin(), externs.end(), [&](const ExternDecl& each) { return each.variable == variable; });
     return found == externs.end() ? nullptr : &*found;
+}
+
+std::string stem(std::string_view path) {
+    const std::string_view name = path.substr(path.find_last_of("/\\") + 1);
+    return std::string(name.substr(0, name.find('.', 1)));
 }
 
 std::vector<std::string_view> attribute_words(const Attribute& attribute, std::size_t first) {

@@ -151,16 +151,17 @@ struct PassDecl {
 };
 
 // [gives("positionWS", "deferred-light")]: a recipe of a semantic, or a body of an [extern] function, for these passes
-// only. If no pass is named, it applies to all passes of the same file, in both stages. Only in that case may it
-// replace any function of the library, and only in that case may it be a variable: a value that an included file
-// declares, in place of an attribute or an [extern] value.
+// only, in both stages; with [fragment], in the fragment stage only. If no pass is named, it applies to all passes of
+// the same file. Only in that case may it replace any function of the library, and only in that case may it be a
+// variable: a value that an included file declares, in place of an attribute or an [extern] value.
 struct GivenDecl {
     std::string_view what;
     const nodelang::FunctionDecl* function = nullptr;
     const nodelang::VariableDecl* variable = nullptr;
     std::vector<std::string_view> passes{};
     bool is_of_file = false;
-    std::string path{};  // the stem of its file
+    bool is_of_fragment = false;  // the vertex stage keeps what it has
+    std::string path{};           // the stem of its file
 
     bool is_for(const PassDecl& pass) const;
 };
@@ -192,6 +193,9 @@ struct PathDeclarations {
     // The passes of a path, in the order of its file.
     std::vector<const PassDecl*> passes_of(std::string_view path) const;
     std::vector<std::string_view> names() const;  // of the paths
+    // True if the pass may be in a frame of the path: as one of its passes, or of a path that it falls back to, or
+    // because a switch or a material adds it.
+    bool is_drawn_along(std::string_view path, const PassDecl& pass) const;
     // The pass that draws the extra passes of materials: a pass of the path or, if it has none, of another path. Null
     // if there is none.
     const PassDecl* pass_for_extra(std::string_view path) const;

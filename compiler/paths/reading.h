@@ -11,6 +11,8 @@ void check_declarations(const nodelang::Ast& ast, const nodelang::Declarations& 
 // Checks that the file's passes agree with each other (check_passes.cpp).
 void check_passes(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const PathDeclarations& paths,
                   Diagnostics& diagnostics);
+// The name of the path that a file is: "art/mine.pass.hlsl" -> "mine".
+std::string stem(std::string_view path);
 // True for a place in a .pass.hlsl.
 bool is_of_pass(const SourceMap& sources, Span span);
 

@@ -243,7 +243,17 @@ Shown Shown::inside(std::string_view node) const {
 
 const Expr* parse_shown(Session& session, const Shown& shown) {
     const Shown head = shown.head();
-    return nodelang::parse_link({.text = head.text, .base = head.base}, session.ast, session.diagnostics);
+    const Expr* link = nodelang::parse_link({.text = head.text, .base = head.base}, session.ast, session.diagnostics);
+    if (!link || head.text.size() == shown.text.size()) return link;
+    if (link->kind != Expr::Kind::Name) {
+        session.diagnostics.report(Code::DanglingLink, link->span, head.text);
+        return nullptr;
+    }
+    Expr& inside = session.ast.exprs.emplace_back(*link);
+    inside.kind = Expr::Kind::Member;
+    inside.text = kShown;
+    inside.args = {link};
+    return &inside;
 }
 
 const CheckedGraph* check_graph(Session& session, std::shared_ptr<const Graph> graph, const Shown& shown) {
@@ -297,7 +307,8 @@ const CheckedGraph* load_graph(Session& session, const std::string& path, GraphK
         if (auto graph = read_graph(*json, path, session.sources, session.ast, session.diagnostics, kind)) {
             if (shown) {
                 const Expr* value = parse_shown(session, shown);
-                graph->outputs = {{.name = "shown", .name_span = where, .value_span = where, .value = value}};
+                graph->outputs.push_back(
+                    {.name = std::string(kShown), .name_span = where, .value_span = where, .value = value});
             }
             checked = check_graph(session, graph, shown);
         }

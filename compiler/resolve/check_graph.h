@@ -38,12 +38,15 @@ struct Shown {
     Shown head() const { return {text.substr(0, text.find('/')), base}; }
     Shown inside(std::string_view node) const;
 };
+// The output that a sub-graph gets in addition, with the shown port inside; no output of a file can have this name.
+inline constexpr std::string_view kShown = "/shown";
+// The value to show, as this graph reads it. Null after an error.
 const nodelang::Expr* parse_shown(Session& session, const Shown& shown);
 
 const CheckedGraph* check_graph(Session& session, std::shared_ptr<const Graph> graph, const Shown& shown = {});
 
 // Reads and checks a graph file of the given kind, once for each file. Exception: a sub-graph with the previewed port
-// inside, which is read again with that port as its only output. Null after an error.
+// inside, which is read again with that port as an output more. Null after an error.
 const CheckedGraph* load_graph(Session& session, const std::string& path, GraphKind kind, Span where,
                                const Shown& shown = {});
 

@@ -1,6 +1,9 @@
-// Warns of what a material states and its kind of surface does not use: alpha on an opaque surface, a cut-off without
-// cutout, a stencil that neither tests nor writes. If the graph itself states that the surface is opaque, there is no
-// warning of the first two: such a material has the inputs in common with similar ones of other kinds.
+// Warns of what a material states and does not use: lighting with a workflow that has none, alpha on an opaque surface,
+// a cut-off without cutout, a stencil that neither tests nor writes. If the graph itself states that the surface is
+// opaque, there is no warning of alpha and the cut-off: such a material has the inputs in common with similar ones of
+// other kinds.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "compiler/resolve/material.h"
@@ -56,6 +59,20 @@ void warn_of_cut_off(Session& session, const RenderState& render, const PortValu
     session.diagnostics.report(Code::NoEffect, port.name_span, port.name, "only a cutout surface uses it");
 }
 
+// `outer`: the material of an extra pass, whose lighting the pass may have inherited.
+void warn_of_lighting(Session& session, const Graph& graph, const Graph* outer) {
+    const auto found = session.library.workflows.find(graph.workflow);
+    const Graph* workflow = found == session.library.workflows.end() ? nullptr : found->second.get().get();
+    const LightingUse& use = graph.lighting;
+    if (!workflow || workflow->is_lit() || !use.present) return;
+    const bool is_same = !use.inlined && use.use == workflow->lighting.use;
+    if (is_same || (outer && outer->lighting.present && outer->lighting.span == use.span)) return;
+    session.diagnostics
+        .report(Code::NoEffect, use.inlined ? Span{use.span.begin, use.span.begin + 1} : use.span, "lighting",
+                fmt::format("the workflow '{}' has no lighting", graph.workflow))
+        .note("remove it, or choose a workflow with lighting");
+}
+
 // `lighting`: a graph that may read the inputs, too; null if it is not known. `outer`: the graph whose inputs have been
 // reported already.
 void warn_of(Session& session, const Graph& graph, const Graph* lighting, const Graph* outer) {
@@ -78,11 +95,13 @@ void warn_of(Session& session, const Graph& graph, const Graph* lighting, const 
 }  // namespace
 
 void warn_unheeded(Session& session, const Material& material) {
+    const Graph& own = *material.graph->graph;
+    warn_of_lighting(session, own, nullptr);
+    for (const ExtraPass& pass : own.passes) warn_of_lighting(session, *pass.graph, &own);
     // The caller of functions decides about alpha, and a user's own passes may use every input.
     if (!session.options.functions.empty() || session.options.path.ends_with(".pass.hlsl")) return;
-    const Graph& graph = *material.graph->graph;
-    warn_of(session, graph, material.lighting ? material.lighting->graph.get() : nullptr, nullptr);
-    for (const ExtraPass& pass : graph.passes) warn_of(session, *pass.graph, nullptr, &graph);
+    warn_of(session, own, material.lighting ? material.lighting->graph.get() : nullptr, nullptr);
+    for (const ExtraPass& pass : own.passes) warn_of(session, *pass.graph, nullptr, &own);
 }
 
 }  // namespace patina::graph

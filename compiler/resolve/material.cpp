@@ -34,12 +34,16 @@ const CheckedGraph* find_workflow(Session& session, const Graph& graph) {
     return check_graph(session, found->second.get());
 }
 
-const CheckedGraph* find_lighting(Session& session, const Graph& graph, const Graph& workflow, std::string& name) {
-    if (graph.lighting.inlined) {
-        name = graph.lighting.inlined->name;
-        return check_graph(session, graph.lighting.inlined);
+// A workflow without lighting keeps its own, which is none; the material's has no effect (check_render.cpp).
+const LightingUse& lighting_of(const Graph& graph, const Graph& workflow) {
+    return graph.lighting.present && workflow.is_lit() ? graph.lighting : workflow.lighting;
+}
+
+const CheckedGraph* find_lighting(Session& session, const Graph& graph, const LightingUse& use, std::string& name) {
+    if (use.inlined) {
+        name = use.inlined->name;
+        return check_graph(session, use.inlined);
     }
-    const LightingUse& use = graph.lighting.present ? graph.lighting : workflow.lighting;
     name = use.use;
     if (use.use.starts_with(".") || use.use.starts_with("/")) {
         const std::string path = find_file(session, use.use, graph.path);
@@ -205,6 +209,13 @@ bool make_preview(Session& session, Graph& graph, const Shown& shown) {
         }
         graph.workflow = name;
         graph.lighting = {};
+        graph.passes.clear();
+        // The value covers what is behind it, unblended and whatever the depth and stencil buffers hold.
+        RenderState render;
+        render.cull = graph.render.cull;
+        render.bounds = graph.render.bounds;
+        render.span = graph.render.span;
+        graph.render = render;
         graph.surface.clear();
         graph.surface.push_back({.name = workflow.get()->preview_input,
                                  .name_span = value->span,
@@ -262,17 +273,18 @@ bool resolve_rest(Session& session, Material& material) {
     const Graph& graph = *material.graph->graph;
     material.workflow = find_workflow(session, graph);
     if (!material.workflow) return false;
-    material.lighting = find_lighting(session, graph, *material.workflow->graph, material.lighting_name);
+    const LightingUse& lighting = lighting_of(graph, *material.workflow->graph);
+    material.lighting = find_lighting(session, graph, lighting, material.lighting_name);
     if (!material.lighting) return false;
     const std::size_t known = material.properties.size();
     join_graph(session, material, *material.graph);
     check_listed(session, material);
     choose_keywords(session, material, known);
     const std::size_t own = material.properties.size();
-    bind_lighting_properties(session, material, graph.lighting.inputs);
+    bind_lighting_properties(session, material, lighting.inputs);
     join_graph(session, material, *material.lighting);
     choose_keywords(session, material, own);
-    check_lighting_variants(session, material, graph.lighting);
+    check_lighting_variants(session, material, lighting);
     check_surface(session, material);
     check_vertex(session, graph);
     return true;

@@ -59,7 +59,7 @@ GBufferExtended gbufferExtendedFragment(float3 position = positionWS) {
 }
 
 [pass("extended-directional")] [fragment] [draws("fullscreen")] [each("light")] [lights("directional")]
-[needs("added", "packSurface")] [fallback("forward")]
+[needs("added", "direct", "packSurface")] [fallback("forward")]
 [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion", "packSurface")]
 [cull("off")] [depth("always", "keep")] [stencil("equal", "keep", "lighting")] [blend("one", "one")]
 float4 extendedDirectional(float2 uv = screenUV, float3 position = positionWS) {
@@ -67,7 +67,7 @@ float4 extendedDirectional(float2 uv = screenUV, float3 position = positionWS) {
 }
 
 [pass("extended-local")] [fragment] [draws("light-volumes")] [each("light")] [lights("local")]
-[needs("added", "packSurface")] [fallback("forward")]
+[needs("added", "direct", "packSurface")] [fallback("forward")]
 [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion", "packSurface")]
 [cull("front")] [depth("greaterEqual", "keep")] [stencil("equal", "keep", "lighting")] [blend("one", "one")]
 float4 extendedLocal(float2 uv = screenUV, float3 position = positionWS) {

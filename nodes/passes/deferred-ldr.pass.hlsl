@@ -28,7 +28,7 @@ GBufferLdr gbufferLdrFragment(float3 position = positionWS) {
 }
 
 [pass("ldr-directional")] [fragment] [draws("fullscreen")] [each("light")] [lights("directional")]
-[needs("added")] [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")] [fallback("forward")]
+[needs("added", "direct")] [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")] [fallback("forward")]
 [cull("off")] [depth("always", "keep")] [stencil("equal", "keep", "lighting")] [blend("dstColor", "zero")]
 [target("gbufferLight", "rgb10a2")]
 float4 ldrDirectional(float2 uv = screenUV, float3 position = positionWS) {
@@ -36,7 +36,7 @@ float4 ldrDirectional(float2 uv = screenUV, float3 position = positionWS) {
 }
 
 [pass("ldr-local")] [fragment] [draws("light-volumes")] [each("light")] [lights("local")]
-[needs("added")] [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")] [fallback("forward")]
+[needs("added", "direct")] [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")] [fallback("forward")]
 [cull("front")] [depth("greaterEqual", "keep")] [stencil("equal", "keep", "lighting")] [blend("dstColor", "zero")]
 [target("gbufferLight", "rgb10a2")]
 float4 ldrLocal(float2 uv = screenUV, float3 position = positionWS) {

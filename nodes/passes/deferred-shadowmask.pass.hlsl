@@ -12,7 +12,7 @@ struct GBufferShadowmask {
 
 [reads("gbufferShadowMask")] [with("deferred-shadowmask")] Texture2D gbufferShadowMaskTexture;
 
-[gives("shadow", "shadowmask-directional", "shadowmask-local")]
+[gives("shadow", "shadowmask-directional", "shadowmask-local")] [fragment]
 float shadowWithGbuffer(int index, float3 position, float2 uv = screenUV) {
     return maskedShadow(index, position, gbufferShadowMaskTexture.SampleLevel(uv, 0));
 }
@@ -36,14 +36,14 @@ GBufferShadowmask gbufferShadowMaskFragment(float3 position = positionWS, float4
 }
 
 [pass("shadowmask-directional")] [fragment] [draws("fullscreen")] [each("light")] [lights("directional")]
-[needs("added")] [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")] [fallback("forward")]
+[needs("added", "direct")] [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")] [fallback("forward")]
 [cull("off")] [depth("always", "keep")] [stencil("equal", "keep", "lighting")] [blend("one", "one")]
 float4 shadowMaskDirectional(float2 uv = screenUV, float3 position = positionWS) {
     return float4(fadedByFog(addedByLight(told(uv), position), position), 0);
 }
 
 [pass("shadowmask-local")] [fragment] [draws("light-volumes")] [each("light")] [lights("local")]
-[needs("added")] [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")] [fallback("forward")]
+[needs("added", "direct")] [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")] [fallback("forward")]
 [cull("front")] [depth("greaterEqual", "keep")] [stencil("equal", "keep", "lighting")] [blend("one", "one")]
 float4 shadowMaskLocal(float2 uv = screenUV, float3 position = positionWS) {
     return float4(fadedByFog(addedByLight(told(uv), position), position), 0);

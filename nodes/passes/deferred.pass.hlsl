@@ -64,12 +64,13 @@ LightingSurface told(float2 uv) {
 
 [gives("positionWS", "deferred-directional", "deferred-local", "deferred-reflections", "extended-directional",
        "extended-local", "extended-reflections", "ldr-directional", "ldr-local", "shadowmask-directional",
-       "shadowmask-local", "shadowmask-reflections")]
+       "shadowmask-local", "shadowmask-reflections")] [fragment]
 float3 positionBehind(float2 uv = screenUV) {
     return WorldFromDepth(uv, depthTexture.SampleLevel(uv, 0).r, clipToWorld);
 }
 
 [gives("AmbientIrradiance", "gbuffer", "gbuffer-extended", "gbuffer-ldr", "gbuffer-shadowmask")]
+[fragment]
 float3 ambientOfGbuffer(float3 normal, float3 light = lightOfLightmap) {
     if (lightmap) { return light; }
     return AmbientIrradiance(normal);
@@ -104,7 +105,7 @@ GBuffer gbufferFragment(float3 position = positionWS) {
 }
 
 [pass("deferred-directional")] [fragment] [draws("fullscreen")] [each("light")] [lights("directional")]
-[needs("added")] [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")] [fallback("forward")]
+[needs("added", "direct")] [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")] [fallback("forward")]
 [cull("off")] [depth("always", "keep")] [stencil("equal", "keep", "lighting")] [blend("one", "one")]
 float4 deferredDirectional(float2 uv = screenUV, float3 position = positionWS) {
     return float4(fadedByFog(addedByLight(told(uv), position), position), 0);
@@ -112,7 +113,7 @@ float4 deferredDirectional(float2 uv = screenUV, float3 position = positionWS) {
 
 // Draws the back faces of a light's volume that lie behind the visible surface. This works with the camera inside, too.
 [pass("deferred-local")] [fragment] [draws("light-volumes")] [each("light")] [lights("local")]
-[needs("added")] [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")] [fallback("forward")]
+[needs("added", "direct")] [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")] [fallback("forward")]
 [cull("front")] [depth("greaterEqual", "keep")] [stencil("equal", "keep", "lighting")] [blend("one", "one")]
 float4 deferredLocal(float2 uv = screenUV, float3 position = positionWS) {
     return float4(fadedByFog(addedByLight(told(uv), position), position), 0);

@@ -33,7 +33,7 @@ float3 vertexLights(float3 position = positionWS, float3 normal = vertexNormalWS
     return sum;
 }
 
-[gives("AmbientIrradiance", "forward-base")]
+[gives("AmbientIrradiance", "forward-base")] [fragment]
 float3 ambientWithVertexLights(float3 normal, float3 atVertices = vertexLights, float3 light = lightOfLightmap,
                                   float left = mainLightOfLightmap) {
     if (lightmap) { return bakedLight(normal, light, left) + atVertices; }
@@ -57,7 +57,7 @@ float4 forwardBaseFragment(float3 position = positionWS) {
     return blendedInFog(litByAll(lit, position), lit.alpha, position);
 }
 
-[pass("forward-add")] [fragment] [each("light")] [lights("further")] [needs("added")]
+[pass("forward-add")] [fragment] [each("light")] [lights("further")] [needs("added", "direct")]
 [depth("lessEqual", "keep")]
 [blend("opaque", "one", "one", "zero", "one")] [blend("cutout", "one", "one", "zero", "one")]
 [blend("fade", "srcAlpha", "one", "zero", "one")] [blend("transparent", "one", "one", "zero", "one")]

@@ -19,7 +19,7 @@ float4 directionalBaseFragment(float3 position = positionWS) {
     return blendedInFog(litByAll(lit, position), lit.alpha, position);
 }
 
-[pass("directional-add")] [fragment] [each("light")] [lights("further")] [needs("added")]
+[pass("directional-add")] [fragment] [each("light")] [lights("further")] [needs("added", "direct")]
 [depth("lessEqual", "keep")]
 [blend("opaque", "one", "one", "zero", "one")] [blend("cutout", "one", "one", "zero", "one")]
 [blend("fade", "srcAlpha", "one", "zero", "one")] [blend("transparent", "one", "one", "zero", "one")]

@@ -23,13 +23,14 @@ float4 shadowsOfLightmap(float2 uv = uv1) {
     return lightmapShadows(uv);
 }
 
-[gives("AmbientIrradiance", "forward", "directional-base", "vertex")]
+[gives("AmbientIrradiance", "forward", "directional-base", "vertex")] [fragment]
 float3 ambientOrBaked(float3 normal, float3 light = lightOfLightmap, float left = mainLightOfLightmap) {
     if (lightmap) { return bakedLight(normal, light, left); }
     return AmbientIrradiance(normal);
 }
 
 [gives("shadow", "forward", "forward-base", "forward-add", "directional-base", "directional-add")]
+[fragment]
 float shadowWithMask(int index, float3 position, float4 mask = shadowsOfLightmap) {
     if (shadowMask) { return maskedShadow(index, position, mask); }
     return shadow(index, position);

@@ -115,6 +115,27 @@ TEST(Pruning, DeferredSamplesTheMaterialOnce) {
     EXPECT_GE(lighting_passes, 2);
 }
 
+// Where there is no lighting, no pass adds light.
+TEST(Pruning, UnlitHasNoPassThatAddsNothing) {
+    const std::string unlit = written("unlit_only.graph.json", R"({ "patina": 1, "workflow": "unlit" })");
+    const auto passes = [&](const std::string& path) {
+        Words names;
+        for (const Pass& pass : compiled(unlit, path).reflection.passes) names.push_back(pass.name);
+        return names;
+    };
+    EXPECT_EQ(passes("deferred"), Words{"gbuffer"});
+    EXPECT_EQ(passes("deferred-extended"), Words{"gbuffer-extended"});
+    EXPECT_EQ(passes("deferred-ldr"), (Words{"gbuffer-ldr", "ldr-resolve"}));
+    EXPECT_EQ(passes("deferred-shadowmask"), Words{"gbuffer-shadowmask"});
+    EXPECT_EQ(passes("forward-add"), Words{"forward-base"});
+    EXPECT_EQ(passes("forward-directional"), Words{"directional-base"});
+    // A light that is not used still lets the pass draw that shows everything else.
+    const std::string dark = written("no_sum.graph.json", R"({ "patina": 1, "workflow": "metallic-roughness",
+  "lighting": { "direct": [1, 1, 1], "final": "@surface.emission" }, "surface": { "emission": 0.5 } })");
+    EXPECT_TRUE(find_pass(compiled(dark, "forward-add"), "forward-base"));
+    EXPECT_TRUE(find_pass(compiled(dark, "deferred"), "gbuffer"));
+}
+
 // Every further light pays for its own light: emission and ambient light are the base pass's.
 TEST(Pruning, AdditivePassesHaveNoAmbientLightAndNoEmission) {
     const Result result = compiled(rich_graph("opaque", "opaque"), "forward-add");

@@ -123,12 +123,12 @@ float3 ReflectedLight(float3 direction, float roughness, float3 position, bool r
 float attenuation(float3 position = positionWS) {
     return Attenuation(position);
 }
-[gives("attenuation", "unity-forward-base")]
+[gives("attenuation", "unity-forward-base")] [fragment]
 float unityMainAttenuation(float3 position = positionWS) {
     return MainAttenuation(position);
 }
 /// The deferred path adds lights later, with their shadows.
-[gives("attenuation", "unity-deferred")]
+[gives("attenuation", "unity-deferred")] [fragment]
 float unityNoAttenuation() {
     return 1;
 }
@@ -140,7 +140,7 @@ float4 ambientOrLightmapUV(float3 position = positionWS, float3 normal = vertexN
 
 /// The main light. Its shadow is the real-time one, or mixed with a baked one. In subtractive lighting, the light is
 /// zero if a lightmap holds it.
-[gives("lightAt", "unity-forward-base")]
+[gives("lightAt", "unity-forward-base")] [fragment]
 Light unityMainLight(int index, float3 position, float left = attenuation, float4 ambient = ambientOrLightmapUV) {
     Light light;
     light.direction = LightDirection();
@@ -153,7 +153,7 @@ Light unityMainLight(int index, float3 position, float left = attenuation, float
 }
 
 /// Each further light. Unity combines its shadow, distance, cone and cookie into one number.
-[gives("lightAt", "unity-forward-add")]
+[gives("lightAt", "unity-forward-add")] [fragment]
 Light unityFurtherLight(int index, float3 position, float left = attenuation) {
     Light light;
     light.direction = normalize(UnityWorldSpaceLightDir(position));
@@ -165,13 +165,13 @@ Light unityFurtherLight(int index, float3 position, float left = attenuation) {
     return light;
 }
 
-[gives("AmbientIrradiance", "unity-forward-base", "unity-deferred")]
+[gives("AmbientIrradiance", "unity-forward-base", "unity-deferred")] [fragment]
 float3 unityAmbient(float3 normal, float3 position = positionWS, float left = attenuation,
                      float4 ambient = ambientOrLightmapUV) {
     return AmbientLight(normal, position, left, ambient);
 }
 
-[gives("EnvironmentRadiance", "unity-forward-base", "unity-deferred")]
+[gives("EnvironmentRadiance", "unity-forward-base", "unity-deferred")] [fragment]
 float3 unityReflection(float3 direction, float roughness, float3 position = positionWS, bool probes = readsProbes) {
     return ReflectedLight(direction, roughness, position, probes);
 }
@@ -181,7 +181,7 @@ bool readsProbes() {
     return true;
 }
 /// Whether this pass reads reflections from the probes. Depending on the project, Unity adds them to the G-buffer later.
-[gives("readsProbes", "unity-deferred")]
+[gives("readsProbes", "unity-deferred")] [fragment]
 bool unityBufferReadsProbes() {
     return BufferReadsProbes();
 }
@@ -212,11 +212,11 @@ float3 BackgroundColor(float2 uv);
 [foreign] [text("include", "UnityCG.cginc")] [text("queue", "2900")] [text("sampler", "_CameraDepthTexture")]
 float BackgroundDepth(float2 uv);
 
-[gives("SceneColor", "unity-forward-base", "unity-forward-add")]
+[gives("SceneColor", "unity-forward-base", "unity-forward-add")] [fragment]
 float3 unitySceneColor(float2 uv) {
     return BackgroundColor(FromBottom(uv));
 }
-[gives("SceneDepth", "unity-forward-base", "unity-forward-add")]
+[gives("SceneDepth", "unity-forward-base", "unity-forward-add")] [fragment]
 float unitySceneDepth(float2 uv) {
     return BackgroundDepth(FromBottom(uv));
 }

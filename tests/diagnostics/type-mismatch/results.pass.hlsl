@@ -30,3 +30,7 @@ float height() {
     return 1;
 }
 [builtin("frontFacing")] float side;
+
+[semantic("pixel")] float viewDirWS() {
+    return 1;
+}

@@ -34,7 +34,7 @@ constexpr const char* kDeep = R"({
   "outputs": { "value": "= small * 2" }
 })";
 
-Result preview(const std::string& port) {
+Result preview(const std::string& port, const std::string& graph = kGraph) {
     CompileOptions options;
     options.preview = port;
     options.targets = {Target::Glsl};
@@ -43,12 +43,12 @@ Result preview(const std::string& port) {
         if (path.ends_with("deep.subgraph.json")) return kDeep;
         return {};
     };
-    return Compiler().compile_text("test.graph.json", kGraph, options);
+    return Compiler().compile_text("test.graph.json", graph, options);
 }
 
 // The grey that the fragment stage writes.
-std::string shown(const std::string& port) {
-    const Result result = preview(port);
+std::string shown(const std::string& port, const std::string& graph = kGraph) {
+    const Result result = preview(port, graph);
     if (!result.ok) return result.diagnostics.empty() ? "?" : result.diagnostics[0].message;
     const std::string& text = result.shaders.back().text;
     constexpr std::string_view kStart = "outColor = vec4(";
@@ -70,9 +70,52 @@ TEST(Preview, ShowsWhatIsInsideASubgraphAsItsNodeFeedsIt) {
     EXPECT_EQ(shown("layers/deep/small"), "0.0625");
 }
 
+// Another node, a pinned one and the material read outputs of the sub-graph while a node inside is shown.
+TEST(Preview, ShowsWhatIsInsideASubgraphThatOthersRead) {
+    constexpr const char* kReaders = R"({
+  "patina": 1,
+  "workflow": "unlit",
+  "nodes": [
+    { "id": "layers", "node": "./layers.subgraph.json", "in": { "x": 0.5 } },
+    { "id": "moved", "node": "./layers.subgraph.json", "in": { "x": 3 }, "stage": "vertex" },
+    { "id": "named", "expr": "layers.sum + moved.sum" },
+    { "id": "alone", "expr": "layers + moved" }
+  ],
+  "surface": { "color": "= named + alone" }
+})";
+    EXPECT_EQ(shown("layers/quarter", kReaders), "0.25");
+    EXPECT_EQ(shown("layers/deep/small", kReaders), "0.0625");
+    EXPECT_EQ(shown("moved/quarter", kReaders), "1.5");
+    EXPECT_EQ(shown("alone", kReaders), "2.0");  // 0.375 + 1.625
+}
+
+// The value covers what is behind it, whatever the material does.
+TEST(Preview, IsNotBlended) {
+    for (const char* surface : {"additive", "multiply", "fade", "transparent", "cutout"}) {
+        SCOPED_TRACE(surface);
+        const std::string graph = std::string(R"({ "patina": 1, "workflow": "unlit",
+  "nodes": [ { "id": "half", "expr": "0.5" } ],
+  "surface": { "color": "half", "alpha": 0.25 },
+  "render": { "cull": "off", "depthTest": "greater", "depthWrite": false, "queue": 3100,
+              "stencil": { "test": "equal", "reference": 3 }, "surface": ")") +
+                                  surface + "\" } }";
+        const Result result = preview("half", graph);
+        ASSERT_TRUE(result.ok);
+        ASSERT_EQ(result.reflection.passes.size(), 1u);
+        const Pass& pass = result.reflection.passes[0];
+        EXPECT_EQ(pass.targets[0].blend.source, BlendFactor::One);
+        EXPECT_EQ(pass.targets[0].blend.destination, BlendFactor::Zero);
+        EXPECT_EQ(pass.cull, Cull::Off);
+        EXPECT_EQ(pass.depth_test, Compare::LessEqual);
+        EXPECT_TRUE(pass.depth_write);
+        EXPECT_EQ(pass.stencil.test, Compare::Always);
+        EXPECT_EQ(shown("half", graph), "0.5");
+    }
+}
+
 TEST(Preview, SaysWhatIsNotThere) {
-    for (const char* port :
-         {"layers/nothing", "nothing/quarter", "half/quarter", "layers/", "layers/quarter/x", "/x"}) {
+    for (const char* port : {"layers/nothing", "nothing/quarter", "half/quarter", "layers/", "layers/quarter/x", "/x",
+                             "layers.sum/quarter"}) {
         const Result result = preview(port);
         EXPECT_FALSE(result.ok) << port;
         ASSERT_FALSE(result.diagnostics.empty()) << port;
