@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "compiler/base/text.h"
+#include "compiler/lower/lowering.h"
 
 namespace patina::graph {
 
@@ -171,7 +172,6 @@ Typed GraphScope::call_node(const Node& node, const ResolvedNode& resolved) {
 }
 
 void GraphScope::fill_inputs(GraphScope& inner, const Node& node, const Graph& subgraph) {
-    emit::Emitter& emitter = lowering_.emitter;
     for (const Input& input : subgraph.inputs) {
         const auto port = std::find_if(node.inputs.begin(), node.inputs.end(),
                                        [&](const PortValue& p) { return p.name == input.name; });
