@@ -46,8 +46,8 @@ struct Pasting {
     std::string set_name() const { return prefix + "set"; }
 };
 
-// Names that the surrounding text declares, and prefixes that belong to it. A printed name with such a prefix gets "own"
-// in front.
+// Names that the surrounding text declares, and prefixes that belong to it. A printed name with such a prefix gets
+// "own" in front.
 struct TakenNames {
     std::unordered_set<std::string> names;
     std::unordered_set<std::string> macros;  // the names among them that members must avoid, too

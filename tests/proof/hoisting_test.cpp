@@ -119,9 +119,10 @@ std::string varying_material(const ModelInfo& model, const ModelInfo& workflow) 
         for (const ModelInputInfo& input : *inputs) {
             if (!input.gives.empty() || input.default_value.find('@') != std::string::npos) continue;
             const char* comma = properties.empty() ? "" : ", ";
-            properties += fmt::format(R"({}{{ "name": "_{}", "type": "{}" }})", comma, input.name, input.type);
+            properties += fmt::format(R"({}{{ "name": "_{}", "type": "{}" }})", comma, input.name,
+                                      input.type == "color3" ? "color" : input.type);
             surface += fmt::format(R"({}"{}": "= $_{}{} * @uv0.x")", comma, input.name, input.name,
-                                   input.type == "color" ? ".rgb" : "");
+                                   input.type == "color3" ? ".rgb" : "");
         }
     }
     return fmt::format(

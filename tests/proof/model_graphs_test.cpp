@@ -89,7 +89,7 @@ using Words = std::vector<std::pair<std::string, std::string>>;
 std::vector<Words> settings_of(const graph::Graph& graph) {
     Words surface = {{"baseColor", "0.8,0.5,0.3"}, {"metallic", "0.3"}, {"roughness", "0.6"}};
     for (const graph::Input& input : graph.inputs)
-        surface.push_back({input.name, input.type == "color" ? "0.6,0.7,0.8" : "0.6"});
+        surface.push_back({input.name, input.type == "color3" ? "0.6,0.7,0.8" : "0.6"});
     std::vector<Words> settings = {surface};
     for (const graph::Property& property : graph.properties) {
         for (const std::string& word : property.values) {

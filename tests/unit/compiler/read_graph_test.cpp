@@ -439,9 +439,10 @@ TEST(ReadGraphErrors, Inputs) {
         return complaint(R"({"patina":1,"kind":"subgraph","outputs":{},"inputs":[)" + input + "]}");
     };
     EXPECT_EQ(subgraph(R"(^{"name":"a"})"), "an input needs the key 'type'");
-    EXPECT_EQ(subgraph(R"({"name":"a","type":"^enum"})"),
-              "'enum' is not the type of an input | these exist: float, float2, float3, float4, color, int, bool and "
-              "texture2d");
+    EXPECT_EQ(
+        subgraph(R"({"name":"a","type":"^enum"})"),
+        "'enum' is not the type of an input | these exist: float, float2, float3, float4, color, color3, int, bool and "
+        "texture2d");
     EXPECT_EQ(subgraph(R"({"name":"a","type":"float","default":^2,"range":[0,1]})"),
               "2 is outside the usual range 0 to 1 of 'a'");
     EXPECT_EQ(subgraph(R"({"name":"a","type":"float3","default":[0,^5,0],"range":[0,1],"hard":true})"),
