@@ -9,6 +9,7 @@
 #include "compiler/emit/operations/operations.h"
 #include "compiler/emit/statements.h"
 #include "compiler/emit/types.h"
+#include "compiler/nodelang/stages.h"
 
 namespace patina::emit {
 
@@ -171,6 +172,11 @@ Typed call_expression(Emitter& emitter, const Expr& expr, Scope& scope) {
     const TypeName type_name{.name = expr.text, .span = expr.name_span};
     if (const FunctionDecl* function = scope.declarations->function(expr.text)) {
         if (function->marks.is_slot) return call_slot(emitter, *function, expr, scope);
+        if (nodelang::is_stage(*function)) {
+            emitter.diagnostics.report(Code::UnknownName, expr.name_span, "callable function", expr.text)
+                .note(function->name_span, "this is a stage of a pass, which no function can call");
+            return {};
+        }
         const auto inputs = static_cast<std::size_t>(std::count_if(function->params.begin(), function->params.end(),
                                                                    [](const ParamDecl& p) { return !p.is_out; }));
         if (expr.args.size() > inputs) {

@@ -400,13 +400,18 @@ private:
                                 is_varying ? "a number or vector, which can be interpolated," : "a value");
     }
 
-    // A file gives to the passes of its own path, and to those that are drawn along with it.
-    bool is_drawn(const Expr& to) {
-        if (!declarations_.parent || paths_.is_drawn_along(stem_of(to.span), *paths_.pass(to.text))) return true;
-        bad(to.span, "gives",
-            fmt::format("names '{}', a pass of the path '{}', which is not drawn along with this one", to.text,
-                        paths_.pass(to.text)->path));
-        return false;
+    // A file gives to the passes of its own path, and to those that are drawn along with it. It may name others beside
+    // them, as a copy of a file of the library does.
+    void drawn_along(const Attribute& attribute) {
+        if (!declarations_.parent || attribute.args.size() < 2) return;
+        for (std::size_t i = 1; i < attribute.args.size(); ++i) {
+            const PassDecl* to = paths_.pass(attribute.args[i]->text);
+            if (!to || paths_.is_drawn_along(stem_of(attribute.span), *to)) return;
+        }
+        const Expr& first = *attribute.args[1];
+        bad(first.span, "gives",
+            fmt::format("names '{}', a pass of the path '{}', which is not drawn along with this one", first.text,
+                        paths_.pass(first.text)->path));
     }
     std::string stem_of(Span span) const { return stem(sources_.resolve(span.begin).file); }
 
@@ -416,9 +421,10 @@ private:
         if (attribute.args.size() == 1 && !is_of_engine(attribute.span))
             return bad(attribute.span, "gives",
                        "takes a semantic or function, and passes: [gives(\"positionWS\", \"mine\")]");
+        drawn_along(attribute);
         for (std::size_t i = 1; i < attribute.args.size(); ++i) {
             const Expr& to = *attribute.args[i];
-            if (!pass(to) || !is_drawn(to)) continue;
+            if (!pass(to)) continue;
             const auto first = std::find_if(paths_.given.begin(), paths_.given.end(), [&](const GivenDecl& each) {
                 return each.what == what.text && is_in(each.passes, to.text);
             });
