@@ -99,6 +99,7 @@ struct UnreadBody;
 
 // What the attributes of a function mean for the emitter. The parser reads them once.
 struct FunctionMarks {
+    bool is_stage = false;        // [pass]: a stage of a pass, which nothing calls
     bool is_slot = false;         // [slot]: a pass calls it, and lowering fills it
     bool is_inlined = false;      // [inline]: it is spelled out where it is called
     bool is_member = false;       // [member]: its first parameter is the value before the dot

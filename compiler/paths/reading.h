@@ -5,9 +5,14 @@
 
 namespace patina::graph {
 
-// Checks every declaration of the file (check_declarations.cpp).
+// Checks every declaration of the file: its structs, enums and variables (check_declarations.cpp), its functions
+// (check_functions.cpp), and the slots that are derived from others (check_slots.cpp).
 void check_declarations(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const SourceMap& sources,
                         const PathDeclarations& paths, Diagnostics& diagnostics);
+void check_functions(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const SourceMap& sources,
+                     const PathDeclarations& paths, Diagnostics& diagnostics);
+void check_slots(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const SourceMap& sources,
+                 const PathDeclarations& paths, Diagnostics& diagnostics);
 // Checks that the file's passes agree with each other (check_passes.cpp).
 void check_passes(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const PathDeclarations& paths,
                   Diagnostics& diagnostics);
@@ -21,6 +26,8 @@ void read_pass_state(const nodelang::FunctionDecl& fragment, const nodelang::Dec
                      Diagnostics& diagnostics);
 // The lines that a function adds to the engine's file: its [text] attributes.
 std::vector<ir::StageText> texts_of(std::span<const nodelang::Attribute> attributes, Diagnostics& diagnostics);
+// True for an attribute that derives a slot from another: [part], [without], [pack], [unpack].
+bool is_derivation(std::string_view attribute);
 std::vector<std::string_view> attribute_words(const nodelang::Attribute& attribute, std::size_t first = 0);
 
 // The words of [static].
