@@ -1,4 +1,4 @@
-# cmake -D BUILD=... -D SOURCE=... -D WORK=... -D FLAGS=(compiler flags) -P embed_test.cmake
+# cmake -D BUILD=... -D SOURCE=... -D WORK=... -D CXX=(compiler) -D NM=... -D FLAGS=(compiler flags) -P embed_test.cmake
 # Installs the library into an empty prefix, and builds and runs examples/embed with no other part of Patina in reach.
 cmake_minimum_required(VERSION 3.22)
 
@@ -24,6 +24,26 @@ foreach(wanted IN ITEMS "dotted.forward.vert.glsl" "dotted.forward.frag.glsl" "#
     message(FATAL_ERROR "the program does not print '${wanted}':\n${output}")
   endif()
 endforeach()
+
+# A program can use another version of {fmt} or RapidJSON beside it: the library defines neither under its usual name. A
+# plugin that contains the library shows Patina's own functions only.
+run(${NM} --demangle --defined-only ${BUILD}/compiler/libpatina.a)
+foreach(unwanted IN ITEMS "fmt::v[0-9]+::" "rapidjson::(Generic|internal|Reader|Memory)")
+  if(output MATCHES "[^\n]*${unwanted}[^\n]*")
+    message(FATAL_ERROR "the library defines '${CMAKE_MATCH_0}'")
+  endif()
+endforeach()
+separate_arguments(flags UNIX_COMMAND "${FLAGS}")
+run(${CXX} ${flags} -shared -o ${WORK}/plugin.so -Wl,--whole-archive ${BUILD}/compiler/libpatina.a
+    -Wl,--no-whole-archive)
+run(${NM} --demangle --dynamic --defined-only ${WORK}/plugin.so)
+if(NOT output MATCHES "patina::Compiler::compile_text\\(")
+  message(FATAL_ERROR "the plugin does not show patina::Compiler::compile_text")
+endif()
+string(REGEX MATCHALL "[^\n]* (fmt|rapidjson|patina::[a-z_]+)::[^\n]*" shown "${output}")
+if(shown)
+  message(FATAL_ERROR "the plugin shows what is not public:\n${shown}")
+endif()
 
 # The package is self-contained: it has no header of another library, and no path of this build or source tree.
 file(GLOB_RECURSE installed ${WORK}/prefix/*.h ${WORK}/prefix/*.cmake)

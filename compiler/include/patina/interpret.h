@@ -63,9 +63,9 @@ struct TracedValue {
     std::string file;            // the place in the graph's text
     int line = 0, column = 0;    // from 1
 };
-std::string_view to_string(TracedValue::Kind kind);  // "node", "output", "given"
+PATINA_API std::string_view to_string(TracedValue::Kind kind);  // "node", "output", "given"
 
-class Interpreter {
+class PATINA_API Interpreter {
 public:
     Interpreter(const Program& program, std::string_view pass, Stage stage, Precision precision);
     ~Interpreter();

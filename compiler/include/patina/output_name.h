@@ -7,8 +7,10 @@
 #include <string>
 #include <string_view>
 
+#include "patina/export.h"
+
 namespace patina {
 
-std::string output_name(std::string_view path);
+PATINA_API std::string output_name(std::string_view path);
 
 }  // namespace patina

@@ -25,12 +25,12 @@ enum class VariantsWanted {
     Listed,    // the combinations that the graph lists under "variants"; missing values are the defaults
     Reachable  // only properties that make different shaders, given the values of the others
 };
-std::string_view to_string(VariantsWanted wanted);  // "all", "listed", "reachable"
+PATINA_API std::string_view to_string(VariantsWanted wanted);  // "all", "listed", "reachable"
 
 inline constexpr std::size_t kVariantLimit = 1024;
 inline constexpr std::size_t kMostVariants = 1'000'000;  // the highest limit that can be set
 
-struct VariantPlan {
+struct PATINA_API VariantPlan {
     bool ok = false;
     std::vector<Diagnostic> diagnostics;
     std::vector<VariantAxis> axes;
@@ -44,7 +44,7 @@ struct VariantPlan {
     VariantValues combination(std::size_t index) const;
 };
 // The number of combinations of all axes; may be more than a plan can hold.
-double combinations_of(const std::vector<VariantAxis>& axes);
+PATINA_API double combinations_of(const std::vector<VariantAxis>& axes);
 
 // The compiled program of one or more combinations, made from the first of them.
 struct VariantProgram {
