@@ -190,43 +190,14 @@ TextureLevel blurred(const Pyramid& pyramid, int level, int size) {
     return result;
 }
 
-// --- the studio
-
-// A window of light, seen from the middle of the room.
-struct SoftBox {
-    glm::vec3 forward, right, up;  // to its middle, and along its sides
-    float width, height;           // half of each, at a distance of 1
-    glm::vec3 light;               // radiance
-};
-constexpr float kSoftness = 0.12f;  // of a box's edge, at a distance of 1
-
-SoftBox soft_box(glm::vec3 towards, float width, float height, glm::vec3 light) {
-    glm::vec3 forward = glm::normalize(towards), right = glm::normalize(glm::cross(glm::vec3(0, 1, 0), forward));
-    return {forward, right, glm::cross(forward, right), width, height, light};
-}
-
-glm::vec3 box_light(const SoftBox& box, glm::vec3 direction) {
-    float depth = glm::dot(direction, box.forward);
-    if (depth <= 0.05f) return glm::vec3(0);
-    auto inside = [&](float at, float half) {
-        return 1 - glm::smoothstep(half - kSoftness / 2, half + kSoftness / 2, std::abs(at));
-    };
-    float across = inside(glm::dot(direction, box.right) / depth, box.width);
-    if (across == 0) return glm::vec3(0);
-    return box.light * (across * inside(glm::dot(direction, box.up) / depth, box.height));
-}
-
-glm::vec3 studio_radiance(glm::vec3 direction) {
-    static const SoftBox kBoxes[] = {
-        soft_box({-0.75f, 0.75f, 0.7f}, 0.42f, 0.42f, {2.6f, 2.5f, 2.35f}),
-        soft_box({1, 0.15f, 0.35f}, 0.16f, 0.55f, {0.85f, 1.0f, 1.25f}),
-        soft_box({0.5f, 0.55f, -0.9f}, 0.6f, 0.14f, {1.9f, 1.9f, 1.9f}),
-    };
-    const glm::vec3 sky(0.26f, 0.29f, 0.34f), horizon(0.11f, 0.11f, 0.115f), ground(0.05f, 0.046f, 0.042f);
-    float up = direction.y;
-    glm::vec3 sum = up > 0 ? glm::mix(horizon, sky, std::sqrt(up)) : glm::mix(horizon, ground, std::sqrt(-up));
-    for (const SoftBox& box : kBoxes) sum += box_light(box, direction);
-    return sum;
+// Takes a level's texels, three numbers each, from the front.
+TextureLevel unpacked(std::span<const float>& numbers, int size) {
+    TextureLevel level{.width = size, .height = size, .texels = {}};
+    const std::size_t count = std::size_t(18) * size * size;
+    for (std::size_t i = 0; i < count; i += 3)
+        level.texels.insert(level.texels.end(), {numbers[i], numbers[i + 1], numbers[i + 2], 1});
+    numbers = numbers.subspan(count);
+    return level;
 }
 
 }  // namespace
@@ -276,6 +247,11 @@ float roughness_of_level(int level) {
 Environment::Environment(Radiance radiance, int face_size)
     : radiance_(std::move(radiance)), face_size_(face_size), ambient_(project(radiance_)) {}
 
+Environment::Environment(Radiance radiance, int face_size, std::span<const float> blurred_levels)
+    : Environment(std::move(radiance), face_size) {
+    blurred_levels_ = blurred_levels;
+}
+
 Environment::Environment(const SphericalHarmonics& ambient)
     : radiance_([ambient](glm::vec3 direction) { return evaluate(ambient, direction); }),
       face_size_(256),
@@ -285,16 +261,15 @@ std::shared_ptr<const TextureData> Environment::map() const {
     std::call_once(made_, [this] {
         TextureData data{.levels = {}, .sampler = {.wrap = Wrap::Clamp}, .faces = 6};
         const Pyramid pyramid(radiance_, face_size_);
-        for (int level = 0; level < kEnvironmentLevels; level++)
-            data.levels.push_back(blurred(pyramid, level, std::max(face_size_ >> level, 1)));
+        std::span<const float> known = blurred_levels_;
+        for (int level = 0; level < kEnvironmentLevels; level++) {
+            const int size = std::max(face_size_ >> level, 1);
+            const bool is_known = level > 0 && !known.empty();
+            data.levels.push_back(is_known ? unpacked(known, size) : blurred(pyramid, level, size));
+        }
         map_ = std::make_shared<const TextureData>(std::move(data));
     });
     return map_;
-}
-
-std::shared_ptr<const Environment> studio_environment() {
-    static const auto kStudio = std::make_shared<const Environment>(studio_radiance, 256);
-    return kStudio;
 }
 
 }  // namespace patina::runtime

@@ -14,6 +14,7 @@
 #include <glm/glm.hpp>
 #include <memory>
 #include <mutex>
+#include <span>
 
 #include "patina/interpret.h"
 
@@ -48,6 +49,9 @@ public:
     // `face_size`: texels along a face of the cube, a power of two, 256 or more: the last level has 8 or more, fewer of
     // which would show as facets.
     Environment(Radiance radiance, int face_size);
+    // With a map that is known already: its levels from the second on, texel by texel, red, green and blue.
+    // `blurred_levels` must outlive this.
+    Environment(Radiance radiance, int face_size, std::span<const float> blurred_levels);
     // What the coefficients describe, smooth as it is.
     explicit Environment(const SphericalHarmonics& ambient);
 
@@ -60,12 +64,12 @@ private:
     Radiance radiance_;
     int face_size_;
     SphericalHarmonics ambient_;
+    std::span<const float> blurred_levels_{};  // empty: not known
     mutable std::once_flag made_;
     mutable std::shared_ptr<const TextureData> map_;
 };
 
-// A dim room with a sky above and three soft boxes: a large one at the upper left front, a tall cool one on the right
-// and a strip behind. The same object each time.
+// The studio of studio.h. The same object each time.
 std::shared_ptr<const Environment> studio_environment();
 
 }  // namespace patina::runtime

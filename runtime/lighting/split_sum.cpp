@@ -59,22 +59,18 @@ std::array<double, 2> split_sum(double alpha, double ndotv, int samples) {
     return {scale, offset};
 }
 
-std::shared_ptr<const TextureData> split_sum_table() {
-    static const auto kTable = [] {
-        constexpr int kSize = 64, kSamples = 24;
-        TextureLevel level{.width = kSize, .height = kSize, .texels = {}};
-        for (int y = 0; y < kSize; y++) {
-            double roughness = double(y) / (kSize - 1);
-            for (int x = 0; x < kSize; x++) {
-                double root = double(x) / (kSize - 1);
-                auto [scale, offset] = split_sum(roughness * roughness, root * root, kSamples);
-                level.texels.insert(level.texels.end(), {float(scale), float(offset), 0, 1});
-            }
+std::vector<float> split_sum_numbers() {
+    constexpr int kSamples = 24;
+    std::vector<float> numbers;
+    for (int y = 0; y < kSplitSumSize; y++) {
+        double roughness = double(y) / (kSplitSumSize - 1);
+        for (int x = 0; x < kSplitSumSize; x++) {
+            double root = double(x) / (kSplitSumSize - 1);
+            auto [scale, offset] = split_sum(roughness * roughness, root * root, kSamples);
+            numbers.insert(numbers.end(), {float(scale), float(offset)});
         }
-        TextureData data{.levels = {std::move(level)}, .sampler = {.wrap = Wrap::Clamp}, .faces = 1};
-        return std::make_shared<const TextureData>(std::move(data));
-    }();
-    return kTable;
+    }
+    return numbers;
 }
 
 }  // namespace patina::runtime

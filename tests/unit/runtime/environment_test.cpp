@@ -9,6 +9,7 @@
 
 #include "runtime/lighting/cube.h"
 #include "runtime/lighting/split_sum.h"
+#include "runtime/lighting/studio.h"
 #include "tests/support/reference_values.h"
 
 namespace patina::runtime {
@@ -217,6 +218,19 @@ glm::vec3 cosine_mean(const Environment& environment, glm::vec3 n) {
         }
     }
     return sum / std::acos(-1.0f);
+}
+
+// The levels that are computed when Patina is built are those of the studio, at their places.
+TEST(Levels, TheStudiosAreKept) {
+    const auto kept = studio_environment()->map(), computed = Environment(studio_radiance, kStudioSize).map();
+    ASSERT_EQ(kept->levels.size(), computed->levels.size());
+    for (std::size_t level = 0; level < computed->levels.size(); ++level) {
+        const std::vector<float>&texels = kept->levels[level].texels, &wanted = computed->levels[level].texels;
+        ASSERT_EQ(texels.size(), wanted.size()) << level;
+        float off = 0;
+        for (std::size_t i = 0; i < wanted.size(); ++i) off = std::max(off, std::abs(texels[i] - wanted[i]));
+        EXPECT_LE(off, 1e-6f) << level;
+    }
 }
 
 // With alpha 1 all mirrored directions are equally likely, so that the mean weighted by n.l is the irradiance over pi.

@@ -1,0 +1,14 @@
+// The studio that pictures are lit by unless they say otherwise: a dim room with a sky above and three soft boxes, a
+// large one at the upper left front, a tall cool one on the right and a strip behind.
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace patina::runtime {
+
+inline constexpr int kStudioSize = 256;  // texels along a face of its map
+
+// Radiance from a unit direction.
+glm::vec3 studio_radiance(glm::vec3 direction);
+
+}  // namespace patina::runtime
