@@ -6,13 +6,6 @@
 namespace patina::cli {
 namespace {
 
-// Empty, or what is wrong with the word.
-std::string is_time(const std::string& word) {
-    double seconds = 0;
-    if (!CLI::detail::lexical_cast(word, seconds)) return {};  // CLI11 reports that it is not a number
-    return runtime::is_time(seconds) ? "" : "'" + word + "' is not a number of seconds that a shader can hold";
-}
-
 void add_scene_options(CLI::App& command, runtime::RenderRequest& request) {
     std::vector<std::string> meshes;
     for (std::string_view name : runtime::mesh_names()) meshes.emplace_back(name);
@@ -21,14 +14,28 @@ void add_scene_options(CLI::App& command, runtime::RenderRequest& request) {
     command.add_option("--mesh", request.mesh, "The mesh to draw; default: sphere")
         ->type_name(list)
         ->check(one_of("a mesh", std::move(meshes)));
-    command.add_option("--size", request.size, "Width and height in pixels; default: 512")
+    command
+        .add_option(
+            "--segments", request.segments,
+            "How finely the mesh is divided: the number of quads around a round mesh, or along each side of a flat "
+            "one. A coarse mesh shows what is computed at vertices")
         ->type_name("N")
-        ->check(CLI::Range(1, 8192));
+        ->check(CLI::Range(3, 1024));
+    CLI::Option* size = command.add_option("--size", request.size, "Width and height in pixels; default: 512")
+                            ->type_name("N")
+                            ->check(CLI::Range(1, 8192));
+    command.add_option("--width", request.size, "Width in pixels; default: 512")
+        ->type_name("N")
+        ->check(CLI::Range(1, 8192))
+        ->excludes(size);
+    command.add_option("--height", request.height, "Height in pixels; default: as the width")
+        ->type_name("N")
+        ->check(CLI::Range(1, 8192))
+        ->excludes(size);
     command
         .add_option("--samples", request.samples, "Samples along each axis of a pixel; default: 4, which is 16 a pixel")
         ->type_name("N")
         ->check(CLI::Range(1, 16));
-    command.add_option("--time", request.time, "The time in seconds; default: 0")->type_name("T")->check(is_time);
     command
         .add_option(
             "--light", request.lights,
@@ -37,11 +44,21 @@ void add_scene_options(CLI::App& command, runtime::RenderRequest& request) {
         ->allow_extra_args(false);
     command.add_option("--ambient", request.ambient, "Ambient light: a colour, or 'sky=#9ab horizon=0.2 ground=0.05'")
         ->type_name("LIGHT");
+    command
+        .add_option("--background", request.background,
+                    "What is behind everything: a colour, or none, which is transparent; default: dark grey")
+        ->type_name("COLOR");
     command.add_option("--camera", request.camera, "The camera: 'position=2,1,3 target=0,0,0 fov=35'")
         ->type_name("CAMERA");
 }
 
 }  // namespace
+
+std::string is_time_word(const std::string& word) {
+    double seconds = 0;
+    if (!CLI::detail::lexical_cast(word, seconds)) return {};  // CLI11 reports that it is not a number
+    return runtime::is_time(seconds) ? "" : "'" + word + "' is not a number of seconds that a shader can hold";
+}
 
 void add_picture_options(CLI::App& command, std::vector<std::string>& set, runtime::RenderRequest& request) {
     command.add_option("--set", set, "Set a property: _Roughness=0.2, _MainTex=rust.png; repeatable")

@@ -10,8 +10,11 @@
 
 namespace patina::cli {
 
-// --set, --mesh, --size, --samples, --time, --light, --ambient, --camera and -I.
+// --set, --mesh, --segments, --size, --width, --height, --samples, --light, --ambient, --background, --camera and -I.
 void add_picture_options(CLI::App& command, std::vector<std::string>& set, runtime::RenderRequest& request);
+
+// A check for --time. Returns nothing, or what is wrong with the word.
+std::string is_time_word(const std::string& word);
 
 // Enters "_Roughness=0.2" and so on into the request, and the path with its -D. Throws the usage error if a text is not
 // of that form or a name has two values.

@@ -167,8 +167,10 @@ Image box_filtered(const Image& image, int factor) {
                 for (int i = 0; i < factor; i++) {
                     std::span<const float> pixel = image.at(x * factor + i, y * factor + j);
                     double weight = std::max(pixel[3], 0.0f);
-                    for (int c = 0; c < 3; c++) weighted[c] += pixel[c] * weight;
-                    weighted[3] += weight;
+                    if (weight > 0) {
+                        for (int c = 0; c < 3; c++) weighted[c] += pixel[c] * weight;
+                        weighted[3] += weight;
+                    }
                     for (int c = 0; c < 4; c++) plain[c] += pixel[c];
                 }
             }

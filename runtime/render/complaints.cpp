@@ -1,7 +1,5 @@
 #include "runtime/render/complaints.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "runtime/scene/view.h"
@@ -9,13 +7,19 @@
 
 namespace patina::runtime {
 
-Diagnostic complaint(const std::string& file, Severity severity, std::string code, std::string message) {
-    Diagnostic diagnostic;
+Diagnostic complaint(const std::string& file, Severity severity, Complaint what,
+                     std::initializer_list<std::string_view> words) {
+    Diagnostic diagnostic = patina::complaint(what, words);
     diagnostic.severity = severity;
-    diagnostic.code = std::move(code);
-    diagnostic.message = std::move(message);
     diagnostic.file = file;
     return diagnostic;
+}
+
+Diagnostic note(std::string message) {
+    Diagnostic made;
+    made.severity = Severity::Note;
+    made.message = std::move(message);
+    return made;
 }
 
 std::optional<Diagnostic> anisotropy_warning(const std::string& graph, const Reflection& reflection,
@@ -29,8 +33,7 @@ std::optional<Diagnostic> anisotropy_warning(const std::string& graph, const Ref
         if (is_read && texture.sampler.anisotropy > 1) names += (names.empty() ? "'" : ", '") + texture.name + "'";
     }
     if (names.empty()) return std::nullopt;
-    return complaint(graph, Severity::Warning, "no-anisotropy",
-                     "the CPU reference samples without anisotropy: " + names);
+    return complaint(graph, Severity::Warning, Complaint::NoAnisotropy, {names});
 }
 
 std::vector<Diagnostic> cookie_warnings(const std::string& graph, const Reflection& reflection, const Scene& view) {
@@ -40,10 +43,8 @@ std::vector<Diagnostic> cookie_warnings(const std::string& graph, const Reflecti
     for (const Pass& pass : reflection.passes) {
         const bool is_read = std::count(pass.textures.begin(), pass.textures.end(), "lightCookie") > 0;
         if (cookies < 2 || !is_read || pass.each != PassEach::Once || pass.lights != PassLights::All) continue;
-        warnings.push_back(complaint(graph, Severity::Warning, "one-cookie",
-                                     fmt::format("the pass '{}' draws all lights at once and uses only the first of "
-                                                 "their {} cookies: use a path that draws each light separately",
-                                                 pass.name, cookies)));
+        warnings.push_back(
+            complaint(graph, Severity::Warning, Complaint::OneCookie, {pass.name, std::to_string(cookies)}));
     }
     return warnings;
 }
@@ -58,14 +59,10 @@ std::vector<Diagnostic> unknown_value_warnings(const std::string& pass_file, con
         if (block.is_material || !is_read) continue;
         for (const BlockMember& member : block.members) {
             if (std::find(known.begin(), known.end(), member.name) != known.end()) continue;
-            Diagnostic& unknown = warnings.emplace_back(complaint(
-                pass_file, Severity::Warning, "no-engine-value",
-                fmt::format("there is no value for '{}' of the block '{}': it is 0", member.name, block.name)));
-            if (std::string advice = suggestion(member.name, known); advice.starts_with("did you mean")) {
-                Diagnostic& note = unknown.notes.emplace_back();
-                note.severity = Severity::Note;
-                note.message = std::move(advice);
-            }
+            Diagnostic& unknown = warnings.emplace_back(
+                complaint(pass_file, Severity::Warning, Complaint::NoEngineValue, {member.name, block.name}));
+            if (std::string advice = suggestion(member.name, known); advice.starts_with("did you mean"))
+                unknown.notes.push_back(note(std::move(advice)));
         }
     }
     return warnings;

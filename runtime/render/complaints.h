@@ -4,18 +4,23 @@
 //   if (auto warning = anisotropy_warning(material.graph, reflection)) diagnostics.push_back(*warning);
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "patina/complaints.h"
 #include "patina/patina.h"
 #include "runtime/scene/scene.h"
 
 namespace patina::runtime {
 
 // About a file as a whole: the reflection knows no lines.
-Diagnostic complaint(const std::string& file, Severity severity, std::string code, std::string message);
+Diagnostic complaint(const std::string& file, Severity severity, Complaint what,
+                     std::initializer_list<std::string_view> words);
+// What to do about one.
+Diagnostic note(std::string message);
 
 // The CPU reference samples without anisotropy. Of textures that `pass` reads; empty: that any pass reads.
 std::optional<Diagnostic> anisotropy_warning(const std::string& graph, const Reflection& reflection,

@@ -16,8 +16,7 @@ void load(const WorldMaterial& material, bool exact, PreparedMaterial& made) {
         const ScenePlace* place = place_of_value(material, made.loaded.failed[i]);
         made.diagnostics.push_back(
             place ? diagnostic_at(*place, std::string(code_of(Complaint::BadTexture)), made.loaded.errors[i])
-                  : complaint(material.graph, Severity::Error, std::string(code_of(Complaint::BadTexture)),
-                              made.loaded.errors[i]));
+                  : complaint(material.graph, Severity::Error, Complaint::BadTexture, {made.loaded.errors[i]}));
     }
 }
 
@@ -58,7 +57,7 @@ PreparedMaterial prepare_material(const WorldMaterial& material, Result compiled
     for (const std::string& warning : made.values.warnings) {
         // What a scene file gives has been said at its place.
         if (material.set.empty())
-            made.diagnostics.push_back(complaint(material.graph, Severity::Warning, "soft-range", warning));
+            made.diagnostics.push_back(complaint(material.graph, Severity::Warning, Complaint::SoftRange, {warning}));
     }
     load(material, exact_textures, made);
     made.ok = made.loaded.errors.empty();

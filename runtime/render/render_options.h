@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "patina/patina.h"
+#include "runtime/picture/data_picture.h"
 #include "runtime/picture/image.h"
 
 namespace patina::runtime {
@@ -33,6 +34,7 @@ struct RenderOptions {
 struct RenderOutcome {
     bool ok = false;
     Image image;                              // linear
+    DataSummary values{};                     // of the picture; of a preview: of what the object covers
     std::vector<Diagnostic> diagnostics;      // of the compiler and of glslang; warnings too
     std::string error;                        // what else went wrong: a word of the request, a file, the device
     std::vector<std::string> dependencies{};  // files that were read: the scene, its graphs, textures

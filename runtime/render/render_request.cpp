@@ -1,5 +1,7 @@
 #include "runtime/render/render_request.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +20,8 @@ RenderOutcome failed(RenderOutcome outcome, std::string error) {
     return outcome;
 }
 
-// What the request's words say of a scene's lights, surroundings and camera; empty, or what is wrong with them.
+// What the request's words say of a scene's lights, surroundings, background and camera; empty, or what is wrong with
+// them.
 std::string take_words(const RenderRequest& request, Scene& scene) {
     if (!request.lights.empty()) scene.lights.clear();
     for (const std::string& text : request.lights) {
@@ -36,6 +39,11 @@ std::string take_words(const RenderRequest& request, Scene& scene) {
         scene.ambient = ambient.value;
         scene.environment = nullptr;
     }
+    if (!request.background.empty()) {
+        Outcome<glm::vec4> background = parse_background(request.background);
+        if (!background) return background.error;
+        scene.background = background.value;
+    }
     if (!request.camera.empty()) {
         Outcome<Camera> camera = parse_camera(request.camera, scene.camera);
         if (!camera) return camera.error;
@@ -46,19 +54,20 @@ std::string take_words(const RenderRequest& request, Scene& scene) {
 
 // The scene that the request's words describe.
 Outcome<Scene> read_scene(const RenderRequest& request) {
-    std::optional<Mesh> mesh = make_mesh(request.mesh);
+    std::optional<Mesh> mesh = make_mesh(request.mesh, request.segments);
     if (!mesh) {
         std::string names;
         for (std::string_view name : mesh_names()) names += (names.empty() ? "" : ", ") + std::string(name);
         return Failure{"there is no mesh '" + request.mesh + "'; there are: " + names};
     }
-    if (!is_time(request.time)) return Failure{"the time must be a number of seconds that a float can hold"};
+    if (!is_time(request.time.value_or(0)))
+        return Failure{"the time must be a number of seconds that a float can hold"};
     Scene scene{.mesh = std::move(*mesh),
                 .camera = default_camera(request.mesh),
                 .lights = default_lights(),
                 .ambient = studio_environment()->ambient(),
                 .environment = studio_environment(),
-                .time = float(request.time),
+                .time = float(request.time.value_or(0)),
                 .width = request.size,
                 .height = request.height ? request.height : request.size,
                 .samples = request.samples};
@@ -94,6 +103,60 @@ bool is_empty(const Image& image, const glm::vec4& background) {
     return true;
 }
 
+// The first value behind the pixel that is not finite: what comes after it is not finite because of it. Nothing if the
+// CPU finds none there.
+std::optional<TracedValue> first_not_finite(const Compiler& compiler, const RenderRequest& request, int x, int y) {
+    TraceOutcome outcome = trace(compiler, request, x, y, Precision::Float);
+    if (!outcome.ok) return std::nullopt;
+    const auto search = [](const std::vector<TracedValue>& values) -> std::optional<TracedValue> {
+        for (const TracedValue& value : values) {
+            if (!std::ranges::all_of(value.values, [](double number) { return std::isfinite(number); })) return value;
+        }
+        return std::nullopt;
+    };
+    for (const std::vector<TracedValue>& corner : outcome.trace.corners) {
+        if (auto found = search(corner)) return found;
+    }
+    return search(outcome.trace.values);
+}
+
+// What is wrong with pixels that are NaN or infinite, at the node that they come from.
+Diagnostic not_finite(const Compiler& compiler, const RenderRequest& request, const RenderOutcome& drawn,
+                      bool is_scene) {
+    const DataSummary& values = drawn.values;
+    const std::optional<TracedValue> cause =
+        is_scene ? std::nullopt : first_not_finite(compiler, request, values.first_x, values.first_y);
+    std::string node;
+    if (cause) {
+        const std::vector<double>& numbers = cause->values;
+        node = fmt::format(": '{}.{}' is {:.6g} there", cause->node, cause->port, fmt::join(numbers, ", "));
+    }
+    Diagnostic warning = complaint(request.graph, Severity::Warning, Complaint::PixelsNotFinite,
+                                   {std::to_string(values.not_finite),
+                                    std::to_string(std::size_t(drawn.image.width) * std::size_t(drawn.image.height)),
+                                    std::to_string(values.first_x), std::to_string(values.first_y), node});
+    if (is_scene) warning.notes.push_back(note("render one of its materials alone to find the node"));
+    if (!cause) return warning;
+    warning.node = cause->node;
+    warning.port = cause->port;
+    if (!cause->file.empty()) {
+        warning.file = cause->file;
+        warning.line = cause->line;
+        warning.column = cause->column;
+    }
+    warning.notes.push_back(
+        note(fmt::format("'patina trace {} --pixel {},{}', with the same options, shows all values of the pixel",
+                         request.graph, values.first_x, values.first_y)));
+    return warning;
+}
+
+// Replaces the numbers of a preview by what shows them, before the background.
+void show_values(const RenderRequest& request, const glm::vec4& background, Image& image) {
+    if (request.range) image = in_range(image, *request.range);
+    if (!request.keeps_values) mark_not_finite(image);
+    if (background.a > 0) put_before(image, background.r, background.g, background.b);
+}
+
 // A scene file's world, seen as the request says.
 bool world_of_file(const Compiler& compiler, const RenderRequest& request, World& world, RenderOutcome& outcome) {
     const auto refuse = [&](std::string error) {
@@ -103,8 +166,9 @@ bool world_of_file(const Compiler& compiler, const RenderRequest& request, World
     if (!request.overrides.empty()) return refuse("a scene sets the values of its materials itself, under \"set\"");
     if (!request.options.preview.empty())
         return refuse("a scene has no nodes to preview: preview a node of one of its materials");
-    if (request.mesh != RenderRequest{}.mesh) return refuse("a scene has its own meshes, in its objects");
-    if (!is_time(request.time)) return refuse("the time must be a number of seconds that a float can hold");
+    if (request.mesh != RenderRequest{}.mesh || request.segments != 0)
+        return refuse("a scene has its own meshes, in its objects");
+    if (!is_time(request.time.value_or(0))) return refuse("the time must be a number of seconds that a float can hold");
     WorldFile file = read_world(compiler, request.graph, compile_options(request.options));
     outcome.diagnostics = std::move(file.diagnostics);
     outcome.dependencies = std::move(file.dependencies);
@@ -113,7 +177,7 @@ bool world_of_file(const Compiler& compiler, const RenderRequest& request, World
     world.view.width = request.size;
     world.view.height = request.height ? request.height : request.size;
     world.view.samples = request.samples;
-    if (request.time != 0) world.view.time = float(request.time);
+    if (request.time) world.view.time = float(*request.time);
     if (std::string error = take_words(request, world.view); !error.empty()) return refuse(error);
     return true;
 }
@@ -133,14 +197,18 @@ RenderOutcome render(const Compiler& compiler, const RenderRequest& request, Ren
         if (!made) return failed({}, made.error);
         world = std::move(made.value);
     }
+    // Of a preview, only what the object covers is data.
+    const glm::vec4 background = world.view.background;
+    const bool is_preview = !request.options.preview.empty();
+    if (is_preview) world.view.background.a = 0;
     RenderOutcome drawn = draw_world(compiler, world, request.options, machine);
     drawn.diagnostics.insert(drawn.diagnostics.begin(), outcome.diagnostics.begin(), outcome.diagnostics.end());
     drawn.dependencies.insert(drawn.dependencies.end(), outcome.dependencies.begin(), outcome.dependencies.end());
-    if (!is_scene && drawn.ok && is_empty(drawn.image, world.view.background))
-        drawn.diagnostics.push_back(
-            complaint(request.graph, Severity::Warning, "nothing-seen",
-                      "the picture is empty: the object is outside the camera's view, or it cannot be seen against an "
-                      "even background; use a scene to place it and to put something behind it"));
+    if (drawn.ok) drawn.values = summarise(drawn.image);
+    if (drawn.values.not_finite > 0) drawn.diagnostics.push_back(not_finite(compiler, request, drawn, is_scene));
+    if (drawn.ok && is_preview) show_values(request, background, drawn.image);
+    if (!is_scene && drawn.ok && is_empty(drawn.image, background))
+        drawn.diagnostics.push_back(complaint(request.graph, Severity::Warning, Complaint::NothingSeen, {}));
     return drawn;
 }
 

@@ -11,11 +11,13 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "patina/patina.h"
 #include "runtime/cpu/cpu_render.h"
+#include "runtime/picture/data_picture.h"
 #include "runtime/render/render_machine.h"
 #include "runtime/render/render_options.h"
 
@@ -24,14 +26,19 @@ namespace patina::runtime {
 struct RenderRequest {
     std::string graph{};                             // a file: a material's graph, or a scene (x.scene.json)
     std::string mesh = "sphere";                     // mesh_names()
+    int segments = 0;                                // of the mesh (make_mesh()); 0: as usual
     int size = 512;                                  // pixels, width
     int height = 0;                                  // 0: as the width
     int samples = 4;                                 // along each axis of a pixel: 4 averages 16
     std::map<std::string, std::string> overrides{};  // property -> "0.2", "1,0,0", "#ff8800", "true", "Wet", "rust.png"
-    double time = 0;                                 // seconds
+    std::optional<double> time{};                    // seconds; nothing: the scene's own, or 0
     std::vector<std::string> lights{};               // empty: the default three; {"none"}: none
     std::string ambient{};                           // empty: the default sky
     std::string camera{};                            // empty: frames the mesh
+    std::string background{};                        // "#203040", "0.2", "none" (transparent); empty: dark grey
+    // Of a preview: its values in this range as colours (data_picture.h); nothing: the values as they are.
+    std::optional<DataRange> range{};
+    bool keeps_values = false;  // of a preview: values that are not finite stay, as an EXR file can hold them
     RenderOptions options{};
 };
 

@@ -192,10 +192,7 @@ private:
             const std::string path = path_for(world_.view.camera, compiled.reflection);
             if (path != stated && !path.empty()) {
                 // The problem is the camera, not the material: it is reported once.
-                report({complaint(
-                    {}, Severity::Warning, "path-refused",
-                    fmt::format("the path '{}' needs a perspective camera; its materials are drawn with the path '{}'",
-                                stated, path))});
+                report({complaint({}, Severity::Warning, Complaint::PathRefused, {stated, path})});
                 compiled = compile_for(variant, path);
             }
         }

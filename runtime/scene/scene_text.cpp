@@ -227,6 +227,13 @@ Outcome<SphericalHarmonics> parse_ambient(std::string_view text) {
     return ambient_of(given(has_sky, sky), given(has_horizon, horizon), given(has_ground, ground));
 }
 
+Outcome<glm::vec4> parse_background(std::string_view text) {
+    if (text == "none") return glm::vec4(0);
+    Outcome<glm::vec4> color = Settings::parse_color(text);
+    if (!color) return Failure{"the background: " + color.error + ", or none"};
+    return color;
+}
+
 Outcome<Camera> parse_camera(std::string_view text, const Camera& base) {
     Outcome<Words> words = split_words(text);
     if (!words) return Failure{"camera: " + words.error};

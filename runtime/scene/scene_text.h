@@ -5,6 +5,7 @@
 //   parse_light("directional direction=-1,1,1")
 //   parse_ambient("0.2")
 //   parse_ambient("sky=#9ab horizon=0.2 ground=0.05")
+//   parse_background("#203040")
 //   parse_camera("position=2,1,3 target=0,0,0 fov=35")
 //
 // Colours are #rgb or #rrggbb (sRGB, decoded), one number (a grey) or three (linear).
@@ -23,6 +24,9 @@ Outcome<Light> parse_light(std::string_view text);
 Outcome<SphericalHarmonics> parse_ambient(std::string_view text);
 // Words that are not given keep the values of `base`.
 Outcome<Camera> parse_camera(std::string_view text, const Camera& base);
+
+// Behind everything: a colour, or "none", which is transparent.
+Outcome<glm::vec4> parse_background(std::string_view text);
 
 // --- what is said in part: a scene file follows the same rules
 // A colour that is not given is the mean of the others, or the one other.

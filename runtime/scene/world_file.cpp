@@ -47,10 +47,8 @@ Outcome<std::shared_ptr<const TextureData>> load_cookie(const SceneLight& light)
 }
 
 Diagnostic cut_shadow(const SceneLight& light, float outer) {
-    Diagnostic diagnostic = diagnostic_at(light.place, "cut-shadow",
-                                          fmt::format("the shadow map of this spot reaches only {} degrees from its "
-                                                      "axis: beyond that, up to its 'outer' of {}, everything is lit",
-                                                      kWidestSpot, outer));
+    const Diagnostic said = complaint(Complaint::CutShadow, {fmt::format("{}", kWidestSpot), fmt::format("{}", outer)});
+    Diagnostic diagnostic = diagnostic_at(light.place, said.code, said.message);
     diagnostic.severity = Severity::Warning;
     return diagnostic;
 }

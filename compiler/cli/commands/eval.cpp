@@ -57,6 +57,24 @@ Outputs evaluate_node(const Console& console, const Arguments& arguments, const 
     return std::move(result.outputs);
 }
 
+// "= pow(x, 2.2)" over the values by their names.
+Outputs evaluate_expression(const Console& console, const Arguments& arguments, const Compiler& compiler,
+                            const std::string& expression, const Values& values) {
+    std::vector<NamedValue> names;
+    for (const auto& [name, text] : values) {
+        const std::optional<std::vector<double>> numbers = runtime::read_numbers(text);
+        if (!numbers || numbers->empty() || numbers->size() > 4) {
+            complain(console, Complaint::NotNumbers, {name, text});
+            return {};
+        }
+        names.push_back({.name = name, .values = *numbers});
+    }
+    EvalResult result = compiler.evaluate_expression(expression, names, arguments.single);
+    report(console, result.diagnostics);
+    if (!result.ok) return {};
+    return std::move(result.outputs);
+}
+
 Outputs evaluate_term(const Console& console, const Arguments& arguments, const Compiler& compiler,
                       const Values& values) {
     TermResult result = cli::evaluate_term(compiler, arguments.term, values, arguments.single);
@@ -124,7 +142,9 @@ Exit evaluate(const Console& console, const Arguments& arguments) {
     std::string node;
     Values values;
     for (const std::string& word : arguments.words) {
-        if (const auto [name, value] = split_name_value(word); value && !name.empty()) {
+        if (is_node && node.empty() && values.empty() && word.starts_with('=')) {
+            node = word;
+        } else if (const auto [name, value] = split_name_value(word); value && !name.empty()) {
             values.emplace_back(name, *value);
         } else if (is_node && node.empty() && values.empty()) {
             node = word;
@@ -147,6 +167,7 @@ Exit evaluate(const Console& console, const Arguments& arguments) {
     const auto evaluate_at = [&](const Values& at) {
         if (!arguments.term.empty()) return evaluate_term(console, arguments, compiler, at);
         if (!arguments.model.empty()) return evaluate_model(console, arguments, compiler, at);
+        if (node.starts_with('=')) return evaluate_expression(console, arguments, compiler, node.substr(1), at);
         return evaluate_node(console, arguments, compiler, node, at);
     };
     std::vector<SweepRow> rows = rows_of(values, axes);
@@ -173,13 +194,15 @@ void add_eval(Program& program) {
          "patina eval DistributionGGX ndoth=0..1:101 alpha=0.25 >ggx.csv", "patina eval wave.node.hlsl uv=0.5,0.5",
          "patina eval --model unity-brdf1 n=0,0,1 l=0,0.6,0.8 v=0,0,1 baseColor=1,0.8,0.2 metallic=1",
          "patina eval --model phong --workflow specular-glossiness l=1,0,1 v=-1,0,1 _Normalization=Classic",
+         "patina eval '= pow(0.5, 2.2)'", "patina eval '= smoothstep(0, 1, x)' x=0..1:11",
          "patina eval --term D_GGX a2=0.1 NoH=0.9"});
     auto arguments = std::make_shared<Arguments>();
     command
         .add_option(
             "NODE NAME=VALUE", arguments->words,
             "A node of the library or its file (.node.hlsl), and its inputs as a graph writes them: 0.5, 0,0,1, "
-            "#ff8800, true, a word. FROM..TO:COUNT makes a table")
+            "#ff8800, true, a word; or an expression, '= x * 2', and what its names stand for. FROM..TO:COUNT makes a "
+            "table")
         ->type_name(" ");
     CLI::Option* model = command.add_option(
         "--model", arguments->model,

@@ -1,8 +1,15 @@
 // patina render: graphs and scenes to pictures, by Vulkan or on the CPU.
+#include <fmt/format.h>
+
+#include <cmath>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <set>
+#include <tuple>
 
 #include "compiler/cli/commands/commands.h"
+#include "compiler/cli/eval/sweep.h"
 #include "compiler/cli/files.h"
 #include "compiler/cli/outputs.h"
 #include "compiler/cli/picture_options.h"
@@ -16,8 +23,12 @@ struct Arguments {
     std::vector<std::string> set;
     std::string output;
     runtime::RenderRequest request;
+    std::string range, time;
+    std::vector<std::optional<double>> times = {{}};  // one a picture; nothing: --time is not given
     PathOptions path;
 };
+
+constexpr std::size_t kMostFrames = 10000;
 
 bool is_picture(std::string_view path) {
     return path.ends_with(".png") || path.ends_with(".exr");
@@ -30,14 +41,16 @@ bool is_one_picture(const std::string& output) {
 }
 
 // -o names a picture, or a folder for the pictures of all graphs.
-std::string output_of(const Arguments& arguments, const std::string& graph) {
-    if (is_one_picture(arguments.output)) return arguments.output;
-    return join_path(arguments.output, output_name(graph) + ".png");
+std::string output_of(const Arguments& arguments, const std::string& graph, std::size_t frame) {
+    std::string path =
+        is_one_picture(arguments.output) ? arguments.output : join_path(arguments.output, output_name(graph) + ".png");
+    if (arguments.times.size() > 1) path.insert(path.rfind('.'), fmt::format(".{:04}", frame));
+    return path;
 }
 
 Exit write(Outputs& outputs, const Console& console, const Arguments& arguments, const std::string& graph,
-           const runtime::RenderOutcome& outcome) {
-    const std::string path = output_of(arguments, graph);
+           std::size_t frame, const runtime::RenderOutcome& outcome) {
+    const std::string path = output_of(arguments, graph, frame);
     runtime::Outcome<std::string> bytes =
         path.ends_with(".exr") ? runtime::encode_exr(outcome.image) : runtime::encode_png(outcome.image);
     if (!bytes) {
@@ -51,16 +64,45 @@ Exit write(Outputs& outputs, const Console& console, const Arguments& arguments,
     return Exit::Ok;
 }
 
+// A picture shows values from 0 to 1, so those of a preview may be outside.
+void say_range(const Console& console, const Arguments& arguments, const runtime::RenderOutcome& outcome) {
+    const runtime::DataSummary& values = outcome.values;
+    if (arguments.request.options.preview.empty() || values.is_empty || arguments.request.range) return;
+    constexpr double kVisible = 0.5 / 255;
+    if (values.low > -kVisible && values.high < 1 + kVisible) return;
+    // Rounded outward, to about three digits.
+    double low = values.low, high = values.high;
+    if (!(low < high)) low -= 1, high += 1;
+    const double step = std::pow(10.0, std::floor(std::log10(high - low)) - 2);
+    low = std::floor(low / step) * step;
+    high = std::ceil(high / step) * step;
+    remark(console,
+           fmt::format(
+               "'{}' goes from {:.4g} to {:.4g}, and the picture shows 0 to 1: --range {:.9g}..{:.9g} shows all of it",
+               arguments.request.options.preview, values.low, values.high, low, high));
+}
+
+// The diagnostics of earlier pictures of a sequence: code, file and text.
+using Said = std::set<std::tuple<std::string, std::string, std::string>>;
+
 Exit render_graph(Outputs& outputs, const Console& console, const Arguments& arguments, const Compiler& compiler,
-                  const std::string& graph, runtime::RenderMachine& machine) {
+                  const std::string& graph, std::size_t frame, Said& said, runtime::RenderMachine& machine) {
     runtime::RenderRequest request = arguments.request;
     request.graph = graph;
+    request.time = arguments.times[frame];
     request.options.progress = [&](double share) { show_share(console, share, graph); };
     const runtime::RenderOutcome outcome = runtime::render(compiler, request, machine);
-    report(console, outcome.diagnostics);
+    // A warning that an earlier picture gave is not repeated.
+    std::vector<Diagnostic> news;
+    for (const Diagnostic& each : outcome.diagnostics) {
+        const bool is_counted = each.code == code_of(Complaint::PixelsNotFinite);  // with other numbers each time
+        if (said.insert({each.code, each.file, is_counted ? "" : to_text(each)}).second) news.push_back(each);
+    }
+    report(console, news);
     if (!outcome.error.empty()) complain(console, Complaint::CannotRender, {outcome.error});
     if (outcome.missing_machine) return Exit::Machine;
-    return outcome.ok ? write(outputs, console, arguments, graph, outcome) : Exit::Wrong;
+    if (outcome.ok && frame == 0) say_range(console, arguments, outcome);
+    return outcome.ok ? write(outputs, console, arguments, graph, frame, outcome) : Exit::Wrong;
 }
 
 // Empty, or why no picture can have this name.
@@ -69,6 +111,23 @@ std::string not_an_output(const std::string& output) {
     if (output.empty() || is_one_picture(output) || std::filesystem::is_directory(output, ignored)) return {};
     const bool is_file = std::filesystem::exists(output, ignored) || std::filesystem::path(output).has_extension();
     return is_file ? "'" + output + "' is not a .png file, an .exr file or a folder" : std::string();
+}
+
+// One time, or the times of a sequence.
+std::vector<std::optional<double>> read_times(const std::string& text) {
+    if (text.empty()) return {std::nullopt};
+    std::string error;
+    if (const auto range = numbers_of_range(text, error)) {
+        if (range->size() > kMostFrames)
+            throw CLI::ValidationError(
+                "--time", fmt::format("{} pictures are too many: the limit is {}", range->size(), kMostFrames));
+        return {range->begin(), range->end()};
+    }
+    double time = 0;
+    if (error.empty() && !CLI::detail::lexical_cast(text, time)) error = "'" + text + "' is not a number of seconds";
+    if (error.empty()) error = is_time_word(text);
+    if (!error.empty()) throw CLI::ValidationError("--time", error);
+    return {std::optional(time)};
 }
 
 // Checks what can be wrong before the first graph is read.
@@ -83,9 +142,29 @@ void complete(Arguments& arguments, bool has_mesh) {
     take_overrides(arguments.set, arguments.path, arguments.request);
     if (const std::string wrong = not_an_output(arguments.output); !wrong.empty())
         throw CLI::ValidationError("--output", wrong);
+    arguments.times = read_times(arguments.time);
+    for (const std::optional<double> time : arguments.times) {
+        if (!runtime::is_time(time.value_or(0)))
+            throw CLI::ValidationError("--time",
+                                       fmt::format("{} is not a number of seconds that a shader can hold", *time));
+    }
+    if (arguments.times.size() > 1 && is_one_picture(arguments.output) && !is_picture(arguments.output))
+        throw CLI::ValidationError("--output", "a sequence cannot go through '" + arguments.output +
+                                                   "': name a .png file, an .exr file or a folder");
     if (arguments.graphs.size() > 1 && is_one_picture(arguments.output)) {
         throw CLI::ValidationError("--output", "several graphs cannot share one picture: name a folder");
     }
+    if (!arguments.range.empty()) {
+        if (arguments.request.options.preview.empty())
+            throw CLI::ValidationError("--range", "needs --node: it shows the values of one port");
+        if (arguments.output.ends_with(".exr"))
+            throw CLI::ValidationError("--range",
+                                       "an EXR file holds the values as they are: leave out --range, or write a PNG");
+        const runtime::Outcome<runtime::DataRange> range = runtime::parse_data_range(arguments.range);
+        if (!range) throw CLI::ValidationError("--range", range.error);
+        arguments.request.range = range.value;
+    }
+    arguments.request.keeps_values = arguments.output.ends_with(".exr");
     refuse_equal_outputs(arguments.graphs, ".png", "render");
 }
 
@@ -96,7 +175,8 @@ void add_render(Program& program) {
         program, "render",
         {"patina render rust.graph.json -o rust.png --mesh torus --size 256",
          "patina render rust.graph.json --set _Roughness=0.2 --set _MainTex=other.png",
-         "patina render rust.graph.json --node mask -o mask.png", "patina render *.graph.json -o pictures",
+         "patina render rust.graph.json --node mask --range -1..1 -o mask.png",
+         "patina render *.graph.json -o pictures", "patina render flag.graph.json --time 0..2:48 -o frames",
          "patina render room.scene.json --path deferred -o room.png",
          "patina render rust.graph.json --light 'directional direction=1,1,1 intensity=2' --ambient 0.1 --via cpu"});
     auto arguments = std::make_shared<Arguments>();
@@ -117,7 +197,17 @@ void add_render(Program& program) {
                     "Show this port, unlit: mask, rust.amount, or layers/mask inside a sub-graph")
         ->type_name("PORT")
         ->check([](const std::string& port) { return port.empty() ? std::string("it is empty") : std::string(); });
+    command
+        .add_option("--range", arguments->range,
+                    "Show the values of --node between LOW and HIGH: one number in false colour, a vector as red, "
+                    "green and blue. "
+                    "Pixels that are not finite are squares of magenta and black")
+        ->type_name("LOW..HIGH");
     add_picture_options(command, arguments->set, request);
+    command
+        .add_option("--time", arguments->time,
+                    "The time in seconds, or a sequence FROM..TO:COUNT of pictures NAME.0000.png; default: 0")
+        ->type_name("T");
     add_path_options(command, arguments->path);
     command
         .add_option("--via", request.options.via,
@@ -129,8 +219,7 @@ void add_render(Program& program) {
                     "Use the GPU whose name contains NAME; default: the software renderer")
         ->type_name("NAME");
     command.add_flag("--vulkan-validation", request.options.validation, "Turn on the Khronos validation layer");
-    command.parse_complete_callback(
-        [arguments, mesh = command.get_option("--mesh")] { complete(*arguments, mesh->count() > 0); });
+    set_check(command, [arguments, mesh = command.get_option("--mesh")] { complete(*arguments, mesh->count() > 0); });
 
     set_work(program, command, [arguments](const Console& console) {
         if (console.json && is_standard_output(arguments->output)) {
@@ -141,9 +230,15 @@ void add_render(Program& program) {
         runtime::RenderMachine machine;
         Outputs outputs(console);
         Exit exit = Exit::Ok;
-        for (std::size_t i = 0; i < arguments->graphs.size() && exit != Exit::Machine; ++i) {
-            show_progress(console, i, arguments->graphs.size(), arguments->graphs[i]);
-            exit = worse(exit, render_graph(outputs, console, *arguments, compiler, arguments->graphs[i], machine));
+        Said said;
+        const std::size_t frames = arguments->times.size(), count = arguments->graphs.size() * frames;
+        for (std::size_t i = 0; i < count && exit != Exit::Machine; ++i) {
+            const std::string& graph = arguments->graphs[i / frames];
+            if (i % frames == 0) said.clear();
+            show_progress(console, i, count, graph);
+            const Exit done = render_graph(outputs, console, *arguments, compiler, graph, i % frames, said, machine);
+            exit = worse(exit, done);
+            if (done != Exit::Ok) i += frames - 1 - i % frames;  // the rest of a sequence would fail the same way
         }
         return exit;
     });

@@ -25,6 +25,10 @@ struct Arguments {
     runtime::RenderRequest request;
 };
 
+int height_of(const runtime::RenderRequest& request) {
+    return request.height ? request.height : request.size;
+}
+
 // A row of the table. corner: of the triangle, if the value was computed in the vertex stage; else -1.
 struct Row {
     const TracedValue* value = nullptr;
@@ -127,9 +131,9 @@ std::string as_hex(const std::array<float, 4>& color) {
 
 void print_text(const Console& console, const Arguments& arguments, const runtime::PixelTrace& trace,
                 const std::vector<Row>& rows) {
-    const int size = arguments.request.size, samples = arguments.request.samples;
-    std::string title =
-        fmt::format("{}, pixel {},{} of {} x {}", arguments.request.graph, arguments.x, arguments.y, size, size);
+    const int samples = arguments.request.samples;
+    std::string title = fmt::format("{}, pixel {},{} of {} x {}", arguments.request.graph, arguments.x, arguments.y,
+                                    arguments.request.size, height_of(arguments.request));
     if (trace.is_covered && samples > 1) {
         title += fmt::format(", sample {},{} of {} x {}", trace.sample_x, trace.sample_y, samples, samples);
     }
@@ -201,6 +205,7 @@ std::string as_json(const Arguments& arguments, const runtime::TraceOutcome& out
     key("pass").String(outcome.pass.c_str());
     key("precision").String(arguments.in_double ? "double" : "float");
     key("size").Int(arguments.request.size);
+    key("height").Int(height_of(arguments.request));
     key("samples").Int(arguments.request.samples);
     pair("pixel", arguments.x, arguments.y);
     key("covered").Bool(trace.is_covered);
@@ -253,12 +258,12 @@ void complete(Arguments& arguments) {
     if (!read_pixel(arguments.pixel, arguments.x, arguments.y)) {
         throw CLI::ValidationError("--pixel", "'" + arguments.pixel + "' is not of the form X,Y");
     }
-    const int size = arguments.request.size;
-    if (arguments.x < 0 || arguments.y < 0 || arguments.x >= size || arguments.y >= size) {
+    const int width = arguments.request.size, height = height_of(arguments.request);
+    if (arguments.x < 0 || arguments.y < 0 || arguments.x >= width || arguments.y >= height) {
         throw CLI::ValidationError(
             "--pixel",
             fmt::format("{},{} is outside the picture, whose pixels are 0,0 to {},{}: --size makes it larger",
-                        arguments.x, arguments.y, size - 1, size - 1));
+                        arguments.x, arguments.y, width - 1, height - 1));
     }
 }
 
@@ -287,8 +292,11 @@ void add_trace(Program& program) {
     command.add_flag("--double", arguments->in_double, "Compute in double; default: 32-bit float, as a GPU does");
     command.add_flag("--json", arguments->json, "Print everything as one JSON object, with all digits");
     add_picture_options(command, arguments->set, arguments->request);
+    command.add_option("--time", arguments->request.time, "The time in seconds; default: 0")
+        ->type_name("T")
+        ->check(is_time_word);
     add_define_option(command, arguments->path.defines);
-    command.parse_complete_callback([arguments] { complete(*arguments); });
+    set_check(command, [arguments] { complete(*arguments); });
     set_work(program, command, [arguments](const Console& console) { return trace_pixel(console, *arguments); });
 }
 

@@ -21,26 +21,6 @@ bool read_number(std::string_view text, Number& number) {
     return error == std::errc() && rest == end && !text.empty();
 }
 
-// Nothing and no error if the text is not a range.
-std::optional<std::vector<double>> numbers_of(std::string_view text, std::string& error) {
-    const std::size_t dots = text.find("..");
-    if (dots == text.npos) return {};
-    const std::string_view last = text.substr(dots + 2);
-    const std::size_t colon = std::min(last.find(':'), last.size());
-    double from = 0, to = 0;
-    if (!read_number(text.substr(0, dots), from) || !read_number(last.substr(0, colon), to)) return {};
-    int count = 0;
-    const bool has_count = colon < last.size() && read_number(last.substr(colon + 1), count);
-    if (!has_count || count < 2 || count > kMostRows || !std::isfinite(from) || !std::isfinite(to)) {
-        error = fmt::format("'{}' is not of the form FROM..TO:COUNT with a count of 2 to {}", text, kMostRows);
-        return {};
-    }
-    std::vector<double> numbers;
-    // std::lerp meets both ends exactly.
-    for (int i = 0; i < count; ++i) numbers.push_back(std::lerp(from, to, double(i) / (count - 1)));
-    return numbers;
-}
-
 bool is_word(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
@@ -67,12 +47,31 @@ bool is_read(const Values& values, const std::string& name) {
 
 }  // namespace
 
+std::optional<std::vector<double>> numbers_of_range(std::string_view text, std::string& error) {
+    const std::size_t dots = text.find("..");
+    if (dots == text.npos) return {};
+    const std::string_view last = text.substr(dots + 2);
+    const std::size_t colon = std::min(last.find(':'), last.size());
+    double from = 0, to = 0;
+    if (!read_number(text.substr(0, dots), from) || !read_number(last.substr(0, colon), to)) return {};
+    int count = 0;
+    const bool has_count = colon < last.size() && read_number(last.substr(colon + 1), count);
+    if (!has_count || count < 2 || count > kMostRows || !std::isfinite(from) || !std::isfinite(to)) {
+        error = fmt::format("'{}' is not of the form FROM..TO:COUNT with a count of 2 to {}", text, kMostRows);
+        return {};
+    }
+    std::vector<double> numbers;
+    // std::lerp meets both ends exactly.
+    for (int i = 0; i < count; ++i) numbers.push_back(std::lerp(from, to, double(i) / (count - 1)));
+    return numbers;
+}
+
 std::vector<Axis> axes_of(const Values& values, std::string& error) {
     std::vector<Axis> axes;
     double rows = 1;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const auto& [name, text] = values[i];
-        std::optional<std::vector<double>> numbers = numbers_of(text, error);
+        std::optional<std::vector<double>> numbers = numbers_of_range(text, error);
         if (!error.empty()) return {};
         if (!numbers) continue;
         rows *= static_cast<double>(numbers->size());

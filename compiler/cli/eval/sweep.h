@@ -1,5 +1,6 @@
-// Ranges of numbers on the command line of `patina eval`: "0..1:101" is 101 numbers from 0 to 1, both included. Every
-// combination of the ranges' numbers is a row of a table. If other values read a range by its name
+// Ranges of numbers on the command line of `patina eval` and of `patina render --time`: "0..1:101" is 101 numbers from
+// 0 to 1, both included. Every combination of the ranges' numbers is a row of a table. If other values read a range by
+// its name
 // ("theta=0..90:91 ndoth=cos(radians($theta))"), it is a variable and not an input.
 //
 //   const std::vector<Axis> axes = axes_of(values, error);
@@ -7,7 +8,9 @@
 //   print(sweep_csv(axes, rows));
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -23,6 +26,9 @@ struct Axis {
     std::vector<double> numbers;
     bool is_variable = false;
 };
+
+// "0..1:11": its numbers; nothing and no error if the text is not a range. `error`: what is wrong with a range.
+std::optional<std::vector<double>> numbers_of_range(std::string_view text, std::string& error);
 
 // The ranges among the values, in order. `error`: what is wrong with a range, or with the number of rows.
 std::vector<Axis> axes_of(const Values& values, std::string& error);

@@ -1,9 +1,13 @@
-// The messages for a picture of a single material: nothing of it is visible.
+// The warnings for a picture of a single material: nothing of it is visible, or its numbers are not finite.
 #include "runtime/render/render_request.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 
 namespace patina::runtime {
 namespace {
@@ -20,11 +24,83 @@ std::vector<std::string> codes_of(const std::string& graph) {
 }
 
 // The balloon's material lifts it above what the camera sees; a glow is seen before nothing, too.
-TEST(RenderRequest, AnEmptyPictureIsToldOf) {
+TEST(RenderRequest, AnEmptyPictureIsReported) {
     const std::string folder = "examples/surfaces/";
     EXPECT_EQ(codes_of(folder + "balloon.graph.json"), std::vector<std::string>{"nothing-seen"});
     for (const char* seen : {"halo.graph.json", "facets.graph.json", "balloon.scene.json"})
         EXPECT_EQ(codes_of(folder + seen), std::vector<std::string>{}) << seen;
+}
+
+// A graph of the test's own, in a folder that is gone afterwards.
+struct OwnGraph {
+    explicit OwnGraph(const std::string& text) {
+        std::string name = (std::filesystem::temp_directory_path() / "patina_request_XXXXXX").string();
+        folder = mkdtemp(name.data());
+        path = folder / "own.graph.json";
+        std::ofstream(path) << text;
+    }
+    ~OwnGraph() { std::filesystem::remove_all(folder); }
+    std::filesystem::path folder, path;
+};
+
+// The node that divides by zero is reported, not the one that reads it. The left half of the plane is finite.
+constexpr const char* kDivides = R"json({
+  "patina": 1, "workflow": "unlit",
+  "nodes": [
+    { "id": "mask", "expr": "step(0.5, @uv0.x)" },
+    { "id": "share", "expr": "mask / (1 - mask)" },
+    { "id": "half", "expr": "share * 0.5 - 0.25" }
+  ],
+  "surface": { "color": "half" }
+})json";
+
+TEST(RenderRequest, PixelsThatAreNotFiniteAreCountedAndTracedToTheirNode) {
+    const OwnGraph graph(kDivides);
+    const Compiler compiler;
+    RenderMachine machine;
+    const RenderOutcome outcome = render(
+        compiler, {.graph = graph.path.string(), .mesh = "plane", .size = 24, .samples = 1, .options = {.via = "cpu"}},
+        machine);
+    ASSERT_TRUE(outcome.ok) << outcome.error;
+    ASSERT_EQ(outcome.diagnostics.size(), 1u);
+    const Diagnostic& warning = outcome.diagnostics[0];
+    EXPECT_EQ(warning.code, "pixels-not-finite");
+    EXPECT_EQ(warning.node, "share");
+    EXPECT_EQ(warning.line, 5);
+    EXPECT_NE(warning.message.find("of 576 pixels are not finite"), std::string::npos) << warning.message;
+    EXPECT_NE(warning.message.find("'share.out' is inf there"), std::string::npos) << warning.message;
+    EXPECT_GT(outcome.values.not_finite, 100u);
+    EXPECT_LT(outcome.values.not_finite, 288u);
+}
+
+TEST(RenderRequest, APreviewShowsItsRangeAndWhatIsNotFinite) {
+    const OwnGraph graph(kDivides);
+    const Compiler compiler;
+    for (const char* via : {"cpu", "glsl"}) {
+        RenderMachine machine;
+        const RenderOutcome outcome = render(compiler,
+                                             {.graph = graph.path.string(),
+                                              .mesh = "plane",
+                                              .size = 64,
+                                              .samples = 1,
+                                              .range = DataRange{.low = -0.25, .high = 0.25},
+                                              .options = {.preview = "half", .via = via}},
+                                             machine);
+        ASSERT_TRUE(outcome.ok) << outcome.error;
+        EXPECT_EQ(outcome.values.low, -0.25);
+        EXPECT_EQ(outcome.values.high, -0.25);
+        const auto pixel = [&](int x, int y) {
+            std::array<float, 3> color{};
+            std::copy_n(outcome.image.at(x, y).begin(), 3, color.begin());
+            return color;
+        };
+        const Scene scene;
+        EXPECT_EQ(pixel(0, 0)[1], scene.background.g);                          // beside the plane
+        EXPECT_NEAR(srgb_encode(pixel(26, 32)[2]), 192 / 255.0, 0.002) << via;  // the lower end of the range is blue
+        const std::array<float, 3> magenta = {1, 0, 1}, black = {0, 0, 0};
+        EXPECT_EQ(pixel(36, 32), magenta) << via;
+        EXPECT_EQ(pixel(36, 40), black) << via;
+    }
 }
 
 }  // namespace
