@@ -68,6 +68,7 @@ struct Property {
     std::string label, group, help;
     Span label_span, group_span;
     TextureUsage usage = TextureUsage::Color;
+    std::optional<Span> usage_span;  // where it is stated
     bool tiling = false;
     Sampler sampler;
     Span sampler_span;

@@ -197,6 +197,7 @@ void read_sampler(Reading& reading, const Json& json, Sampler& sampler) {
 
 void read_texture_keys(Reading& reading, const Json& json, Property& property) {
     if (const Json* usage = json.find("usage")) {
+        property.usage_span = usage->span;
         property.usage =
             read_word<TextureUsage>(reading, *usage, "usage", "a texture's usage").value_or(TextureUsage::Color);
     }

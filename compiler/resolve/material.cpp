@@ -6,6 +6,7 @@
 
 #include "compiler/base/text.h"
 #include "compiler/nodelang/parse.h"
+#include "compiler/resolve/meanings.h"
 
 namespace patina::graph {
 
@@ -321,6 +322,7 @@ void warn_unused(Session& session, const Material& material) {
         session.diagnostics.report(Code::UnusedNode, node.id_span, node.id).at(node.id);
     }
     warn_unheeded(session, material);
+    check_meanings(session, material);
 }
 
 std::vector<const Input*> Material::surface_inputs() const {
@@ -337,7 +339,7 @@ std::unique_ptr<Material> resolve_material(Session& session, std::shared_ptr<Gra
     material->is_preview = !preview.empty();
     Shown shown;
     if (material->is_preview) {
-        shown.base = session.sources.add("--node", std::string(preview));
+        shown.base = session.sources.add("preview", std::string(preview));
         shown.text = session.sources.file_text(shown.base);
         if (!make_preview(session, *graph, shown)) return nullptr;
     }

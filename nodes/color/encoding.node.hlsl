@@ -7,7 +7,7 @@
 /// test: Luminance(float3(1, 1, 1)) == 1
 /// test: Luminance(float3(0, 1, 0)) == 0.7152
 /// test: Luminance(float3(0.5, 0, 2)) == 0.2507
-[node("Color/Luminance")]
+[node("Color/Luminance")] [also("Desaturate")]
 float Luminance(
     [color] float3 color = 1  ///< linear colour
 ) {
@@ -22,7 +22,7 @@ float Luminance(
 /// source: IEC 61966-2-1:1999
 /// test: LinearToSrgb(0.002) == float3(0.02584, 0.02584, 0.02584)
 /// test: LinearToSrgb(float3(0, 0.5, 1)) == float3(0, 0.7353569830524495, 1)
-[node("Color/Linear to sRGB")]
+[node("Color/Linear to sRGB")] [also("LinearToGamma")]
 float3 LinearToSrgb(
     float3 color = 0  ///< linear colour; below zero counts as zero
 ) {
@@ -39,7 +39,7 @@ float3 LinearToSrgb(
 /// source: IEC 61966-2-1:1999
 /// test: SrgbToLinear(0.02) == float3(0.0015479876160990713, 0.0015479876160990713, 0.0015479876160990713)
 /// test: SrgbToLinear(float3(0, 0.735, 1)) == float3(0, 0.4994581635400763, 1)
-[node("Color/sRGB to Linear")]
+[node("Color/sRGB to Linear")] [also("GammaToLinear")]
 float3 SrgbToLinear(
     float3 color = 0  ///< sRGB colour; below zero counts as zero
 ) {

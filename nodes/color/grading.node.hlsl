@@ -44,7 +44,7 @@ float3 Contrast(
 /// test: HueRotate(float3(1, 0, 0), 2.0943951023931953) == float3(0, 1, 0)
 /// test: HueRotate(float3(0.2, 0.5, 0.9), 0) == float3(0.2, 0.5, 0.9)
 /// test: HueRotate(float3(1, 0, 0), 3.141592653589793) == float3(-1 / 3, 2 / 3, 2 / 3)
-[node("Color/Hue Rotate")]
+[node("Color/Hue Rotate")] [also("Hue", "HsvAdjust")]
 float3 HueRotate(
     [color] float3 color = 1,      ///< linear colour
     [unit("rad")] float angle = 0  ///< angle of the rotation
@@ -65,7 +65,7 @@ float3 HueRotate(
 /// test: BlendColors(float3(0.2, 0.4, 0.6), float3(0.5, 1, 0), 1, Screen) == float3(0.6, 1, 0.6)
 /// test: BlendColors(float3(0.2, 0.4, 0.75), float3(0.5, 1, 0.5), 1, Overlay) == float3(0.2, 0.8, 0.75)
 /// test: BlendColors(float3(0.2, 0.4, 0.6), float3(0.5, 1, 0), 0.5, Add) == float3(0.45, 0.9, 0.6)
-[node("Color/Blend")]
+[node("Color/Blend")] [also("BlendMode")]
 float3 BlendColors(
     [color] float3 base = 0,          ///< the lower colour
     [color] float3 blend = 1,         ///< the upper colour

@@ -25,7 +25,7 @@ enum UvChannel {
 /// test: Position(Object, float3(1, 0, 0), float3(0, 1, 0), float3(0, 0, 1)) == float3(1, 0, 0)
 /// test: Position(World, float3(1, 0, 0), float3(0, 1, 0), float3(0, 0, 1)) == float3(0, 1, 0)
 /// test: Position(View, float3(1, 0, 0), float3(0, 1, 0), float3(0, 0, 1)) == float3(0, 0, 1)
-[node("Input/Position")]
+[node("Input/Position")] [also("GeometryPosition")] [is("position", "space")]
 float3 Position(
     const Space space = World,                ///< the coordinate system
     [hidden] float3 inObject = positionOS,  ///< read in object space
@@ -42,7 +42,7 @@ float3 Position(
 /// test: Normal(Object, float3(1, 0, 0), float3(0, 1, 0), float3(0, 0, 1)) == float3(1, 0, 0)
 /// test: Normal(World, float3(1, 0, 0), float3(0, 1, 0), float3(0, 0, 1)) == float3(0, 1, 0)
 /// test: Normal(View, float3(1, 0, 0), float3(0, 1, 0), float3(0, 0, 1)) == float3(0, 0, 1)
-[node("Input/Normal")]
+[node("Input/Normal")] [is("direction", "space")]
 float3 Normal(
     const Space space = World,              ///< the coordinate system
     [hidden] float3 inObject = normalOS,  ///< read in object space
@@ -56,7 +56,7 @@ float3 Normal(
 ///
 /// test: ViewDirection(World, float3(0, 1, 0), float3(0, 1, 0), float3(1, 0, 0), float3(0, 0, 1)) == float3(0, 1, 0)
 /// test: ViewDirection(Tangent, float3(0, 1, 0), float3(0, 1, 0), float3(1, 0, 0), float3(0, 0, 1)) == float3(0, 0, 1)
-[node("Input/View Direction")]
+[node("Input/View Direction")] [also("ViewVector", "CameraVector")] [is("direction", "space")]
 float3 ViewDirection(
     const SurfaceSpace space = World,             ///< the coordinate system
     [hidden] float3 inWorld = viewDirWS,       ///< read in world space
@@ -71,7 +71,7 @@ float3 ViewDirection(
 ///
 /// test: UV(UV0, float2(1, 2), float2(3, 4)) == float2(1, 2)
 /// test: UV(UV1, float2(1, 2), float2(3, 4)) == float2(3, 4)
-[node("Input/UV")]
+[node("Input/UV")] [also("TexCoord", "TextureCoordinate")]
 float2 UV(
     const UvChannel channel = UV0,  ///< which set
     [hidden] float2 first = uv0,    ///< the first set
@@ -83,7 +83,7 @@ float2 UV(
 /// The vertex colour of the mesh, linear; white if the mesh has none.
 ///
 /// test: VertexColor(float4(0.1, 0.2, 0.3, 0.4)) == float4(0.1, 0.2, 0.3, 0.4)
-[node("Input/Vertex Color")]
+[node("Input/Vertex Color")] [also("GeomColor", "GeometryColor")]
 float4 VertexColor(
     [hidden] float4 color = vertexColor  ///< the attribute
 ) {

@@ -335,7 +335,7 @@ float3 DecodeHDR(
 /// test: MatcapUV(float3(0, 0, 1)) == float2(0.5, 0.5)
 /// test: MatcapUV(float3(0.6, 0, 0.8)) == float2(0.8, 0.5)
 /// test: MatcapUV(float3(0, -3, 4)) == float2(0.5, 0.8)
-[node("Lighting/Ambient/Matcap UV")] [range(0, 1)]
+[node("Lighting/Ambient/Matcap UV")] [also("Matcap")] [range(0, 1)]
 float2 MatcapUV(
     float3 normalVS = normalVS  ///< normal in view space: x right, y up, z to the viewer
 ) {

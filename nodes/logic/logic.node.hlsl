@@ -14,7 +14,7 @@ enum Comparison {
 ///
 /// test: Branch(true, 1, 2) == 1
 /// test: Branch(false, float2(1, 2), 3) == float2(3, 3)
-[node("Logic/Branch")]
+[node("Logic/Branch")] [also("Switch", "If")]
 floatN Branch(
     bool condition = true,  ///< decides which value is picked
     floatN ifTrue = 1,     ///< the value where the condition holds
@@ -34,7 +34,7 @@ floatN Branch(
 /// test: Compare(1, 2, GreaterOrEqual) == false
 /// test: Compare(3, 3, Equal) == true
 /// test: Compare(3, 3, NotEqual) == false
-[node("Logic/Compare")]
+[node("Logic/Compare")] [also("Comparison", "IfGreater", "IfGreaterEq", "IfEqual")]
 bool Compare(
     float left = 0,                     ///< first number
     float right = 0,                    ///< second number

@@ -16,7 +16,7 @@ floatN Add(
 ///
 /// test: Subtract(1, 3) == -2
 /// test: Subtract(1, float2(0.25, 2)) == float2(0.75, -1)
-[node("Math/Subtract")]
+[node("Math/Subtract")] [also("Sub")]
 floatN Subtract(
     floatN left = 0,  ///< the value to subtract from
     floatN right = 0  ///< the value to subtract
@@ -28,7 +28,7 @@ floatN Subtract(
 ///
 /// test: Multiply(3, -2) == -6
 /// test: Multiply(float4(1, 2, 3, 4), 0.5) == float4(0.5, 1, 1.5, 2)
-[node("Math/Multiply")]
+[node("Math/Multiply")] [also("Mul")]
 floatN Multiply(
     floatN left = 1,  ///< first factor
     floatN right = 1  ///< second factor
@@ -42,7 +42,7 @@ floatN Multiply(
 ///
 /// test: Divide(1, 4) == 0.25
 /// test: Divide(float2(3, -6), 2) == float2(1.5, -3)
-[node("Math/Divide")]
+[node("Math/Divide")] [also("Div")]
 floatN Divide(
     floatN left = 1,  ///< dividend
     floatN right = 1  ///< divisor
@@ -54,7 +54,7 @@ floatN Divide(
 ///
 /// test: Reciprocal(4) == 0.25
 /// test: Reciprocal(float2(-2, 0.5)) == float2(-0.5, 2)
-[node("Math/Reciprocal")]
+[node("Math/Reciprocal")] [also("Rcp")]
 floatN Reciprocal(
     floatN value = 1  ///< divisor, not zero
 ) {
@@ -76,7 +76,7 @@ floatN Negate(
 ///
 /// test: OneMinus(0.25) == 0.75
 /// test: OneMinus(float3(0, 1, 2)) == float3(1, 0, -1)
-[node("Math/One Minus")]
+[node("Math/One Minus")] [also("Invert")]
 floatN OneMinus(
     floatN value = 0  ///< any number
 ) {
@@ -87,7 +87,7 @@ floatN OneMinus(
 ///
 /// test: Absolute(-1.5) == 1.5
 /// test: Absolute(float2(-2, 2)) == float2(2, 2)
-[node("Math/Absolute")]
+[node("Math/Absolute")] [also("Abs", "Absval")]
 floatN Absolute(
     floatN value = 0  ///< any number
 ) {

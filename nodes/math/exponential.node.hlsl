@@ -9,7 +9,7 @@
 /// test: Power(4, -0.5) == 0.5
 /// test: Power(float2(2, 9), float2(10, 0.5)) == float2(1024, 3)
 /// test: Power(-2, 2) == 0
-[node("Math/Power")]
+[node("Math/Power")] [also("Pow")]
 floatN Power(
     floatN base = 1,     ///< the base, 0 or more
     floatN exponent = 2  ///< the power
@@ -21,7 +21,7 @@ floatN Power(
 ///
 /// test: SquareRoot(2.25) == 1.5
 /// test: SquareRoot(float2(16, -4)) == float2(4, 0)
-[node("Math/Square Root")]
+[node("Math/Square Root")] [also("Sqrt")]
 floatN SquareRoot(
     floatN value = 1  ///< 0 or more
 ) {
@@ -32,7 +32,7 @@ floatN SquareRoot(
 ///
 /// test: Exponential(1) == 2.718281828459045
 /// test: Exponential(float2(0, -0.6931471805599453)) == float2(1, 0.5)
-[node("Math/Exponential")]
+[node("Math/Exponential")] [also("Exp")]
 floatN Exponential(
     floatN exponent = 0  ///< the power
 ) {

@@ -4,7 +4,7 @@
 ///
 /// test: Minimum(2, -3) == -3
 /// test: Minimum(float2(1, 5), 3) == float2(1, 3)
-[node("Math/Minimum")]
+[node("Math/Minimum")] [also("Min")]
 floatN Minimum(
     floatN left = 0,  ///< first value
     floatN right = 0  ///< second value
@@ -16,7 +16,7 @@ floatN Minimum(
 ///
 /// test: Maximum(2, -3) == 2
 /// test: Maximum(float2(1, 5), 3) == float2(3, 5)
-[node("Math/Maximum")]
+[node("Math/Maximum")] [also("Max")]
 floatN Maximum(
     floatN left = 0,  ///< first value
     floatN right = 0  ///< second value
@@ -56,7 +56,7 @@ floatN Saturate(
 /// test: Lerp(0, 10, 0.25) == 2.5
 /// test: Lerp(float2(1, 2), float2(3, 6), 0.5) == float2(2, 4)
 /// test: Lerp(1, 2, -1) == 0
-[node("Math/Lerp")]
+[node("Math/Lerp")] [also("Mix")]
 floatN Lerp(
     floatN from = 0,              ///< the value at t = 0
     floatN to = 1,                ///< the value at t = 1
@@ -87,7 +87,7 @@ floatN InverseLerp(
 /// test: Remap(0, -1, 1, 0, 1) == 0.5
 /// test: Remap(15, 10, 20, 100, 0) == 50
 /// test: Remap(float2(0, 2), 0, 1, 10, 20) == float2(10, 30)
-[node("Math/Remap")]
+[node("Math/Remap")] [also("Range", "MapRange")]
 floatN Remap(
     floatN value = 0,    ///< a number in the first range
     floatN inMin = -1,  ///< where the first range begins

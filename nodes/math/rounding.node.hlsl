@@ -15,7 +15,7 @@ floatN Floor(
 ///
 /// test: Ceiling(1.25) == 2
 /// test: Ceiling(float2(-0.25, 3)) == float2(0, 3)
-[node("Math/Ceiling")]
+[node("Math/Ceiling")] [also("Ceil")]
 floatN Ceiling(
     floatN value = 0  ///< any number
 ) {
@@ -38,7 +38,7 @@ floatN Round(
 /// formula: value - floor(value)
 /// test: Fraction(2.75) == 0.75
 /// test: Fraction(float2(-0.25, 3)) == float2(0.75, 0)
-[node("Math/Fraction")]
+[node("Math/Fraction")] [also("Frac", "Fract")]
 floatN Fraction(
     floatN value = 0  ///< any number
 ) {
@@ -53,7 +53,7 @@ floatN Fraction(
 /// test: Modulo(7.5, 2) == 1.5
 /// test: Modulo(-7.5, 2) == 0.5
 /// test: Modulo(float2(5, -1), 4) == float2(1, 3)
-[node("Math/Modulo")]
+[node("Math/Modulo")] [also("Mod", "Fmod")]
 floatN Modulo(
     floatN value = 0,   ///< any number
     floatN divisor = 1  ///< the length of a period, not zero

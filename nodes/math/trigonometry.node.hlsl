@@ -4,7 +4,7 @@
 ///
 /// test: Sine(0.5235987755982988) == 0.5
 /// test: Sine(float2(0, 1.5707963267948966)) == float2(0, 1)
-[node("Math/Sine")]
+[node("Math/Sine")] [also("Sin")]
 floatN Sine(
     [unit("rad")] floatN angle = 0  ///< any angle
 ) {
@@ -15,7 +15,7 @@ floatN Sine(
 ///
 /// test: Cosine(1.0471975511965976) == 0.5
 /// test: Cosine(float2(0, 3.141592653589793)) == float2(1, -1)
-[node("Math/Cosine")]
+[node("Math/Cosine")] [also("Cos")]
 floatN Cosine(
     [unit("rad")] floatN angle = 0  ///< any angle
 ) {
@@ -26,7 +26,7 @@ floatN Cosine(
 ///
 /// test: Tangent(0.7853981633974483) == 1
 /// test: Tangent(float2(0, -1.0471975511965976)) == float2(0, -1.7320508075688772)
-[node("Math/Tangent")]
+[node("Math/Tangent")] [also("Tan")]
 floatN Tangent(
     [unit("rad")] floatN angle = 0  ///< any angle but a quarter turn
 ) {
@@ -40,7 +40,7 @@ floatN Tangent(
 /// test: ArcTangent2(1, 1) == 0.7853981633974483
 /// test: ArcTangent2(1, -1) == 2.356194490192345
 /// test: ArcTangent2(-2, 0) == -1.5707963267948966
-[node("Math/Arc Tangent 2")]
+[node("Math/Arc Tangent 2")] [also("Atan2")]
 floatN ArcTangent2(
     floatN rise = 0,  ///< y of the direction
     floatN run = 1    ///< x of the direction

@@ -53,7 +53,7 @@ float3 SceneColor(
 }
 
 /// Distance in metres, along the camera's axis, of the surface drawn so far at a place of the screen.
-[node("Input/Scene/Scene Depth")] [inFloat]
+[node("Input/Scene/Scene Depth")] [also("CameraDepth")] [inFloat]
 float SceneDepth(
     float2 uv = screenUV  ///< position on the screen, 0 to 1 from the top left
 ) {

@@ -4,7 +4,7 @@
 ///
 /// The mip level follows from derivatives. Where there are none (in the vertex stage, for each light, inside a branch), use
 /// SampleTexture2DLevel.
-[node("Texture/Sample Texture 2D")]
+[node("Texture/Sample Texture 2D")] [also("Image", "TiledImage", "Tex2D", "Texture", "TextureSample")] [is("texel")]
 float4 SampleTexture2D(
     Texture2D texture,  ///< texture to read
     float2 uv = uv0     ///< texture coordinates, before the texture's own tiling
@@ -13,7 +13,7 @@ float4 SampleTexture2D(
 }
 
 /// Samples a texture at a given level of detail.
-[node("Texture/Sample Texture 2D Level")]
+[node("Texture/Sample Texture 2D Level")] [also("SampleTexture2DLod", "Tex2Dlod", "TextureLod")] [is("texel")]
 float4 SampleTexture2DLevel(
     Texture2D texture,  ///< texture to read
     float2 uv = uv0,    ///< texture coordinates, before the texture's own tiling
@@ -27,7 +27,7 @@ float4 SampleTexture2DLevel(
 /// The mip level is derived from other coordinates, which do not jump. SampleTexture2D would treat an edge as a
 /// texture seen from far away, and draw a seam of its smallest mip levels along the edge. If the texture is a normal map,
 /// UnpackNormal decodes the normal.
-[node("Texture/Sample Texture 2D Grad")]
+[node("Texture/Sample Texture 2D Grad")] [also("Tex2Dgrad", "TextureGrad")] [is("texel")]
 float4 SampleTexture2DGrad(
     Texture2D texture,      ///< texture to read
     float2 uv = uv0,        ///< texture coordinates, before the texture's own tiling
@@ -40,9 +40,9 @@ float4 SampleTexture2DGrad(
 /// Samples a normal map: a normal in tangent space.
 ///
 /// Give the texture the usage "normal", so that it is not decoded as a colour.
-[node("Texture/Sample Normal Map")]
+[node("Texture/Sample Normal Map")] [also("NormalMap", "BumpMap")] [is("normalTS")]
 float3 SampleNormalMap(
-    Texture2D texture,              ///< a normal map, y up
+    [is("normalMap")] Texture2D texture,  ///< a normal map, y up
     float2 uv = uv0,                ///< texture coordinates, before the texture's own tiling
     [range(-2, 2)] float scale = 1  ///< strength of the bumps
 ) {
@@ -52,7 +52,7 @@ float3 SampleNormalMap(
 /// Reads one texel without filtering.
 ///
 /// Neither tiling nor wrapping applies: keep the texel inside the texture.
-[node("Texture/Load Texture 2D")]
+[node("Texture/Load Texture 2D")] [also("TexelFetch")] [is("texel")]
 float4 LoadTexture2D(
     Texture2D texture,            ///< texture to read
     float2 texel = 0,             ///< column and row, counted from 0 at the upper left; a fraction is dropped

@@ -5,7 +5,7 @@
 /// formula: uv tiling + offset
 /// test: TilingOffset(float2(0.5, 0.25), float2(2, 4), float2(0.1, 0.2)) == float2(1.1, 1.2)
 /// test: TilingOffset(float2(0.5, 0.25), 1, 0) == float2(0.5, 0.25)
-[node("UV/Tiling and Offset")]
+[node("UV/Tiling and Offset")] [also("TilingAndOffset", "Place2D", "TransformTex")]
 float2 TilingOffset(
     float2 uv = uv0,    ///< texture coordinates
     float2 tiling = 1,  ///< how often the texture fits along u and v
@@ -20,7 +20,7 @@ float2 TilingOffset(
 /// test: Rotate(float2(1, 0), 1.5707963267948966, float2(0, 0)) == float2(0, 1)
 /// test: Rotate(float2(0.75, 0.5), 3.141592653589793) == float2(0.25, 0.5)
 /// test: Rotate(float2(2, 1), 0.5235987755982988, float2(1, 1)) == float2(1.8660254037844386, 1.5)
-[node("UV/Rotate")]
+[node("UV/Rotate")] [also("Rotate2D", "Rotator")]
 float2 Rotate(
     float2 uv = uv0,                ///< texture coordinates
     [unit("rad")] float angle = 0,  ///< angle of the rotation
@@ -40,7 +40,7 @@ float2 Rotate(
 /// test: PolarCoordinates(float2(1, 0.5)) == float2(1, 0)
 /// test: PolarCoordinates(float2(0.5, 1)) == float2(1, 0.25)
 /// test: PolarCoordinates(float2(0.25, 0.25), 0.5, 2, 8) == float2(1.4142135623730951, -3)
-[node("UV/Polar Coordinates")]
+[node("UV/Polar Coordinates")] [also("PolarCoord")]
 float2 PolarCoordinates(
     float2 uv = uv0,         ///< texture coordinates
     float2 center = 0.5,     ///< where the distance is zero

@@ -19,7 +19,7 @@ float2 uvOfTangent(float2 tangent) {
 /// test: ParallaxOffset(1, 0.08, float3(0, 0, 1)) == float2(0, 0)
 /// test: ParallaxOffset(0.5, 0.02, float3(0.6, 0.3, 0.1)) == float2(0, 0)
 /// test: ParallaxOffset(1, 0.084, float3(0, 1, 0)) == float2(0, -0.1)
-[node("UV/Parallax Offset")]
+[node("UV/Parallax Offset")] [also("ParallaxMapping")]
 float2 ParallaxOffset(
     [range(0, 1)] float texel = 0.5,           ///< value of the height map: 0 is deep, 1 high
     [range(0.005, 0.08)] float height = 0.02,  ///< distance between the deepest and the highest point, in units of uv
@@ -42,9 +42,9 @@ float2 ParallaxOffset(
 /// formula: uv(t) = uv - t height v.xy / v.z, the first t at which 1 - t is not above the map's red
 /// source: Tatarchuk, "Practical Parallax Occlusion Mapping with Approximate Soft Shadows for Detailed Surface
 /// source: Rendering", SIGGRAPH 2006 course, chapter 5
-[node("UV/Parallax Occlusion")]
+[node("UV/Parallax Occlusion")] [also("ParallaxOcclusionMapping")]
 float2 ParallaxOcclusion(
-    Texture2D texture,                       ///< the height map, in red: 0 is deep, 1 the surface itself
+    [is("data")] Texture2D texture,          ///< the height map, in red: 0 is deep, 1 the surface itself
     float2 uv = uv0,                         ///< texture coordinates of the surface, before the texture's own tiling
     [range(0, 0.2)] float height = 0.05,     ///< depth of the value 0, in units of uv
     float3 viewTS,                          ///< direction to the viewer in tangent space, from WorldToTangent

@@ -5,7 +5,7 @@
 /// test: Split(float4(1, 2, 3, 4)).b == 3
 /// test: Split(float4(1, 2, 3, 4)).a == 4
 /// test: Split(float4(1, 2, 3, 4)) == float4(1, 2, 3, 4)
-[node("Vector/Split")]
+[node("Vector/Split")] [also("Extract", "Separate", "Separate3", "Break")]
 float4 Split(
     float4 value,  ///< colour or vector
     out float r,   ///< red, or x
@@ -25,7 +25,7 @@ float4 Split(
 /// test: Combine(1, 2, 3, 4) == float4(1, 2, 3, 4)
 /// test: Combine(1, 2, 3).rgb == float3(1, 2, 3)
 /// test: Combine(1, 2).rg == float2(1, 2)
-[node("Vector/Combine")]
+[node("Vector/Combine")] [also("Append", "Combine2", "Combine3", "Combine4", "MakeFloat3")]
 float4 Combine(
     float x = 0,     ///< x, or red
     float y = 0,     ///< y, or green

@@ -43,9 +43,9 @@ enum NormalEncoding {
 /// test: UnpackNormal(float4(0.8, 0.7, 0, 1), 1, RedAlphaGreen) == float3(0.6, 0.4, 0.6928203230275509)
 /// test: UnpackNormal(float4(1, 0.7, 1, 0.8), 0.5, AlphaGreen) == float3(0.3, 0.2, 0.9327379053088815)
 /// test: UnpackNormal(float4(0.8, 0.3, 0.9, 1), 0.5, RedGreenBlue) == float3(0.3, -0.2, 0.8)
-[node("Vector/Normal/Unpack")]
+[node("Vector/Normal/Unpack")] [also("NormalUnpack")] [is("normalTS")]
 float3 UnpackNormal(
-    float4 encoded = float4(0.5, 0.5, 1, 1),  ///< the texel, not decoded from sRGB
+    [is("texel")] float4 encoded = float4(0.5, 0.5, 1, 1),  ///< the texel, not decoded from sRGB
     [range(-2, 2)] float scale = 1,           ///< strength of the bumps; a negative scale turns them into dents
     const NormalEncoding encoding = RedGreen  ///< which channels hold x, y and z
 ) {
@@ -63,9 +63,9 @@ float3 UnpackNormal(
 /// test: NormalStrength(float3(0.6, 0, 0.8), 0) == float3(0, 0, 1)
 /// test: NormalStrength(float3(0.6, 0, 0.8), 1) == float3(0.6, 0, 0.8)
 /// test: NormalStrength(float3(0.6, 0, 0.8), 2) == float3(0.8320502943378437, 0, 0.5547001962252291)
-[node("Vector/Normal/Strength")]
+[node("Vector/Normal/Strength")] [is("normalTS")]
 float3 NormalStrength(
-    float3 normal = float3(0, 0, 1),  ///< unit normal in tangent space
+    [is("normalTS")] float3 normal = float3(0, 0, 1),  ///< unit normal in tangent space
     [range(0, 2)] float strength = 1  ///< 0 is flat, 1 leaves it as it is
 ) {
     // The slope of a normal in the surface's plane is infinite: the normal counts as almost in the plane.
@@ -89,10 +89,10 @@ float3 NormalStrength(
 /// test: NormalBlend(float3(2, 3, 6) / 7, float3(-2, 3, 6) / 7, Unreal) == float3(0, 1, 1) * 0.7071067811865476
 /// test: NormalBlend(float3(0.6, 0, 0.8), float3(0.6, 0, 0.8), PartialDerivative) == float3(3, 0, 2) / 3.605551275463989
 /// test: NormalBlend(float3(0.6, 0, 0.8), float3(0, -0.8, 0.6), PartialDerivative) == float3(9, -16, 12) / 21.93171219946131
-[node("Vector/Normal/Blend")]
+[node("Vector/Normal/Blend")] [is("normalTS")]
 float3 NormalBlend(
-    float3 base = float3(0, 0, 1),           ///< unit normal of the layer below
-    float3 detail = float3(0, 0, 1),         ///< unit normal of the layer above
+    [is("normalTS")] float3 base = float3(0, 0, 1),    ///< unit normal of the layer below
+    [is("normalTS")] float3 detail = float3(0, 0, 1),  ///< unit normal of the layer above
     const NormalBlendMode mode = Reoriented  ///< how they are combined
 ) {
     if (mode == Reoriented) {
@@ -120,10 +120,10 @@ float3 NormalBlend(
 /// test: DetailNormal(float3(0.6, 0, 0.8), float3(0, 0.6, 0.8), 1, Linear) == float3(3, 3, 8) / 9.055385138137417
 /// test: DetailNormal(float3(0, 0, 1), float3(0.48, 0.6, 0.64), 1, Unreal) == float3(12, 15, 25) / 31.52776554086889
 /// test: DetailNormal(float3(0.6, 0, 0.8), float3(0.6, 0, 0.8), 1, PartialDerivative) == float3(3, 0, 2) / 3.605551275463989
-[node("Vector/Normal/Detail")]
+[node("Vector/Normal/Detail")] [is("normalTS")]
 float3 DetailNormal(
-    float3 base = float3(0, 0, 1),         ///< unit normal of the layer below
-    float3 detail = float3(0, 0, 1),       ///< unit normal of the layer above
+    [is("normalTS")] float3 base = float3(0, 0, 1),    ///< unit normal of the layer below
+    [is("normalTS")] float3 detail = float3(0, 0, 1),  ///< unit normal of the layer above
     [range(0, 1)] float mask = 1,          ///< 0: the base alone
     const NormalBlendMode mode = Whiteout  ///< how they are combined
 ) {
@@ -138,7 +138,7 @@ float3 DetailNormal(
 /// test: NormalTangentToWorld(float3(3, 0, 4), float3(0, 0, 1), float3(1, 0, 0), 0) == float3(0.6, 0, 0.8)
 /// test: NormalTangentToWorld(float3(0, 3, 4), float3(0, 0, 1), 0, float3(0, 1, 0)) == float3(0, 0.6, 0.8)
 /// test: NormalTangentToWorld(float3(0, 2, 0), float3(0, 1, 0), float3(0, 0, 1), float3(1, 0, 0)) == float3(1, 0, 0)
-[node("Vector/Normal/Tangent to World")]
+[node("Vector/Normal/Tangent to World")] [also("TangentToWorld")] [is("normalWS")]
 float3 NormalTangentToWorld(
     float3 normalTS = float3(0, 0, 1),  ///< unit normal in tangent space
     float3 normal = geometryNormalWS,  ///< unit normal of the mesh, in the world
@@ -153,9 +153,9 @@ float3 NormalTangentToWorld(
 /// formula: (tangent . d, bitangent . d, normal . d)
 /// test: WorldToTangent(float3(0, 1, 0), float3(0, 1, 0), float3(1, 0, 0), float3(0, 0, -1)) == float3(0, 0, 1)
 /// test: WorldToTangent(float3(1, 2, 3), float3(-1, 2, 2), float3(2, -1, 2), float3(2, 2, -1)) == float3(6, 3, 9)
-[node("Vector/Normal/World to Tangent")]
+[node("Vector/Normal/World to Tangent")] [is("directionTS")]
 float3 WorldToTangent(
-    float3 direction = viewDirWS,      ///< any vector in the world
+    [is("directionWS")] float3 direction = viewDirWS,  ///< any vector in the world
     float3 normal = geometryNormalWS,  ///< unit normal of the mesh, in the world
     float3 tangent = tangentWS,         ///< unit direction of growing u
     float3 bitangent = bitangentWS      ///< unit direction that points up in the texture

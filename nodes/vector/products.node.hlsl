@@ -5,7 +5,7 @@
 /// formula: left.x right.x + left.y right.y + ...
 /// test: Dot(float3(1, 2, 3), float3(4, -5, 6)) == 12
 /// test: Dot(float2(3, 4), float2(-4, 3)) == 0
-[node("Vector/Dot")]
+[node("Vector/Dot")] [also("DotProduct")]
 float Dot(
     floatN left,  ///< first vector
     floatN right  ///< second vector
@@ -19,7 +19,7 @@ float Dot(
 ///
 /// test: Cross(float3(1, 0, 0), float3(0, 1, 0)) == float3(0, 0, 1)
 /// test: Cross(float3(1, 2, 3), float3(4, 5, 6)) == float3(-3, 6, -3)
-[node("Vector/Cross")]
+[node("Vector/Cross")] [also("CrossProduct")]
 float3 Cross(
     float3 left,  ///< first vector
     float3 right  ///< second vector
@@ -58,7 +58,7 @@ float3 SafeNormalize(
 ///
 /// test: Length(float3(2, 3, 6)) == 7
 /// test: Length(float2(-3, 4)) == 5
-[node("Vector/Length")]
+[node("Vector/Length")] [also("Magnitude")]
 float Length(
     floatN value  ///< any vector
 ) {
