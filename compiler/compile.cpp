@@ -14,7 +14,7 @@ bool compile(Compilation& c) {
            && lower_passes(c)    // lower: the passes that the material adds, each a material of its own
            && link_materials(c)  // link: names of the interface are settled, and semantics become parameters
            && link_stages(c)     // link, ir/passes: two stages a pass; inlined, hoisted, pruned
-           && check_stages(c)    // link: every value that a stage reads must be there
+           && check_stages(c)    // link: every value that a stage reads is there, and no limit is exceeded
            && order_passes(c)    // engines: the order in which the file holds them
            && reflect(c)         // output: what a runtime must know of all this
            && check_files(c)     // engines: what the file format cannot express

@@ -5,6 +5,7 @@
 #include "compiler/api/dumps.h"
 #include "compiler/format/read_graph.h"
 #include "compiler/ir/verify.h"
+#include "compiler/link/check_limits.h"
 #include "compiler/link/check_reads.h"
 #include "compiler/link/dumps.h"
 
@@ -100,6 +101,7 @@ bool link_stages(Compilation& c) {
 
 bool check_stages(Compilation& c) {
     link::check_reads(c.session, c.linked.front().lowered, c.passes);
+    link::check_limits(c.session, *c.materials.front(), c.linked.front().lowered, c.passes);
     return may_go_on(c);
 }
 
@@ -121,6 +123,13 @@ bool check_files(Compilation& c) {
 
 bool write_files(Compilation& c) {
     c.writer->write(compiled(c), c.result);
+    for (Pass& pass : c.result.reflection.passes) {
+        for (const Shader& shader : c.result.shaders) {
+            if (shader.pass == pass.name)
+                pass.shaders.push_back(
+                    {.stage = shader.stage, .language = shader.target.language, .file = shader.file_name});
+        }
+    }
     return true;
 }
 

@@ -14,6 +14,7 @@
 #include "compiler/format/read_scene.h"
 #include "compiler/format/schema/schema.h"
 #include "compiler/json/json.h"
+#include "compiler/nodelang/other_names.h"
 #include "compiler/nodelang/parse.h"
 #include "compiler/resolve/check_graph.h"
 #include "patina/output_name.h"
@@ -66,9 +67,7 @@ std::optional<Callee> find_callee(graph::Session& session, std::string_view node
     const nodelang::FunctionDecl* function = declarations.function(node);
     if (function && function->attribute("node")) return Callee{*function, declarations};
     const std::vector<std::string_view> names = declarations.function_names();
-    const std::string_view near = nearest(node, names);
-    DiagnosticRecord& record = session.diagnostics.report(Code::UnknownNode, {}, node);
-    if (!near.empty()) record.note(fmt::format("did you mean '{}'?", near));
+    session.diagnostics.report(Code::UnknownNode, {}, node).note(nodelang::node_advice(node, names, declarations));
     return {};
 }
 
@@ -173,6 +172,10 @@ const NodeInfo* Compiler::node(std::string_view name) const {
     const auto& all = nodes();
     const auto found = std::find_if(all.begin(), all.end(), [&](const NodeInfo& n) { return n.name == name; });
     return found == all.end() ? nullptr : &*found;
+}
+std::string Compiler::node_advice(std::string_view name) const {
+    const nodelang::Declarations& declarations = impl_->library->declarations;
+    return nodelang::node_advice(name, declarations.function_names(), declarations);
 }
 const std::vector<SemanticInfo>& Compiler::semantics() const {
     impl_->describe();

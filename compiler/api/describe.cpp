@@ -103,6 +103,9 @@ NodeInfo describe_node(const nodelang::FunctionDecl& function, const EvaluationC
     node.name = function.name;
     const std::string_view path = nodelang::attribute_text(*function.attribute("node"));
     node.category = path.substr(0, path.rfind('/') == std::string_view::npos ? path.size() : path.rfind('/'));
+    if (const nodelang::Attribute* also = function.attribute("also")) {
+        for (const nodelang::Expr* name : also->args) node.also.emplace_back(name->text);
+    }
     Doc doc = read_doc(function.doc);
     node.doc = std::move(doc.text);
     node.formula = std::move(doc.formula);

@@ -28,16 +28,6 @@ char lower(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-// "normalWS" and "normalWS" are one word in two spellings.
-std::string spelled_alike(std::string_view word) {
-    std::string plain;
-    plain.reserve(word.size());
-    for (char c : word) {
-        if (c != '_') plain += lower(c);
-    }
-    return plain;
-}
-
 // Optimal string alignment distance, case-insensitive.
 std::size_t distance_of_letters(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before(b.size() + 1), previous(b.size() + 1), current(b.size() + 1);
@@ -128,6 +118,15 @@ std::string shortest_of(T value) {
 }
 
 }  // namespace
+
+std::string spelled_alike(std::string_view word) {
+    std::string plain;
+    plain.reserve(word.size());
+    for (char c : word) {
+        if (c != '_' && c != ' ') plain += lower(c);
+    }
+    return plain;
+}
 
 bool is_identifier(std::string_view text) {
     if (text.empty() || !is_letter(text[0])) return false;

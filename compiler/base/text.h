@@ -16,6 +16,9 @@ namespace patina {
 // [A-Za-z_][A-Za-z0-9_]*
 bool is_identifier(std::string_view text);
 
+// The word without what spellings differ by: case, underscores and spaces. "normal_ws" and "normalWS" are "normalws".
+std::string spelled_alike(std::string_view word);
+
 // The candidate that `word` means: the one that differs by case and underscores only (normal_ws, normalWS), else the
 // nearest by edit distance, or empty if none is near enough.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);

@@ -101,6 +101,13 @@ CLI::App& add_command(Program& program, std::string name, const std::vector<std:
     return command;
 }
 
+void set_check(CLI::App& command, std::function<void()> check) {
+    // An unknown option is reported as such, and not by what its words look like as arguments.
+    command.parse_complete_callback([&command, check = std::move(check)] {
+        if (command.remaining_size() == 0) check();
+    });
+}
+
 void set_work(Program& program, CLI::App& command, std::function<Exit(const Console&)> work) {
     program.commands.push_back({&command, std::move(work)});
 }

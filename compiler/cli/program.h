@@ -55,6 +55,8 @@ struct Program {
 // A new subcommand with --help, --quiet and --diagnostics; commands.def has its summary. `examples` are shown below its
 // help, one a line.
 CLI::App& add_command(Program& program, std::string name, const std::vector<std::string_view>& examples);
+// Checks the arguments together, after all are read. It throws CLI::ValidationError.
+void set_check(CLI::App& command, std::function<void()> check);
 void set_work(Program& program, CLI::App& command, std::function<Exit(const Console&)> work);
 
 // -I, repeatable: every command that reads graphs has it.

@@ -1,4 +1,4 @@
-// The starting graphs of `patina new`: templates/*.json. CMake embeds them when it configures the build.
+// The starting files of `patina new`: templates/. CMake embeds them when it configures the build.
 #pragma once
 
 #include <span>

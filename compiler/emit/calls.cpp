@@ -9,7 +9,7 @@
 #include "compiler/emit/operations/operations.h"
 #include "compiler/emit/statements.h"
 #include "compiler/emit/types.h"
-#include "compiler/nodelang/stages.h"
+#include "compiler/nodelang/other_names.h"
 
 namespace patina::emit {
 
@@ -172,7 +172,7 @@ Typed call_expression(Emitter& emitter, const Expr& expr, Scope& scope) {
     const TypeName type_name{.name = expr.text, .span = expr.name_span};
     if (const FunctionDecl* function = scope.declarations->function(expr.text)) {
         if (function->marks.is_slot) return call_slot(emitter, *function, expr, scope);
-        if (nodelang::is_stage(*function)) {
+        if (function->marks.is_stage) {
             emitter.diagnostics.report(Code::UnknownName, expr.name_span, "callable function", expr.text)
                 .note(function->name_span, "this is a stage of a pass, which no function can call");
             return {};
@@ -191,16 +191,19 @@ Typed call_expression(Emitter& emitter, const Expr& expr, Scope& scope) {
         return call(emitter, *function, scope.declarations->home_of(expr.text), arguments, scope, expr.span,
                     scope.half);
     }
-    if (expr.text == "floatN" || expr.text.find_first_of("1234") != std::string_view::npos || expr.text == "float" ||
-        expr.text == "half" || expr.text == "int" || expr.text == "uint" || expr.text == "bool") {
+    constexpr std::string_view kScalars[] = {"float", "half", "int", "uint", "bool"};
+    const auto is_type = [&](std::string_view scalar) {
+        return expr.text.starts_with(scalar) &&
+               expr.text.substr(scalar.size()).find_first_not_of("0123456789xN") == std::string_view::npos;
+    };
+    if (std::ranges::any_of(kScalars, is_type)) {
         const Type wanted = type(emitter, type_name, scope);
         return wanted.is_error() ? Typed{} : constructor(emitter, wanted, expr, scope);
     }
     std::vector<std::string_view> known = intrinsic_names();
     for (std::string_view name : scope.declarations->function_names()) known.push_back(name);
     DiagnosticRecord& record = emitter.diagnostics.report(Code::UnknownName, expr.name_span, "function", expr.text);
-    const std::string_view near = nearest(expr.text, known);
-    if (!near.empty()) record.note(fmt::format("did you mean '{}'?", near));
+    record.note(nodelang::advice(expr.text, known, *scope.declarations));
     return {};
 }
 

@@ -5,6 +5,7 @@
 #include "compiler/base/text.h"
 #include "compiler/emit/constant_value.h"
 #include "compiler/emit/operations/textures.h"
+#include "compiler/nodelang/other_names.h"
 
 namespace patina::emit {
 
@@ -62,8 +63,10 @@ Type type(Emitter& emitter, const TypeName& name, const Scope& scope) {
             std::vector<std::string_view> known = {"bool",     "int",       "uint",       "half",   "float",
                                                    "float2",   "float3",    "float4",     "floatN", "float3x3",
                                                    "float4x4", "Texture2D", "TextureCube"};
+            const std::string_view own = nodelang::own_word(name.name);
             emitter.diagnostics.report(Code::UnknownType, name.span, name.name)
-                .note(Diagnostics::suggestion(name.name, known));
+                .note(own.empty() ? Diagnostics::suggestion(name.name, known)
+                                  : fmt::format("'{}' is written '{}' here", name.name, own));
             return Type::error();
         }
     }

@@ -322,8 +322,10 @@ Typed GraphScope::property(const Expr& expr, emit::Scope&) {
     for (const Property& property : own) written.push_back("$" + property.name);
     for (const auto& [name, value] : inputs_) written.push_back("$" + std::string(name));
     const std::vector<std::string_view> known(written.begin(), written.end());
-    record.note(known.empty() ? "the graph has no properties"
-                              : Diagnostics::suggestion("$" + std::string(expr.text), known));
+    const std::string_view none = graph_.graph->kind == GraphKind::Lighting
+                                      ? "the lighting graph has no properties: it declares each one that it reads"
+                                      : "the graph has no properties";
+    record.note(known.empty() ? std::string(none) : Diagnostics::suggestion("$" + std::string(expr.text), known));
     return {};
 }
 
@@ -447,10 +449,13 @@ Typed GraphScope::semantic(std::string_view name, Span span, emit::Scope& scope)
     };
     const bool per_light = graph_.graph->kind == GraphKind::Lighting && name == "light";
     if (semantic.source == SemanticSource::Given || per_light) {
-        report(Code::SemanticNotHere, what_graph())
-            .note(per_light                                   ? "only 'direct' is evaluated for each light"
-                  : graph_.graph->kind == GraphKind::Lighting ? "only 'final' is evaluated after all lights"
-                                                              : "only a lighting graph has it");
+        const bool is_lighting = graph_.graph->kind == GraphKind::Lighting;
+        const bool is_pinned = is_lighting && scope_.in_vertex_stage;
+        report(Code::SemanticNotHere, is_pinned ? "a node of the vertex stage" : what_graph())
+            .note(is_pinned     ? "lighting is computed for each pixel: remove \"stage\": \"vertex\" from the node"
+                  : per_light   ? "only 'direct' is evaluated for each light"
+                  : is_lighting ? "only 'final' is evaluated after all lights"
+                                : "only a lighting graph has it");
         return {};
     }
     if (semantic.source == SemanticSource::Extern)

@@ -258,6 +258,8 @@ void Lexer::bad_character(Token& token) {
     const std::size_t begin = here_;
     const char c = at(begin);
     here_ = std::min(begin + sequence_length(c), text_.text.size());
+    const bool is_color = c == '#' && place_ == Place::Graph && is_hex_digit(at(here_));
+    while (is_color && is_hex_digit(at(here_))) ++here_;
     token.kind = Token::Kind::Bad;
     token.text = text_.text.substr(begin, here_ - begin);
     const auto byte = static_cast<unsigned char>(c);
@@ -265,7 +267,11 @@ void Lexer::bad_character(Token& token) {
     const std::string what =
         is_printable ? fmt::format("'{}'", token.text) : fmt::format("the character 0x{:02x}", unsigned{byte});
     DiagnosticRecord& record = diagnostics_.report(Code::BadCharacter, span(begin, here_), what);
-    if (c == '#') record.note("there is no preprocessor: write a constant as 'const float NAME = 1;'");
+    if (is_color)
+        record.note(
+            "an expression cannot contain a colour: make it the default of a property, and read the property here");
+    else if (c == '#' && place_ == Place::File)
+        record.note("there is no preprocessor: write a constant as 'const float NAME = 1;'");
     if (c == '$' || c == '@') record.note(fmt::format("'{}' begins a name: put the name directly after it", c));
 }
 

@@ -14,6 +14,8 @@ struct AttributeInfo {
 };
 constexpr AttributeInfo kAttributes[] = {
     {kFunction, "node"},
+    {kFunction, "also"},
+    {kFunction, "is"},
     {kFunction, "member"},
     {kFunction, "semantic"},
     {kFunction, "extern"},
@@ -63,6 +65,7 @@ constexpr AttributeInfo kAttributes[] = {
     {kParameter, "color"},
     {kParameter, "unit"},
     {kParameter, "hidden"},
+    {kParameter, "is"},
     {kParameter, "perLight"},
     {kVariable, "attribute"},
     {kVariable, "extern"},
@@ -90,9 +93,18 @@ bool is_number(const Expr& expr) {
     return (is_signed ? *expr.args[0] : expr).kind == Expr::Kind::Number;
 }
 
+// The words of [is] (resolve/meanings.cpp).
+bool is_meaning(std::string_view word) {
+    constexpr std::string_view kWords[] = {"texel", "normalMap", "data", "position", "direction"};
+    constexpr std::string_view kSpaces[] = {"OS", "WS", "VS", "TS"};
+    return std::ranges::find(kWords, word) != std::end(kWords) ||
+           std::ranges::any_of(kSpaces, [&](std::string_view space) { return word.ends_with(space); });
+}
+
 FunctionMarks marks_of(const FunctionDecl& function) {
     const Attribute* foreign = function.attribute("foreign");
-    return {.is_slot = function.attribute("slot") != nullptr,
+    return {.is_stage = function.attribute("pass") != nullptr,
+            .is_slot = function.attribute("slot") != nullptr,
             .is_inlined = function.attribute("inline") != nullptr,
             .is_member = function.attribute("member") != nullptr,
             .is_in_float = function.attribute("inFloat") != nullptr,
@@ -116,6 +128,11 @@ void Parser::check_attributes(std::span<const Attribute> marks, std::string_view
         } else if (mark.name == "range" &&
                    !(mark.args.size() == 2 && is_number(*mark.args[0]) && is_number(*mark.args[1]))) {
             diagnostics_.report(Code::BadAttribute, mark.span, mark.name, "takes two numbers: [range(0, 1)]");
+        } else if (mark.name == "is" && (mark.args.empty() || !is_meaning(mark.args[0]->text))) {
+            diagnostics_.report(
+                Code::BadAttribute, mark.span, mark.name,
+                "takes a name with its space, such as \"normalTS\", or texel, normalMap, data, position "
+                "or direction");
         }
     }
 }

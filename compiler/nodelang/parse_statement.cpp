@@ -20,6 +20,13 @@ bool is_left_out(const Token& token) {
            token.is_word("switch");
 }
 
+std::string_view instead_of(const Token& token) {
+    if (token.is_word("switch")) return "there is no switch: write if (x == 0) { } else if (x == 1) { }";
+    if (token.is_word("break") || token.is_word("continue"))
+        return "a loop cannot be left early: put the statements that may be skipped into an if";
+    return kLoopShape;
+}
+
 }  // namespace
 
 // Ends a statement with a span without the ';', which is never the mistake.
@@ -60,7 +67,7 @@ const Stmt* Parser::statement() {
     if (now().is_word("discardIf")) return discard_statement();
     if (now().is_word("const")) return declaration_statement();
     if (is_left_out(now())) {
-        expected("a statement").note(std::string(kLoopShape));
+        expected("a statement").note(std::string(instead_of(now())));
         return nullptr;
     }
     const bool two_words = now().kind == Token::Kind::Word && after().kind == Token::Kind::Word;

@@ -234,6 +234,32 @@ void reverse_depth(Pass& pass) {
     pass.depth_slope_bias = -pass.depth_slope_bias;
 }
 
+// By global: true if the stage reads it.
+std::vector<bool> used_by(const ir::Module& stage, const graph::Lowered& lowered) {
+    std::vector<bool> used(lowered.module.globals.size(), false);
+    if (!lowered.keeps_functions) {
+        mark_used(stage, used);
+        return used;
+    }
+    // Shared functions compute members that this pass does not read.
+    const ir::FunctionId entry = stage.stage.entry;
+    mark_used(ir::drop_members(stage, std::span(&entry, 1), {}), used);
+    return used;
+}
+
+// The names of the blocks with a member that is used.
+std::vector<std::string> blocks_read(const graph::Lowered& lowered, const std::vector<bool>& used) {
+    std::vector<std::string> names;
+    for (std::uint32_t block = 0; block < lowered.module.blocks.size(); ++block) {
+        for (std::size_t i = 0; i < used.size(); ++i) {
+            if (!used[i] || lowered.module.globals[i].block != block) continue;
+            names.push_back(lowered.module.blocks[block].name);
+            break;
+        }
+    }
+    return names;
+}
+
 Pass reflect_pass(const LinkedPass& linked) {
     const graph::Material& material = *linked.material;
     const graph::Lowered& lowered = *linked.lowered;
@@ -259,32 +285,26 @@ Pass reflect_pass(const LinkedPass& linked) {
                                       .location = input.location,
                                       .hlsl_semantic = input.semantic});
     }
-    std::vector<bool> used(lowered.module.globals.size(), false);
-    for (const ir::Module* stage : {&linked.vertex, &linked.fragment}) {
-        if (!lowered.keeps_functions) {
-            mark_used(*stage, used);
-            continue;
-        }
-        // Shared functions compute members that this pass does not read.
-        const ir::FunctionId entry = stage->stage.entry;
-        mark_used(ir::drop_members(*stage, std::span(&entry, 1), {}), used);
-    }
-    for (std::uint32_t block = 0; block < lowered.module.blocks.size(); ++block) {
-        for (std::size_t i = 0; i < used.size(); ++i) {
-            if (!used[i] || lowered.module.globals[i].block != block) continue;
-            pass.blocks.push_back(lowered.module.blocks[block].name);
-            break;
-        }
-    }
-    for (std::size_t i = 0; i < used.size(); ++i) {
+    const std::vector<bool> vertex = used_by(linked.vertex, lowered), fragment = used_by(linked.fragment, lowered);
+    pass.vertex_reads = blocks_read(lowered, vertex);
+    pass.fragment_reads = blocks_read(lowered, fragment);
+    std::vector<bool> either = vertex;
+    for (std::size_t i = 0; i < either.size(); ++i) either[i] = vertex[i] || fragment[i];
+    pass.blocks = blocks_read(lowered, either);
+    const auto read_texture = [&](std::size_t global, const std::string& name) {
+        if (either[global]) pass.textures.push_back(name);
+        if (vertex[global]) pass.vertex_reads.push_back(name);
+        if (fragment[global]) pass.fragment_reads.push_back(name);
+    };
+    for (std::size_t i = 0; i < either.size(); ++i) {
         const ir::Global& global = lowered.module.globals[i];
-        if (used[i] && global.group != ir::Group::Material && is_texture(global)) pass.textures.push_back(global.name);
+        if (global.group != ir::Group::Material && is_texture(global)) read_texture(i, global.name);
     }
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
-        const ir::GlobalId texture = lowered.property_globals[i].texture;
-        if (texture && used[texture.index]) pass.textures.push_back(material.properties[i].property->name);
+        const std::string& name = material.properties[i].property->name;
+        if (const ir::GlobalId texture = lowered.property_globals[i].texture) read_texture(texture.index, name);
         const ir::GlobalId keyword = lowered.property_globals[i].keyword;
-        if (keyword && used[keyword.index]) pass.keywords.push_back(material.properties[i].property->name);
+        if (keyword && either[keyword.index]) pass.keywords.push_back(name);
     }
     return pass;
 }

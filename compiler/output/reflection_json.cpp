@@ -80,6 +80,7 @@ void write_default(Json& json, const Property& property, const Reflection& refle
     } else if (property.type == PropertyType::Enum) {
         const auto index = static_cast<std::size_t>(property.value[0]);
         if (index < property.values.size()) json.text("default", property.values[index]);
+        json.number("defaultIndex", property.value[0]);
     } else if (const std::size_t count = value_count(property); count == 1) {
         json.number("default", property.value[0]);
     } else {
@@ -149,7 +150,10 @@ void write_texture(Writer& writer, const Texture& texture) {
     json.text("sampler", texture.sampler_name);
     json.number("samplerBinding", texture.sampler_binding);
     json.text("samplerRegister", texture.sampler_register);
-    json.text_if("tiling", texture.tiling);
+    if (!texture.tiling.empty()) {
+        json.text("tiling", texture.tiling);
+        json.list("tilingDefault", texture.tiling_default, [&](double v) { json.raw(shortest(v)); });
+    }
     json.word("wrap", texture.sampler.wrap);
     json.word("filter", texture.sampler.filter);
     json.number("anisotropy", texture.sampler.anisotropy);
@@ -213,8 +217,17 @@ void write_pass(Writer& writer, const Pass& pass) {
         v.number("location", input.location);
         v.text("semantic", input.hlsl_semantic);
     });
+    if (!pass.shaders.empty())
+        json.list("shaders", pass.shaders, [&](const ShaderFile& shader) {
+            Json s(writer);
+            s.word("stage", shader.stage);
+            s.text("language", shader.language);
+            s.text("file", shader.file);
+        });
     json.words("blocks", pass.blocks);
     json.words("textures", pass.textures);
+    json.words("vertexReads", pass.vertex_reads);
+    json.words("fragmentReads", pass.fragment_reads);
 }
 
 void write_function(Writer& writer, const ShaderFunction& function) {

@@ -5,6 +5,7 @@
 #include "compiler/base/text.h"
 #include "compiler/format/read_graph.h"
 #include "compiler/json/json.h"
+#include "compiler/nodelang/other_names.h"
 #include "compiler/nodelang/parse.h"
 
 namespace patina::graph {
@@ -41,9 +42,9 @@ void find_meaning(Session& session, const Graph& graph, const Node& node, const 
             std::vector<std::string_view> known = library.function_names();
             std::erase_if(known, [&](std::string_view name) { return !library.function(name)->attribute("node"); });
             DiagnosticRecord& record = session.diagnostics.report(Code::UnknownNode, node.type_span, node.type);
-            const std::string_view near = nearest(node.type, known);
-            if (!near.empty())
-                record.note(fmt::format("did you mean '{}'?", near));
+            const std::string advice = nodelang::node_advice(node.type, known, library);
+            if (!advice.empty())
+                record.note(advice);
             else if (node.type.find_first_of("./\\") != std::string::npos)
                 record.note(fmt::format("start a file name with ./, as in './{}'", node.type));
             else

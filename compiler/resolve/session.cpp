@@ -30,8 +30,15 @@ std::optional<std::string> read_text(const std::string& path, std::string& why) 
     return std::move(text).str();
 }
 
-bool exists(const Session& session, const std::string& path) {
-    if (session.options.loader) return session.options.loader(path).has_value();
+// What the caller's loader says of a path. It is asked once.
+std::optional<std::string>& loaded(Session& session, const std::string& path) {
+    const auto [entry, is_new] = session.loaded.try_emplace(path);
+    if (is_new) entry->second = session.options.loader(path);
+    return entry->second;
+}
+
+bool exists(Session& session, const std::string& path) {
+    if (session.options.loader) return loaded(session, path).has_value();
     std::error_code error;
     return std::filesystem::is_regular_file(path, error);
 }
@@ -90,7 +97,7 @@ void report_not_found(Session& session, const std::string& name, const std::stri
 
 std::optional<std::uint32_t> load_source(Session& session, const std::string& path, Span where) {
     std::string why = "there is no such file";
-    std::optional<std::string> text = session.options.loader ? session.options.loader(path) : read_text(path, why);
+    std::optional<std::string> text = session.options.loader ? loaded(session, path) : read_text(path, why);
     if (!text) {
         session.diagnostics.report(Code::CannotRead, where, path, why);
         return {};

@@ -6,6 +6,9 @@
 #pragma once
 
 #include <deque>
+#include <map>
+#include <optional>
+#include <string>
 #include <unordered_map>
 
 #include "compiler/resolve/library.h"
@@ -46,6 +49,7 @@ struct Session {
     Diagnostics diagnostics;
     nodelang::Ast ast;
     std::vector<std::string> dependencies;
+    std::map<std::string, std::optional<std::string>> loaded;  // by path: what CompileOptions::loader returned
     std::deque<CheckedGraph> checked;
     std::map<std::string, const CheckedGraph*> graphs;  // by path
     std::map<std::string, std::unique_ptr<NodeFile>> node_files;

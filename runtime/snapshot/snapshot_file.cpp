@@ -152,7 +152,6 @@ struct TextKey {
 constexpr TextKey kTextKeys[] = {
     {"graph", [](RenderRequest& request) -> std::string& { return request.graph; }},
     {"mesh", [](RenderRequest& request) -> std::string& { return request.mesh; }},
-    {"camera", [](RenderRequest& request) -> std::string& { return request.camera; }},
     {"ambient", [](RenderRequest& request) -> std::string& { return request.ambient; }},
     {"node", [](RenderRequest& request) -> std::string& { return request.options.preview; }},
     {"via", [](RenderRequest& request) -> std::string& { return request.options.via; }},
@@ -172,6 +171,16 @@ constexpr ToleranceKey kToleranceKeys[] = {{"tolerance/pixel", &Tolerance::pixel
                                            {"tolerance/share", &Tolerance::share},
                                            {"tolerance/average", &Tolerance::average}};
 
+constexpr std::string_view kCameraKeys[] = {"position", "target", "fov", "orthographic", "near", "far"};
+
+// Keys whose value is an object, and what one looks like.
+struct ObjectKey {
+    std::string_view path, example;
+};
+constexpr ObjectKey kObjectKeys[] = {{"camera", R"({ "position": [2, 1, 3], "fov": 40 })"},
+                                     {"set", R"({ "_Roughness": 0.2 })"},
+                                     {"tolerance", R"({ "pixel": 0.01 })"}};
+
 template <class Table>
 auto* find_key(const Table& table, std::string_view path) {
     auto found = std::find_if(std::begin(table), std::end(table), [&](const auto& key) { return key.path == path; });
@@ -179,16 +188,22 @@ auto* find_key(const Table& table, std::string_view path) {
 }
 
 Problem unknown_key(const std::string& path) {
-    std::vector<std::string> known = {"patina", "time", "lights", "set", "tolerance"};
+    std::vector<std::string> known = {"patina", "time", "lights"};
     for (const TextKey& key : kTextKeys) known.emplace_back(key.path);
     for (const WholeKey& key : kWholeKeys) known.emplace_back(key.path);
+    for (const ObjectKey& key : kObjectKeys) known.emplace_back(key.path);
     const std::size_t slash = path.find('/');
+    const std::string key = slash == path.npos ? path : path.substr(slash + 1);
+    std::string_view place = "a snapshot";
     if (path.starts_with("tolerance/")) {
+        place = "a tolerance";
         known.clear();
-        for (const ToleranceKey& key : kToleranceKeys) known.emplace_back(key.path.substr(slash + 1));
+        for (const ToleranceKey& each : kToleranceKeys) known.emplace_back(each.path.substr(slash + 1));
+    } else if (path.starts_with("camera/")) {
+        place = "a camera";
+        known.assign(std::begin(kCameraKeys), std::end(kCameraKeys));
     }
-    const std::string key = path.starts_with("tolerance/") ? path.substr(slash + 1) : path;
-    return {.message = fmt::format("unknown key '{}' in {}", key, key == path ? "a snapshot" : "a tolerance"),
+    return {.message = fmt::format("unknown key '{}' in {}", key, place),
             .code = "unknown-key",
             .hint = suggestion(key, known)};
 }
@@ -213,6 +228,19 @@ Problem add_override(const Entry& entry, const std::filesystem::path& folder, Re
     return {};
 }
 
+// The camera in the words of the command line: "position=2,1,3 fov=40".
+Problem add_to_camera(const Entry& entry, RenderRequest& request) {
+    const std::string name = entry.path.substr(std::string_view("camera/").size());
+    if (std::ranges::find(kCameraKeys, name) == std::end(kCameraKeys)) return unknown_key(entry.path);
+    if (entry.kind != Entry::Kind::Number)
+        return {"'" + name + "' of a camera is a number, or a list of three: [2, 1, 3]"};
+    const std::string word = name + "=";
+    const bool continues = entry.in_array && request.camera.find(word) != std::string::npos;
+    request.camera += continues ? "," : (request.camera.empty() ? "" : " ") + word;
+    request.camera += entry.text;
+    return {};
+}
+
 Problem wrong_unless(bool good, std::string message) {
     return good ? Problem{} : Problem{std::move(message)};
 }
@@ -226,6 +254,9 @@ Problem apply(const Entry& entry, const std::filesystem::path& folder, SnapshotF
         return wrong_unless(good, "a light is a text, like \"point position=1,2,0 range=5\"");
     }
     if (entry.path.starts_with("set/")) return add_override(entry, folder, request);
+    if (entry.path.starts_with("camera/")) return add_to_camera(entry, request);
+    if (const ObjectKey* key = find_key(kObjectKeys, entry.path))
+        return {fmt::format("'{}' must be an object, such as {}", key->path, key->example)};
     if (entry.in_array || entry.kind == Entry::Kind::EmptyArray) return {"an array is not allowed here"};
     if (entry.path == "$schema") return {};
 

@@ -1,7 +1,7 @@
 // Reads NAME.snapshot.json: the graph or scene, its view, and the tolerance of the comparison. snapshot.h runs it.
 //
 //   { "patina": 1, "graph": "rust.graph.json", "mesh": "torus", "size": 128, "samples": 2, "time": 0, "node": "mask",
-//     "camera": "fov=40", "lights": ["directional direction=0,1,1"], "ambient": "0.2", "via": "glsl",
+//     "camera": { "fov": 40 }, "lights": ["directional direction=0,1,1"], "ambient": "0.2", "via": "glsl",
 //     "path": "forward", "set": { "_Roughness": 0.2, "_Tint": [1, 0, 0], "_MainTex": "rust.png" },
 //     "tolerance": { "pixel": 0.0118, "share": 0.001, "average": 0.002 } }
 //

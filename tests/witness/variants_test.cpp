@@ -182,8 +182,10 @@ TEST(Variants, ThatAreFixedLeaveOutWhatIsListedOtherwise) {
     EXPECT_FALSE(none.ok);
     ASSERT_EQ(none.diagnostics.size(), 1u);
     EXPECT_EQ(none.diagnostics[0].code, "nothing-listed");
-    EXPECT_EQ(none.diagnostics[0].message,
-              "-D _A=true and -D _B=false exclude every entry of 'variants': remove one, or list such a combination");
+    EXPECT_EQ(
+        none.diagnostics[0].message,
+        "no entry of 'variants' is left: -D _A=true and -D _B=false exclude all of them; remove one, or list such a "
+        "combination");
     EXPECT_GT(none.diagnostics[0].line, 1);
 }
 

@@ -113,9 +113,10 @@ std::string not_for_engine(const Arguments& arguments, const Compiler& compiler)
         if (!arguments.wants(engine.name)) continue;
         if (engine.is_one_file && !arguments.functions.empty())
             return fmt::format("--functions cannot be written for {}, whose file holds whole passes", engine.title);
-        if (arguments.targets.size() > 1) continue;
         if (engine.is_one_file && arguments.validate)
-            return fmt::format("--validate cannot prove a file of {}; it proves glsl, hlsl and spirv", engine.title);
+            return fmt::format("--validate cannot check a file of {}: remove it from --target, or leave out --validate",
+                               engine.title);
+        if (arguments.targets.size() > 1) continue;
         if (engine.has_own_passes && arguments.path.path != PathOptions{}.path)
             return fmt::format("--path has no effect for {}, which has passes of its own", engine.title);
     }
@@ -272,7 +273,7 @@ void add_compile(Program& program) {
     functions->excludes(variants);
     variants->excludes(command.get_option("--dump"));
     add_include_option(command, arguments->include_dirs);
-    command.parse_complete_callback([arguments] { refuse_equal_outputs(arguments->graphs, ".*", "compile"); });
+    set_check(command, [arguments] { refuse_equal_outputs(arguments->graphs, ".*", "compile"); });
 
     set_work(program, command, [arguments](const Console& console) {
         if (console.json && !arguments->dump.empty()) {

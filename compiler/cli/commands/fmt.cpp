@@ -26,6 +26,10 @@ Exit format_standard_input(const Console& console, const Compiler& compiler) {
 
 Exit format_file(const Console& console, const Compiler& compiler, const Arguments& arguments,
                  const std::string& path) {
+    if (path.ends_with(".hlsl")) {
+        complain(console, Complaint::NotJson, {path});
+        return Exit::Wrong;
+    }
     std::string error;
     const std::optional<std::string> text = read_file(path, error);
     if (!text) {
@@ -62,7 +66,7 @@ void add_fmt(Program& program) {
         ->required()
         ->type_name(" ");
     command.add_flag("--check", arguments->check, "Change nothing; exit 1 if a file is not in canonical form");
-    command.parse_complete_callback([arguments] {
+    set_check(command, [arguments] {
         const bool standard_input = std::ranges::find(arguments->files, "-") != arguments->files.end();
         if (standard_input && (arguments->files.size() > 1 || arguments->check)) {
             throw CLI::ValidationError("FILE", "'-' cannot be combined with other files or with --check");

@@ -1,4 +1,4 @@
-// patina new: writes a graph to start from.
+// patina new: writes a file to start from.
 #include <memory>
 
 #include "compiler/cli/commands/commands.h"
@@ -20,7 +20,7 @@ std::vector<std::string> kinds() {
 }
 
 std::string kind_help() {
-    std::string help = "The kind of graph:";
+    std::string help = "The kind of file:";
     for (const Template& each : templates()) {
         help += "\n  " + std::string(each.kind) + ": " + std::string(each.summary);
     }
@@ -52,15 +52,16 @@ Exit write_template(const Console& console, const Arguments& arguments) {
 void add_new(Program& program) {
     CLI::App& command = add_command(program, "new",
                                     {"patina new metal -o pipe.graph.json", "patina new toon -o hero.graph.json",
-                                     "patina new lighting -o soft.lighting.json", "patina new unlit    # prints it"});
+                                     "patina new scene -o room.scene.json", "patina new node -o rings.node.hlsl",
+                                     "patina new unlit    # prints it"});
     auto arguments = std::make_shared<Arguments>();
     command.add_option("KIND", arguments->kind, kind_help())
         ->required()
         ->type_name(" ")
-        ->check(one_of("a kind of graph", kinds()));
+        ->check(one_of("a kind of file", kinds()));
     command
         .add_option("-o,--output", arguments->output,
-                    "File to write, which must not exist yet; default, and -: print the graph")
+                    "File to write, which must not exist yet; default, and -: print it")
         ->type_name("FILE");
     set_work(program, command, [arguments](const Console& console) { return write_template(console, *arguments); });
 }

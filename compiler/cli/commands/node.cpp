@@ -28,9 +28,7 @@ std::optional<NodeInfo> find_node(const Console& console, const Compiler& compil
         return file.ok ? std::optional(std::move(file.node)) : std::nullopt;
     }
     if (const NodeInfo* node = compiler.node(name)) return *node;
-    std::vector<std::string> names;
-    for (const NodeInfo& known : compiler.nodes()) names.push_back(known.name);
-    std::string advice = suggestion(name, names);
+    std::string advice = compiler.node_advice(name);
     advice = "; " + (advice.empty() ? "'patina nodes' lists them" : advice);
     if (is_model(compiler, name)) advice = ", but a lighting model: 'patina model " + name + "' shows it";
     complain(console, Complaint::UnknownNode, {name, advice});

@@ -92,7 +92,7 @@ void add_snapshot(Program& program) {
         ->type_name("NAME");
     command.add_flag("--vulkan-validation", options.validation, "Turn on the Khronos validation layer");
     add_include_option(command, options.include_dirs);
-    command.parse_complete_callback([arguments, update] {
+    set_check(command, [arguments, update] {
         arguments->options.update = update->count() > 0;
         if (!arguments->update.empty()) arguments->options.only = arguments->update.front();
     });

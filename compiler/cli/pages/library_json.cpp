@@ -78,6 +78,10 @@ void write_node(Writer& writer, const NodeInfo& node) {
     writer.StartObject();
     write_text(writer, "name", node.name);
     write_text(writer, "category", node.category);
+    writer.Key("also");
+    writer.StartArray();
+    for (const std::string& name : node.also) writer.String(name.c_str());
+    writer.EndArray();
     write_text(writer, "doc", node.doc);
     write_text(writer, "formula", node.formula);
     write_text(writer, "source", node.source);

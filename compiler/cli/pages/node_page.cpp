@@ -62,6 +62,7 @@ Page node_page(const NodeInfo& node, const std::string& name) {
     Page page{.title = node.name, .place = node.category, .sections = {}};
     page.sections = {
         {.title = {}, .text = node.doc},
+        {.title = "Also known as", .text = fmt::format("{}", fmt::join(node.also, ", "))},
         {.title = "Formula", .code = node.formula},
         {.title = "Source", .text = node.source},
         ports(node, false),

@@ -19,10 +19,10 @@ enum class Complaint {
 #undef COMPLAINT
 };
 
-std::string_view code_of(Complaint what);  // "cannot-read"
+PATINA_API std::string_view code_of(Complaint what);  // "cannot-read"
 // An error without a place. `words` fill the {} of the message in order, or {0}, {1} by number.
-Diagnostic complaint(Complaint what, std::initializer_list<std::string_view> words);
+PATINA_API Diagnostic complaint(Complaint what, std::initializer_list<std::string_view> words);
 // Every code of the table once, in its order.
-std::vector<std::string_view> complaint_codes();
+PATINA_API std::vector<std::string_view> complaint_codes();
 
 }  // namespace patina

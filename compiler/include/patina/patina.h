@@ -20,6 +20,7 @@
 #include <string_view>
 #include <vector>
 
+#include "patina/export.h"
 #include "patina/reflection.h"
 #include "patina/scene.h"
 
@@ -41,14 +42,14 @@ struct Diagnostic {
     std::vector<Diagnostic> notes;
 };
 // "file:3:14: error: there is no node 'Lrep' [unknown-node]", the line, a caret, and the notes. Colours are ANSI.
-std::string to_text(const Diagnostic& diagnostic, bool colors = false);
+PATINA_API std::string to_text(const Diagnostic& diagnostic, bool colors = false);
 // One JSON object on one line.
-std::string to_json(const Diagnostic& diagnostic);
+PATINA_API std::string to_json(const Diagnostic& diagnostic);
 // A diagnostic at a place in a scene.
-Diagnostic diagnostic_at(const ScenePlace& place, std::string code, std::string message);
+PATINA_API Diagnostic diagnostic_at(const ScenePlace& place, std::string code, std::string message);
 // "did you mean 'Lerp'?", or a list of the known words if it is short, or nothing. For words that a program reads
 // itself.
-std::string suggestion(std::string_view word, const std::vector<std::string>& known);
+PATINA_API std::string suggestion(std::string_view word, const std::vector<std::string>& known);
 
 // A target: a language as an engine takes it. The engine says where values come from and what holds a shader; the
 // language says how a stage is spelled. `patina engines` and Compiler::engines() list all of them.
@@ -179,9 +180,10 @@ struct PortInfo {
     std::vector<EnumeratorInfo> enumerators;
 };
 struct NodeInfo {
-    std::string name;      // as "node" names it
-    std::string category;  // "Lighting/Distribution"
-    std::string doc;       // paragraphs, plain text
+    std::string name;               // as "node" names it
+    std::string category;           // "Lighting/Distribution"
+    std::vector<std::string> also;  // its names in other languages and programs: "Mix"
+    std::string doc;                // paragraphs, plain text
     std::string formula;
     std::string source;              // the paper
     std::vector<PortInfo> ports;     // inputs in order, then outputs, the primary one first
@@ -266,7 +268,7 @@ struct NodeFileResult {
     std::vector<NodeTest> tests;
 };
 // True if `actual` is within the test's tolerances of `expected`, NaN matching NaN.
-bool passed(const NodeTest& test);
+PATINA_API bool passed(const NodeTest& test);
 
 struct EvalOutput {
     std::string name, type;
@@ -288,7 +290,7 @@ struct VariantPlan;  // patina/variants.h
 struct VariantSet;
 enum class VariantsWanted;
 
-class Compiler {
+class PATINA_API Compiler {
 public:
     Compiler();
     ~Compiler();
@@ -314,6 +316,8 @@ public:
     std::vector<Diagnostic> library_diagnostics() const;
     const std::vector<NodeInfo>& nodes() const;  // by category, then name
     const NodeInfo* node(std::string_view name) const;
+    // For a name that is no node's: "did you mean 'Lerp'?", "'Mix' is the node 'Lerp' here", or nothing.
+    std::string node_advice(std::string_view name) const;
     const std::vector<SemanticInfo>& semantics() const;
     const std::vector<ModelInfo>& workflows() const;
     const std::vector<ModelInfo>& lighting_models() const;
@@ -353,6 +357,6 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-std::string_view version();  // "0.1.0"
+PATINA_API std::string_view version();  // "0.1.0"
 
 }  // namespace patina

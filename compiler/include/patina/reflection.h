@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "patina/export.h"
 #include "patina/words.h"
 
 namespace patina {
@@ -56,6 +57,7 @@ struct Texture {
     std::uint32_t sampler_binding = 0;
     std::string sampler_register;  // "s0, space1"
     std::string tiling;            // member of the material's block: float4 scale and offset; empty: has none
+    std::array<double, 4> tiling_default{1, 1, 0, 0};  // what that member starts as
     Sampler sampler;
 };
 
@@ -124,6 +126,13 @@ struct Bounds {
     std::optional<std::array<std::array<double, 3>, 2>> box{};  // lowest and highest corner; then there is no margin
 };
 
+// A file that holds a stage of a pass.
+struct ShaderFile {
+    Stage stage = Stage::Vertex;
+    std::string language;  // "glsl"
+    std::string file;      // its name: "rust.forward.frag.glsl"
+};
+
 // A pass of the material: two stages and the fixed-function state that goes with them.
 struct Pass {
     std::string name;
@@ -144,8 +153,11 @@ struct Pass {
     std::optional<Bounds> bounds{};     // for an extra pass: as in Reflection
     std::vector<RenderTarget> targets;  // empty: depth only
     std::vector<VertexInput> vertex_inputs;
-    std::vector<std::string> blocks;      // names of the blocks that either stage reads
-    std::vector<std::string> textures;    // names of the textures that either stage reads
+    std::vector<ShaderFile> shaders{};  // its stages in the languages that were compiled; empty: another file has all
+    std::vector<std::string> blocks;    // names of the blocks that either stage reads
+    std::vector<std::string> textures;  // names of the textures that either stage reads
+    // The blocks and textures that each stage reads: the stage flags of their bindings.
+    std::vector<std::string> vertex_reads{}, fragment_reads{};
     std::vector<std::string> keywords{};  // properties that either stage reads as specialization constants or keywords
     // The hash of what the pass computes, whatever the graph's names are (CompileOptions::hashes); else empty.
     std::string hash{};
@@ -169,7 +181,7 @@ struct Switch {
     bool value = false;
 };
 
-struct Reflection {
+struct PATINA_API Reflection {
     std::string name;
     std::string workflow, lighting;
     SurfaceKind surface = SurfaceKind::Opaque;

@@ -1,6 +1,7 @@
 [node("Test/F")]
 float F(float a = 1) {
     while (a > 1) { a -= 1; }
+    switch (a) { }
     int i = 0;
     i++;
     float x = 1, y = 2;

@@ -119,7 +119,7 @@ TEST(Preview, SaysWhatIsNotThere) {
         const Result result = preview(port);
         EXPECT_FALSE(result.ok) << port;
         ASSERT_FALSE(result.diagnostics.empty()) << port;
-        EXPECT_EQ(result.diagnostics[0].file, "--node") << port;
+        EXPECT_EQ(result.diagnostics[0].file, "preview") << port;
     }
 }
 

@@ -1,8 +1,6 @@
 // The builder: what it hands back, where it puts things, and that it stays linear.
 #include <gtest/gtest.h>
 
-#include <chrono>
-
 #include "compiler/ir/builder.h"
 #include "compiler/ir/dump.h"
 #include "compiler/ir/verify.h"
@@ -198,9 +196,8 @@ TEST(Builder, AcceptsTheOperandsOfAnotherInstruction) {
     }
 }
 
-// The sizes of the figures to reach. The bound is generous: quadratic work would take seconds.
-TEST(Builder, ChainsAndLaddersAreLinear) {
-    const auto begin = std::chrono::steady_clock::now();
+// tests/bench shows that the time grows with the length.
+TEST(Builder, KeepsLongChainsAndLadders) {
     for (const bool is_ladder : {false, true}) {
         Module module;
         Function function = function_of({{"x", kFloat, Rate::Pixel}}, kFloat);
@@ -214,12 +211,11 @@ TEST(Builder, ChainsAndLaddersAreLinear) {
         EXPECT_EQ(count(function, is_ladder ? Op::Mul : Op::Add), 10000u);
         finished(module, std::move(function));
     }
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));
 }
 
-// A struct that is written member by member, over and over.
-TEST(Builder, LongInsertChainsAreLinear) {
-    const auto begin = std::chrono::steady_clock::now();
+// A struct that is written member by member, over and over: what was written is known, and only the first values of
+// both members are read from it.
+TEST(Builder, ReadsNothingBackFromLongInsertChains) {
     Module module;
     module.structs.push_back({"Pair", {{"a", kFloat}, {"b", kFloat}}});
     const Type pair = Type::structure(0);
@@ -232,8 +228,9 @@ TEST(Builder, LongInsertChainsAreLinear) {
         sum = b.emit(Op::Add, {sum, b.extract(whole, 1)});
     }
     b.ret(sum);
+    EXPECT_EQ(count(function, Op::Extract), 2u);
+    EXPECT_EQ(count(function, Op::Add), 39999u);  // the sum begins with 0
     finished(module, std::move(function));
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // All passes keep the meaning of random modules, as the interpreter sees it, and stay linear on modules that are made
 // to explode.
-#include <chrono>
 #include <cmath>
 #include <random>
 
@@ -236,10 +235,9 @@ TEST(Passes, KeepTheMeaningOfRandomModules) {
     }
 }
 
-// --- cost
+// --- size; tests/bench shows that the time grows with it
 
-TEST(Passes, AreLinear) {
-    const auto begin = std::chrono::steady_clock::now();
+TEST(Passes, KeepLongChainsAndLadders) {
     for (const bool is_ladder : {false, true}) {
         Module module;
         const FunctionId main = add(
@@ -257,12 +255,10 @@ TEST(Passes, AreLinear) {
         module = tidy(std::move(module));
         EXPECT_EQ(count(module.functions[0], is_ladder ? Op::Mul : Op::Add), 10000u);
     }
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));
 }
 
 // Each function calls the one before twice: spelled out, or specialised, they would be 2^60 instructions.
 TEST(Passes, DoNotExplode) {
-    const auto begin = std::chrono::steady_clock::now();
     Module module;
     FunctionId last = add_switch(module);
     for (int k = 0; k < 60; k++) {
@@ -281,8 +277,10 @@ TEST(Passes, DoNotExplode) {
         return b.call(last, std::vector{b.param(0), b.constant(kInt, {0})});
     });
     set_entry(module, main);
-    checked(tidy(std::move(module)));
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+    const Module tidied = checked(tidy(std::move(module)));
+    std::size_t size = 0;
+    for (const Function& function : tidied.functions) size += function.insts.size();
+    EXPECT_LT(size, 1u << 20);
 }
 
 // Each function calls the one before inside of a branch: spelled out, branches would stand as deep as there are

@@ -55,7 +55,7 @@ TEST_F(SnapshotFileTest, ReadsEverything) {
     ReadSnapshot read_file = read(R"({
         // a comment, and a trailing comma
         "patina": 1, "graph": "other.graph.json", "mesh": "torus", "size": 64, "samples": 1, "time": 1.5, "node": "mask",
-        "camera": "fov=40", "ambient": 0.2, "via": "cpu", "lights": ["directional", "point range=3"],
+        "camera": { "position": [2, 1, 3], "fov": 40 }, "ambient": 0.2, "via": "cpu", "lights": ["directional", "point range=3"],
         "set": { "_Roughness": 0.25, "_Tint": [1, 0, 0.5], "_On": true, "_Mode": "Wet", "_MainTex": "rust.png" },
         "tolerance": { "pixel": 0.1, "share": 0.2, "average": 0.3 },
     })");
@@ -68,7 +68,7 @@ TEST_F(SnapshotFileTest, ReadsEverything) {
     EXPECT_EQ(request.samples, 1);
     EXPECT_EQ(request.time, 1.5);
     EXPECT_EQ(request.options.preview, "mask");
-    EXPECT_EQ(request.camera, "fov=40");
+    EXPECT_EQ(request.camera, "position=2,1,3 fov=40");
     EXPECT_EQ(request.ambient, "0.2");
     EXPECT_EQ(request.options.via, "cpu");
     EXPECT_EQ(request.lights, (std::vector<std::string>{"directional", "point range=3"}));
@@ -110,6 +110,12 @@ TEST_F(SnapshotFileTest, ErrorsHaveAPlaceAndAReason) {
                       Case{R"({ "patina": 1, "patina": 1 })", ":1:16: ", "appears twice"},
                       Case{R"({ "patina": 1, "tolerance": { "pixels": 1 } })", ":1:31: ", "unknown key 'pixels'"},
                       Case{R"({ "patina": 1, "tolerance": { "pixel": 2 } })", ":1:31: ", "between 0 and 1"},
+                      Case{R"({ "patina": 1, "tolerance": 1 })",
+                           ":1:16: ", R"('tolerance' must be an object, such as { "pixel": 0.01 })"},
+                      Case{R"({ "patina": 1, "set": [1] })", ":1:16: ", "'set' must be an object"},
+                      Case{R"({ "patina": 1, "camera": "fov=40" })", ":1:16: ", "'camera' must be an object"},
+                      Case{R"({ "patina": 1, "camera": { "fow": 40 } })", ":1:28: ", "unknown key 'fow' in a camera"},
+                      Case{R"({ "patina": 1, "camera": { "fov": "40" } })", ":1:28: ", "'fov' of a camera is a number"},
                       Case{R"({ "patina": 1, "set": { "_A": { "b": 1 } } })", ":1:25: ", "object is not allowed here"},
                       Case{R"({ "patina": 1, "set": { "_A": ["b"] } })", ":1:25: ", "numbers only"},
                       Case{R"({ "patina": 1, "lights": [3] })", ":1:16: ", "a light is a text"}}) {

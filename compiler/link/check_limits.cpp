@@ -1,0 +1,78 @@
+#include "compiler/link/check_limits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace patina::link {
+namespace {
+
+void check_block(graph::Session& session, const graph::Material& material, const graph::Lowered& lowered) {
+    const std::uint32_t most = session.engine.most_block_bytes;
+    if (most == 0) return;
+    for (std::size_t i = 0; i < material.properties.size(); ++i) {
+        const graph::PropertyGlobals& own = lowered.property_globals[i];
+        const ir::GlobalId value = own.value ? own.value : own.tiling;
+        if (!value || lowered.instance_globals.contains(value.index)) continue;  // instances.cpp fits those
+        const ir::Global& global = lowered.module.globals[value.index];
+        if (!global.in_block()) continue;
+        const ir::UniformBlock& block = lowered.module.blocks[global.block];
+        if (block.size <= most || block.members[global.member].offset < most) continue;
+        session.diagnostics
+            .report(Code::TooMany, material.properties[i].property->name_span, block.size,
+                    "bytes of properties in a uniform block", most)
+            .note(
+                "the block ends before this property: make some properties constants of the graph, or store them in a "
+                "texture");
+        return;
+    }
+}
+
+// The textures that a stage samples; each stands before its sampler.
+std::vector<std::string_view> textures_of(const ir::Module& stage) {
+    std::set<std::uint32_t> read;
+    for (const ir::Function& function : stage.functions) {
+        for (const ir::Inst& inst : function.insts) {
+            if (inst.op == ir::Op::Global) read.insert(inst.data);
+        }
+    }
+    std::vector<std::string_view> names;
+    for (const std::uint32_t i : read) {
+        if (i > 0 && stage.globals[i].type.kind == ir::Kind::Sampler) names.push_back(stage.globals[i - 1].name);
+    }
+    return names;
+}
+
+void check_samplers(graph::Session& session, const graph::Material& material, const LinkedPass& pass) {
+    const std::uint32_t most = session.engine.most_samplers;
+    for (const ir::Module* stage : {&pass.vertex, &pass.fragment}) {
+        const std::vector<std::string_view> textures = textures_of(*stage);
+        if (textures.size() <= most) continue;
+        const auto is_over = [&](const graph::MaterialProperty& entry) {
+            const auto found = std::ranges::find(textures, entry.property->name);
+            return found != textures.end() && std::size_t(found - textures.begin()) >= most;
+        };
+        const auto first = std::ranges::find_if(material.properties, is_over);
+        if (first == material.properties.end()) continue;
+        session.diagnostics
+            .report(Code::TooMany, first->property->name_span, textures.size(), "textures in one stage", most)
+            .note(fmt::format("the pass '{}' reads all of them, and each needs a sampler", pass.pass->name));
+        return;
+    }
+}
+
+}  // namespace
+
+void check_limits(graph::Session& session, const graph::Material& material, const graph::Lowered& lowered,
+                  std::span<const LinkedPass> passes) {
+    check_block(session, material, lowered);
+    if (session.engine.is_one_file() || session.engine.most_samplers == 0) return;
+    const std::size_t before = session.diagnostics.error_count();
+    for (const LinkedPass& pass : passes) {
+        check_samplers(session, material, pass);
+        if (session.diagnostics.error_count() > before) return;
+    }
+}
+
+}  // namespace patina::link

@@ -1,0 +1,27 @@
+// Names of other languages and programs (GLSL, C#, MaterialX, Unity), for people who look for theirs. Nothing compiles
+// because of them: they are advice.
+//
+//   record.note(advice("mix", known, declarations));       // "'mix' is written 'lerp' here"
+//   record.note(node_advice("Mix", known, declarations));  // "'Mix' is the node 'Lerp' here"
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "compiler/nodelang/library.h"
+
+namespace patina::nodelang {
+
+// What to write for a word of another language, such as "lerp" for "mix"; empty if the word is unknown.
+std::string_view own_word(std::string_view word);
+
+// The node that has `word` in its attribute [also("mix")]; null if there is none. Capitals, spaces and _ do not count.
+const FunctionDecl* known_as(const Declarations& declarations, std::string_view word);
+
+// What is written here for an unknown function, or for an unknown node; else the nearest of `known`, or nothing.
+std::string node_advice(std::string_view word, std::span<const std::string_view> known,
+                        const Declarations& declarations);
+std::string advice(std::string_view word, std::span<const std::string_view> known, const Declarations& declarations);
+
+}  // namespace patina::nodelang
