@@ -106,6 +106,17 @@ foreach(file IN LISTS files)
   endif()
 endforeach()
 
+# The library also compiles with libc++ 13 (the preset emscripten), which has none of these.
+file(GLOB_RECURSE files ${ROOT}/compiler/*.h ${ROOT}/compiler/*.cpp)
+list(FILTER files EXCLUDE REGEX "/compiler/(cli|importers|validate)/")
+foreach(file IN LISTS files)
+  file(STRINGS ${file} uses REGEX "^[^/]*std::(ranges|bit_cast|lexicographical_compare_three_way)")
+  file(RELATIVE_PATH name ${ROOT} ${file})
+  foreach(use IN LISTS uses)
+    string(APPEND breaches "${name} uses what libc++ 13 does not have: ${use}\n")
+  endforeach()
+endforeach()
+
 # The declarations of a pass file are read once, in compiler/paths; those of a node file, by the rooms that describe
 # nodes.
 foreach(room IN ITEMS emit lower link output engines interpret)

@@ -196,7 +196,7 @@ Typed call_expression(Emitter& emitter, const Expr& expr, Scope& scope) {
         return expr.text.starts_with(scalar) &&
                expr.text.substr(scalar.size()).find_first_not_of("0123456789xN") == std::string_view::npos;
     };
-    if (std::ranges::any_of(kScalars, is_type)) {
+    if (std::any_of(std::begin(kScalars), std::end(kScalars), is_type)) {
         const Type wanted = type(emitter, type_name, scope);
         return wanted.is_error() ? Typed{} : constructor(emitter, wanted, expr, scope);
     }

@@ -50,10 +50,10 @@ void check_samplers(graph::Session& session, const graph::Material& material, co
         const std::vector<std::string_view> textures = textures_of(*stage);
         if (textures.size() <= most) continue;
         const auto is_over = [&](const graph::MaterialProperty& entry) {
-            const auto found = std::ranges::find(textures, entry.property->name);
+            const auto found = std::find(textures.begin(), textures.end(), entry.property->name);
             return found != textures.end() && std::size_t(found - textures.begin()) >= most;
         };
-        const auto first = std::ranges::find_if(material.properties, is_over);
+        const auto first = std::find_if(material.properties.begin(), material.properties.end(), is_over);
         if (first == material.properties.end()) continue;
         session.diagnostics
             .report(Code::TooMany, first->property->name_span, textures.size(), "textures in one stage", most)

@@ -68,7 +68,8 @@ constexpr OtherName kOtherNames[] = {
 }  // namespace
 
 std::string_view own_word(std::string_view word) {
-    const auto found = std::ranges::find(kOtherNames, word, &OtherName::other);
+    const auto found = std::find_if(std::begin(kOtherNames), std::end(kOtherNames),
+                                    [&](const OtherName& row) { return row.other == word; });
     return found == std::end(kOtherNames) ? std::string_view() : found->own;
 }
 

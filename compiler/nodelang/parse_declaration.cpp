@@ -97,8 +97,9 @@ bool is_number(const Expr& expr) {
 bool is_meaning(std::string_view word) {
     constexpr std::string_view kWords[] = {"texel", "normalMap", "data", "position", "direction"};
     constexpr std::string_view kSpaces[] = {"OS", "WS", "VS", "TS"};
-    return std::ranges::find(kWords, word) != std::end(kWords) ||
-           std::ranges::any_of(kSpaces, [&](std::string_view space) { return word.ends_with(space); });
+    return std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords) ||
+           std::any_of(std::begin(kSpaces), std::end(kSpaces),
+                       [&](std::string_view space) { return word.ends_with(space); });
 }
 
 FunctionMarks marks_of(const FunctionDecl& function) {

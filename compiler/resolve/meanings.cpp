@@ -44,7 +44,7 @@ Meaning meaning_of(std::string_view name) {
     Meaning made;
     if (name.size() > 2) {
         const std::string_view ending = name.substr(name.size() - 2);
-        const auto space = std::ranges::find(kSpaces, ending);
+        const auto space = std::find(kSpaces.begin(), kSpaces.end(), ending);
         if (space != kSpaces.end()) made.space = *space;
     }
     const bool is_position = name.find("osition") != name.npos || name.starts_with("point");
@@ -66,7 +66,8 @@ struct Value {
 };
 
 const Attribute* attribute_of(std::span<const Attribute> attributes, std::string_view name) {
-    const auto found = std::ranges::find(attributes, name, &Attribute::name);
+    const auto found =
+        std::find_if(attributes.begin(), attributes.end(), [&](const Attribute& each) { return each.name == name; });
     return found == attributes.end() ? nullptr : &*found;
 }
 
@@ -180,7 +181,8 @@ private:
     const Property* property_of(const Expr& expr) const {
         if (expr.kind != Expr::Kind::Property) return nullptr;
         const auto& all = graph_.graph->properties;
-        const auto found = std::ranges::find(all, expr.text, &Property::name);
+        const auto found =
+            std::find_if(all.begin(), all.end(), [&](const Property& each) { return each.name == expr.text; });
         return found == all.end() ? nullptr : &*found;
     }
 
@@ -312,7 +314,7 @@ private:
             const FunctionDecl& function = *session_.library.declarations.function(name);
             const Attribute* is = function.attribute("is");
             if (!is || is->args.size() > 1 || meaning_of(nodelang::attribute_text(*is)) != to) continue;
-            const bool takes = std::ranges::any_of(function.params, [&](const ParamDecl& param) {
+            const bool takes = std::any_of(function.params.begin(), function.params.end(), [&](const ParamDecl& param) {
                 if (param.is_out) return false;
                 const Meaning wanted = declared(param.attributes, param.name);
                 return wanted == from || (from.kind == Kind::Texel && wanted.kind == Kind::NormalMap);
