@@ -118,12 +118,13 @@ FunctionMarks marks_of(const FunctionDecl& function) {
 
 // An unknown attribute has no effect, so it is reported.
 void Parser::check_attributes(std::span<const Attribute> marks, std::string_view what) {
-    std::vector<std::string_view> known;
-    for (const AttributeInfo& row : kAttributes) {
-        if (row.place == what) known.push_back(row.name);
-    }
     for (const Attribute& mark : marks) {
-        if (std::find(known.begin(), known.end(), mark.name) == known.end()) {
+        const auto is_row = [&](const AttributeInfo& row) { return row.name == mark.name && row.place == what; };
+        if (std::none_of(std::begin(kAttributes), std::end(kAttributes), is_row)) {
+            std::vector<std::string_view> known;
+            for (const AttributeInfo& row : kAttributes) {
+                if (row.place == what) known.push_back(row.name);
+            }
             diagnostics_.report(Code::BadAttribute, mark.span, mark.name, fmt::format("is not allowed before {}", what))
                 .note(Diagnostics::suggestion(mark.name, known));
         } else if (mark.name == "range" &&

@@ -57,6 +57,9 @@ Node Parser::leaf(Expr::Kind kind, const Token& token) {
 Node Parser::expression() {
     const Nested nested(*this);
     if (!nested.allowed()) return {};
+    // Most defaults and arguments are one number or one name.
+    const bool is_leaf = now().kind == Token::Kind::Number || now().kind == Token::Kind::Word;
+    if (is_leaf && (after().is(",") || after().is(")") || after().is(";"))) return primary();
     const Node condition = binary(1);
     if (!condition || !now().is("?")) return condition;
     const Token question = take();
