@@ -10,7 +10,7 @@
 
 namespace patina::graph {
 
-// What a file declares, what its passes see, and where mistakes are reported.
+// The base of the checks: it holds the declarations of the file, and it reports mistakes.
 class DeclarationCheck {
 public:
     DeclarationCheck(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const SourceMap& sources,
