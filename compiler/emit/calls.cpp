@@ -52,9 +52,9 @@ Typed choose(Emitter& emitter, Value chooser, std::span<const Typed> choices, Sc
     return result;
 }
 
-// Emits the body in the place of the call, for functions marked [inline], so that a pass reads as one text. Such
-// functions have one result and no const parameters.
-Typed spelled_out(Emitter& emitter, const FunctionDecl& function, std::span<const Value> arguments, const Scope& border,
+// Emits the body in the place of the call, for functions marked [inline], so that the caller reads as one text.
+Typed spelled_out(Emitter& emitter, const FunctionDecl& function, const Declarations& home,
+                  std::span<const Argument> gathered, std::span<const Value> arguments, const Scope& border,
                   Scope& scope, Span span) {
     if (std::find(emitter.active.begin(), emitter.active.end(), &function) != emitter.active.end()) {
         emitter.diagnostics.report(Code::Recursion, span, function.name);
@@ -64,24 +64,25 @@ Typed spelled_out(Emitter& emitter, const FunctionDecl& function, std::span<cons
     Scope inner = border;
     inner.function = &function;
     inner.needs_quad = &needs_quad;
-    for (std::size_t i = 0; i < function.params.size(); ++i) {
-        const Typed value{.value = arguments[i], .type = type(emitter, function.params[i].type, border)};
-        inner.locals.push_back({.name = function.params[i].name, .value = value, .is_const = false, .constant = {}});
-    }
-    inner.result = type(emitter, function.result, border);
+    auto next = arguments.begin();
+    const Outputs* outputs =
+        begin_body(emitter, function, home, gathered, std::string(function.name), inner,
+                   [&](const ParamDecl&, Type) { return *next++; });
+    if (inner.result.is_error()) return {};
     Value returned;
     const std::size_t errors = emitter.diagnostics.error_count();
     emitter.active.push_back(&function);
     const bool returns = statements(emitter, sound_body_of(emitter, function), 0, inner, returned);
     emitter.active.pop_back();
     if (emitter.diagnostics.error_count() != errors) return {};
-    if (!returns) {
+    if (!returns && function.result.name != "void") {
         emitter.diagnostics.report(Code::MissingReturn, function.name_span, function.name);
         return {};
     }
+    if (!returns) returned = return_value(emitter, nullptr, inner);
     if (needs_quad) need_quad(emitter, scope, span, function.name, takes_texture(function));
     if (inner.rounds > 0) count_rounds(emitter, inner.rounds, scope, span);
-    return {.value = returned, .type = inner.result};
+    return {.value = returned, .type = inner.result, .outputs = outputs};
 }
 
 // If the value of a const parameter is known only when the shader runs, emits a call for each value and chooses between
@@ -121,7 +122,8 @@ Typed call_gathered(Emitter& emitter, const FunctionDecl& function, const Declar
         values.push_back(value.value);
     }
     if (!good) return {};
-    if (function.marks.is_inlined) return spelled_out(emitter, function, values, border, scope, span);
+    if (function.marks.is_inlined)
+        return spelled_out(emitter, function, home, gathered, values, border, scope, span);
     const Instance& instance = instantiate(emitter, function, home, gathered, width, half, span);
     if (instance.result.is_error()) return {};
     if (instance.needs_quad) need_quad(emitter, scope, span, function.name, takes_texture(function));

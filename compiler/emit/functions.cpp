@@ -33,44 +33,14 @@ Instance emit_function(Emitter& emitter, const FunctionDecl& function, const Dec
                 .half = half,
                 .function = &function,
                 .needs_quad = &instance.needs_quad};
-    scope.locals.reserve(function.params.size() + 8);
     made.params.reserve(function.params.size());
-    Outputs outputs{.names = {}, .has_primary = function.result.name != "void"};
-    std::vector<ir::Member> members;
-    const Type primary_type = type(emitter, function.result, scope);
-    if (outputs.has_primary) {
-        outputs.names.push_back("out");
-        members.push_back({"value", primary_type});
-    }
-    for (std::size_t i = 0; i < function.params.size(); ++i) {
-        const ParamDecl& param = function.params[i];
-        const Type param_type = type(emitter, param.type, scope);
-        if (param_type.is_error()) return {.id = {}, .result = Type::error()};
-        Local local{.name = param.name, .value = {}, .is_const = param.is_const, .constant = {}};
-        if (param.is_out) {
-            outputs.names.emplace_back(param.name);
-            members.push_back({std::string(param.name), param_type});
-            local.value = {.value = scope.builder->zero(param_type), .type = param_type};
-        } else if (param.is_const) {
-            local.constant = arguments[i].constant;
-            local.value = {.value = builder.constant(param_type, {*local.constant}), .type = param_type};
-            if (const EnumDecl* enumeration = home.enumeration(param.type.name))
-                local.value.enumerators = &enumeration->values;
-        } else {
-            made.params.push_back({std::string(param.name), param_type, ir::Rate::Pixel});
-            local.value = {.value = builder.param(static_cast<std::uint32_t>(made.params.size() - 1)),
-                           .type = param_type};
-        }
-        scope.locals.push_back(std::move(local));
-    }
-    if (members.size() == 1 && outputs.has_primary) {
-        instance.result = primary_type;
-    } else {
-        emitter.module.structs.push_back({.name = made.name + "Result", .members = std::move(members)});
-        instance.result = Type::structure(static_cast<std::uint32_t>(emitter.module.structs.size() - 1));
-        instance.outputs = keep(emitter, std::move(outputs));
-    }
-    scope.result = instance.result;
+    const auto next_param = [&](const ParamDecl& param, Type of) {
+        made.params.push_back({std::string(param.name), of, ir::Rate::Pixel});
+        return builder.param(static_cast<std::uint32_t>(made.params.size() - 1));
+    };
+    instance.outputs = begin_body(emitter, function, home, arguments, made.name, scope, next_param);
+    instance.result = scope.result;
+    if (instance.result.is_error()) return {.id = {}, .result = Type::error()};
     made.result = instance.result;
     if (function.marks.is_foreign) {
         made.linkage = ir::Linkage::Foreign;
@@ -169,6 +139,45 @@ std::string instance_name(const FunctionDecl& function, const Declarations& home
 }
 
 }  // namespace
+
+const Outputs* begin_body(Emitter& emitter, const FunctionDecl& function, const Declarations& home,
+                          std::span<const Argument> arguments, const std::string& name, Scope& scope,
+                          const std::function<Value(const ParamDecl&, Type)>& value_of) {
+    scope.locals.reserve(function.params.size() + 8);
+    Outputs outputs{.names = {}, .has_primary = function.result.name != "void"};
+    std::vector<ir::Member> members;
+    scope.result = type(emitter, function.result, scope);
+    if (outputs.has_primary) {
+        outputs.names.push_back("out");
+        members.push_back({"value", scope.result});
+    }
+    for (std::size_t i = 0; i < function.params.size(); ++i) {
+        const ParamDecl& param = function.params[i];
+        const Type param_type = type(emitter, param.type, scope);
+        if (param_type.is_error()) {
+            scope.result = Type::error();
+            return nullptr;
+        }
+        Local local{.name = param.name, .value = {}, .is_const = param.is_const, .constant = {}};
+        if (param.is_out) {
+            outputs.names.emplace_back(param.name);
+            members.push_back({std::string(param.name), param_type});
+            local.value = {.value = scope.builder->zero(param_type), .type = param_type};
+        } else if (param.is_const) {
+            local.constant = arguments[i].constant;
+            local.value = {.value = scope.builder->constant(param_type, {*local.constant}), .type = param_type};
+            if (const EnumDecl* enumeration = home.enumeration(param.type.name))
+                local.value.enumerators = &enumeration->values;
+        } else {
+            local.value = {.value = value_of(param, param_type), .type = param_type};
+        }
+        scope.locals.push_back(std::move(local));
+    }
+    if (members.size() == 1 && outputs.has_primary) return nullptr;
+    emitter.module.structs.push_back({.name = name + "Result", .members = std::move(members)});
+    scope.result = Type::structure(static_cast<std::uint32_t>(emitter.module.structs.size() - 1));
+    return keep(emitter, std::move(outputs));
+}
 
 const Statements& sound_body_of(Emitter& emitter, const FunctionDecl& function) {
     const Diagnostics* errors = nodelang::body_errors(function);

@@ -2,6 +2,8 @@
 // (emit.h).
 #pragma once
 
+#include <functional>
+
 #include "compiler/emit/arguments.h"
 
 namespace patina::emit {
@@ -10,6 +12,13 @@ namespace patina::emit {
 // recursion at `call_span`. After an error, the result's type is Error.
 const Instance& instantiate(Emitter& emitter, const FunctionDecl& function, const Declarations& home,
                             std::span<const Argument> arguments, unsigned width, bool half, Span call_span);
+
+// Declares the parameters in the scope of a function's body, and gives the scope its result: the function's own, or a
+// struct of all that it gives. Then the names of the members are returned. `value_of` is asked for each parameter that
+// is neither an output nor const. After an error, the result is Error.
+const Outputs* begin_body(Emitter& emitter, const FunctionDecl& function, const Declarations& home,
+                          std::span<const Argument> arguments, const std::string& name, Scope& scope,
+                          const std::function<ir::Value(const ParamDecl&, ir::Type)>& value_of);
 
 // The function's statements. Those of a library function are parsed now if they have not been parsed yet; a mistake in
 // them is reported.

@@ -25,6 +25,8 @@ Text floating(const Language& language, ir::Scalar scalar, float value) {
         if (scalar == ir::Scalar::Float) return {bits, Precedence::Postfix};
         return {fmt::format("{}({})", language.type_name(ir::Type::scalar_of(scalar)), bits), Precedence::Postfix};
     }
+    const std::string_view name = language.name_of_number ? language.name_of_number(value) : std::string_view();
+    if (!name.empty()) return {std::string(name), Precedence::Primary};
     std::string text = shortest(value);
     if (text.find_first_of(".e") == std::string::npos) text += ".0";
     if (scalar == ir::Scalar::Half) text += language.half_suffix;

@@ -282,8 +282,9 @@ private:
     std::vector<ir::FunctionId> imported_;
 };
 
-// Drops the members that no function that an entry may call reads.
-void drop_unread_members(graph::Lowered& lowered) {
+// Makes the functions that passes share as short as they can be for all of them: members that are always the same, and
+// those that no function that an entry may call reads.
+void tidy_shared(graph::Lowered& lowered) {
     std::vector<ir::FunctionId> entries, called;
     const auto add = [&](ir::FunctionId function) {
         if (function) called.push_back(function);
@@ -297,6 +298,7 @@ void drop_unread_members(graph::Lowered& lowered) {
         for (const auto& given : pass.recipes) add(given.by);
         for (const auto& given : pass.replaced) add(given.by);
     }
+    lowered.module = ir::settle_members(std::move(lowered.module));
     lowered.module = ir::drop_members(std::move(lowered.module), entries, called);
 }
 
@@ -313,7 +315,7 @@ std::vector<ir::OriginId> readers_of(const ir::Module& module) {
 }  // namespace
 
 Linked link(graph::Lowered lowered) {
-    if (lowered.keeps_functions) drop_unread_members(lowered);
+    if (lowered.keeps_functions) tidy_shared(lowered);
     std::vector<ir::OriginId> readers = readers_of(lowered.module);
     std::vector<ir::Function> functions = std::move(lowered.module.functions);
     lowered.module.functions.clear();

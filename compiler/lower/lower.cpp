@@ -292,6 +292,24 @@ Type input_type(Lowering& lowering, const Input& input) {
     return emit::type(lowering.emitter, {.name = name, .span = input.type_span}, scope);
 }
 
+namespace {
+
+// If just one pass draws the surface, its functions are pasted into it, as everywhere else.
+void paste_slots_of_one_pass(Lowering& lowering) {
+    Lowered& out = lowering.out;
+    const auto draws = [](const LoweredPass& pass) { return !pass.declaration->state.targets.empty(); };
+    if (!out.keeps_functions || lowering.material.pass || std::count_if(out.passes.begin(), out.passes.end(), draws) > 1)
+        return;
+    out.keeps_functions = false;
+    for (const SlotDecl& declared : lowering.session.paths->slots) {
+        const auto slot = lowering.emitter.known.slots.find(std::string(declared.name()));
+        if (slot != lowering.emitter.known.slots.end() && slot->second.function)
+            out.module[slot->second.function].always_inline = true;
+    }
+}
+
+}  // namespace
+
 Lowered lower(Session& session, const Material& material, ir::BuildOptions options) {
     Lowered out;
     Lowering lowering{.session = session,
@@ -337,6 +355,7 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     if (session.diagnostics.has_errors()) return out;
     if (session.options.functions.empty()) {
         lower_passes(lowering);
+        paste_slots_of_one_pass(lowering);
         give_texts(lowering);
     } else {
         lower_functions(lowering);

@@ -102,7 +102,8 @@ ir::FunctionId lower_surface(Lowering& lowering, std::vector<const Input*>& memb
     const CheckedGraph& graph = *lowering.material.graph;
     ir::Function function{};
     function.name = "surface";
-    if (lowering.out.keeps_functions) function.comment = "What the graph says of the surface.";
+    // Passes share one function for the surface, of the workflow's set-up and the graph.
+    function.always_inline = lowering.out.keeps_functions;
     ir::Builder builder(module, function, lowering.emitter.options);
     GraphScope scope(lowering, graph, builder, false);
     scope.emit_nodes(pixel_nodes(graph));

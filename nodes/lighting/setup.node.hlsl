@@ -20,7 +20,7 @@ enum EnergyConservation {
 /// test: MetallicSetup(float3(0.8, 0.4, 0.1), 0.3).oneMinusReflectivity == 0.672
 /// test: MetallicSetup(float3(0.8, 0.4, 0.1), 1).diffuseColor == float3(0, 0, 0)
 /// test: MetallicSetup(float3(0.8, 0.4, 0.1), 1).f0 == float3(0.8, 0.4, 0.1)
-[node("Lighting/Setup/Metallic")]
+[node("Lighting/Setup/Metallic")] [inline]
 void MetallicSetup(
     [color] float3 baseColor = 0.5,                ///< colour of the surface
     [range(0, 1)] float metallic = 0,               ///< 0 is a dielectric, 1 a metal
@@ -44,7 +44,7 @@ void MetallicSetup(
 /// test: SpecularSetup(float3(1, 0.5, 0), float3(0.5, 0.2, 0.1), None).diffuseColor == float3(1, 0.5, 0)
 /// test: SpecularSetup(float3(1, 1, 1), float3(0.5, 0.2, 0.1)).f0 == float3(0.5, 0.2, 0.1)
 /// test: SpecularSetup(float3(1, 1, 1), float3(0.1, 0.2, 0.75)).oneMinusReflectivity == 0.25
-[node("Lighting/Setup/Specular")]
+[node("Lighting/Setup/Specular")] [inline]
 void SpecularSetup(
     [color] float3 baseColor = 0.5,                     ///< colour of the scattered light, before conservation
     [color] float3 specular = 0.2,                       ///< reflectance at normal incidence

@@ -26,12 +26,13 @@ const Compiler& compiler() {
 const std::map<std::string, std::vector<Keywords>>& variants() {
     static const std::map<std::string, std::vector<Keywords>> kVariants = {
         {"ForwardBase",
-         {{},
-          {"UNITY_COLORSPACE_GAMMA", "FOG_LINEAR"},
+         {{"DIRECTIONAL"},
+          {"DIRECTIONAL", "UNITY_COLORSPACE_GAMMA", "FOG_LINEAR"},
           {"DIRECTIONAL", "LIGHTPROBE_SH", "SHADOWS_SCREEN", "VERTEXLIGHT_ON", "INSTANCING_ON"},
           {"DIRECTIONAL", "LIGHTMAP_ON", "SHADOWS_SCREEN", "FOG_EXP2", "STAND_IN_2017"},
-          {"LIGHTMAP_ON", "DYNAMICLIGHTMAP_ON", "DIRLIGHTMAP_COMBINED", "UNITY_SPECCUBE_BOX_PROJECTION"},
-          {"UNITY_SPECCUBE_BLENDING", "STAND_IN_2017"}}},
+          {"DIRECTIONAL", "LIGHTMAP_ON", "DYNAMICLIGHTMAP_ON", "DIRLIGHTMAP_COMBINED",
+           "UNITY_SPECCUBE_BOX_PROJECTION"},
+          {"DIRECTIONAL", "UNITY_SPECCUBE_BLENDING", "STAND_IN_2017"}}},
         {"", {{}, {"UNITY_COLORSPACE_GAMMA", "FOG_LINEAR"}, {"FOG_EXP2", "INSTANCING_ON", "STAND_IN_2017"}}},
         {"ForwardAdd",
          {{"POINT"},
@@ -103,7 +104,14 @@ bool counts_texels(const LabPass& pass) {
     return counts;
 }
 
+// Unity sets keywords only for passes that name them.
+bool has_keyword_of_light(const LabPass& pass) {
+    return std::any_of(pass.pragmas.begin(), pass.pragmas.end(),
+                       [](const std::string& pragma) { return pragma.starts_with("multi_compile_fwd"); });
+}
+
 void expect_accepted(const LabPass& pass, const Result& result, Keywords keywords) {
+    if (!has_keyword_of_light(pass)) std::erase(keywords, "DIRECTIONAL");
     for (const bool is_dx9 : {false, true}) {
         if (is_dx9 && counts_texels(pass)) continue;
         if (is_dx9) keywords.emplace_back("STAND_IN_DX9");

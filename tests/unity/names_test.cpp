@@ -86,7 +86,7 @@ TEST(UnityNames, OfPropertiesAreNotTheFilesOwnOrWords) {
                                                                      {"vert", "the file itself"},
                                                                      {"frag", "the file itself"},
                                                                      {"v2f", "the file itself"},
-                                                                     {"GIInput", "the file itself"},
+                                                                     {"WhiteLight", "the file itself"},
                                                                      {"LinearColor", "the file itself"},
                                                                      {"Instances", "the file itself"},
                                                                      {"half", "a reserved word of HLSL"},
@@ -204,7 +204,7 @@ TEST(UnityNames, OfPropertiesAreKept) {
 TEST(UnityNames, OfParametersAreFreeInOtherFunctions) {
     const std::string text = shader(material(R"("surface": { "normalOS": "@normalOS" }, "render": { "cull": "off" })"));
     EXPECT_TRUE(has(text, "half4 frag(v2f i, bool frontFacing : SV_IsFrontFace)")) << text;
-    EXPECT_TRUE(has(text, "Surface getSurface(float3 normalOS, bool frontFacing)")) << text;
+    EXPECT_TRUE(has(text, "LightingSurface lightingSurface(float3 normalOS, bool frontFacing)")) << text;
 }
 
 // One that an include declares for materials is read from there.

@@ -119,9 +119,9 @@ TEST(UnitySeam, LeavesEmissionToTheFirstPass) {
     const std::size_t begin = text.find(R"("LightMode" = "ForwardAdd")"), end = text.find("ENDCG", begin);
     ASSERT_LT(end, text.size()) << text;
     const std::string added = text.substr(begin, end - begin);
-    EXPECT_TRUE(has(text, "float3 glow = AmbientLight(")) << text;
-    EXPECT_TRUE(has(added, " getSurfaceForwardDelta(")) << text;
-    EXPECT_FALSE(has(added, "AmbientLight(")) << text;
+    EXPECT_TRUE(has(text, "float3 glow = LinearColor(WhiteLight(")) << text;
+    EXPECT_TRUE(has(added, " lightingSurfaceForwardDelta(")) << text;
+    EXPECT_FALSE(has(added, "WhiteLight(")) << text;
     EXPECT_FALSE(has(added, "emission")) << text;
 }
 

@@ -59,7 +59,7 @@ using Words = std::vector<std::string>;
 // Unity's deferred path keeps in the stencil which pixels it lights, and sets it whatever a pass says.
 TEST(UnityDeferred, HasNoPlaceForAStencil) {
     const Result result = of_text(material(R"("render": { "stencil": { "reference": 1, "pass": "replace" } })"));
-    EXPECT_EQ(modes(result), (Words{"ForwardBase", "ForwardAdd", "ShadowCaster"}));
+    EXPECT_EQ(modes(result), (Words{"ForwardBase", "ForwardAdd"}));
     const Words said = left_out(result);
     ASSERT_EQ(said.size(), 1u);
     EXPECT_TRUE(has(said[0], "'Deferred'") && has(said[0], "stencil")) << said[0];
@@ -80,15 +80,35 @@ TEST(UnityDepth, IsThereForPassesThatWriteIt) {
     }
     for (const std::string test : {"less", "lessEqual", "equal"}) {
         const Result result = of_text(material(R"("render": { "depthTest": ")" + test + "\" }"));
-        EXPECT_EQ(modes(result).size(), 4u) << test;
+        EXPECT_EQ(modes(result).size(), 3u) << test;
+        EXPECT_TRUE(has(result.shaders.front().text, "FallBack \"VertexLit\"")) << test;
         EXPECT_TRUE(result.diagnostics.empty()) << test;
+    }
+}
+
+// The fallback draws the shadows of surfaces that are as the mesh is, with the same text. All others need their own.
+TEST(UnityShadows, AreLeftToTheFallbackWhereItDrawsTheSame) {
+    for (const std::string graph :
+         {R"("surface": { "metallic": 0.5 })", R"("render": { "depthTest": "equal" })", R"("render": { "queue": 2100 })"}) {
+        const Result result = of_text(material(graph));
+        EXPECT_EQ(modes(result), (Words{"ForwardBase", "ForwardAdd", "Deferred"})) << graph;
+        EXPECT_TRUE(has(result.shaders.front().text, "FallBack \"VertexLit\"")) << graph;
+        for (const Pass& pass : result.reflection.passes) EXPECT_FALSE(pass.targets.empty()) << graph;
+    }
+    for (const std::string graph :
+         {R"("render": { "cull": "off" })", R"("render": { "cull": "front" })", R"("render": { "surface": "cutout" })",
+          R"("vertex": { "positionOS": "= @positionOS * 2" })"}) {
+        const Result result = of_text(material(graph));
+        EXPECT_EQ(modes(result), (Words{"ForwardBase", "ForwardAdd", "ShadowCaster", "Deferred"})) << graph;
+        EXPECT_TRUE(has(result.shaders.front().text, "VertexLit\"")) << graph;
     }
 }
 
 // Unity's own Unlit shaders have no light mode, so that objects can be batched, and a lower level of detail.
 TEST(UnityModes, UnlitFilesHaveNone) {
     const Result unlit = of_text(R"({ "patina": 1, "workflow": "unlit", "surface": { "color": 0.5 } })");
-    EXPECT_EQ(modes(unlit), (Words{"", "ShadowCaster"}));
+    EXPECT_EQ(modes(unlit), (Words{""}));
+    EXPECT_TRUE(has(unlit.shaders.front().text, "FallBack \"VertexLit\""));
     EXPECT_TRUE(has(unlit.shaders.front().text, "LOD 100"));
     const Result lit = of_text(material(R"("name": "Lit")"));
     EXPECT_EQ(modes(lit).front(), "ForwardBase");
@@ -151,7 +171,7 @@ TEST(UnityQueue, OrdersThePassesOfAMaterial) {
         "render": { "queue": 2100 }, "passes": [ )" +
                added("late", R"("queue": 2300)") + ", " + added("same", R"("queue": 2100)") + ", " +
                added("before", R"("queue": 2050)") + ", " + added("first", R"("queue": 1900)") + " ] }");
-    EXPECT_EQ(pass_names(text), (Words{"first", "before", "FORWARD", "ShadowCaster", "same", "late"}));
+    EXPECT_EQ(pass_names(text), (Words{"first", "before", "FORWARD", "same", "late"}));
     EXPECT_TRUE(has(text, "\"Queue\" = \"Geometry+100\"")) << text;
 }
 

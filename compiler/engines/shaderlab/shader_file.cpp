@@ -16,16 +16,12 @@ using Kind = languages::Piece::Kind;
 
 struct SurfaceRow {
     SurfaceKind kind;
-    std::string_view render_type, fallback;
+    std::string_view render_type;
 };
-// Unity takes passes that the shader lacks from its fallback. Only surfaces that cast shadows have one.
 constexpr SurfaceRow kSurfaces[] = {
-    {SurfaceKind::Opaque, "Opaque", "\"VertexLit\""},
-    {SurfaceKind::Cutout, "TransparentCutout", "\"Legacy Shaders/Transparent/Cutout/VertexLit\""},
-    {SurfaceKind::Fade, "Transparent", "Off"},
-    {SurfaceKind::Transparent, "Transparent", "Off"},
-    {SurfaceKind::Additive, "Transparent", "Off"},
-    {SurfaceKind::Multiply, "Transparent", "Off"},
+    {SurfaceKind::Opaque, "Opaque"},         {SurfaceKind::Cutout, "TransparentCutout"},
+    {SurfaceKind::Fade, "Transparent"},      {SurfaceKind::Transparent, "Transparent"},
+    {SurfaceKind::Additive, "Transparent"},  {SurfaceKind::Multiply, "Transparent"},
 };
 
 // --- the text, line by line
@@ -112,9 +108,7 @@ public:
         tags();
         for (std::size_t i = 0; i < passes_.size(); ++i) pass(i);
         out_.line(1, "}");
-        const bool casts = std::any_of(in_.reflection.passes.begin(), in_.reflection.passes.end(),
-                                       [](const Pass& pass) { return pass.targets.empty(); });
-        out_.line(1, fmt::format("FallBack {}", casts ? surface().fallback : "Off"));
+        out_.line(1, fmt::format("FallBack {}", fallback_word(in_.material, in_.lowered, in_.passes)));
         out_.line(0, "}");
         return out_.take();
     }
@@ -149,14 +143,20 @@ private:
         out_.line(1, "CGINCLUDE");
         for (const std::string_view file : includes) out_.line(1, fmt::format("#include \"{}\"", file));
         gap_after(!includes.empty());
+        const std::string_view condition = vertex_condition(passes_);
         Kind before = Kind::Uniform;
-        bool is_first = true;
+        bool is_first = true, is_open = false;
         for (const Declaration* each : shared_) {
             if (each->kind != Kind::Uniform && before == Kind::Uniform) {
                 if (!is_first) out_.line(0, "");
                 needed_pieces(text);
             }
+            if (each->is_of_vertex && !condition.empty() && !is_open) {
+                out_.line(1, fmt::format("#if {}", condition));
+                is_open = true;
+            }
             out_.declaration(1, *each);
+            if (is_open && each == shared_.back()) out_.line(1, "#endif");
             if (each->kind != Kind::Uniform) out_.line(0, "");
             before = each->kind;
             is_first = false;

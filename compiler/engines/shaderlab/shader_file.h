@@ -60,7 +60,7 @@ void check_keywords(const graph::Material& material, const Reflection& reflectio
 void check_samplers(std::span<const LinkedPass> passes, const engines::Engine& engine, Diagnostics& diagnostics);
 
 // --- shader_order.cpp
-// Sorts the passes by their queues, relative to the material's own passes.
+// Sorts the passes by their queues, relative to the material's own passes, and lets those that can share a vertex stage.
 void order_passes(std::vector<LinkedPass>& passes);
 // The queue of the whole file: the material's, unless a pass reads something that is available only later.
 int shader_queue(const graph::Material& material, std::span<const LinkedPass> passes);
@@ -74,6 +74,14 @@ std::vector<std::string> shader_state(const Pass& pass);
 // "Transparent+1"
 std::string queue_word(int queue);
 
+// --- fallback.cpp
+// True if the shader that Unity falls back to for opaque surfaces draws the pass in the same way: the file need not hold
+// it.
+bool is_in_fallback(const LinkedPass& pass);
+// The word of `FallBack`.
+std::string_view fallback_word(const graph::Material& material, const graph::Lowered& lowered,
+                               std::span<const LinkedPass> passes);
+
 // --- object_space.cpp
 // True if the pass computes with an object's own space or position, other than to bring the mesh into world space.
 bool knows_object(const LinkedPass& pass);
@@ -86,12 +94,14 @@ struct PassText {
         std::string name, text;
         std::vector<languages::PrintedLine> lines{};  // counted from 0
         bool is_own = false;  // no other pass has it, so it is declared in the pass (shader_shared.cpp)
+        bool is_of_vertex = false;  // the vertex function, or the struct that it returns
     };
     std::vector<Declaration> declarations;  // each declaration after those that it reads; the entry functions last
     std::vector<ir::StageText> texts;       // the lines that both stages and the foreign functions that they call need
     // What needs shader model 3.5 (unsigned numbers, texel loads, sides of faces): the entries, and other functions.
     bool is_modern = false;
     std::vector<std::string> modern_functions{};
+    bool shares_vertex = false;  // the vertex function stands before all passes
 };
 // `taken`: names that have another meaning outside the pass.
 PassText pass_text(const LinkedPass& pass, const engines::Engine& engine, const languages::TakenNames& engine_names,
@@ -108,8 +118,12 @@ bool mentions(std::string_view text, std::string_view name);
 // --- shader_shared.cpp
 // The texts of the passes. A name means the same in all of them, unless it belongs to one pass.
 std::vector<PassText> pass_texts(std::span<const LinkedPass> linked, const engines::Engine& engine);
-// The declarations that do not belong to one pass, each once and after those that it reads.
+// The declarations that do not belong to one pass, each once and after those that it reads; a shared vertex function and
+// its struct come last.
 std::vector<const PassText::Declaration*> shared_declarations(const std::vector<PassText>& passes);
+// The condition, in the words of the preprocessor, under which programs may declare the vertex function that some passes
+// share; empty if all of them do.
+std::string_view vertex_condition(const std::vector<PassText>& passes);
 // The pieces of the include that the text of the passes mentions, in their order.
 std::vector<std::string_view> needed_pieces_of(std::string_view include, const std::string& text);
 

@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "compiler/engines/shaderlab/shader_file.h"
+#include "compiler/engines/shaderlab/share_vertex.h"
 
 namespace patina::engines::shaderlab {
 namespace {
@@ -67,6 +68,7 @@ void order_passes(std::vector<LinkedPass>& passes) {
     const auto queue = [](const LinkedPass& pass) { return output::queue_of(pass.material->graph->graph->render); };
     std::stable_sort(passes.begin(), passes.end(),
                      [&](const LinkedPass& a, const LinkedPass& b) { return queue(a) < queue(b); });
+    share_vertex_stages(passes);
 }
 
 int shader_queue(const graph::Material& material, std::span<const LinkedPass> passes) {

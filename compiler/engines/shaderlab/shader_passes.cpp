@@ -92,6 +92,10 @@ const Declaration* find(const std::vector<Declaration>& list, const std::string&
     return found == list.end() ? nullptr : &*found;
 }
 
+bool is_entry(const Declaration& each) {
+    return each.kind == Kind::Entry;
+}
+
 }  // namespace
 
 std::string_view name_of(const LinkedPass& pass) {
@@ -161,9 +165,12 @@ PassText pass_text(const LinkedPass& pass, const engines::Engine& engine, const 
     }
     for (const auto* stage : std::array{&std::as_const(vertex), &fragment}) {
         for (const Declaration& each : *stage) {
-            if (each.kind == Kind::Entry) made.declarations.push_back(each);
+            if (is_entry(each)) made.declarations.push_back(each);
         }
     }
+    const std::string& entry = std::find_if(vertex.begin(), vertex.end(), is_entry)->text;
+    for (Declaration& each : made.declarations)
+        each.is_of_vertex = each.text == entry || (each.kind == Kind::Struct && entry.starts_with(each.name + " "));
     return made;
 }
 

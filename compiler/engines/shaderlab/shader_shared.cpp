@@ -76,14 +76,50 @@ std::map<std::string_view, const Declaration*> most_common(const std::vector<Pas
     return made;
 }
 
+// The text of the vertex function and its struct.
+std::string vertex_text(const PassText& pass) {
+    std::string text;
+    for (const Declaration& each : pass.declarations) {
+        if (each.is_of_vertex) text += each.text;
+    }
+    return text;
+}
+
+std::string_view condition_of(const PassText& pass) {
+    for (const ir::StageText& text : pass.texts) {
+        if (text.place == "vertex condition") return text.line;
+    }
+    return {};
+}
+
+// The first vertex function that several passes have stands before all passes. If others have their own, a condition
+// must hide it there, so it must not hold for these.
+void share_vertex(std::vector<PassText>& passes) {
+    for (const PassText& first : passes) {
+        const std::string text = vertex_text(first);
+        const auto is_same = [&](const PassText& each) {
+            return vertex_text(each) == text && condition_of(each) == condition_of(first);
+        };
+        const auto is_hidden = [&](const PassText& each) {
+            return is_same(each) || (!condition_of(first).empty() && condition_of(each).empty());
+        };
+        const auto count = std::count_if(passes.begin(), passes.end(), is_same);
+        if (count < 2 || !std::all_of(passes.begin(), passes.end(), is_hidden)) continue;
+        for (PassText& each : passes) each.shares_vertex = is_same(each);
+        return;
+    }
+}
+
 void mark_own(std::vector<PassText>& passes) {
     std::map<std::string, int> counts;
     for (const PassText& pass : passes) {
         for (const Declaration& each : pass.declarations) ++counts[each.name];
     }
+    share_vertex(passes);
     for (PassText& pass : passes) {
         for (Declaration& each : pass.declarations)
-            each.is_own = is_of_entry(pass, each) || (each.kind != Kind::Uniform && counts[each.name] == 1);
+            each.is_own = !(each.is_of_vertex && pass.shares_vertex) &&
+                          (is_of_entry(pass, each) || (each.kind != Kind::Uniform && counts[each.name] == 1));
     }
 }
 
@@ -138,9 +174,17 @@ std::vector<const Declaration*> shared_declarations(const std::vector<PassText>&
             if (!each.is_own && std::none_of(made.begin(), made.end(), is_same)) made.push_back(&each);
         }
     }
-    std::stable_sort(made.begin(), made.end(),
-                     [](const Declaration* a, const Declaration* b) { return a->kind < b->kind; });
+    std::stable_sort(made.begin(), made.end(), [](const Declaration* a, const Declaration* b) {
+        return std::pair(a->is_of_vertex, a->kind) < std::pair(b->is_of_vertex, b->kind);
+    });
     return made;
+}
+
+std::string_view vertex_condition(const std::vector<PassText>& passes) {
+    const auto shares = [](const PassText& pass) { return pass.shares_vertex; };
+    const auto first = std::find_if(passes.begin(), passes.end(), shares);
+    return first == passes.end() || std::all_of(passes.begin(), passes.end(), shares) ? std::string_view()
+                                                                                        : condition_of(*first);
 }
 
 }  // namespace patina::engines::shaderlab

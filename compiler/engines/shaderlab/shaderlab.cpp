@@ -25,6 +25,10 @@ void name(const graph::Session&, graph::Lowered& lowered) {
     }
 }
 
+bool takes(graph::Session& session, const link::Linked& linked, const LinkedPass& pass) {
+    return link::has_all(session, linked, pass) && !is_in_fallback(pass);
+}
+
 void check(const Compiled& compiled, const Reflection& reflection) {
     Diagnostics& diagnostics = compiled.session.diagnostics;
     check_shader_name(compiled.material, compiled.session);
@@ -59,7 +63,7 @@ void write(const Compiled& compiled, Result& result) {
 const output::Writer kWriter = {.format = "shaderlab",
                                 .accepts = accepts,
                                 .name = name,
-                                .takes = link::has_all,
+                                .takes = takes,
                                 .order = order_passes,
                                 .check = check,
                                 .write = write};

@@ -20,6 +20,9 @@ namespace patina::ir {
 // layout.
 Module prune(Module module);
 
+// If all values of a struct type have the same constant as a member, whoever reads the member uses the constant.
+Module settle_members(Module module);
+
 // A call with constant arguments gets a copy of the callee for these constants, if that decides a branch or a loop or
 // removes half of the callee's work. A call of which the copy is only a constant becomes that constant.
 Module specialise(Module module);

@@ -393,6 +393,8 @@ private:
         copy.to.set_origin(inst.origin ? inst.origin : copy.origin);
         const Value made = member(copy, whole, inst.data);
         copy.to.name(made, inst.name);
+        // What is left of the call is this member, and not what its result was called after.
+        if (inst.name && signatures_[copy.from[whole].data].is_bare()) copy.to.rename(made, inst.name);
         copy.map[value.index] = made;
         return true;
     }

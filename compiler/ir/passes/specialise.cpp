@@ -179,7 +179,7 @@ private:
     }
 
     bool worth(std::uint32_t callee, std::uint64_t params) {
-        if (params == 0 || old_[callee].always_inline) return false;
+        if (params == 0 || old_[callee].always_inline || is_elsewhere(old_[callee])) return false;
         for (const auto& [mask, verdict] : verdicts_[callee]) {
             if (mask == params) return verdict;
         }
@@ -194,7 +194,9 @@ private:
         std::set<std::string> used;
         std::vector<Function*> clashing;
         for (Function& function : module_.functions) {
-            if (!used.insert(function.name).second) clashing.push_back(&function);
+            // Overloads that an included file declares have one name.
+            const bool is_taken = !used.insert(function.name).second;
+            if (is_taken && !is_elsewhere(function)) clashing.push_back(&function);
         }
         std::map<std::string, unsigned> last;
         for (Function* function : clashing) {

@@ -54,27 +54,15 @@
 #define SAMPLE_TEX2D_SAMPLER_GRAD(tex, samplertex, coord, dx, dy) tex2Dgrad(tex, coord, dx, dy)
 #endif
 
-// In a gamma-space project, colours arrive encoded; lighting is still computed in linear space.
-half3 LinearColor(half3 color)
-{
+// In a gamma-space project, colours arrive and leave encoded; lighting is still computed in linear space.
 #ifdef UNITY_COLORSPACE_GAMMA
-    color = GammaToLinearSpace(color);
+half3 LinearColor(half3 color) { return GammaToLinearSpace(color); }
+half4 LinearColor(half4 color) { return half4(GammaToLinearSpace(color.rgb), color.a); }
+half3 ProjectColor(half3 color) { return LinearToGammaSpace(color); }
+#else
+#define LinearColor
+#define ProjectColor
 #endif
-    return color;
-}
-half4 LinearColor(half4 color)
-{
-    return half4(LinearColor(color.rgb), color.a);
-}
-
-// Converts a linear colour to the project's colour space.
-half3 ProjectColor(half3 color)
-{
-#ifdef UNITY_COLORSPACE_GAMMA
-    color = LinearToGammaSpace(color);
-#endif
-    return color;
-}
 
 // The original texel of a normal map, independent of how Unity packs it.
 half4 NormalTexel(half4 texel)
@@ -113,21 +101,31 @@ float4 AmbientOrLightmapUV(float2 uv1, float2 uv2, float3 position, half3 normal
     return ambient;
 }
 
-// The input of Unity's global illumination. The light is white, so that its result is the shadow.
-UnityGIInput GIInput(float3 position, half attenuation, float4 ambient)
+// Unity's global illumination of a white main light: its result holds the ambient light over pi (probes, lights at
+// vertices, lightmaps), and as the light's colour the share that real-time and baked shadows leave.
+UnityGI WhiteLight(float3 position, half3 normal, half attenuation, float4 ambient)
 {
     UnityGIInput data;
     UNITY_INITIALIZE_OUTPUT(UnityGIInput, data);
     data.light.color = 1;
     data.light.dir = _WorldSpaceLightPos0.xyz;
     data.worldPos = position;
-    data.worldViewDir = normalize(UnityWorldSpaceViewDir(position));
     data.atten = attenuation;
 #if defined(LIGHTMAP_ON) || defined(DYNAMICLIGHTMAP_ON)
     data.lightmapUV = ambient;
 #else
     data.ambient = ambient.rgb;
 #endif
+    return UnityGI_Base(data, 1, normal);
+}
+
+// Light of the reflection probes from a direction, blurred for a perceptual roughness.
+half3 ReflectedLight(half3 direction, half roughness, float3 position, bool readsProbes)
+{
+    if (!readsProbes) return 0;
+    UnityGIInput data;
+    UNITY_INITIALIZE_OUTPUT(UnityGIInput, data);
+    data.worldPos = position;
     data.probeHDR[0] = unity_SpecCube0_HDR;
     data.probeHDR[1] = unity_SpecCube1_HDR;
 #if defined(UNITY_SPECCUBE_BLENDING) || defined(UNITY_SPECCUBE_BOX_PROJECTION)
@@ -140,56 +138,26 @@ UnityGIInput GIInput(float3 position, half attenuation, float4 ambient)
     data.boxMax[1] = unity_SpecCube1_BoxMax;
     data.probePosition[1] = unity_SpecCube1_ProbePosition;
 #endif
-    return data;
-}
-
-// Ambient light over pi: probes, lights at vertices, lightmaps, real-time global illumination.
-half3 AmbientLight(half3 normal, float3 position, half attenuation, float4 ambient)
-{
-    return LinearColor(UnityGI_Base(GIInput(position, attenuation, ambient), 1, normal).indirect.diffuse);
-}
-
-// The fraction of the main light that real-time and baked shadows leave.
-half MixedShadow(float3 position, half attenuation, float4 ambient)
-{
-    return UnityGI_Base(GIInput(position, attenuation, ambient), 1, half3(0, 1, 0)).light.color.r;
-}
-
-// Light of the reflection probes from a direction, blurred for a perceptual roughness.
-half3 ReflectedLight(half3 direction, half roughness, float3 position, bool readsProbes)
-{
-    if (!readsProbes) return 0;
     Unity_GlossyEnvironmentData environment;
     UNITY_INITIALIZE_OUTPUT(Unity_GlossyEnvironmentData, environment);
     environment.roughness = roughness;
     environment.reflUVW = direction;
-    return LinearColor(UnityGI_IndirectSpecular(GIInput(position, 1, 0), 1, environment));
+    return LinearColor(UnityGI_IndirectSpecular(data, 1, environment));
 }
 
-// Whether the G-buffer includes reflections: not if Unity adds them afterwards.
-bool BufferReadsProbes()
-{
+// The G-buffer holds reflections, unless Unity adds them afterwards.
 #if UNITY_ENABLE_REFLECTION_BUFFERS
-    return false;
+#define BufferReadsProbes() false
 #else
-    return true;
+#define BufferReadsProbes() true
 #endif
-}
 
 // Without high dynamic range, the buffer stores 2^-light.
-half3 StoredLight(half3 color)
-{
-#ifndef UNITY_HDR_ON
-    color = exp2(-color);
+#ifdef UNITY_HDR_ON
+#define StoredLight
+#else
+#define StoredLight(light) exp2(-(light))
 #endif
-    return color;
-}
-
-// The shadow mask of the object.
-half4 BakedShadows(float4 ambient, float3 position)
-{
-    return UnityGetRawBakedOcclusions(ambient.xy, position);
-}
 
 // The colour drawn before at a place of the screen, counted from the lower left.
 sampler2D _BackgroundTexture;

@@ -96,7 +96,8 @@ float3 LightColor();
 [text("vertex end", "UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);")]
 float Attenuation(float3 position);
 [foreign("UNITY_LIGHT_ATTENUATION({result}, i, {0})")]
-[text("pragma", "multi_compile_fwdbase")] [text("include", "AutoLight.cginc")] [text("light mode", "ForwardBase")]
+[text("pragma", "multi_compile_fwdbase")] [text("vertex condition", "defined(USING_LIGHT_MULTI_COMPILE)")]
+[text("include", "AutoLight.cginc")] [text("light mode", "ForwardBase")]
 [text("sampler", "_ShadowMapTexture", "unity_ShadowMask")]
 [text("interpolators", "UNITY_LIGHTING_COORDS({}, {})")]
 [text("vertex end", "UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);")]
@@ -109,10 +110,12 @@ float MainAttenuation(float3 position);
 float4 AmbientOrLightmapUV(float3 position, float3 normal);
 
 // A lightmap excludes a probe volume.
-[foreign] [text("include", "UnityPBSLighting.cginc")] [text("sampler", "unity_Lightmap", "unity_DynamicLightmap")]
+[foreign("LinearColor(WhiteLight({1}, {0}, {2}, {3}).indirect.diffuse)")]
+[text("include", "UnityPBSLighting.cginc")] [text("sampler", "unity_Lightmap", "unity_DynamicLightmap")]
 [text("light mode", "ForwardBase")]
 float3 AmbientLight(float3 normal, float3 position, float attenuation, float4 ambientOrLightmapUV);
-[foreign] [text("include", "UnityPBSLighting.cginc")] [text("sampler", "unity_ShadowMask")]
+[foreign("WhiteLight({0}, float3(0, 1, 0), {1}, {2}).light.color.r")]
+[text("include", "UnityPBSLighting.cginc")] [text("sampler", "unity_ShadowMask")]
 float MixedShadow(float3 position, float attenuation, float4 ambientOrLightmapUV);
 [foreign] [text("include", "UnityPBSLighting.cginc")] [text("sampler", "unity_SpecCube0")]
 [text("light mode", "ForwardBase")]
@@ -277,6 +280,7 @@ float4 unityForwardBase(float3 position = positionWS) {
 [pass("unity-forward-add")] [fragment] [each("light")] [lights("further")] [needs("added", "direct")]
 [tag("Name", "FORWARD_DELTA")] [tag("LightMode", "ForwardAdd")]
 [text("pragma", "multi_compile_fwdadd_fullshadows")]
+[text("vertex condition", "defined(USING_LIGHT_MULTI_COMPILE)")]
 [depth("lessEqual", "keep")]
 [blend("opaque", "one", "one", "zero", "one")] [blend("cutout", "one", "one", "zero", "one")]
 [blend("fade", "srcAlpha", "one", "zero", "one")] [blend("transparent", "one", "one", "zero", "one")]
@@ -324,7 +328,8 @@ struct UnityTargets {
 
 /// Without high dynamic range, Unity stores the light as 2^-light.
 [foreign] float3 StoredLight(float3 color);
-[foreign] [text("include", "UnityPBSLighting.cginc")] [text("sampler", "unity_ShadowMask")]
+[foreign("UnityGetRawBakedOcclusions({0}.xy, {1})")]
+[text("include", "UnityPBSLighting.cginc")] [text("sampler", "unity_ShadowMask")]
 float4 BakedShadows(float4 ambientOrLightmapUV, float3 position);
 
 /// Only materials with a lighting model that Unity's own lighting passes compute have this pass. If an object has it,

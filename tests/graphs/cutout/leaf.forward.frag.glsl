@@ -36,13 +36,6 @@ layout(location = 1) in vec3 vPositionWS;
 layout(location = 2) in vec3 vVertexNormalWS;
 layout(location = 0) out vec4 outColor;
 
-// Diffuse colour and reflectance of a surface from base colour and metallic.
-vec3 MetallicSetup(vec3 baseColor, float metallic)
-{
-    float oneMinusReflectivity = 0.96 * (1.0 - metallic);
-    return baseColor * oneMinusReflectivity;
-}
-
 // The inverse square law, with a window that fades it out at the light's range.
 float distanceAttenuation(float distanceSquared, float range)
 {
@@ -94,7 +87,7 @@ void main()
     vec4 leaf = texture(sampler2D(_LeafTex, sampler_LeafTex), vUv0);
 
     // MetallicSetup "setup"
-    vec3 setup = MetallicSetup(leaf.xyz, 0.0);
+    vec3 diffuseColor = leaf.xyz * 0.96;
 
     vec3 normalWS = normalize(geometryNormalWS);
     if (leaf.w < 0.4) discard;
@@ -108,13 +101,13 @@ void main()
         float ndotl = clamp(cosine, 0.0, 1.0);
 
         vec3 radiance = light.color * (light.attenuation * light.shadow);
-        directSum += setup * ndotl * radiance;
+        directSum += diffuseColor * ndotl * radiance;
     }
 
     // AmbientIrradiance "ambient"
     vec3 ambient = EvaluateSH9(normalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz, ambientSH[3].xyz,
         ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
 
-    vec3 indirect = setup * ambient;
+    vec3 indirect = diffuseColor * ambient;
     outColor = vec4(directSum + indirect, 1.0);
 }

@@ -43,13 +43,6 @@ struct FragmentOutput
     float4 color : SV_Target0;
 };
 
-// Diffuse colour and reflectance of a surface from base colour and metallic.
-float3 MetallicSetup(float3 baseColor, float metallic)
-{
-    float oneMinusReflectivity = 0.96 * (1.0 - metallic);
-    return baseColor * oneMinusReflectivity;
-}
-
 // The inverse square law, with a window that fades it out at the light's range.
 float distanceAttenuation(float distanceSquared, float range)
 {
@@ -102,7 +95,7 @@ FragmentOutput main(FragmentInput input)
     float4 leaf = _LeafTex.Sample(sampler_LeafTex, input.uv0);
 
     // MetallicSetup "setup"
-    float3 setup = MetallicSetup(leaf.xyz, 0.0);
+    float3 diffuseColor = leaf.xyz * 0.96;
 
     float3 normalWS = normalize(geometryNormalWS);
     if (leaf.w < 0.4) discard;
@@ -116,14 +109,14 @@ FragmentOutput main(FragmentInput input)
         float ndotl = saturate(cosine);
 
         float3 radiance = light.color * (light.attenuation * light.shadow);
-        directSum += setup * ndotl * radiance;
+        directSum += diffuseColor * ndotl * radiance;
     }
 
     // AmbientIrradiance "ambient"
     float3 ambient = EvaluateSH9(normalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz, ambientSH[3].xyz,
         ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
 
-    float3 indirect = setup * ambient;
+    float3 indirect = diffuseColor * ambient;
     FragmentOutput output;
     output.color = float4(directSum + indirect, 1.0);
     return output;

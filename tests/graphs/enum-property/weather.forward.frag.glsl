@@ -19,6 +19,6 @@ vec3 surface()
 
 void main()
 {
-    vec3 material = surface();
-    outColor = vec4(material, 1.0);
+    vec3 emission = surface();
+    outColor = vec4(emission, 1.0);
 }

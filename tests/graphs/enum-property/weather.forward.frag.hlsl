@@ -22,8 +22,8 @@ float3 surface()
 
 FragmentOutput main()
 {
-    float3 material = surface();
+    float3 emission = surface();
     FragmentOutput output;
-    output.color = float4(material, 1.0);
+    output.color = float4(emission, 1.0);
     return output;
 }

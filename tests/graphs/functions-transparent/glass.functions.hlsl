@@ -53,13 +53,6 @@ struct GlassSurface
     float alphaClip;
 };
 
-struct GlassMetallicSetupResult
-{
-    float3 diffuseColor;
-    float3 f0;
-    float oneMinusReflectivity;
-};
-
 struct GlassPremultiplyAlphaResult
 {
     float3 value;
@@ -87,17 +80,6 @@ GlassSurface Glasssurface(float3 geometryNormalWS)
     return surface;
 }
 
-// Diffuse colour and reflectance of a surface from base colour and metallic.
-GlassMetallicSetupResult GlassMetallicSetup(float3 baseColor, float metallic)
-{
-    float oneMinusReflectivity = 0.96 * (1.0 - metallic);
-    GlassMetallicSetupResult metallicSetupResult;
-    metallicSetupResult.diffuseColor = baseColor * oneMinusReflectivity;
-    metallicSetupResult.f0 = lerp(float3(0.04, 0.04, 0.04), baseColor, metallic);
-    metallicSetupResult.oneMinusReflectivity = oneMinusReflectivity;
-    return metallicSetupResult;
-}
-
 // A diffuse colour for blending with pre-multiplied alpha: reflections stay as the material fades.
 GlassPremultiplyAlphaResult GlassPremultiplyAlpha(float3 diffuseColor, float alpha, float oneMinusReflectivity)
 {
@@ -114,16 +96,17 @@ GlassLightingSurface GlasslightingSurface(float3 geometryNormalWS)
     GlassSurface material = Glasssurface(geometryNormalWS);
 
     // MetallicSetup "setup"
-    GlassMetallicSetupResult setup = GlassMetallicSetup(material.baseColor, material.metallic);
+    float oneMinusReflectivity = 0.96 * (1.0 - material.metallic);
+    float3 diffuseColor = material.baseColor * oneMinusReflectivity;
 
-    GlassPremultiplyAlphaResult premultiplyAlphaResult = GlassPremultiplyAlpha(setup.diffuseColor, material.alpha,
-        setup.oneMinusReflectivity);
+    GlassPremultiplyAlphaResult premultiplyAlphaResult = GlassPremultiplyAlpha(diffuseColor, material.alpha,
+        oneMinusReflectivity);
     GlassLightingSurface surface;
     surface.diffuseColor = premultiplyAlphaResult.value;
-    surface.f0 = setup.f0;
+    surface.f0 = lerp(float3(0.04, 0.04, 0.04), material.baseColor, material.metallic);
     surface.baseColor = material.baseColor;
     surface.metallic = material.metallic;
-    surface.oneMinusReflectivity = setup.oneMinusReflectivity;
+    surface.oneMinusReflectivity = oneMinusReflectivity;
     surface.roughness = material.roughness;
     surface.normalWS = normalize(material.normalWS);
     surface.occlusion = material.occlusion;

@@ -70,13 +70,6 @@ struct Sail_Surface
     float alphaClip;
 };
 
-struct Sail_MetallicSetupResult
-{
-    vec3 diffuseColor;
-    vec3 f0;
-    float oneMinusReflectivity;
-};
-
 layout(set = Sail_set, binding = 0, std140) uniform Sail_Material
 {
     float Sail_Height;
@@ -137,17 +130,6 @@ Sail_Surface Sail_surface(vec2 uv0, vec3 geometryNormalWS, vec3 tangentWS, vec3 
     return surface;
 }
 
-// Diffuse colour and reflectance of a surface from base colour and metallic.
-Sail_MetallicSetupResult Sail_MetallicSetup(vec3 baseColor, float metallic)
-{
-    float oneMinusReflectivity = 0.96 * (1.0 - metallic);
-    Sail_MetallicSetupResult metallicSetupResult;
-    metallicSetupResult.diffuseColor = baseColor * oneMinusReflectivity;
-    metallicSetupResult.f0 = mix(vec3(0.04), baseColor, metallic);
-    metallicSetupResult.oneMinusReflectivity = oneMinusReflectivity;
-    return metallicSetupResult;
-}
-
 // The direction half-way between the light and the viewer.
 vec3 Sail_HalfVector(vec3 view, vec3 lightDir)
 {
@@ -199,14 +181,14 @@ Sail_LightingSurface Sail_lightingSurface(vec2 uv0, vec3 geometryNormalWS, vec3 
     Sail_Surface material = Sail_surface(uv0, geometryNormalWS, tangentWS, bitangentWS, sway);
 
     // MetallicSetup "setup"
-    Sail_MetallicSetupResult setup = Sail_MetallicSetup(material.baseColor, material.metallic);
+    float oneMinusReflectivity = 0.96 * (1.0 - material.metallic);
 
     Sail_LightingSurface surface;
-    surface.diffuseColor = setup.diffuseColor;
-    surface.f0 = setup.f0;
+    surface.diffuseColor = material.baseColor * oneMinusReflectivity;
+    surface.f0 = mix(vec3(0.04), material.baseColor, material.metallic);
     surface.baseColor = material.baseColor;
     surface.metallic = material.metallic;
-    surface.oneMinusReflectivity = setup.oneMinusReflectivity;
+    surface.oneMinusReflectivity = oneMinusReflectivity;
     surface.roughness = material.roughness;
     surface.normalWS = normalize(material.normalWS);
     surface.occlusion = material.occlusion;

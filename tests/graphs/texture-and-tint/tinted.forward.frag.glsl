@@ -24,6 +24,6 @@ vec3 surface(vec2 uv0)
 
 void main()
 {
-    vec3 material = surface(vUv0);
-    outColor = vec4(material, 1.0);
+    vec3 emission = surface(vUv0);
+    outColor = vec4(emission, 1.0);
 }

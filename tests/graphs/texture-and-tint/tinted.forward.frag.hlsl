@@ -30,8 +30,8 @@ float3 surface(float2 uv0)
 
 FragmentOutput main(FragmentInput input)
 {
-    float3 material = surface(input.uv0);
+    float3 emission = surface(input.uv0);
     FragmentOutput output;
-    output.color = float4(material, 1.0);
+    output.color = float4(emission, 1.0);
     return output;
 }

@@ -19,27 +19,15 @@ Shader "Patina/fade"
     #define UNITY_TRANSFER_LIGHTING(o, uv) UNITY_TRANSFER_SHADOW(o, uv)
     #endif
 
-    // In a gamma-space project, colours arrive encoded; lighting is still computed in linear space.
-    half3 LinearColor(half3 color)
-    {
+    // In a gamma-space project, colours arrive and leave encoded; lighting is still computed in linear space.
     #ifdef UNITY_COLORSPACE_GAMMA
-        color = GammaToLinearSpace(color);
+    half3 LinearColor(half3 color) { return GammaToLinearSpace(color); }
+    half4 LinearColor(half4 color) { return half4(GammaToLinearSpace(color.rgb), color.a); }
+    half3 ProjectColor(half3 color) { return LinearToGammaSpace(color); }
+    #else
+    #define LinearColor
+    #define ProjectColor
     #endif
-        return color;
-    }
-    half4 LinearColor(half4 color)
-    {
-        return half4(LinearColor(color.rgb), color.a);
-    }
-
-    // Converts a linear colour to the project's colour space.
-    half3 ProjectColor(half3 color)
-    {
-    #ifdef UNITY_COLORSPACE_GAMMA
-        color = LinearToGammaSpace(color);
-    #endif
-        return color;
-    }
 
     // At a vertex: the lightmap coordinates, or the light of four lights and the second order of the probes.
     float4 AmbientOrLightmapUV(float2 uv1, float2 uv2, float3 position, half3 normal)
@@ -60,21 +48,31 @@ Shader "Patina/fade"
         return ambient;
     }
 
-    // The input of Unity's global illumination. The light is white, so that its result is the shadow.
-    UnityGIInput GIInput(float3 position, half attenuation, float4 ambient)
+    // Unity's global illumination of a white main light: its result holds the ambient light over pi (probes, lights at
+    // vertices, lightmaps), and as the light's colour the share that real-time and baked shadows leave.
+    UnityGI WhiteLight(float3 position, half3 normal, half attenuation, float4 ambient)
     {
         UnityGIInput data;
         UNITY_INITIALIZE_OUTPUT(UnityGIInput, data);
         data.light.color = 1;
         data.light.dir = _WorldSpaceLightPos0.xyz;
         data.worldPos = position;
-        data.worldViewDir = normalize(UnityWorldSpaceViewDir(position));
         data.atten = attenuation;
     #if defined(LIGHTMAP_ON) || defined(DYNAMICLIGHTMAP_ON)
         data.lightmapUV = ambient;
     #else
         data.ambient = ambient.rgb;
     #endif
+        return UnityGI_Base(data, 1, normal);
+    }
+
+    // Light of the reflection probes from a direction, blurred for a perceptual roughness.
+    half3 ReflectedLight(half3 direction, half roughness, float3 position, bool readsProbes)
+    {
+        if (!readsProbes) return 0;
+        UnityGIInput data;
+        UNITY_INITIALIZE_OUTPUT(UnityGIInput, data);
+        data.worldPos = position;
         data.probeHDR[0] = unity_SpecCube0_HDR;
         data.probeHDR[1] = unity_SpecCube1_HDR;
     #if defined(UNITY_SPECCUBE_BLENDING) || defined(UNITY_SPECCUBE_BOX_PROJECTION)
@@ -87,41 +85,18 @@ Shader "Patina/fade"
         data.boxMax[1] = unity_SpecCube1_BoxMax;
         data.probePosition[1] = unity_SpecCube1_ProbePosition;
     #endif
-        return data;
-    }
-
-    // Ambient light over pi: probes, lights at vertices, lightmaps, real-time global illumination.
-    half3 AmbientLight(half3 normal, float3 position, half attenuation, float4 ambient)
-    {
-        return LinearColor(UnityGI_Base(GIInput(position, attenuation, ambient), 1, normal).indirect.diffuse);
-    }
-
-    // The fraction of the main light that real-time and baked shadows leave.
-    half MixedShadow(float3 position, half attenuation, float4 ambient)
-    {
-        return UnityGI_Base(GIInput(position, attenuation, ambient), 1, half3(0, 1, 0)).light.color.r;
-    }
-
-    // Light of the reflection probes from a direction, blurred for a perceptual roughness.
-    half3 ReflectedLight(half3 direction, half roughness, float3 position, bool readsProbes)
-    {
-        if (!readsProbes) return 0;
         Unity_GlossyEnvironmentData environment;
         UNITY_INITIALIZE_OUTPUT(Unity_GlossyEnvironmentData, environment);
         environment.roughness = roughness;
         environment.reflUVW = direction;
-        return LinearColor(UnityGI_IndirectSpecular(GIInput(position, 1, 0), 1, environment));
+        return LinearColor(UnityGI_IndirectSpecular(data, 1, environment));
     }
 
     struct LightingSurface
     {
         float3 diffuseColor;
-        float3 f0;
-        float oneMinusReflectivity;
         float roughness;
         float3 normalWS;
-        float occlusion;
-        float3 emission;
         float alpha;
     };
 
@@ -133,66 +108,14 @@ Shader "Patina/fade"
         float shadow;
     };
 
-    struct Surface
-    {
-        float3 baseColor;
-        float metallic;
-        float smoothness;
-        float3 normalWS;
-        float occlusion;
-        float3 emission;
-        float alpha;
-    };
-
-    struct MetallicSetupResult
-    {
-        float3 diffuseColor;
-        float3 f0;
-        float oneMinusReflectivity;
-    };
-
-    // What the graph says of the surface.
-    Surface getSurface(float3 geometryNormalWS)
-    {
-        Surface surface;
-        surface.baseColor = LinearColor(_Color).xyz;
-        surface.metallic = 0.0;
-        surface.smoothness = 0.7;
-        surface.normalWS = geometryNormalWS;
-        surface.occlusion = 1.0;
-        surface.emission = float3(0.0, 0.0, 0.0);
-        surface.alpha = LinearColor(_Color).w;
-        return surface;
-    }
-
-    // Diffuse colour and reflectance of a surface from base colour and metallic.
-    MetallicSetupResult MetallicSetup(float3 baseColor, float metallic)
-    {
-        float oneMinusReflectivity = 0.96 * (1.0 - metallic);
-        MetallicSetupResult metallicSetupResult;
-        metallicSetupResult.diffuseColor = baseColor * oneMinusReflectivity;
-        metallicSetupResult.f0 = lerp(float3(0.04, 0.04, 0.04), baseColor, metallic);
-        metallicSetupResult.oneMinusReflectivity = oneMinusReflectivity;
-        return metallicSetupResult;
-    }
-
     // The surface at this point, from the material and its workflow.
     LightingSurface lightingSurface(float3 geometryNormalWS)
     {
-        Surface material = getSurface(geometryNormalWS);
-
-        // MetallicSetup "setup"
-        MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
-
         LightingSurface ls;
-        ls.diffuseColor = setup.diffuseColor;
-        ls.f0 = setup.f0;
-        ls.oneMinusReflectivity = setup.oneMinusReflectivity;
-        ls.roughness = 1.0 - material.smoothness;
-        ls.normalWS = normalize(material.normalWS);
-        ls.occlusion = material.occlusion;
-        ls.emission = material.emission;
-        ls.alpha = material.alpha;
+        ls.diffuseColor = LinearColor(_Color).xyz * 0.96;
+        ls.roughness = 0.3;
+        ls.normalWS = normalize(geometryNormalWS);
+        ls.alpha = LinearColor(_Color).w;
         return ls;
     }
 
@@ -235,7 +158,7 @@ Shader "Patina/fade"
     {
         float a2 = alpha * alpha;
         float spread = (ndoth * a2 - ndoth) * ndoth + 1.0;
-        return 0.31830987 * a2 / (spread * spread + 1e-07);
+        return UNITY_INV_PI * a2 / (spread * spread + 1e-07);
     }
 
     // Schlick's Fresnel reflectance, for direct light.
@@ -277,14 +200,44 @@ Shader "Patina/fade"
         float distribution = DistributionGGXUnity(ndoth, alpha);
 
         // FresnelSchlick "fresnel"
-        float3 fresnel = FresnelSchlick(surface.f0, ldoth, 1.0);
+        float3 fresnel = FresnelSchlick(float3(0.04, 0.04, 0.04), ldoth, 1.0);
 
-        float hasSpecular = any(surface.f0 > 0.0) ? 1.0 : 0.0;
-
-        float3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * hasSpecular * fresnel;
+        float3 specular = max(visibility * distribution * UNITY_PI * ndotl, 0.0) * fresnel;
 
         float3 radiance = light.color * (light.attenuation * light.shadow);
         return (surface.diffuseColor * (diffuse * ndotl) + specular) * radiance;
+    }
+
+    struct v2f
+    {
+        float4 pos : SV_POSITION;
+        float3 positionWS : TEXCOORD0;
+        float3 vertexNormalWS : TEXCOORD1;
+        float4 ambientOrLightmapUV : TEXCOORD2;
+        UNITY_LIGHTING_COORDS(3, 4)
+        UNITY_FOG_COORDS(5)
+        UNITY_VERTEX_INPUT_INSTANCE_ID
+        UNITY_VERTEX_OUTPUT_STEREO
+    };
+
+    v2f vert(appdata_full v)
+    {
+        v2f o;
+        UNITY_SETUP_INSTANCE_ID(v);
+        UNITY_INITIALIZE_OUTPUT(v2f, o);
+        UNITY_TRANSFER_INSTANCE_ID(v, o);
+        UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
+
+        float4 positionWS = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0));
+        float3 vertexNormalWS = UnityObjectToWorldNormal(v.normal);
+        o.positionWS = positionWS.xyz;
+        o.vertexNormalWS = vertexNormalWS;
+        o.ambientOrLightmapUV = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, positionWS.xyz,
+            vertexNormalWS);
+        o.pos = UnityObjectToClipPos(v.vertex.xyz);
+        UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);
+        UNITY_TRANSFER_FOG(o, o.pos);
+        return o;
     }
 
     ENDCG
@@ -309,18 +262,6 @@ Shader "Patina/fade"
             #pragma vertex vert
             #pragma fragment frag
 
-            struct v2f
-            {
-                float4 pos : SV_POSITION;
-                float3 positionWS : TEXCOORD0;
-                float3 vertexNormalWS : TEXCOORD1;
-                float4 ambientOrLightmapUV : TEXCOORD2;
-                UNITY_LIGHTING_COORDS(3, 4)
-                UNITY_FOG_COORDS(5)
-                UNITY_VERTEX_INPUT_INSTANCE_ID
-                UNITY_VERTEX_OUTPUT_STEREO
-            };
-
             // All light that does not come from a single light, by the lighting graph.
             float3 indirect(LightingSurface surface, float3 viewDirWS, float3 positionWS, float attenuation,
                 float4 ambientOrLightmapUV, bool readsProbes)
@@ -333,7 +274,8 @@ Shader "Patina/fade"
                 float alpha = max(surface.roughness * surface.roughness, 0.002);
 
                 // AmbientIrradiance "ambient"
-                float3 ambient = AmbientLight(surface.normalWS, positionWS, attenuation, ambientOrLightmapUV);
+                float3 ambient = LinearColor(WhiteLight(positionWS, surface.normalWS, attenuation,
+                    ambientOrLightmapUV).indirect.diffuse);
 
                 float3 reflected = reflect(-viewDirWS, surface.normalWS);
 
@@ -345,33 +287,12 @@ Shader "Patina/fade"
 
                 // GrazingTerm "grazing"
                 float smoothness = 1.0 - surface.roughness;
-                float grazing = saturate(smoothness + 1.0 - surface.oneMinusReflectivity);
+                float grazing = saturate(smoothness + 1.0 - 0.96);
 
                 // FresnelLerp "reflectance"
-                float3 reflectance = lerp(surface.f0, grazing.xxx, SchlickWeight(ndotv));
+                float3 reflectance = lerp(float3(0.04, 0.04, 0.04), grazing.xxx, SchlickWeight(ndotv));
 
-                float3 sum = surface.diffuseColor * ambient + reduction * reflectance * environment;
-                return sum * surface.occlusion;
-            }
-
-            v2f vert(appdata_full v)
-            {
-                v2f o;
-                UNITY_SETUP_INSTANCE_ID(v);
-                UNITY_INITIALIZE_OUTPUT(v2f, o);
-                UNITY_TRANSFER_INSTANCE_ID(v, o);
-                UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
-
-                float4 positionWS = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0));
-                float3 vertexNormalWS = UnityObjectToWorldNormal(v.normal);
-                o.positionWS = positionWS.xyz;
-                o.vertexNormalWS = vertexNormalWS;
-                o.ambientOrLightmapUV = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, positionWS.xyz,
-                    vertexNormalWS);
-                o.pos = UnityObjectToClipPos(v.vertex.xyz);
-                UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);
-                UNITY_TRANSFER_FOG(o, o.pos);
-                return o;
+                return surface.diffuseColor * ambient + reduction * reflectance * environment;
             }
 
             half4 frag(v2f i) : SV_Target
@@ -389,11 +310,12 @@ Shader "Patina/fade"
                 light.direction = _WorldSpaceLightPos0.xyz;
                 light.color = LinearColor(_LightColor0.rgb);
                 light.attenuation = 1.0;
-                light.shadow = MixedShadow(i.positionWS, attenuation, i.ambientOrLightmapUV);
+                light.shadow = WhiteLight(i.positionWS, float3(0, 1, 0), attenuation,
+                    i.ambientOrLightmapUV).light.color.r;
                 float3 fromLight = direct(surface, light, viewDirWS);
                 float3 fromAround = indirect(surface, viewDirWS, i.positionWS, attenuation, i.ambientOrLightmapUV,
                     true);
-                float4 color = float4(ProjectColor(fromLight + fromAround + surface.emission), surface.alpha);
+                float4 color = float4(ProjectColor(fromLight + fromAround), surface.alpha);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, color, unity_FogColor);
                 return color;
             }
@@ -413,33 +335,6 @@ Shader "Patina/fade"
             #pragma multi_compile_fwdadd_fullshadows
             #pragma vertex vert
             #pragma fragment frag
-
-            struct v2f
-            {
-                float4 pos : SV_POSITION;
-                float3 positionWS : TEXCOORD0;
-                float3 vertexNormalWS : TEXCOORD1;
-                UNITY_LIGHTING_COORDS(2, 3)
-                UNITY_FOG_COORDS(4)
-                UNITY_VERTEX_INPUT_INSTANCE_ID
-                UNITY_VERTEX_OUTPUT_STEREO
-            };
-
-            v2f vert(appdata_full v)
-            {
-                v2f o;
-                UNITY_SETUP_INSTANCE_ID(v);
-                UNITY_INITIALIZE_OUTPUT(v2f, o);
-                UNITY_TRANSFER_INSTANCE_ID(v, o);
-                UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
-
-                o.positionWS = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0)).xyz;
-                o.vertexNormalWS = UnityObjectToWorldNormal(v.normal);
-                o.pos = UnityObjectToClipPos(v.vertex.xyz);
-                UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);
-                UNITY_TRANSFER_FOG(o, o.pos);
-                return o;
-            }
 
             half4 frag(v2f i) : SV_Target
             {

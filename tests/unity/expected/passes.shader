@@ -22,27 +22,15 @@ Shader "Patina/passes"
     #define UNITY_TRANSFER_LIGHTING(o, uv) UNITY_TRANSFER_SHADOW(o, uv)
     #endif
 
-    // In a gamma-space project, colours arrive encoded; lighting is still computed in linear space.
-    half3 LinearColor(half3 color)
-    {
+    // In a gamma-space project, colours arrive and leave encoded; lighting is still computed in linear space.
     #ifdef UNITY_COLORSPACE_GAMMA
-        color = GammaToLinearSpace(color);
+    half3 LinearColor(half3 color) { return GammaToLinearSpace(color); }
+    half4 LinearColor(half4 color) { return half4(GammaToLinearSpace(color.rgb), color.a); }
+    half3 ProjectColor(half3 color) { return LinearToGammaSpace(color); }
+    #else
+    #define LinearColor
+    #define ProjectColor
     #endif
-        return color;
-    }
-    half4 LinearColor(half4 color)
-    {
-        return half4(LinearColor(color.rgb), color.a);
-    }
-
-    // Converts a linear colour to the project's colour space.
-    half3 ProjectColor(half3 color)
-    {
-    #ifdef UNITY_COLORSPACE_GAMMA
-        color = LinearToGammaSpace(color);
-    #endif
-        return color;
-    }
 
     // At a vertex: the lightmap coordinates, or the light of four lights and the second order of the probes.
     float4 AmbientOrLightmapUV(float2 uv1, float2 uv2, float3 position, half3 normal)
@@ -63,21 +51,31 @@ Shader "Patina/passes"
         return ambient;
     }
 
-    // The input of Unity's global illumination. The light is white, so that its result is the shadow.
-    UnityGIInput GIInput(float3 position, half attenuation, float4 ambient)
+    // Unity's global illumination of a white main light: its result holds the ambient light over pi (probes, lights at
+    // vertices, lightmaps), and as the light's colour the share that real-time and baked shadows leave.
+    UnityGI WhiteLight(float3 position, half3 normal, half attenuation, float4 ambient)
     {
         UnityGIInput data;
         UNITY_INITIALIZE_OUTPUT(UnityGIInput, data);
         data.light.color = 1;
         data.light.dir = _WorldSpaceLightPos0.xyz;
         data.worldPos = position;
-        data.worldViewDir = normalize(UnityWorldSpaceViewDir(position));
         data.atten = attenuation;
     #if defined(LIGHTMAP_ON) || defined(DYNAMICLIGHTMAP_ON)
         data.lightmapUV = ambient;
     #else
         data.ambient = ambient.rgb;
     #endif
+        return UnityGI_Base(data, 1, normal);
+    }
+
+    // Light of the reflection probes from a direction, blurred for a perceptual roughness.
+    half3 ReflectedLight(half3 direction, half roughness, float3 position, bool readsProbes)
+    {
+        if (!readsProbes) return 0;
+        UnityGIInput data;
+        UNITY_INITIALIZE_OUTPUT(UnityGIInput, data);
+        data.worldPos = position;
         data.probeHDR[0] = unity_SpecCube0_HDR;
         data.probeHDR[1] = unity_SpecCube1_HDR;
     #if defined(UNITY_SPECCUBE_BLENDING) || defined(UNITY_SPECCUBE_BOX_PROJECTION)
@@ -90,41 +88,17 @@ Shader "Patina/passes"
         data.boxMax[1] = unity_SpecCube1_BoxMax;
         data.probePosition[1] = unity_SpecCube1_ProbePosition;
     #endif
-        return data;
-    }
-
-    // Ambient light over pi: probes, lights at vertices, lightmaps, real-time global illumination.
-    half3 AmbientLight(half3 normal, float3 position, half attenuation, float4 ambient)
-    {
-        return LinearColor(UnityGI_Base(GIInput(position, attenuation, ambient), 1, normal).indirect.diffuse);
-    }
-
-    // The fraction of the main light that real-time and baked shadows leave.
-    half MixedShadow(float3 position, half attenuation, float4 ambient)
-    {
-        return UnityGI_Base(GIInput(position, attenuation, ambient), 1, half3(0, 1, 0)).light.color.r;
-    }
-
-    // Light of the reflection probes from a direction, blurred for a perceptual roughness.
-    half3 ReflectedLight(half3 direction, half roughness, float3 position, bool readsProbes)
-    {
-        if (!readsProbes) return 0;
         Unity_GlossyEnvironmentData environment;
         UNITY_INITIALIZE_OUTPUT(Unity_GlossyEnvironmentData, environment);
         environment.roughness = roughness;
         environment.reflUVW = direction;
-        return LinearColor(UnityGI_IndirectSpecular(GIInput(position, 1, 0), 1, environment));
+        return LinearColor(UnityGI_IndirectSpecular(data, 1, environment));
     }
 
     struct LightingSurface
     {
         float3 diffuseColor;
-        float3 f0;
-        float oneMinusReflectivity;
-        float roughness;
         float3 normalWS;
-        float occlusion;
-        float3 emission;
     };
 
     struct Light
@@ -135,66 +109,15 @@ Shader "Patina/passes"
         float shadow;
     };
 
-    struct Surface
-    {
-        float3 baseColor;
-        float metallic;
-        float roughness;
-        float3 normalWS;
-        float occlusion;
-        float3 emission;
-    };
-
-    struct MetallicSetupResult
-    {
-        float3 diffuseColor;
-        float3 f0;
-        float oneMinusReflectivity;
-    };
-
-    // What the graph says of the surface.
-    Surface getSurface(float2 uv0, float3 geometryNormalWS)
+    // The surface at this point, from the material and its workflow.
+    LightingSurface lightingSurface(float2 uv0, float3 geometryNormalWS)
     {
         // SampleTexture2D "albedo"
         float4 albedo = LinearColor(UNITY_SAMPLE_TEX2D(_MainTex, uv0));
 
-        Surface surface;
-        surface.baseColor = albedo.xyz;
-        surface.metallic = 0.0;
-        surface.roughness = 0.3;
-        surface.normalWS = geometryNormalWS;
-        surface.occlusion = 1.0;
-        surface.emission = float3(0.0, 0.0, 0.0);
-        return surface;
-    }
-
-    // Diffuse colour and reflectance of a surface from base colour and metallic.
-    MetallicSetupResult MetallicSetup(float3 baseColor, float metallic)
-    {
-        float oneMinusReflectivity = 0.96 * (1.0 - metallic);
-        MetallicSetupResult metallicSetupResult;
-        metallicSetupResult.diffuseColor = baseColor * oneMinusReflectivity;
-        metallicSetupResult.f0 = lerp(float3(0.04, 0.04, 0.04), baseColor, metallic);
-        metallicSetupResult.oneMinusReflectivity = oneMinusReflectivity;
-        return metallicSetupResult;
-    }
-
-    // The surface at this point, from the material and its workflow.
-    LightingSurface lightingSurface(float2 uv0, float3 geometryNormalWS)
-    {
-        Surface material = getSurface(uv0, geometryNormalWS);
-
-        // MetallicSetup "setup"
-        MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
-
         LightingSurface ls;
-        ls.diffuseColor = setup.diffuseColor;
-        ls.f0 = setup.f0;
-        ls.oneMinusReflectivity = setup.oneMinusReflectivity;
-        ls.roughness = material.roughness;
-        ls.normalWS = normalize(material.normalWS);
-        ls.occlusion = material.occlusion;
-        ls.emission = material.emission;
+        ls.diffuseColor = albedo.xyz * 0.96;
+        ls.normalWS = normalize(geometryNormalWS);
         return ls;
     }
 
@@ -237,7 +160,7 @@ Shader "Patina/passes"
     {
         float a2 = alpha * alpha;
         float spread = (ndoth * a2 - ndoth) * ndoth + 1.0;
-        return 0.31830987 * a2 / (spread * spread + 1e-07);
+        return UNITY_INV_PI * a2 / (spread * spread + 1e-07);
     }
 
     // Schlick's Fresnel reflectance, for direct light.
@@ -267,27 +190,58 @@ Shader "Patina/passes"
         float ldoth = saturate(dot(light.direction, halfVector));
 
         // DisneyDiffuse "diffuse"
-        float diffuse = DisneyDiffuseTerm(ndotv, ndotl, ldoth, surface.roughness);
-
-        // AlphaFromRoughness "alpha"
-        float alpha = max(surface.roughness * surface.roughness, 0.002);
+        float diffuse = DisneyDiffuseTerm(ndotv, ndotl, ldoth, 0.3);
 
         // VisibilitySmithJointApproximate "visibility"
-        float visibility = VisibilitySmithJointApproximate(ndotl, ndotv, alpha, 1e-05);
+        float visibility = VisibilitySmithJointApproximate(ndotl, ndotv, 0.09, 1e-05);
 
         // DistributionGGXUnity "distribution"
-        float distribution = DistributionGGXUnity(ndoth, alpha);
+        float distribution = DistributionGGXUnity(ndoth, 0.09);
 
         // FresnelSchlick "fresnel"
-        float3 fresnel = FresnelSchlick(surface.f0, ldoth, 1.0);
+        float3 fresnel = FresnelSchlick(float3(0.04, 0.04, 0.04), ldoth, 1.0);
 
-        float hasSpecular = any(surface.f0 > 0.0) ? 1.0 : 0.0;
-
-        float3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * hasSpecular * fresnel;
+        float3 specular = max(visibility * distribution * UNITY_PI * ndotl, 0.0) * fresnel;
 
         float3 radiance = light.color * (light.attenuation * light.shadow);
         return (surface.diffuseColor * (diffuse * ndotl) + specular) * radiance;
     }
+
+    #if defined(USING_LIGHT_MULTI_COMPILE)
+    struct v2f
+    {
+        float4 pos : SV_POSITION;
+        float2 uv0 : TEXCOORD0;
+        float3 positionWS : TEXCOORD1;
+        float3 vertexNormalWS : TEXCOORD2;
+        float4 ambientOrLightmapUV : TEXCOORD3;
+        UNITY_LIGHTING_COORDS(4, 5)
+        UNITY_FOG_COORDS(6)
+        UNITY_VERTEX_INPUT_INSTANCE_ID
+        UNITY_VERTEX_OUTPUT_STEREO
+    };
+
+    v2f vert(appdata_full v)
+    {
+        v2f o;
+        UNITY_SETUP_INSTANCE_ID(v);
+        UNITY_INITIALIZE_OUTPUT(v2f, o);
+        UNITY_TRANSFER_INSTANCE_ID(v, o);
+        UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
+
+        float4 positionWS = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0));
+        float3 vertexNormalWS = UnityObjectToWorldNormal(v.normal);
+        o.uv0 = v.texcoord.xy;
+        o.positionWS = positionWS.xyz;
+        o.vertexNormalWS = vertexNormalWS;
+        o.ambientOrLightmapUV = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, positionWS.xyz,
+            vertexNormalWS);
+        o.pos = UnityObjectToClipPos(v.vertex.xyz);
+        UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);
+        UNITY_TRANSFER_FOG(o, o.pos);
+        return o;
+    }
+    #endif
 
     ENDCG
 
@@ -358,19 +312,6 @@ Shader "Patina/passes"
             #pragma vertex vert
             #pragma fragment frag
 
-            struct v2f
-            {
-                float4 pos : SV_POSITION;
-                float2 uv0 : TEXCOORD0;
-                float3 positionWS : TEXCOORD1;
-                float3 vertexNormalWS : TEXCOORD2;
-                float4 ambientOrLightmapUV : TEXCOORD3;
-                UNITY_LIGHTING_COORDS(4, 5)
-                UNITY_FOG_COORDS(6)
-                UNITY_VERTEX_INPUT_INSTANCE_ID
-                UNITY_VERTEX_OUTPUT_STEREO
-            };
-
             // All light that does not come from a single light, by the lighting graph.
             float3 indirect(LightingSurface surface, float3 viewDirWS, float3 positionWS, float attenuation,
                 float4 ambientOrLightmapUV, bool readsProbes)
@@ -379,50 +320,20 @@ Shader "Patina/passes"
                 float cosine = dot(surface.normalWS, viewDirWS);
                 float ndotv = saturate(abs(cosine));
 
-                // AlphaFromRoughness "alpha"
-                float alpha = max(surface.roughness * surface.roughness, 0.002);
-
                 // AmbientIrradiance "ambient"
-                float3 ambient = AmbientLight(surface.normalWS, positionWS, attenuation, ambientOrLightmapUV);
+                float3 ambient = LinearColor(WhiteLight(positionWS, surface.normalWS, attenuation,
+                    ambientOrLightmapUV).indirect.diffuse);
 
                 float3 reflected = reflect(-viewDirWS, surface.normalWS);
 
                 // EnvironmentRadiance "environment"
-                float3 environment = ReflectedLight(reflected, surface.roughness, positionWS, readsProbes);
-
-                // SurfaceReduction "reduction"
-                float reduction = 1.0 / (alpha * alpha + 1.0);
-
-                // GrazingTerm "grazing"
-                float smoothness = 1.0 - surface.roughness;
-                float grazing = saturate(smoothness + 1.0 - surface.oneMinusReflectivity);
+                float3 environment = ReflectedLight(reflected, 0.3, positionWS, readsProbes);
 
                 // FresnelLerp "reflectance"
-                float3 reflectance = lerp(surface.f0, grazing.xxx, SchlickWeight(ndotv));
+                float3 reflectance = lerp(float3(0.04, 0.04, 0.04), float3(0.74000007, 0.74000007, 0.74000007),
+                    SchlickWeight(ndotv));
 
-                float3 sum = surface.diffuseColor * ambient + reduction * reflectance * environment;
-                return sum * surface.occlusion;
-            }
-
-            v2f vert(appdata_full v)
-            {
-                v2f o;
-                UNITY_SETUP_INSTANCE_ID(v);
-                UNITY_INITIALIZE_OUTPUT(v2f, o);
-                UNITY_TRANSFER_INSTANCE_ID(v, o);
-                UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
-
-                float4 positionWS = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0));
-                float3 vertexNormalWS = UnityObjectToWorldNormal(v.normal);
-                o.uv0 = v.texcoord.xy;
-                o.positionWS = positionWS.xyz;
-                o.vertexNormalWS = vertexNormalWS;
-                o.ambientOrLightmapUV = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, positionWS.xyz,
-                    vertexNormalWS);
-                o.pos = UnityObjectToClipPos(v.vertex.xyz);
-                UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);
-                UNITY_TRANSFER_FOG(o, o.pos);
-                return o;
+                return surface.diffuseColor * ambient + 0.99196506 * reflectance * environment;
             }
 
             half4 frag(v2f i) : SV_Target
@@ -440,11 +351,12 @@ Shader "Patina/passes"
                 light.direction = _WorldSpaceLightPos0.xyz;
                 light.color = LinearColor(_LightColor0.rgb);
                 light.attenuation = 1.0;
-                light.shadow = MixedShadow(i.positionWS, attenuation, i.ambientOrLightmapUV);
+                light.shadow = WhiteLight(i.positionWS, float3(0, 1, 0), attenuation,
+                    i.ambientOrLightmapUV).light.color.r;
                 float3 fromLight = direct(surface, light, viewDirWS);
                 float3 fromAround = indirect(surface, viewDirWS, i.positionWS, attenuation, i.ambientOrLightmapUV,
                     true);
-                float4 color = float4(ProjectColor(fromLight + fromAround + surface.emission), 1.0);
+                float4 color = float4(ProjectColor(fromLight + fromAround), 1.0);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, color, unity_FogColor);
                 return color;
             }
@@ -464,35 +376,6 @@ Shader "Patina/passes"
             #pragma multi_compile_fwdadd_fullshadows
             #pragma vertex vert
             #pragma fragment frag
-
-            struct v2f
-            {
-                float4 pos : SV_POSITION;
-                float2 uv0 : TEXCOORD0;
-                float3 positionWS : TEXCOORD1;
-                float3 vertexNormalWS : TEXCOORD2;
-                UNITY_LIGHTING_COORDS(3, 4)
-                UNITY_FOG_COORDS(5)
-                UNITY_VERTEX_INPUT_INSTANCE_ID
-                UNITY_VERTEX_OUTPUT_STEREO
-            };
-
-            v2f vert(appdata_full v)
-            {
-                v2f o;
-                UNITY_SETUP_INSTANCE_ID(v);
-                UNITY_INITIALIZE_OUTPUT(v2f, o);
-                UNITY_TRANSFER_INSTANCE_ID(v, o);
-                UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
-
-                o.uv0 = v.texcoord.xy;
-                o.positionWS = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0)).xyz;
-                o.vertexNormalWS = UnityObjectToWorldNormal(v.normal);
-                o.pos = UnityObjectToClipPos(v.vertex.xyz);
-                UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);
-                UNITY_TRANSFER_FOG(o, o.pos);
-                return o;
-            }
 
             half4 frag(v2f i) : SV_Target
             {
@@ -520,47 +403,6 @@ Shader "Patina/passes"
 
         Pass
         {
-            Name "ShadowCaster"
-            Tags { "LightMode" = "ShadowCaster" }
-
-            CGPROGRAM
-            #pragma target 3.0
-            #pragma multi_compile_shadowcaster
-            #pragma multi_compile_instancing
-            #pragma vertex vert
-            #pragma fragment frag
-
-            struct v2f
-            {
-                V2F_SHADOW_CASTER;
-                UNITY_VERTEX_INPUT_INSTANCE_ID
-                UNITY_VERTEX_OUTPUT_STEREO
-            };
-
-            v2f vert(appdata_full v)
-            {
-                v2f o;
-                UNITY_SETUP_INSTANCE_ID(v);
-                UNITY_INITIALIZE_OUTPUT(v2f, o);
-                UNITY_TRANSFER_INSTANCE_ID(v, o);
-                UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
-
-                TRANSFER_SHADOW_CASTER_NORMALOFFSET(o)
-                return o;
-            }
-
-            float4 frag(v2f i) : SV_Target
-            {
-                UNITY_SETUP_INSTANCE_ID(i);
-                UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);
-
-                SHADOW_CASTER_FRAGMENT(i)
-            }
-            ENDCG
-        }
-
-        Pass
-        {
             Name "lacquer"
             Tags { "LightMode" = "ForwardBase" }
             ZWrite Off
@@ -578,23 +420,7 @@ Shader "Patina/passes"
             struct LightingSurfaceLacquer
             {
                 float3 diffuseColor;
-                float3 f0;
-                float oneMinusReflectivity;
-                float roughness;
                 float3 normalWS;
-                float occlusion;
-                float3 emission;
-                float alpha;
-            };
-
-            struct SurfaceLacquer
-            {
-                float3 baseColor;
-                float metallic;
-                float roughness;
-                float3 normalWS;
-                float occlusion;
-                float3 emission;
                 float alpha;
             };
 
@@ -604,59 +430,22 @@ Shader "Patina/passes"
                 float outAlpha;
             };
 
-            struct v2f
+            // The surface at this point, from the material and its workflow.
+            LightingSurfaceLacquer lightingSurfaceLacquer(float2 uv0, float3 geometryNormalWS)
             {
-                float4 pos : SV_POSITION;
-                float2 uv0 : TEXCOORD0;
-                float3 positionWS : TEXCOORD1;
-                float3 vertexNormalWS : TEXCOORD2;
-                float4 ambientOrLightmapUV : TEXCOORD3;
-                UNITY_LIGHTING_COORDS(4, 5)
-                UNITY_FOG_COORDS(6)
-                UNITY_VERTEX_INPUT_INSTANCE_ID
-                UNITY_VERTEX_OUTPUT_STEREO
-            };
-
-            // What the graph says of the surface.
-            SurfaceLacquer getSurfaceLacquer(float2 uv0, float3 geometryNormalWS)
-            {
-                float3 value;
+                float3 baseColor;
             #if defined(_WET_ON)
                 // SampleTexture2D "albedo"
                 float4 albedo = LinearColor(UNITY_SAMPLE_TEX2D(_MainTex, uv0));
 
-                value = albedo.xyz;
+                baseColor = albedo.xyz;
             #else
-                value = float3(1.0, 1.0, 1.0);
+                baseColor = float3(1.0, 1.0, 1.0);
             #endif
-                SurfaceLacquer surfaceLacquer;
-                surfaceLacquer.baseColor = value;
-                surfaceLacquer.metallic = 0.0;
-                surfaceLacquer.roughness = 0.1;
-                surfaceLacquer.normalWS = geometryNormalWS;
-                surfaceLacquer.occlusion = 1.0;
-                surfaceLacquer.emission = float3(0.0, 0.0, 0.0);
-                surfaceLacquer.alpha = 0.3;
-                return surfaceLacquer;
-            }
-
-            // The surface at this point, from the material and its workflow.
-            LightingSurfaceLacquer lightingSurfaceLacquer(float2 uv0, float3 geometryNormalWS)
-            {
-                SurfaceLacquer material = getSurfaceLacquer(uv0, geometryNormalWS);
-
-                // MetallicSetup "setup"
-                MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
-
                 LightingSurfaceLacquer lsl;
-                lsl.diffuseColor = setup.diffuseColor;
-                lsl.f0 = setup.f0;
-                lsl.oneMinusReflectivity = setup.oneMinusReflectivity;
-                lsl.roughness = material.roughness;
-                lsl.normalWS = normalize(material.normalWS);
-                lsl.occlusion = material.occlusion;
-                lsl.emission = material.emission;
-                lsl.alpha = material.alpha;
+                lsl.diffuseColor = baseColor * 0.96;
+                lsl.normalWS = normalize(geometryNormalWS);
+                lsl.alpha = 0.3;
                 return lsl;
             }
 
@@ -690,23 +479,18 @@ Shader "Patina/passes"
                 float ldoth = saturate(dot(light.direction, halfVector));
 
                 // DisneyDiffuse "diffuse"
-                float diffuse = DisneyDiffuseTerm(ndotv, ndotl, ldoth, surface.roughness);
-
-                // AlphaFromRoughness "alpha"
-                float alpha = max(surface.roughness * surface.roughness, 0.002);
+                float diffuse = DisneyDiffuseTerm(ndotv, ndotl, ldoth, 0.1);
 
                 // VisibilitySmithJointApproximate "visibility"
-                float visibility = VisibilitySmithJointApproximate(ndotl, ndotv, alpha, 1e-05);
+                float visibility = VisibilitySmithJointApproximate(ndotl, ndotv, 0.010000001, 1e-05);
 
                 // DistributionGGXUnity "distribution"
-                float distribution = DistributionGGXUnity(ndoth, alpha);
+                float distribution = DistributionGGXUnity(ndoth, 0.010000001);
 
                 // FresnelSchlick "fresnel"
-                float3 fresnel = FresnelSchlick(surface.f0, ldoth, 1.0);
+                float3 fresnel = FresnelSchlick(float3(0.04, 0.04, 0.04), ldoth, 1.0);
 
-                float hasSpecular = any(surface.f0 > 0.0) ? 1.0 : 0.0;
-
-                float3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * hasSpecular * fresnel;
+                float3 specular = max(visibility * distribution * UNITY_PI * ndotl, 0.0) * fresnel;
 
                 float3 radiance = light.color * (light.attenuation * light.shadow);
                 return (surface.diffuseColor * (diffuse * ndotl) + specular) * radiance;
@@ -720,50 +504,19 @@ Shader "Patina/passes"
                 float cosine = dot(surface.normalWS, viewDirWS);
                 float ndotv = saturate(abs(cosine));
 
-                // AlphaFromRoughness "alpha"
-                float alpha = max(surface.roughness * surface.roughness, 0.002);
-
                 // AmbientIrradiance "ambient"
-                float3 ambient = AmbientLight(surface.normalWS, positionWS, attenuation, ambientOrLightmapUV);
+                float3 ambient = LinearColor(WhiteLight(positionWS, surface.normalWS, attenuation,
+                    ambientOrLightmapUV).indirect.diffuse);
 
                 float3 reflected = reflect(-viewDirWS, surface.normalWS);
 
                 // EnvironmentRadiance "environment"
-                float3 environment = ReflectedLight(reflected, surface.roughness, positionWS, readsProbes);
-
-                // SurfaceReduction "reduction"
-                float reduction = 1.0 / (alpha * alpha + 1.0);
-
-                // GrazingTerm "grazing"
-                float smoothness = 1.0 - surface.roughness;
-                float grazing = saturate(smoothness + 1.0 - surface.oneMinusReflectivity);
+                float3 environment = ReflectedLight(reflected, 0.1, positionWS, readsProbes);
 
                 // FresnelLerp "reflectance"
-                float3 reflectance = lerp(surface.f0, grazing.xxx, SchlickWeight(ndotv));
+                float3 reflectance = lerp(float3(0.04, 0.04, 0.04), float3(0.94, 0.94, 0.94), SchlickWeight(ndotv));
 
-                float3 sum = surface.diffuseColor * ambient + reduction * reflectance * environment;
-                return sum * surface.occlusion;
-            }
-
-            v2f vert(appdata_full v)
-            {
-                v2f o;
-                UNITY_SETUP_INSTANCE_ID(v);
-                UNITY_INITIALIZE_OUTPUT(v2f, o);
-                UNITY_TRANSFER_INSTANCE_ID(v, o);
-                UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
-
-                float4 positionWS = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0));
-                float3 vertexNormalWS = UnityObjectToWorldNormal(v.normal);
-                o.uv0 = v.texcoord.xy;
-                o.positionWS = positionWS.xyz;
-                o.vertexNormalWS = vertexNormalWS;
-                o.ambientOrLightmapUV = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, positionWS.xyz,
-                    vertexNormalWS);
-                o.pos = UnityObjectToClipPos(v.vertex.xyz);
-                UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);
-                UNITY_TRANSFER_FOG(o, o.pos);
-                return o;
+                return surface.diffuseColor * ambient + 0.9999 * reflectance * environment;
             }
 
             half4 frag(v2f i) : SV_Target
@@ -778,20 +531,20 @@ Shader "Patina/passes"
                 UNITY_LIGHT_ATTENUATION(attenuation, i, i.positionWS)
                 LightingSurfaceLacquer surface = lightingSurfaceLacquer(i.uv0, geometryNormalWS);
                 PremultiplyAlphaResult premultiplyAlphaResult = PremultiplyAlpha(surface.diffuseColor, surface.alpha,
-                    surface.oneMinusReflectivity);
+                    0.96);
                 surface.diffuseColor = premultiplyAlphaResult.value;
                 surface.alpha = premultiplyAlphaResult.outAlpha;
                 Light light;
                 light.direction = _WorldSpaceLightPos0.xyz;
                 light.color = LinearColor(_LightColor0.rgb);
                 light.attenuation = 1.0;
-                light.shadow = MixedShadow(i.positionWS, attenuation, i.ambientOrLightmapUV);
+                light.shadow = WhiteLight(i.positionWS, float3(0, 1, 0), attenuation,
+                    i.ambientOrLightmapUV).light.color.r;
                 float3 fromLight = directLacquer(surface, light, viewDirWS);
                 float3 fromAround = indirectLacquer(surface, viewDirWS, i.positionWS, attenuation,
                     i.ambientOrLightmapUV, true);
                 float4 fog = float4(unity_FogColor.xyz * premultiplyAlphaResult.outAlpha, 0.0);
-                float4 color = float4(ProjectColor(fromLight + fromAround + surface.emission),
-                    premultiplyAlphaResult.outAlpha);
+                float4 color = float4(ProjectColor(fromLight + fromAround), premultiplyAlphaResult.outAlpha);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, color, fog);
                 return color;
             }

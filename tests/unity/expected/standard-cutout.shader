@@ -69,27 +69,15 @@ Shader "Patina/Standard, cut out"
     #define UNITY_TRANSFER_LIGHTING(o, uv) UNITY_TRANSFER_SHADOW(o, uv)
     #endif
 
-    // In a gamma-space project, colours arrive encoded; lighting is still computed in linear space.
-    half3 LinearColor(half3 color)
-    {
+    // In a gamma-space project, colours arrive and leave encoded; lighting is still computed in linear space.
     #ifdef UNITY_COLORSPACE_GAMMA
-        color = GammaToLinearSpace(color);
+    half3 LinearColor(half3 color) { return GammaToLinearSpace(color); }
+    half4 LinearColor(half4 color) { return half4(GammaToLinearSpace(color.rgb), color.a); }
+    half3 ProjectColor(half3 color) { return LinearToGammaSpace(color); }
+    #else
+    #define LinearColor
+    #define ProjectColor
     #endif
-        return color;
-    }
-    half4 LinearColor(half4 color)
-    {
-        return half4(LinearColor(color.rgb), color.a);
-    }
-
-    // Converts a linear colour to the project's colour space.
-    half3 ProjectColor(half3 color)
-    {
-    #ifdef UNITY_COLORSPACE_GAMMA
-        color = LinearToGammaSpace(color);
-    #endif
-        return color;
-    }
 
     // At a vertex: the lightmap coordinates, or the light of four lights and the second order of the probes.
     float4 AmbientOrLightmapUV(float2 uv1, float2 uv2, float3 position, half3 normal)
@@ -110,21 +98,31 @@ Shader "Patina/Standard, cut out"
         return ambient;
     }
 
-    // The input of Unity's global illumination. The light is white, so that its result is the shadow.
-    UnityGIInput GIInput(float3 position, half attenuation, float4 ambient)
+    // Unity's global illumination of a white main light: its result holds the ambient light over pi (probes, lights at
+    // vertices, lightmaps), and as the light's colour the share that real-time and baked shadows leave.
+    UnityGI WhiteLight(float3 position, half3 normal, half attenuation, float4 ambient)
     {
         UnityGIInput data;
         UNITY_INITIALIZE_OUTPUT(UnityGIInput, data);
         data.light.color = 1;
         data.light.dir = _WorldSpaceLightPos0.xyz;
         data.worldPos = position;
-        data.worldViewDir = normalize(UnityWorldSpaceViewDir(position));
         data.atten = attenuation;
     #if defined(LIGHTMAP_ON) || defined(DYNAMICLIGHTMAP_ON)
         data.lightmapUV = ambient;
     #else
         data.ambient = ambient.rgb;
     #endif
+        return UnityGI_Base(data, 1, normal);
+    }
+
+    // Light of the reflection probes from a direction, blurred for a perceptual roughness.
+    half3 ReflectedLight(half3 direction, half roughness, float3 position, bool readsProbes)
+    {
+        if (!readsProbes) return 0;
+        UnityGIInput data;
+        UNITY_INITIALIZE_OUTPUT(UnityGIInput, data);
+        data.worldPos = position;
         data.probeHDR[0] = unity_SpecCube0_HDR;
         data.probeHDR[1] = unity_SpecCube1_HDR;
     #if defined(UNITY_SPECCUBE_BLENDING) || defined(UNITY_SPECCUBE_BOX_PROJECTION)
@@ -137,56 +135,26 @@ Shader "Patina/Standard, cut out"
         data.boxMax[1] = unity_SpecCube1_BoxMax;
         data.probePosition[1] = unity_SpecCube1_ProbePosition;
     #endif
-        return data;
-    }
-
-    // Ambient light over pi: probes, lights at vertices, lightmaps, real-time global illumination.
-    half3 AmbientLight(half3 normal, float3 position, half attenuation, float4 ambient)
-    {
-        return LinearColor(UnityGI_Base(GIInput(position, attenuation, ambient), 1, normal).indirect.diffuse);
-    }
-
-    // The fraction of the main light that real-time and baked shadows leave.
-    half MixedShadow(float3 position, half attenuation, float4 ambient)
-    {
-        return UnityGI_Base(GIInput(position, attenuation, ambient), 1, half3(0, 1, 0)).light.color.r;
-    }
-
-    // Light of the reflection probes from a direction, blurred for a perceptual roughness.
-    half3 ReflectedLight(half3 direction, half roughness, float3 position, bool readsProbes)
-    {
-        if (!readsProbes) return 0;
         Unity_GlossyEnvironmentData environment;
         UNITY_INITIALIZE_OUTPUT(Unity_GlossyEnvironmentData, environment);
         environment.roughness = roughness;
         environment.reflUVW = direction;
-        return LinearColor(UnityGI_IndirectSpecular(GIInput(position, 1, 0), 1, environment));
+        return LinearColor(UnityGI_IndirectSpecular(data, 1, environment));
     }
 
-    // Whether the G-buffer includes reflections: not if Unity adds them afterwards.
-    bool BufferReadsProbes()
-    {
+    // The G-buffer holds reflections, unless Unity adds them afterwards.
     #if UNITY_ENABLE_REFLECTION_BUFFERS
-        return false;
+    #define BufferReadsProbes() false
     #else
-        return true;
+    #define BufferReadsProbes() true
     #endif
-    }
 
     // Without high dynamic range, the buffer stores 2^-light.
-    half3 StoredLight(half3 color)
-    {
-    #ifndef UNITY_HDR_ON
-        color = exp2(-color);
+    #ifdef UNITY_HDR_ON
+    #define StoredLight
+    #else
+    #define StoredLight(light) exp2(-(light))
     #endif
-        return color;
-    }
-
-    // The shadow mask of the object.
-    half4 BakedShadows(float4 ambient, float3 position)
-    {
-        return UnityGetRawBakedOcclusions(ambient.xy, position);
-    }
 
     struct LightingSurface
     {
@@ -207,25 +175,6 @@ Shader "Patina/Standard, cut out"
         float3 color;
         float attenuation;
         float shadow;
-    };
-
-    struct Surface
-    {
-        float3 baseColor;
-        float metallic;
-        float smoothness;
-        float3 normalWS;
-        float occlusion;
-        float3 emission;
-        float alpha;
-        float alphaClip;
-    };
-
-    struct MetallicSetupResult
-    {
-        float3 diffuseColor;
-        float3 f0;
-        float oneMinusReflectivity;
     };
 
     // The offset of texture coordinates that makes a height map stand out: it grows as the view slants.
@@ -265,9 +214,9 @@ Shader "Patina/Standard, cut out"
         return normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
     }
 
-    // What the graph says of the surface.
-    Surface getSurface(float2 uv0, float2 uv1, float3 viewDirWS, float3 geometryNormalWS, float3 tangentWS,
-        float3 bitangentWS)
+    // The surface at this point, from the material and its workflow.
+    LightingSurface lightingSurface(float2 uv0, float2 uv1, float3 viewDirWS, float3 geometryNormalWS,
+        float3 tangentWS, float3 bitangentWS)
     {
         float2 turnedUV = float2(uv0.x, 1.0 - uv0.y);
 
@@ -289,8 +238,8 @@ Shader "Patina/Standard, cut out"
             geometryNormalWSDotViewDirWS);
 
         // SampleTexture2D "maps/height"
-        float2 tiled2 = uv0 * _MainTex_ST.xy + _MainTex_ST.zw;
-        float4 height = UNITY_SAMPLE_TEX2D(_ParallaxMap, tiled2);
+        float2 heightTiled = uv0 * _MainTex_ST.xy + _MainTex_ST.zw;
+        float4 height = UNITY_SAMPLE_TEX2D(_ParallaxMap, heightTiled);
 
         // ParallaxOffset "maps/step"
         offset = ParallaxShift(height.y, _Parallax, viewDirTS);
@@ -386,48 +335,19 @@ Shader "Patina/Standard, cut out"
         fromMapValue2 = main_.w;
     #endif
 
-        Surface surface;
-        surface.baseColor = tinted;
-        surface.metallic = metallic;
-        surface.smoothness = smoothness;
-        surface.normalWS = NormalTangentToWorld(normalTS, geometryNormalWS, tangentWS, bitangentWS);
-        surface.occlusion = OcclusionStrength(cavity.y, _OcclusionStrength, 1.0);
-        surface.emission = emission;
-        surface.alpha = fromMapValue2 * LinearColor(_Color).w;
-        surface.alphaClip = _Cutoff;
-        return surface;
-    }
-
-    // Diffuse colour and reflectance of a surface from base colour and metallic.
-    MetallicSetupResult MetallicSetup(float3 baseColor, float metallic)
-    {
-        float oneMinusReflectivity = 0.96 * (1.0 - metallic);
-        MetallicSetupResult metallicSetupResult;
-        metallicSetupResult.diffuseColor = baseColor * oneMinusReflectivity;
-        metallicSetupResult.f0 = lerp(float3(0.04, 0.04, 0.04), baseColor, metallic);
-        metallicSetupResult.oneMinusReflectivity = oneMinusReflectivity;
-        return metallicSetupResult;
-    }
-
-    // The surface at this point, from the material and its workflow.
-    LightingSurface lightingSurface(float2 uv0, float2 uv1, float3 viewDirWS, float3 geometryNormalWS,
-        float3 tangentWS, float3 bitangentWS)
-    {
-        Surface material = getSurface(uv0, uv1, viewDirWS, geometryNormalWS, tangentWS, bitangentWS);
-
         // MetallicSetup "setup"
-        MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
+        float oneMinusReflectivity = 0.96 * (1.0 - metallic);
 
         LightingSurface ls;
-        ls.diffuseColor = setup.diffuseColor;
-        ls.f0 = setup.f0;
-        ls.oneMinusReflectivity = setup.oneMinusReflectivity;
-        ls.roughness = 1.0 - material.smoothness;
-        ls.normalWS = normalize(material.normalWS);
-        ls.occlusion = material.occlusion;
-        ls.emission = material.emission;
-        ls.alpha = material.alpha;
-        ls.alphaClip = material.alphaClip;
+        ls.diffuseColor = tinted * oneMinusReflectivity;
+        ls.f0 = lerp(float3(0.04, 0.04, 0.04), tinted, metallic);
+        ls.oneMinusReflectivity = oneMinusReflectivity;
+        ls.roughness = 1.0 - smoothness;
+        ls.normalWS = normalize(NormalTangentToWorld(normalTS, geometryNormalWS, tangentWS, bitangentWS));
+        ls.occlusion = OcclusionStrength(cavity.y, _OcclusionStrength, 1.0);
+        ls.emission = emission;
+        ls.alpha = fromMapValue2 * LinearColor(_Color).w;
+        ls.alphaClip = _Cutoff;
         return ls;
     }
 
@@ -470,7 +390,7 @@ Shader "Patina/Standard, cut out"
     {
         float a2 = alpha * alpha;
         float spread = (ndoth * a2 - ndoth) * ndoth + 1.0;
-        return 0.31830987 * a2 / (spread * spread + 1e-07);
+        return UNITY_INV_PI * a2 / (spread * spread + 1e-07);
     }
 
     // Schlick's Fresnel reflectance, for direct light.
@@ -516,7 +436,7 @@ Shader "Patina/Standard, cut out"
 
         float hasSpecular = any(surface.f0 > 0.0) ? 1.0 : 0.0;
 
-        float3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * hasSpecular * fresnel;
+        float3 specular = max(visibility * distribution * UNITY_PI * ndotl, 0.0) * hasSpecular * fresnel;
 
         float3 radiance = light.color * (light.attenuation * light.shadow);
         return (surface.diffuseColor * (diffuse * ndotl) + specular) * radiance;
@@ -534,7 +454,8 @@ Shader "Patina/Standard, cut out"
         float alpha = max(surface.roughness * surface.roughness, 0.002);
 
         // AmbientIrradiance "ambient"
-        float3 ambient = AmbientLight(surface.normalWS, positionWS, attenuation, ambientOrLightmapUV);
+        float3 ambient = LinearColor(WhiteLight(positionWS, surface.normalWS, attenuation,
+            ambientOrLightmapUV).indirect.diffuse);
 
         float3 reflected = reflect(-viewDirWS, surface.normalWS);
 
@@ -554,6 +475,47 @@ Shader "Patina/Standard, cut out"
         float3 sum = surface.diffuseColor * ambient + reduction * reflectance * environment;
         return sum * surface.occlusion;
     }
+
+    #if defined(USING_LIGHT_MULTI_COMPILE)
+    struct v2f
+    {
+        float4 pos : SV_POSITION;
+        float2 uv0 : TEXCOORD0;
+        float2 uv1 : TEXCOORD1;
+        float3 positionWS : TEXCOORD2;
+        float3 vertexNormalWS : TEXCOORD3;
+        float4 vertexTangentWS : TEXCOORD4;
+        float4 ambientOrLightmapUV : TEXCOORD5;
+        UNITY_LIGHTING_COORDS(6, 7)
+        UNITY_FOG_COORDS(8)
+        UNITY_VERTEX_INPUT_INSTANCE_ID
+        UNITY_VERTEX_OUTPUT_STEREO
+    };
+
+    v2f vert(appdata_full v)
+    {
+        v2f o;
+        UNITY_SETUP_INSTANCE_ID(v);
+        UNITY_INITIALIZE_OUTPUT(v2f, o);
+        UNITY_TRANSFER_INSTANCE_ID(v, o);
+        UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
+
+        float4 positionWS = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0));
+        float3 vertexNormalWS = UnityObjectToWorldNormal(v.normal);
+        o.uv0 = v.texcoord.xy;
+        o.uv1 = v.texcoord1.xy;
+        o.positionWS = positionWS.xyz;
+        o.vertexNormalWS = vertexNormalWS;
+        o.vertexTangentWS = float4(UnityObjectToWorldDir(v.tangent.xyz),
+            v.tangent.w * unity_WorldTransformParams.w);
+        o.ambientOrLightmapUV = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, positionWS.xyz,
+            vertexNormalWS);
+        o.pos = UnityObjectToClipPos(v.vertex.xyz);
+        UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);
+        UNITY_TRANSFER_FOG(o, o.pos);
+        return o;
+    }
+    #endif
 
     ENDCG
 
@@ -581,45 +543,6 @@ Shader "Patina/Standard, cut out"
             #pragma vertex vert
             #pragma fragment frag
 
-            struct v2f
-            {
-                float4 pos : SV_POSITION;
-                float2 uv0 : TEXCOORD0;
-                float2 uv1 : TEXCOORD1;
-                float3 positionWS : TEXCOORD2;
-                float3 vertexNormalWS : TEXCOORD3;
-                float4 vertexTangentWS : TEXCOORD4;
-                float4 ambientOrLightmapUV : TEXCOORD5;
-                UNITY_LIGHTING_COORDS(6, 7)
-                UNITY_FOG_COORDS(8)
-                UNITY_VERTEX_INPUT_INSTANCE_ID
-                UNITY_VERTEX_OUTPUT_STEREO
-            };
-
-            v2f vert(appdata_full v)
-            {
-                v2f o;
-                UNITY_SETUP_INSTANCE_ID(v);
-                UNITY_INITIALIZE_OUTPUT(v2f, o);
-                UNITY_TRANSFER_INSTANCE_ID(v, o);
-                UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
-
-                float4 positionWS = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0));
-                float3 vertexNormalWS = UnityObjectToWorldNormal(v.normal);
-                o.uv0 = v.texcoord.xy;
-                o.uv1 = v.texcoord1.xy;
-                o.positionWS = positionWS.xyz;
-                o.vertexNormalWS = vertexNormalWS;
-                o.vertexTangentWS = float4(UnityObjectToWorldDir(v.tangent.xyz),
-                    v.tangent.w * unity_WorldTransformParams.w);
-                o.ambientOrLightmapUV = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, positionWS.xyz,
-                    vertexNormalWS);
-                o.pos = UnityObjectToClipPos(v.vertex.xyz);
-                UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);
-                UNITY_TRANSFER_FOG(o, o.pos);
-                return o;
-            }
-
             half4 frag(v2f i) : SV_Target
             {
                 UNITY_SETUP_INSTANCE_ID(i);
@@ -639,7 +562,8 @@ Shader "Patina/Standard, cut out"
                 light.direction = _WorldSpaceLightPos0.xyz;
                 light.color = LinearColor(_LightColor0.rgb);
                 light.attenuation = 1.0;
-                light.shadow = MixedShadow(i.positionWS, attenuation, i.ambientOrLightmapUV);
+                light.shadow = WhiteLight(i.positionWS, float3(0, 1, 0), attenuation,
+                    i.ambientOrLightmapUV).light.color.r;
                 float3 fromLight = direct(surface, light, viewDirWS);
                 float3 fromAround = indirect(surface, viewDirWS, i.positionWS, attenuation, i.ambientOrLightmapUV,
                     true);
@@ -668,40 +592,6 @@ Shader "Patina/Standard, cut out"
             #pragma shader_feature_local _DETAIL_MULX2
             #pragma vertex vert
             #pragma fragment frag
-
-            struct v2f
-            {
-                float4 pos : SV_POSITION;
-                float2 uv0 : TEXCOORD0;
-                float2 uv1 : TEXCOORD1;
-                float3 positionWS : TEXCOORD2;
-                float3 vertexNormalWS : TEXCOORD3;
-                float4 vertexTangentWS : TEXCOORD4;
-                UNITY_LIGHTING_COORDS(5, 6)
-                UNITY_FOG_COORDS(7)
-                UNITY_VERTEX_INPUT_INSTANCE_ID
-                UNITY_VERTEX_OUTPUT_STEREO
-            };
-
-            v2f vert(appdata_full v)
-            {
-                v2f o;
-                UNITY_SETUP_INSTANCE_ID(v);
-                UNITY_INITIALIZE_OUTPUT(v2f, o);
-                UNITY_TRANSFER_INSTANCE_ID(v, o);
-                UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
-
-                o.uv0 = v.texcoord.xy;
-                o.uv1 = v.texcoord1.xy;
-                o.positionWS = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0)).xyz;
-                o.vertexNormalWS = UnityObjectToWorldNormal(v.normal);
-                o.vertexTangentWS = float4(UnityObjectToWorldDir(v.tangent.xyz),
-                    v.tangent.w * unity_WorldTransformParams.w);
-                o.pos = UnityObjectToClipPos(v.vertex.xyz);
-                UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);
-                UNITY_TRANSFER_FOG(o, o.pos);
-                return o;
-            }
 
             half4 frag(v2f i) : SV_Target
             {
@@ -745,7 +635,7 @@ Shader "Patina/Standard, cut out"
             #pragma vertex vert
             #pragma fragment frag
 
-            struct SurfaceShadowCaster
+            struct LightingSurfaceShadowCaster
             {
                 float alpha;
                 float alphaClip;
@@ -762,9 +652,9 @@ Shader "Patina/Standard, cut out"
                 UNITY_VERTEX_OUTPUT_STEREO
             };
 
-            // What the graph says of the surface.
-            SurfaceShadowCaster getSurfaceShadowCaster(float2 uv0, float3 viewDirWS, float3 geometryNormalWS,
-                float3 tangentWS, float3 bitangentWS)
+            // The surface at this point, from the material and its workflow.
+            LightingSurfaceShadowCaster lightingSurfaceShadowCaster(float2 uv0, float3 viewDirWS,
+                float3 geometryNormalWS, float3 tangentWS, float3 bitangentWS)
             {
                 // standard-maps "maps"
                 float fromMapValue;
@@ -783,8 +673,8 @@ Shader "Patina/Standard, cut out"
                     geometryNormalWSDotViewDirWS);
 
                 // SampleTexture2D "maps/height"
-                float2 tiled2 = uv0 * _MainTex_ST.xy + _MainTex_ST.zw;
-                float4 height = UNITY_SAMPLE_TEX2D(_ParallaxMap, tiled2);
+                float2 heightTiled = uv0 * _MainTex_ST.xy + _MainTex_ST.zw;
+                float4 height = UNITY_SAMPLE_TEX2D(_ParallaxMap, heightTiled);
 
                 // ParallaxOffset "maps/step"
                 offset = ParallaxShift(height.y, _Parallax, viewDirTS);
@@ -798,10 +688,10 @@ Shader "Patina/Standard, cut out"
                 fromMapValue = main_.w;
             #endif
 
-                SurfaceShadowCaster surfaceShadowCaster;
-                surfaceShadowCaster.alpha = fromMapValue * LinearColor(_Color).w;
-                surfaceShadowCaster.alphaClip = _Cutoff;
-                return surfaceShadowCaster;
+                LightingSurfaceShadowCaster lssc;
+                lssc.alpha = fromMapValue * LinearColor(_Color).w;
+                lssc.alphaClip = _Cutoff;
+                return lssc;
             }
 
             v2f vert(appdata_full v)
@@ -832,9 +722,9 @@ Shader "Patina/Standard, cut out"
                 float3 geometryNormalWS = normalize(i.vertexNormalWS);
                 float3 tangentWS = normalize(i.vertexTangentWS.xyz);
                 float3 bitangentWS = cross(geometryNormalWS, tangentWS) * i.vertexTangentWS.w;
-                SurfaceShadowCaster material = getSurfaceShadowCaster(i.uv0, viewDirWS, geometryNormalWS, tangentWS,
-                    bitangentWS);
-                if (material.alpha < material.alphaClip) discard;
+                LightingSurfaceShadowCaster surface = lightingSurfaceShadowCaster(i.uv0, viewDirWS, geometryNormalWS,
+                    tangentWS, bitangentWS);
+                if (surface.alpha < surface.alphaClip) discard;
                 SHADOW_CASTER_FRAGMENT(i)
             }
             ENDCG
@@ -928,7 +818,7 @@ Shader "Patina/Standard, cut out"
                 output.normal = float4(0.5 + 0.5 * surface.normalWS, 1.0);
                 output.light = float4(StoredLight(ProjectColor(fromAround + surface.emission)), 1.0);
             #if defined(SHADOWS_SHADOWMASK) && UNITY_ALLOWED_MRT_COUNT > 4
-                output.shadowMask = BakedShadows(i.ambientOrLightmapUV, i.positionWS);
+                output.shadowMask = UnityGetRawBakedOcclusions(i.ambientOrLightmapUV.xy, i.positionWS);
             #endif
                 return output;
             }

@@ -44,27 +44,15 @@ Shader "Patina/Standard"
     #define UNITY_TRANSFER_LIGHTING(o, uv) UNITY_TRANSFER_SHADOW(o, uv)
     #endif
 
-    // In a gamma-space project, colours arrive encoded; lighting is still computed in linear space.
-    half3 LinearColor(half3 color)
-    {
+    // In a gamma-space project, colours arrive and leave encoded; lighting is still computed in linear space.
     #ifdef UNITY_COLORSPACE_GAMMA
-        color = GammaToLinearSpace(color);
+    half3 LinearColor(half3 color) { return GammaToLinearSpace(color); }
+    half4 LinearColor(half4 color) { return half4(GammaToLinearSpace(color.rgb), color.a); }
+    half3 ProjectColor(half3 color) { return LinearToGammaSpace(color); }
+    #else
+    #define LinearColor
+    #define ProjectColor
     #endif
-        return color;
-    }
-    half4 LinearColor(half4 color)
-    {
-        return half4(LinearColor(color.rgb), color.a);
-    }
-
-    // Converts a linear colour to the project's colour space.
-    half3 ProjectColor(half3 color)
-    {
-    #ifdef UNITY_COLORSPACE_GAMMA
-        color = LinearToGammaSpace(color);
-    #endif
-        return color;
-    }
 
     // At a vertex: the lightmap coordinates, or the light of four lights and the second order of the probes.
     float4 AmbientOrLightmapUV(float2 uv1, float2 uv2, float3 position, half3 normal)
@@ -85,21 +73,31 @@ Shader "Patina/Standard"
         return ambient;
     }
 
-    // The input of Unity's global illumination. The light is white, so that its result is the shadow.
-    UnityGIInput GIInput(float3 position, half attenuation, float4 ambient)
+    // Unity's global illumination of a white main light: its result holds the ambient light over pi (probes, lights at
+    // vertices, lightmaps), and as the light's colour the share that real-time and baked shadows leave.
+    UnityGI WhiteLight(float3 position, half3 normal, half attenuation, float4 ambient)
     {
         UnityGIInput data;
         UNITY_INITIALIZE_OUTPUT(UnityGIInput, data);
         data.light.color = 1;
         data.light.dir = _WorldSpaceLightPos0.xyz;
         data.worldPos = position;
-        data.worldViewDir = normalize(UnityWorldSpaceViewDir(position));
         data.atten = attenuation;
     #if defined(LIGHTMAP_ON) || defined(DYNAMICLIGHTMAP_ON)
         data.lightmapUV = ambient;
     #else
         data.ambient = ambient.rgb;
     #endif
+        return UnityGI_Base(data, 1, normal);
+    }
+
+    // Light of the reflection probes from a direction, blurred for a perceptual roughness.
+    half3 ReflectedLight(half3 direction, half roughness, float3 position, bool readsProbes)
+    {
+        if (!readsProbes) return 0;
+        UnityGIInput data;
+        UNITY_INITIALIZE_OUTPUT(UnityGIInput, data);
+        data.worldPos = position;
         data.probeHDR[0] = unity_SpecCube0_HDR;
         data.probeHDR[1] = unity_SpecCube1_HDR;
     #if defined(UNITY_SPECCUBE_BLENDING) || defined(UNITY_SPECCUBE_BOX_PROJECTION)
@@ -112,56 +110,26 @@ Shader "Patina/Standard"
         data.boxMax[1] = unity_SpecCube1_BoxMax;
         data.probePosition[1] = unity_SpecCube1_ProbePosition;
     #endif
-        return data;
-    }
-
-    // Ambient light over pi: probes, lights at vertices, lightmaps, real-time global illumination.
-    half3 AmbientLight(half3 normal, float3 position, half attenuation, float4 ambient)
-    {
-        return LinearColor(UnityGI_Base(GIInput(position, attenuation, ambient), 1, normal).indirect.diffuse);
-    }
-
-    // The fraction of the main light that real-time and baked shadows leave.
-    half MixedShadow(float3 position, half attenuation, float4 ambient)
-    {
-        return UnityGI_Base(GIInput(position, attenuation, ambient), 1, half3(0, 1, 0)).light.color.r;
-    }
-
-    // Light of the reflection probes from a direction, blurred for a perceptual roughness.
-    half3 ReflectedLight(half3 direction, half roughness, float3 position, bool readsProbes)
-    {
-        if (!readsProbes) return 0;
         Unity_GlossyEnvironmentData environment;
         UNITY_INITIALIZE_OUTPUT(Unity_GlossyEnvironmentData, environment);
         environment.roughness = roughness;
         environment.reflUVW = direction;
-        return LinearColor(UnityGI_IndirectSpecular(GIInput(position, 1, 0), 1, environment));
+        return LinearColor(UnityGI_IndirectSpecular(data, 1, environment));
     }
 
-    // Whether the G-buffer includes reflections: not if Unity adds them afterwards.
-    bool BufferReadsProbes()
-    {
+    // The G-buffer holds reflections, unless Unity adds them afterwards.
     #if UNITY_ENABLE_REFLECTION_BUFFERS
-        return false;
+    #define BufferReadsProbes() false
     #else
-        return true;
+    #define BufferReadsProbes() true
     #endif
-    }
 
     // Without high dynamic range, the buffer stores 2^-light.
-    half3 StoredLight(half3 color)
-    {
-    #ifndef UNITY_HDR_ON
-        color = exp2(-color);
+    #ifdef UNITY_HDR_ON
+    #define StoredLight
+    #else
+    #define StoredLight(light) exp2(-(light))
     #endif
-        return color;
-    }
-
-    // The shadow mask of the object.
-    half4 BakedShadows(float4 ambient, float3 position)
-    {
-        return UnityGetRawBakedOcclusions(ambient.xy, position);
-    }
 
     struct LightingSurface
     {
@@ -182,31 +150,14 @@ Shader "Patina/Standard"
         float shadow;
     };
 
-    struct Surface
-    {
-        float3 baseColor;
-        float metallic;
-        float smoothness;
-        float3 normalWS;
-        float occlusion;
-        float3 emission;
-    };
-
-    struct MetallicSetupResult
-    {
-        float3 diffuseColor;
-        float3 f0;
-        float oneMinusReflectivity;
-    };
-
     // Transforms a normal from tangent space to world space.
     float3 NormalTangentToWorld(float3 normalTS, float3 normal, float3 tangent, float3 bitangent)
     {
         return normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
     }
 
-    // What the graph says of the surface.
-    Surface getSurface(float2 uv0, float3 geometryNormalWS, float3 tangentWS, float3 bitangentWS)
+    // The surface at this point, from the material and its workflow.
+    LightingSurface lightingSurface(float2 uv0, float3 geometryNormalWS, float3 tangentWS, float3 bitangentWS)
     {
         // SampleTexture2D "albedo"
         float2 uv = uv0 * _MainTex_ST.xy + _MainTex_ST.zw;
@@ -225,43 +176,20 @@ Shader "Patina/Standard"
         // SampleTexture2D "glow"
         float4 glow = LinearColor(UNITY_SAMPLE_TEX2D(_EmissionMap, uv));
 
-        Surface surface;
-        surface.baseColor = albedo.xyz * LinearColor(_Color).xyz;
-        surface.metallic = metal.x * _Metallic;
-        surface.smoothness = metal.w * _GlossMapScale;
-        surface.normalWS = NormalTangentToWorld(bumps, geometryNormalWS, tangentWS, bitangentWS);
-        surface.occlusion = lerp(1.0, open.y, _OcclusionStrength);
-        surface.emission = glow.xyz * _EmissionColor.xyz;
-        return surface;
-    }
-
-    // Diffuse colour and reflectance of a surface from base colour and metallic.
-    MetallicSetupResult MetallicSetup(float3 baseColor, float metallic)
-    {
-        float oneMinusReflectivity = 0.96 * (1.0 - metallic);
-        MetallicSetupResult metallicSetupResult;
-        metallicSetupResult.diffuseColor = baseColor * oneMinusReflectivity;
-        metallicSetupResult.f0 = lerp(float3(0.04, 0.04, 0.04), baseColor, metallic);
-        metallicSetupResult.oneMinusReflectivity = oneMinusReflectivity;
-        return metallicSetupResult;
-    }
-
-    // The surface at this point, from the material and its workflow.
-    LightingSurface lightingSurface(float2 uv0, float3 geometryNormalWS, float3 tangentWS, float3 bitangentWS)
-    {
-        Surface material = getSurface(uv0, geometryNormalWS, tangentWS, bitangentWS);
+        float3 baseColor = albedo.xyz * LinearColor(_Color).xyz;
+        float metallic = metal.x * _Metallic;
 
         // MetallicSetup "setup"
-        MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
+        float oneMinusReflectivity = 0.96 * (1.0 - metallic);
 
         LightingSurface ls;
-        ls.diffuseColor = setup.diffuseColor;
-        ls.f0 = setup.f0;
-        ls.oneMinusReflectivity = setup.oneMinusReflectivity;
-        ls.roughness = 1.0 - material.smoothness;
-        ls.normalWS = normalize(material.normalWS);
-        ls.occlusion = material.occlusion;
-        ls.emission = material.emission;
+        ls.diffuseColor = baseColor * oneMinusReflectivity;
+        ls.f0 = lerp(float3(0.04, 0.04, 0.04), baseColor, metallic);
+        ls.oneMinusReflectivity = oneMinusReflectivity;
+        ls.roughness = 1.0 - metal.w * _GlossMapScale;
+        ls.normalWS = normalize(NormalTangentToWorld(bumps, geometryNormalWS, tangentWS, bitangentWS));
+        ls.occlusion = lerp(1.0, open.y, _OcclusionStrength);
+        ls.emission = glow.xyz * _EmissionColor.xyz;
         return ls;
     }
 
@@ -304,7 +232,7 @@ Shader "Patina/Standard"
     {
         float a2 = alpha * alpha;
         float spread = (ndoth * a2 - ndoth) * ndoth + 1.0;
-        return 0.31830987 * a2 / (spread * spread + 1e-07);
+        return UNITY_INV_PI * a2 / (spread * spread + 1e-07);
     }
 
     // Schlick's Fresnel reflectance, for direct light.
@@ -350,7 +278,7 @@ Shader "Patina/Standard"
 
         float hasSpecular = any(surface.f0 > 0.0) ? 1.0 : 0.0;
 
-        float3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * hasSpecular * fresnel;
+        float3 specular = max(visibility * distribution * UNITY_PI * ndotl, 0.0) * hasSpecular * fresnel;
 
         float3 radiance = light.color * (light.attenuation * light.shadow);
         return (surface.diffuseColor * (diffuse * ndotl) + specular) * radiance;
@@ -368,7 +296,8 @@ Shader "Patina/Standard"
         float alpha = max(surface.roughness * surface.roughness, 0.002);
 
         // AmbientIrradiance "ambient"
-        float3 ambient = AmbientLight(surface.normalWS, positionWS, attenuation, ambientOrLightmapUV);
+        float3 ambient = LinearColor(WhiteLight(positionWS, surface.normalWS, attenuation,
+            ambientOrLightmapUV).indirect.diffuse);
 
         float3 reflected = reflect(-viewDirWS, surface.normalWS);
 
@@ -388,6 +317,45 @@ Shader "Patina/Standard"
         float3 sum = surface.diffuseColor * ambient + reduction * reflectance * environment;
         return sum * surface.occlusion;
     }
+
+    #if defined(USING_LIGHT_MULTI_COMPILE)
+    struct v2f
+    {
+        float4 pos : SV_POSITION;
+        float2 uv0 : TEXCOORD0;
+        float3 positionWS : TEXCOORD1;
+        float3 vertexNormalWS : TEXCOORD2;
+        float4 vertexTangentWS : TEXCOORD3;
+        float4 ambientOrLightmapUV : TEXCOORD4;
+        UNITY_LIGHTING_COORDS(5, 6)
+        UNITY_FOG_COORDS(7)
+        UNITY_VERTEX_INPUT_INSTANCE_ID
+        UNITY_VERTEX_OUTPUT_STEREO
+    };
+
+    v2f vert(appdata_full v)
+    {
+        v2f o;
+        UNITY_SETUP_INSTANCE_ID(v);
+        UNITY_INITIALIZE_OUTPUT(v2f, o);
+        UNITY_TRANSFER_INSTANCE_ID(v, o);
+        UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
+
+        float4 positionWS = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0));
+        float3 vertexNormalWS = UnityObjectToWorldNormal(v.normal);
+        o.uv0 = v.texcoord.xy;
+        o.positionWS = positionWS.xyz;
+        o.vertexNormalWS = vertexNormalWS;
+        o.vertexTangentWS = float4(UnityObjectToWorldDir(v.tangent.xyz),
+            v.tangent.w * unity_WorldTransformParams.w);
+        o.ambientOrLightmapUV = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, positionWS.xyz,
+            vertexNormalWS);
+        o.pos = UnityObjectToClipPos(v.vertex.xyz);
+        UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);
+        UNITY_TRANSFER_FOG(o, o.pos);
+        return o;
+    }
+    #endif
 
     ENDCG
 
@@ -409,43 +377,6 @@ Shader "Patina/Standard"
             #pragma vertex vert
             #pragma fragment frag
 
-            struct v2f
-            {
-                float4 pos : SV_POSITION;
-                float2 uv0 : TEXCOORD0;
-                float3 positionWS : TEXCOORD1;
-                float3 vertexNormalWS : TEXCOORD2;
-                float4 vertexTangentWS : TEXCOORD3;
-                float4 ambientOrLightmapUV : TEXCOORD4;
-                UNITY_LIGHTING_COORDS(5, 6)
-                UNITY_FOG_COORDS(7)
-                UNITY_VERTEX_INPUT_INSTANCE_ID
-                UNITY_VERTEX_OUTPUT_STEREO
-            };
-
-            v2f vert(appdata_full v)
-            {
-                v2f o;
-                UNITY_SETUP_INSTANCE_ID(v);
-                UNITY_INITIALIZE_OUTPUT(v2f, o);
-                UNITY_TRANSFER_INSTANCE_ID(v, o);
-                UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
-
-                float4 positionWS = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0));
-                float3 vertexNormalWS = UnityObjectToWorldNormal(v.normal);
-                o.uv0 = v.texcoord.xy;
-                o.positionWS = positionWS.xyz;
-                o.vertexNormalWS = vertexNormalWS;
-                o.vertexTangentWS = float4(UnityObjectToWorldDir(v.tangent.xyz),
-                    v.tangent.w * unity_WorldTransformParams.w);
-                o.ambientOrLightmapUV = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, positionWS.xyz,
-                    vertexNormalWS);
-                o.pos = UnityObjectToClipPos(v.vertex.xyz);
-                UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);
-                UNITY_TRANSFER_FOG(o, o.pos);
-                return o;
-            }
-
             half4 frag(v2f i) : SV_Target
             {
                 UNITY_SETUP_INSTANCE_ID(i);
@@ -463,7 +394,8 @@ Shader "Patina/Standard"
                 light.direction = _WorldSpaceLightPos0.xyz;
                 light.color = LinearColor(_LightColor0.rgb);
                 light.attenuation = 1.0;
-                light.shadow = MixedShadow(i.positionWS, attenuation, i.ambientOrLightmapUV);
+                light.shadow = WhiteLight(i.positionWS, float3(0, 1, 0), attenuation,
+                    i.ambientOrLightmapUV).light.color.r;
                 float3 fromLight = direct(surface, light, viewDirWS);
                 float3 fromAround = indirect(surface, viewDirWS, i.positionWS, attenuation, i.ambientOrLightmapUV,
                     true);
@@ -488,38 +420,6 @@ Shader "Patina/Standard"
             #pragma vertex vert
             #pragma fragment frag
 
-            struct v2f
-            {
-                float4 pos : SV_POSITION;
-                float2 uv0 : TEXCOORD0;
-                float3 positionWS : TEXCOORD1;
-                float3 vertexNormalWS : TEXCOORD2;
-                float4 vertexTangentWS : TEXCOORD3;
-                UNITY_LIGHTING_COORDS(4, 5)
-                UNITY_FOG_COORDS(6)
-                UNITY_VERTEX_INPUT_INSTANCE_ID
-                UNITY_VERTEX_OUTPUT_STEREO
-            };
-
-            v2f vert(appdata_full v)
-            {
-                v2f o;
-                UNITY_SETUP_INSTANCE_ID(v);
-                UNITY_INITIALIZE_OUTPUT(v2f, o);
-                UNITY_TRANSFER_INSTANCE_ID(v, o);
-                UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
-
-                o.uv0 = v.texcoord.xy;
-                o.positionWS = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0)).xyz;
-                o.vertexNormalWS = UnityObjectToWorldNormal(v.normal);
-                o.vertexTangentWS = float4(UnityObjectToWorldDir(v.tangent.xyz),
-                    v.tangent.w * unity_WorldTransformParams.w);
-                o.pos = UnityObjectToClipPos(v.vertex.xyz);
-                UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);
-                UNITY_TRANSFER_FOG(o, o.pos);
-                return o;
-            }
-
             half4 frag(v2f i) : SV_Target
             {
                 UNITY_SETUP_INSTANCE_ID(i);
@@ -542,47 +442,6 @@ Shader "Patina/Standard"
                 float4 color = float4(ProjectColor(fromLight), 0.0);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, color, float4(0.0, 0.0, 0.0, 0.0));
                 return color;
-            }
-            ENDCG
-        }
-
-        Pass
-        {
-            Name "ShadowCaster"
-            Tags { "LightMode" = "ShadowCaster" }
-
-            CGPROGRAM
-            #pragma target 3.0
-            #pragma multi_compile_shadowcaster
-            #pragma multi_compile_instancing
-            #pragma vertex vert
-            #pragma fragment frag
-
-            struct v2f
-            {
-                V2F_SHADOW_CASTER;
-                UNITY_VERTEX_INPUT_INSTANCE_ID
-                UNITY_VERTEX_OUTPUT_STEREO
-            };
-
-            v2f vert(appdata_full v)
-            {
-                v2f o;
-                UNITY_SETUP_INSTANCE_ID(v);
-                UNITY_INITIALIZE_OUTPUT(v2f, o);
-                UNITY_TRANSFER_INSTANCE_ID(v, o);
-                UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
-
-                TRANSFER_SHADOW_CASTER_NORMALOFFSET(o)
-                return o;
-            }
-
-            float4 frag(v2f i) : SV_Target
-            {
-                UNITY_SETUP_INSTANCE_ID(i);
-                UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);
-
-                SHADOW_CASTER_FRAGMENT(i)
             }
             ENDCG
         }
@@ -665,7 +524,7 @@ Shader "Patina/Standard"
                 output.normal = float4(0.5 + 0.5 * surface.normalWS, 1.0);
                 output.light = float4(StoredLight(ProjectColor(fromAround + surface.emission)), 1.0);
             #if defined(SHADOWS_SHADOWMASK) && UNITY_ALLOWED_MRT_COUNT > 4
-                output.shadowMask = BakedShadows(i.ambientOrLightmapUV, i.positionWS);
+                output.shadowMask = UnityGetRawBakedOcclusions(i.ambientOrLightmapUV.xy, i.positionWS);
             #endif
                 return output;
             }

@@ -27,27 +27,15 @@ Shader "Patina/Wave"
     #define UNITY_TRANSFER_LIGHTING(o, uv) UNITY_TRANSFER_SHADOW(o, uv)
     #endif
 
-    // In a gamma-space project, colours arrive encoded; lighting is still computed in linear space.
-    half3 LinearColor(half3 color)
-    {
+    // In a gamma-space project, colours arrive and leave encoded; lighting is still computed in linear space.
     #ifdef UNITY_COLORSPACE_GAMMA
-        color = GammaToLinearSpace(color);
+    half3 LinearColor(half3 color) { return GammaToLinearSpace(color); }
+    half4 LinearColor(half4 color) { return half4(GammaToLinearSpace(color.rgb), color.a); }
+    half3 ProjectColor(half3 color) { return LinearToGammaSpace(color); }
+    #else
+    #define LinearColor
+    #define ProjectColor
     #endif
-        return color;
-    }
-    half4 LinearColor(half4 color)
-    {
-        return half4(LinearColor(color.rgb), color.a);
-    }
-
-    // Converts a linear colour to the project's colour space.
-    half3 ProjectColor(half3 color)
-    {
-    #ifdef UNITY_COLORSPACE_GAMMA
-        color = LinearToGammaSpace(color);
-    #endif
-        return color;
-    }
 
     // At a vertex: the lightmap coordinates, or the light of four lights and the second order of the probes.
     float4 AmbientOrLightmapUV(float2 uv1, float2 uv2, float3 position, half3 normal)
@@ -68,21 +56,31 @@ Shader "Patina/Wave"
         return ambient;
     }
 
-    // The input of Unity's global illumination. The light is white, so that its result is the shadow.
-    UnityGIInput GIInput(float3 position, half attenuation, float4 ambient)
+    // Unity's global illumination of a white main light: its result holds the ambient light over pi (probes, lights at
+    // vertices, lightmaps), and as the light's colour the share that real-time and baked shadows leave.
+    UnityGI WhiteLight(float3 position, half3 normal, half attenuation, float4 ambient)
     {
         UnityGIInput data;
         UNITY_INITIALIZE_OUTPUT(UnityGIInput, data);
         data.light.color = 1;
         data.light.dir = _WorldSpaceLightPos0.xyz;
         data.worldPos = position;
-        data.worldViewDir = normalize(UnityWorldSpaceViewDir(position));
         data.atten = attenuation;
     #if defined(LIGHTMAP_ON) || defined(DYNAMICLIGHTMAP_ON)
         data.lightmapUV = ambient;
     #else
         data.ambient = ambient.rgb;
     #endif
+        return UnityGI_Base(data, 1, normal);
+    }
+
+    // Light of the reflection probes from a direction, blurred for a perceptual roughness.
+    half3 ReflectedLight(half3 direction, half roughness, float3 position, bool readsProbes)
+    {
+        if (!readsProbes) return 0;
+        UnityGIInput data;
+        UNITY_INITIALIZE_OUTPUT(UnityGIInput, data);
+        data.worldPos = position;
         data.probeHDR[0] = unity_SpecCube0_HDR;
         data.probeHDR[1] = unity_SpecCube1_HDR;
     #if defined(UNITY_SPECCUBE_BLENDING) || defined(UNITY_SPECCUBE_BOX_PROJECTION)
@@ -95,66 +93,32 @@ Shader "Patina/Wave"
         data.boxMax[1] = unity_SpecCube1_BoxMax;
         data.probePosition[1] = unity_SpecCube1_ProbePosition;
     #endif
-        return data;
-    }
-
-    // Ambient light over pi: probes, lights at vertices, lightmaps, real-time global illumination.
-    half3 AmbientLight(half3 normal, float3 position, half attenuation, float4 ambient)
-    {
-        return LinearColor(UnityGI_Base(GIInput(position, attenuation, ambient), 1, normal).indirect.diffuse);
-    }
-
-    // The fraction of the main light that real-time and baked shadows leave.
-    half MixedShadow(float3 position, half attenuation, float4 ambient)
-    {
-        return UnityGI_Base(GIInput(position, attenuation, ambient), 1, half3(0, 1, 0)).light.color.r;
-    }
-
-    // Light of the reflection probes from a direction, blurred for a perceptual roughness.
-    half3 ReflectedLight(half3 direction, half roughness, float3 position, bool readsProbes)
-    {
-        if (!readsProbes) return 0;
         Unity_GlossyEnvironmentData environment;
         UNITY_INITIALIZE_OUTPUT(Unity_GlossyEnvironmentData, environment);
         environment.roughness = roughness;
         environment.reflUVW = direction;
-        return LinearColor(UnityGI_IndirectSpecular(GIInput(position, 1, 0), 1, environment));
+        return LinearColor(UnityGI_IndirectSpecular(data, 1, environment));
     }
 
-    // Whether the G-buffer includes reflections: not if Unity adds them afterwards.
-    bool BufferReadsProbes()
-    {
+    // The G-buffer holds reflections, unless Unity adds them afterwards.
     #if UNITY_ENABLE_REFLECTION_BUFFERS
-        return false;
+    #define BufferReadsProbes() false
     #else
-        return true;
+    #define BufferReadsProbes() true
     #endif
-    }
 
     // Without high dynamic range, the buffer stores 2^-light.
-    half3 StoredLight(half3 color)
-    {
-    #ifndef UNITY_HDR_ON
-        color = exp2(-color);
+    #ifdef UNITY_HDR_ON
+    #define StoredLight
+    #else
+    #define StoredLight(light) exp2(-(light))
     #endif
-        return color;
-    }
-
-    // The shadow mask of the object.
-    half4 BakedShadows(float4 ambient, float3 position)
-    {
-        return UnityGetRawBakedOcclusions(ambient.xy, position);
-    }
 
     struct LightingSurface
     {
         float3 diffuseColor;
-        float3 f0;
-        float oneMinusReflectivity;
         float roughness;
         float3 normalWS;
-        float occlusion;
-        float3 emission;
     };
 
     struct Light
@@ -165,65 +129,16 @@ Shader "Patina/Wave"
         float shadow;
     };
 
-    struct Surface
-    {
-        float3 baseColor;
-        float metallic;
-        float smoothness;
-        float3 normalWS;
-        float occlusion;
-        float3 emission;
-    };
-
-    struct MetallicSetupResult
-    {
-        float3 diffuseColor;
-        float3 f0;
-        float oneMinusReflectivity;
-    };
-
-    // What the graph says of the surface.
-    Surface getSurface(float3 geometryNormalWS, float phase)
-    {
-        float foam = int(_Foam) != 0 ? smoothstep(0.5, 1.0, sin(phase)) : 0.0;
-
-        Surface surface;
-        surface.baseColor = lerp(float3(0.02, 0.1, 0.2), float3(1.0, 1.0, 1.0), foam);
-        surface.metallic = 0.0;
-        surface.smoothness = 0.8;
-        surface.normalWS = geometryNormalWS;
-        surface.occlusion = 1.0;
-        surface.emission = float3(0.0, 0.0, 0.0);
-        return surface;
-    }
-
-    // Diffuse colour and reflectance of a surface from base colour and metallic.
-    MetallicSetupResult MetallicSetup(float3 baseColor, float metallic)
-    {
-        float oneMinusReflectivity = 0.96 * (1.0 - metallic);
-        MetallicSetupResult metallicSetupResult;
-        metallicSetupResult.diffuseColor = baseColor * oneMinusReflectivity;
-        metallicSetupResult.f0 = lerp(float3(0.04, 0.04, 0.04), baseColor, metallic);
-        metallicSetupResult.oneMinusReflectivity = oneMinusReflectivity;
-        return metallicSetupResult;
-    }
-
     // The surface at this point, from the material and its workflow.
     LightingSurface lightingSurface(float3 geometryNormalWS, float phase)
     {
-        Surface material = getSurface(geometryNormalWS, phase);
+        float foam = int(_Foam) != 0 ? smoothstep(0.5, 1.0, sin(phase)) : 0.0;
 
-        // MetallicSetup "setup"
-        MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
-
+        float3 baseColor = lerp(float3(0.02, 0.1, 0.2), float3(1.0, 1.0, 1.0), foam);
         LightingSurface ls;
-        ls.diffuseColor = setup.diffuseColor;
-        ls.f0 = setup.f0;
-        ls.oneMinusReflectivity = setup.oneMinusReflectivity;
-        ls.roughness = 1.0 - material.smoothness;
-        ls.normalWS = normalize(material.normalWS);
-        ls.occlusion = material.occlusion;
-        ls.emission = material.emission;
+        ls.diffuseColor = baseColor * 0.96;
+        ls.roughness = 0.19999999;
+        ls.normalWS = normalize(geometryNormalWS);
         return ls;
     }
 
@@ -267,15 +182,15 @@ Shader "Patina/Wave"
 
         // DistributionGGXMinimalist "distribution"
         float peak = MinimalistPeak(ndoth, alpha);
-        float distribution = 0.31830987 * peak * peak;
+        float distribution = UNITY_INV_PI * peak * peak;
 
         // VisibilityMinimalist "visibility"
         float visibility = VisibilityMinimalist(ldoth, alpha);
 
-        float specular = distribution * visibility * 3.1415927 * ndotl;
+        float specular = distribution * visibility * UNITY_PI * ndotl;
 
         float3 radiance = light.color * (light.attenuation * light.shadow);
-        return (surface.diffuseColor * ndotl + surface.f0 * specular) * radiance;
+        return (surface.diffuseColor * ndotl + float3(0.04, 0.04, 0.04) * specular) * radiance;
     }
 
     // The share of environment reflections that a rough surface keeps: 1 for a mirror, 0.5 for the roughest.
@@ -305,7 +220,8 @@ Shader "Patina/Wave"
         float alpha = max(surface.roughness * surface.roughness, 0.0);
 
         // AmbientIrradiance "ambient"
-        float3 ambient = AmbientLight(surface.normalWS, positionWS, attenuation, ambientOrLightmapUV);
+        float3 ambient = LinearColor(WhiteLight(positionWS, surface.normalWS, attenuation,
+            ambientOrLightmapUV).indirect.diffuse);
 
         // ReflectionVector "reflected"
         float3 reflected = reflect(-viewDirWS, surface.normalWS);
@@ -318,13 +234,12 @@ Shader "Patina/Wave"
 
         // GrazingTerm "grazing"
         float smoothness = 1.0 - surface.roughness;
-        float grazing = saturate(smoothness + 1.0 - surface.oneMinusReflectivity);
+        float grazing = saturate(smoothness + 1.0 - 0.96);
 
         // FresnelLerpFast "reflectance"
-        float3 reflectance = FresnelToGrazingFast(surface.f0, grazing.xxx, ndotv);
+        float3 reflectance = FresnelToGrazingFast(float3(0.04, 0.04, 0.04), grazing.xxx, ndotv);
 
-        float3 sum = surface.diffuseColor * ambient + reduction * reflectance * environment;
-        return sum * surface.occlusion;
+        return surface.diffuseColor * ambient + reduction * reflectance * environment;
     }
 
     float3 vertexPositionOS(float3 positionOS, float3 normalOS)
@@ -342,6 +257,46 @@ Shader "Patina/Wave"
 
         return normalize(normalOS + 0.3 * cos(phase) * float3(_Drift.xy, 0.0));
     }
+
+    #if defined(USING_LIGHT_MULTI_COMPILE)
+    struct v2f
+    {
+        float4 pos : SV_POSITION;
+        float3 positionWS : TEXCOORD0;
+        float3 vertexNormalWS : TEXCOORD1;
+        float4 ambientOrLightmapUV : TEXCOORD2;
+        float phase : TEXCOORD3;
+        UNITY_LIGHTING_COORDS(4, 5)
+        UNITY_FOG_COORDS(6)
+        UNITY_VERTEX_INPUT_INSTANCE_ID
+        UNITY_VERTEX_OUTPUT_STEREO
+    };
+
+    v2f vert(appdata_full v)
+    {
+        v2f o;
+        UNITY_SETUP_INSTANCE_ID(v);
+        UNITY_INITIALIZE_OUTPUT(v2f, o);
+        UNITY_TRANSFER_INSTANCE_ID(v, o);
+        UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
+
+        float3 positionOS = vertexPositionOS(v.vertex.xyz, v.normal);
+        float4 positionWS = mul(unity_ObjectToWorld, float4(positionOS, 1.0));
+        float3 normalOS = vertexNormalOS(v.vertex.xyz, v.normal);
+        float3 vertexNormalWS = UnityObjectToWorldNormal(normalOS);
+        o.positionWS = positionWS.xyz;
+        o.vertexNormalWS = vertexNormalWS;
+        o.ambientOrLightmapUV = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, positionWS.xyz,
+            vertexNormalWS);
+        o.phase = dot(v.vertex.xy, _Drift.xy) * float(int(_Waves)) + _Time.y;
+        o.pos = UnityObjectToClipPos(positionOS);
+        v.vertex.xyz = positionOS;
+        v.normal = normalOS;
+        UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);
+        UNITY_TRANSFER_FOG(o, o.pos);
+        return o;
+    }
+    #endif
 
     ENDCG
 
@@ -364,44 +319,6 @@ Shader "Patina/Wave"
             #pragma vertex vert
             #pragma fragment frag
 
-            struct v2f
-            {
-                float4 pos : SV_POSITION;
-                float3 positionWS : TEXCOORD0;
-                float3 vertexNormalWS : TEXCOORD1;
-                float4 ambientOrLightmapUV : TEXCOORD2;
-                float phase : TEXCOORD3;
-                UNITY_LIGHTING_COORDS(4, 5)
-                UNITY_FOG_COORDS(6)
-                UNITY_VERTEX_INPUT_INSTANCE_ID
-                UNITY_VERTEX_OUTPUT_STEREO
-            };
-
-            v2f vert(appdata_full v)
-            {
-                v2f o;
-                UNITY_SETUP_INSTANCE_ID(v);
-                UNITY_INITIALIZE_OUTPUT(v2f, o);
-                UNITY_TRANSFER_INSTANCE_ID(v, o);
-                UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
-
-                float3 positionOS = vertexPositionOS(v.vertex.xyz, v.normal);
-                float4 positionWS = mul(unity_ObjectToWorld, float4(positionOS, 1.0));
-                float3 normalOS = vertexNormalOS(v.vertex.xyz, v.normal);
-                float3 vertexNormalWS = UnityObjectToWorldNormal(normalOS);
-                o.positionWS = positionWS.xyz;
-                o.vertexNormalWS = vertexNormalWS;
-                o.ambientOrLightmapUV = AmbientOrLightmapUV(v.texcoord1.xy, v.texcoord2.xy, positionWS.xyz,
-                    vertexNormalWS);
-                o.phase = dot(v.vertex.xy, _Drift.xy) * float(int(_Waves)) + _Time.y;
-                o.pos = UnityObjectToClipPos(positionOS);
-                v.vertex.xyz = positionOS;
-                v.normal = normalOS;
-                UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);
-                UNITY_TRANSFER_FOG(o, o.pos);
-                return o;
-            }
-
             half4 frag(v2f i, bool frontFacing : SV_IsFrontFace) : SV_Target
             {
                 UNITY_SETUP_INSTANCE_ID(i);
@@ -418,11 +335,12 @@ Shader "Patina/Wave"
                 light.direction = _WorldSpaceLightPos0.xyz;
                 light.color = LinearColor(_LightColor0.rgb);
                 light.attenuation = 1.0;
-                light.shadow = MixedShadow(i.positionWS, attenuation, i.ambientOrLightmapUV);
+                light.shadow = WhiteLight(i.positionWS, float3(0, 1, 0), attenuation,
+                    i.ambientOrLightmapUV).light.color.r;
                 float3 fromLight = direct(surface, light, viewDirWS);
                 float3 fromAround = indirect(surface, viewDirWS, i.positionWS, attenuation, i.ambientOrLightmapUV,
                     true);
-                float4 color = float4(ProjectColor(fromLight + fromAround + surface.emission), 1.0);
+                float4 color = float4(ProjectColor(fromLight + fromAround), 1.0);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, color, unity_FogColor);
                 return color;
             }
@@ -443,39 +361,6 @@ Shader "Patina/Wave"
             #pragma multi_compile_fwdadd_fullshadows
             #pragma vertex vert
             #pragma fragment frag
-
-            struct v2f
-            {
-                float4 pos : SV_POSITION;
-                float3 positionWS : TEXCOORD0;
-                float3 vertexNormalWS : TEXCOORD1;
-                float phase : TEXCOORD2;
-                UNITY_LIGHTING_COORDS(3, 4)
-                UNITY_FOG_COORDS(5)
-                UNITY_VERTEX_INPUT_INSTANCE_ID
-                UNITY_VERTEX_OUTPUT_STEREO
-            };
-
-            v2f vert(appdata_full v)
-            {
-                v2f o;
-                UNITY_SETUP_INSTANCE_ID(v);
-                UNITY_INITIALIZE_OUTPUT(v2f, o);
-                UNITY_TRANSFER_INSTANCE_ID(v, o);
-                UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
-
-                float3 positionOS = vertexPositionOS(v.vertex.xyz, v.normal);
-                float3 normalOS = vertexNormalOS(v.vertex.xyz, v.normal);
-                o.positionWS = mul(unity_ObjectToWorld, float4(positionOS, 1.0)).xyz;
-                o.vertexNormalWS = UnityObjectToWorldNormal(normalOS);
-                o.phase = dot(v.vertex.xy, _Drift.xy) * float(int(_Waves)) + _Time.y;
-                o.pos = UnityObjectToClipPos(positionOS);
-                v.vertex.xyz = positionOS;
-                v.normal = normalOS;
-                UNITY_TRANSFER_LIGHTING(o, v.texcoord1.xy);
-                UNITY_TRANSFER_FOG(o, o.pos);
-                return o;
-            }
 
             half4 frag(v2f i, bool frontFacing : SV_IsFrontFace) : SV_Target
             {
@@ -622,12 +507,12 @@ Shader "Patina/Wave"
                 float3 fromAround = indirect(surface, viewDirWS, i.positionWS, 1.0, i.ambientOrLightmapUV, readsProbes);
                 float smoothness = 1.0 - surface.roughness;
                 Targets output;
-                output.diffuse = float4(ProjectColor(surface.diffuseColor), surface.occlusion);
-                output.specular = float4(ProjectColor(surface.f0), smoothness);
+                output.diffuse = float4(ProjectColor(surface.diffuseColor), 1.0);
+                output.specular = float4(ProjectColor(float3(0.04, 0.04, 0.04)), smoothness);
                 output.normal = float4(0.5 + 0.5 * surface.normalWS, 1.0);
-                output.light = float4(StoredLight(ProjectColor(fromAround + surface.emission)), 1.0);
+                output.light = float4(StoredLight(ProjectColor(fromAround)), 1.0);
             #if defined(SHADOWS_SHADOWMASK) && UNITY_ALLOWED_MRT_COUNT > 4
-                output.shadowMask = BakedShadows(i.ambientOrLightmapUV, i.positionWS);
+                output.shadowMask = UnityGetRawBakedOcclusions(i.ambientOrLightmapUV.xy, i.positionWS);
             #endif
                 return output;
             }

@@ -14,7 +14,7 @@ sampler2D _ShadowMapTexture;
 #ifdef POINT
 #define STAND_IN_LIGHT_COORDS(idx) float3 _LightCoord : TEXCOORD##idx;
 #define STAND_IN_TRANSFER(a) a._LightCoord = mul(unity_ObjectToWorld, v.vertex).xyz;
-#else
+#elif defined(USING_LIGHT_MULTI_COMPILE)  // as in Unity, a program without a keyword for its light has no coordinates
 #define STAND_IN_LIGHT_COORDS(idx)
 #define STAND_IN_TRANSFER(a)
 #endif

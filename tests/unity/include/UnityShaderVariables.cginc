@@ -1,4 +1,7 @@
 // A stand-in for Unity's include of this name, written for these tests.
+#if defined(DIRECTIONAL) || defined(DIRECTIONAL_COOKIE) || defined(POINT) || defined(POINT_COOKIE) || defined(SPOT)
+#define USING_LIGHT_MULTI_COMPILE
+#endif
 #ifdef STAND_IN_INSTANCES  // the runtime's object is an array of them
 #define unity_ObjectToWorld objectToWorld[0]
 #define unity_WorldToObject worldToObject[0]
