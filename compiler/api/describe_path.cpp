@@ -57,6 +57,7 @@ std::vector<EngineInfo> describe_engines(const graph::Library& library) {
                         .languages = engine.languages,
                         .is_default = name == library.default_engine,
                         .has_own_passes = engine.has_own_passes(),
+                        .paths = engine.paths,
                         .is_one_file = engine.is_one_file(),
                         .folder = "nodes/engines/" + engine.name});
     }

@@ -11,6 +11,11 @@ bool is_in(const std::vector<std::string>& words, std::string_view word) {
 
 }  // namespace
 
+std::string_view Engine::own_path(std::string_view wanted) const {
+    const bool has_it = std::find(paths.begin(), paths.end(), wanted) != paths.end();
+    return has_it || paths.empty() ? wanted : std::string_view(paths.front());
+}
+
 std::string_view Engine::block_name(std::string_view block) const {
     const auto found = blocks.find(block);
     return found == blocks.end() ? block : std::string_view(found->second);

@@ -59,7 +59,8 @@ struct Engine {
     std::string help;
     std::vector<std::string> languages;  // languages of its shaders
     std::string file;  // format of the file that holds all passes (writers.h); empty: one file for each stage
-    std::optional<std::uint32_t> passes;  // its own path, in the library's sources; none: the library's paths
+    std::optional<std::uint32_t> passes;  // its own passes, in the library's sources; none: the library's paths
+    std::vector<std::string> paths;       // the requested paths that it has own passes for; the first is the default
     std::string_view include;             // text of which its files may need parts
     Variants variants = Variants::Chosen;
     Instances instances = Instances::Arrays;
@@ -84,6 +85,8 @@ struct Engine {
     bool has_own_passes() const { return passes.has_value(); }
     bool is_one_file() const { return !file.empty(); }
     const Places& places_of(ir::Group group) const { return places[static_cast<std::size_t>(group)]; }
+    // The path of its own passes for a requested one: the default, unless it has one of that name.
+    std::string_view own_path(std::string_view wanted) const;
     // The engine's name of a block of the library.
     std::string_view block_name(std::string_view block) const;
     const VertexInput* vertex_input(std::string_view semantic) const;

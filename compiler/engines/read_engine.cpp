@@ -31,6 +31,7 @@ public:
                 engine_.file = std::move(name);
         }
         if (const Json* name = json.find("passes")) engine_.passes = file(*name);
+        engine_.paths = texts(json, "paths");
         if (const Json* name = json.find("include")) {
             if (const std::optional<std::uint32_t> base = file(*name))
                 engine_.include = reading_.sources.file_text(*base);

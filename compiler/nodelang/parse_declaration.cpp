@@ -51,6 +51,7 @@ constexpr AttributeInfo kAttributes[] = {
     {kFunction, "optional"},
     {kFunction, "extra"},
     {kFunction, "alone"},
+    {kFunction, "along"},
     {kFunction, "needs"},
     {kFunction, "holds"},
     {kFunction, "excludes"},

@@ -169,6 +169,7 @@ constexpr StateRow kState[] = {
     {"tag", 2, 2, "[tag(\"LightMode\", \"Always\")]", [](Arguments& in, std::size_t, PassDecl& p) { read_tag(in, p); }},
     {"optional", 0, 0, "[optional]", [](Arguments&, std::size_t, PassDecl& p) { p.is_optional = true; }},
     {"alone", 0, 0, "[alone]", [](Arguments&, std::size_t, PassDecl& p) { p.is_alone = true; }},
+    {"along", 1, 1, "[along(\"vertex\")]", [](Arguments& in, std::size_t, PassDecl& p) { p.along = in.text(); }},
     {"otherwise", 1, 1, "[otherwise(\"it casts no shadow\")]",
      [](Arguments& in, std::size_t, PassDecl& p) { p.otherwise = in.text(); }},
     {"extra", 0, 0, "[extra]", [](Arguments&, std::size_t, PassDecl& p) { p.draws_extra = true; }},

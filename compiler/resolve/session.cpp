@@ -122,9 +122,16 @@ void read_passes(Session& session, std::uint32_t base, std::string path) {
     file->paths = session.library.paths;
     collect(file->ast, file->declarations, session.sources, file->paths, session.diagnostics);
     session.path = std::move(path);
-    // The file replaces the whole path, even if the library has one of that name.
+    // The file replaces the whole path, even if the library has one of that name. An engine's file holds the passes of
+    // several paths.
+    const std::string_view own_path = session.engine.own_path(session.options.path);
     for (PassDecl& pass : file->paths.passes) {
-        if (pass.path == session.path && pass.is_older_fragment) pass.path.clear();
+        const bool is_of_other = !pass.along.empty() && pass.along != own_path;
+        const std::vector<std::string_view> known(session.engine.paths.begin(), session.engine.paths.end());
+        if (is_of_other && std::find(known.begin(), known.end(), pass.along) == known.end())
+            session.diagnostics.report(Code::UnknownWord, pass.span, pass.along, "a path of this engine")
+                .note(Diagnostics::suggestion(pass.along, known));
+        if (pass.path == session.path && (pass.is_older_fragment || is_of_other)) pass.path.clear();
     }
     if (file->paths.passes_of(session.path).empty() && !session.diagnostics.has_errors())
         session.diagnostics.report(Code::NoNodeInFile, {base, base}, "[pass]");

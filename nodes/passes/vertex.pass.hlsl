@@ -58,28 +58,29 @@ LightingSurface withBase(LightingSurface surface, float3 color) {
     return changed;
 }
 
+/// The same light with one more light.
+[inline]
+SplitLight withLight(SplitLight before, LightingSurface lit, Light light) {
+    SplitLight sum = before;
+    if (splitsDiffuse) { sum.byDiffuse += directByDiffuse(withDiffuse(lit, float3(1)), light); }
+    if (splitsBase) {
+        sum.byBase += directByBase(withBase(lit, float3(1)), light);
+        sum.other += directWithoutColors(lit, light);
+    }
+    if (splitsDiffuse && !splitsBase) { sum.other += directWithoutDiffuse(lit, light); }
+    if (!splitsDiffuse && !splitsBase) { sum.other += direct(lit, light); }
+    return sum;
+}
+
 /// Direct light. One loop computes all parts, so that each light is evaluated once. It is computed where it is read:
 /// at the vertices.
 [semantic("pixel")]
 SplitLight splitLight(float3 position = positionWS, float2 uv = uv1) {
     LightingSurface lit = asLit(lightingSurface());
-    float3 byDiffuse = float3(0);
-    float3 byBase = float3(0);
-    float3 other = float3(0);
-    [light] for (int i = 0; i < min(lightCount, MAX_LIGHTS); i++) {
-        Light light = lightAtVertex(i, position, uv);
-        if (splitsDiffuse) { byDiffuse += directByDiffuse(withDiffuse(lit, float3(1)), light); }
-        if (splitsBase) {
-            byBase += directByBase(withBase(lit, float3(1)), light);
-            other += directWithoutColors(lit, light);
-        }
-        if (splitsDiffuse && !splitsBase) { other += directWithoutDiffuse(lit, light); }
-        if (!splitsDiffuse && !splitsBase) { other += direct(lit, light); }
-    }
     SplitLight sum;
-    sum.byDiffuse = byDiffuse;
-    sum.byBase = byBase;
-    sum.other = other;
+    [light] for (int i = 0; i < min(lightCount, MAX_LIGHTS); i++) {
+        sum = withLight(sum, lit, lightAtVertex(i, position, uv));
+    }
     return sum;
 }
 [semantic("vertex")]
@@ -114,6 +115,15 @@ float3 otherIndirect() {
     return indirect(lit);
 }
 
+/// The direct light at a pixel, of what the vertices have computed.
+[inline]
+float3 directOfVertices(LightingSurface lit, float3 byDiffuse, float3 byBase, float3 other) {
+    float3 sum = other;
+    if (splitsDiffuse) { sum += lit.diffuseColor * byDiffuse; }
+    if (splitsBase) { sum += lit.baseColor * byBase; }
+    return sum;
+}
+
 [pass("vertex")] [fragment] [lights("all")] [fallback("forward")]
 [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
 [blend("fade", "srcAlpha", "oneMinusSrcAlpha", "one", "oneMinusSrcAlpha")]
@@ -128,9 +138,7 @@ float4 vertexFragment(float3 position = positionWS, float3 byDiffuse = lightByDi
         discardIf(lit.alpha < lit.alphaClip);
     }
     LightSum total;
-    total.direct = other;
-    if (splitsDiffuse) { total.direct += lit.diffuseColor * byDiffuse; }
-    if (splitsBase) { total.direct += lit.baseColor * byBase; }
+    total.direct = directOfVertices(lit, byDiffuse, byBase, other);
     total.indirect = indirectOther;
     if (splitsIndirectDiffuse) { total.indirect += lit.diffuseColor * indirectDiffuse; }
     if (splitsIndirectBase) { total.indirect += lit.baseColor * indirectBase; }

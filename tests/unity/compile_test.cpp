@@ -126,10 +126,11 @@ void expect_accepted(const LabPass& pass, const Result& result, Keywords keyword
 
 class UnityExample : public testing::TestWithParam<std::string> {};
 
-TEST_P(UnityExample, CompilesInEveryVariant) {
+void expect_compiles(const std::string& graph, const std::string& path) {
     CompileOptions options;
     options.targets = {Target::Hlsl, {"unity", "hlsl"}};
-    const Result result = compiler().compile_file(GetParam(), options);
+    options.path = path;
+    const Result result = compiler().compile_file(graph, options);
     for (const Diagnostic& d : result.diagnostics) {
         if (d.code != "pass-left-out" && d.code != "no-file-default" && d.code != "no-sampler")
             ADD_FAILURE() << to_text(d);
@@ -147,6 +148,21 @@ TEST_P(UnityExample, CompilesInEveryVariant) {
             keywords.insert(keywords.end(), usual.begin(), usual.end());
             expect_accepted(pass, result, keywords);
         }
+    }
+}
+
+TEST_P(UnityExample, CompilesInEveryVariant) {
+    expect_compiles(GetParam(), "forward");
+}
+
+// The shaders of the documents that are lit at the vertices, and one with most of what a surface can have.
+TEST(UnityVertexLit, CompilesInEveryVariant) {
+    for (const char* graph :
+         {"examples/sources/diffuse-pixel-level.graph.json", "examples/sources/specular-pixel-level.graph.json",
+          "examples/graphs/ivy.graph.json", "tests/unity/graphs/standard.graph.json",
+          "tests/unity/graphs/fade.graph.json", "tests/unity/graphs/wave.graph.json"}) {
+        SCOPED_TRACE(graph);
+        expect_compiles(graph, "vertex");
     }
 }
 

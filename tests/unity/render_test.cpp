@@ -263,6 +263,40 @@ INSTANTIATE_TEST_SUITE_P(
         return name;
     });
 
+// Lit at the vertices: what the runtime's own vertex path shows of direct light. The lights have no distance and no cone,
+// and there is no light around, because Unity knows these per pixel, and the runtime's path knows them per vertex.
+class UnityVertexLit : public testing::TestWithParam<Case> {};
+
+TEST_P(UnityVertexLit, IsThatOfTheVertexPath) {
+    runtime::Light second = kSun;
+    second.direction = {0.8f, 0.1f, 0.5f};
+    second.color = glm::vec3(0.2f, 0.5f, 0.4f);
+    runtime::Scene scene = scene_of(GetParam().mesh, {kSun, second});
+    scene.ambient = {};
+    scene.environment = nullptr;
+    const Material at_vertices(GetParam().graph, scene, GetParam().words, {}, "vertex");
+    ASSERT_EQ(at_vertices.result.reflection.path, "vertex");
+    const Image expected = forward(at_vertices, scene);
+    expect_same(expected, in_unity(at_vertices, scene, {}), "linear");
+    // It is another picture than that of light per pixel.
+    const Material per_pixel(GetParam().graph, scene, GetParam().words, {});
+    EXPECT_GT(paths::difference(expected, forward(per_pixel, scene)).largest, 0.5 * kMost);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, UnityVertexLit,
+                         testing::Values(Case{"examples/sources/diffuse-pixel-level.graph.json", "capsule"},
+                                         Case{"examples/sources/specular-pixel-level.graph.json", "torus"},
+                                         Case{"examples/graphs/ivy.graph.json", "plane"},
+                                         Case{"tests/unity/graphs/standard.graph.json",
+                                              "torus",
+                                              {{"_Color", "#d08050"}, {"_GlossMapScale", "0.6"}}}),
+                         [](const auto& info) {
+                             std::string name = info.param.graph.substr(info.param.graph.rfind('/') + 1);
+                             name = name.substr(0, name.find('.'));
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+
 // Over a background, as each kind of surface is blended. In gamma space blending itself is another.
 class UnityBlending : public testing::TestWithParam<std::string> {};
 

@@ -84,6 +84,11 @@ std::string name_of_path(const std::string& path) {
     return name;
 }
 
+// True if the engine draws the path: by the library's passes, or by its own.
+bool has_path_of(const EngineInfo& engine, const std::string& path) {
+    return !engine.has_own_passes || std::ranges::find(engine.paths, path) != engine.paths.end();
+}
+
 // What the names of the reflection, its dependency file and its manifest hold besides the graph: nothing for the
 // default engine and path.
 std::string kind_of(const Arguments& arguments, const Compiler& compiler) {
@@ -102,7 +107,7 @@ std::string kind_of(const Arguments& arguments, const Compiler& compiler) {
     std::string kind;
     if (described && !described->is_default) kind += "." + described->name;
     if (!arguments.functions.empty()) return kind + ".functions";
-    const bool has_path = !described || !described->has_own_passes;
+    const bool has_path = !described || has_path_of(*described, arguments.path.path);
     if (has_path && arguments.path.path != PathOptions{}.path) kind += "." + name_of_path(arguments.path.path);
     return kind;
 }
@@ -117,8 +122,9 @@ std::string not_for_engine(const Arguments& arguments, const Compiler& compiler)
             return fmt::format("--validate cannot check a file of {}: remove it from --target, or leave out --validate",
                                engine.title);
         if (arguments.targets.size() > 1) continue;
-        if (engine.has_own_passes && arguments.path.path != PathOptions{}.path)
-            return fmt::format("--path has no effect for {}, which has passes of its own", engine.title);
+        if (!has_path_of(engine, arguments.path.path))
+            return fmt::format("{} has passes of its own: --path can be {}, but not '{}'", engine.title,
+                               fmt::join(engine.paths, " or "), arguments.path.path);
     }
     return {};
 }

@@ -15,7 +15,7 @@ std::string summary(const EngineInfo& engine) {
     std::string text =
         fmt::format("{}; {}", fmt::join(engine.languages, ", "),
                     engine.is_one_file ? engine.file + ", one file a material" : "a file for each stage");
-    if (engine.has_own_passes) text += "; passes of its own";
+    if (engine.has_own_passes) text += fmt::format("; passes of its own, --path {}", fmt::join(engine.paths, " or "));
     return text;
 }
 

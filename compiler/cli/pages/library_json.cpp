@@ -211,6 +211,7 @@ void write_engine(Writer& writer, const EngineInfo& engine) {
     write_texts(writer, "languages", engine.languages);
     write_flag(writer, "default", engine.is_default);
     write_flag(writer, "ownPasses", engine.has_own_passes);
+    write_texts(writer, "paths", engine.paths);
     write_flag(writer, "oneFile", engine.is_one_file);
     write_text(writer, "folder", engine.folder);
     writer.EndObject();

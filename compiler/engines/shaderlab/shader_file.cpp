@@ -95,7 +95,7 @@ public:
 
     languages::Printed run() {
         for (const std::string_view line : split(in_.header, "\n")) out_.line(0, fmt::format("// {}", line));
-        out_.line(0, fmt::format("Shader \"{}\"", listed_name(in_.reflection.name)));
+        out_.line(0, fmt::format("Shader \"{}\"", in_.listed_as));
         out_.line(0, "{");
         out_.line(1, "Properties");
         out_.line(1, "{");

@@ -20,7 +20,8 @@ struct ShaderFile {
     std::span<const LinkedPass> passes;
     const Reflection& reflection;
     const engines::Engine& engine;
-    std::string header;  // text of the comment at the top
+    std::string listed_as;  // the name under which Unity lists it
+    std::string header;     // text of the comment at the top
 };
 
 languages::Printed shader_file(const ShaderFile& file);

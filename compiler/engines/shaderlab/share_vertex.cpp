@@ -46,8 +46,24 @@ const ir::StageVariable* output_of(const LinkedPass& pass, const ir::StageVariab
     return found == outputs.end() ? nullptr : &*found;
 }
 
+template <class What>
+bool has_all_of(const std::vector<graph::Given<What>>& list, const std::vector<graph::Given<What>>& other) {
+    return std::all_of(other.begin(), other.end(), [&](const graph::Given<What>& wanted) {
+        return !wanted.in_vertex_stage || std::any_of(list.begin(), list.end(), [&](const graph::Given<What>& each) {
+            return each.in_vertex_stage && each.what == wanted.what && each.span.begin == wanted.span.begin;
+        });
+    });
+}
+
+// True if a value means the same at the vertices of both passes.
+bool computes_alike(const graph::LoweredPass& a, const graph::LoweredPass& b) {
+    return has_all_of(a.recipes, b.recipes) && has_all_of(b.recipes, a.recipes) &&
+           has_all_of(a.replaced, b.replaced) && has_all_of(b.replaced, a.replaced);
+}
+
 bool can_serve(const LinkedPass& maker, const LinkedPass& reader) {
-    if (maker.material != reader.material || maker.pass->declaration->vertex != reader.pass->declaration->vertex)
+    if (maker.material != reader.material || maker.pass->declaration->vertex != reader.pass->declaration->vertex ||
+        !computes_alike(*maker.pass, *reader.pass))
         return false;
     const auto& outputs = maker.vertex.stage.outputs;
     const auto& inputs = reader.fragment.stage.inputs;

@@ -78,7 +78,8 @@ struct EngineInfo {
         file;  // how stages become files: "stages" for one each, else the format of the file that holds them all
     std::vector<std::string> languages;
     bool is_default = false;
-    bool has_own_passes = false;  // it draws its own rendering path instead of the library's
+    bool has_own_passes = false;  // it draws its own rendering paths instead of the library's
+    std::vector<std::string> paths;  // of its own passes: those that CompileOptions::path can name; the first is the default
     bool is_one_file = false;     // one file holds all passes of a material
     std::string folder;           // the folder that defines it: "nodes/engines/vulkan"
 };

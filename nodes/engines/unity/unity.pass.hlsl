@@ -126,7 +126,7 @@ float3 ReflectedLight(float3 direction, float roughness, float3 position, bool r
 float attenuation(float3 position = positionWS) {
     return Attenuation(position);
 }
-[gives("attenuation", "unity-forward-base")] [fragment]
+[gives("attenuation", "unity-forward-base", "unity-vertex-base")] [fragment]
 float unityMainAttenuation(float3 position = positionWS) {
     return MainAttenuation(position);
 }
@@ -168,13 +168,13 @@ Light unityFurtherLight(int index, float3 position, float left = attenuation) {
     return light;
 }
 
-[gives("AmbientIrradiance", "unity-forward-base", "unity-deferred")] [fragment]
+[gives("AmbientIrradiance", "unity-forward-base", "unity-vertex-base", "unity-deferred")] [fragment]
 float3 unityAmbient(float3 normal, float3 position = positionWS, float left = attenuation,
                      float4 ambient = ambientOrLightmapUV) {
     return AmbientLight(normal, position, left, ambient);
 }
 
-[gives("EnvironmentRadiance", "unity-forward-base", "unity-deferred")] [fragment]
+[gives("EnvironmentRadiance", "unity-forward-base", "unity-vertex-base", "unity-deferred")] [fragment]
 float3 unityReflection(float3 direction, float roughness, float3 position = positionWS, bool probes = readsProbes) {
     return ReflectedLight(direction, roughness, position, probes);
 }
@@ -215,11 +215,11 @@ float3 BackgroundColor(float2 uv);
 [foreign] [text("include", "UnityCG.cginc")] [text("queue", "2900")] [text("sampler", "_CameraDepthTexture")]
 float BackgroundDepth(float2 uv);
 
-[gives("SceneColor", "unity-forward-base", "unity-forward-add")] [fragment]
+[gives("SceneColor", "unity-forward-base", "unity-forward-add", "unity-vertex-base", "unity-vertex-add")] [fragment]
 float3 unitySceneColor(float2 uv) {
     return BackgroundColor(FromBottom(uv));
 }
-[gives("SceneDepth", "unity-forward-base", "unity-forward-add")] [fragment]
+[gives("SceneDepth", "unity-forward-base", "unity-forward-add", "unity-vertex-base", "unity-vertex-add")] [fragment]
 float unitySceneDepth(float2 uv) {
     return BackgroundDepth(FromBottom(uv));
 }
@@ -248,7 +248,8 @@ float4 unityPixel(float3 color, float alpha) {
 
 // --- the passes
 
-[pass("unity-forward-base")] [pass("unity-forward-add")] [pass("unity-deferred")] [vertex]
+[pass("unity-forward-base")] [pass("unity-forward-add")] [pass("unity-vertex-base")] [pass("unity-vertex-add")]
+[pass("unity-deferred")] [vertex]
 [text("interpolators", "UNITY_VERTEX_INPUT_INSTANCE_ID", "UNITY_VERTEX_OUTPUT_STEREO")]
 [text("vertex begin", "UNITY_SETUP_INSTANCE_ID(v);", "UNITY_INITIALIZE_OUTPUT(v2f, o);",
       "UNITY_TRANSFER_INSTANCE_ID(v, o);", "UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);")]
@@ -257,7 +258,7 @@ float4 unityVertex(float3 position = positionOS) {
     return UnityObjectToClipPos(position);
 }
 
-[pass("unity-forward-base")] [fragment] [lights("main")] [extra]
+[pass("unity-forward-base")] [along("forward")] [fragment] [lights("main")] [extra]
 [tag("Name", "FORWARD")] [tag("LightMode", "ForwardBase")]
 [text("pragma", "multi_compile_instancing")]
 [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
@@ -277,7 +278,7 @@ float4 unityForwardBase(float3 position = positionWS) {
     return unityPixel(final(surface, sum), surface.alpha);
 }
 
-[pass("unity-forward-add")] [fragment] [each("light")] [lights("further")] [needs("added", "direct")]
+[pass("unity-forward-add")] [along("forward")] [fragment] [each("light")] [lights("further")] [needs("added", "direct")]
 [tag("Name", "FORWARD_DELTA")] [tag("LightMode", "ForwardAdd")]
 [text("pragma", "multi_compile_fwdadd_fullshadows")]
 [text("vertex condition", "defined(USING_LIGHT_MULTI_COMPILE)")]
@@ -292,6 +293,79 @@ float4 unityForwardAdd(float3 position = positionWS) {
     float3 color = addedByLight(surface, position);
     return InFog(float4(ProjectColor(color), fades ? surface.alpha : 0), float4(0));
 }
+
+// --- light at the vertices: --path vertex
+
+/// The light of a pass at a vertex. Each pixel multiplies what the vertices have computed of it by shadow, distance, cone
+/// and cookie, which Unity knows there.
+[gives("lightAt", "unity-vertex-base")]
+Light unityMainLightOfVertex(int index, float3 position) {
+    Light light;
+    light.direction = LightDirection();
+    light.color = LightColor();
+    light.attenuation = 1;
+    light.shadow = 1;
+    light.index = 0;
+    light.type = 0;
+    return light;
+}
+[gives("lightAt", "unity-vertex-add")]
+Light unityFurtherLightOfVertex(int index, float3 position) {
+    Light light;
+    light.direction = normalize(UnityWorldSpaceLightDir(position));
+    light.color = LightColor();
+    light.attenuation = 1;
+    light.shadow = 1;
+    light.index = 1;
+    light.type = LightType();
+    return light;
+}
+[gives("splitLight", "unity-vertex-base", "unity-vertex-add")]
+SplitLight unitySplitLight(float3 position = positionWS) {
+    SplitLight none;
+    return withLight(none, asLit(lightingSurface()), lightAt(0, position));
+}
+
+[pass("unity-vertex-base")] [along("vertex")] [fragment] [lights("main")] [extra]
+[tag("Name", "FORWARD")] [tag("LightMode", "ForwardBase")]
+[text("pragma", "multi_compile_instancing")]
+[blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
+[blend("fade", "srcAlpha", "oneMinusSrcAlpha", "one", "oneMinusSrcAlpha")]
+[blend("transparent", "one", "oneMinusSrcAlpha")] [blend("additive", "one", "one", "zero", "one")]
+[blend("multiply", "dstColor", "zero", "zero", "one")]
+float4 unityVertexBase(float3 position = positionWS, float3 byDiffuse = lightByDiffuse, float3 byBase = lightByBase,
+                       float3 other = otherLight, float left = attenuation, float4 ambient = ambientOrLightmapUV) {
+    LightingSurface surface = asLit(lightingSurface());
+    if (alphaClip) {
+        discardIf(surface.alpha < surface.alphaClip);
+    }
+    float3 fromLight = directOfVertices(surface, byDiffuse, byBase, other) * MixedShadow(position, left, ambient);
+    float3 fromAround = indirect(surface);
+    LightSum sum;
+    sum.direct = fromLight;
+    sum.indirect = fromAround;
+    return unityPixel(final(surface, sum), surface.alpha);
+}
+
+[pass("unity-vertex-add")] [along("vertex")] [fragment] [each("light")] [lights("further")] [needs("added", "direct")]
+[tag("Name", "FORWARD_DELTA")] [tag("LightMode", "ForwardAdd")]
+[text("pragma", "multi_compile_fwdadd_fullshadows")]
+[text("vertex condition", "defined(USING_LIGHT_MULTI_COMPILE)")]
+[depth("lessEqual", "keep")]
+[blend("opaque", "one", "one", "zero", "one")] [blend("cutout", "one", "one", "zero", "one")]
+[blend("fade", "srcAlpha", "one", "zero", "one")] [blend("transparent", "one", "one", "zero", "one")]
+float4 unityVertexAdd(float3 byDiffuse = lightByDiffuse, float3 byBase = lightByBase, float3 other = otherLight,
+                      float left = attenuation) {
+    LightingSurface surface = asLit(lightingSurface());
+    if (alphaClip) {
+        discardIf(surface.alpha < surface.alphaClip);
+    }
+    LightSum one;
+    one.direct = directOfVertices(surface, byDiffuse, byBase, other) * left;
+    return InFog(float4(ProjectColor(added(surface, one)), fades ? surface.alpha : 0), float4(0));
+}
+
+// --- shadows, depth and the G-buffer
 
 [pass("unity-shadow-caster")] [vertex]
 [text("first interpolator", "V2F_SHADOW_CASTER;")]
@@ -334,7 +408,7 @@ float4 BakedShadows(float4 ambientOrLightmapUV, float3 position);
 
 /// Only materials with a lighting model that Unity's own lighting passes compute have this pass. If an object has it,
 /// the deferred path draws no other pass of the object, and its stencil marks the lit pixels.
-[pass("unity-deferred")] [fragment] [lights("none")] [optional] [alone]
+[pass("unity-deferred")] [along("forward")] [fragment] [lights("none")] [optional] [alone]
 [lighting("unity-brdf1", "unity-brdf2", "unity-brdf3")] [stencil("always", "keep")]
 [tag("Name", "DEFERRED")] [tag("LightMode", "Deferred")]
 [otherwise("where a project's cameras are deferred, Unity draws it forward, after the others")]
