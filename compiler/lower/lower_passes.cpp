@@ -119,7 +119,7 @@ private:
                 if (!tried_.contains(pass->state.fallback)) return lower_path(pass->state.fallback);
             }
             if (has_blend(*pass)) {
-                report(Code::PassRefused, refusal, pass->name, refusal.reason);
+                report(Code::PassRefused, refusal, known_as(*pass), refusal.reason);
             } else if (is_own) {
                 report_left_out(*pass, refusal);
             }
@@ -188,7 +188,7 @@ private:
                 .where = {.span = !use.present  ? graph.workflow_span
                                   : use.inlined ? inlined
                                                 : use.span},
-                .is_news = is_drawn_again(pass)};
+                .is_news = pass.is_optional && is_drawn_again(pass)};
     }
 
     // True if another pass of the path draws the object again, once for each light.

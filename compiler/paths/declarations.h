@@ -143,7 +143,7 @@ struct PassDecl {
     std::vector<std::string_view> excludes;  // switches that must be off
     std::vector<std::string_view> lighting;  // lighting models that it supports; empty: all
     std::string_view otherwise;              // what a material loses without it, in words; may be empty
-    std::string_view along;                  // an engine's own pass: the requested path that has it; empty: every path
+    std::vector<std::string_view> along;     // an engine's own pass: the requested paths that have it; empty: all
     std::vector<std::pair<std::string_view, std::string_view>> tags;  // for an engine that selects passes by tag
     std::vector<std::string_view> guards;                             // by render target: a condition, or empty
     std::vector<ir::StageText> vertex_texts, fragment_texts;          // lines of the engine's file

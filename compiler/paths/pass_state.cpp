@@ -119,8 +119,8 @@ void read_stencil(Arguments& in, std::size_t count, PassDecl& pass) {
 
 // The places of an engine's file where a pass can insert lines.
 // "sampler" and "light mode" add no line: they name a sampler, and a mode of the pass, that the others need.
-constexpr std::array<std::string_view, 13> kPlaces = {
-    "grab",          "queue",        "pragma",     "include",        "sampler",     "light mode", "first interpolator",
+constexpr std::array<std::string_view, 14> kPlaces = {
+    "grab",          "queue",        "pragma",     "include", "own include", "sampler",     "light mode", "first interpolator",
     "interpolators", "vertex begin", "vertex end", "vertex condition", "fragment begin", "fragment end"};
 
 void read_tag(Arguments& in, PassDecl& pass) {
@@ -169,7 +169,6 @@ constexpr StateRow kState[] = {
     {"tag", 2, 2, "[tag(\"LightMode\", \"Always\")]", [](Arguments& in, std::size_t, PassDecl& p) { read_tag(in, p); }},
     {"optional", 0, 0, "[optional]", [](Arguments&, std::size_t, PassDecl& p) { p.is_optional = true; }},
     {"alone", 0, 0, "[alone]", [](Arguments&, std::size_t, PassDecl& p) { p.is_alone = true; }},
-    {"along", 1, 1, "[along(\"vertex\")]", [](Arguments& in, std::size_t, PassDecl& p) { p.along = in.text(); }},
     {"otherwise", 1, 1, "[otherwise(\"it casts no shadow\")]",
      [](Arguments& in, std::size_t, PassDecl& p) { p.otherwise = in.text(); }},
     {"extra", 0, 0, "[extra]", [](Arguments&, std::size_t, PassDecl& p) { p.draws_extra = true; }},
@@ -274,6 +273,7 @@ std::vector<ir::StageText> texts_of(std::span<const Attribute> attributes, Diagn
 void read_pass_state(const nodelang::FunctionDecl& fragment, const nodelang::Declarations& declarations, PassDecl& pass,
                      Diagnostics& diagnostics) {
     for (const Attribute& attribute : fragment.attributes) {
+        if (attribute.name == "along") pass.along = attribute_words(attribute);
         if (attribute.name == "needs") pass.needs = attribute_words(attribute);
         if (attribute.name == "holds") pass.holds = attribute_words(attribute);
         if (attribute.name == "excludes") pass.excludes = attribute_words(attribute);

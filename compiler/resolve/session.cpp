@@ -113,6 +113,16 @@ std::optional<std::uint32_t> load_source(Session& session, const std::string& pa
 
 namespace {
 
+void check_along(Session& session, const PassDecl& pass) {
+    const std::vector<std::string_view> known(session.engine.paths.begin(), session.engine.paths.end());
+    for (const std::string_view path : pass.along) {
+        if (std::find(known.begin(), known.end(), path) != known.end()) continue;
+        session.diagnostics.report(Code::UnknownWord, pass.span, path, "a path of this engine's own passes")
+            .note(known.empty() ? std::string("this engine has no passes of its own: leave out [along]")
+                                : Diagnostics::suggestion(path, known));
+    }
+}
+
 // Adds the passes of a loaded file to those of the library.
 void read_passes(Session& session, std::uint32_t base, std::string path) {
     auto file = std::make_unique<PassFile>();
@@ -126,11 +136,9 @@ void read_passes(Session& session, std::uint32_t base, std::string path) {
     // several paths.
     const std::string_view own_path = session.engine.own_path(session.options.path);
     for (PassDecl& pass : file->paths.passes) {
-        const bool is_of_other = !pass.along.empty() && pass.along != own_path;
-        const std::vector<std::string_view> known(session.engine.paths.begin(), session.engine.paths.end());
-        if (is_of_other && std::find(known.begin(), known.end(), pass.along) == known.end())
-            session.diagnostics.report(Code::UnknownWord, pass.span, pass.along, "a path of this engine")
-                .note(Diagnostics::suggestion(pass.along, known));
+        const bool is_of_other =
+            !pass.along.empty() && std::find(pass.along.begin(), pass.along.end(), own_path) == pass.along.end();
+        if (pass.path == session.path) check_along(session, pass);
         if (pass.path == session.path && (pass.is_older_fragment || is_of_other)) pass.path.clear();
     }
     if (file->paths.passes_of(session.path).empty() && !session.diagnostics.has_errors())

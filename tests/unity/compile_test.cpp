@@ -40,6 +40,7 @@ const std::map<std::string, std::vector<Keywords>>& variants() {
           {"SPOT", "SHADOWS_SCREEN", "FOG_EXP", "INSTANCING_ON"},
           {"DIRECTIONAL", "UNITY_COLORSPACE_GAMMA"},
           {"POINT_COOKIE"}}},
+        {"Meta", {{}, {"UNITY_COLORSPACE_GAMMA"}}},
         {"ShadowCaster", {{"SHADOWS_DEPTH"}, {"SHADOWS_CUBE"}, {"SHADOWS_DEPTH", "INSTANCING_ON"}}},
         {"Deferred",
          {{},
@@ -128,7 +129,7 @@ class UnityExample : public testing::TestWithParam<std::string> {};
 
 void expect_compiles(const std::string& graph, const std::string& path) {
     CompileOptions options;
-    options.targets = {Target::Hlsl, {"unity", "hlsl"}};
+    options.targets = {{"unity", "hlsl"}};
     options.path = path;
     const Result result = compiler().compile_file(graph, options);
     for (const Diagnostic& d : result.diagnostics) {
@@ -163,6 +164,14 @@ TEST(UnityVertexLit, CompilesInEveryVariant) {
           "tests/unity/graphs/fade.graph.json", "tests/unity/graphs/wave.graph.json"}) {
         SCOPED_TRACE(graph);
         expect_compiles(graph, "vertex");
+    }
+}
+
+TEST(UnityTiers, CompileInEveryVariant) {
+    for (const char* graph : {"examples/sources/standard.graph.json", "tests/unity/graphs/standard.graph.json",
+                              "tests/unity/graphs/fade.graph.json", "tests/unity/graphs/transparent.graph.json"}) {
+        SCOPED_TRACE(graph);
+        expect_compiles(graph, "tiers");
     }
 }
 

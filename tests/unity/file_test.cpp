@@ -226,22 +226,27 @@ INSTANTIATE_TEST_SUITE_P(
              "Geometry",
              "",
              "\"VertexLit\"",
-             {"ForwardBase", "ForwardAdd", "Deferred"}},
+             {"ForwardBase", "ForwardAdd", "Meta", "Deferred"}},
         Kind{"cutout",
              "TransparentCutout",
              "AlphaTest",
              "",
              "\"Legacy Shaders/Transparent/Cutout/VertexLit\"",
-             {"ForwardBase", "ForwardAdd", "ShadowCaster", "Deferred"}},
+             {"ForwardBase", "ForwardAdd", "Meta", "ShadowCaster", "Deferred"}},
         Kind{"fade",
              "Transparent",
              "Transparent",
              "SrcAlpha OneMinusSrcAlpha, One OneMinusSrcAlpha",
              "Off",
-             {"ForwardBase", "ForwardAdd"}},
-        Kind{"transparent", "Transparent", "Transparent", "One OneMinusSrcAlpha", "Off", {"ForwardBase", "ForwardAdd"}},
-        Kind{"additive", "Transparent", "Transparent", "One One, Zero One", "Off", {"ForwardBase"}},
-        Kind{"multiply", "Transparent", "Transparent", "DstColor Zero, Zero One", "Off", {"ForwardBase"}}),
+             {"ForwardBase", "ForwardAdd", "Meta"}},
+        Kind{"transparent",
+             "Transparent",
+             "Transparent",
+             "One OneMinusSrcAlpha",
+             "Off",
+             {"ForwardBase", "ForwardAdd", "Meta"}},
+        Kind{"additive", "Transparent", "Transparent", "One One, Zero One", "Off", {"ForwardBase", "Meta"}},
+        Kind{"multiply", "Transparent", "Transparent", "DstColor Zero, Zero One", "Off", {"ForwardBase", "Meta"}}),
     [](const auto& info) { return info.param.surface; });
 
 TEST(UnityState, IsThatOfTheGraph) {
@@ -287,7 +292,7 @@ TEST(UnityDeferred, MakesRoomForPassesThatAreAdded) {
     EXPECT_GT(result.diagnostics.front().column, 90);
     const ShaderLab file = taken_apart(result.shaders.front().text);
     EXPECT_FALSE(file.pass("Deferred"));
-    EXPECT_EQ(file.passes.size(), 3u);
+    EXPECT_EQ(file.passes.size(), 4u);
     EXPECT_TRUE(has(result.shaders.front().text, "Name \"outline\""));
 }
 
@@ -328,8 +333,8 @@ TEST(UnityBackground, IsGrabbed) {
     const Result result = of_text(R"({ "patina": 1, "workflow": "metallic-smoothness", "lighting": "unity-brdf1",
         "surface": { "baseColor": "@sceneColor" } })");
     ASSERT_TRUE(result.ok);
-    ASSERT_EQ(result.diagnostics.size(), 1u);
-    EXPECT_EQ(result.diagnostics.front().code, "pass-left-out");
+    ASSERT_EQ(result.diagnostics.size(), 2u);  // of the G-buffer and of lightmaps
+    for (const Diagnostic& each : result.diagnostics) EXPECT_EQ(each.code, "pass-left-out");
     const std::string& text = result.shaders.front().text;
     EXPECT_TRUE(has(text, "GrabPass { \"_BackgroundTexture\" }"));
     EXPECT_TRUE(has(text, "\"Queue\" = \"Transparent-100\""));

@@ -263,6 +263,54 @@ INSTANTIATE_TEST_SUITE_P(
         return name;
     });
 
+// Where a project's graphics tier has Unity's best lighting, UNITY_BRDF_PBS is the model that the graph names.
+TEST(UnityTiers, OfTheBestQualityLookLikeTheModel) {
+    const runtime::Scene scene = scene_of("torus", {kSun, kLamp, kSpot});
+    const std::map<std::string, std::string> words = {
+        {"_Color", "#d08050"}, {"_GlossMapScale", "0.6"}, {"_Metallic", "0.4"}};
+    const std::string graph = "tests/unity/graphs/standard.graph.json";
+    const Material own(graph, scene, words, {});
+    Material by_tier(graph, scene, words, {});
+    CompileOptions options;
+    options.path = "tiers";
+    options.targets = {{"unity", "hlsl"}};
+    const Result result = compiler().compile_file(graph, options);
+    ASSERT_TRUE(result.ok);
+    ASSERT_NE(result.shaders.front().text.find("UNITY_BRDF_PBS"), std::string::npos);
+    by_tier.file = taken_apart(result.shaders.front().text);
+    expect_same(forward(own, scene), in_unity(by_tier, scene, {}), "linear");
+}
+
+// The lightmapper gets the diffuse colour, half of the reflectance times the square of the roughness, and the emission.
+TEST(UnityPictures, OfLightmapsHoldColourAndEmission) {
+    const runtime::Scene scene = scene_of("plane", {});
+    const Material material("tests/unity/graphs/meta.graph.json", scene, {}, {});
+    const LabPass* pass = material.file.pass("Meta");
+    ASSERT_TRUE(pass);
+    Drawn made{.pass = material.result.reflection.passes.front(), .vertex = {}, .fragment = {}, .lights = {}};
+    made.pass.vertex_inputs = appdata_full();
+    made.pass.blocks.clear();
+    made.pass.cull = Cull::Off;
+    for (const Block& block : material.result.reflection.blocks) made.pass.blocks.push_back(block.name);
+    const auto middle = [&](const Keywords& keywords) {
+        std::vector<Drawn> passes = {made};
+        passes[0].vertex = spirv(stage(*pass, material.result.reflection, Stage::Vertex, keywords));
+        passes[0].fragment = spirv(stage(*pass, material.result.reflection, Stage::Fragment, keywords));
+        const Image image = drawn(material, scene, passes);
+        EXPECT_EQ(paths::lit_pixels(image), static_cast<std::size_t>(image.width * image.height));
+        const std::size_t at = 4 * static_cast<std::size_t>(image.width * image.height / 2 + image.width / 2);
+        return std::array{image.pixels[at], image.pixels[at + 1], image.pixels[at + 2]};
+    };
+    // Base colour (0.8, 0.4, 0.2), metallic 0.25, smoothness 0.5: diffuse 0.72 of the colour, f0 = lerp(0.04, colour,
+    // 0.25), and a share of 0.5 * 0.25 of it.
+    const float expected[] = {0.8f * 0.72f + 0.125f * 0.23f, 0.4f * 0.72f + 0.125f * 0.13f, 0.2f * 0.72f + 0.125f * 0.08f};
+    const auto albedo = middle({}), emission = middle({"STAND_IN_EMISSION"});
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(albedo[c], expected[c], 1e-5) << c;
+    EXPECT_NEAR(emission[0], 0.1, 1e-6);
+    EXPECT_NEAR(emission[1], 0.2, 1e-6);
+    EXPECT_NEAR(emission[2], 1.5, 1e-6);
+}
+
 // Lit at the vertices: what the runtime's own vertex path shows of direct light. The lights have no distance and no cone,
 // and there is no light around, because Unity knows these per pixel, and the runtime's path knows them per vertex.
 class UnityVertexLit : public testing::TestWithParam<Case> {};

@@ -59,7 +59,7 @@ using Words = std::vector<std::string>;
 // Unity's deferred path keeps in the stencil which pixels it lights, and sets it whatever a pass says.
 TEST(UnityDeferred, HasNoPlaceForAStencil) {
     const Result result = of_text(material(R"("render": { "stencil": { "reference": 1, "pass": "replace" } })"));
-    EXPECT_EQ(modes(result), (Words{"ForwardBase", "ForwardAdd"}));
+    EXPECT_EQ(modes(result), (Words{"ForwardBase", "ForwardAdd", "Meta"}));
     const Words said = left_out(result);
     ASSERT_EQ(said.size(), 1u);
     EXPECT_TRUE(has(said[0], "'Deferred'") && has(said[0], "stencil")) << said[0];
@@ -72,7 +72,7 @@ TEST(UnityDepth, IsThereForPassesThatWriteIt) {
          {R"("depthWrite": false)", R"("depthTest": "always")", R"("depthTest": "greater")"}) {
         for (const std::string surface : {"opaque", "cutout"}) {
             const Result result = of_text(material(R"("render": { "surface": ")" + surface + "\", " + state + " }"));
-            EXPECT_EQ(modes(result), (Words{"ForwardBase", "ForwardAdd"})) << state;
+            EXPECT_EQ(modes(result), (Words{"ForwardBase", "ForwardAdd", "Meta"})) << state;
             EXPECT_EQ(left_out(result).size(), 2u) << state;
             ASSERT_TRUE(result.ok);
             EXPECT_TRUE(has(result.shaders.front().text, "FallBack Off")) << state;
@@ -80,7 +80,7 @@ TEST(UnityDepth, IsThereForPassesThatWriteIt) {
     }
     for (const std::string test : {"less", "lessEqual", "equal"}) {
         const Result result = of_text(material(R"("render": { "depthTest": ")" + test + "\" }"));
-        EXPECT_EQ(modes(result).size(), 3u) << test;
+        EXPECT_EQ(modes(result).size(), 4u) << test;
         EXPECT_TRUE(has(result.shaders.front().text, "FallBack \"VertexLit\"")) << test;
         EXPECT_TRUE(result.diagnostics.empty()) << test;
     }
@@ -91,7 +91,7 @@ TEST(UnityShadows, AreLeftToTheFallbackWhereItDrawsTheSame) {
     for (const std::string graph :
          {R"("surface": { "metallic": 0.5 })", R"("render": { "depthTest": "equal" })", R"("render": { "queue": 2100 })"}) {
         const Result result = of_text(material(graph));
-        EXPECT_EQ(modes(result), (Words{"ForwardBase", "ForwardAdd", "Deferred"})) << graph;
+        EXPECT_EQ(modes(result), (Words{"ForwardBase", "ForwardAdd", "Meta", "Deferred"})) << graph;
         EXPECT_TRUE(has(result.shaders.front().text, "FallBack \"VertexLit\"")) << graph;
         for (const Pass& pass : result.reflection.passes) EXPECT_FALSE(pass.targets.empty()) << graph;
     }
@@ -99,7 +99,7 @@ TEST(UnityShadows, AreLeftToTheFallbackWhereItDrawsTheSame) {
          {R"("render": { "cull": "off" })", R"("render": { "cull": "front" })", R"("render": { "surface": "cutout" })",
           R"("vertex": { "positionOS": "= @positionOS * 2" })"}) {
         const Result result = of_text(material(graph));
-        EXPECT_EQ(modes(result), (Words{"ForwardBase", "ForwardAdd", "ShadowCaster", "Deferred"})) << graph;
+        EXPECT_EQ(modes(result), (Words{"ForwardBase", "ForwardAdd", "Meta", "ShadowCaster", "Deferred"})) << graph;
         EXPECT_TRUE(has(result.shaders.front().text, "VertexLit\"")) << graph;
     }
 }
@@ -171,7 +171,7 @@ TEST(UnityQueue, OrdersThePassesOfAMaterial) {
         "render": { "queue": 2100 }, "passes": [ )" +
                added("late", R"("queue": 2300)") + ", " + added("same", R"("queue": 2100)") + ", " +
                added("before", R"("queue": 2050)") + ", " + added("first", R"("queue": 1900)") + " ] }");
-    EXPECT_EQ(pass_names(text), (Words{"first", "before", "FORWARD", "same", "late"}));
+    EXPECT_EQ(pass_names(text), (Words{"first", "before", "FORWARD", "META", "same", "late"}));
     EXPECT_TRUE(has(text, "\"Queue\" = \"Geometry+100\"")) << text;
 }
 

@@ -224,6 +224,8 @@ private:
         keywords(in_.reflection.passes[index]);
         out_.line(3, "#pragma vertex vert");
         out_.line(3, "#pragma fragment frag");
+        for (const std::string_view line : texts_at(text, "own include"))
+            out_.line(3, fmt::format("#include \"{}\"", line));
         for (const Declaration& each : text.declarations) {
             if (!each.is_own) continue;
             out_.line(0, "");

@@ -64,6 +64,21 @@ half3 ProjectColor(half3 color) { return LinearToGammaSpace(color); }
 #define ProjectColor
 #endif
 
+// Unity's lighting functions, of the quality of the graphics tier. They expect colours of the project's colour space.
+half3 LitByTier(half3 diffuse, half3 f0, half oneMinusReflectivity, half smoothness, half3 normal, half3 view,
+    half3 direction, half3 radiance, half3 ambient, half3 reflected)
+{
+    UnityLight light;
+    UNITY_INITIALIZE_OUTPUT(UnityLight, light);
+    light.color = ProjectColor(radiance);
+    light.dir = direction;
+    UnityIndirect indirect;
+    indirect.diffuse = ProjectColor(ambient);
+    indirect.specular = ProjectColor(reflected);
+    return LinearColor(UNITY_BRDF_PBS(ProjectColor(diffuse), ProjectColor(f0), oneMinusReflectivity, smoothness, normal,
+        view, light, indirect).rgb);
+}
+
 // The original texel of a normal map, independent of how Unity packs it.
 half4 NormalTexel(half4 texel)
 {

@@ -126,7 +126,7 @@ float3 ReflectedLight(float3 direction, float roughness, float3 position, bool r
 float attenuation(float3 position = positionWS) {
     return Attenuation(position);
 }
-[gives("attenuation", "unity-forward-base", "unity-vertex-base")] [fragment]
+[gives("attenuation", "unity-forward-base", "unity-vertex-base", "unity-tiers-base")] [fragment]
 float unityMainAttenuation(float3 position = positionWS) {
     return MainAttenuation(position);
 }
@@ -143,7 +143,7 @@ float4 ambientOrLightmapUV(float3 position = positionWS, float3 normal = vertexN
 
 /// The main light. Its shadow is the real-time one, or mixed with a baked one. In subtractive lighting, the light is
 /// zero if a lightmap holds it.
-[gives("lightAt", "unity-forward-base")] [fragment]
+[gives("lightAt", "unity-forward-base", "unity-tiers-base")] [fragment]
 Light unityMainLight(int index, float3 position, float left = attenuation, float4 ambient = ambientOrLightmapUV) {
     Light light;
     light.direction = LightDirection();
@@ -156,7 +156,7 @@ Light unityMainLight(int index, float3 position, float left = attenuation, float
 }
 
 /// Each further light. Unity combines its shadow, distance, cone and cookie into one number.
-[gives("lightAt", "unity-forward-add")] [fragment]
+[gives("lightAt", "unity-forward-add", "unity-tiers-add")] [fragment]
 Light unityFurtherLight(int index, float3 position, float left = attenuation) {
     Light light;
     light.direction = normalize(UnityWorldSpaceLightDir(position));
@@ -168,13 +168,13 @@ Light unityFurtherLight(int index, float3 position, float left = attenuation) {
     return light;
 }
 
-[gives("AmbientIrradiance", "unity-forward-base", "unity-vertex-base", "unity-deferred")] [fragment]
+[gives("AmbientIrradiance", "unity-forward-base", "unity-vertex-base", "unity-tiers-base", "unity-deferred")] [fragment]
 float3 unityAmbient(float3 normal, float3 position = positionWS, float left = attenuation,
                      float4 ambient = ambientOrLightmapUV) {
     return AmbientLight(normal, position, left, ambient);
 }
 
-[gives("EnvironmentRadiance", "unity-forward-base", "unity-vertex-base", "unity-deferred")] [fragment]
+[gives("EnvironmentRadiance", "unity-forward-base", "unity-vertex-base", "unity-tiers-base", "unity-deferred")] [fragment]
 float3 unityReflection(float3 direction, float roughness, float3 position = positionWS, bool probes = readsProbes) {
     return ReflectedLight(direction, roughness, position, probes);
 }
@@ -215,11 +215,13 @@ float3 BackgroundColor(float2 uv);
 [foreign] [text("include", "UnityCG.cginc")] [text("queue", "2900")] [text("sampler", "_CameraDepthTexture")]
 float BackgroundDepth(float2 uv);
 
-[gives("SceneColor", "unity-forward-base", "unity-forward-add", "unity-vertex-base", "unity-vertex-add")] [fragment]
+[gives("SceneColor", "unity-forward-base", "unity-forward-add", "unity-vertex-base", "unity-vertex-add",
+       "unity-tiers-base", "unity-tiers-add")] [fragment]
 float3 unitySceneColor(float2 uv) {
     return BackgroundColor(FromBottom(uv));
 }
-[gives("SceneDepth", "unity-forward-base", "unity-forward-add", "unity-vertex-base", "unity-vertex-add")] [fragment]
+[gives("SceneDepth", "unity-forward-base", "unity-forward-add", "unity-vertex-base", "unity-vertex-add",
+       "unity-tiers-base", "unity-tiers-add")] [fragment]
 float unitySceneDepth(float2 uv) {
     return BackgroundDepth(FromBottom(uv));
 }
@@ -249,7 +251,7 @@ float4 unityPixel(float3 color, float alpha) {
 // --- the passes
 
 [pass("unity-forward-base")] [pass("unity-forward-add")] [pass("unity-vertex-base")] [pass("unity-vertex-add")]
-[pass("unity-deferred")] [vertex]
+[pass("unity-tiers-base")] [pass("unity-tiers-add")] [pass("unity-deferred")] [vertex]
 [text("interpolators", "UNITY_VERTEX_INPUT_INSTANCE_ID", "UNITY_VERTEX_OUTPUT_STEREO")]
 [text("vertex begin", "UNITY_SETUP_INSTANCE_ID(v);", "UNITY_INITIALIZE_OUTPUT(v2f, o);",
       "UNITY_TRANSFER_INSTANCE_ID(v, o);", "UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);")]
@@ -365,6 +367,80 @@ float4 unityVertexAdd(float3 byDiffuse = lightByDiffuse, float3 byBase = lightBy
     return InFog(float4(ProjectColor(added(surface, one)), fades ? surface.alpha : 0), float4(0));
 }
 
+// --- Unity's own lighting, of the quality that a project's graphics tier has: --path tiers
+
+/// A light, ambient light and reflected light, by UNITY_BRDF_PBS.
+[foreign] [text("include", "UnityPBSLighting.cginc")]
+float3 LitByTier(float3 diffuse, float3 f0, float oneMinusReflectivity, float smoothness, float3 normal, float3 view,
+                 float3 direction, float3 radiance, float3 ambient, float3 reflected);
+
+[pass("unity-tiers-base")] [along("tiers")] [fragment] [lights("main")] [lighting("unity-brdf1")]
+[tag("Name", "FORWARD")] [tag("LightMode", "ForwardBase")]
+[text("pragma", "multi_compile_instancing")]
+[blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
+[blend("fade", "srcAlpha", "oneMinusSrcAlpha", "one", "oneMinusSrcAlpha")]
+[blend("transparent", "one", "oneMinusSrcAlpha")] [blend("additive", "one", "one", "zero", "one")]
+[blend("multiply", "dstColor", "zero", "zero", "one")]
+float4 unityTiersBase(float3 position = positionWS, float3 view = viewDirWS) {
+    LightingSurface surface = asLit(lightingSurface());
+    if (alphaClip) {
+        discardIf(surface.alpha < surface.alphaClip);
+    }
+    Light light = lightAt(0, position);
+    float3 radiance = light.radiance;
+    float3 fromAround = AmbientIrradiance(surface.normalWS) * surface.occlusion;
+    float3 mirrored = EnvironmentRadiance(reflect(-view, surface.normalWS), surface.roughness) * surface.occlusion;
+    float3 fromAll = LitByTier(surface.diffuseColor, surface.f0, surface.oneMinusReflectivity, surface.smoothness,
+                               surface.normalWS, view, light.direction, radiance, fromAround, mirrored);
+    return unityPixel(fromAll + surface.emission, surface.alpha);
+}
+
+[pass("unity-tiers-add")] [along("tiers")] [fragment] [each("light")] [lights("further")] [lighting("unity-brdf1")]
+[tag("Name", "FORWARD_DELTA")] [tag("LightMode", "ForwardAdd")]
+[text("pragma", "multi_compile_fwdadd_fullshadows")]
+[text("vertex condition", "defined(USING_LIGHT_MULTI_COMPILE)")]
+[depth("lessEqual", "keep")]
+[blend("opaque", "one", "one", "zero", "one")] [blend("cutout", "one", "one", "zero", "one")]
+[blend("fade", "srcAlpha", "one", "zero", "one")] [blend("transparent", "one", "one", "zero", "one")]
+float4 unityTiersAdd(float3 position = positionWS, float3 view = viewDirWS) {
+    LightingSurface surface = asLit(lightingSurface());
+    if (alphaClip) {
+        discardIf(surface.alpha < surface.alphaClip);
+    }
+    Light light = lightAt(0, position);
+    float3 radiance = light.radiance;
+    float3 fromLight = LitByTier(surface.diffuseColor, surface.f0, surface.oneMinusReflectivity, surface.smoothness,
+                                 surface.normalWS, view, light.direction, radiance, float3(0), float3(0));
+    return InFog(float4(ProjectColor(fromLight), fades ? surface.alpha : 0), float4(0));
+}
+
+// --- lightmaps
+
+/// The colours that Unity's lightmapper asks for.
+[foreign("UnityMetaVertexPosition(v.vertex, v.texcoord1.xy, v.texcoord2.xy, unity_LightmapST, unity_DynamicLightmapST)")]
+float4 MetaPosition();
+[foreign("UnityMetaInput meta; UNITY_INITIALIZE_OUTPUT(UnityMetaInput, meta); meta.Albedo = {0}; meta.Emission = {1}; half4 {result} = UnityMetaFragment(meta);")]
+float4 MetaColor(float3 albedo, float3 emission);
+
+[pass("unity-meta")] [vertex]
+[text("vertex begin", "UNITY_INITIALIZE_OUTPUT(v2f, o);")]
+float4 unityMetaVertex() {
+    return MetaPosition();
+}
+
+/// A rough metal scatters light, too: half of its reflectance counts, times the square of its perceptual roughness.
+/// source: UnityLightmappingAlbedo of Unity's Standard shader
+[pass("unity-meta")] [fragment] [lights("none")] [optional] [needs("added", "direct")]
+[tag("Name", "META")] [tag("LightMode", "Meta")]
+[text("own include", "UnityMetaPass.cginc")]
+[cull("off")] [blend("one", "zero")]
+float4 unityMeta() {
+    LightingSurface surface = lightingSurface();
+    float3 albedo = surface.diffuseColor;
+    if (any(surface.f0 > 0)) { albedo += surface.f0 * (0.5 * surface.alphaRoughness); }
+    return MetaColor(ProjectColor(albedo), ProjectColor(surface.emission));
+}
+
 // --- shadows, depth and the G-buffer
 
 [pass("unity-shadow-caster")] [vertex]
@@ -408,7 +484,7 @@ float4 BakedShadows(float4 ambientOrLightmapUV, float3 position);
 
 /// Only materials with a lighting model that Unity's own lighting passes compute have this pass. If an object has it,
 /// the deferred path draws no other pass of the object, and its stencil marks the lit pixels.
-[pass("unity-deferred")] [along("forward")] [fragment] [lights("none")] [optional] [alone]
+[pass("unity-deferred")] [along("forward", "tiers")] [fragment] [lights("none")] [optional] [alone]
 [lighting("unity-brdf1", "unity-brdf2", "unity-brdf3")] [stencil("always", "keep")]
 [tag("Name", "DEFERRED")] [tag("LightMode", "Deferred")]
 [otherwise("where a project's cameras are deferred, Unity draws it forward, after the others")]
