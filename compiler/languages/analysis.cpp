@@ -202,10 +202,10 @@ private:
         }
         cost_[v.index] = c;
     }
-    // A member or swizzle of a leaf is as readable as a variable, unless it is a long chain.
+    // A member or swizzle of a leaf or of a variable is as readable as a variable, unless it is a long chain.
     bool is_access(Value v) const {
         for (int parts = 0; parts < 3 && a_.is_free(v) && a_.args(v) == 1; ++parts) v = a_.arg(v, 0);
-        return is_leaf(a_[v].op);
+        return is_leaf(a_[v].op) || a_.stands[v.index];
     }
     bool can_stand(Value v) const { return !is_access(v) && !a_.stands[v.index] && v != a_.outputs && !a_.is_test(v); }
     Value biggest_operand(Value v) const {
