@@ -53,13 +53,6 @@ struct GlassSurface
     float alphaClip;
 };
 
-struct GlassMetallicSetupResult
-{
-    float3 diffuseColor;
-    float3 f0;
-    float oneMinusReflectivity;
-};
-
 struct GlassPremultiplyAlphaResult
 {
     float3 value;
@@ -87,17 +80,6 @@ GlassSurface Glasssurface(float3 geometryNormalWS)
     return surface;
 }
 
-// Diffuse colour and reflectance of a surface from base colour and metallic.
-GlassMetallicSetupResult GlassMetallicSetup(float3 baseColor, float metallic)
-{
-    float oneMinusReflectivity = 0.96 * (1.0 - metallic);
-    GlassMetallicSetupResult metallicSetupResult;
-    metallicSetupResult.diffuseColor = baseColor * oneMinusReflectivity;
-    metallicSetupResult.f0 = lerp(float3(0.04, 0.04, 0.04), baseColor, metallic);
-    metallicSetupResult.oneMinusReflectivity = oneMinusReflectivity;
-    return metallicSetupResult;
-}
-
 // A diffuse colour for blending with pre-multiplied alpha: reflections stay as the material fades.
 GlassPremultiplyAlphaResult GlassPremultiplyAlpha(float3 diffuseColor, float alpha, float oneMinusReflectivity)
 {
@@ -114,22 +96,21 @@ GlassLightingSurface GlasslightingSurface(float3 geometryNormalWS)
     GlassSurface material = Glasssurface(geometryNormalWS);
 
     // MetallicSetup "setup"
-    GlassMetallicSetupResult setup = GlassMetallicSetup(material.baseColor, material.metallic);
+    float3 setup = material.baseColor * 0.96;
 
-    GlassPremultiplyAlphaResult premultiplyAlphaResult = GlassPremultiplyAlpha(setup.diffuseColor, material.alpha,
-        setup.oneMinusReflectivity);
+    GlassPremultiplyAlphaResult premultiplyAlphaResult = GlassPremultiplyAlpha(setup, material.alpha, 0.96);
     GlassLightingSurface surface;
     surface.diffuseColor = premultiplyAlphaResult.value;
-    surface.f0 = setup.f0;
+    surface.f0 = float3(0.04, 0.04, 0.04);
     surface.baseColor = material.baseColor;
-    surface.metallic = material.metallic;
-    surface.oneMinusReflectivity = setup.oneMinusReflectivity;
-    surface.roughness = material.roughness;
+    surface.metallic = 0.0;
+    surface.oneMinusReflectivity = 0.96;
+    surface.roughness = 0.5;
     surface.normalWS = normalize(material.normalWS);
-    surface.occlusion = material.occlusion;
-    surface.emission = material.emission;
+    surface.occlusion = 1.0;
+    surface.emission = float3(0.0, 0.0, 0.0);
     surface.alpha = premultiplyAlphaResult.outAlpha;
-    surface.alphaClip = material.alphaClip;
+    surface.alphaClip = 0.5;
     return surface;
 }
 

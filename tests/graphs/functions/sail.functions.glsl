@@ -70,13 +70,6 @@ struct Sail_Surface
     float alphaClip;
 };
 
-struct Sail_MetallicSetupResult
-{
-    vec3 diffuseColor;
-    vec3 f0;
-    float oneMinusReflectivity;
-};
-
 layout(set = Sail_set, binding = 0, std140) uniform Sail_Material
 {
     float Sail_Height;
@@ -137,17 +130,6 @@ Sail_Surface Sail_surface(vec2 uv0, vec3 geometryNormalWS, vec3 tangentWS, vec3 
     return surface;
 }
 
-// Diffuse colour and reflectance of a surface from base colour and metallic.
-Sail_MetallicSetupResult Sail_MetallicSetup(vec3 baseColor, float metallic)
-{
-    float oneMinusReflectivity = 0.96 * (1.0 - metallic);
-    Sail_MetallicSetupResult metallicSetupResult;
-    metallicSetupResult.diffuseColor = baseColor * oneMinusReflectivity;
-    metallicSetupResult.f0 = mix(vec3(0.04), baseColor, metallic);
-    metallicSetupResult.oneMinusReflectivity = oneMinusReflectivity;
-    return metallicSetupResult;
-}
-
 // The direction half-way between the light and the viewer.
 vec3 Sail_HalfVector(vec3 view, vec3 lightDir)
 {
@@ -199,20 +181,20 @@ Sail_LightingSurface Sail_lightingSurface(vec2 uv0, vec3 geometryNormalWS, vec3 
     Sail_Surface material = Sail_surface(uv0, geometryNormalWS, tangentWS, bitangentWS, sway);
 
     // MetallicSetup "setup"
-    Sail_MetallicSetupResult setup = Sail_MetallicSetup(material.baseColor, material.metallic);
+    vec3 setup = material.baseColor * 0.96;
 
     Sail_LightingSurface surface;
-    surface.diffuseColor = setup.diffuseColor;
-    surface.f0 = setup.f0;
+    surface.diffuseColor = setup;
+    surface.f0 = vec3(0.04);
     surface.baseColor = material.baseColor;
-    surface.metallic = material.metallic;
-    surface.oneMinusReflectivity = setup.oneMinusReflectivity;
+    surface.metallic = 0.0;
+    surface.oneMinusReflectivity = 0.96;
     surface.roughness = material.roughness;
-    surface.normalWS = normalize(material.normalWS);
-    surface.occlusion = material.occlusion;
-    surface.emission = material.emission;
-    surface.alpha = material.alpha;
-    surface.alphaClip = material.alphaClip;
+    surface.normalWS = material.normalWS;
+    surface.occlusion = 1.0;
+    surface.emission = vec3(0.0);
+    surface.alpha = 1.0;
+    surface.alphaClip = 0.5;
     return surface;
 }
 
@@ -226,7 +208,7 @@ vec3 Sail_direct(Sail_LightingSurface surface, Sail_Light light, vec3 viewDirWS)
 
     // NdotV "ndotv"
     float ndotvCosine = dot(surface.normalWS, viewDirWS);
-    float ndotv = clamp(abs(ndotvCosine), 0.0, 1.0);
+    float ndotv = min(abs(ndotvCosine), 1.0);
 
     // HalfVector "halfVector"
     vec3 halfVector = Sail_HalfVector(viewDirWS, light.direction);
@@ -265,7 +247,7 @@ vec3 Sail_indirect(Sail_LightingSurface surface, vec3 viewDirWS)
 {
     // NdotV "ndotv"
     float cosine = dot(surface.normalWS, viewDirWS);
-    float ndotv = clamp(abs(cosine), 0.0, 1.0);
+    float ndotv = min(abs(cosine), 1.0);
 
     vec3 f0 = mix(vec3(0.04), surface.baseColor, surface.metallic);
 

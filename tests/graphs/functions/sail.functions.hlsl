@@ -68,13 +68,6 @@ struct Sail_Surface
     float alphaClip;
 };
 
-struct Sail_MetallicSetupResult
-{
-    float3 diffuseColor;
-    float3 f0;
-    float oneMinusReflectivity;
-};
-
 cbuffer Sail_Material : register(b0, Sail_set)
 {
     float Sail_Height;
@@ -135,17 +128,6 @@ Sail_Surface Sail_surface(float2 uv0, float3 geometryNormalWS, float3 tangentWS,
     return surface;
 }
 
-// Diffuse colour and reflectance of a surface from base colour and metallic.
-Sail_MetallicSetupResult Sail_MetallicSetup(float3 baseColor, float metallic)
-{
-    float oneMinusReflectivity = 0.96 * (1.0 - metallic);
-    Sail_MetallicSetupResult metallicSetupResult;
-    metallicSetupResult.diffuseColor = baseColor * oneMinusReflectivity;
-    metallicSetupResult.f0 = lerp(float3(0.04, 0.04, 0.04), baseColor, metallic);
-    metallicSetupResult.oneMinusReflectivity = oneMinusReflectivity;
-    return metallicSetupResult;
-}
-
 // The direction half-way between the light and the viewer.
 float3 Sail_HalfVector(float3 view, float3 lightDir)
 {
@@ -198,20 +180,20 @@ Sail_LightingSurface Sail_lightingSurface(float2 uv0, float3 geometryNormalWS, f
     Sail_Surface material = Sail_surface(uv0, geometryNormalWS, tangentWS, bitangentWS, sway);
 
     // MetallicSetup "setup"
-    Sail_MetallicSetupResult setup = Sail_MetallicSetup(material.baseColor, material.metallic);
+    float3 setup = material.baseColor * 0.96;
 
     Sail_LightingSurface surface;
-    surface.diffuseColor = setup.diffuseColor;
-    surface.f0 = setup.f0;
+    surface.diffuseColor = setup;
+    surface.f0 = float3(0.04, 0.04, 0.04);
     surface.baseColor = material.baseColor;
-    surface.metallic = material.metallic;
-    surface.oneMinusReflectivity = setup.oneMinusReflectivity;
+    surface.metallic = 0.0;
+    surface.oneMinusReflectivity = 0.96;
     surface.roughness = material.roughness;
-    surface.normalWS = normalize(material.normalWS);
-    surface.occlusion = material.occlusion;
-    surface.emission = material.emission;
-    surface.alpha = material.alpha;
-    surface.alphaClip = material.alphaClip;
+    surface.normalWS = material.normalWS;
+    surface.occlusion = 1.0;
+    surface.emission = float3(0.0, 0.0, 0.0);
+    surface.alpha = 1.0;
+    surface.alphaClip = 0.5;
     return surface;
 }
 

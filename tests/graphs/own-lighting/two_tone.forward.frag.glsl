@@ -37,13 +37,6 @@ layout(location = 0) in vec3 vPositionWS;
 layout(location = 1) in vec3 vVertexNormalWS;
 layout(location = 0) out vec4 outColor;
 
-// Diffuse colour and reflectance of a surface from base colour and metallic.
-vec3 MetallicSetup(vec3 baseColor, float metallic)
-{
-    float oneMinusReflectivity = 0.96 * (1.0 - metallic);
-    return baseColor * oneMinusReflectivity;
-}
-
 // The inverse square law, with a window that fades it out at the light's range.
 float distanceAttenuation(float distanceSquared, float range)
 {
@@ -55,16 +48,15 @@ float distanceAttenuation(float distanceSquared, float range)
 // The light in slot `index` of the list, as seen from `position` (world space).
 Light lightAt(int index, vec3 position)
 {
-    int slot = clamp(index, 0, 15);
-    vec4 place = lightPosition[slot];
-    vec4 color = lightColor[slot];
+    vec4 place = lightPosition[index];
+    vec4 color = lightColor[index];
     bool isLocal = place.w > 0.5;
     vec3 toLight = place.xyz - (isLocal ? position : vec3(0.0));
     float distanceSquared = dot(toLight, toLight);
     vec3 direction = toLight * inversesqrt(max(distanceSquared, 1e-12));
     float attenuation = isLocal ? distanceAttenuation(distanceSquared, color.w) : 1.0;
-    float cosine = -dot(lightAxis[slot].xyz, direction);
-    vec4 cone = lightCone[slot];
+    float cosine = -dot(lightAxis[index].xyz, direction);
+    vec4 cone = lightCone[index];
     float spot = clamp((cosine - cone.y) / max(cone.x - cone.y, 0.001), 0.0, 1.0);
     Light light;
     light.direction = direction;
@@ -89,10 +81,6 @@ vec3 EvaluateSH9(vec3 normal, vec3 sh0, vec3 sh1, vec3 sh2, vec3 sh3, vec3 sh4, 
 void main()
 {
     vec3 geometryNormalWS = normalize(vVertexNormalWS);
-
-    // MetallicSetup "setup"
-    vec3 setup = MetallicSetup(vec3(0.7454042, 0.08437621, 0.049706567), 0.0);
-
     int count = min(lightCount, 16);
 
     float toneSum = _Edge + 0.03;
@@ -107,10 +95,11 @@ void main()
 
         float tone = smoothstep(_Edge, toneSum, ndotl * light.shadow);
 
-        directSum += mix(vec3(0.029556835, 0.014443844, 0.06847817), setup, tone) * light.color * light.attenuation;
+        directSum += mix(vec3(0.029556835, 0.014443844, 0.06847817), vec3(0.715588, 0.081001155, 0.047718305),
+            tone) * light.color * light.attenuation;
     }
     vec3 ambientOrBaked = EvaluateSH9(geometryNormalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz,
         ambientSH[3].xyz, ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
-    vec3 indirect = setup * ambientOrBaked;
+    vec3 indirect = vec3(0.715588, 0.081001155, 0.047718305) * ambientOrBaked;
     outColor = vec4(directSum + indirect, 1.0);
 }

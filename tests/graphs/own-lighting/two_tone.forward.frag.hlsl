@@ -43,13 +43,6 @@ struct FragmentOutput
     float4 color : SV_Target0;
 };
 
-// Diffuse colour and reflectance of a surface from base colour and metallic.
-float3 MetallicSetup(float3 baseColor, float metallic)
-{
-    float oneMinusReflectivity = 0.96 * (1.0 - metallic);
-    return baseColor * oneMinusReflectivity;
-}
-
 // The inverse square law, with a window that fades it out at the light's range.
 float distanceAttenuation(float distanceSquared, float range)
 {
@@ -61,16 +54,15 @@ float distanceAttenuation(float distanceSquared, float range)
 // The light in slot `index` of the list, as seen from `position` (world space).
 Light lightAt(int index, float3 position)
 {
-    int slot = clamp(index, 0, 15);
-    float4 place = lightPosition[slot];
-    float4 color = lightColor[slot];
+    float4 place = lightPosition[index];
+    float4 color = lightColor[index];
     bool isLocal = place.w > 0.5;
     float3 toLight = place.xyz - (isLocal ? position : float3(0.0, 0.0, 0.0));
     float distanceSquared = dot(toLight, toLight);
     float3 direction = toLight * rsqrt(max(distanceSquared, 1e-12));
     float attenuation = isLocal ? distanceAttenuation(distanceSquared, color.w) : 1.0;
-    float cosine = -dot(lightAxis[slot].xyz, direction);
-    float4 cone = lightCone[slot];
+    float cosine = -dot(lightAxis[index].xyz, direction);
+    float4 cone = lightCone[index];
     float spot = saturate((cosine - cone.y) / max(cone.x - cone.y, 0.001));
     Light light;
     light.direction = direction;
@@ -96,10 +88,6 @@ float3 EvaluateSH9(float3 normal, float3 sh0, float3 sh1, float3 sh2, float3 sh3
 FragmentOutput main(FragmentInput input)
 {
     float3 geometryNormalWS = normalize(input.vertexNormalWS);
-
-    // MetallicSetup "setup"
-    float3 setup = MetallicSetup(float3(0.7454042, 0.08437621, 0.049706567), 0.0);
-
     int count = min(lightCount, 16);
 
     float toneSum = _Edge + 0.03;
@@ -114,11 +102,12 @@ FragmentOutput main(FragmentInput input)
 
         float tone = smoothstep(_Edge, toneSum, ndotl * light.shadow);
 
-        directSum += lerp(float3(0.029556835, 0.014443844, 0.06847817), setup, tone) * light.color * light.attenuation;
+        directSum += lerp(float3(0.029556835, 0.014443844, 0.06847817), float3(0.715588, 0.081001155, 0.047718305),
+            tone) * light.color * light.attenuation;
     }
     float3 ambientOrBaked = EvaluateSH9(geometryNormalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz,
         ambientSH[3].xyz, ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
-    float3 indirect = setup * ambientOrBaked;
+    float3 indirect = float3(0.715588, 0.081001155, 0.047718305) * ambientOrBaked;
     FragmentOutput output;
     output.color = float4(directSum + indirect, 1.0);
     return output;

@@ -38,13 +38,6 @@ struct FragmentOutput
     float4 color : SV_Target0;
 };
 
-// Diffuse colour and reflectance of a surface from base colour and metallic.
-float3 MetallicSetup(float3 baseColor, float metallic)
-{
-    float oneMinusReflectivity = 0.96 * (1.0 - metallic);
-    return baseColor * oneMinusReflectivity;
-}
-
 // The inverse square law, with a window that fades it out at the light's range.
 float distanceAttenuation(float distanceSquared, float range)
 {
@@ -56,16 +49,15 @@ float distanceAttenuation(float distanceSquared, float range)
 // The light in slot `index` of the list, as seen from `position` (world space).
 Light lightAt(int index, float3 position)
 {
-    int slot = clamp(index, 0, 15);
-    float4 place = lightPosition[slot];
-    float4 color = lightColor[slot];
+    float4 place = lightPosition[index];
+    float4 color = lightColor[index];
     bool isLocal = place.w > 0.5;
     float3 toLight = place.xyz - (isLocal ? position : float3(0.0, 0.0, 0.0));
     float distanceSquared = dot(toLight, toLight);
     float3 direction = toLight * rsqrt(max(distanceSquared, 1e-12));
     float attenuation = isLocal ? distanceAttenuation(distanceSquared, color.w) : 1.0;
-    float cosine = -dot(lightAxis[slot].xyz, direction);
-    float4 cone = lightCone[slot];
+    float cosine = -dot(lightAxis[index].xyz, direction);
+    float4 cone = lightCone[index];
     float spot = saturate((cosine - cone.y) / max(cone.x - cone.y, 0.001));
     Light light;
     light.direction = direction;
@@ -91,10 +83,6 @@ float3 EvaluateSH9(float3 normal, float3 sh0, float3 sh1, float3 sh2, float3 sh3
 FragmentOutput main(FragmentInput input)
 {
     float3 geometryNormalWS = normalize(input.vertexNormalWS);
-
-    // MetallicSetup "setup"
-    float3 setup = MetallicSetup(float3(0.06847817, 0.21223076, 0.43415365), 0.0);
-
     int count = min(lightCount, 16);
     float3 directSum = float3(0.0, 0.0, 0.0);
     for (int i = 0; i < count; ++i) {
@@ -105,14 +93,14 @@ FragmentOutput main(FragmentInput input)
         float ndotl = saturate(cosine);
 
         float3 radiance = light.color * (light.attenuation * light.shadow);
-        directSum += setup * ndotl * radiance;
+        directSum += float3(0.065739036, 0.20374152, 0.4167875) * ndotl * radiance;
     }
 
     // AmbientIrradiance "ambient"
     float3 ambient = EvaluateSH9(geometryNormalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz,
         ambientSH[3].xyz, ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
 
-    float3 indirect = setup * ambient;
+    float3 indirect = float3(0.065739036, 0.20374152, 0.4167875) * ambient;
     FragmentOutput output;
     output.color = float4(directSum + indirect, 1.0);
     return output;

@@ -166,13 +166,12 @@ Shader "Patina/fade"
     }
 
     // Diffuse colour and reflectance of a surface from base colour and metallic.
-    MetallicSetupResult MetallicSetup(float3 baseColor, float metallic)
+    MetallicSetupResult MetallicSetup(float3 baseColor)
     {
-        float oneMinusReflectivity = 0.96 * (1.0 - metallic);
         MetallicSetupResult metallicSetupResult;
-        metallicSetupResult.diffuseColor = baseColor * oneMinusReflectivity;
-        metallicSetupResult.f0 = lerp(float3(0.04, 0.04, 0.04), baseColor, metallic);
-        metallicSetupResult.oneMinusReflectivity = oneMinusReflectivity;
+        metallicSetupResult.diffuseColor = baseColor * 0.96;
+        metallicSetupResult.f0 = float3(0.04, 0.04, 0.04);
+        metallicSetupResult.oneMinusReflectivity = 0.96;
         return metallicSetupResult;
     }
 
@@ -182,16 +181,16 @@ Shader "Patina/fade"
         Surface material = getSurface(geometryNormalWS);
 
         // MetallicSetup "setup"
-        MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
+        MetallicSetupResult setup = MetallicSetup(material.baseColor);
 
         LightingSurface ls;
         ls.diffuseColor = setup.diffuseColor;
-        ls.f0 = setup.f0;
-        ls.oneMinusReflectivity = setup.oneMinusReflectivity;
-        ls.roughness = 1.0 - material.smoothness;
+        ls.f0 = float3(0.04, 0.04, 0.04);
+        ls.oneMinusReflectivity = 0.96;
+        ls.roughness = 0.3;
         ls.normalWS = normalize(material.normalWS);
-        ls.occlusion = material.occlusion;
-        ls.emission = material.emission;
+        ls.occlusion = 1.0;
+        ls.emission = float3(0.0, 0.0, 0.0);
         ls.alpha = material.alpha;
         return ls;
     }

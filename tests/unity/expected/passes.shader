@@ -169,13 +169,12 @@ Shader "Patina/passes"
     }
 
     // Diffuse colour and reflectance of a surface from base colour and metallic.
-    MetallicSetupResult MetallicSetup(float3 baseColor, float metallic)
+    MetallicSetupResult MetallicSetup(float3 baseColor)
     {
-        float oneMinusReflectivity = 0.96 * (1.0 - metallic);
         MetallicSetupResult metallicSetupResult;
-        metallicSetupResult.diffuseColor = baseColor * oneMinusReflectivity;
-        metallicSetupResult.f0 = lerp(float3(0.04, 0.04, 0.04), baseColor, metallic);
-        metallicSetupResult.oneMinusReflectivity = oneMinusReflectivity;
+        metallicSetupResult.diffuseColor = baseColor * 0.96;
+        metallicSetupResult.f0 = float3(0.04, 0.04, 0.04);
+        metallicSetupResult.oneMinusReflectivity = 0.96;
         return metallicSetupResult;
     }
 
@@ -185,16 +184,16 @@ Shader "Patina/passes"
         Surface material = getSurface(uv0, geometryNormalWS);
 
         // MetallicSetup "setup"
-        MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
+        MetallicSetupResult setup = MetallicSetup(material.baseColor);
 
         LightingSurface ls;
         ls.diffuseColor = setup.diffuseColor;
-        ls.f0 = setup.f0;
-        ls.oneMinusReflectivity = setup.oneMinusReflectivity;
-        ls.roughness = material.roughness;
+        ls.f0 = float3(0.04, 0.04, 0.04);
+        ls.oneMinusReflectivity = 0.96;
+        ls.roughness = 0.3;
         ls.normalWS = normalize(material.normalWS);
-        ls.occlusion = material.occlusion;
-        ls.emission = material.emission;
+        ls.occlusion = 1.0;
+        ls.emission = float3(0.0, 0.0, 0.0);
         return ls;
     }
 
@@ -646,27 +645,18 @@ Shader "Patina/passes"
                 SurfaceLacquer material = getSurfaceLacquer(uv0, geometryNormalWS);
 
                 // MetallicSetup "setup"
-                MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
+                MetallicSetupResult setup = MetallicSetup(material.baseColor);
 
                 LightingSurfaceLacquer lsl;
                 lsl.diffuseColor = setup.diffuseColor;
-                lsl.f0 = setup.f0;
-                lsl.oneMinusReflectivity = setup.oneMinusReflectivity;
-                lsl.roughness = material.roughness;
+                lsl.f0 = float3(0.04, 0.04, 0.04);
+                lsl.oneMinusReflectivity = 0.96;
+                lsl.roughness = 0.1;
                 lsl.normalWS = normalize(material.normalWS);
-                lsl.occlusion = material.occlusion;
-                lsl.emission = material.emission;
-                lsl.alpha = material.alpha;
+                lsl.occlusion = 1.0;
+                lsl.emission = float3(0.0, 0.0, 0.0);
+                lsl.alpha = 0.3;
                 return lsl;
-            }
-
-            // A diffuse colour for blending with pre-multiplied alpha: reflections stay as the material fades.
-            PremultiplyAlphaResult PremultiplyAlpha(float3 diffuseColor, float alpha, float oneMinusReflectivity)
-            {
-                PremultiplyAlphaResult premultiplyAlphaResult;
-                premultiplyAlphaResult.value = diffuseColor * alpha;
-                premultiplyAlphaResult.outAlpha = 1.0 - oneMinusReflectivity + alpha * oneMinusReflectivity;
-                return premultiplyAlphaResult;
             }
 
             // The light that one light adds, by the lighting graph.
@@ -745,6 +735,15 @@ Shader "Patina/passes"
                 return sum * surface.occlusion;
             }
 
+            // A diffuse colour for blending with pre-multiplied alpha: reflections stay as the material fades.
+            PremultiplyAlphaResult PremultiplyAlpha(float3 diffuseColor)
+            {
+                PremultiplyAlphaResult premultiplyAlphaResult;
+                premultiplyAlphaResult.value = diffuseColor * 0.3;
+                premultiplyAlphaResult.outAlpha = 0.32800004;
+                return premultiplyAlphaResult;
+            }
+
             v2f vert(appdata_full v)
             {
                 v2f o;
@@ -777,10 +776,9 @@ Shader "Patina/passes"
                 float3 geometryNormalWS = normalize(i.vertexNormalWS);
                 UNITY_LIGHT_ATTENUATION(attenuation, i, i.positionWS)
                 LightingSurfaceLacquer surface = lightingSurfaceLacquer(i.uv0, geometryNormalWS);
-                PremultiplyAlphaResult premultiplyAlphaResult = PremultiplyAlpha(surface.diffuseColor, surface.alpha,
-                    surface.oneMinusReflectivity);
+                PremultiplyAlphaResult premultiplyAlphaResult = PremultiplyAlpha(surface.diffuseColor);
                 surface.diffuseColor = premultiplyAlphaResult.value;
-                surface.alpha = premultiplyAlphaResult.outAlpha;
+                surface.alpha = 0.32800004;
                 Light light;
                 light.direction = _WorldSpaceLightPos0.xyz;
                 light.color = LinearColor(_LightColor0.rgb);
@@ -789,9 +787,8 @@ Shader "Patina/passes"
                 float3 fromLight = directLacquer(surface, light, viewDirWS);
                 float3 fromAround = indirectLacquer(surface, viewDirWS, i.positionWS, attenuation,
                     i.ambientOrLightmapUV, true);
-                float4 fog = float4(unity_FogColor.xyz * premultiplyAlphaResult.outAlpha, 0.0);
-                float4 color = float4(ProjectColor(fromLight + fromAround + surface.emission),
-                    premultiplyAlphaResult.outAlpha);
+                float4 fog = float4(unity_FogColor.xyz * 0.32800004, 0.0);
+                float4 color = float4(ProjectColor(fromLight + fromAround + surface.emission), 0.32800004);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, color, fog);
                 return color;
             }

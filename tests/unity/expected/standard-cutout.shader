@@ -272,7 +272,8 @@ Shader "Patina/Standard, cut out"
         float2 turnedUV = float2(uv0.x, 1.0 - uv0.y);
 
         // TilingOffset "maps/tiled"
-        float2 tiled = turnedUV * _MainTex_ST.xy + float2(_MainTex_ST.z, 1.0 - _MainTex_ST.y - _MainTex_ST.w);
+        float2 maps_tiled = turnedUV * _MainTex_ST.xy + float2(_MainTex_ST.z,
+            1.0 - _MainTex_ST.y - _MainTex_ST.w);
 
         // TilingOffset "maps/tiledDetail"
         float2 tiledDetailValue = float2(_DetailAlbedoMap_ST.z,
@@ -289,8 +290,8 @@ Shader "Patina/Standard, cut out"
             geometryNormalWSDotViewDirWS);
 
         // SampleTexture2D "maps/height"
-        float2 tiled2 = uv0 * _MainTex_ST.xy + _MainTex_ST.zw;
-        float4 height = UNITY_SAMPLE_TEX2D(_ParallaxMap, tiled2);
+        float2 height_tiled = uv0 * _MainTex_ST.xy + _MainTex_ST.zw;
+        float4 height = UNITY_SAMPLE_TEX2D(_ParallaxMap, height_tiled);
 
         // ParallaxOffset "maps/step"
         offset = ParallaxShift(height.y, _Parallax, viewDirTS);
@@ -298,7 +299,7 @@ Shader "Patina/Standard, cut out"
         offset = float2(0.0, 0.0);
     #endif
 
-        float2 uv = tiled + offset;
+        float2 uv = maps_tiled + offset;
 
         float2 detailUV = tiledDetail + offset;
         float2 detailUVTurnedUV = float2(uv.x, 1.0 - uv.y);
@@ -423,7 +424,7 @@ Shader "Patina/Standard, cut out"
         ls.f0 = setup.f0;
         ls.oneMinusReflectivity = setup.oneMinusReflectivity;
         ls.roughness = 1.0 - material.smoothness;
-        ls.normalWS = normalize(material.normalWS);
+        ls.normalWS = material.normalWS;
         ls.occlusion = material.occlusion;
         ls.emission = material.emission;
         ls.alpha = material.alpha;
@@ -772,8 +773,8 @@ Shader "Patina/Standard, cut out"
                 fromMapValue = 1.0;
             #else
                 // TilingOffset "maps/tiled"
-                float2 tiledValue = float2(_MainTex_ST.z, 1.0 - _MainTex_ST.y - _MainTex_ST.w);
-                float2 tiled = float2(uv0.x, 1.0 - uv0.y) * _MainTex_ST.xy + tiledValue;
+                float2 maps_tiledValue = float2(_MainTex_ST.z, 1.0 - _MainTex_ST.y - _MainTex_ST.w);
+                float2 maps_tiled = float2(uv0.x, 1.0 - uv0.y) * _MainTex_ST.xy + maps_tiledValue;
 
                 float2 offset;
             #if defined(_PARALLAXMAP)
@@ -783,8 +784,8 @@ Shader "Patina/Standard, cut out"
                     geometryNormalWSDotViewDirWS);
 
                 // SampleTexture2D "maps/height"
-                float2 tiled2 = uv0 * _MainTex_ST.xy + _MainTex_ST.zw;
-                float4 height = UNITY_SAMPLE_TEX2D(_ParallaxMap, tiled2);
+                float2 height_tiled = uv0 * _MainTex_ST.xy + _MainTex_ST.zw;
+                float4 height = UNITY_SAMPLE_TEX2D(_ParallaxMap, height_tiled);
 
                 // ParallaxOffset "maps/step"
                 offset = ParallaxShift(height.y, _Parallax, viewDirTS);
@@ -792,7 +793,7 @@ Shader "Patina/Standard, cut out"
                 offset = float2(0.0, 0.0);
             #endif
 
-                float2 uv = tiled + offset;
+                float2 uv = maps_tiled + offset;
                 float4 main_ = LinearColor(UNITY_SAMPLE_TEX2D(_MainTex, float2(uv.x, 1.0 - uv.y)));
 
                 fromMapValue = main_.w;

@@ -259,7 +259,7 @@ Shader "Patina/Standard"
         ls.f0 = setup.f0;
         ls.oneMinusReflectivity = setup.oneMinusReflectivity;
         ls.roughness = 1.0 - material.smoothness;
-        ls.normalWS = normalize(material.normalWS);
+        ls.normalWS = material.normalWS;
         ls.occlusion = material.occlusion;
         ls.emission = material.emission;
         return ls;

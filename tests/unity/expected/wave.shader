@@ -198,13 +198,12 @@ Shader "Patina/Wave"
     }
 
     // Diffuse colour and reflectance of a surface from base colour and metallic.
-    MetallicSetupResult MetallicSetup(float3 baseColor, float metallic)
+    MetallicSetupResult MetallicSetup(float3 baseColor)
     {
-        float oneMinusReflectivity = 0.96 * (1.0 - metallic);
         MetallicSetupResult metallicSetupResult;
-        metallicSetupResult.diffuseColor = baseColor * oneMinusReflectivity;
-        metallicSetupResult.f0 = lerp(float3(0.04, 0.04, 0.04), baseColor, metallic);
-        metallicSetupResult.oneMinusReflectivity = oneMinusReflectivity;
+        metallicSetupResult.diffuseColor = baseColor * 0.96;
+        metallicSetupResult.f0 = float3(0.04, 0.04, 0.04);
+        metallicSetupResult.oneMinusReflectivity = 0.96;
         return metallicSetupResult;
     }
 
@@ -214,16 +213,16 @@ Shader "Patina/Wave"
         Surface material = getSurface(geometryNormalWS, phase);
 
         // MetallicSetup "setup"
-        MetallicSetupResult setup = MetallicSetup(material.baseColor, material.metallic);
+        MetallicSetupResult setup = MetallicSetup(material.baseColor);
 
         LightingSurface ls;
         ls.diffuseColor = setup.diffuseColor;
-        ls.f0 = setup.f0;
-        ls.oneMinusReflectivity = setup.oneMinusReflectivity;
-        ls.roughness = 1.0 - material.smoothness;
+        ls.f0 = float3(0.04, 0.04, 0.04);
+        ls.oneMinusReflectivity = 0.96;
+        ls.roughness = 0.19999999;
         ls.normalWS = normalize(material.normalWS);
-        ls.occlusion = material.occlusion;
-        ls.emission = material.emission;
+        ls.occlusion = 1.0;
+        ls.emission = float3(0.0, 0.0, 0.0);
         return ls;
     }
 
@@ -267,12 +266,11 @@ Shader "Patina/Wave"
 
         // DistributionGGXMinimalist "distribution"
         float peak = MinimalistPeak(ndoth, alpha);
-        float distribution = 0.31830987 * peak * peak;
 
         // VisibilityMinimalist "visibility"
         float visibility = VisibilityMinimalist(ldoth, alpha);
 
-        float specular = distribution * visibility * 3.1415927 * ndotl;
+        float specular = peak * peak * visibility * ndotl;
 
         float3 radiance = light.color * (light.attenuation * light.shadow);
         return (surface.diffuseColor * ndotl + surface.f0 * specular) * radiance;
@@ -622,8 +620,8 @@ Shader "Patina/Wave"
                 float3 fromAround = indirect(surface, viewDirWS, i.positionWS, 1.0, i.ambientOrLightmapUV, readsProbes);
                 float smoothness = 1.0 - surface.roughness;
                 Targets output;
-                output.diffuse = float4(ProjectColor(surface.diffuseColor), surface.occlusion);
-                output.specular = float4(ProjectColor(surface.f0), smoothness);
+                output.diffuse = float4(ProjectColor(surface.diffuseColor), 1.0);
+                output.specular = float4(ProjectColor(float3(0.04, 0.04, 0.04)), smoothness);
                 output.normal = float4(0.5 + 0.5 * surface.normalWS, 1.0);
                 output.light = float4(StoredLight(ProjectColor(fromAround + surface.emission)), 1.0);
             #if defined(SHADOWS_SHADOWMASK) && UNITY_ALLOWED_MRT_COUNT > 4
