@@ -52,6 +52,14 @@ std::string joined(std::string_view first, std::string_view second) {
     return made;
 }
 
+std::string sentence(std::string_view words) {
+    std::string made(words);
+    if (made.empty()) return made;
+    made[0] = upper(made[0]);
+    if (made.back() != '.') made += '.';
+    return made;
+}
+
 std::string numbered(std::string_view name, unsigned number) {
     std::string made(name);
     if (!name.empty() && is_digit(name.back())) made += '_';

@@ -1,5 +1,5 @@
-// How the names that the compiler makes are spelled: camelCase, from words that have a spelling already. It is no table
-// of taken names; languages/names.h is.
+// How the names and comments that the compiler makes are spelled: camelCase, from words that have a spelling already.
+// It is no table of taken names; languages/names.h is.
 //
 //   camel_case("DistributionGGX")      // distributionGGX
 //   joined("vertex", "positionOS")     // vertexPositionOS
@@ -20,6 +20,9 @@ std::string joined(std::string_view first, std::string_view second);
 
 // The number stands behind the name. Behind a digit it needs an underscore: "uv0", 2 -> "uv0_2".
 std::string numbered(std::string_view name, unsigned number);
+
+// "a random number" -> "A random number."
+std::string sentence(std::string_view words);
 
 // Of the words of a camelCase name: "lightingSurface" -> "ls".
 std::string initials(std::string_view name);

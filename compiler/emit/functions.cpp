@@ -19,6 +19,17 @@ namespace {
 // How deep functions may call one another.
 constexpr std::size_t kMaxCallDepth = 64;
 
+// What each member of the result is: the function's comment describes the primary one. Empty if that is all.
+std::vector<std::string> result_docs(const FunctionDecl& function, const std::string& comment) {
+    std::vector<std::string> docs;
+    if (function.result.name != "void") docs.push_back(comment);
+    for (const ParamDecl& param : function.params) {
+        if (param.is_out) docs.emplace_back(param.doc);
+    }
+    if (docs.size() == 1 && function.result.name != "void") docs.clear();
+    return docs;
+}
+
 Instance emit_function(Emitter& emitter, const FunctionDecl& function, const Declarations& home,
                        std::span<const Argument> arguments, unsigned width, bool half, std::string name) {
     Instance instance;
@@ -26,6 +37,7 @@ Instance emit_function(Emitter& emitter, const FunctionDecl& function, const Dec
     ir::Function made{};
     made.name = std::move(name);
     made.comment = nodelang::first_sentence(function.doc);
+    made.result_docs = result_docs(function, made.comment);
     ir::Builder builder(emitter.module, made, emitter.options);
     Scope scope{.builder = &builder,
                 .declarations = &home,

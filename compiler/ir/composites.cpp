@@ -172,6 +172,10 @@ Value bitcast(Builder& b, Type type, Value value) {
     return b.type(original) == type ? original : b.emit(Op::Bitcast, type, {original});
 }
 
+bool repeats_number(std::span<const double> numbers) {
+    return !numbers.empty() && std::all_of(numbers.begin(), numbers.end(), [&](double n) { return n == numbers[0]; });
+}
+
 // index(a, 2) = extract(a, 2)
 Value index(Builder& b, Value whole, Value at) {
     const auto number = b.constant_of(at);
@@ -193,6 +197,26 @@ Value simplify_composite(Builder& b, Op op, Type type, std::span<const Value> ar
     if (op == Op::Bitcast) return bitcast(b, type, args[0]);
     if (op == Op::Index) return index(b, args[0], args[1]);
     return {};
+}
+
+Value simplify_splat(Builder& b, Op op, Type type, std::span<const Value> args) {
+    constexpr std::size_t kMost = 3;
+    if (!type.is_vector() || args.empty() || args.size() > kMost) return {};
+    const Op first = b[args[0]].op;
+    if (first != Op::Construct && first != Op::Constant) return {};
+    const bool is_componentwise = info(op).rule == TypeRule::Same && !has(op, Derivative) && op != Op::Normalize &&
+                                  op != Op::Cross && op != Op::Reflect;
+    if (!is_componentwise) return {};
+    std::array<Value, kMost> scalars;
+    for (std::size_t i = 0; i < args.size(); i++) {
+        const bool is_construct = b[args[i]].op == Op::Construct && b[args[i]].operand_count == 1;
+        if (is_construct) scalars[i] = b.args(args[i])[0];
+        if (!is_construct && !repeats_number(b.constant_of(args[i]))) return {};
+    }
+    for (std::size_t i = 0; i < args.size(); i++) {
+        if (!scalars[i]) scalars[i] = b.constant(type.with_width(1), {b.constant_of(args[i])[0]});
+    }
+    return b.splat(b.emit(op, type.with_width(1), std::span<const Value>(scalars.data(), args.size())), type.width());
 }
 
 }  // namespace patina::ir

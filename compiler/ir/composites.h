@@ -10,4 +10,7 @@ namespace patina::ir {
 
 Value simplify_composite(Builder& b, Op op, Type type, std::span<const Value> args, std::uint32_t data);
 
+// An op of vectors that repeat one scalar each is computed once: construct(a) * construct(b) = construct(a * b)
+Value simplify_splat(Builder& b, Op op, Type type, std::span<const Value> args);
+
 }  // namespace patina::ir

@@ -111,7 +111,10 @@ struct Function {
     std::vector<Value> operands{};
     std::vector<Block> blocks{};  // blocks[0] is the body
     OriginId origin{};
-    std::string comment{};       // lines, printed above the function
+    std::string comment{};  // lines, printed above the function
+    // What each member of the result is, for a function that loses members. The comment describes the member whose text
+    // is the comment itself. May be empty.
+    std::vector<std::string> result_docs{};
     bool always_inline = false;  // recipes and pass bodies: their instructions are copied to where they are called
     Linkage linkage = Linkage::Internal;
     // Foreign: how a call is written, "MACRO({0}, {1})". If it contains {result}, it is one or more statements that

@@ -2,6 +2,8 @@
 // (statements.cpp). The plan (plan.h) has decided which values are variables.
 #pragma once
 
+#include <unordered_map>
+
 #include "compiler/languages/plan.h"
 #include "compiler/languages/writer.h"
 
@@ -18,6 +20,7 @@ public:
 
     // --- for a language's own expressions
     const ir::Module& module() const { return writer_.module; }
+    const ir::Function& function() const { return function_; }
     const Writer& writer() const { return writer_; }
     const ir::Inst& operator[](ir::Value v) const { return function_.insts[v.index]; }
     ir::Value arg(ir::Value v, std::uint32_t i) const { return plan_.resolve(function_.args(v)[i]); }
@@ -94,6 +97,9 @@ private:
     // value_names.cpp
     std::string declare(ir::NameId hint, std::string_view otherwise, ir::OriginId origin);
     std::string_view node_of(ir::OriginId origin) const;
+    std::string_view path_of(ir::OriginId origin) const;
+    void find_paths();
+    std::string instance_of(std::string_view name, bool is_authors, ir::OriginId origin);
     std::string name_without_hint(ir::Value v) const;
     std::string name_of_operands(ir::Value v) const;
     std::string noun(ir::Value v) const;
@@ -103,8 +109,11 @@ private:
     const ir::Function& function_;
     const EntryPoint* entry_;
     const Plan& plan_;
-    std::vector<std::string> params_;          // names
-    std::vector<std::string> names_;           // of variables; empty: not declared yet
+    std::vector<std::string> params_;  // names
+    std::vector<std::string> names_;   // of variables; empty: not declared yet
+    // The id paths under which a name stands in the graph and its sub-graphs: "coarse/edge" and "fine/edge" by "edge".
+    std::unordered_map<std::string, std::vector<std::string>> paths_;
+    bool has_paths_ = false;
     std::vector<std::string_view> member_of_;  // by Value: the struct member that it is stored in; empty: none
     unsigned indent_ = 1;
     unsigned loops_ = 0;           // number of open loops

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "compiler/ir/fold/facts.h"
 #include "compiler/ir/passes/passes.h"
 
 namespace patina::languages {
@@ -51,50 +52,10 @@ Value split_rows(Copy& copy, Value v) {
 
 // --- an index out of range is clamped; the languages leave it undefined
 
-struct Range {
-    double low, high;
-};
-
-std::optional<Range> range_of(const Module& module, const Function& function, Value v, int depth = 0);
-
-// The range of a loop's index, from its limits.
-std::optional<Range> range_of_loop(const Module& module, const Function& function, Value index, int depth) {
-    for (std::uint32_t i = 0; i < function.insts.size(); ++i) {
-        const Inst& loop = function.insts[i];
-        if (loop.op != Op::For || function.blocks[loop.data].insts.front() != index) continue;
-        const auto begin = range_of(module, function, function.args(loop)[0], depth);
-        const auto end = range_of(module, function, function.args(loop)[1], depth);
-        if (!begin || !end) return {};
-        return Range{begin->low, end->high - 1};
-    }
-    return {};
-}
-
-std::optional<Range> range_of(const Module& module, const Function& function, Value v, int depth) {
-    const Inst& inst = function[v];
-    if (depth > 4 || !inst.type.is_integer() || !inst.type.is_scalar()) return {};
-    constexpr Range kAnything{-4294967296.0, 4294967296.0};
-    const auto of = [&](std::uint32_t i) {
-        return range_of(module, function, function.args(v)[i], depth + 1).value_or(kAnything);
-    };
-    if (inst.op == Op::Constant) {
-        const double number = module.numbers_of(module.constants[inst.data])[0];
-        return Range{number, number};
-    }
-    if (inst.op == Op::LoopIndex) return range_of_loop(module, function, v, depth + 1);
-    if (inst.op == Op::Min) return Range{std::min(of(0).low, of(1).low), std::min(of(0).high, of(1).high)};
-    if (inst.op == Op::Max) return Range{std::max(of(0).low, of(1).low), std::max(of(0).high, of(1).high)};
-    if (inst.op == Op::Clamp) {
-        return Range{std::max(of(0).low, of(1).low), std::min(std::max(of(0).high, of(1).high), of(2).high)};
-    }
-    if (inst.type.scalar == Scalar::Uint) return Range{0, kAnything.high};
-    return {};
-}
-
 bool may_leave_range(const Module& module, const Function& function, Value v) {
     if (function[v].op != Op::Index) return false;
-    const auto range = range_of(module, function, function.args(v)[1]);
-    return !range || range->low < 0 || range->high > part_count(module, type_of_operand(function, v, 0)) - 1.0;
+    const Range range = range_of({module, function, true}, function.args(v)[1]);
+    return range.low < 0 || range.high > part_count(module, type_of_operand(function, v, 0)) - 1.0;
 }
 Value clamp_index(Copy& copy, Value v) {
     Builder& b = copy.to;

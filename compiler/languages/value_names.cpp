@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "compiler/base/spelling.h"
 #include "compiler/ir/hints.h"
@@ -77,10 +78,77 @@ void Body::find_member_names() {
     }
 }
 
-// The id of the node that an instruction comes from; empty if there is none.
+// The id path of the node that an instruction comes from; empty if there is none.
+std::string_view Body::path_of(OriginId origin) const {
+    return origin ? std::string_view(writer_.module.origins[origin.index].id) : "";
+}
+
+// The id of the node.
 std::string_view Body::node_of(OriginId origin) const {
-    const std::string_view id = origin ? std::string_view(writer_.module.origins[origin.index].id) : "";
+    const std::string_view id = path_of(origin);
     return id.substr(id.rfind('/') + 1);
+}
+
+// --- values of sub-graphs
+
+namespace {
+
+// The path of a value that a graph names: that of its node, or "node/output" for an output of a sub-graph.
+std::string path_to(std::string_view node_path, std::string_view name) {
+    const std::string_view node = node_path.substr(node_path.rfind('/') + 1);
+    return node == name ? std::string(node_path) : fmt::format("{}/{}", node_path, name);
+}
+
+// The last `count` ids before the last one of a path: "rust_layer" of "a/rust/layer/t" and 2. Fewer if it is shorter.
+std::string instances(std::string_view path, std::size_t count) {
+    std::size_t end = path.rfind('/');
+    std::string made;
+    for (; count > 0 && end != path.npos; --count) {
+        const std::size_t before = end == 0 ? path.npos : path.rfind('/', end - 1);
+        const std::size_t begin = before == path.npos ? 0 : before + 1;
+        made = fmt::format("{}{}{}", path.substr(begin, end - begin), made.empty() ? "" : "_", made);
+        end = before;
+    }
+    return made;
+}
+
+}  // namespace
+
+void Body::find_paths() {
+    if (std::exchange(has_paths_, true)) return;
+    const auto add = [&](std::string_view name, std::string path) {
+        std::vector<std::string>& paths = paths_[std::string(name)];
+        if (std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(std::move(path));
+    };
+    for (const Variable& variable : plan_.variables) {
+        const OriginId origin = function_[variable.like].origin;
+        const std::string_view path = path_of(origin);
+        if (path.empty()) continue;
+        add(node_of(origin), std::string(path));
+        const Hint hint = hint_of(writer_.module, variable.hint);
+        if (!hint.name.empty() && hint.callee.empty()) add(hint.name, path_to(path, hint.name));
+    }
+}
+
+// If several values or nodes have the name, in different sub-graphs or in different uses of one: the use that this one
+// belongs to, in as few words as tell it from the others. Otherwise empty.
+std::string Body::instance_of(std::string_view name, bool is_authors, OriginId origin) {
+    const std::string_view node_path = path_of(origin);
+    if (node_path.empty()) return {};
+    const std::string path = is_authors ? path_to(node_path, name) : std::string(node_path);
+    if (path.find('/') == path.npos) return {};
+    find_paths();
+    const auto found = paths_.find(std::string(is_authors ? name : node_of(origin)));
+    if (found == paths_.end()) return {};
+    const std::vector<std::string>& paths = found->second;
+    if (paths.size() < 2) return {};
+    for (std::size_t count = 1;; ++count) {
+        std::string mine = instances(path, count);
+        const bool is_only = std::all_of(paths.begin(), paths.end(), [&](const std::string& other) {
+            return other == path || instances(other, count) != mine;
+        });
+        if (is_only || mine == instances(path, count + 1)) return mine;
+    }
 }
 
 // The name of a value that has one: a variable, an input, a member or a component of these. Otherwise empty.
@@ -156,12 +224,20 @@ std::string Body::name_without_hint(Value v) const {
     return step.starts_with(last) ? std::string(step) : joined(last, step);
 }
 
-// Two values may want one name, usually locals of inlined functions. The second one then adds its origin: the node or
-// the function, whichever is shorter.
+// Two values may want one name. Values of sub-graphs then have the name of the node that uses the sub-graph before
+// theirs: "rust_edge". A local of an inlined function adds its origin: the node or the function, whichever is shorter.
 std::string Body::declare(NameId id, std::string_view otherwise, OriginId origin) {
     const Hint hint = hint_of(writer_.module, id);
     const std::string_view wanted = hint.name.empty() ? otherwise : hint.name;
-    if (hint.callee.empty() || writer_.names.is_free(safe_identifier(wanted))) return writer_.names.declare(wanted);
+    const bool is_authors = !hint.name.empty() && hint.callee.empty();
+    const bool is_free = writer_.names.is_free(safe_identifier(wanted));
+    // A step of a node's computation is named after the node.
+    const bool is_of_node = is_authors || (hint.name.empty() && wanted.starts_with(node_of(origin)));
+    if (is_of_node || !is_free) {
+        const std::string instance = instance_of(wanted, is_authors, origin);
+        if (!instance.empty()) return writer_.names.declare(fmt::format("{}_{}", instance, wanted));
+    }
+    if (hint.callee.empty() || is_free) return writer_.names.declare(wanted);
     std::array whose = {node_of(origin), hint.callee};
     if (whose[1].size() < whose[0].size()) std::swap(whose[0], whose[1]);
     for (const std::string_view each : whose) {

@@ -40,6 +40,32 @@ bool is_wanted(const ExternDecl& value, std::span<const std::string_view> on) {
            std::find_first_of(value.with.begin(), value.with.end(), on.begin(), on.end()) != value.with.end();
 }
 
+// What exists only with a switch or path comes last.
+std::vector<const ExternDecl*> in_order(const PathDeclarations& paths) {
+    std::vector<const ExternDecl*> externs;
+    for (const ExternDecl& each : paths.externs) externs.push_back(&each);
+    std::stable_partition(externs.begin(), externs.end(), [](const ExternDecl* each) { return each->with.empty(); });
+    return externs;
+}
+
+ir::Group group_of(const ExternDecl& value) {
+    return value.is_target() ? ir::Group::Targets : ir::Group::Engine;
+}
+
+Numbering numbering_of(const engines::Engine& engine, std::span<const ExternDecl* const> externs) {
+    Numbering made;
+    const auto add = [](auto& numbers, std::string_view name) {
+        numbers.try_emplace(std::string(name), static_cast<std::uint32_t>(numbers.size()));
+    };
+    for (const ExternDecl* each : externs) {
+        if (texture_kind(each->variable->type.name))
+            add(made.textures[static_cast<std::size_t>(group_of(*each))], each->variable->name);
+        else
+            add(made.blocks, engine.block_name(each->block));
+    }
+    return made;
+}
+
 // Keywords stay bools, because they are not in a uniform block.
 ir::GlobalId add_keyword(ir::Module& module, const MaterialProperty& entry) {
     const Property& property = *entry.property;
@@ -136,16 +162,14 @@ EngineGlobals declare_engine(const engines::Engine& engine, const PathDeclaratio
         const bool is_so = std::find(asked.words.begin(), asked.words.end(), word) != asked.words.end();
         emitter.known.statics[asked.variable] = is_so ? 1 : 0;
     }
-    std::vector<const ExternDecl*> externs;
-    for (const ExternDecl& each : paths.externs) {
-        if (is_wanted(each, on)) externs.push_back(&each);
-    }
-    std::stable_partition(externs.begin(), externs.end(), [](const ExternDecl* each) { return each->with.empty(); });
+    const std::vector<const ExternDecl*> externs = in_order(paths);
+    made.numbering = numbering_of(engine, externs);
     for (const ExternDecl* each : externs) {
+        if (!is_wanted(*each, on)) continue;
         const nodelang::VariableDecl& variable = *each->variable;
         if (const std::optional<ir::Kind> kind = texture_kind(variable.type.name)) {
             const std::string texture(variable.name);
-            const ir::Group group = each->is_target() ? ir::Group::Targets : ir::Group::Engine;
+            const ir::Group group = group_of(*each);
             const ir::GlobalId global = add_resource(module, texture, *kind, group, variable.span);
             emitter.known.externs[&variable] = global;
             if (each->is_target()) made.reads[global.index] = each->reads;

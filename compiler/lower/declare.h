@@ -3,6 +3,7 @@
 // and in an HLSL cbuffer.
 #pragma once
 
+#include <array>
 #include <map>
 #include <set>
 #include <span>
@@ -26,10 +27,18 @@ struct PropertyGlobals {
 // The type of a numeric property's value in its block.
 ir::Type property_type(PropertyType type);
 
+// The numbers of the library's blocks and textures, by their names, if all switches and paths were on: what a switch
+// adds has a number of its own, so no switch moves the binding of anything.
+struct Numbering {
+    std::map<std::string, std::uint32_t, std::less<>> blocks;
+    std::array<std::map<std::string, std::uint32_t, std::less<>>, 3> textures;  // by ir::Group
+};
+
 // Declares every [extern] and [reads] variable: numbers in one block per name, each texture followed by its sampler,
 // all in order of appearance. Variables that exist only [with] a switch or path are declared if one of these is in
-// `on`. They come last, so that they do not move the others.
+// `on`. They come last, so that they move neither the members nor the numbers of the others.
 struct EngineGlobals {
+    Numbering numbering;
     std::set<std::uint32_t> per_object;          // those of the drawn object
     std::map<std::uint32_t, std::string> reads;  // textures that are targets of other passes
 };

@@ -344,7 +344,7 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     // An extra pass of a material shares functions with other passes only if it is lit.
     out.keeps_functions = engine.is_one_file() && (!material.pass || !material.lighting->graph->nodes.empty());
     keep_values(lowering);
-    out.shifts = place_globals(out.module, engine);
+    out.shifts = place_globals(out.module, engine, declared.numbering);
     out.target_set = engine.places_of(ir::Group::Targets).set;
     out.clip_depth = engine.clip_depth;
     declare_statics(lowering);

@@ -3,6 +3,7 @@
 
 #include "compiler/engines/engine.h"
 #include "compiler/ir/ir.h"
+#include "compiler/lower/declare.h"
 
 namespace patina::graph {
 
@@ -11,8 +12,9 @@ struct SetShifts {
     std::uint32_t set = 0, buffers = 0, textures = 0, samplers = 0;
 };
 
-// Places blocks, textures and samplers, each in the order of declaration. Returns the shifts of each set that an owner
+// Places blocks, textures and samplers: those of a material in the order of declaration, the library's by `numbering`.
+// Returns the shifts of each set that an owner
 // has, in the order of the owners: engine, material, targets.
-std::vector<SetShifts> place_globals(ir::Module& module, const engines::Engine& engine);
+std::vector<SetShifts> place_globals(ir::Module& module, const engines::Engine& engine, const Numbering& numbering);
 
 }  // namespace patina::graph

@@ -9,7 +9,9 @@
 
 #include "compiler/ir/builder.h"
 #include "compiler/ir/composites.h"
+#include "compiler/ir/fold/known.h"
 #include "compiler/ir/fold/pattern.h"
+#include "compiler/ir/fold/products.h"
 
 namespace patina::ir {
 namespace {
@@ -17,15 +19,28 @@ namespace {
 using namespace pattern;
 
 constexpr auto kRounded = Identity::Holds::Rounded;
+constexpr auto kRegrouped = Identity::Holds::Regrouped;
+// NaN becomes the upper limit on one side and the lower one on the other. Languages do not say which of them it
+// becomes.
+constexpr auto kOtherLimit = Identity::Holds::Rounded;
 
 constexpr Identity kIdentities[] = {
     {x + 0, x},
     {x + -y, x - y},
+    {(x + k) + l, x + (k + l), kRegrouped},
+    {(x - k) + l, x + (l - k), kRegrouped},
+    {(k - x) + l, (k + l) - x, kRegrouped},
 
     {x - 0, x},
     {0 - x, -x},
     {x - -y, x + y},
     {i - i, 0},
+    {(x + k) - l, x + (k - l), kRegrouped},
+    {(x - k) - l, x - (k + l), kRegrouped},
+    {(k - x) - l, (k - l) - x, kRegrouped},
+    {k - (x + l), (k - l) - x, kRegrouped},
+    {k - (x - l), (k + l) - x, kRegrouped},
+    {k - (l - x), x + (k - l), kRegrouped},
 
     {x * 1, x},
     {x * -1, -x},
@@ -117,16 +132,33 @@ constexpr Identity kIdentities[] = {
     {saturate(saturate(x)), saturate(x)},
     {saturate(max(x, 0)), saturate(x)},
     {saturate(clamp(x, 0, 1)), saturate(x)},
+    {saturate(max(x, k)), clamp(x, saturate(k), 1)},
+    {saturate(min(x, k)), clamp(x, 0, saturate(k)), kOtherLimit},
+    {saturate(clamp(x, k, l)), clamp(x, saturate(k), saturate(l))},
 
+    // A limit of a limited value limits the limits instead.
     {min(x, x), x},
     {min(max(x, 0), 1), saturate(x)},
     {min(saturate(x), 1), saturate(x)},
+    {min(min(x, k), l), min(x, min(k, l))},
+    {min(max(x, k), l), clamp(x, min(k, l), l)},
+    {min(saturate(x), k), clamp(x, min(k, 0), min(k, 1))},
+    {min(clamp(x, k, l), m), clamp(x, min(k, m), min(l, m))},
 
     {max(x, x), x},
     {max(saturate(x), 0), saturate(x)},
+    {max(max(x, k), l), max(x, max(k, l))},
+    {max(min(x, k), l), clamp(x, l, max(k, l)), kOtherLimit},
+    {max(saturate(x), k), clamp(x, max(k, 0), max(k, 1))},
+    {max(clamp(x, k, l), m), clamp(x, max(k, m), max(l, m))},
 
     {clamp(x, 0, 1), saturate(x)},
+    {clamp(x, k, k), k},
     {clamp(clamp(x, y, z), y, z), clamp(x, y, z)},
+    {clamp(clamp(x, k, l), m, n), clamp(x, clamp(k, m, n), clamp(l, m, n))},
+    {clamp(saturate(x), k, l), clamp(x, clamp(0, k, l), clamp(1, k, l))},
+    {clamp(max(x, k), l, m), clamp(x, clamp(k, l, m), m)},
+    {clamp(min(x, k), l, m), clamp(x, min(l, m), clamp(k, l, m)), kOtherLimit},
 
     // Languages differ in how lerp rounds (a + (b - a) t, a (1 - t) + b t); its ends are meant to be a and b.
     {lerp(x, y, 0), x, kRounded},
@@ -211,7 +243,7 @@ constexpr Glance glance_of(const Pattern& left) {
     for (int k = 0; k < left.nodes[0].operands; k++) {
         if (operand->kind == Pattern::Kind::Operation) {
             wanted.add(operand->op);
-        } else if (operand->kind == Pattern::Kind::Number) {
+        } else if (operand->kind == Pattern::Kind::Number || operand->kind == Pattern::Kind::Constant) {
             wanted.add(Op::Constant);
         } else {
             wanted.has_twins = wanted.has_twins || (variables >> operand->number & 1u) != 0;
@@ -247,6 +279,7 @@ bool match(const Builder& b, const Node* node, Value value, Bindings& bound) {
     }
     if (node->kind == Pattern::Kind::Integer && !b.type(value).is_integer()) return false;
     if (node->kind == Pattern::Kind::Bool && !b.type(value).is_bool()) return false;
+    if (node->kind == Pattern::Kind::Constant && b[value].op != Op::Constant) return false;
     Value& variable = bound[static_cast<std::size_t>(node->number)];
     if (variable) return variable == value;
     variable = value;
@@ -281,10 +314,16 @@ Type type_of(const Builder& b, const Node*& node, const Bindings& bound) {
     std::array<Type, 3> types;
     const std::size_t count = head.operands;
     for (std::size_t k = 0; k < count; k++) types[k] = type_of(b, node, bound);
+    // A number has the type of the operands beside it.
+    const auto end = types.begin() + static_cast<std::ptrdiff_t>(count);
+    const auto beside = std::find_if(types.begin(), end, [](Type type) { return !type.is_error(); });
+    for (std::size_t k = 0; beside != end && k < count; k++) {
+        if (types[k].is_error()) types[k] = *beside;
+    }
     return result_type(head.op, {types.data(), count});
 }
 
-// The right side is made of operations and variables, or it is one number.
+// Numbers on the right side have the type of the whole.
 Value build(Builder& b, Type type, const Node*& node, const Bindings& bound) {
     const Node& head = *node++;
     if (head.kind == Pattern::Kind::Number) return b.splat_constant(type, head.number);
@@ -299,6 +338,20 @@ Value build(Builder& b, Type type, const Node*& node, const Bindings& bound) {
     return b.emit(head.op, result_type(head.op, {types.data(), count}), std::span<const Value>(args.data(), count));
 }
 
+// A number that somebody adds to a value, rather than one that makes it round.
+bool is_usual(const Builder& b, Value constant) {
+    constexpr double kMost = 1024;
+    const std::span<const double> numbers = b.constant_of(constant);
+    return std::all_of(numbers.begin(), numbers.end(), [&](double n) { return n >= -kMost && n <= kMost; });
+}
+bool may_regroup(const Builder& b, std::span<const Value> args) {
+    return std::all_of(args.begin(), args.end(), [&](Value arg) {
+        if (b[arg].op == Op::Constant) return is_usual(b, arg);
+        const auto inner = b.args(arg);
+        return !b[arg].name && std::all_of(inner.begin(), inner.end(), [&](Value v) { return is_usual(b, v); });
+    });
+}
+
 Value rewrite(Builder& b, Op op, Type type, std::span<const Value> args) {
     const auto [begin, end] = kRanges[static_cast<std::size_t>(op)];
     if (begin == end) return {};
@@ -308,6 +361,7 @@ Value rewrite(Builder& b, Op op, Type type, std::span<const Value> args) {
         const Identity& identity = kIdentities[k];
         Bindings bound;
         if (!match_operands(b, identity.left.nodes.data() + 1, op, args, bound)) continue;
+        if (identity.holds == Identity::Holds::Regrouped && !may_regroup(b, args)) continue;
         // select(c, true, false) = c only where the select is as wide as its condition, and so on.
         const Node* node = identity.right.nodes.data();
         if (node->kind != Pattern::Kind::Number && type_of(b, node, bound) != type) continue;
@@ -343,7 +397,10 @@ std::span<const Identity> all_identities() {
 Value simplify(Builder& b, Op op, Type type, std::span<const Value> args, std::uint32_t data) {
     if (const Value folded = fold(b, op, type, args, data)) return folded;
     if (const Value whole = simplify_composite(b, op, type, args, data)) return whole;
-    return rewrite(b, op, type, args);
+    if (const Value splat = simplify_splat(b, op, type, args)) return splat;
+    if (const Value equal = rewrite(b, op, type, args)) return equal;
+    if (const Value scaled = simplify_product(b, op, type, args)) return scaled;
+    return simplify_known(b, op, type, args);
 }
 
 }  // namespace patina::ir

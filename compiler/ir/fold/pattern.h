@@ -14,15 +14,15 @@
 namespace patina::ir {
 
 struct Pattern {
-    // What a variable stands for: x, y, z any value, i, j whole numbers, c, d bools.
-    enum class Kind : std::uint8_t { Operation, Number, Any, Integer, Bool };
+    // What a variable stands for: x, y, z any value, i, j whole numbers, c, d bools, k, l, m, n constants.
+    enum class Kind : std::uint8_t { Operation, Number, Any, Integer, Bool, Constant };
     struct Node {
         Kind kind = Kind::Number;
         Op op = Op::Constant;  // of an Operation, whose operands follow it
         std::uint8_t operands = 0;
         std::int8_t number = 0;  // of a Number, in every component; of a variable: which one
     };
-    static constexpr std::size_t kMaxNodes = 8;
+    static constexpr std::size_t kMaxNodes = 12;
 
     std::array<Node, kMaxNodes> nodes{};
     std::size_t size = 0;
@@ -51,18 +51,21 @@ private:
 
 struct Identity {
     // Exact: both sides are equal for every operand, NaN and infinity included; only the sign of a zero may differ.
-    // Rounded: equal within rounding, for finite operands.
-    enum class Holds : std::uint8_t { Exact, Rounded };
+    // Rounded: equal within rounding, for finite operands. Regrouped: the same, but used only for constants of a usual
+    // size, because (x + 1e8) - 1e8 is meant to round, and not through a value that has a name, which is to be read.
+    enum class Holds : std::uint8_t { Exact, Rounded, Regrouped };
     Pattern left, right;
     Holds holds = Holds::Exact;
 };
 
 namespace pattern {
 
-inline constexpr int kVariables = 7;
+inline constexpr int kVariables = 11;
 inline constexpr Pattern x{Pattern::Kind::Any, 0}, y{Pattern::Kind::Any, 1}, z{Pattern::Kind::Any, 2};
 inline constexpr Pattern i{Pattern::Kind::Integer, 3}, j{Pattern::Kind::Integer, 4};
 inline constexpr Pattern c{Pattern::Kind::Bool, 5}, d{Pattern::Kind::Bool, 6};
+inline constexpr Pattern k{Pattern::Kind::Constant, 7}, l{Pattern::Kind::Constant, 8};
+inline constexpr Pattern m{Pattern::Kind::Constant, 9}, n{Pattern::Kind::Constant, 10};
 
 using P = Pattern;
 constexpr P operator+(const P& a, const P& b) {

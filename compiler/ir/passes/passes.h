@@ -24,13 +24,18 @@ Module prune(Module module);
 Module settle_members(Module module);
 
 // A call with constant arguments gets a copy of the callee for these constants, if that decides a branch or a loop or
-// removes half of the callee's work. A call of which the copy is only a constant becomes that constant.
+// removes half of the callee's work. A call of which the copy is only a constant becomes that constant, and so does a
+// member of a result that is always the same constant.
 Module specialise(Module module);
 
 // Replaces a call by the callee's body, if the callee is marked always_inline, if a parameter is opaque or contains
 // something opaque (a texture), if the body has at most `kSmall` operations, or if something of it could then move out
 // of a light loop.
 Module inline_calls(Module module);
+
+// What the calls of a function or the result of a called function make needless goes: normalising a unit vector once
+// more, and limits of an index. Limits of other numbers stay: a function that limits them may say so.
+Module drop_needless(Module module);
 
 // For an engine whose texture coordinates count from the bottom. Graphs count from the top: each read of such a
 // coordinate is turned, and so is each coordinate that a texture is read at. Two turns cancel. Functions pass such

@@ -2,6 +2,7 @@
 #include <numeric>
 #include <utility>
 
+#include "compiler/base/spelling.h"
 #include "compiler/ir/passes/passes.h"
 #include "compiler/ir/rebuild.h"
 
@@ -318,8 +319,30 @@ private:
         if (signature.members.size() == need.members.size()) signature.members.clear();
         if (!signature.is_narrowed()) return signature;
         signature.is_as_before = false;
+        describe_rest(made, signature);
         made.result = narrowed(made.result, signature);
         return signature;
+    }
+
+    // A comment that describes a member which is gone would mislead: the members that stay have texts of their own. A
+    // comment that describes no member, but all of them together, stays while there are several.
+    void describe_rest(Function& made, const Signature& signature) const {
+        if (made.result_docs.empty()) return;
+        const auto is_own = [&](const std::string& doc) { return doc == made.comment; };
+        const bool is_of_all = std::none_of(made.result_docs.begin(), made.result_docs.end(), is_own) &&
+                               made.comment.find('\n') == std::string::npos;
+        const std::vector<Member>& members = module_.structs[made.result.ref].members;
+        std::vector<std::string> docs;
+        std::string comment;
+        for (const std::uint32_t index : signature.members) {
+            const std::string& doc = docs.emplace_back(made.result_docs[index]);
+            if (doc.empty()) continue;
+            if (!comment.empty()) comment += '\n';
+            comment += signature.is_bare() ? sentence(doc) : members[index].name + ": " + doc;
+        }
+        const bool stays = is_of_all ? !signature.is_bare() : std::any_of(docs.begin(), docs.end(), is_own);
+        if (!stays) made.comment = std::move(comment);
+        made.result_docs = std::move(docs);
     }
 
     Type narrowed(Type type, const Signature& signature) {

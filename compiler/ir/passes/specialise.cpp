@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -56,6 +57,11 @@ bool is_worth_it(const Function& callee, std::uint64_t params) {
     return done > 0 && 2 * done >= work;
 }
 
+std::size_t work_of(const Function& function) {
+    return static_cast<std::size_t>(
+        std::count_if(function.insts.begin(), function.insts.end(), [](const Inst& inst) { return is_work(inst.op); }));
+}
+
 bool calls_something(const Function& function) {
     return std::any_of(function.insts.begin(), function.insts.end(), [](const Inst& i) { return i.op == Op::Call; });
 }
@@ -79,27 +85,52 @@ public:
     }
 
 private:
-    // Most stages have no constant argument that decides anything.
+    // In many stages no constant argument decides anything.
     bool may_specialise() {
         return std::any_of(old_.begin(), old_.end(), [&](const Function& function) {
             return std::any_of(function.insts.begin(), function.insts.end(), [&](const Inst& inst) {
-                return inst.op == Op::Call && worth(inst.data, constant_arguments(function, inst));
+                if (inst.op == Op::Call) return worth(constant_arguments(function, inst));
+                return inst.op == Op::Extract &&
+                       constant_member(old_, function[function.args(inst)[0]], inst.data) != nullptr;
             });
         });
     }
 
-    static std::uint64_t constant_arguments(const Function& function, const Inst& call) {
-        std::uint64_t params = 0;
+    Request constant_arguments(const Function& function, const Inst& call) const {
+        Request request{.callee = call.data, .known = {}};
         const auto args = function.args(call);
-        for (std::size_t i = 0; i < args.size() && i < kMaxSettledParams; i++) {
-            if (function[args[i]].op == Op::Constant) params |= std::uint64_t{1} << i;
+        for (std::uint32_t i = 0; i < args.size() && i < kMaxSettledParams; i++) {
+            const Inst& arg = function[args[i]];
+            if (arg.op != Op::Constant) continue;
+            const auto numbers = module_.numbers_of(module_.constants[arg.data]);
+            request.known.push_back({i, arg.type, {numbers.begin(), numbers.end()}});
         }
-        return params;
+        return request;
+    }
+
+    // The constant that a call always returns as this member; otherwise null.
+    static const Inst* constant_member(const std::vector<Function>& functions, const Inst& call, std::uint32_t index) {
+        if (call.op != Op::Call || call.type.kind != Kind::Struct || is_elsewhere(functions[call.data])) return nullptr;
+        const Function& callee = functions[call.data];
+        const Inst& whole = callee[callee.args(callee.blocks[0].insts.back())[0]];
+        if (whole.op != Op::Construct) return nullptr;
+        const Inst& member = callee[callee.args(whole)[index]];
+        return member.op == Op::Constant ? &member : nullptr;
     }
 
     FunctionId build(std::uint32_t f, const std::vector<Known>& known, int depth) {
         const Function& old = old_[f];
         if (known.empty() && !calls_something(old)) return add(old);
+        return add(copy_for(old, known, [&](Copy& copy, Value v) {
+            const Inst& inst = copy.from[v];
+            if (inst.op == Op::Call) return call(copy, v, depth);
+            return inst.op == Op::Extract && extract(copy, v);
+        }));
+    }
+
+    // The function for these arguments; `rewrite` may change more of it.
+    Function copy_for(const Function& old, const std::vector<Known>& known,
+                      const std::function<bool(Copy&, Value)>& rewrite) {
         Function made = shell(old);
         made.params.clear();
         std::vector<std::uint32_t> kept(old.params.size());  // new index of each parameter that stays
@@ -110,15 +141,14 @@ private:
         Builder builder(module_, made);
         Copy copy{.from = old, .to = builder, .rewrite = [&](Copy& c, Value v) {
                       const Inst& inst = c.from[v];
-                      if (inst.op == Op::Call) return call(c, v, depth);
-                      if (inst.op != Op::Param) return false;
+                      if (inst.op != Op::Param) return rewrite(c, v);
                       const Known* constant = find(known, inst.data);
                       c.map[v.index] =
                           constant ? c.to.constant(constant->type, constant->numbers) : c.to.param(kept[inst.data]);
                       return true;
                   }};
         copy_body(copy);
-        return add(std::move(made));
+        return made;
     }
 
     FunctionId add(Function function) {
@@ -153,6 +183,15 @@ private:
         return true;
     }
 
+    bool extract(Copy& copy, Value value) {
+        const Inst& inst = copy.from[value];
+        const Value whole = copy.map[copy.from.args(inst)[0].index];
+        const Inst* constant = constant_member(module_.functions, copy.to[whole], inst.data);
+        if (constant == nullptr) return false;
+        copy.map[value.index] = copy.to.emit(Op::Constant, constant->type, {}, constant->data);
+        return true;
+    }
+
     // If a copy only returns a constant, the call becomes that constant.
     Value result_of(Builder& to, FunctionId version, std::span<const Value> args) {
         const Function& callee = module_[version];
@@ -165,9 +204,7 @@ private:
     }
 
     FunctionId version_for(Request request, int depth) {
-        std::uint64_t params = 0;
-        for (const Known& known : request.known) params |= std::uint64_t{1} << known.param;
-        if (!worth(request.callee, params) || depth >= kMaxDepth) return {};
+        if (!worth(request) || depth >= kMaxDepth) return {};
         const auto found = versions_.find(request);
         if (found != versions_.end()) return found->second;
         const std::size_t size = old_[request.callee].insts.size();
@@ -178,13 +215,34 @@ private:
         return made;
     }
 
-    bool worth(std::uint32_t callee, std::uint64_t params) {
-        if (params == 0 || old_[callee].always_inline || is_elsewhere(old_[callee])) return false;
+    bool worth(const Request& request) {
+        if (request.known.empty() || old_[request.callee].always_inline || is_elsewhere(old_[request.callee]))
+            return false;
+        std::uint64_t params = 0;
+        for (const Known& known : request.known) params |= std::uint64_t{1} << known.param;
+        return decides(request.callee, params) || leaves_little(request);
+    }
+
+    bool decides(std::uint32_t callee, std::uint64_t params) {
         for (const auto& [mask, verdict] : verdicts_[callee]) {
             if (mask == params) return verdict;
         }
         verdicts_[callee].emplace_back(params, is_worth_it(old_[callee], params));
         return verdicts_[callee].back().second;
+    }
+
+    // True if these constants take away half of the work, as 0 and 1 do in a product. The copy is made to see it.
+    bool leaves_little(const Request& request) {
+        const auto is_neutral = [](const Known& known) {
+            return std::all_of(known.numbers.begin(), known.numbers.end(), [](double n) { return n == 0 || n == 1; });
+        };
+        if (std::none_of(request.known.begin(), request.known.end(), is_neutral)) return false;
+        const auto [found, is_new] = trials_.try_emplace(request, false);
+        if (!is_new) return found->second;
+        const Function& old = old_[request.callee];
+        const Function made = copy_for(old, request.known, [](Copy&, Value) { return false; });
+        found->second = 2 * work_of(made) <= work_of(old);
+        return found->second;
     }
 
     // Versions of one function that are still called get different names: the first keeps its own.
@@ -193,10 +251,13 @@ private:
         module_ = prune(std::move(module_));
         std::set<std::string> used;
         std::vector<Function*> clashing;
+        // Other texts know the names of the functions that they call or define.
+        for (const Function& function : module_.functions) {
+            if (function.linkage != Linkage::Internal) used.insert(function.name);
+        }
         for (Function& function : module_.functions) {
-            // Overloads that an included file declares have one name.
-            const bool is_taken = !used.insert(function.name).second;
-            if (is_taken && !is_elsewhere(function)) clashing.push_back(&function);
+            if (function.linkage == Linkage::Internal && !used.insert(function.name).second)
+                clashing.push_back(&function);
         }
         std::map<std::string, unsigned> last;
         for (Function* function : clashing) {
@@ -214,6 +275,7 @@ private:
     std::vector<Function> old_;
     std::vector<FunctionId> general_;  // by old index
     std::map<Request, FunctionId> versions_;
+    std::map<Request, bool> trials_;
     std::vector<std::vector<std::pair<std::uint64_t, bool>>> verdicts_;
     std::size_t budget_ = 0;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "compiler/base/spelling.h"
+#include "compiler/ir/fold/facts.h"
 #include "compiler/languages/body.h"
 #include "compiler/languages/literals.h"
 
@@ -100,9 +101,11 @@ Text select(const Body& body, Value v) {
             Precedence::Postfix};
 }
 
-// GLSL has no saturate().
+// GLSL has no saturate(). Its clamp() has two limits, of which the lower one may hold anyway.
 Text clamp_to_one(const Body& body, Value v) {
     const auto limit = [&](double number) { return literal(body.writer().language, body[v].type.scalar, number).text; };
+    if (range_of({body.module(), body.function()}, body.arg(v, 0)).low >= 0)
+        return {"min(" + body.argument(v, 0) + ", " + limit(1) + ")", Precedence::Postfix};
     return {"clamp(" + body.argument(v, 0) + ", " + limit(0) + ", " + limit(1) + ")", Precedence::Postfix};
 }
 

@@ -39,7 +39,7 @@ std::string_view bitcast(Scalar to, Scalar) {
 Text splat(Type type, const Text& scalar) {
     const bool is_negative = scalar.text.starts_with('-');
     const char first = scalar.text[is_negative ? 1 : 0];
-    const bool is_literal = (first >= '0' && first <= '9' && scalar.precedence != Precedence::Additive) ||
+    const bool is_literal = (first >= '0' && first <= '9' && scalar.precedence >= Precedence::Unary) ||
                             scalar.text == "true" || scalar.text == "false";
     if (!is_literal) {
         return {at_least(Precedence::Postfix, scalar) + "." + std::string(type.width(), 'x'), Precedence::Postfix};

@@ -7,20 +7,20 @@ layout(location = 0) out vec4 outColor;
 
 vec3 surface(vec2 uv0)
 {
-    float wave = sin(uv0.x * 4.0 * 6.2831855);
+    float coarse_wave = sin(uv0.x * 25.132742);
 
     // Smoothstep "coarse/edge"
-    float edge = smoothstep(-0.1, 0.1, wave);
+    float coarse_edge = smoothstep(-0.1, 0.1, coarse_wave);
 
     // stripes "coarse"
-    vec3 color = mix(vec3(0.9, 0.4, 0.1), vec3(0.1, 0.2, 0.6), edge);
+    vec3 color = mix(vec3(0.9, 0.4, 0.1), vec3(0.1, 0.2, 0.6), coarse_edge);
 
-    float wave2 = sin(uv0.y * 32.0 * 6.2831855);
+    float fine_wave = sin(uv0.y * 201.06194);
 
     // Smoothstep "fine/edge"
-    float edge2 = smoothstep(-0.1, 0.1, wave2);
+    float fine_edge = smoothstep(-0.1, 0.1, fine_wave);
 
-    return color * edge2;
+    return color * fine_edge;
 }
 
 void main()

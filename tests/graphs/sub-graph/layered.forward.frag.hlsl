@@ -13,20 +13,20 @@ struct FragmentOutput
 
 float3 surface(float2 uv0)
 {
-    float wave = sin(uv0.x * 4.0 * 6.2831855);
+    float coarse_wave = sin(uv0.x * 25.132742);
 
     // Smoothstep "coarse/edge"
-    float edge = smoothstep(-0.1, 0.1, wave);
+    float coarse_edge = smoothstep(-0.1, 0.1, coarse_wave);
 
     // stripes "coarse"
-    float3 color = lerp(float3(0.9, 0.4, 0.1), float3(0.1, 0.2, 0.6), edge);
+    float3 color = lerp(float3(0.9, 0.4, 0.1), float3(0.1, 0.2, 0.6), coarse_edge);
 
-    float wave2 = sin(uv0.y * 32.0 * 6.2831855);
+    float fine_wave = sin(uv0.y * 201.06194);
 
     // Smoothstep "fine/edge"
-    float edge2 = smoothstep(-0.1, 0.1, wave2);
+    float fine_edge = smoothstep(-0.1, 0.1, fine_wave);
 
-    return color * edge2;
+    return color * fine_edge;
 }
 
 FragmentOutput main(FragmentInput input)

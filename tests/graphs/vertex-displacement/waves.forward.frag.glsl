@@ -43,16 +43,15 @@ float distanceAttenuation(float distanceSquared, float range)
 // The light in slot `index` of the list, as seen from `position` (world space).
 Light lightAt(int index, vec3 position)
 {
-    int slot = clamp(index, 0, 15);
-    vec4 place = lightPosition[slot];
-    vec4 color = lightColor[slot];
+    vec4 place = lightPosition[index];
+    vec4 color = lightColor[index];
     bool isLocal = place.w > 0.5;
     vec3 toLight = place.xyz - (isLocal ? position : vec3(0.0));
     float distanceSquared = dot(toLight, toLight);
     vec3 direction = toLight * inversesqrt(max(distanceSquared, 1e-12));
     float attenuation = isLocal ? distanceAttenuation(distanceSquared, color.w) : 1.0;
-    float cosine = -dot(lightAxis[slot].xyz, direction);
-    vec4 cone = lightCone[slot];
+    float cosine = -dot(lightAxis[index].xyz, direction);
+    vec4 cone = lightCone[index];
     float spot = clamp((cosine - cone.y) / max(cone.x - cone.y, 0.001), 0.0, 1.0);
     Light light;
     light.direction = direction;

@@ -49,16 +49,15 @@ float distanceAttenuation(float distanceSquared, float range)
 // The light in slot `index` of the list, as seen from `position` (world space).
 Light lightAt(int index, float3 position)
 {
-    int slot = clamp(index, 0, 15);
-    float4 place = lightPosition[slot];
-    float4 color = lightColor[slot];
+    float4 place = lightPosition[index];
+    float4 color = lightColor[index];
     bool isLocal = place.w > 0.5;
     float3 toLight = place.xyz - (isLocal ? position : float3(0.0, 0.0, 0.0));
     float distanceSquared = dot(toLight, toLight);
     float3 direction = toLight * rsqrt(max(distanceSquared, 1e-12));
     float attenuation = isLocal ? distanceAttenuation(distanceSquared, color.w) : 1.0;
-    float cosine = -dot(lightAxis[slot].xyz, direction);
-    float4 cone = lightCone[slot];
+    float cosine = -dot(lightAxis[index].xyz, direction);
+    float4 cone = lightCone[index];
     float spot = saturate((cosine - cone.y) / max(cone.x - cone.y, 0.001));
     Light light;
     light.direction = direction;

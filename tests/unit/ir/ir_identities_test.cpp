@@ -49,8 +49,8 @@ std::vector<Typing> all_typings() {
     return all;
 }
 
-const std::vector<Pattern> kAllVariables = {pattern::x, pattern::y, pattern::z, pattern::i,
-                                            pattern::j, pattern::c, pattern::d};
+const std::vector<Pattern> kAllVariables = {pattern::x, pattern::y, pattern::z, pattern::i, pattern::j, pattern::c,
+                                            pattern::d, pattern::k, pattern::l, pattern::m, pattern::n};
 
 // One side of an identity, made bottom up by the three functions of `make`: variable(node), number(type, number) and
 // operation(op, operands). A number has the type of an operand beside it; a select's condition stands apart.
@@ -148,7 +148,7 @@ std::string text(const Pattern& pattern) {
         words += k == 0 ? "" : " ";
         words += node.kind == Kind::Operation ? std::string(info(node.op).text)
                  : node.kind == Kind::Number  ? std::to_string(node.number)
-                                              : std::string(1, "xyzijcd"[node.number]);
+                                              : std::string(1, "xyzijcdklmn"[node.number]);
     }
     return words;
 }
@@ -177,7 +177,8 @@ void expect_equal(const Identity& identity, const Typing& typing, std::mt19937& 
     MakeNumbers make;
     for (const Pattern& variable : kAllVariables) {
         const Type type = typing.of(variable.nodes[0]);
-        make.variables.push_back({type, random_numbers(type, random, !is_exact)});
+        const bool is_constant = variable.nodes[0].kind == Kind::Constant;
+        make.variables.push_back({type, random_numbers(type, random, !is_exact || is_constant)});
     }
     const Operand left = make_side(identity.left, make, typing.lone_number);
     const Operand right = make_side(identity.right, make, left.type);
@@ -215,7 +216,14 @@ TEST(Identities, TheBuilderAppliesEach) {
             }
             Builder b(module, function);
             MakeValue make{b, {}};
-            for (std::uint32_t k = 0; k < function.params.size(); k++) make.variables.push_back(b.param(k));
+            for (std::uint32_t k = 0; k < function.params.size(); k++) {
+                const Type type = function.params[k].type;
+                const bool is_constant = kAllVariables[k].nodes[0].kind == Kind::Constant;
+                // In order, as limits are, and not one of the numbers for which a shorter identity holds.
+                const double number = 1.5 + k;
+                make.variables.push_back(is_constant ? b.splat_constant(type, type.is_bool() ? 1 : number)
+                                                     : b.param(k));
+            }
             const Type type = make_side(identity.left, MakeType{typing}, typing.lone_number);
             const Value expected = make_side(identity.right, make, type);
             EXPECT_EQ(make_side(identity.left, make, typing.lone_number), expected) << dump(module, function);

@@ -1,0 +1,17 @@
+// The part of simplify() for what is known of the operands (facts.h): limits that hold anyway, and vectors that are
+// normalised already.
+//
+//   clamp(abs(x), 0, 5) = min(abs(x), 5)        normalize(-normalize(x)) = -normalize(x)
+#pragma once
+
+#include "compiler/ir/builder.h"
+#include "compiler/ir/fold/facts.h"
+
+namespace patina::ir {
+
+Value simplify_known(Builder& b, Op op, Type type, std::span<const Value> args);
+
+// The operand that a limit or a Normalize leaves as it is; none if it may change it.
+Value unchanged_operand(const FactsOf& facts, Op op, std::span<const Value> args);
+
+}  // namespace patina::ir

@@ -1,0 +1,182 @@
+// What a reader of an emitted text sees: names that say where a value comes from, comments that fit what is left of a
+// function, and no operation that does nothing.
+#include <gtest/gtest.h>
+
+#include "patina/patina.h"
+
+namespace patina {
+namespace {
+
+constexpr const char* kLayer = R"json({
+  "patina": 1, "kind": "subgraph",
+  "inputs": [ { "name": "at", "type": "float" } ],
+  "nodes": [
+    { "id": "t", "expr": "sin($at) * 0.5" },
+    { "id": "u", "expr": "t * t + $at" }
+  ],
+  "outputs": { "height": "= u * sqrt(u)", "width": "= t + u" }
+})json";
+
+constexpr const char* kTwice = R"json({
+  "patina": 1, "kind": "subgraph",
+  "nodes": [ { "id": "layer", "node": "./layer.subgraph.json", "in": { "at": "@uv0.y" } } ],
+  "outputs": { "out": "= layer.width * layer.height" }
+})json";
+
+std::string text_of(const std::string& graph, const Target& target = Target::Glsl) {
+    CompileOptions options;
+    options.targets = {target};
+    options.loader = [](const std::string& path) -> std::optional<std::string> {
+        if (path.ends_with("layer.subgraph.json")) return kLayer;
+        if (path.ends_with("twice.subgraph.json")) return kTwice;
+        return {};
+    };
+    const Result result = Compiler().compile_text("test.graph.json", graph, options);
+    if (!result.ok) return result.diagnostics.empty() ? "?" : result.diagnostics[0].message;
+    return result.shaders.back().text;
+}
+
+// The text of an unlit material with this colour.
+std::string shown(const std::string& color, const std::string& nodes = "", const Target& target = Target::Glsl) {
+    return text_of(R"({ "patina": 1, "workflow": "unlit",
+        "properties": [ { "name": "_K", "type": "float" }, { "name": "_I", "type": "int" },
+                        { "name": "_V", "type": "float3" } ],
+        "nodes": [)" + nodes +
+                       R"(], "surface": { "color": "= )" + color + R"(" } })",
+                   target);
+}
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+#define EXPECT_HAS(text, part) EXPECT_TRUE(has(text, part)) << "no " << (part) << " in\n" << (text)
+#define EXPECT_LACKS(text, part) EXPECT_FALSE(has(text, part)) << (part) << " in\n" << (text)
+
+// --- names
+
+constexpr const char* kLayers = R"(
+    { "id": "rustLayer", "node": "./layer.subgraph.json", "in": { "at": "@uv0.x" } },
+    { "id": "mossLayer", "node": "./layer.subgraph.json", "in": { "at": "@uv0.y" } })";
+
+TEST(EmittedNames, OfASubGraphSayWhichUseOfIt) {
+    const std::string text =
+        shown("float3(rustLayer.height, mossLayer.height, rustLayer.width * mossLayer.width)", kLayers);
+    for (const char* name : {"rustLayer_t", "mossLayer_t", "rustLayer_u", "mossLayer_u"}) EXPECT_HAS(text, name);
+    EXPECT_LACKS(text, "float t ");
+    EXPECT_LACKS(text, "t2");
+}
+
+TEST(EmittedNames, OfASubGraphAreShortIfThereIsOne) {
+    const std::string text =
+        shown("rustLayer.height + rustLayer.width",
+              R"({ "id": "rustLayer", "node": "./layer.subgraph.json", "in": { "at": "@uv0.x" } })");
+    EXPECT_HAS(text, "float t = ");
+    EXPECT_LACKS(text, "rustLayer_");
+}
+
+TEST(EmittedNames, OfASubGraphGiveWayToTheGraphsOwn) {
+    const std::string text = shown("rustLayer.height * t + rustLayer.width * t * t",
+                                   R"({ "id": "t", "expr": "cos(@uv0.y) + 2" },
+        { "id": "rustLayer", "node": "./layer.subgraph.json", "in": { "at": "@uv0.x" } })");
+    EXPECT_HAS(text, "float t = cos(");
+    EXPECT_HAS(text, "float rustLayer_t = ");
+}
+
+TEST(EmittedNames, OfNestedSubGraphsHaveAsManyWordsAsTheyNeed) {
+    const std::string text = shown("layer.width * a.out",
+                                   R"({ "id": "layer", "node": "./layer.subgraph.json", "in": { "at": "@uv0.x" } },
+        { "id": "a", "node": "./twice.subgraph.json" })");
+    EXPECT_HAS(text, "float layer_t = ");
+    EXPECT_HAS(text, "float a_layer_t = ");
+}
+
+// --- comments
+
+TEST(EmittedComments, DescribeTheOutputsThatAreLeft) {
+    const std::string cells = R"({ "id": "cells", "node": "Voronoi" })";
+    const std::string random = shown("float3(cells.random)", cells);
+    EXPECT_HAS(random, "// A random number for each point, from 0 to 1.\nfloat Voronoi(");
+    EXPECT_LACKS(random, "distance");
+    const std::string two = shown("float3(cells.random, cells.toPoint)", cells);
+    EXPECT_HAS(two,
+               "// random: a random number for each point, from 0 to 1\n"
+               "// toPoint: from here to the nearest point, in cells\n");
+    EXPECT_LACKS(two, "distance");
+    EXPECT_HAS(shown("float3(cells, cells.toPoint)", cells), "// The distance to the nearest of random points");
+}
+
+// --- operations
+
+TEST(EmittedOperations, OfRepeatedNumbersAreComputedOnce) {
+    const std::string text = shown("float3((0.04 + float3(0.96) * $_K).x, $_V.xy)");
+    EXPECT_HAS(text, "0.04 + 0.96 * _K");
+    EXPECT_LACKS(text, "vec3(0.96)");
+    EXPECT_HAS(shown("float3(0.96) * $_K", "", Target::Hlsl), "(0.96 * _K).xxx");
+}
+
+TEST(EmittedOperations, LimitOnlyWhereAValueIsNotLimitedYet) {
+    EXPECT_HAS(shown("float3(clamp(abs($_K), 0, 1))"), "min(abs(_K), 1.0)");
+    EXPECT_HAS(shown("float3(clamp(abs($_K), 0, 1))", "", Target::Hlsl), "saturate(abs(_K))");
+    EXPECT_HAS(shown("float3(clamp(abs($_K), 0, 5))", "", Target::Hlsl), "min(abs(_K), 5.0)");
+    EXPECT_HAS(shown("float3(clamp(min($_K, 3), 0, 5))"), "clamp(_K, 0.0, 3.0)");
+    EXPECT_HAS(shown("float3(max(max($_K, 0.5), 0.25))"), "max(_K, 0.5)");
+    EXPECT_HAS(shown("float3(min(max($_K, 0.5), 2))"), "clamp(_K, 0.5, 2.0)");
+    EXPECT_HAS(shown("float3(max(saturate($_K), 0.1))"), "clamp(_K, 0.1, 1.0)");
+    EXPECT_HAS(shown("float3(clamp(clamp($_K, 0, 4), 1, 9))"), "clamp(_K, 1.0, 4.0)");
+    EXPECT_HAS(shown("float3(saturate(1 - saturate($_K)))"), "vec3(1.0 - clamp(_K, 0.0, 1.0))");
+    // A limit that turns NaN into a number stays.
+    EXPECT_HAS(shown("float3(max(abs($_K), 0))"), "max(abs(_K), 0.0)");
+    EXPECT_HAS(shown("float3(max(sqrt($_K), 0))"), "max(sqrt(_K), 0.0)");
+}
+
+TEST(EmittedOperations, NormalizeOnce) {
+    EXPECT_HAS(shown("normalize(normalize($_V))"), " = normalize(_V);");
+    EXPECT_HAS(shown("normalize(-normalize($_V))"), "= -normalize(_V)");
+    const std::string chosen = shown("normalize($_K > 0 ? normalize($_V) : -normalize($_V))");
+    EXPECT_EQ(chosen.find("normalize("), chosen.rfind("normalize(")) << chosen;
+    const std::string reflected = shown("normalize(reflect(normalize($_V), normalize($_V.zyx)))");
+    EXPECT_LACKS(reflected, "normalize(reflect");
+    // Neither a sum nor the reflection of a long vector is a unit vector.
+    EXPECT_HAS(shown("normalize(normalize($_V) + normalize($_V.zyx))"), "normalize(normalize(");
+    EXPECT_HAS(shown("normalize(reflect($_V, normalize($_V.zyx)))"), "normalize(reflect(");
+}
+
+TEST(EmittedOperations, NormalizeOnceAcrossFunctions) {
+    const std::string text = text_of(R"json({ "patina": 1, "workflow": "metallic-roughness",
+        "properties": [ { "name": "_BumpMap", "type": "texture2d", "usage": "normal" } ],
+        "nodes": [ { "id": "bumps", "node": "SampleNormalMap", "in": { "texture": "$_BumpMap" } } ],
+        "surface": { "normalTS": "bumps", "baseColor": "= float3(@uv0, 0.5)" } })json");
+    EXPECT_HAS(text, "return normalize(tangent");
+    EXPECT_LACKS(text, "normalize(material.");
+}
+
+TEST(EmittedOperations, LimitNoIndexThatALoopLimits) {
+    const std::string text =
+        text_of(R"json({ "patina": 1, "workflow": "metallic-roughness", "surface": { "roughness": "@uv0.x" } })json");
+    EXPECT_HAS(text, "min(lightCount, 16)");
+    EXPECT_LACKS(text, "clamp(index");
+}
+
+TEST(EmittedOperations, MultiplyByOneConstant) {
+    EXPECT_HAS(shown("float3($_K * 4 * 0.5)"), "vec3(_K * 2.0)");
+    EXPECT_HAS(shown("float3($_K / 4 * 6)"), "vec3(_K * 1.5)");
+    EXPECT_LACKS(shown("float3($_K * 3.14159265 * 0.318309886)"), "3.14");
+    EXPECT_HAS(shown("float3($_K * 3.14159265 * 0.318309886, $_K, 0)"), "vec3(_K, _K, 0.0)");
+    EXPECT_HAS(shown("float3($_V.x * ($_K * 3.14159265 / $_V.y) * 0.318309886)"), "_V.x * (_K / _V.y)");
+    EXPECT_HAS(shown("float3($_V.x * 0.318309886 / $_V.y) * $_V * (3.14159265 * $_K)"), "_V.x / _V.y * _V * _K");
+    EXPECT_HAS(shown("float3(1 - $_K + 2 - 0.5, $_K - 1 + 3, 0)"), "vec3(2.5 - _K, _K + 2.0, 0.0)");
+    // Not where a number would overflow on the way, or vanish.
+    EXPECT_HAS(shown("float3($_K * 0 * 4)"), "0.0");
+}
+
+TEST(EmittedOperations, CallNothingForTrivialConstants) {
+    const std::string text = text_of(R"json({ "patina": 1, "workflow": "unlit",
+        "properties": [ { "name": "_Color", "type": "color" } ],
+        "nodes": [ { "id": "faded", "node": "PremultiplyAlpha",
+                     "in": { "diffuseColor": "$_Color.rgb", "alpha": "$_Color.a", "oneMinusReflectivity": 1.0 } } ],
+        "surface": { "color": "= faded.out * faded.outAlpha" } })json");
+    EXPECT_LACKS(text, "PremultiplyAlpha(");
+}
+
+}  // namespace
+}  // namespace patina
