@@ -332,6 +332,7 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     declare_statics(lowering);
     extend_lighting_surface(lowering);
     declare_semantics(lowering);
+    lower_wraps(lowering, on);
     lower_slots(lowering);
     lower_vertex_outputs(lowering);
     if (session.diagnostics.has_errors()) return out;

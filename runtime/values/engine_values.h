@@ -52,7 +52,7 @@ struct EngineScene {
 
 // Camera: worldToClip, clipToWorld, worldToView, cameraPositionWS, cameraForwardWS, viewIsOrthographic,
 // clipPlanes (near, far), shadowBias, shadowNormalBias. Object: objectToWorld, worldToObject,
-// lightmapDecode. Frame: time, screenSize (pixels, samples included), fogColor, fogSettings (mode 0 none, 1
+// lightmapDecode. Frame: time, screenSize (pixels, samples included), tile, tileClip (of the whole picture), fogColor, fogSettings (mode 0 none, 1
 // linear, 2 exponential, 3 its square; density; start; end). Lights: lightCount, lightPosition, lightColor,
 // lightAxis, lightCone (in the order given, those that count at vertices behind the others; slots without a light
 // have no shadow map), vertexLightCount, worldToShadow, shadowTile, shadowStrength, shadowTexel,
