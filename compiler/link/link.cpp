@@ -170,9 +170,7 @@ public:
 
 private:
     // A light's view is no part of the picture.
-    bool wraps(ir::FunctionId wrap) const {
-        return wrap && pass_.declaration->state.lights != PassLights::Shadowed;
-    }
+    bool wraps(ir::FunctionId wrap) const { return wrap && pass_.declaration->state.lights != PassLights::Shadowed; }
 
     // Copies a function into the stage, after the functions that it calls. A function that replaces another one in this
     // pass may call the one that it replaces.

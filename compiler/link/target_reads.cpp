@@ -1,6 +1,9 @@
 #include "compiler/link/target_reads.h"
 
 #include <algorithm>
+#include <optional>
+
+#include "compiler/ir/liveness.h"
 
 namespace patina::link {
 namespace {
@@ -33,8 +36,7 @@ bool holds_one_of(const ir::Function& function, Value value, const Globals& glob
     if (is_one_of(function, value, globals)) return true;
     if (function[value].op != Op::Construct) return false;
     const auto parts = function.args(value);
-    return std::any_of(parts.begin(), parts.end(),
-                       [&](Value part) { return is_one_of(function, part, globals); });
+    return std::any_of(parts.begin(), parts.end(), [&](Value part) { return is_one_of(function, part, globals); });
 }
 
 template <class Predicate>
@@ -63,13 +65,13 @@ bool counts_texels(const ir::Module& stage, const Globals& globals) {
 class OwnPixel {
 public:
     OwnPixel(const Linked& linked, const graph::LoweredPass& pass)
-        : linked_(linked), pass_(pass), is_called_(linked.functions.size()) {
+        : linked_(linked), pass_(pass), needed_(linked.functions.size()) {
         reach(pass.fragment);
     }
 
     bool is_everywhere() const {
         for (std::uint32_t i = 0; i < linked_.functions.size(); ++i) {
-            if (is_called_[i] && !is_in({i})) return false;
+            if (needed_[i] && !is_in({i})) return false;
         }
         return true;
     }
@@ -77,10 +79,15 @@ public:
 private:
     // What the stage may call: more than it does, where a pass replaces a function or a recipe.
     void reach(ir::FunctionId function) {
-        if (!function || is_called_[function.index]) return;
-        is_called_[function.index] = true;
+        if (!function || needed_[function.index]) return;
+        const ir::Function& body = linked_.functions[function.index];
+        std::vector<ir::Inst>& needed = needed_[function.index].emplace();
+        const ir::Liveness live = ir::live_in(body);
+        for (std::size_t i = 0; i < body.insts.size(); ++i) {
+            if (live.values[i]) needed.push_back(body.insts[i]);
+        }
         if (const auto* other = pass_.replacement_of(function, ir::StageKind::Fragment)) reach(other->by);
-        for (const ir::Inst& inst : linked_.functions[function.index].insts) {
+        for (const ir::Inst& inst : needed) {
             if (inst.op == Op::Call) reach({inst.data});
         }
         for (const ir::SemanticId semantic : linked_.needs[function.index]) {
@@ -93,13 +100,12 @@ private:
     bool is_in(ir::FunctionId id) const {
         const ir::Function& function = linked_.functions[id.index];
         const Globals& globals = linked_.lowered.picture_reads;
-        for (const ir::Inst& inst : function.insts) {
+        for (const ir::Inst& inst : *needed_[id.index]) {
             const auto args = function.args(inst);
             if (is_sample(inst.op) && is_one_of(function, args[0], globals) && !is_own(id, args[2])) return false;
-            const bool is_handed_on =
-                inst.op == Op::Call && std::any_of(args.begin(), args.end(), [&](Value argument) {
-                    return holds_one_of(function, argument, globals);
-                });
+            const bool is_handed_on = inst.op == Op::Call && std::any_of(args.begin(), args.end(), [&](Value argument) {
+                                          return holds_one_of(function, argument, globals);
+                                      });
             if (is_handed_on) return false;
         }
         return true;
@@ -120,9 +126,9 @@ private:
     bool is_own_in_calls(ir::FunctionId callee, std::uint32_t param) const {
         bool is_called = false;
         for (std::uint32_t i = 0; i < linked_.functions.size(); ++i) {
-            if (!is_called_[i]) continue;
+            if (!needed_[i]) continue;
             const ir::Function& caller = linked_.functions[i];
-            for (const ir::Inst& inst : caller.insts) {
+            for (const ir::Inst& inst : *needed_[i]) {
                 if (inst.op != Op::Call || !calls(inst.data, callee)) continue;
                 is_called = true;
                 if (!is_own({i}, caller.args(inst)[param])) return false;
@@ -139,7 +145,9 @@ private:
 
     const Linked& linked_;
     const graph::LoweredPass& pass_;
-    std::vector<bool> is_called_;
+    // By function: the instructions that its result needs, if the stage may call it. Nodes that nothing reads are
+    // among the others.
+    std::vector<std::optional<std::vector<ir::Inst>>> needed_;
 };
 
 }  // namespace

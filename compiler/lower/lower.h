@@ -69,8 +69,8 @@ struct Lowered {
     std::vector<LoweredPass> passes;
     std::vector<LoweredFunction> functions;  // replaces passes, if CompileOptions::functions is set
     std::vector<std::pair<std::string, bool>> switches;
-    std::map<std::uint32_t, std::string> reads;     // by global: the target of another pass that the texture reads
-    std::set<std::uint32_t> picture_reads;          // those of them whose target has the size of the picture
+    std::map<std::uint32_t, std::string> reads;  // by global: the target of another pass that the texture reads
+    std::set<std::uint32_t> picture_reads;       // those of them whose target has the size of the picture
     Wraps wraps;
     std::vector<PropertyGlobals> property_globals;  // one per Material::properties
     std::uint32_t instances = 0;                    // how many one draw can hold; 0: it draws one object (instances.h)

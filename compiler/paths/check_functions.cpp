@@ -93,13 +93,13 @@ private:
     // Every pass goes through it, so a file of passes has none.
     void wraps(const FunctionDecl& decl, const Attribute& attribute) {
         if (is_of_pass(sources_, decl.span))
-            return bad(attribute.span, "wraps", "is not allowed in a pass file: the library wraps what all passes have");
+            return bad(attribute.span, "wraps",
+                       "is not allowed in a pass file: the library wraps what all passes have");
         const std::span<const WrapWord> rows = wrap_words();
         const auto row = std::find_if(rows.begin(), rows.end(), [&](const WrapWord& each) {
             return each.text == nodelang::attribute_text(attribute);
         });
-        if (row == rows.end())
-            return bad(attribute.span, "wraps", "takes \"position\", \"fragCoord\" or \"reads\"");
+        if (row == rows.end()) return bad(attribute.span, "wraps", "takes \"position\", \"fragCoord\" or \"reads\"");
         const bool fits = decl.params.size() == 1 && decl.params[0].type.name == row->type &&
                           decl.result.name == row->type && !decl.params[0].is_out;
         if (!fits) bad(attribute.span, "wraps", fmt::format("needs a function from {0} to {0}", row->type));

@@ -13,7 +13,7 @@
 namespace patina::runtime {
 namespace {
 
-constexpr std::size_t kFloatPixel = 16;     // four floats
+constexpr std::size_t kFloatPixel = 16;      // four floats
 constexpr std::size_t kDepthAndStencil = 8;  // of a pixel, as devices align them
 
 std::size_t bytes_of_pixel(const PixelFormat& format) {
@@ -69,6 +69,11 @@ std::size_t target_bytes(const Frame& frame) {
     return target_bytes(frame, picture.width, picture.height);
 }
 
+bool wants_tiles(const Frame& frame, std::size_t most) {
+    const FrameTarget& picture = frame.targets[frame.shown];
+    return std::max(picture.width, picture.height) > kLargestTile || target_bytes(frame) > most;
+}
+
 int tile_step(const Frame& frame) {
     return std::lcm(2, frame.samples);
 }
@@ -79,7 +84,7 @@ int tile_side(const Frame& frame, std::size_t most) {
     const auto fits = [&](int side) {
         return target_bytes(frame, std::min(side, picture.width), std::min(side, picture.height)) <= most;
     };
-    int low = 1, high = (std::min(largest, kLargestImage) + step - 1) / step;  // in steps
+    int low = 1, high = (std::min(largest, kLargestTile) + step - 1) / step;  // in steps
     while (low < high) {
         const int middle = (low + high + 1) / 2;
         if (fits(middle * step))
@@ -125,10 +130,11 @@ std::string whole_reason(const Frame& frame) {
         if (!is_of_picture(frame, step)) {
             for (const FrameRead& read : step.reads)
                 if (frame.targets[read.target].is_of_picture)
-                    return fmt::format("the pass '{}' is drawn once for all tiles and reads '{}'", step.pass->name,
-                                       frame.targets[read.target].name);
+                    return fmt::format("the pass '{}' of '{}' draws from a light and reads '{}'", step.pass->name,
+                                       step.reflection->name, frame.targets[read.target].name);
         } else if (step.pass->reads_elsewhere) {
-            return fmt::format("the pass '{}' reads the picture at other places than its own pixel", step.pass->name);
+            return fmt::format("the pass '{}' of '{}' reads the picture at other places than its own pixel",
+                               step.pass->name, step.reflection->name);
         }
     }
     return "";

@@ -18,6 +18,8 @@ namespace patina::runtime {
 
 // Of the targets that exist at a time. A picture that needs more is drawn in tiles, if it can be.
 inline constexpr std::size_t kMostTargetBytes = std::size_t(512) << 20;
+// Samples along a side of the targets of a tile: every device takes so many.
+inline constexpr int kLargestTile = 4096;
 // A picture that cannot be drawn in tiles is refused if it needs more.
 inline constexpr std::size_t kMostWholeBytes = std::size_t(8) << 30;
 // Samples along a side of a picture that is drawn in tiles.
@@ -27,6 +29,8 @@ inline constexpr int kLargestInTiles = 8 * kLargestImage;
 std::size_t target_bytes(const Frame& frame, int width, int height);
 // Of all of the picture at once.
 std::size_t target_bytes(const Frame& frame);
+// The picture's targets would be too many bytes, or too large.
+bool wants_tiles(const Frame& frame, std::size_t most);
 // The largest Frame::tile that takes no more than `most` bytes, or the smallest that there is.
 int tile_side(const Frame& frame, std::size_t most);
 // A multiple of this: tiles begin at a whole pixel, and no group of 2 x 2 samples, of which derivatives are made, lies
@@ -48,7 +52,7 @@ struct TilePlace {
 // The step's blocks with these values, if its shaders know them.
 std::vector<BlockBytes> blocks_at(const FrameStep& step, const TilePlace& place);
 
-// Empty, or why the frame must be drawn as a whole: "the pass 'x' reads ...".
+// Empty, or why the frame must be drawn as a whole: "the pass 'x' of 'y' reads ...".
 std::string whole_reason(const Frame& frame);
 // Empty, or what is wrong with the tiles of the frame, in one sentence.
 std::string tile_error(const Frame& frame);

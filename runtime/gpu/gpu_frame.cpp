@@ -240,7 +240,8 @@ void move_to(ReadyFrame& ready, const Frame& frame, const VkPhysicalDeviceLimits
 void record_frame(VkCommandBuffer commands, const Frame& frame, const ReadyFrame& ready,
                   std::vector<GpuTarget>& targets) {
     for (std::size_t i = 0; i < targets.size(); i++)
-        if (ready.is_first || frame.targets[i].is_of_picture) clear_target(commands, targets[i], frame.targets[i].clear);
+        if (ready.is_first || frame.targets[i].is_of_picture)
+            clear_target(commands, targets[i], frame.targets[i].clear);
     Recorder recorder(commands, frame, ready, targets);
     for (std::size_t i = 0; i < frame.steps.size(); i++)
         if (ready.is_first || is_of_picture(frame, frame.steps[i])) recorder.record(i);

@@ -42,7 +42,7 @@ public:
         if (std::string error = no_picture(); !error.empty()) return failed(std::move(error));
         Outcome<Frame> frame = plan();
         if (!frame) return failed(frame.error);
-        if (target_bytes(frame.value) > options_.most_target_bytes) {
+        if (wants_tiles(frame.value, options_.most_target_bytes)) {
             const std::string reason = whole_reason(frame.value);
             if (!reason.empty()) {
                 if (std::string error = too_large(frame.value, reason); !error.empty()) return failed(error);
@@ -152,7 +152,8 @@ private:
         };
         if (fits(view.width, view.height, view.samples)) return "";
         std::string error = fmt::format(
-            "{}, so the picture cannot be drawn in tiles, and {} x {} pixels of {} x {} samples at once need {:.1f} GiB "
+            "{}, so the picture cannot be drawn in tiles, and {} x {} pixels of {} x {} samples at once need {:.1f} "
+            "GiB "
             "of render targets; the limit is {:.1f} GiB, and {} samples on a side: ",
             reason, view.width, view.height, view.samples, view.samples,
             gibibytes(bytes_with(view.width, view.height, view.samples)), gibibytes(options_.most_whole_bytes),
