@@ -15,14 +15,15 @@ namespace {
 constexpr std::size_t kBytes = 56;
 
 Frame frame_of(int width, int height, int samples) {
-    Frame frame{.targets = {{.name = "color", .width = width * samples, .height = height * samples, .is_of_picture = true},
-                            {.name = "depth",
-                             .format = TargetFormat::Depth,
-                             .width = width * samples,
-                             .height = height * samples,
-                             .is_of_picture = true},
-                            {.name = "shadowMap", .format = TargetFormat::Depth, .width = 64, .height = 64}},
-                .samples = samples};
+    Frame frame{
+        .targets = {{.name = "color", .width = width * samples, .height = height * samples, .is_of_picture = true},
+                    {.name = "depth",
+                     .format = TargetFormat::Depth,
+                     .width = width * samples,
+                     .height = height * samples,
+                     .is_of_picture = true},
+                    {.name = "shadowMap", .format = TargetFormat::Depth, .width = 64, .height = 64}},
+        .samples = samples};
     return frame;
 }
 
@@ -90,8 +91,9 @@ TEST(Tiles, ThatDoNotFitTheFrameAreRefused) {
     Mesh mesh;
     mesh.indices = {0};
     frame.steps = {FrameStep{.reflection = &reflection, .pass = &pass, .mesh = &mesh, .targets = {0}, .depth = 1}};
-    EXPECT_EQ(frame_error(frame),
-              "the pass 'bent' of 'Glass' reads the picture at other places than its own pixel, which tiles do not have");
+    EXPECT_EQ(
+        frame_error(frame),
+        "the pass 'bent' of 'Glass' reads the picture at other places than its own pixel, which tiles do not have");
     pass.reads_elsewhere = false;
     EXPECT_EQ(frame_error(frame), "the pass 'bent' was compiled without 'tiles'");
     BlockMember tile;
