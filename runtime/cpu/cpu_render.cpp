@@ -148,8 +148,10 @@ Outcome<PixelTrace> cpu_trace(const Draw& draw, int x, int y, Precision precisio
     Outcome<const Pass*> pass = drawable_pass(draw);
     if (!pass) return Failure{pass.error};
     const Frame frame = frame_of(draw, *pass.value);
-    if (std::string error = frame_error(frame); !error.empty()) return Failure{error};
     const int samples = frame.samples;
+    Frame pixel = frame;  // only the pixel's targets exist, however large the picture is
+    for (FrameTarget& target : pixel.targets) target.width = target.height = samples;
+    if (std::string error = frame_error(pixel); !error.empty()) return Failure{error};
     const PixelBounds window{
         .left = x * samples, .top = y * samples, .right = (x + 1) * samples, .bottom = (y + 1) * samples};
     std::vector<CpuTarget> targets;
