@@ -21,7 +21,9 @@ void add_scene_options(CLI::App& command, runtime::RenderRequest& request) {
             "one. A coarse mesh shows what is computed at vertices")
         ->type_name("N")
         ->check(CLI::Range(3, 1024));
-    CLI::Option* size = command.add_option("--size", request.size, "Width and height in pixels; default: 512")
+    CLI::Option* size = command
+                            .add_option("--size", request.size,
+                                        "Width and height in pixels; default: 512. A large picture is drawn in tiles")
                             ->type_name("N")
                             ->check(CLI::Range(1, 8192));
     command.add_option("--width", request.size, "Width in pixels; default: 512")

@@ -8,6 +8,7 @@
 #include "compiler/base/spelling.h"
 #include "compiler/ir/passes/passes.h"
 #include "compiler/ir/rebuild.h"
+#include "compiler/link/target_reads.h"
 
 namespace patina::link {
 
@@ -149,6 +150,11 @@ public:
         return made;
     }
 
+    // The value as the library changes it for every pass (graph::Wraps).
+    Value wrapped(ir::FunctionId wrap, Value value) {
+        return wraps(wrap) ? builder_.call(imported(wrap), {&value, 1}) : value;
+    }
+
     // Ends the entry function. Its outputs are those of the stage, in order.
     ir::Module finish(std::string struct_name, std::vector<ir::StageVariable> outputs, std::span<const Value> values) {
         ir::Struct made{.name = std::move(struct_name), .members = {}};
@@ -163,6 +169,9 @@ public:
     }
 
 private:
+    // A light's view is no part of the picture.
+    bool wraps(ir::FunctionId wrap) const { return wrap && pass_.declaration->state.lights != PassLights::Shadowed; }
+
     // Copies a function into the stage, after the functions that it calls. A function that replaces another one in this
     // pass may call the one that it replaces.
     ir::FunctionId imported(ir::FunctionId function) {
@@ -180,6 +189,8 @@ private:
         const bool shares = in_vertex_stage() || !pass_.declaration->state.targets.empty();
         if (linked_.lowered.keeps_functions && shares && !ir::is_elsewhere(copy)) copy.linkage = ir::Linkage::Exported;
         ir::renumber_calls(copy, [&](std::uint32_t callee) { return imported({callee}).index; });
+        if (const ir::FunctionId wrap = linked_.lowered.wraps.reads; wraps(wrap) && wrap != function)
+            wrap_reads(copy, linked_.lowered.picture_reads, imported(wrap), linked_.functions[wrap.index].result);
         module_.functions.push_back(std::move(copy));
         return imported_[function.index] = {static_cast<std::uint32_t>(module_.functions.size() - 1)};
     }
@@ -267,7 +278,8 @@ private:
         if (!in_vertex_stage() && which == ir::Builtin::InstanceIndex) return varying(semantic);
         // A vertex does not belong to one face, so it counts as seen from the front.
         if (in_vertex_stage() && which == ir::Builtin::FrontFacing) return builder_.constant(info.type, {1});
-        return once(semantic, {.name = info.name, .type = info.type, .builtin = which, .semantic = {}});
+        const Value made = once(semantic, {.name = info.name, .type = info.type, .builtin = which, .semantic = {}});
+        return which == ir::Builtin::FragCoord ? wrapped(linked_.lowered.wraps.pixel, made) : made;
     }
 
     const Linked& linked_;
@@ -372,7 +384,7 @@ ir::Module link_vertex(const Linked& linked, const graph::LoweredPass& pass, ir:
     std::vector<ir::StageVariable> outputs;
     std::vector<Value> values;
     std::uint32_t location = 0;
-    const Value position = entry.call(pass.vertex);
+    const Value position = entry.wrapped(linked.lowered.wraps.position, entry.call(pass.vertex));
     for (ir::StageVariable& input : fragment.stage.inputs) {
         if (input.builtin != ir::Builtin::None) continue;
         const auto& semantics = linked.lowered.module.semantics;

@@ -28,6 +28,7 @@ struct LinkedPass {
     const graph::Material* material = nullptr;  // differs for each extra pass
     const graph::Lowered* lowered = nullptr;
     ir::Module vertex{}, fragment{};
+    bool reads_elsewhere = false;  // it reads a target of the picture at another place than its own pixel
 };
 
 ir::Module link_fragment(const Linked& linked, const graph::LoweredPass& pass, ir::BuildOptions options);

@@ -7,6 +7,7 @@
 #include "compiler/link/check_reads.h"
 #include "compiler/link/dumps.h"
 #include "compiler/link/pinned_inputs.h"
+#include "compiler/link/target_reads.h"
 
 namespace patina::link {
 namespace {
@@ -61,6 +62,7 @@ LinkedPass link_tidied(const graph::Material& material, const Linked& linked, co
     }
     if (order_pinned(linked, made.fragment, made.vertex)) link_again();
     number_inputs(made.vertex, session.engine);
+    made.reads_elsewhere = reads_elsewhere(linked, pass, made.fragment, made.vertex);
     dump_stage(result, options, "tidy", pass.name + ".vertex.tidy", made.vertex);
     dump_stage(result, options, "tidy", pass.name + ".fragment.tidy", made.fragment);
     dump_rates(result, options, pass.name + ".fragment.rates", made.fragment);

@@ -148,6 +148,13 @@ const Property* variant_of_lighting(const Material& material, std::string_view n
     return nullptr;
 }
 
+// A switch that changes what all passes do, and no pass: the path has it only while a renderer turns it on.
+bool is_of_wraps(const PathDeclarations& paths, std::string_view name) {
+    return std::any_of(paths.wraps.begin(), paths.wraps.end(), [&](const WrapDecl& wrap) {
+        return std::find(wrap.with.begin(), wrap.with.end(), name) != wrap.with.end();
+    });
+}
+
 // Declares the switches with the values that the caller chose.
 void declare_switches(Lowering& lowering) {
     Session& session = lowering.session;
@@ -187,6 +194,8 @@ void declare_switches(Lowering& lowering) {
             lowering.out.switches[static_cast<std::size_t>(found - known.begin())].second = value != "false";
         }
     }
+    std::erase_if(lowering.out.switches,
+                  [&](const auto& each) { return !each.second && is_of_wraps(*session.paths, each.first); });
     for (const SwitchDecl& each : session.paths->switches)
         lowering.emitter.known.statics[each.variable] = lowering.is_on(each.variable->name) ? 1 : 0;
     for (const nodelang::VariableDecl* older : session.paths->repeated) {
@@ -350,6 +359,7 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     declare_statics(lowering);
     extend_lighting_surface(lowering);
     declare_semantics(lowering);
+    lower_wraps(lowering, on);
     lower_slots(lowering);
     lower_vertex_outputs(lowering);
     if (session.diagnostics.has_errors()) return out;

@@ -54,6 +54,14 @@ struct LoweredFunction {
     bool is_vertex = false;
 };
 
+// What every pass that draws from the camera does with values of a kind (WrapDecl), while a switch is on. Null ids:
+// nothing.
+struct Wraps {
+    ir::FunctionId position{}, pixel{}, reads{};
+    // The place of the pixel itself, at which a pass may read targets that hold only a part of the picture.
+    std::optional<ir::SemanticId> own_pixel{};
+};
+
 struct Lowered {
     ir::Module module;
     std::vector<SemanticRecipe> semantics;
@@ -61,7 +69,9 @@ struct Lowered {
     std::vector<LoweredPass> passes;
     std::vector<LoweredFunction> functions;  // replaces passes, if CompileOptions::functions is set
     std::vector<std::pair<std::string, bool>> switches;
-    std::map<std::uint32_t, std::string> reads;     // by global: the target of another pass that the texture reads
+    std::map<std::uint32_t, std::string> reads;  // by global: the target of another pass that the texture reads
+    std::set<std::uint32_t> picture_reads;       // those of them whose target has the size of the picture
+    Wraps wraps;
     std::vector<PropertyGlobals> property_globals;  // one per Material::properties
     std::uint32_t instances = 0;                    // how many one draw can hold; 0: it draws one object (instances.h)
     std::set<std::uint32_t> instance_globals;       // globals that are arrays with an element for each instance

@@ -23,6 +23,9 @@ const DerivedSlot& derived_slot(Lowering& lowering, const SlotDecl& slot);
 // The members of the lighting surface that a pack slot stores.
 std::vector<std::string_view> packed_members(Lowering& lowering, std::string_view slot);
 
+// What all passes do while a switch is on (lower_wraps.cpp).
+void lower_wraps(Lowering& lowering, std::span<const std::string_view> on);
+
 // The passes of the requested path, or of its fallback.
 void lower_passes(Lowering& lowering);
 // The functions for an engine's own shaders, instead of passes (lower_functions.cpp).

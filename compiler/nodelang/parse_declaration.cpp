@@ -55,6 +55,9 @@ constexpr AttributeInfo kAttributes[] = {
     {kFunction, "needs"},
     {kFunction, "holds"},
     {kFunction, "excludes"},
+    // What every pass does while a switch is on.
+    {kFunction, "wraps"},
+    {kFunction, "with"},
     // Values, functions and lines of an engine's own file.
     {kFunction, "foreign"},
     {kFunction, "decodes"},

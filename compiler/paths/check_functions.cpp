@@ -24,6 +24,9 @@ constexpr std::array<std::string_view, 18> kOfFragment = {
     "depthBias", "stencil", "target", "optional", "extra",    "alone", "along", "needs", "excludes"};
 constexpr std::array<std::string_view, 12> kVaryings = {"float", "float2", "float3", "float4", "half", "half2",
                                                         "half3", "half4",  "int",    "int2",   "int3", "int4"};
+constexpr WrapWord kWraps[] = {{"position", "float4", WrapDecl::What::Position},
+                               {"fragCoord", "float4", WrapDecl::What::Pixel},
+                               {"reads", "float2", WrapDecl::What::Reads}};
 constexpr std::size_t kMaxDepth = 64;  // how deep semantics may read other semantics
 
 class FunctionCheck : DeclarationCheck {
@@ -42,6 +45,7 @@ private:
         for (const Attribute& attribute : decl.attributes) {
             if (attribute.name == "pass") pass_name(attribute);
             if (attribute.name == "gives") gives(decl, attribute);
+            if (attribute.name == "wraps") wraps(decl, attribute);
             place(decl, attribute);
             if (attribute.name == "fallback") fallback(decl, attribute);
             if (attribute.name == "needs") {
@@ -76,12 +80,29 @@ private:
             bad(attribute.span, name, "needs [pass] or [gives] on the same function");
         if (name == "gives" && is_pass)
             bad(attribute.span, name, "is on a function of a pass: put it on a function of its own");
+        if (name == "with" && !decl.attribute("wraps"))
+            bad(attribute.span, name, "on a function needs [wraps] on the same function");
         const bool is_part = is_derivation(name) && !decl.attribute("slot");
         if (is_part) bad(attribute.span, name, "needs [slot] on the same function");
         if (is_fragment) return;
         const bool is_of_slot = decl.attribute("slot") && (name == "holds" || name == "otherwise");
         const bool is_stated = is_in(kOfFragment, name) || name == "holds" || name == "otherwise" || name == "lighting";
         if (is_stated && !is_of_slot) bad(attribute.span, name, "applies only to the [fragment] function of a pass");
+    }
+
+    // Every pass goes through it, so a file of passes has none.
+    void wraps(const FunctionDecl& decl, const Attribute& attribute) {
+        if (is_of_pass(sources_, decl.span))
+            return bad(attribute.span, "wraps",
+                       "is not allowed in a pass file: the library wraps what all passes have");
+        const std::span<const WrapWord> rows = wrap_words();
+        const auto row = std::find_if(rows.begin(), rows.end(), [&](const WrapWord& each) {
+            return each.text == nodelang::attribute_text(attribute);
+        });
+        if (row == rows.end()) return bad(attribute.span, "wraps", "takes \"position\", \"fragCoord\" or \"reads\"");
+        const bool fits = decl.params.size() == 1 && decl.params[0].type.name == row->type &&
+                          decl.result.name == row->type && !decl.params[0].is_out;
+        if (!fits) bad(attribute.span, "wraps", fmt::format("needs a function from {0} to {0}", row->type));
     }
 
     void foreign_function(const FunctionDecl& decl, const Attribute& attribute) {
@@ -228,6 +249,10 @@ private:
 };
 
 }  // namespace
+
+std::span<const WrapWord> wrap_words() {
+    return kWraps;
+}
 
 void check_functions(const nodelang::Ast& ast, const Declarations& declarations, const SourceMap& sources,
                      const PathDeclarations& paths, Diagnostics& diagnostics) {

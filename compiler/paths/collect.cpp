@@ -50,6 +50,7 @@ public:
     void function(const FunctionDecl& function) {
         if (function.attribute("slot")) read_slot(function);
         if (function.attribute("extern")) paths_.extern_functions.push_back(&function);
+        if (const Attribute* attribute = function.attribute("wraps")) read_wrap(function, *attribute);
         if (const Attribute* attribute = function.attribute("export"))
             paths_.exports.push_back({.function = &function, .name = nodelang::attribute_text(*attribute)});
         if (function.attribute("foreign"))
@@ -113,6 +114,16 @@ private:
             made.reads = nodelang::attribute_text(*variable.attribute("reads"));
         if (const Attribute* with = variable.attribute("with")) made.with = attribute_words(*with);
         made.is_per_object = variable.attribute("perObject") != nullptr;
+    }
+
+    void read_wrap(const FunctionDecl& function, const Attribute& attribute) {
+        for (const WrapWord& row : wrap_words()) {
+            if (row.text != nodelang::attribute_text(attribute)) continue;
+            WrapDecl& made = paths_.wraps.emplace_back();
+            made.function = &function;
+            made.what = row.what;
+            if (const Attribute* with = function.attribute("with")) made.with = attribute_words(*with);
+        }
     }
 
     void read_static(const VariableDecl& variable, const Attribute& attribute) {
@@ -276,7 +287,10 @@ void check_conditions(const nodelang::Ast& ast, const PathDeclarations& paths, D
                 .note(Diagnostics::suggestion(word, known));
         }
     };
-    for (const FunctionDecl& function : ast.functions) check(function.attribute("excludes"), {}, "a switch of a pass");
+    for (const FunctionDecl& function : ast.functions) {
+        check(function.attribute("excludes"), {}, "a switch of a pass");
+        check(function.attribute("with"), {}, "a switch");
+    }
     for (const VariableDecl& variable : ast.variables)
         check(variable.attribute("with"), paths.names(), "a switch or a path");
 }

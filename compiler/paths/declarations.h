@@ -167,6 +167,19 @@ struct GivenDecl {
     bool is_for(const PassDecl& pass) const;
 };
 
+// [wraps("position")] [with("tiles")] float4 f(float4 position): what every pass that draws from the camera has of that
+// kind goes through this function, while one of the switches is on.
+struct WrapDecl {
+    enum class What {
+        Position,  // of a vertex, in clip space
+        Pixel,     // the builtin fragCoord
+        Reads,     // the place at which a target of the picture is read; by default, that of the pixel itself
+    };
+    const nodelang::FunctionDecl* function = nullptr;
+    What what = What::Position;
+    std::vector<std::string_view> with;
+};
+
 struct SwitchDecl {
     const nodelang::VariableDecl* variable = nullptr;
     std::string_view brings;  // a pass that is drawn first if the switch is on
@@ -178,6 +191,7 @@ struct PathDeclarations {
     std::vector<PassDecl> passes;
     std::vector<GivenDecl> given;
     std::vector<SwitchDecl> switches;
+    std::vector<WrapDecl> wraps;
     std::vector<ExternDecl> externs;
     std::vector<const nodelang::FunctionDecl*> extern_functions;  // functions that an engine may define itself
     std::vector<StaticDecl> statics;

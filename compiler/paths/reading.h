@@ -42,5 +42,11 @@ struct BuiltinWord {
     ir::Builtin builtin;
 };
 std::span<const BuiltinWord> builtin_words();
+// The words of [wraps], and the type that each takes and returns.
+struct WrapWord {
+    std::string_view text, type;
+    WrapDecl::What what;
+};
+std::span<const WrapWord> wrap_words();
 
 }  // namespace patina::graph

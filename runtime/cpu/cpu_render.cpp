@@ -5,6 +5,7 @@
 
 #include "runtime/cpu/cpu_step.h"
 #include "runtime/frame/frame_check.h"
+#include "runtime/frame/tiles.h"
 
 namespace patina::runtime {
 namespace {
@@ -26,6 +27,58 @@ void shade(const CpuStep& step, CpuStages& stages) {
     share(0);
     for (std::thread& other : others) other.join();
 }
+
+// Draws the tiles of a frame, one after the other. The stages, and the targets that all tiles share, stay.
+class TiledDraw {
+public:
+    TiledDraw(const Frame& frame, Precision precision)
+        : frame_(frame), precision_(precision), targets_(frame.targets.size()) {}
+
+    // The tile's pixels, samples averaged.
+    Outcome<Image> draw(const PixelArea& tile, std::size_t index, std::size_t count) {
+        const auto is_drawn = [&](bool of_picture) { return of_picture || index == 0; };
+        for (std::size_t i = 0; i < targets_.size(); i++) {
+            const FrameTarget& wanted = frame_.targets[i];
+            if (is_drawn(wanted.is_of_picture)) targets_[i] = make_cpu_target(wanted, window_of(wanted, tile));
+        }
+        for (std::size_t i = 0; i < frame_.steps.size(); i++) {
+            if (!is_drawn(is_of_picture(frame_, frame_.steps[i]))) continue;
+            const auto report = [&](double share) {
+                const double of_tile = (double(i) + share) / double(frame_.steps.size());
+                frame_.progress((double(index) + of_tile) / double(count));
+            };
+            FrameStep step = frame_.steps[i];
+            if (frame_.tile != 0)
+                step.blocks = blocks_at(step, {.x = tile.x, .y = tile.y, .width = tile.width, .height = tile.height});
+            if (std::string error = draw(step, report); !error.empty()) return Failure{error};
+        }
+        return box_filtered(image_of(targets_[frame_.shown]), frame_.samples);
+    }
+
+private:
+    PixelBounds window_of(const FrameTarget& target, const PixelArea& tile) const {
+        if (frame_.tile == 0 || !target.is_of_picture) return {.right = target.width, .bottom = target.height};
+        return {.left = tile.x, .top = tile.y, .right = tile.x + tile.width, .bottom = tile.y + tile.height};
+    }
+
+    // Empty, or what is wrong.
+    std::string draw(const FrameStep& step, const std::function<void(double)>& report) {
+        CpuStages& stages =
+            cache_.try_emplace({step.stages.program, step.pass}, stages_for(thread_count())).first->second;
+        Outcome<CpuStep> made = make_cpu_step(frame_, step, targets_, stages, precision_);
+        if (!made) return made.error;
+        if (frame_.progress) made.value.progress = report;
+        shade(made.value, stages);
+        for (std::size_t target : step.targets) targets_[target].version++;
+        if (step.depth >= 0 && step.pass->depth_write) targets_[std::size_t(step.depth)].version++;
+        return "";
+    }
+
+    const Frame& frame_;
+    Precision precision_;
+    std::vector<CpuTarget> targets_;
+    CpuStageCache cache_;
+};
 
 // --- one pixel, watched
 
@@ -72,25 +125,17 @@ void trace_stages(const CpuStep& step, CpuStages& stages, const CpuFragment& fra
 
 Outcome<Image> cpu_draw(const Frame& frame, Precision precision) {
     if (std::string error = frame_error(frame); !error.empty()) return Failure{error};
-    std::vector<CpuTarget> targets;
-    for (const FrameTarget& target : frame.targets)
-        targets.push_back(make_cpu_target(target, {.right = target.width, .bottom = target.height}));
-    CpuStageCache cache;
-    for (std::size_t i = 0; i < frame.steps.size(); i++) {
-        const FrameStep& step = frame.steps[i];
-        CpuStages& stages =
-            cache.try_emplace({step.stages.program, step.pass}, stages_for(thread_count())).first->second;
-        Outcome<CpuStep> made = make_cpu_step(frame, step, targets, stages, precision);
-        if (!made) return Failure{made.error};
-        if (frame.progress)
-            made.value.progress = [&](double share) {
-                frame.progress((double(i) + share) / double(frame.steps.size()));
-            };
-        shade(made.value, stages);
-        for (std::size_t target : step.targets) targets[target].version++;
-        if (step.depth >= 0 && step.pass->depth_write) targets[std::size_t(step.depth)].version++;
+    TiledDraw drawing(frame, precision);
+    const std::vector<PixelArea> tiles = tiles_of(frame);
+    const FrameTarget& shown = frame.targets[frame.shown];
+    Image picture;
+    if (tiles.size() > 1) picture = make_image(shown.width / frame.samples, shown.height / frame.samples);
+    for (std::size_t i = 0; i < tiles.size(); i++) {
+        Outcome<Image> part = drawing.draw(tiles[i], i, tiles.size());
+        if (!part || tiles.size() == 1) return part;
+        put_tile(part.value, tiles[i].x / frame.samples, tiles[i].y / frame.samples, picture);
     }
-    return box_filtered(image_of(targets[frame.shown]), frame.samples);
+    return picture;
 }
 
 Outcome<Image> cpu_draw(const Draw& draw, Precision precision) {
@@ -103,8 +148,10 @@ Outcome<PixelTrace> cpu_trace(const Draw& draw, int x, int y, Precision precisio
     Outcome<const Pass*> pass = drawable_pass(draw);
     if (!pass) return Failure{pass.error};
     const Frame frame = frame_of(draw, *pass.value);
-    if (std::string error = frame_error(frame); !error.empty()) return Failure{error};
     const int samples = frame.samples;
+    Frame pixel = frame;  // only the pixel's targets exist, however large the picture is
+    for (FrameTarget& target : pixel.targets) target.width = target.height = samples;
+    if (std::string error = frame_error(pixel); !error.empty()) return Failure{error};
     const PixelBounds window{
         .left = x * samples, .top = y * samples, .right = (x + 1) * samples, .bottom = (y + 1) * samples};
     std::vector<CpuTarget> targets;

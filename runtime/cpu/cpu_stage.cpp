@@ -103,7 +103,7 @@ Outcome<std::vector<InputSource>> fragment_sources(const Interpreter& vertex, co
 }
 
 void gather_inputs(const std::vector<InputSource>& sources, const ScreenTriangle& triangle, const Quad& quad,
-                   Precision precision, QuadInputs& inputs) {
+                   Precision precision, QuadInputs& inputs, glm::ivec2 origin) {
     for (int lane = 0; lane < 4; lane++) {
         std::vector<double>& out = inputs.lanes[lane];
         out.clear();
@@ -111,8 +111,8 @@ void gather_inputs(const std::vector<InputSource>& sources, const ScreenTriangle
             switch (source.kind) {
                 case InputSource::Kind::FrontFacing: out.push_back(triangle.is_front ? 1 : 0); break;
                 case InputSource::Kind::FragCoord: {
-                    double coord[4] = {quad.x + lane % 2 + 0.5, quad.y + lane / 2 + 0.5, quad.depth[lane],
-                                       quad.inverse_w[lane]};
+                    double coord[4] = {quad.x - origin.x + lane % 2 + 0.5, quad.y - origin.y + lane / 2 + 0.5,
+                                       quad.depth[lane], quad.inverse_w[lane]};
                     out.insert(out.end(), coord, coord + std::min(source.components, 4u));
                     break;
                 }

@@ -28,8 +28,8 @@ struct InputSource {
 };
 Outcome<std::vector<InputSource>> fragment_sources(const Interpreter& vertex, const Interpreter& fragment);
 
-// Fills `inputs` for the quad of the triangle.
+// Fills `inputs` for the quad of the triangle. `origin`: where the targets begin, from which fragCoord counts.
 void gather_inputs(const std::vector<InputSource>& sources, const ScreenTriangle& triangle, const Quad& quad,
-                   Precision precision, QuadInputs& inputs);
+                   Precision precision, QuadInputs& inputs, glm::ivec2 origin = {0, 0});
 
 }  // namespace patina::runtime

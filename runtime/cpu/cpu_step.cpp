@@ -7,6 +7,7 @@
 
 #include "runtime/cpu/fixed_state.h"
 #include "runtime/frame/frame_check.h"
+#include "runtime/frame/tiles.h"
 
 namespace patina::runtime {
 namespace {
@@ -124,7 +125,7 @@ void shade_quad(const CpuStep& step, Interpreter& fragment, const CpuTriangle& t
     }
     if (!is_needed) return;
 
-    gather_inputs(step.sources, triangle.screen, quad, step.precision, inputs);
+    gather_inputs(step.sources, triangle.screen, quad, step.precision, inputs, step.origin);
     const QuadOutputs outputs = fragment.run(inputs);
     for (int lane = 0; lane < 4; lane++) {
         if (!quad.covered[lane]) continue;
@@ -149,8 +150,9 @@ Outcome<CpuStep> make_cpu_step(const Frame& frame, const FrameStep& step, std::v
     const Pass& pass = *step.pass;
     if (!step.stages.program) return Failure{"the material was compiled without its program"};
     const PixelArea area = full_area(step, frame);
-    CpuStep made{
-        .step = &step, .precision = precision, .bounds = intersection(area, targets[attachments(step).front()].window)};
+    const PixelBounds& window = targets[attachments(step).front()].window;
+    CpuStep made{.step = &step, .precision = precision, .bounds = intersection(area, window)};
+    if (frame.tile != 0 && is_of_picture(frame, step)) made.origin = {window.left, window.top};
     for (std::size_t target : step.targets) made.colors.push_back(&targets[target]);
     if (step.depth >= 0) made.depth = &targets[std::size_t(step.depth)];
     if (step.clears_stencil && made.depth) std::fill(made.depth->stencil.begin(), made.depth->stencil.end(), 0);

@@ -44,6 +44,7 @@ struct CpuStep {
     const FrameStep* step = nullptr;
     Precision precision = Precision::Float;
     PixelBounds bounds{};
+    glm::ivec2 origin{0};  // of a tile, in the picture
     std::vector<CpuTarget*> colors{};
     CpuTarget* depth = nullptr;
     std::vector<LoadedTexture> textures{};  // loaded ones, and targets as they were when the step began
@@ -53,7 +54,8 @@ struct CpuStep {
     std::function<void(const CpuFragment&)> on_fragment{};  // called for each fragment, if there is one thread only
 };
 
-// The frame must have no frame_error(). `stages` are those of this pass; the first fragment stage exists afterwards.
+// The frame must have no frame_error(). In a frame with tiles, the targets of the picture are those of one tile, and
+// `step` has its blocks (blocks_at()). `stages` are those of this pass; the first fragment stage exists afterwards.
 Outcome<CpuStep> make_cpu_step(const Frame& frame, const FrameStep& step, std::vector<CpuTarget>& targets,
                                CpuStages& stages, Precision precision);
 

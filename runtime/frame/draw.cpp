@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "runtime/picture/image.h"
+#include "runtime/frame/tiles.h"
 
 namespace patina::runtime {
 
@@ -14,11 +14,11 @@ Outcome<const Pass*> drawable_pass(const Draw& draw) {
             return Failure{"the pass '" + pass.name + "' writes " + std::to_string(pass.targets.size()) +
                            " targets; one that can be seen writes 1"};
         const Scene& scene = *draw.scene;
-        int limit = kLargestImage / std::max(scene.samples, 1);
+        int limit = kLargestInTiles / std::max(scene.samples, 1);
         if (scene.samples < 1 || scene.width < 1 || scene.height < 1 || scene.width > limit || scene.height > limit)
             return Failure{"a picture of " + std::to_string(scene.width) + " x " + std::to_string(scene.height) +
                            " pixels with " + std::to_string(scene.samples) +
-                           " samples along each axis is not between 1 and " + std::to_string(kLargestImage) +
+                           " samples along each axis is not between 1 and " + std::to_string(kLargestInTiles) +
                            " samples wide and high"};
         if (scene.mesh.indices.empty()) return Failure{"the scene has no mesh"};
         return &pass;

@@ -39,6 +39,7 @@ struct FrameTarget {
     TargetFormat format = TargetFormat::Rgba32F;
     int width = 0, height = 0;
     glm::vec4 clear{0};
+    bool is_of_picture = false;  // it has the size of the picture, so that it can be drawn in tiles (tiles.h)
 };
 
 // A texture of the step that is a render target: its content when the step begins, even if the step draws into it.
@@ -79,7 +80,10 @@ struct Frame {
     std::vector<FrameStep> steps{};
     std::size_t shown = 0;  // the target that is the result
     int samples = 1;        // the result is averaged over so many pixels along each axis
-    // CPU: called now and then with the share that is done, 0 to 1, on the calling thread.
+    int tile = 0;           // the side of a tile, in samples (tiles.h); 0: the picture is drawn at once
+    // Of a tile: the largest viewport that is used, in samples; 0: the device's limit says. The CPU has none.
+    int largest_viewport = 0;
+    // Called now and then with the share that is done, 0 to 1, on the calling thread; on the GPU after each tile.
     std::function<void(double)> progress{};
     std::shared_ptr<const void> keep{};  // what steps point to and nobody else holds
 };

@@ -52,7 +52,8 @@ FrameBuilder::FrameBuilder(const World& world, std::span<const DrawnMaterial> ma
                               .format = format_of(std::string(kShown), TargetFormat::Rgba32F),
                               .width = scene.width * scene.samples,
                               .height = scene.height * scene.samples,
-                              .clear = scene.background});
+                              .clear = scene.background,
+                              .is_of_picture = true});
 }
 
 TargetFormat FrameBuilder::format_of(const std::string& target, TargetFormat stated) const {
@@ -80,7 +81,8 @@ std::string FrameBuilder::add_target(const std::string& material, const Pass& pa
                        .format = format_of(name, stated),
                        .width = atlas_size ? atlas_size : picture.width,
                        .height = atlas_size ? atlas_size : picture.height,
-                       .clear = glm::vec4(stated == TargetFormat::Depth ? farthest_of(pass) : 0.0f)};
+                       .clear = glm::vec4(stated == TargetFormat::Depth ? farthest_of(pass) : 0.0f),
+                       .is_of_picture = atlas_size == 0};
     const std::optional<std::size_t> known = find_target(name);
     if (!known) {
         frame_.targets.push_back(std::move(target));
@@ -92,7 +94,7 @@ std::string FrameBuilder::add_target(const std::string& material, const Pass& pa
     if (before.format != target.format)
         return fmt::format("pass '{}' of the material '{}' draws into the target '{}' as {}, but another pass as {}",
                            pass.name, material, name, to_string(target.format), to_string(before.format));
-    if (before.width != target.width || before.height != target.height)
+    if (before.is_of_picture != target.is_of_picture)
         return fmt::format(
             "pass '{}' of the material '{}' and another pass draw into the target '{}', one from a light and one from "
             "the camera",

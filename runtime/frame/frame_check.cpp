@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "runtime/frame/tiles.h"
 #include "runtime/picture/image.h"
 
 namespace patina::runtime {
@@ -14,10 +15,11 @@ bool has_named(const Range& range, const std::string& name) {
     return std::any_of(range.begin(), range.end(), [&](const auto& item) { return item.name == name; });
 }
 
-std::string target_error(const FrameTarget& target) {
-    if (target.width < 1 || target.height < 1 || target.width > kLargestImage || target.height > kLargestImage)
+std::string target_error(const Frame& frame, const FrameTarget& target) {
+    const int largest = frame.tile != 0 && target.is_of_picture ? kLargestInTiles : kLargestImage;
+    if (target.width < 1 || target.height < 1 || target.width > largest || target.height > largest)
         return fmt::format("the target '{}' of {} x {} pixels is not between 1 and {} pixels wide and high",
-                           target.name, target.width, target.height, kLargestImage);
+                           target.name, target.width, target.height, largest);
     return "";
 }
 
@@ -100,10 +102,10 @@ std::string frame_error(const Frame& frame) {
     if (frame.shown >= frame.targets.size()) return "the frame shows a target that it does not have";
     if (frame.samples < 1) return "a frame needs at least one sample per pixel";
     for (const FrameTarget& target : frame.targets)
-        if (std::string error = target_error(target); !error.empty()) return error;
+        if (std::string error = target_error(frame, target); !error.empty()) return error;
     for (const FrameStep& step : frame.steps)
         if (std::string error = step_error(frame, step); !error.empty()) return error;
-    return "";
+    return tile_error(frame);
 }
 
 }  // namespace patina::runtime

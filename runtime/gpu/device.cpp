@@ -151,6 +151,13 @@ Outcome<bool> choose_physical_device(Device& device, const std::string& wanted) 
         device.physical = physical;
         device.name = name;
         device.limits = properties.limits;
+        VkPhysicalDeviceMaintenance3Properties memory{};
+        memory.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES;
+        VkPhysicalDeviceProperties2 more{};
+        more.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+        more.pNext = &memory;
+        vkGetPhysicalDeviceProperties2(physical, &more);
+        device.most_allocation = memory.maxMemoryAllocationSize;
         if (is_software || !wanted.empty()) break;
     }
     if (device.physical) return true;

@@ -33,6 +33,7 @@ struct Device {
     VkCommandPool commands = VK_NULL_HANDLE;
     VkPhysicalDeviceMemoryProperties memory{};
     VkPhysicalDeviceLimits limits{};
+    std::uint64_t most_allocation = 0;  // bytes that one image or buffer can have
     bool anisotropy = false;
     bool independent_blend = false;  // targets of one draw may blend differently
     bool symmetric_depth = false;    // clip space may begin at z = -w

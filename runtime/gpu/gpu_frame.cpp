@@ -1,8 +1,10 @@
 #include "runtime/gpu/gpu_frame.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "runtime/frame/frame_check.h"
+#include "runtime/frame/tiles.h"
 #include "runtime/gpu/vulkan_words.h"
 
 namespace patina::runtime {
@@ -166,9 +168,12 @@ void Recorder::begin(const FrameStep& step) {
 }
 
 void Recorder::draw(const FrameStep& step, const ReadyStep& ready) {
-    const PixelArea area = full_area(step, frame_);
+    const bool is_tile = frame_.tile != 0 && is_of_picture(frame_, step);
+    const PixelArea view = is_tile ? ready_.viewport : full_area(step, frame_);
+    const PixelArea area =
+        is_tile ? PixelArea{.width = ready_.tile.width, .height = ready_.tile.height} : full_area(step, frame_);
     // The negative height makes clip space y-up, as graphs and meshes are.
-    const VkViewport viewport{float(area.x), float(area.y + area.height), float(area.width), -float(area.height), 0, 1};
+    const VkViewport viewport{float(view.x), float(view.y + view.height), float(view.width), -float(view.height), 0, 1};
     const VkRect2D scissor{{area.x, area.y}, {std::uint32_t(area.width), std::uint32_t(area.height)}};
     vkCmdSetViewport(commands_, 0, 1, &viewport);
     vkCmdSetScissor(commands_, 0, 1, &scissor);
@@ -182,6 +187,16 @@ void Recorder::draw(const FrameStep& step, const ReadyStep& ready) {
     vkCmdBindVertexBuffers(commands_, 0, 1, &buffer, &mesh.vertices);
     vkCmdBindIndexBuffer(commands_, buffer, mesh.indices, VK_INDEX_TYPE_UINT32);
     vkCmdDrawIndexed(commands_, std::uint32_t(step.mesh->indices.size()), step.instances, 0, 0, 0);
+}
+
+// Whether the device draws through a viewport of this place and size.
+bool takes_viewport(const VkPhysicalDeviceLimits& limits, const Frame& frame, const PixelArea& viewport) {
+    const auto takes = [&](int begin, int length, std::uint32_t longest) {
+        return std::uint32_t(length) <= longest && (frame.largest_viewport == 0 || length <= frame.largest_viewport) &&
+               float(begin) >= limits.viewportBoundsRange[0] && float(begin + length) <= limits.viewportBoundsRange[1];
+    };
+    return takes(viewport.x, viewport.width, limits.maxViewportDimensions[0]) &&
+           takes(viewport.y, viewport.height, limits.maxViewportDimensions[1]);
 }
 
 }  // namespace
@@ -199,11 +214,37 @@ Outcome<ReadyFrame> make_ready(Gpu& gpu, const Frame& frame, std::vector<GpuTarg
     return ready;
 }
 
+void move_to(ReadyFrame& ready, const Frame& frame, const VkPhysicalDeviceLimits& limits, const PixelArea& tile) {
+    ready.is_first = tile.x == 0 && tile.y == 0;
+    ready.tile = tile;
+    if (frame.tile == 0) return;
+    const FrameTarget& picture = frame.targets[frame.shown];
+    const glm::ivec2 size = image_size(frame, picture);
+    TilePlace place{.x = tile.x, .y = tile.y, .width = size.x, .height = size.y};
+    ready.viewport = {.x = -tile.x, .y = -tile.y, .width = picture.width, .height = picture.height};
+    if (!takes_viewport(limits, frame, ready.viewport)) {
+        ready.viewport = {.width = size.x, .height = size.y};
+        const glm::vec2 whole(picture.width, picture.height), part(size);
+        place.scale = whole / part;
+        place.offset = (whole - 2.0f * glm::vec2(tile.x, tile.y) - part) / part * glm::vec2(1, -1);
+    }
+    for (std::size_t i = 0; i < frame.steps.size(); i++) {
+        if (!is_of_picture(frame, frame.steps[i])) continue;
+        const std::vector<BlockBytes> blocks = blocks_at(frame.steps[i], place);
+        for (std::size_t k = 0; k < blocks.size(); k++)
+            std::memcpy(ready.data.buffer.data + ready.data.blocks[i][k].offset, blocks[k].bytes.data(),
+                        blocks[k].bytes.size());
+    }
+}
+
 void record_frame(VkCommandBuffer commands, const Frame& frame, const ReadyFrame& ready,
                   std::vector<GpuTarget>& targets) {
-    for (std::size_t i = 0; i < targets.size(); i++) clear_target(commands, targets[i], frame.targets[i].clear);
+    for (std::size_t i = 0; i < targets.size(); i++)
+        if (ready.is_first || frame.targets[i].is_of_picture)
+            clear_target(commands, targets[i], frame.targets[i].clear);
     Recorder recorder(commands, frame, ready, targets);
-    for (std::size_t i = 0; i < frame.steps.size(); i++) recorder.record(i);
+    for (std::size_t i = 0; i < frame.steps.size(); i++)
+        if (ready.is_first || is_of_picture(frame, frame.steps[i])) recorder.record(i);
     recorder.end();
 }
 

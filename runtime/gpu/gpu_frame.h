@@ -1,7 +1,10 @@
 // Prepares a frame's steps for the device, and records them. Preparing can fail; recording cannot.
 //
 //   Outcome<ReadyFrame> ready = make_ready(gpu, frame, targets, textures);
-//   run_commands(gpu, [&](VkCommandBuffer commands) { record_frame(commands, frame, ready.value, targets); });
+//   for (const PixelArea& tile : tiles_of(frame)) {
+//       move_to(ready.value, frame, device.limits, tile);
+//       run_commands(gpu, [&](VkCommandBuffer commands) { record_frame(commands, frame, ready.value, targets); });
+//   }
 #pragma once
 
 #include <map>
@@ -30,10 +33,17 @@ struct ReadyFrame {
                                    std::vector<VkFormat>, VkFormat, std::vector<ConstantValue>>;
     std::map<PipelineKey, PipelineHandle> pipelines;
     std::vector<ReadyStep> steps;
+    // What is drawn next.
+    PixelArea viewport{};  // of the steps that draw into the picture, in their targets
+    PixelArea tile{};
+    bool is_first = true;  // only the first tile draws what all tiles share
 };
 
 // Of a frame without a frame_error(), into targets that fit it.
 Outcome<ReadyFrame> make_ready(Gpu& gpu, const Frame& frame, std::vector<GpuTarget>& targets, TextureCache& textures);
+
+// Chooses the viewport of a tile, and puts its place into the blocks. Nothing that was recorded may still run.
+void move_to(ReadyFrame& ready, const Frame& frame, const VkPhysicalDeviceLimits& limits, const PixelArea& tile);
 
 void record_frame(VkCommandBuffer commands, const Frame& frame, const ReadyFrame& ready,
                   std::vector<GpuTarget>& targets);

@@ -86,6 +86,7 @@ void clear_target(VkCommandBuffer commands, GpuTarget& target, const glm::vec4& 
         vkCmdClearColorImage(commands, image.handle.get(), image.layout, &clear, 1, &all);
     }
     target.version = 1;
+    target.copied_version = 0;
 }
 
 void copy_target(VkCommandBuffer commands, GpuTarget& target) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "runtime/frame/pixel_format.h"
+#include "runtime/frame/tiles.h"
 #include "runtime/gpu/bindings.h"
 
 namespace patina::runtime {
@@ -41,9 +43,11 @@ struct Need {
 
 class Needs {
 public:
-    explicit Needs(const VkPhysicalDeviceLimits& limits) : limits_(limits) {}
+    Needs(const VkPhysicalDeviceLimits& limits, std::uint64_t most_allocation)
+        : limits_(limits), most_allocation_(most_allocation) {}
 
-    void add_target(const FrameTarget& target);
+    // As large as its image is: in tiles, smaller than the picture.
+    void add_target(glm::ivec2 size, const PixelFormat& format);
     void add_step(const FrameStep& step);
     // The first number that exceeds its limit; null: there is none.
     const Need* unmet() const {
@@ -60,15 +64,19 @@ private:
     void add_stages(const FrameStep& step);
 
     const VkPhysicalDeviceLimits& limits_;
+    std::uint64_t most_allocation_;
     std::vector<Need> needs_;
 };
 
-void Needs::add_target(const FrameTarget& target) {
-    const auto side = std::uint64_t(std::max(target.width, target.height));
+void Needs::add_target(glm::ivec2 size, const PixelFormat& format) {
+    const auto side = std::uint64_t(std::max(size.x, size.y));
     const std::string picture = fmt::format("a picture that is {} samples on a side", side);
     add(picture, side, limits_.maxImageDimension2D, "maxImageDimension2D");
     add(picture, side, limits_.maxFramebufferWidth, "maxFramebufferWidth");
     add(picture, side, limits_.maxFramebufferHeight, "maxFramebufferHeight");
+    const std::uint64_t bytes = std::uint64_t(size.x) * std::uint64_t(size.y) * format.bytes;
+    add(fmt::format("a picture of {} x {} samples, which is an image of {} bytes", size.x, size.y, bytes), bytes,
+        most_allocation_, "maxMemoryAllocationSize");
 }
 
 void Needs::add_step(const FrameStep& step) {
@@ -129,18 +137,21 @@ void Needs::add_stages(const FrameStep& step) {
 
 }  // namespace
 
-std::string beyond_limits(const VkPhysicalDeviceLimits& limits, const std::string& device, const Frame& frame) {
-    Needs needs(limits);
-    for (const FrameTarget& target : frame.targets) needs.add_target(target);
+std::string beyond_limits(const VkPhysicalDeviceLimits& limits, const std::string& device, const Frame& frame,
+                          std::uint64_t most_allocation) {
+    Needs needs(limits, most_allocation);
+    for (const FrameTarget& target : frame.targets)
+        needs.add_target(image_size(frame, target), pixel_format(target.format));
     for (const FrameStep& step : frame.steps) needs.add_step(step);
     const Need* need = needs.unmet();
     if (!need) return "";
     return fmt::format("'{}' cannot take {}: its limit is {} ({})", device, need->what, need->limit, need->name);
 }
 
-std::string beyond_limits(const VkPhysicalDeviceLimits& limits, const std::string& device, const Draw& draw) {
+std::string beyond_limits(const VkPhysicalDeviceLimits& limits, const std::string& device, const Draw& draw,
+                          std::uint64_t most_allocation) {
     for (const Pass& pass : draw.reflection->passes)
-        if (pass.name == draw.pass) return beyond_limits(limits, device, frame_of(draw, pass));
+        if (pass.name == draw.pass) return beyond_limits(limits, device, frame_of(draw, pass), most_allocation);
     return "";
 }
 

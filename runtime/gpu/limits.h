@@ -6,15 +6,19 @@
 
 #include <vulkan/vulkan.h>
 
+#include <cstdint>
 #include <string>
 
 #include "runtime/gpu/renderer.h"
 
 namespace patina::runtime {
 
-// Empty, or what the frame needs and what the device has, with Vulkan's name of the limit.
-std::string beyond_limits(const VkPhysicalDeviceLimits& limits, const std::string& device, const Frame& frame);
+// Empty, or what the frame needs and what the device has, with Vulkan's name of the limit. `most_allocation`: bytes
+// that one image can have.
+std::string beyond_limits(const VkPhysicalDeviceLimits& limits, const std::string& device, const Frame& frame,
+                          std::uint64_t most_allocation = UINT64_MAX);
 // The same for the frame of a draw.
-std::string beyond_limits(const VkPhysicalDeviceLimits& limits, const std::string& device, const Draw& draw);
+std::string beyond_limits(const VkPhysicalDeviceLimits& limits, const std::string& device, const Draw& draw,
+                          std::uint64_t most_allocation = UINT64_MAX);
 
 }  // namespace patina::runtime

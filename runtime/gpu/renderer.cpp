@@ -1,6 +1,7 @@
 #include "runtime/gpu/renderer.h"
 
 #include "runtime/frame/frame_check.h"
+#include "runtime/frame/tiles.h"
 #include "runtime/gpu/gpu_frame.h"
 #include "runtime/gpu/limits.h"
 
@@ -12,26 +13,45 @@ struct Renderer::Impl {
     Buffer readback;
     TextureCache textures;
 
-    Outcome<bool> draw(Gpu& gpu, const Frame& frame);
+    Outcome<Image> draw(Gpu& gpu, const Frame& frame);
 };
 
-// Leaves the shown target's pixels in `readback`.
-Outcome<bool> Renderer::Impl::draw(Gpu& gpu, const Frame& frame) {
+// Draws tile after tile, and averages each into the picture.
+Outcome<Image> Renderer::Impl::draw(Gpu& gpu, const Frame& frame) {
     textures.trim();
-    if (auto fitted = fit_targets(gpu, targets, frame.targets); !fitted) return Failure{fitted.error};
+    std::vector<FrameTarget> wanted = frame.targets;
+    for (FrameTarget& target : wanted) {
+        const glm::ivec2 size = image_size(frame, target);
+        target.width = size.x;
+        target.height = size.y;
+    }
+    if (auto fitted = fit_targets(gpu, targets, wanted); !fitted) return Failure{fitted.error};
     GpuTarget& shown = targets[frame.shown];
-    const std::size_t size = shown.format->bytes * shown.drawn.image.width * shown.drawn.image.height;
+    const FrameTarget& image = wanted[frame.shown];
+    const std::size_t size = shown.format->bytes * std::size_t(image.width) * std::size_t(image.height);
     if (readback.size != size) readback = make_buffer(gpu, size, VK_BUFFER_USAGE_TRANSFER_DST_BIT);
     if (!gpu.error.empty()) return Failure{gpu.error};
 
     Outcome<ReadyFrame> ready = make_ready(gpu, frame, targets, textures);
     if (!ready) return Failure{ready.error};
-    run_commands(gpu, [&](VkCommandBuffer commands) {
-        record_frame(commands, frame, ready.value, targets);
-        read_target(commands, shown, readback);
-    });
-    if (!gpu.error.empty()) return Failure{gpu.error};
-    return true;
+    const std::vector<PixelArea> tiles = tiles_of(frame);
+    const int samples = frame.samples;
+    const FrameTarget& whole = frame.targets[frame.shown];
+    Image picture;
+    if (tiles.size() > 1) picture = make_image(whole.width / samples, whole.height / samples);
+    for (std::size_t i = 0; i < tiles.size(); i++) {
+        if (tiles.size() > 1 && frame.progress) frame.progress(double(i) / double(tiles.size()));
+        move_to(ready.value, frame, device->limits, tiles[i]);
+        run_commands(gpu, [&](VkCommandBuffer commands) {
+            record_frame(commands, frame, ready.value, targets);
+            read_target(commands, shown, readback);
+        });
+        if (!gpu.error.empty()) return Failure{gpu.error};
+        Image part = box_filtered(image_of(*shown.format, image.width, image.height, readback.data), samples);
+        if (tiles.size() == 1) return part;
+        put_tile(part, tiles[i].x / samples, tiles[i].y / samples, picture);
+    }
+    return picture;
 }
 
 Renderer::Renderer() : impl_(std::make_unique<Impl>()) {}
@@ -49,13 +69,9 @@ Outcome<Image> Renderer::draw(const Frame& frame) {
     if (std::string error = frame_error(frame); !error.empty()) return Failure{error};
     if (std::string error = beyond_limits(frame); !error.empty()) return Failure{error};
     Gpu gpu{.device = *impl_->device, .error = {}};
-    if (auto drawn = impl_->draw(gpu, frame); !drawn) {
-        impl_->targets.clear();  // their layouts may not be what was recorded
-        return Failure{drawn.error};
-    }
-    const FrameTarget& shown = frame.targets[frame.shown];
-    return box_filtered(image_of(pixel_format(shown.format), shown.width, shown.height, impl_->readback.data),
-                        frame.samples);
+    Outcome<Image> drawn = impl_->draw(gpu, frame);
+    if (!drawn) impl_->targets.clear();  // their layouts may not be what was recorded
+    return drawn;
 }
 
 Outcome<Image> Renderer::draw(const Draw& draw) {
@@ -65,10 +81,10 @@ Outcome<Image> Renderer::draw(const Draw& draw) {
 }
 
 std::string Renderer::beyond_limits(const Frame& frame) const {
-    return runtime::beyond_limits(impl_->device->limits, impl_->device->name, frame);
+    return runtime::beyond_limits(impl_->device->limits, impl_->device->name, frame, impl_->device->most_allocation);
 }
 std::string Renderer::beyond_limits(const Draw& draw) const {
-    return runtime::beyond_limits(impl_->device->limits, impl_->device->name, draw);
+    return runtime::beyond_limits(impl_->device->limits, impl_->device->name, draw, impl_->device->most_allocation);
 }
 
 const std::string& Renderer::device_name() const {

@@ -11,9 +11,9 @@
 //   4. each mesh and all uniforms go to the device in one buffer; textures that were seen before are still there
 //      (gpu_upload.h)
 //   5. each step gets descriptor sets (bindings.h), and a pipeline (pipeline.h) that it shares with equal steps
-//   6. one command buffer (gpu_frame.h): clear every image, then step after step, with a copy of an image where a step
-//      reads what it also draws into; copy back the one that is shown; the call waits for it
-//   7. samples are averaged on the CPU
+//   6. for each tile (tiles.h), one command buffer (gpu_frame.h): clear every image, then step after step, with a copy
+//      of an image where a step reads what it also draws into; copy back the one that is shown; the call waits for it
+//   7. the tile's samples are averaged into the picture on the CPU
 //
 //   Outcome<std::unique_ptr<Renderer>> renderer = Renderer::open({.validation = true});
 //   Outcome<Image> image = renderer.value->draw(frame);

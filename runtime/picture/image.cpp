@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
+#include <functional>
 
 #include "runtime/files/files.h"
 
@@ -26,16 +29,39 @@ void change_colors(Image& image, Function function) {
         if (i % 4 != 3) image.pixels[i] = function(image.pixels[i]);
 }
 
-// OpenImageIO chooses the format by the ending of `name`.
-Outcome<std::string> encode(const char* name, const Image& image, const OIIO::ImageSpec& spec) {
-    std::vector<unsigned char> bytes;
-    OIIO::Filesystem::IOVecOutput memory(bytes);
+// Takes what OpenImageIO writes, without a copy of it.
+class StringOutput : public OIIO::Filesystem::IOProxy {
+public:
+    explicit StringOutput(std::string& bytes) : IOProxy("", Write), bytes_(bytes) {}
+    const char* proxytype() const override { return "string"; }
+    std::size_t write(const void* from, std::size_t size) override {
+        const std::size_t written = pwrite(from, size, m_pos);
+        m_pos += std::int64_t(written);
+        return written;
+    }
+    std::size_t pwrite(const void* from, std::size_t size, std::int64_t offset) override {
+        const std::size_t begin = std::size_t(offset);
+        if (bytes_.size() < begin + size) bytes_.resize(begin + size);
+        std::memcpy(bytes_.data() + begin, from, size);
+        return size;
+    }
+    std::size_t size() const override { return bytes_.size(); }
+
+private:
+    std::string& bytes_;
+};
+
+// `write` gives the pixels to the open file; false: it could not. OpenImageIO chooses the format by the ending of
+// `name`.
+Outcome<std::string> encode(const char* name, const OIIO::ImageSpec& spec,
+                            const std::function<bool(OIIO::ImageOutput&)>& write) {
+    std::string bytes;
+    StringOutput memory(bytes);
     auto output = OIIO::ImageOutput::create(name);
     if (!output) return Failure{reason(OIIO::geterror())};
-    const bool made = output->set_ioproxy(&memory) && output->open(name, spec) &&
-                      output->write_image(OIIO::TypeDesc::FLOAT, image.pixels.data()) && output->close();
+    const bool made = output->set_ioproxy(&memory) && output->open(name, spec) && write(*output) && output->close();
     if (!made) return Failure{reason(output->geterror())};
-    return std::string(bytes.begin(), bytes.end());
+    return bytes;
 }
 
 OIIO::ImageSpec spec_of(const Image& image, OIIO::TypeDesc type, const char* color_space) {
@@ -45,8 +71,25 @@ OIIO::ImageSpec spec_of(const Image& image, OIIO::TypeDesc type, const char* col
     return spec;
 }
 
-Outcome<std::string> encode_png_as_is(const Image& encoded) {
-    return encode("picture.png", quantized(encoded), spec_of(encoded, OIIO::TypeDesc::UINT8, "sRGB"));
+float to_unit_range(float value) {
+    return std::isnan(value) ? 0 : std::clamp(value, 0.0f, 1.0f);
+}
+
+// Row after row, so that no second picture is made. `encoding` is applied to the colours, and not to alpha.
+Outcome<std::string> encode_png_with(const Image& image, float (*encoding)(float)) {
+    const auto write = [&](OIIO::ImageOutput& output) {
+        std::vector<unsigned char> row(4 * std::size_t(image.width));
+        for (int y = 0; y < image.height; y++) {
+            const float* from = image.at(0, y).data();
+            for (std::size_t i = 0; i < row.size(); i++) {
+                const float value = i % 4 != 3 && encoding ? encoding(from[i]) : from[i];
+                row[i] = static_cast<unsigned char>(std::round(to_unit_range(value) * 255));
+            }
+            if (!output.write_scanline(y, 0, OIIO::TypeDesc::UINT8, row.data())) return false;
+        }
+        return true;
+    };
+    return encode("picture.png", spec_of(image, OIIO::TypeDesc::UINT8, "sRGB"), write);
 }
 
 std::string save(const std::string& path, Outcome<std::string> bytes) {
@@ -86,8 +129,7 @@ void decode_srgb(Image& image) {
 Image quantized(const Image& encoded) {
     Image result = encoded;
     result.bits = 8;
-    for (float& value : result.pixels)
-        value = std::isnan(value) ? 0 : std::round(std::clamp(value, 0.0f, 1.0f) * 255) / 255;
+    for (float& value : result.pixels) value = std::round(to_unit_range(value) * 255) / 255;
     return result;
 }
 
@@ -124,15 +166,15 @@ Outcome<Image> load_image(const std::string& path) {
 }
 
 Outcome<std::string> encode_png(const Image& linear) {
-    Image encoded = linear;
-    encode_srgb(encoded);
-    return encode_png_as_is(encoded);
+    return encode_png_with(linear, srgb_encode);
 }
 
 Outcome<std::string> encode_exr(const Image& linear) {
     OIIO::ImageSpec spec = spec_of(linear, OIIO::TypeDesc::FLOAT, "Linear");
     spec.attribute("DateTime", "");  // without this, OpenImageIO writes the time of day
-    return encode("picture.exr", linear, spec);
+    return encode("picture.exr", spec, [&](OIIO::ImageOutput& output) {
+        return output.write_image(OIIO::TypeDesc::FLOAT, linear.pixels.data());
+    });
 }
 
 Outcome<std::string> encode_image(const std::string& path, const Image& linear) {
@@ -146,7 +188,7 @@ std::string save_png(const std::string& path, const Image& linear) {
 }
 
 std::string save_png_as_is(const std::string& path, const Image& encoded) {
-    return save(path, encode_png_as_is(encoded));
+    return save(path, encode_png_with(encoded, nullptr));
 }
 
 std::string save_exr(const std::string& path, const Image& linear) {

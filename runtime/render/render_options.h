@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "patina/patina.h"
+#include "runtime/frame/tiles.h"
 #include "runtime/picture/data_picture.h"
 #include "runtime/picture/image.h"
 
@@ -27,8 +28,12 @@ struct RenderOptions {
     bool exact_targets = false;   // every colour target in 32-bit floats, whatever the passes say
     bool stated_formats = false;  // the picture too is drawn in the format that the passes state, not in 32-bit floats
     int shadow_atlas_size = 2048;
+    // Render targets of more bytes do not exist at once: the picture is drawn in tiles (frame/tiles.h), or refused if
+    // it cannot be and needs more than the second number.
+    std::size_t most_target_bytes = kMostTargetBytes, most_whole_bytes = kMostWholeBytes;
+    int largest_viewport = 0;  // of a tile, in samples; 0: the device's limit says
     std::vector<std::string> include_dirs{};
-    std::function<void(double)> progress{};  // via cpu: given the share that is done, 0 to 1
+    std::function<void(double)> progress{};  // given the share that is done, 0 to 1; on the GPU for pictures in tiles
 };
 
 struct RenderOutcome {
@@ -38,7 +43,8 @@ struct RenderOutcome {
     std::vector<Diagnostic> diagnostics;      // of the compiler and of glslang; warnings too
     std::string error;                        // what else went wrong: a word of the request, a file, the device
     std::vector<std::string> dependencies{};  // files that were read: the scene, its graphs, textures
-    std::size_t draws = 0;                    // calls that drew the image, shadow maps among them
+    std::size_t draws = 0;                    // steps that drew the image, shadow maps among them
+    std::size_t tiles = 0;                    // how often they were drawn, each time for another part of the picture
     bool missing_machine = false;  // `error` is about this machine: no Vulkan device, or one with too low limits
 };
 

@@ -10,6 +10,7 @@
 #include "patina/validate.h"
 #include "runtime/cpu/cpu_render.h"
 #include "runtime/frame/frame_plan.h"
+#include "runtime/frame/tiles.h"
 #include "runtime/render/complaints.h"
 #include "runtime/render/object_textures.h"
 #include "runtime/render/prepare_material.h"
@@ -41,6 +42,15 @@ public:
         if (std::string error = no_picture(); !error.empty()) return failed(std::move(error));
         Outcome<Frame> frame = plan();
         if (!frame) return failed(frame.error);
+        if (wants_tiles(frame.value, options_.most_target_bytes)) {
+            const std::string reason = whole_reason(frame.value);
+            if (!reason.empty()) {
+                if (std::string error = too_large(frame.value, reason); !error.empty()) return failed(error);
+            } else {
+                frame = plan_tiles();
+                if (!frame) return failed(frame.error);
+            }
+        }
         frame.value.progress = options_.progress;
         return draw(frame.value);
     }
@@ -114,6 +124,51 @@ private:
              .instance_values = instance_values_});
     }
 
+    // The materials again, for targets that hold one tile.
+    Outcome<Frame> plan_tiles() {
+        is_in_tiles_ = true;
+        compiled_.clear();
+        drawn_.clear();
+        instance_values_.clear();
+        outcome_.dependencies.clear();
+        prepare();
+        if (!ok_) return Failure{outcome_.error};
+        Outcome<Frame> frame = plan();
+        if (!frame) return frame;
+        frame.value.tile = tile_side(frame.value, options_.most_target_bytes);
+        frame.value.largest_viewport = options_.largest_viewport;
+        return frame;
+    }
+
+    // Empty, or why a picture that cannot be drawn in tiles for this reason cannot be drawn as a whole either.
+    std::string too_large(const Frame& frame, const std::string& reason) {
+        const Scene& view = world_.view;
+        const auto bytes_with = [&](int width, int height, int samples) {
+            return target_bytes(frame, width * samples, height * samples);
+        };
+        const auto fits = [&](int width, int height, int samples) {
+            const int side = std::max(width, height) * samples;
+            return side <= kLargestImage && bytes_with(width, height, samples) <= options_.most_whole_bytes;
+        };
+        if (fits(view.width, view.height, view.samples)) return "";
+        std::string error = fmt::format(
+            "{}, so the picture cannot be drawn in tiles, and {} x {} pixels of {} x {} samples at once need {:.1f} "
+            "GiB "
+            "of render targets; the limit is {:.1f} GiB, and {} samples on a side: ",
+            reason, view.width, view.height, view.samples, view.samples,
+            gibibytes(bytes_with(view.width, view.height, view.samples)), gibibytes(options_.most_whole_bytes),
+            kLargestImage);
+        int samples = view.samples - 1;
+        while (samples > 0 && !fits(view.width, view.height, samples)) samples--;
+        if (samples > 0) return error + fmt::format("use --samples {}", samples);
+        int divisor = 2;
+        const auto part = [&](int side) { return std::max(side / divisor, 1); };
+        while (!fits(part(view.width), part(view.height), 1)) divisor++;
+        return error + fmt::format("use --samples 1 and a smaller picture, of {} x {} pixels", part(view.width),
+                                   part(view.height));
+    }
+    static double gibibytes(std::size_t bytes) { return double(bytes) / double(std::size_t(1) << 30); }
+
     bool on_cpu() const { return options_.via == "cpu"; }
     Target target() const { return {.engine = options_.engine, .language = options_.via == "hlsl" ? "hlsl" : "glsl"}; }
 
@@ -159,6 +214,7 @@ private:
         set("subtractive", variant.lightmap && mixed.mode == LightMixing::Subtractive);
         set("distanceShadowMask", mixed.mode == LightMixing::DistanceShadowMask);
         set("shadowsFade", mixed.shadow_distance.has_value());
+        set("tiles", is_in_tiles_);
         switches.insert(switches.end(), options_.switches.begin(), options_.switches.end());
         return switches;
     }
@@ -304,6 +360,7 @@ private:
         if (!image) return failed(image.error);
         outcome_.image = std::move(image.value);
         outcome_.draws = frame.steps.size();
+        outcome_.tiles = tiles_of(frame).size();
         outcome_.ok = true;
         return std::move(outcome_);
     }
@@ -315,6 +372,7 @@ private:
     RenderOutcome outcome_{};
     bool ok_ = true;
     bool is_drawing_ = true;
+    bool is_in_tiles_ = false;
     World spread_{};  // the world, with a material for each variant
     std::vector<Variant> variants_{};
     std::vector<std::unique_ptr<PreparedMaterial>> compiled_{};  // one for each variant

@@ -56,6 +56,9 @@ void add_camera(Values& values, const View& view) {
 void add_frame(Values& values, const Scene& scene) {
     values["time"] = scalar(scene.time);
     values["screenSize"] = {2, {double(scene.width) * scene.samples, double(scene.height) * scene.samples}};
+    // Those of the picture as a whole: frame/tiles.h knows those of a tile.
+    values["tile"] = vector(glm::vec4(0, 0, scene.width * scene.samples, scene.height * scene.samples));
+    values["tileClip"] = vector(glm::vec4(1, 1, 0, 0));
     const Fog& fog = scene.fog;
     values["fogColor"] = vector(glm::vec4(fog.color, 1));
     values["fogSettings"] = vector(glm::vec4(static_cast<int>(fog.mode), fog.density, fog.start, fog.end));

@@ -52,10 +52,10 @@ struct EngineScene {
 
 // Camera: worldToClip, clipToWorld, worldToView, cameraPositionWS, cameraForwardWS, viewIsOrthographic,
 // clipPlanes (near, far), shadowBias, shadowNormalBias. Object: objectToWorld, worldToObject,
-// lightmapDecode. Frame: time, screenSize (pixels, samples included), fogColor, fogSettings (mode 0 none, 1
-// linear, 2 exponential, 3 its square; density; start; end). Lights: lightCount, lightPosition, lightColor,
-// lightAxis, lightCone (in the order given, those that count at vertices behind the others; slots without a light
-// have no shadow map), vertexLightCount, worldToShadow, shadowTile, shadowStrength, shadowTexel,
+// lightmapDecode. Frame: time, screenSize (pixels, samples included), tile, tileClip (of the whole picture), fogColor,
+// fogSettings (mode 0 none, 1 linear, 2 exponential, 3 its square; density; start; end). Lights: lightCount,
+// lightPosition, lightColor, lightAxis, lightCone (in the order given, those that count at vertices behind the others;
+// slots without a light have no shadow map), vertexLightCount, worldToShadow, shadowTile, shadowStrength, shadowTexel,
 // worldToCookie (of cookie_light()), lightMask (1 in the channel of shadow masks that is the light's: lights that
 // cast shadows have one each, in the scene's order), mainLight (slot of the light that subtractive lightmaps hold,
 // or -1), shadowColor, shadowFade (scale and offset of ShadowFade). Ambient: ambientSH.

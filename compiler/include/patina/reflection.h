@@ -149,6 +149,9 @@ struct Pass {
     double depth_bias = 0, depth_slope_bias = 0;  // as Vulkan's: in units of the depth format, and times the slope
     Stencil stencil;
     int queue = 2000;
+    // It reads a target that has the size of the picture at another place than its own pixel, or may do so: the picture
+    // cannot be drawn in tiles.
+    bool reads_elsewhere = false;
     bool moves_vertices = false;        // in the graph's vertex stage: the drawn bounds are not the mesh's own
     std::optional<Bounds> bounds{};     // for an extra pass: as in Reflection
     std::vector<RenderTarget> targets;  // empty: depth only

@@ -127,5 +127,19 @@ TEST_F(Limits, TooManyTargetsOfAStepAreRefused) {
     EXPECT_TRUE(beyond_limits(limits, "gpu", frame).ends_with("6 (maxColorAttachments)"));
 }
 
+// In tiles, the images are smaller than the picture.
+TEST_F(Limits, AnImageThatIsTooLargeIsRefused) {
+    Frame frame{.targets = {{.name = "color", .width = 600, .height = 400, .is_of_picture = true}}};
+    constexpr std::uint64_t kBytes = 600 * 400 * 16;
+    EXPECT_EQ(beyond_limits(limits, "gpu", frame, kBytes), "");
+    EXPECT_EQ(beyond_limits(limits, "gpu", frame, kBytes - 1),
+              "'gpu' cannot take a picture of 600 x 400 samples, which is an image of 3840000 bytes: its limit is "
+              "3839999 (maxMemoryAllocationSize)");
+    limits.maxImageDimension2D = 100;
+    EXPECT_NE(beyond_limits(limits, "gpu", frame), "");
+    frame.tile = 100;
+    EXPECT_EQ(beyond_limits(limits, "gpu", frame, 100 * 100 * 16), "");
+}
+
 }  // namespace
 }  // namespace patina::runtime

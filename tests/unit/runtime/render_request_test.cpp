@@ -73,6 +73,17 @@ TEST(RenderRequest, PixelsThatAreNotFiniteAreCountedAndTracedToTheirNode) {
     EXPECT_LT(outcome.values.not_finite, 288u);
 }
 
+// Of a picture that is drawn in tiles, as of others.
+TEST(RenderRequest, APixelOfALargePictureIsTraced) {
+    const OwnGraph graph(kDivides);
+    const Compiler compiler;
+    const TraceOutcome outcome =
+        trace(compiler, {.graph = graph.path.string(), .mesh = "plane", .size = 8192, .samples = 16}, 4096, 4096,
+              Precision::Float);
+    EXPECT_TRUE(outcome.ok) << outcome.error;
+    EXPECT_TRUE(outcome.trace.is_covered);
+}
+
 TEST(RenderRequest, APreviewShowsItsRangeAndWhatIsNotFinite) {
     const OwnGraph graph(kDivides);
     const Compiler compiler;
