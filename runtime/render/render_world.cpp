@@ -9,6 +9,7 @@
 
 #include "patina/validate.h"
 #include "runtime/cpu/cpu_render.h"
+#include "runtime/cpu/cpu_trace.h"
 #include "runtime/frame/frame_plan.h"
 #include "runtime/render/complaints.h"
 #include "runtime/render/object_textures.h"
@@ -64,7 +65,45 @@ public:
         return std::move(outcome_);
     }
 
+    // `options.via` is "cpu".
+    TraceOutcome trace(const TraceWish& wish) {
+        is_tracing_ = true;
+        find_variants();
+        prepare();
+        TraceOutcome traced;
+        if (ok_) outcome_.error = no_picture();
+        Outcome<Frame> frame = ok_ && outcome_.error.empty() ? plan() : Outcome<Frame>(Failure{outcome_.error});
+        if (frame) {
+            frame.value.progress = options_.progress;
+            Outcome<PixelTrace> pixel = cpu_trace(frame.value, wish);
+            outcome_.error = pixel.error;
+            traced.trace = std::move(pixel.value);
+            traced.ok = outcome_.error.empty();
+            name_traced(traced);
+        } else {
+            outcome_.error = frame.error;
+        }
+        traced.diagnostics = std::move(outcome_.diagnostics);
+        traced.error = std::move(outcome_.error);
+        return traced;
+    }
+
 private:
+    // What a trace calls what it found, and what is to be said of its material.
+    void name_traced(TraceOutcome& traced) {
+        for (std::size_t object : traced.trace.seen) traced.seen.push_back(world_.objects[object].name);
+        traced.pass = traced.trace.pass;
+        if (!traced.trace.object) return;
+        const std::size_t object = *traced.trace.object;
+        const WorldMaterial& material = world_.materials[world_.objects[object].material];
+        traced.object = world_.objects[object].name;
+        traced.material = material.name;
+        traced.graph = material.graph;
+        traced.instances = world_.objects[object].instances.size();
+        const Reflection& reflection = compiled_[spread_.objects[object].material]->compiled.reflection;
+        if (const auto warning = anisotropy_warning(material.graph, reflection, traced.pass)) report({*warning});
+    }
+
     // Checks each material, the textures of the objects, and the shaders; reports as many problems as possible.
     void prepare() {
         for (std::size_t i = 0; i < variants_.size(); ++i) compile(i);
@@ -166,6 +205,7 @@ private:
     Result compile_for(const Variant& variant, const std::string& path) const {
         CompileOptions options = compile_options(options_);
         if (is_drawing_) options.targets = {target()};
+        if (is_tracing_) options.targets.clear();  // what is run is the program, not a text
         options.path = path;
         options.switches = switches_of(variant);
         options.keep_programs = on_cpu();
@@ -214,7 +254,7 @@ private:
         if (is_drawing_) add_engine_textures(made.loaded.textures, reflection, world_.view);
         report(cookie_warnings(material.graph, reflection, world_.view));
         if (is_pass_file()) report(unknown_value_warnings(options_.path, reflection));
-        if (!on_cpu()) return;
+        if (!on_cpu() || is_tracing_) return;
         if (const auto warning = anisotropy_warning(material.graph, reflection)) report({*warning});
     }
 
@@ -315,6 +355,7 @@ private:
     RenderOutcome outcome_{};
     bool ok_ = true;
     bool is_drawing_ = true;
+    bool is_tracing_ = false;
     World spread_{};  // the world, with a material for each variant
     std::vector<Variant> variants_{};
     std::vector<std::unique_ptr<PreparedMaterial>> compiled_{};  // one for each variant
@@ -330,6 +371,12 @@ private:
 RenderOutcome draw_world(const Compiler& compiler, const World& world, const RenderOptions& options,
                          RenderMachine& machine) {
     return Drawing(compiler, world, options, machine).run();
+}
+
+TraceOutcome trace_world(const Compiler& compiler, const World& world, RenderOptions options, const TraceWish& wish) {
+    options.via = "cpu";
+    RenderMachine none;
+    return Drawing(compiler, world, options, none).trace(wish);
 }
 
 RenderOutcome check_world(const Compiler& compiler, const World& world, const RenderOptions& options) {
