@@ -41,11 +41,11 @@ bool is_sound(const Result& result) {
     });
 }
 
-// A pass reads a target that is not its own depth.
+// A pass that shows the object reads a target that is not its own depth: the picture, or shadow maps.
 bool reads_picture(const Reflection& reflection) {
     for (const Pass& pass : reflection.passes)
         for (const Texture& texture : reflection.textures)
-            if (!texture.reads.empty() && texture.reads != pass.depth_target &&
+            if (pass.lights != PassLights::Shadowed && !texture.reads.empty() && texture.reads != pass.depth_target &&
                 std::count(pass.textures.begin(), pass.textures.end(), texture.name) > 0)
                 return true;
     return false;
@@ -115,11 +115,14 @@ private:
         return found->second;
     }
 
-    // Without its texts: what counts is the reflection, or the errors.
+    // Without its texts: what counts is the reflection, or the errors. A node may read the shadow of a light.
     Result compiled(const WorldMaterial& material) const {
         CompileOptions options = compile_options(options_);
         options.preview.clear();
         options.targets.clear();
+        const std::vector<Light>& lights = world_.view.lights;
+        if (std::any_of(lights.begin(), lights.end(), [](const Light& light) { return light.shadow.casts; }))
+            options.switches.emplace_back("shadows", "true");
         return compile_material(compiler_, material, std::move(options));
     }
 
@@ -235,16 +238,10 @@ private:
         return object;
     }
 
-    // Nothing that is drawn after the value may change it.
-    void make_plain(World& world) const {
-        world.view.fog = {};
-        for (Light& light : world.view.lights) light.shadow.casts = false;
-    }
-
     World world_before() {
         World world = world_;
-        make_plain(world);
         world.view.background.a = 0;
+        for (Light& light : world.view.lights) light.shadow.casts = false;  // nothing here is lit
         world.materials = {shown_material()};
         world.objects.clear();
         std::map<std::size_t, std::optional<std::size_t>> hiding;  // by material; nothing: it is blended
@@ -288,7 +285,6 @@ private:
 
     World world_with_picture() {
         World world = world_;
-        make_plain(world);
         world.materials.push_back(shown_material());
         world.objects.clear();
         for (std::size_t i = 0; i < world_.objects.size(); ++i) {
@@ -334,6 +330,7 @@ ScenePreview preview_world(const Compiler& compiler, const World& world, const P
                            const RenderOptions& options) {
     RenderOptions own = options;
     own.preview.clear();
+    if (own.path.ends_with(".hlsl")) own.switches.clear();  // the library's passes do not know those of a pass file
     return Preview(compiler, world, wish, own).make();
 }
 

@@ -27,7 +27,8 @@ struct ScenePreview {
     bool ok = false;
     World world{};  // transparent where the objects are not seen
     RenderOptions options{};
-    // The node reads the picture behind its object, which `world` lacks: this one has it, and every object as it is.
+    // The node reads the picture behind its object, or shadows, which `world` lacks. This one has them, and every opaque
+    // object as it is.
     bool reads_picture = false;
     World with_picture{};
     std::vector<Diagnostic> diagnostics{};

@@ -169,10 +169,12 @@ Diagnostic not_finite(const Compiler& compiler, const RenderRequest& request, co
         warning.line = cause->value.line;
         warning.column = cause->value.column;
     }
+    // A preview leaves out what is before its object.
+    const bool is_found = cause->is_front && (cause->object.empty() || request.options.preview.empty());
     warning.notes.push_back(
         note(fmt::format("'patina trace {} --pixel {},{}{}', with the same options, shows all values of the pixel",
                          request.graph, values.first_x, values.first_y,
-                         cause->is_front ? "" : " --object " + cause->object)));
+                         is_found ? "" : " --object " + cause->object)));
     return warning;
 }
 

@@ -72,17 +72,15 @@ public:
         prepare();
         TraceOutcome traced;
         if (ok_) outcome_.error = no_picture();
-        Outcome<Frame> frame = ok_ && outcome_.error.empty() ? plan() : Outcome<Frame>(Failure{outcome_.error});
-        if (frame) {
+        if (ok_ && outcome_.error.empty()) {
+            Outcome<Frame> frame = plan();
             frame.value.progress = options_.progress;
-            Outcome<PixelTrace> pixel = cpu_trace(frame.value, wish);
+            Outcome<PixelTrace> pixel = frame ? cpu_trace(frame.value, wish) : Failure{frame.error};
             outcome_.error = pixel.error;
             traced.trace = std::move(pixel.value);
             traced.ok = outcome_.error.empty();
-            name_traced(traced);
-        } else {
-            outcome_.error = frame.error;
         }
+        if (traced.ok) name_traced(traced);
         traced.diagnostics = std::move(outcome_.diagnostics);
         traced.error = std::move(outcome_.error);
         return traced;

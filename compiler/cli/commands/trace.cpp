@@ -56,13 +56,24 @@ std::vector<Row> rows_of(const runtime::PixelTrace& trace, const std::string& wa
     return rows;
 }
 
-Exit no_such_node(const Console& console, const runtime::PixelTrace& trace, const std::string& wanted) {
+// Objects of a scene that the pixel shows in addition to the traced one, from front to back: "'wall', 'floor'".
+std::string others_text(const runtime::TraceOutcome& outcome) {
+    std::string text;
+    for (const std::string& name : outcome.seen)
+        if (name != outcome.object) text += (text.empty() ? "'" : ", '") + name + "'";
+    return text;
+}
+
+Exit no_such_node(const Console& console, const runtime::TraceOutcome& outcome, const std::string& wanted) {
     std::vector<std::string> known;
-    for (const Row& row : rows_of(trace, {})) {
+    for (const Row& row : rows_of(outcome.trace, {})) {
         if (std::find(known.begin(), known.end(), row.value->node) == known.end()) known.push_back(row.value->node);
     }
-    const std::string advice = suggestion(wanted, known);
-    complain(console, Complaint::NodeNotComputed, {wanted, advice.empty() ? advice : "; " + advice});
+    const std::string advice = suggestion(wanted, known), others = others_text(outcome);
+    std::string rest = outcome.object.empty() ? "" : fmt::format(" for the object '{}'", outcome.object);
+    if (!advice.empty()) rest += "; " + advice;
+    if (!others.empty()) rest += fmt::format("; the pixel shows {} too, which --object traces", others);
+    complain(console, Complaint::NodeNotComputed, {wanted, rest});
     return Exit::Wrong;
 }
 
@@ -129,19 +140,11 @@ std::string as_hex(const std::array<float, 4>& color) {
     return hex;
 }
 
-// "the object 'wall', which has the material 'brick' (brick.graph.json)"
+// "object 'wall', instance 2 of 0 to 9, material 'brick' (brick.graph.json)"
 std::string object_text(const runtime::TraceOutcome& outcome) {
     std::string text = fmt::format("object '{}'", outcome.object);
     if (outcome.instances > 0) text += fmt::format(", instance {} of 0 to {}", outcome.trace.instance, outcome.instances - 1);
     return text + fmt::format(", material '{}' ({})", outcome.material, outcome.graph);
-}
-
-// What else the pixel shows, from front to back.
-std::string others_text(const runtime::TraceOutcome& outcome) {
-    std::string text;
-    for (const std::string& name : outcome.seen)
-        if (name != outcome.object) text += (text.empty() ? "'" : ", '") + name + "'";
-    return text;
 }
 
 // Only a scene has objects to name.
@@ -152,7 +155,7 @@ void print_object(const Arguments& arguments, const runtime::TraceOutcome& outco
         print(fmt::format("it is hidden here by '{}'; the values are those that it would have\n",
                           outcome.seen.empty() ? "another object" : outcome.seen.front()));
     else if (const std::string others = others_text(outcome); !others.empty())
-        print(fmt::format("the pixel shows {} too; --object traces another object\n", others));
+        print(fmt::format("the pixel shows {} too, which --object traces\n", others));
 }
 
 // Why no node has a value.
@@ -283,7 +286,7 @@ Exit trace_pixel(const Console& console, const Arguments& arguments) {
     if (!outcome.ok) return Exit::Wrong;
     const std::vector<Row> rows = rows_of(outcome.trace, arguments.node);
     if (outcome.trace.is_covered && rows.empty() && !arguments.node.empty()) {
-        return no_such_node(console, outcome.trace, arguments.node);
+        return no_such_node(console, outcome, arguments.node);
     }
     if (arguments.json) {
         print(as_json(arguments, outcome, rows));
