@@ -53,8 +53,7 @@ std::vector<CpuTriangle> visible_triangles(const FrameStep& step, const PixelAre
              clip_to_screen(corner(0), corner(1), corner(2), area.width, area.height, {area.x, area.y})) {
             if (!is_drawn(t, step.pass->cull)) continue;
             const double offset = depth_offset(*step.pass, t);
-            visible.push_back(
-                {.screen = std::move(t), .index = i / 3, .instance = instance, .depth_offset = offset});
+            visible.push_back({.screen = std::move(t), .index = i / 3, .instance = instance, .depth_offset = offset});
         }
     }
     return visible;

@@ -27,7 +27,7 @@ using CpuStageCache = std::map<std::pair<const Program*, const Pass*>, CpuStages
 // A triangle that may be seen.
 struct CpuTriangle {
     ScreenTriangle screen;
-    std::size_t index = 0;    // among the mesh's
+    std::size_t index = 0;  // among the mesh's
     std::uint32_t instance = 0;
     double depth_offset = 0;  // by the pass's bias
 };

@@ -34,8 +34,7 @@ std::vector<bool> whole_targets(const Frame& frame) {
         for (const FrameStep& step : frame.steps) {
             const std::vector<std::size_t> drawn = attachments(step);
             const auto is_whole = [&](std::size_t target) { return whole[target]; };
-            if (std::none_of(drawn.begin(), drawn.end(), is_whole) ||
-                std::all_of(drawn.begin(), drawn.end(), is_whole))
+            if (std::none_of(drawn.begin(), drawn.end(), is_whole) || std::all_of(drawn.begin(), drawn.end(), is_whole))
                 continue;
             for (std::size_t target : drawn) whole[target] = true;
             changes = true;
@@ -55,8 +54,7 @@ std::vector<std::size_t> ends_of_reading(const Frame& frame) {
 // Whatever was there is not seen any more.
 bool replaces(const Pass& pass) {
     const auto blends = [](const RenderTarget& target) { return target.blend.is_on(); };
-    return pass.targets.empty() ? pass.depth_write
-                                : std::none_of(pass.targets.begin(), pass.targets.end(), blends);
+    return pass.targets.empty() ? pass.depth_write : std::none_of(pass.targets.begin(), pass.targets.end(), blends);
 }
 
 class Tracer {
@@ -132,7 +130,7 @@ private:
         shade(made.value, stages);
         for (std::size_t target : step.targets) targets_[target].version++;
         if (step.depth >= 0 && step.pass->depth_write) targets_[std::size_t(step.depth)].version++;
-        if (is_seen) kept_[index] = std::move(made.value);
+        if (hit_step_ == index) kept_[index] = std::move(made.value);
         return "";
     }
 
@@ -148,7 +146,9 @@ private:
         const int x = hit.fragment.quad.x + hit.fragment.lane % 2, y = hit.fragment.quad.y + hit.fragment.lane / 2;
         if (!window_.holds(x, y)) return;
         const std::lock_guard lock(mutex_);
-        hits_[std::size_t(y - window_.top) * std::size_t(frame_.samples) + std::size_t(x - window_.left)].push_back(hit);
+        hit_step_ = hit.step;
+        hits_[std::size_t(y - window_.top) * std::size_t(frame_.samples) + std::size_t(x - window_.left)].push_back(
+            hit);
     }
 
     Image shown_samples() const {
@@ -224,7 +224,8 @@ private:
         int chosen = most_central([&](int i) { return is_drawn(i) && !is_finite(i); });
         if (chosen < 0) chosen = most_central(is_drawn);
         if (chosen < 0) {
-            chosen = most_central([&](int i) { return fronts[std::size_t(i)] && fronts[std::size_t(i)]->fragment.is_hidden; });
+            chosen = most_central(
+                [&](int i) { return fronts[std::size_t(i)] && fronts[std::size_t(i)]->fragment.is_hidden; });
         }
         if (chosen < 0) chosen = most_central([&](int i) { return fronts[std::size_t(i)] != nullptr; });
         const int shown = chosen < 0 ? most_central([](int) { return true; }) : chosen;
@@ -290,6 +291,7 @@ private:
     std::vector<CpuTarget> targets_{};
     CpuStageCache stages_{};
     std::vector<std::optional<CpuStep>> kept_{};  // steps whose fragments are in `hits_`
+    std::optional<std::size_t> hit_step_{};       // the last of them
     std::mutex mutex_{};
 };
 

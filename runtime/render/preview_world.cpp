@@ -36,9 +36,8 @@ bool is_about_port(const Diagnostic& diagnostic) {
 
 // The only errors are about the previewed port.
 bool is_sound(const Result& result) {
-    return std::all_of(result.diagnostics.begin(), result.diagnostics.end(), [](const Diagnostic& each) {
-        return each.severity != Severity::Error || is_about_port(each);
-    });
+    return std::all_of(result.diagnostics.begin(), result.diagnostics.end(),
+                       [](const Diagnostic& each) { return each.severity != Severity::Error || is_about_port(each); });
 }
 
 // A pass that shows the object reads a target that is not its own depth: the picture, or shadow maps.
@@ -209,9 +208,9 @@ private:
         const auto is_named = [&](const auto& each) { return each.name == head; };
         const bool is_object = std::any_of(world_.objects.begin(), world_.objects.end(), is_named);
         if (!is_object && std::none_of(world_.materials.begin(), world_.materials.end(), is_named)) return;
-        diagnostics.back().notes.push_back(note(fmt::format("'{0}' is {1}: choose it with --{2} {0} --node {3}", head,
-                                                            is_object ? "an object" : "a material",
-                                                            is_object ? "object" : "material", rest)));
+        diagnostics.back().notes.push_back(
+            note(fmt::format("'{0}' is {1}: choose it with --{2} {0} --node {3}", head,
+                             is_object ? "an object" : "a material", is_object ? "object" : "material", rest)));
     }
 
     bool is_chosen(std::size_t object) const {

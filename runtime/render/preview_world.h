@@ -2,8 +2,8 @@
 // the other opaque objects only hide what is behind them, as their cutouts and moved vertices do; blended ones are left
 // out. It draws nothing.
 //
-//   ScenePreview preview = preview_world(compiler, world, {.port = "albedo", .object = "wall", .scene = path}, options);
-//   if (preview.ok) draw_world(compiler, preview.world, preview.options, machine);
+//   ScenePreview preview = preview_world(compiler, world, {.port = "albedo", .object = "wall", .scene = path},
+//   options); if (preview.ok) draw_world(compiler, preview.world, preview.options, machine);
 #pragma once
 
 #include <string>
@@ -27,8 +27,8 @@ struct ScenePreview {
     bool ok = false;
     World world{};  // transparent where the objects are not seen
     RenderOptions options{};
-    // The node reads the picture behind its object, or shadows, which `world` lacks. This one has them, and every opaque
-    // object as it is.
+    // The node reads the picture behind its object, or shadows, which `world` lacks. This one has them, and every
+    // opaque object as it is.
     bool reads_picture = false;
     World with_picture{};
     std::vector<Diagnostic> diagnostics{};

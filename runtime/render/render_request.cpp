@@ -123,7 +123,8 @@ struct Cause {
 };
 
 // Of what is seen at the pixel, the front-most object that computes such a number. Nothing if the CPU finds none.
-std::optional<Cause> cause_at(const Compiler& compiler, const World& world, const RenderOptions& options, TraceWish wish) {
+std::optional<Cause> cause_at(const Compiler& compiler, const World& world, const RenderOptions& options,
+                              TraceWish wish) {
     const TraceOutcome front = trace_world(compiler, world, options, wish);
     if (!front.ok) return std::nullopt;
     if (auto value = first_not_finite(front.trace)) return Cause{*std::move(value), front.object, true};
@@ -173,8 +174,7 @@ Diagnostic not_finite(const Compiler& compiler, const RenderRequest& request, co
     const bool is_found = cause->is_front && (cause->object.empty() || request.options.preview.empty());
     warning.notes.push_back(
         note(fmt::format("'patina trace {} --pixel {},{}{}', with the same options, shows all values of the pixel",
-                         request.graph, values.first_x, values.first_y,
-                         is_found ? "" : " --object " + cause->object)));
+                         request.graph, values.first_x, values.first_y, is_found ? "" : " --object " + cause->object)));
     return warning;
 }
 
@@ -302,10 +302,10 @@ RenderOutcome render_scene_preview(const Compiler& compiler, const RenderRequest
     put_first(preview.diagnostics, drawn);
     if (!drawn.ok) return drawn;
     if (drawn.values.is_empty && drawn.values.not_finite == 0)
-        drawn.diagnostics.push_back(complaint(request.graph, Severity::Warning, Complaint::NoPreviewSeen,
-                                              {request.object.empty()
-                                                   ? fmt::format("all objects of '{}' are", preview.world.materials[0].name)
-                                                   : fmt::format("the object '{}' is", request.object)}));
+        drawn.diagnostics.push_back(
+            complaint(request.graph, Severity::Warning, Complaint::NoPreviewSeen,
+                      {request.object.empty() ? fmt::format("all objects of '{}' are", preview.world.materials[0].name)
+                                              : fmt::format("the object '{}' is", request.object)}));
     show_values(request, drawn.image);
     if (request.background == "none") return drawn;
     RenderOutcome around = draw_world(compiler, world, options, machine);

@@ -23,14 +23,14 @@
 namespace patina::runtime {
 
 struct RenderRequest {
-    std::string graph{};                             // a file: a material's graph, or a scene (x.scene.json)
-    std::string mesh = "sphere";                     // mesh_names()
-    int segments = 0;                                // of the mesh (make_mesh()); 0: as usual
-    int size = 512;                                  // pixels, width
-    int height = 0;                                  // 0: as the width
-    int samples = 4;                                 // along each axis of a pixel: 4 averages 16
-    // Of a scene: the object that is traced, or that shows a preview, or the material whose objects show it. Empty: what
-    // the pixel shows; the only material that has the node.
+    std::string graph{};          // a file: a material's graph, or a scene (x.scene.json)
+    std::string mesh = "sphere";  // mesh_names()
+    int segments = 0;             // of the mesh (make_mesh()); 0: as usual
+    int size = 512;               // pixels, width
+    int height = 0;               // 0: as the width
+    int samples = 4;              // along each axis of a pixel: 4 averages 16
+    // Of a scene: the object that is traced, or that shows a preview, or the material whose objects show it. Empty:
+    // what the pixel shows; the only material that has the node.
     std::string object{}, material{};
     std::map<std::string, std::string> overrides{};  // property -> "0.2", "1,0,0", "#ff8800", "true", "Wet", "rust.png"
     std::optional<double> time{};                    // seconds; nothing: the scene's own, or 0

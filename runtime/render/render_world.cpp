@@ -87,10 +87,17 @@ public:
     }
 
 private:
+    // The first that draws objects as the camera sees them.
+    static std::string shown_pass(const PreparedMaterial& material) {
+        for (const Pass& pass : material.compiled.reflection.passes)
+            if (pass.draws == PassDraws::Objects && pass.lights != PassLights::Shadowed) return pass.name;
+        return "";
+    }
+
     // What a trace calls what it found, and what is to be said of its material.
     void name_traced(TraceOutcome& traced) {
         for (std::size_t object : traced.trace.seen) traced.seen.push_back(world_.objects[object].name);
-        traced.pass = traced.trace.pass;
+        traced.pass = traced.trace.object || compiled_.empty() ? traced.trace.pass : shown_pass(*compiled_.front());
         if (!traced.trace.object) return;
         const std::size_t object = *traced.trace.object;
         const WorldMaterial& material = world_.materials[world_.objects[object].material];

@@ -143,7 +143,8 @@ std::string as_hex(const std::array<float, 4>& color) {
 // "object 'wall', instance 2 of 0 to 9, material 'brick' (brick.graph.json)"
 std::string object_text(const runtime::TraceOutcome& outcome) {
     std::string text = fmt::format("object '{}'", outcome.object);
-    if (outcome.instances > 0) text += fmt::format(", instance {} of 0 to {}", outcome.trace.instance, outcome.instances - 1);
+    if (outcome.instances > 0)
+        text += fmt::format(", instance {} of 0 to {}", outcome.trace.instance, outcome.instances - 1);
     return text + fmt::format(", material '{}' ({})", outcome.material, outcome.graph);
 }
 
@@ -162,7 +163,7 @@ void print_object(const Arguments& arguments, const runtime::TraceOutcome& outco
 std::string uncovered_text(const Arguments& arguments) {
     const bool is_of_scene = is_scene(arguments.request.graph);
     const std::string& object = arguments.request.object;
-    const std::string what = !is_of_scene      ? "the mesh does"
+    const std::string what = !is_of_scene     ? "the mesh does"
                              : object.empty() ? "the objects of the scene do"
                                               : "the object '" + object + "' does";
     return what + " not cover this pixel: nothing was computed\n";
@@ -335,9 +336,10 @@ void add_trace(Program& program) {
          "patina trace room.scene.json --pixel 256,200", "patina trace room.scene.json --pixel 256,200 --object wall"});
     auto arguments = std::make_shared<Arguments>();
     command
-        .add_option("GRAPH", arguments->request.graph,
-                    "A material graph or a scene (JSON). A scene has meshes and values of its own: --mesh and --set are "
-                    "for graphs")
+        .add_option(
+            "GRAPH", arguments->request.graph,
+            "A material graph or a scene (JSON). A scene has meshes and values of its own: --mesh and --set are "
+            "for graphs")
         ->required()
         ->type_name(" ");
     command
