@@ -56,6 +56,26 @@ void add_scene_options(CLI::App& command, runtime::RenderRequest& request) {
 
 }  // namespace
 
+bool is_scene(const std::string& graph) {
+    return graph.ends_with(".scene.json");
+}
+
+void refuse_mesh(const std::vector<std::string>& graphs, bool has_mesh) {
+    for (const std::string& graph : graphs) {
+        if (has_mesh && is_scene(graph))
+            throw CLI::ValidationError("--mesh", "'" + graph + "' is a scene, which has meshes of its own");
+    }
+}
+
+void refuse_object(const std::string& graph, const std::string& option, const std::string& value) {
+    if (!value.empty() && !is_scene(graph))
+        throw CLI::ValidationError(option, "'" + graph + "' is a graph: only a scene (NAME.scene.json) has objects");
+}
+
+std::string is_not_empty(const std::string& word) {
+    return word.empty() ? "it is empty" : "";
+}
+
 std::string is_time_word(const std::string& word) {
     double seconds = 0;
     if (!CLI::detail::lexical_cast(word, seconds)) return {};  // CLI11 reports that it is not a number

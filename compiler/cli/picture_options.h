@@ -13,6 +13,14 @@ namespace patina::cli {
 // --set, --mesh, --segments, --size, --width, --height, --samples, --light, --ambient, --background, --camera and -I.
 void add_picture_options(CLI::App& command, std::vector<std::string>& set, runtime::RenderRequest& request);
 
+bool is_scene(const std::string& graph);
+// Throw the usage error if one of the graphs is a scene but has a mesh from the command line; if an option that chooses
+// in a scene is given with a graph.
+void refuse_mesh(const std::vector<std::string>& graphs, bool has_mesh);
+void refuse_object(const std::string& graph, const std::string& option, const std::string& value);
+
+// A check for options whose value is a name. Returns nothing, or what is wrong with the word.
+std::string is_not_empty(const std::string& word);
 // A check for --time. Returns nothing, or what is wrong with the word.
 std::string is_time_word(const std::string& word);
 

@@ -61,12 +61,12 @@ Outcome<std::vector<ClipVertex>> run_vertices(Interpreter& stage, const Mesh& me
     return result;
 }
 
-std::vector<TracedValue> trace_vertex(Interpreter& stage, const Vertex& vertex) {
+std::vector<TracedValue> trace_vertex(Interpreter& stage, const Vertex& vertex, std::uint32_t instance) {
     QuadInputs quad;
     for (std::vector<double>& lane : quad.lanes) {
         for (const StageValue& input : stage.inputs()) {
             if (is_instance(input))
-                lane.push_back(0);
+                lane.push_back(instance);
             else
                 append_attribute(vertex, *vertex_source(input.name), input.components, lane);
         }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 #include "runtime/cpu/fixed_state.h"
 #include "runtime/frame/frame_check.h"
@@ -44,7 +45,7 @@ bool is_drawn(const ScreenTriangle& triangle, Cull cull) {
 }
 
 std::vector<CpuTriangle> visible_triangles(const FrameStep& step, const PixelArea& area,
-                                           const std::vector<ClipVertex>& vertices) {
+                                           const std::vector<ClipVertex>& vertices, std::uint32_t instance) {
     std::vector<CpuTriangle> visible;
     const std::vector<std::uint32_t>& indices = step.mesh->indices;
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
@@ -53,7 +54,7 @@ std::vector<CpuTriangle> visible_triangles(const FrameStep& step, const PixelAre
              clip_to_screen(corner(0), corner(1), corner(2), area.width, area.height, {area.x, area.y})) {
             if (!is_drawn(t, step.pass->cull)) continue;
             const double offset = depth_offset(*step.pass, t);
-            visible.push_back({.screen = std::move(t), .index = i / 3, .depth_offset = offset});
+            visible.push_back({.screen = std::move(t), .index = i / 3, .instance = instance, .depth_offset = offset});
         }
     }
     return visible;
@@ -121,7 +122,7 @@ void shade_quad(const CpuStep& step, Interpreter& fragment, const CpuTriangle& t
         if (quad.covered[lane])
             tested[lane] = test_sample(step, quad.x + lane % 2, quad.y + lane / 2, quad.depth[lane]);
         const bool marks = tested[lane].stencil.value_or(StencilOp::Keep) != StencilOp::Keep;
-        is_needed |= quad.covered[lane] && (tested[lane].is_visible || marks);
+        is_needed |= quad.covered[lane] && (tested[lane].is_visible || marks || step.on_fragment);
     }
     if (!is_needed) return;
 
@@ -131,8 +132,12 @@ void shade_quad(const CpuStep& step, Interpreter& fragment, const CpuTriangle& t
         if (!quad.covered[lane]) continue;
         const int x = quad.x + lane % 2, y = quad.y + lane / 2;
         const bool is_discarded = outputs.discarded[lane], is_visible = tested[lane].is_visible;
-        if (is_visible && step.on_fragment)
-            step.on_fragment({.triangle = &triangle, .quad = quad, .lane = lane, .is_discarded = is_discarded});
+        if (step.on_fragment)
+            step.on_fragment({.triangle = &triangle,
+                              .quad = quad,
+                              .lane = lane,
+                              .is_discarded = is_discarded,
+                              .is_hidden = !is_visible});
         if (is_discarded) continue;
         if (tested[lane].stencil) change_stencil(step, *tested[lane].stencil, x, y);
         if (is_visible) write_pixel(step, fragment.outputs(), x, y, quad.depth[lane], outputs.lanes[lane]);
@@ -143,6 +148,10 @@ void shade_quad(const CpuStep& step, Interpreter& fragment, const CpuTriangle& t
 
 Interpreter& fragment_stage(const CpuStep& step, CpuStages& stages, std::size_t thread) {
     return bound_stage(step, stages.fragments[thread], Stage::Fragment);
+}
+
+Interpreter& vertex_stage(const CpuStep& step, CpuStages& stages) {
+    return bound_stage(step, stages.vertex, Stage::Vertex);
 }
 
 Outcome<CpuStep> make_cpu_step(const Frame& frame, const FrameStep& step, std::vector<CpuTarget>& targets,
@@ -160,7 +169,7 @@ Outcome<CpuStep> make_cpu_step(const Frame& frame, const FrameStep& step, std::v
     for (const FrameRead& read : step.reads)  // after the loaded ones: the last of a name counts
         made.textures.push_back({.name = read.texture, .data = texture_of(targets[read.target])});
 
-    Interpreter& vertex = bound_stage(made, stages.vertex, Stage::Vertex);
+    Interpreter& vertex = vertex_stage(made, stages);
     const Interpreter& fragment = fragment_stage(made, stages, 0);
     const std::size_t written = fragment.outputs().size(), wanted = pass.targets.size();
     if (vertex.outputs().empty() || (written == 0 && wanted > 0))
@@ -176,7 +185,7 @@ Outcome<CpuStep> make_cpu_step(const Frame& frame, const FrameStep& step, std::v
         if (!vertices) return Failure{vertices.error};
         if (step.clip_depth() == ClipDepth::Symmetric)
             for (ClipVertex& v : vertices.value) v.position.z = (v.position.z + v.position.w) / 2;
-        for (CpuTriangle& triangle : visible_triangles(step, area, vertices.value))
+        for (CpuTriangle& triangle : visible_triangles(step, area, vertices.value, instance))
             made.triangles.push_back(std::move(triangle));
     }
     return made;
@@ -194,6 +203,20 @@ void shade_rows(const CpuStep& step, Interpreter& fragment, int first_row, int r
             shade_quad(step, fragment, triangle, moved, inputs);
         });
     }
+}
+
+CpuStages stages_for(int threads) {
+    return {.vertex = {}, .fragments = std::vector<std::optional<Interpreter>>(std::size_t(threads))};
+}
+
+// Rows of quads are dealt out in turn.
+void shade(const CpuStep& step, CpuStages& stages) {
+    const int threads = int(stages.fragments.size());
+    const auto share = [&](int i) { shade_rows(step, fragment_stage(step, stages, std::size_t(i)), i, threads); };
+    std::vector<std::thread> others;
+    for (int i = 1; i < threads; i++) others.emplace_back(share, i);
+    share(0);
+    for (std::thread& other : others) other.join();
 }
 
 }  // namespace patina::runtime

@@ -27,16 +27,18 @@ using CpuStageCache = std::map<std::pair<const Program*, const Pass*>, CpuStages
 // A triangle that may be seen.
 struct CpuTriangle {
     ScreenTriangle screen;
-    std::size_t index = 0;    // among the mesh's
+    std::size_t index = 0;  // among the mesh's
+    std::uint32_t instance = 0;
     double depth_offset = 0;  // by the pass's bias
 };
 
-// A sample that passed the tests of depth and stencil, and what computed it.
+// A sample that a triangle covers, and what computed it.
 struct CpuFragment {
     const CpuTriangle* triangle = nullptr;
     Quad quad;
     int lane = 0;
     bool is_discarded = false;
+    bool is_hidden = false;  // it failed the test of depth or stencil
 };
 
 // Everything that the threads share and only read; each thread writes its own rows of the targets.
@@ -51,7 +53,7 @@ struct CpuStep {
     std::vector<InputSource> sources{};
     std::vector<CpuTriangle> triangles{};
     std::function<void(double)> progress{};                 // called by the thread that has row 0
-    std::function<void(const CpuFragment&)> on_fragment{};  // called for each fragment, if there is one thread only
+    std::function<void(const CpuFragment&)> on_fragment{};  // called for each fragment, by the thread that has its row
 };
 
 // The frame must have no frame_error(). In a frame with tiles, the targets of the picture are those of one tile, and
@@ -62,7 +64,15 @@ Outcome<CpuStep> make_cpu_step(const Frame& frame, const FrameStep& step, std::v
 // The fragment stage number `thread`, with the step's blocks and textures.
 Interpreter& fragment_stage(const CpuStep& step, CpuStages& stages, std::size_t thread);
 
+// The same of the vertex stage, once the step is made.
+Interpreter& vertex_stage(const CpuStep& step, CpuStages& stages);
+
 // Rows `first_row`, `first_row` + `row_step` ... of quads from the top of the targets.
 void shade_rows(const CpuStep& step, Interpreter& fragment, int first_row, int row_step);
+
+CpuStages stages_for(int threads);
+// All rows, shared by as many threads as there are fragment stages. No two threads touch one pixel, so the picture does
+// not depend on their number.
+void shade(const CpuStep& step, CpuStages& stages);
 
 }  // namespace patina::runtime

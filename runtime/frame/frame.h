@@ -15,6 +15,7 @@
 #include <functional>
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -73,6 +74,10 @@ struct FrameStep {
     PixelArea area{};                    // of the targets; a width of 0: all of them
     std::uint8_t stencil_reference = 0;
     bool clears_stencil = false;  // to 0, all of it, before the step draws
+    // For whoever asks what a pixel shows. Indices into the world whose frame it is.
+    std::optional<std::size_t> object{};  // nothing: no object is drawn
+    std::size_t first_instance = 0;       // the first of `instances`, among those of the object
+    std::vector<std::size_t> lights{};    // in the order in which the shaders number them
 };
 
 struct Frame {

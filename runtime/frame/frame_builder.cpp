@@ -181,7 +181,11 @@ void FrameBuilder::add(PlannedStep planned) {
                    .blocks = fill_blocks(*material.reflection, material.values, planned.seen),
                    .constants = constants_of(*material.reflection, material.values),
                    .textures = textures_of(planned),
-                   .area = planned.area};
+                   .area = planned.area,
+                   .object = planned.object,
+                   .first_instance = planned.first_instance};
+    for (const std::vector<SeenLight>* lights : {&planned.seen.lights, &planned.seen.vertex_lights})
+        for (const SeenLight& light : *lights) step.lights.push_back(light.index);
     step.stencil_reference =
         static_cast<std::uint8_t>(pass.stencil.is_of_lighting() ? planned.group : pass.stencil.value);
     step.clears_stencil = changes_owner(pass.stencil);

@@ -28,6 +28,7 @@ struct PlannedStep {
     const Mesh* mesh = nullptr;
     EngineScene seen{};
     std::optional<std::size_t> object{};  // of the world, if one is drawn
+    std::size_t first_instance = 0;       // of the object
     PixelArea area{};
     int group = 0;  // the stencil's reference
 };

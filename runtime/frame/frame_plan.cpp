@@ -68,6 +68,7 @@ struct PlannedObject {
     bool is_extra = false;  // which a material adds
     glm::mat4 object_to_world{1};
     std::vector<SeenInstance> instances{};  // that are drawn at once
+    std::size_t first_instance = 0;         // of the object
     Sphere bounds{};
     LightSplit split{};
 };
@@ -163,6 +164,7 @@ void Planner::place_objects() {
     for (std::size_t i = 0; i < world_.objects.size(); i++) {
         const WorldObject& object = world_.objects[i];
         const Reflection& reflection = reflection_of(object.material);
+        std::size_t first_instance = 0;
         for (const std::vector<SeenInstance>& together : draws_of(i)) {
             for (Passes& passes : groups_of(reflection)) {
                 const bool is_extra = !passes.empty() && passes.front()->is_extra;
@@ -177,9 +179,11 @@ void Planner::place_objects() {
                                     .is_extra = is_extra,
                                     .object_to_world = together.front().object_to_world,
                                     .instances = together,
+                                    .first_instance = first_instance,
                                     .bounds = bounds,
                                     .split = std::move(split)});
             }
+            first_instance += together.size();
         }
         used.insert(object.material);
     }
@@ -358,6 +362,7 @@ void Planner::draw_object(const PlannedObject& object, const Pass& pass, Phase p
                       .mesh = shape.mesh.get(),
                       .seen = std::move(seen),
                       .object = object.index,
+                      .first_instance = object.first_instance,
                       .group = pass.stencil.is_of_lighting() ? group_of(phase, shape.material) : 0});
     };
     const std::vector<std::size_t> lights = lights_for(pass, &object);

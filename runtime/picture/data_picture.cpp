@@ -120,4 +120,23 @@ void put_before(Image& image, float red, float green, float blue) {
     }
 }
 
+void put_before(Image& image, const Image& behind) {
+    for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+        float* pixel = image.pixels.data() + i;
+        const float* there = behind.pixels.data() + i;
+        for (std::size_t c = 0; c < 3; ++c)
+            pixel[c] = pixel[3] > 0 ? std::lerp(there[c], pixel[c], pixel[3]) : there[c];
+        pixel[3] = std::lerp(there[3], 1.0f, std::max(pixel[3], 0.0f));
+    }
+}
+
+void fade(Image& image) {
+    for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+        const std::span<float> pixel(image.pixels.data() + i, 4);
+        const float light = is_finite(pixel) ? 0.2126f * pixel[0] + 0.7152f * pixel[1] + 0.0722f * pixel[2] : 0;
+        pixel[0] = pixel[1] = pixel[2] = light / 4;
+        if (!std::isfinite(pixel[3])) pixel[3] = 1;
+    }
+}
+
 }  // namespace patina::runtime

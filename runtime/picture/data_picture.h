@@ -42,5 +42,10 @@ Image in_range(const Image& data, DataRange range);
 
 // The picture in front of an even background, by its alpha; all of it becomes opaque.
 void put_before(Image& image, float red, float green, float blue);
+// The same in front of a picture of the same size, whose alpha stays where nothing is before it.
+void put_before(Image& image, const Image& behind);
+
+// A picture as the surroundings of data: grey, and a quarter as bright. What is not finite is black.
+void fade(Image& image);
 
 }  // namespace patina::runtime

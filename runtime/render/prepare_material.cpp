@@ -32,6 +32,11 @@ CompileOptions compile_options(const RenderOptions& options) {
 }
 
 Result compile_material(const Compiler& compiler, const WorldMaterial& material, CompileOptions options) {
+    if (!material.preview.empty()) {
+        options.preview = material.preview;
+        options.switches.emplace_back("fog", "false");  // which would change the value
+    }
+    if (!material.path.empty()) options.path = material.path;
     Result made = compiler.compile_file(material.graph, options);
     if (!made.ok || material.overrides.empty()) return made;
     const Spelling spelling = material.set.empty() ? Spelling::Words : Spelling::Json;

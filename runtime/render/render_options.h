@@ -1,4 +1,4 @@
-// The options and the result of a render: shared by requests for one material and for a world.
+// The options and the results of a render and of a trace: shared by requests for one material and for a world.
 //
 //   RenderOptions options{.path = "deferred", .via = "cpu"};
 #pragma once
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "patina/patina.h"
+#include "runtime/cpu/cpu_trace.h"
 #include "runtime/frame/tiles.h"
 #include "runtime/picture/data_picture.h"
 #include "runtime/picture/image.h"
@@ -46,6 +47,18 @@ struct RenderOutcome {
     std::size_t draws = 0;                    // steps that drew the image, shadow maps among them
     std::size_t tiles = 0;                    // how often they were drawn, each time for another part of the picture
     bool missing_machine = false;  // `error` is about this machine: no Vulkan device, or one with too low limits
+};
+
+// The values behind a pixel. Names are empty where a graph is traced alone.
+struct TraceOutcome {
+    bool ok = false;
+    PixelTrace trace{};
+    std::string pass{};  // the one that was run
+    std::string object{}, material{}, graph{};
+    std::size_t instances = 0;        // of the object; 0: it is drawn once
+    std::vector<std::string> seen{};  // PixelTrace::seen by their names
+    std::vector<Diagnostic> diagnostics{};
+    std::string error{};  // as a RenderOutcome's
 };
 
 }  // namespace patina::runtime

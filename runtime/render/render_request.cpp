@@ -7,12 +7,17 @@
 
 #include "runtime/render/complaints.h"
 #include "runtime/render/prepare_material.h"
+#include "runtime/render/preview_world.h"
 #include "runtime/render/render_world.h"
 #include "runtime/scene/scene_text.h"
 #include "runtime/scene/world_file.h"
 
 namespace patina::runtime {
 namespace {
+
+bool is_scene(const RenderRequest& request) {
+    return request.graph.ends_with(".scene.json");
+}
 
 RenderOutcome failed(RenderOutcome outcome, std::string error) {
     outcome.ok = false;
@@ -75,13 +80,6 @@ Outcome<Scene> read_scene(const RenderRequest& request) {
     return scene;
 }
 
-// The first that draws meshes as the camera sees them.
-std::string choose_pass(const Reflection& reflection) {
-    for (const Pass& pass : reflection.passes)
-        if (pass.draws == PassDraws::Objects && pass.lights != PassLights::Shadowed) return pass.name;
-    return "";
-}
-
 // One object of the material alone in the scene that the request describes.
 Outcome<World> world_around(const RenderRequest& request) {
     Outcome<Scene> scene = read_scene(request);
@@ -103,58 +101,87 @@ bool is_empty(const Image& image, const glm::vec4& background) {
     return true;
 }
 
-// The first value behind the pixel that is not finite: what comes after it is not finite because of it. Nothing if the
-// CPU finds none there.
-std::optional<TracedValue> first_not_finite(const Compiler& compiler, const RenderRequest& request, int x, int y) {
-    TraceOutcome outcome = trace(compiler, request, x, y, Precision::Float);
-    if (!outcome.ok) return std::nullopt;
+// The first value behind the pixel that is not finite: what comes after it is not finite because of it.
+std::optional<TracedValue> first_not_finite(const PixelTrace& trace) {
     const auto search = [](const std::vector<TracedValue>& values) -> std::optional<TracedValue> {
         for (const TracedValue& value : values) {
             if (!std::ranges::all_of(value.values, [](double number) { return std::isfinite(number); })) return value;
         }
         return std::nullopt;
     };
-    for (const std::vector<TracedValue>& corner : outcome.trace.corners) {
+    for (const std::vector<TracedValue>& corner : trace.corners) {
         if (auto found = search(corner)) return found;
     }
-    return search(outcome.trace.values);
+    return search(trace.values);
+}
+
+// Where numbers that are not finite come from.
+struct Cause {
+    TracedValue value{};
+    std::string object{};   // empty: a graph is drawn alone
+    bool is_front = false;  // the object is what `patina trace` shows of the pixel
+};
+
+// Of what is seen at the pixel, the front-most object that computes such a number. Nothing if the CPU finds none.
+std::optional<Cause> cause_at(const Compiler& compiler, const World& world, const RenderOptions& options,
+                              TraceWish wish) {
+    const TraceOutcome front = trace_world(compiler, world, options, wish);
+    if (!front.ok) return std::nullopt;
+    if (auto value = first_not_finite(front.trace)) return Cause{*std::move(value), front.object, true};
+    for (std::size_t object : front.trace.seen) {
+        if (object == front.trace.object) continue;
+        wish.object = object;
+        const TraceOutcome other = trace_world(compiler, world, options, wish);
+        if (auto value = first_not_finite(other.trace)) return Cause{*std::move(value), other.object, false};
+    }
+    return std::nullopt;
+}
+
+// Forward has all values of a material in one pass.
+std::optional<Cause> find_cause(const Compiler& compiler, const World& world, const RenderOptions& options,
+                                const DataSummary& values) {
+    const TraceWish wish{.x = values.first_x, .y = values.first_y};
+    std::optional<Cause> cause = cause_at(compiler, world, options, wish);
+    RenderOptions forward = options;
+    forward.path = RenderOptions{}.path;
+    return cause || options.path == forward.path ? cause : cause_at(compiler, world, forward, wish);
 }
 
 // What is wrong with pixels that are NaN or infinite, at the node that they come from.
-Diagnostic not_finite(const Compiler& compiler, const RenderRequest& request, const RenderOutcome& drawn,
-                      bool is_scene) {
+Diagnostic not_finite(const Compiler& compiler, const RenderRequest& request, const World& world,
+                      const RenderOptions& options, const RenderOutcome& drawn) {
     const DataSummary& values = drawn.values;
-    const std::optional<TracedValue> cause =
-        is_scene ? std::nullopt : first_not_finite(compiler, request, values.first_x, values.first_y);
+    const std::optional<Cause> cause = find_cause(compiler, world, options, values);
     std::string node;
     if (cause) {
-        const std::vector<double>& numbers = cause->values;
-        node = fmt::format(": '{}.{}' is {:.6g} there", cause->node, cause->port, fmt::join(numbers, ", "));
+        const std::string object = cause->object.empty() ? "" : fmt::format(" of the object '{}'", cause->object);
+        node = fmt::format(": '{}.{}'{} is {:.6g} there", cause->value.node, cause->value.port, object,
+                           fmt::join(cause->value.values, ", "));
     }
     Diagnostic warning = complaint(request.graph, Severity::Warning, Complaint::PixelsNotFinite,
                                    {std::to_string(values.not_finite),
                                     std::to_string(std::size_t(drawn.image.width) * std::size_t(drawn.image.height)),
                                     std::to_string(values.first_x), std::to_string(values.first_y), node});
-    if (is_scene) warning.notes.push_back(note("render one of its materials alone to find the node"));
     if (!cause) return warning;
-    warning.node = cause->node;
-    warning.port = cause->port;
-    if (!cause->file.empty()) {
-        warning.file = cause->file;
-        warning.line = cause->line;
-        warning.column = cause->column;
+    warning.node = cause->value.node;
+    warning.port = cause->value.port;
+    if (!cause->value.file.empty()) {
+        warning.file = cause->value.file;
+        warning.line = cause->value.line;
+        warning.column = cause->value.column;
     }
+    // A preview leaves out what is before its object.
+    const bool is_found = cause->is_front && (cause->object.empty() || request.options.preview.empty());
     warning.notes.push_back(
-        note(fmt::format("'patina trace {} --pixel {},{}', with the same options, shows all values of the pixel",
-                         request.graph, values.first_x, values.first_y)));
+        note(fmt::format("'patina trace {} --pixel {},{}{}', with the same options, shows all values of the pixel",
+                         request.graph, values.first_x, values.first_y, is_found ? "" : " --object " + cause->object)));
     return warning;
 }
 
-// Replaces the numbers of a preview by what shows them, before the background.
-void show_values(const RenderRequest& request, const glm::vec4& background, Image& image) {
+// Replaces the numbers of a preview by what shows them.
+void show_values(const RenderRequest& request, Image& image) {
     if (request.range) image = in_range(image, *request.range);
     if (!request.keeps_values) mark_not_finite(image);
-    if (background.a > 0) put_before(image, background.r, background.g, background.b);
 }
 
 // A scene file's world, seen as the request says.
@@ -164,8 +191,6 @@ bool world_of_file(const Compiler& compiler, const RenderRequest& request, World
         return false;
     };
     if (!request.overrides.empty()) return refuse("a scene sets the values of its materials itself, under \"set\"");
-    if (!request.options.preview.empty())
-        return refuse("a scene has no nodes to preview: preview a node of one of its materials");
     if (request.mesh != RenderRequest{}.mesh || request.segments != 0)
         return refuse("a scene has its own meshes, in its objects");
     if (!is_time(request.time.value_or(0))) return refuse("the time must be a number of seconds that a float can hold");
@@ -182,6 +207,119 @@ bool world_of_file(const Compiler& compiler, const RenderRequest& request, World
     return true;
 }
 
+// The world that the request is about. False if there is none, with the reason in `outcome`.
+bool world_of(const Compiler& compiler, const RenderRequest& request, World& world, RenderOutcome& outcome) {
+    if (is_scene(request)) return world_of_file(compiler, request, world, outcome);
+    if (!request.object.empty() || !request.material.empty()) {
+        outcome.error = fmt::format("'{}' is a graph, which has no objects: only a scene has", request.graph);
+        return false;
+    }
+    Outcome<World> made = world_around(request);
+    outcome.error = std::move(made.error);
+    world = std::move(made.value);
+    return outcome.error.empty();
+}
+
+// What was found before it was drawn goes first, and is not said again.
+void put_first(const std::vector<Diagnostic>& earlier, RenderOutcome& drawn) {
+    const auto is_known = [&](const Diagnostic& each) {
+        return std::ranges::any_of(earlier, [&](const Diagnostic& e) { return to_text(e) == to_text(each); });
+    };
+    std::erase_if(drawn.diagnostics, is_known);
+    drawn.diagnostics.insert(drawn.diagnostics.begin(), earlier.begin(), earlier.end());
+}
+
+RenderOutcome draw(const Compiler& compiler, const RenderRequest& request, const World& world,
+                   const RenderOptions& options, RenderMachine& machine) {
+    RenderOutcome drawn = draw_world(compiler, world, options, machine);
+    if (drawn.ok) drawn.values = summarise(drawn.image);
+    if (drawn.values.not_finite > 0) drawn.diagnostics.push_back(not_finite(compiler, request, world, options, drawn));
+    return drawn;
+}
+
+RenderOutcome render_preview(const Compiler& compiler, const RenderRequest& request, World world,
+                             RenderMachine& machine) {
+    // Only what the object covers is data.
+    const glm::vec4 background = world.view.background;
+    world.view.background.a = 0;
+    RenderOutcome drawn = draw(compiler, request, world, request.options, machine);
+    if (!drawn.ok) return drawn;
+    show_values(request, drawn.image);
+    if (background.a > 0) put_before(drawn.image, background.r, background.g, background.b);
+    return drawn;
+}
+
+// --- a preview in a scene
+
+// Every sample a pixel of its own, so that it is either of the object or not.
+World by_samples(World world) {
+    world.view.width *= world.view.samples;
+    world.view.height *= world.view.samples;
+    world.view.samples = 1;
+    return world;
+}
+
+// The values of a node that reads the picture behind its object: from a picture with all objects, where the object is
+// seen.
+RenderOutcome draw_with_picture(const Compiler& compiler, const ScenePreview& preview, const RenderOptions& options,
+                                RenderMachine& machine) {
+    RenderOutcome seen = draw_world(compiler, by_samples(preview.world), preview.options, machine);
+    if (!seen.ok) return seen;
+    RenderOutcome drawn = draw_world(compiler, by_samples(preview.with_picture), options, machine);
+    if (!drawn.ok) return drawn;
+    for (std::size_t i = 0; i < drawn.image.pixels.size(); i += 4) {
+        float* pixel = drawn.image.pixels.data() + i;
+        if (!(seen.image.pixels[i + 3] > 0)) std::fill(pixel, pixel + 4, 0.0f);
+    }
+    drawn.image = box_filtered(drawn.image, preview.world.view.samples);
+    put_first(seen.diagnostics, drawn);
+    return drawn;
+}
+
+RenderOutcome draw_values(const Compiler& compiler, const RenderRequest& request, const ScenePreview& preview,
+                          const RenderOptions& options, RenderMachine& machine) {
+    if (!preview.reads_picture) return draw(compiler, request, preview.world, preview.options, machine);
+    RenderOutcome drawn = draw_with_picture(compiler, preview, options, machine);
+    if (drawn.ok) drawn.values = summarise(drawn.image);
+    if (drawn.values.not_finite > 0)
+        drawn.diagnostics.push_back(not_finite(compiler, request, preview.with_picture, options, drawn));
+    return drawn;
+}
+
+// The values where the objects are seen, before the scene as it looks without them, faded.
+RenderOutcome render_scene_preview(const Compiler& compiler, const RenderRequest& request, const World& world,
+                                   RenderMachine& machine) {
+    RenderOptions options = request.options;
+    options.preview.clear();
+    ScenePreview preview = preview_world(compiler, world,
+                                         {.port = request.options.preview,
+                                          .object = request.object,
+                                          .material = request.material,
+                                          .scene = request.graph},
+                                         options);
+    RenderOutcome drawn;
+    if (preview.ok) drawn = draw_values(compiler, request, preview, options, machine);
+    put_first(preview.diagnostics, drawn);
+    if (!drawn.ok) return drawn;
+    if (drawn.values.is_empty && drawn.values.not_finite == 0)
+        drawn.diagnostics.push_back(
+            complaint(request.graph, Severity::Warning, Complaint::NoPreviewSeen,
+                      {request.object.empty() ? fmt::format("all objects of '{}' are", preview.world.materials[0].name)
+                                              : fmt::format("the object '{}' is", request.object)}));
+    show_values(request, drawn.image);
+    if (request.background == "none") return drawn;
+    RenderOutcome around = draw_world(compiler, world, options, machine);
+    put_first(around.diagnostics, drawn);
+    if (!around.ok) {
+        around.diagnostics = std::move(drawn.diagnostics);
+        return around;
+    }
+    fade(around.image);
+    put_before(drawn.image, around.image);
+    drawn.dependencies = std::move(around.dependencies);
+    return drawn;
+}
+
 }  // namespace
 
 RenderOutcome render(const Compiler& compiler, const RenderRequest& request, RenderMachine& machine) {
@@ -189,66 +327,38 @@ RenderOutcome render(const Compiler& compiler, const RenderRequest& request, Ren
         return failed({}, "there is no way to render via '" + request.options.via + "'; there are: glsl, hlsl, cpu");
     RenderOutcome outcome;
     World world;
-    const bool is_scene = request.graph.ends_with(".scene.json");
-    if (is_scene) {
-        if (!world_of_file(compiler, request, world, outcome)) return outcome;
-    } else {
-        Outcome<World> made = world_around(request);
-        if (!made) return failed({}, made.error);
-        world = std::move(made.value);
-    }
-    // Of a preview, only what the object covers is data.
-    const glm::vec4 background = world.view.background;
+    if (!world_of(compiler, request, world, outcome)) return outcome;
     const bool is_preview = !request.options.preview.empty();
-    if (is_preview) world.view.background.a = 0;
-    RenderOutcome drawn = draw_world(compiler, world, request.options, machine);
-    drawn.diagnostics.insert(drawn.diagnostics.begin(), outcome.diagnostics.begin(), outcome.diagnostics.end());
+    if (!is_preview && !(request.object + request.material).empty())
+        return failed({}, "an object or a material is chosen for a preview: name a node, too");
+    RenderOutcome drawn = !is_preview         ? draw(compiler, request, world, request.options, machine)
+                          : is_scene(request) ? render_scene_preview(compiler, request, world, machine)
+                                              : render_preview(compiler, request, world, machine);
+    put_first(outcome.diagnostics, drawn);
     drawn.dependencies.insert(drawn.dependencies.end(), outcome.dependencies.begin(), outcome.dependencies.end());
-    if (drawn.ok) drawn.values = summarise(drawn.image);
-    if (drawn.values.not_finite > 0) drawn.diagnostics.push_back(not_finite(compiler, request, drawn, is_scene));
-    if (drawn.ok && is_preview) show_values(request, background, drawn.image);
-    if (!is_scene && drawn.ok && is_empty(drawn.image, background))
+    if (!is_scene(request) && drawn.ok && is_empty(drawn.image, world.view.background))
         drawn.diagnostics.push_back(complaint(request.graph, Severity::Warning, Complaint::NothingSeen, {}));
     return drawn;
 }
 
 TraceOutcome trace(const Compiler& compiler, const RenderRequest& request, int x, int y, Precision precision) {
-    TraceOutcome outcome;
-    Outcome<Scene> scene = read_scene(request);
-    if (!scene) {
-        outcome.error = scene.error;
-        return outcome;
+    RenderOutcome read;
+    World world;
+    const bool has_world = world_of(compiler, request, world, read);
+    TraceOutcome refused{.diagnostics = std::move(read.diagnostics), .error = std::move(read.error)};
+    if (!has_world) return refused;
+    TraceWish wish{.x = x, .y = y, .precision = precision};
+    if (!request.object.empty()) {
+        const Outcome<std::size_t> object = find_object(world, request.object);
+        if (!object) {
+            refused.diagnostics.push_back(unknown_object(world, request.object, request.graph));
+            return refused;
+        }
+        wish.object = object.value;
     }
-    CompileOptions options = compile_options(request.options);
-    options.targets.clear();  // what is run is the program, not a text
-    options.keep_programs = true;
-    const WorldMaterial material{.graph = request.graph, .overrides = request.overrides};
-    PreparedMaterial made =
-        prepare_material(material, compile_material(compiler, material, options), request.options.exact_textures);
-    outcome.error = std::move(made.error);
-    outcome.diagnostics = made.compiled.diagnostics;
-    outcome.diagnostics.insert(outcome.diagnostics.end(), made.diagnostics.begin(), made.diagnostics.end());
-    if (!made.ok) return outcome;
-
-    const Reflection& reflection = made.compiled.reflection;
-    outcome.pass = choose_pass(reflection);
-    if (auto warning = anisotropy_warning(request.graph, reflection, outcome.pass))
-        outcome.diagnostics.push_back(*std::move(warning));
-    add_engine_textures(made.loaded.textures, reflection, scene.value);
-    const std::vector<BlockBytes> blocks = fill_blocks(reflection, made.values, scene.value);
-    Outcome<PixelTrace> traced = cpu_trace({.reflection = &reflection,
-                                            .pass = outcome.pass,
-                                            .scene = &scene.value,
-                                            .blocks = blocks,
-                                            .constants = constants_of(reflection, made.values),
-                                            .textures = made.loaded.textures,
-                                            .program = made.compiled.program.get(),
-                                            .progress = request.options.progress},
-                                           x, y, precision);
-    outcome.error = traced.error;
-    outcome.trace = std::move(traced.value);
-    outcome.ok = outcome.error.empty();
-    return outcome;
+    TraceOutcome traced = trace_world(compiler, world, request.options, wish);
+    traced.diagnostics.insert(traced.diagnostics.begin(), refused.diagnostics.begin(), refused.diagnostics.end());
+    return traced;
 }
 
 }  // namespace patina::runtime

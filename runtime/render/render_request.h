@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "patina/patina.h"
-#include "runtime/cpu/cpu_render.h"
 #include "runtime/picture/data_picture.h"
 #include "runtime/render/render_machine.h"
 #include "runtime/render/render_options.h"
@@ -24,12 +23,15 @@
 namespace patina::runtime {
 
 struct RenderRequest {
-    std::string graph{};                             // a file: a material's graph, or a scene (x.scene.json)
-    std::string mesh = "sphere";                     // mesh_names()
-    int segments = 0;                                // of the mesh (make_mesh()); 0: as usual
-    int size = 512;                                  // pixels, width
-    int height = 0;                                  // 0: as the width
-    int samples = 4;                                 // along each axis of a pixel: 4 averages 16
+    std::string graph{};          // a file: a material's graph, or a scene (x.scene.json)
+    std::string mesh = "sphere";  // mesh_names()
+    int segments = 0;             // of the mesh (make_mesh()); 0: as usual
+    int size = 512;               // pixels, width
+    int height = 0;               // 0: as the width
+    int samples = 4;              // along each axis of a pixel: 4 averages 16
+    // Of a scene: the object that is traced, or that shows a preview, or the material whose objects show it. Empty:
+    // what the pixel shows; the only material that has the node.
+    std::string object{}, material{};
     std::map<std::string, std::string> overrides{};  // property -> "0.2", "1,0,0", "#ff8800", "true", "Wet", "rust.png"
     std::optional<double> time{};                    // seconds; nothing: the scene's own, or 0
     std::vector<std::string> lights{};               // empty: the default three; {"none"}: none
@@ -44,16 +46,8 @@ struct RenderRequest {
 
 RenderOutcome render(const Compiler& compiler, const RenderRequest& request, RenderMachine& machine);
 
-struct TraceOutcome {
-    bool ok = false;
-    PixelTrace trace{};
-    std::string pass{};  // the one that was run
-    std::vector<Diagnostic> diagnostics{};
-    std::string error{};  // as a RenderOutcome's
-};
-
 // What the pixel at `x`, `y` (inside the picture, from the top left) of that picture is made of, from the CPU
-// reference.
+// reference. Of a scene: the front-most object there, or the one that the request names.
 TraceOutcome trace(const Compiler& compiler, const RenderRequest& request, int x, int y, Precision precision);
 
 }  // namespace patina::runtime

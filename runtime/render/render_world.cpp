@@ -9,6 +9,7 @@
 
 #include "patina/validate.h"
 #include "runtime/cpu/cpu_render.h"
+#include "runtime/cpu/cpu_trace.h"
 #include "runtime/frame/frame_plan.h"
 #include "runtime/frame/tiles.h"
 #include "runtime/render/complaints.h"
@@ -74,7 +75,50 @@ public:
         return std::move(outcome_);
     }
 
+    // `options.via` is "cpu".
+    TraceOutcome trace(const TraceWish& wish) {
+        is_tracing_ = true;
+        find_variants();
+        prepare();
+        TraceOutcome traced;
+        if (ok_) outcome_.error = no_picture();
+        if (ok_ && outcome_.error.empty()) {
+            Outcome<Frame> frame = plan();
+            frame.value.progress = options_.progress;
+            Outcome<PixelTrace> pixel = frame ? cpu_trace(frame.value, wish) : Failure{frame.error};
+            outcome_.error = pixel.error;
+            traced.trace = std::move(pixel.value);
+            traced.ok = outcome_.error.empty();
+        }
+        if (traced.ok) name_traced(traced);
+        traced.diagnostics = std::move(outcome_.diagnostics);
+        traced.error = std::move(outcome_.error);
+        return traced;
+    }
+
 private:
+    // The first that draws objects as the camera sees them.
+    static std::string shown_pass(const PreparedMaterial& material) {
+        for (const Pass& pass : material.compiled.reflection.passes)
+            if (pass.draws == PassDraws::Objects && pass.lights != PassLights::Shadowed) return pass.name;
+        return "";
+    }
+
+    // What a trace calls what it found, and what is to be said of its material.
+    void name_traced(TraceOutcome& traced) {
+        for (std::size_t object : traced.trace.seen) traced.seen.push_back(world_.objects[object].name);
+        traced.pass = traced.trace.object || compiled_.empty() ? traced.trace.pass : shown_pass(*compiled_.front());
+        if (!traced.trace.object) return;
+        const std::size_t object = *traced.trace.object;
+        const WorldMaterial& material = world_.materials[world_.objects[object].material];
+        traced.object = world_.objects[object].name;
+        traced.material = material.name;
+        traced.graph = material.graph;
+        traced.instances = world_.objects[object].instances.size();
+        const Reflection& reflection = compiled_[spread_.objects[object].material]->compiled.reflection;
+        if (const auto warning = anisotropy_warning(material.graph, reflection, traced.pass)) report({*warning});
+    }
+
     // Checks each material, the textures of the objects, and the shaders; reports as many problems as possible.
     void prepare() {
         for (std::size_t i = 0; i < variants_.size(); ++i) compile(i);
@@ -222,6 +266,7 @@ private:
     Result compile_for(const Variant& variant, const std::string& path) const {
         CompileOptions options = compile_options(options_);
         if (is_drawing_) options.targets = {target()};
+        if (is_tracing_) options.targets.clear();  // what is run is the program, not a text
         options.path = path;
         options.switches = switches_of(variant);
         options.keep_programs = on_cpu();
@@ -270,7 +315,7 @@ private:
         if (is_drawing_) add_engine_textures(made.loaded.textures, reflection, world_.view);
         report(cookie_warnings(material.graph, reflection, world_.view));
         if (is_pass_file()) report(unknown_value_warnings(options_.path, reflection));
-        if (!on_cpu()) return;
+        if (!on_cpu() || is_tracing_) return;
         if (const auto warning = anisotropy_warning(material.graph, reflection)) report({*warning});
     }
 
@@ -373,6 +418,7 @@ private:
     bool ok_ = true;
     bool is_drawing_ = true;
     bool is_in_tiles_ = false;
+    bool is_tracing_ = false;
     World spread_{};  // the world, with a material for each variant
     std::vector<Variant> variants_{};
     std::vector<std::unique_ptr<PreparedMaterial>> compiled_{};  // one for each variant
@@ -388,6 +434,12 @@ private:
 RenderOutcome draw_world(const Compiler& compiler, const World& world, const RenderOptions& options,
                          RenderMachine& machine) {
     return Drawing(compiler, world, options, machine).run();
+}
+
+TraceOutcome trace_world(const Compiler& compiler, const World& world, RenderOptions options, const TraceWish& wish) {
+    options.via = "cpu";
+    RenderMachine none;
+    return Drawing(compiler, world, options, none).trace(wish);
 }
 
 RenderOutcome check_world(const Compiler& compiler, const World& world, const RenderOptions& options) {

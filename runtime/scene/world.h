@@ -21,6 +21,9 @@ struct WorldMaterial {
     std::map<std::string, std::string> overrides{};  // property -> its value in words, as material_values() takes them
     ScenePlace place{};                              // where a scene file says so; its file is empty if none does
     std::vector<SceneValue> set{};                   // the overrides as it says them, with their places
+    // How it is drawn, if not as the others are.
+    std::string preview{};  // a port that it shows instead, unlit, as RenderOptions::preview
+    std::string path{};     // a rendering path
 };
 
 // One of an object's places. A material with properties of instances draws all of an object's in one draw.

@@ -154,6 +154,8 @@ constexpr TextKey kTextKeys[] = {
     {"mesh", [](RenderRequest& request) -> std::string& { return request.mesh; }},
     {"ambient", [](RenderRequest& request) -> std::string& { return request.ambient; }},
     {"node", [](RenderRequest& request) -> std::string& { return request.options.preview; }},
+    {"object", [](RenderRequest& request) -> std::string& { return request.object; }},
+    {"material", [](RenderRequest& request) -> std::string& { return request.material; }},
     {"via", [](RenderRequest& request) -> std::string& { return request.options.via; }},
     {"path", [](RenderRequest& request) -> std::string& { return request.options.path; }},
 };

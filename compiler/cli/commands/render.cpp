@@ -135,9 +135,12 @@ void complete(Arguments& arguments, bool has_mesh) {
     if (arguments.path.path == "all")
         throw CLI::ValidationError("--path",
                                    "a picture is drawn along one path: name one; 'patina compile' takes 'all'");
-    for (const std::string& graph : arguments.graphs) {
-        if (has_mesh && graph.ends_with(".scene.json"))
-            throw CLI::ValidationError("--mesh", "'" + graph + "' is a scene, which has meshes of its own");
+    refuse_mesh(arguments.graphs, has_mesh);
+    const runtime::RenderRequest& request = arguments.request;
+    for (const auto& [option, value] : {std::pair("--object", request.object), {"--material", request.material}}) {
+        for (const std::string& graph : arguments.graphs) refuse_object(graph, option, value);
+        if (!value.empty() && request.options.preview.empty())
+            throw CLI::ValidationError(option, "needs --node: it chooses what shows the values of a port");
     }
     take_overrides(arguments.set, arguments.path, arguments.request);
     if (const std::string wrong = not_an_output(arguments.output); !wrong.empty())
@@ -178,13 +181,14 @@ void add_render(Program& program) {
          "patina render rust.graph.json --node mask --range -1..1 -o mask.png",
          "patina render *.graph.json -o pictures", "patina render flag.graph.json --time 0..2:48 -o frames",
          "patina render room.scene.json --path deferred -o room.png",
+         "patina render room.scene.json --node albedo --object wall -o albedo.png",
          "patina render rust.graph.json --light 'directional direction=1,1,1 intensity=2' --ambient 0.1 --via cpu"});
     auto arguments = std::make_shared<Arguments>();
     runtime::RenderRequest& request = arguments->request;
     command
         .add_option("GRAPH", arguments->graphs,
-                    "Material graphs and scenes (JSON). A scene has meshes and values of its own: --mesh, --set and "
-                    "--node are for graphs")
+                    "Material graphs and scenes (JSON). A scene has meshes and values of its own: --mesh and --set are "
+                    "for graphs")
         ->required()
         ->type_name(" ");
     command
@@ -196,7 +200,19 @@ void add_render(Program& program) {
         .add_option("--node", request.options.preview,
                     "Show this port, unlit: mask, rust.amount, or layers/mask inside a sub-graph")
         ->type_name("PORT")
-        ->check([](const std::string& port) { return port.empty() ? std::string("it is empty") : std::string(); });
+        ->check(is_not_empty);
+    CLI::Option* object = command
+                              .add_option("--object", request.object,
+                                          "Of a scene: show --node in the object with this id. Without it, the only "
+                                          "material that has the node shows it")
+                              ->type_name("ID")
+                              ->check(is_not_empty);
+    command
+        .add_option("--material", request.material,
+                    "Of a scene: show --node in all objects that have the material of this name")
+        ->type_name("NAME")
+        ->check(is_not_empty)
+        ->excludes(object);
     command
         .add_option("--range", arguments->range,
                     "Show the values of --node between LOW and HIGH: one number in false colour, a vector as red, "

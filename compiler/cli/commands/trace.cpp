@@ -1,4 +1,4 @@
-// patina trace: every node's value at one pixel of a graph's picture, computed by the CPU interpreter.
+// patina trace: every node's value at one pixel of the picture of a graph or scene, computed by the CPU interpreter.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -56,13 +56,24 @@ std::vector<Row> rows_of(const runtime::PixelTrace& trace, const std::string& wa
     return rows;
 }
 
-Exit no_such_node(const Console& console, const runtime::PixelTrace& trace, const std::string& wanted) {
+// Objects of a scene that the pixel shows in addition to the traced one, from front to back: "'wall', 'floor'".
+std::string others_text(const runtime::TraceOutcome& outcome) {
+    std::string text;
+    for (const std::string& name : outcome.seen)
+        if (name != outcome.object) text += (text.empty() ? "'" : ", '") + name + "'";
+    return text;
+}
+
+Exit no_such_node(const Console& console, const runtime::TraceOutcome& outcome, const std::string& wanted) {
     std::vector<std::string> known;
-    for (const Row& row : rows_of(trace, {})) {
+    for (const Row& row : rows_of(outcome.trace, {})) {
         if (std::find(known.begin(), known.end(), row.value->node) == known.end()) known.push_back(row.value->node);
     }
-    const std::string advice = suggestion(wanted, known);
-    complain(console, Complaint::NodeNotComputed, {wanted, advice.empty() ? advice : "; " + advice});
+    const std::string advice = suggestion(wanted, known), others = others_text(outcome);
+    std::string rest = outcome.object.empty() ? "" : fmt::format(" for the object '{}'", outcome.object);
+    if (!advice.empty()) rest += "; " + advice;
+    if (!others.empty()) rest += fmt::format("; the pixel shows {} too, which --object traces", others);
+    complain(console, Complaint::NodeNotComputed, {wanted, rest});
     return Exit::Wrong;
 }
 
@@ -129,18 +140,50 @@ std::string as_hex(const std::array<float, 4>& color) {
     return hex;
 }
 
-void print_text(const Console& console, const Arguments& arguments, const runtime::PixelTrace& trace,
+// "object 'wall', instance 2 of 0 to 9, material 'brick' (brick.graph.json)"
+std::string object_text(const runtime::TraceOutcome& outcome) {
+    std::string text = fmt::format("object '{}'", outcome.object);
+    if (outcome.instances > 0)
+        text += fmt::format(", instance {} of 0 to {}", outcome.trace.instance, outcome.instances - 1);
+    return text + fmt::format(", material '{}' ({})", outcome.material, outcome.graph);
+}
+
+// Only a scene has objects to name.
+void print_object(const Arguments& arguments, const runtime::TraceOutcome& outcome) {
+    if (!is_scene(arguments.request.graph)) return;
+    print(object_text(outcome) + "\n");
+    if (outcome.trace.is_hidden)
+        print(fmt::format("it is hidden here by '{}'; the values are those that it would have\n",
+                          outcome.seen.empty() ? "another object" : outcome.seen.front()));
+    else if (const std::string others = others_text(outcome); !others.empty())
+        print(fmt::format("the pixel shows {} too, which --object traces\n", others));
+}
+
+// Why no node has a value.
+std::string uncovered_text(const Arguments& arguments) {
+    const bool is_of_scene = is_scene(arguments.request.graph);
+    const std::string& object = arguments.request.object;
+    const std::string what = !is_of_scene     ? "the mesh does"
+                             : object.empty() ? "the objects of the scene do"
+                                              : "the object '" + object + "' does";
+    return what + " not cover this pixel: nothing was computed\n";
+}
+
+void print_text(const Console& console, const Arguments& arguments, const runtime::TraceOutcome& outcome,
                 const std::vector<Row>& rows) {
     const int samples = arguments.request.samples;
     std::string title = fmt::format("{}, pixel {},{} of {} x {}", arguments.request.graph, arguments.x, arguments.y,
                                     arguments.request.size, height_of(arguments.request));
+    const runtime::PixelTrace& trace = outcome.trace;
     if (trace.is_covered && samples > 1) {
         title += fmt::format(", sample {},{} of {} x {}", trace.sample_x, trace.sample_y, samples, samples);
     }
     print(heading(console, title) + "\n");
     if (!trace.is_covered) {
-        print("the mesh does not cover this pixel: nothing was computed\n");
+        print(uncovered_text(arguments));
     } else {
+        print_object(arguments, outcome);
+        if (trace.is_extra) print(fmt::format("pass '{}', which the material adds\n", trace.pass));
         if (trace.is_discarded)
             print("every fragment of this pixel was discarded; the values are those of the nearest fragment\n");
         print("\n");
@@ -209,6 +252,18 @@ std::string as_json(const Arguments& arguments, const runtime::TraceOutcome& out
     key("samples").Int(arguments.request.samples);
     pair("pixel", arguments.x, arguments.y);
     key("covered").Bool(trace.is_covered);
+    if (is_scene(arguments.request.graph)) {
+        if (trace.is_covered) {
+            key("object").String(outcome.object.c_str());
+            key("material").String(outcome.material.c_str());
+            key("materialGraph").String(outcome.graph.c_str());
+            if (outcome.instances > 0) key("instance").Uint64(trace.instance);
+            key("hidden").Bool(trace.is_hidden);
+        }
+        key("seen").StartArray();
+        for (const std::string& name : outcome.seen) writer.String(name.c_str());
+        writer.EndArray();
+    }
     if (trace.is_covered) {
         key("discarded").Bool(trace.is_discarded);
         pair("sample", trace.sample_x, trace.sample_y);
@@ -232,12 +287,12 @@ Exit trace_pixel(const Console& console, const Arguments& arguments) {
     if (!outcome.ok) return Exit::Wrong;
     const std::vector<Row> rows = rows_of(outcome.trace, arguments.node);
     if (outcome.trace.is_covered && rows.empty() && !arguments.node.empty()) {
-        return no_such_node(console, outcome.trace, arguments.node);
+        return no_such_node(console, outcome, arguments.node);
     }
     if (arguments.json) {
         print(as_json(arguments, outcome, rows));
     } else {
-        print_text(console, arguments, outcome.trace, rows);
+        print_text(console, arguments, outcome, rows);
     }
     return Exit::Ok;
 }
@@ -253,7 +308,9 @@ bool read_pixel(std::string_view text, int& x, int& y) {
     return second == std::errc() && rest == end;
 }
 
-void complete(Arguments& arguments) {
+void complete(Arguments& arguments, bool has_mesh) {
+    refuse_mesh({arguments.request.graph}, has_mesh);
+    refuse_object(arguments.request.graph, "--object", arguments.request.object);
     take_overrides(arguments.set, arguments.path, arguments.request);
     if (!read_pixel(arguments.pixel, arguments.x, arguments.y)) {
         throw CLI::ValidationError("--pixel", "'" + arguments.pixel + "' is not of the form X,Y");
@@ -275,9 +332,16 @@ void add_trace(Program& program) {
         {"patina trace rust.graph.json --pixel 256,200", "patina trace rust.graph.json --pixel 256,200 --node rust",
          "patina trace rust.graph.json --pixel 256,200 -D _Mode=Wet",
          "patina trace rust.graph.json --pixel 20,30 --size 64 --mesh torus --set _Roughness=0.2 --places",
-         "patina trace rust.graph.json --pixel 256,200 --light 'point position=1,2,0' --double --json"});
+         "patina trace rust.graph.json --pixel 256,200 --light 'point position=1,2,0' --double --json",
+         "patina trace room.scene.json --pixel 256,200", "patina trace room.scene.json --pixel 256,200 --object wall"});
     auto arguments = std::make_shared<Arguments>();
-    command.add_option("GRAPH", arguments->request.graph, "A material graph (JSON)")->required()->type_name(" ");
+    command
+        .add_option(
+            "GRAPH", arguments->request.graph,
+            "A material graph or a scene (JSON). A scene has meshes and values of its own: --mesh and --set are "
+            "for graphs")
+        ->required()
+        ->type_name(" ");
     command
         .add_option("--pixel", arguments->pixel,
                     "The pixel, counted from the top left of the picture that 'patina render' makes")
@@ -287,16 +351,22 @@ void add_trace(Program& program) {
         .add_option("--node", arguments->node,
                     "Show only this node and the nodes inside it, or one port: rust, rust/height, rust.amount")
         ->type_name("ID")
-        ->check([](const std::string& id) { return id.empty() ? std::string("it is empty") : std::string(); });
+        ->check(is_not_empty);
+    command
+        .add_option("--object", arguments->request.object,
+                    "Of a scene: trace the object with this id, even if another one hides it; default: the front-most "
+                    "one at the pixel")
+        ->type_name("ID")
+        ->check(is_not_empty);
     command.add_flag("--places", arguments->places, "Show the line and column of each node in its file");
     command.add_flag("--double", arguments->in_double, "Compute in double; default: 32-bit float, as a GPU does");
     command.add_flag("--json", arguments->json, "Print everything as one JSON object, with all digits");
     add_picture_options(command, arguments->set, arguments->request);
-    command.add_option("--time", arguments->request.time, "The time in seconds; default: 0")
+    command.add_option("--time", arguments->request.time, "The time in seconds; default: that of the scene, or 0")
         ->type_name("T")
         ->check(is_time_word);
     add_define_option(command, arguments->path.defines);
-    set_check(command, [arguments] { complete(*arguments); });
+    set_check(command, [arguments, mesh = command.get_option("--mesh")] { complete(*arguments, mesh->count() > 0); });
     set_work(program, command, [arguments](const Console& console) { return trace_pixel(console, *arguments); });
 }
 

@@ -54,7 +54,7 @@ TEST_F(SnapshotFileTest, ReadsEverything) {
     std::ofstream(folder / "rust.png") << "x";
     ReadSnapshot read_file = read(R"({
         // a comment, and a trailing comma
-        "patina": 1, "graph": "other.graph.json", "mesh": "torus", "size": 64, "samples": 1, "time": 1.5, "node": "mask",
+        "patina": 1, "graph": "other.graph.json", "mesh": "torus", "size": 64, "samples": 1, "time": 1.5, "node": "mask", "object": "wall", "material": "brick",
         "camera": { "position": [2, 1, 3], "fov": 40 }, "ambient": 0.2, "via": "cpu", "lights": ["directional", "point range=3"],
         "set": { "_Roughness": 0.25, "_Tint": [1, 0, 0.5], "_On": true, "_Mode": "Wet", "_MainTex": "rust.png" },
         "tolerance": { "pixel": 0.1, "share": 0.2, "average": 0.3 },
@@ -68,6 +68,8 @@ TEST_F(SnapshotFileTest, ReadsEverything) {
     EXPECT_EQ(request.samples, 1);
     EXPECT_EQ(request.time, 1.5);
     EXPECT_EQ(request.options.preview, "mask");
+    EXPECT_EQ(request.object, "wall");
+    EXPECT_EQ(request.material, "brick");
     EXPECT_EQ(request.camera, "position=2,1,3 fov=40");
     EXPECT_EQ(request.ambient, "0.2");
     EXPECT_EQ(request.options.via, "cpu");
