@@ -231,9 +231,9 @@ private:
                }));
     }
 
-    // The slot that a pass which adds light needs, if it is always 0.
+    // The slot that a pass needs, if it is always 0: a pass that adds light, or that a material can be without.
     std::optional<std::string_view> vain_part(const PassDecl& pass) const {
-        if (!only_adds(pass)) return {};
+        if (!only_adds(pass) && !pass.is_optional) return {};
         for (const std::string_view name : pass.needs) {
             const SlotDecl* slot = paths_.slot(name);
             if (!slot) continue;

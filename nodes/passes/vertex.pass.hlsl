@@ -58,18 +58,18 @@ LightingSurface withBase(LightingSurface surface, float3 color) {
     return changed;
 }
 
-/// The same light with one more light.
+/// The light that one light adds.
 [inline]
-SplitLight withLight(SplitLight before, LightingSurface lit, Light light) {
-    SplitLight sum = before;
-    if (splitsDiffuse) { sum.byDiffuse += directByDiffuse(withDiffuse(lit, float3(1)), light); }
+SplitLight splitOfOne(LightingSurface lit, Light light) {
+    SplitLight one;
+    if (splitsDiffuse) { one.byDiffuse = directByDiffuse(withDiffuse(lit, float3(1)), light); }
     if (splitsBase) {
-        sum.byBase += directByBase(withBase(lit, float3(1)), light);
-        sum.other += directWithoutColors(lit, light);
+        one.byBase = directByBase(withBase(lit, float3(1)), light);
+        one.other = directWithoutColors(lit, light);
     }
-    if (splitsDiffuse && !splitsBase) { sum.other += directWithoutDiffuse(lit, light); }
-    if (!splitsDiffuse && !splitsBase) { sum.other += direct(lit, light); }
-    return sum;
+    if (splitsDiffuse && !splitsBase) { one.other = directWithoutDiffuse(lit, light); }
+    if (!splitsDiffuse && !splitsBase) { one.other = direct(lit, light); }
+    return one;
 }
 
 /// Direct light. One loop computes all parts, so that each light is evaluated once. It is computed where it is read:
@@ -77,10 +77,19 @@ SplitLight withLight(SplitLight before, LightingSurface lit, Light light) {
 [semantic("pixel")]
 SplitLight splitLight(float3 position = positionWS, float2 uv = uv1) {
     LightingSurface lit = asLit(lightingSurface());
-    SplitLight sum;
+    float3 byDiffuse = float3(0);
+    float3 byBase = float3(0);
+    float3 other = float3(0);
     [light] for (int i = 0; i < min(lightCount, MAX_LIGHTS); i++) {
-        sum = withLight(sum, lit, lightAtVertex(i, position, uv));
+        SplitLight one = splitOfOne(lit, lightAtVertex(i, position, uv));
+        byDiffuse += one.byDiffuse;
+        byBase += one.byBase;
+        other += one.other;
     }
+    SplitLight sum;
+    sum.byDiffuse = byDiffuse;
+    sum.byBase = byBase;
+    sum.other = other;
     return sum;
 }
 [semantic("vertex")]

@@ -298,7 +298,13 @@ private:
 }  // namespace
 
 Outcome<PixelTrace> cpu_trace(const Frame& frame, const TraceWish& wish) {
-    if (std::string error = frame_error(frame); !error.empty()) return Failure{error};
+    // Of targets that nothing reads only the pixel exists, however large the picture is.
+    Frame made = frame;
+    const std::vector<bool> whole = whole_targets(frame);
+    for (std::size_t i = 0; i < whole.size(); i++) {
+        if (!whole[i]) made.targets[i].width = made.targets[i].height = frame.samples;
+    }
+    if (std::string error = frame_error(made); !error.empty()) return Failure{error};
     return Tracer(frame, wish).run();
 }
 

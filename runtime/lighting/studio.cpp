@@ -33,11 +33,11 @@ glm::vec3 box_light(const SoftBox& box, glm::vec3 direction) {
 
 glm::vec3 studio_radiance(glm::vec3 direction) {
     static const SoftBox kBoxes[] = {
-        soft_box({-0.75f, 0.75f, 0.7f}, 0.42f, 0.42f, {2.6f, 2.5f, 2.35f}),
-        soft_box({1, 0.15f, 0.35f}, 0.16f, 0.55f, {0.85f, 1.0f, 1.25f}),
-        soft_box({0.5f, 0.55f, -0.9f}, 0.6f, 0.14f, {1.9f, 1.9f, 1.9f}),
+        soft_box({-0.75f, 0.75f, 0.7f}, 0.42f, 0.42f, {1.6f, 1.54f, 1.45f}),
+        soft_box({1, 0.15f, 0.35f}, 0.16f, 0.55f, {0.53f, 0.62f, 0.77f}),
+        soft_box({0.5f, 0.55f, -0.9f}, 0.6f, 0.14f, {1.17f, 1.17f, 1.17f}),
     };
-    const glm::vec3 sky(0.26f, 0.29f, 0.34f), horizon(0.11f, 0.11f, 0.115f), ground(0.05f, 0.046f, 0.042f);
+    const glm::vec3 sky(0.16f, 0.18f, 0.21f), horizon(0.068f, 0.068f, 0.071f), ground(0.031f, 0.028f, 0.026f);
     float up = direction.y;
     glm::vec3 sum = up > 0 ? glm::mix(horizon, sky, std::sqrt(up)) : glm::mix(horizon, ground, std::sqrt(-up));
     for (const SoftBox& box : kBoxes) sum += box_light(box, direction);

@@ -8,9 +8,9 @@
 namespace patina::runtime {
 std::vector<Light> default_lights() {
     return {
-        {.direction = {-0.6f, 0.8f, 0.8f}, .color = glm::vec3(0.95f, 0.92f, 0.88f)},
-        {.direction = {0.9f, 0.1f, 0.5f}, .color = glm::vec3(0.10f, 0.12f, 0.16f)},
-        {.direction = {0.5f, 0.5f, -0.8f}, .color = glm::vec3(0.35f)},
+        {.direction = {-0.6f, 0.8f, 0.8f}, .color = glm::vec3(0.58f, 0.56f, 0.535f)},
+        {.direction = {0.9f, 0.1f, 0.5f}, .color = glm::vec3(0.06f, 0.075f, 0.1f)},
+        {.direction = {0.5f, 0.5f, -0.8f}, .color = glm::vec3(0.22f)},
     };
 }
 

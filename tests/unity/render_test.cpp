@@ -303,7 +303,8 @@ TEST(UnityPictures, OfLightmapsHoldColourAndEmission) {
     };
     // Base colour (0.8, 0.4, 0.2), metallic 0.25, smoothness 0.5: diffuse 0.72 of the colour, f0 = lerp(0.04, colour,
     // 0.25), and a share of 0.5 * 0.25 of it.
-    const float expected[] = {0.8f * 0.72f + 0.125f * 0.23f, 0.4f * 0.72f + 0.125f * 0.13f, 0.2f * 0.72f + 0.125f * 0.08f};
+    const float expected[] = {0.8f * 0.72f + 0.125f * 0.23f, 0.4f * 0.72f + 0.125f * 0.13f,
+                              0.2f * 0.72f + 0.125f * 0.08f};
     const auto albedo = middle({}), emission = middle({"STAND_IN_EMISSION"});
     for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(albedo[c], expected[c], 1e-5) << c;
     EXPECT_NEAR(emission[0], 0.1, 1e-6);

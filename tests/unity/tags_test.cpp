@@ -171,7 +171,7 @@ TEST(UnityQueue, OrdersThePassesOfAMaterial) {
         "render": { "queue": 2100 }, "passes": [ )" +
                added("late", R"("queue": 2300)") + ", " + added("same", R"("queue": 2100)") + ", " +
                added("before", R"("queue": 2050)") + ", " + added("first", R"("queue": 1900)") + " ] }");
-    EXPECT_EQ(pass_names(text), (Words{"first", "before", "FORWARD", "META", "same", "late"}));
+    EXPECT_EQ(pass_names(text), (Words{"first", "before", "FORWARD", "same", "late"}));
     EXPECT_TRUE(has(text, "\"Queue\" = \"Geometry+100\"")) << text;
 }
 

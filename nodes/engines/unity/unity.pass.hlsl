@@ -324,8 +324,7 @@ Light unityFurtherLightOfVertex(int index, float3 position) {
 }
 [gives("splitLight", "unity-vertex-base", "unity-vertex-add")]
 SplitLight unitySplitLight(float3 position = positionWS) {
-    SplitLight none;
-    return withLight(none, asLit(lightingSurface()), lightAt(0, position));
+    return splitOfOne(asLit(lightingSurface()), lightAt(0, position));
 }
 
 [pass("unity-vertex-base")] [along("vertex")] [fragment] [lights("main")] [extra]

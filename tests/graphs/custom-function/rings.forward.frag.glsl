@@ -40,6 +40,6 @@ void main()
     // Rings "rings"
     RingsSharpResult rings = RingsSharp(vUv0);
 
-    vec3 material = vec3(rings.value, rings.outwards);
-    outColor = vec4(material, 1.0);
+    vec3 emission = vec3(rings.value, rings.outwards);
+    outColor = vec4(emission, 1.0);
 }

@@ -46,8 +46,8 @@ FragmentOutput main(FragmentInput input)
     // Rings "rings"
     RingsSharpResult rings = RingsSharp(input.uv0);
 
-    float3 material = float3(rings.value, rings.outwards);
+    float3 emission = float3(rings.value, rings.outwards);
     FragmentOutput output;
-    output.color = float4(material, 1.0);
+    output.color = float4(emission, 1.0);
     return output;
 }

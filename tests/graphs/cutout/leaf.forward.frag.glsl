@@ -47,16 +47,15 @@ float distanceAttenuation(float distanceSquared, float range)
 // The light in slot `index` of the list, as seen from `position` (world space).
 Light lightAt(int index, vec3 position)
 {
-    int slot = clamp(index, 0, 15);
-    vec4 place = lightPosition[slot];
-    vec4 color = lightColor[slot];
+    vec4 place = lightPosition[index];
+    vec4 color = lightColor[index];
     bool isLocal = place.w > 0.5;
     vec3 toLight = place.xyz - (isLocal ? position : vec3(0.0));
     float distanceSquared = dot(toLight, toLight);
     vec3 direction = toLight * inversesqrt(max(distanceSquared, 1e-12));
     float attenuation = isLocal ? distanceAttenuation(distanceSquared, color.w) : 1.0;
-    float cosine = -dot(lightAxis[slot].xyz, direction);
-    vec4 cone = lightCone[slot];
+    float cosine = -dot(lightAxis[index].xyz, direction);
+    vec4 cone = lightCone[index];
     float spot = clamp((cosine - cone.y) / max(cone.x - cone.y, 0.001), 0.0, 1.0);
     Light light;
     light.direction = direction;
@@ -89,7 +88,6 @@ void main()
     // MetallicSetup "setup"
     vec3 diffuseColor = leaf.xyz * 0.96;
 
-    vec3 normalWS = normalize(geometryNormalWS);
     if (leaf.w < 0.4) discard;
     int count = min(lightCount, 16);
     vec3 directSum = vec3(0.0);
@@ -97,7 +95,7 @@ void main()
         Light light = lightAt(i, vPositionWS);
 
         // NdotL "ndotl"
-        float cosine = dot(normalWS, light.direction);
+        float cosine = dot(geometryNormalWS, light.direction);
         float ndotl = clamp(cosine, 0.0, 1.0);
 
         vec3 radiance = light.color * (light.attenuation * light.shadow);
@@ -105,7 +103,7 @@ void main()
     }
 
     // AmbientIrradiance "ambient"
-    vec3 ambient = EvaluateSH9(normalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz, ambientSH[3].xyz,
+    vec3 ambient = EvaluateSH9(geometryNormalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz, ambientSH[3].xyz,
         ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
 
     vec3 indirect = diffuseColor * ambient;

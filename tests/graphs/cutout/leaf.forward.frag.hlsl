@@ -54,16 +54,15 @@ float distanceAttenuation(float distanceSquared, float range)
 // The light in slot `index` of the list, as seen from `position` (world space).
 Light lightAt(int index, float3 position)
 {
-    int slot = clamp(index, 0, 15);
-    float4 place = lightPosition[slot];
-    float4 color = lightColor[slot];
+    float4 place = lightPosition[index];
+    float4 color = lightColor[index];
     bool isLocal = place.w > 0.5;
     float3 toLight = place.xyz - (isLocal ? position : float3(0.0, 0.0, 0.0));
     float distanceSquared = dot(toLight, toLight);
     float3 direction = toLight * rsqrt(max(distanceSquared, 1e-12));
     float attenuation = isLocal ? distanceAttenuation(distanceSquared, color.w) : 1.0;
-    float cosine = -dot(lightAxis[slot].xyz, direction);
-    float4 cone = lightCone[slot];
+    float cosine = -dot(lightAxis[index].xyz, direction);
+    float4 cone = lightCone[index];
     float spot = saturate((cosine - cone.y) / max(cone.x - cone.y, 0.001));
     Light light;
     light.direction = direction;
@@ -97,7 +96,6 @@ FragmentOutput main(FragmentInput input)
     // MetallicSetup "setup"
     float3 diffuseColor = leaf.xyz * 0.96;
 
-    float3 normalWS = normalize(geometryNormalWS);
     if (leaf.w < 0.4) discard;
     int count = min(lightCount, 16);
     float3 directSum = float3(0.0, 0.0, 0.0);
@@ -105,7 +103,7 @@ FragmentOutput main(FragmentInput input)
         Light light = lightAt(i, input.positionWS);
 
         // NdotL "ndotl"
-        float cosine = dot(normalWS, light.direction);
+        float cosine = dot(geometryNormalWS, light.direction);
         float ndotl = saturate(cosine);
 
         float3 radiance = light.color * (light.attenuation * light.shadow);
@@ -113,8 +111,8 @@ FragmentOutput main(FragmentInput input)
     }
 
     // AmbientIrradiance "ambient"
-    float3 ambient = EvaluateSH9(normalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz, ambientSH[3].xyz,
-        ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
+    float3 ambient = EvaluateSH9(geometryNormalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz,
+        ambientSH[3].xyz, ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
 
     float3 indirect = diffuseColor * ambient;
     FragmentOutput output;

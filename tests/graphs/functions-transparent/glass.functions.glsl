@@ -98,23 +98,21 @@ GlassLightingSurface GlasslightingSurface(vec3 geometryNormalWS)
     GlassSurface material = Glasssurface(geometryNormalWS);
 
     // MetallicSetup "setup"
-    float oneMinusReflectivity = 0.96 * (1.0 - material.metallic);
-    vec3 diffuseColor = material.baseColor * oneMinusReflectivity;
+    vec3 diffuseColor = material.baseColor * 0.96;
 
-    GlassPremultiplyAlphaResult premultiplyAlphaResult = GlassPremultiplyAlpha(diffuseColor, material.alpha,
-        oneMinusReflectivity);
+    GlassPremultiplyAlphaResult premultiplyAlphaResult = GlassPremultiplyAlpha(diffuseColor, material.alpha, 0.96);
     GlassLightingSurface surface;
     surface.diffuseColor = premultiplyAlphaResult.value;
-    surface.f0 = mix(vec3(0.04), material.baseColor, material.metallic);
+    surface.f0 = vec3(0.04);
     surface.baseColor = material.baseColor;
-    surface.metallic = material.metallic;
-    surface.oneMinusReflectivity = oneMinusReflectivity;
-    surface.roughness = material.roughness;
+    surface.metallic = 0.0;
+    surface.oneMinusReflectivity = 0.96;
+    surface.roughness = 0.5;
     surface.normalWS = normalize(material.normalWS);
-    surface.occlusion = material.occlusion;
-    surface.emission = material.emission;
+    surface.occlusion = 1.0;
+    surface.emission = vec3(0.0);
     surface.alpha = premultiplyAlphaResult.outAlpha;
-    surface.alphaClip = material.alphaClip;
+    surface.alphaClip = 0.5;
     return surface;
 }
 

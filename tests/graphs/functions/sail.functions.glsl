@@ -179,22 +179,18 @@ vec3 Sail_FresnelSchlick(vec3 f0, float cosine, float f90)
 Sail_LightingSurface Sail_lightingSurface(vec2 uv0, vec3 geometryNormalWS, vec3 tangentWS, vec3 bitangentWS, float sway)
 {
     Sail_Surface material = Sail_surface(uv0, geometryNormalWS, tangentWS, bitangentWS, sway);
-
-    // MetallicSetup "setup"
-    float oneMinusReflectivity = 0.96 * (1.0 - material.metallic);
-
     Sail_LightingSurface surface;
-    surface.diffuseColor = material.baseColor * oneMinusReflectivity;
-    surface.f0 = mix(vec3(0.04), material.baseColor, material.metallic);
+    surface.diffuseColor = material.baseColor * 0.96;
+    surface.f0 = vec3(0.04);
     surface.baseColor = material.baseColor;
-    surface.metallic = material.metallic;
-    surface.oneMinusReflectivity = oneMinusReflectivity;
+    surface.metallic = 0.0;
+    surface.oneMinusReflectivity = 0.96;
     surface.roughness = material.roughness;
-    surface.normalWS = normalize(material.normalWS);
-    surface.occlusion = material.occlusion;
-    surface.emission = material.emission;
-    surface.alpha = material.alpha;
-    surface.alphaClip = material.alphaClip;
+    surface.normalWS = material.normalWS;
+    surface.occlusion = 1.0;
+    surface.emission = vec3(0.0);
+    surface.alpha = 1.0;
+    surface.alphaClip = 0.5;
     return surface;
 }
 
@@ -208,7 +204,7 @@ vec3 Sail_direct(Sail_LightingSurface surface, Sail_Light light, vec3 viewDirWS)
 
     // NdotV "ndotv"
     float ndotvCosine = dot(surface.normalWS, viewDirWS);
-    float ndotv = clamp(abs(ndotvCosine), 0.0, 1.0);
+    float ndotv = min(abs(ndotvCosine), 1.0);
 
     // HalfVector "halfVector"
     vec3 halfVector = Sail_HalfVector(viewDirWS, light.direction);
@@ -247,7 +243,7 @@ vec3 Sail_indirect(Sail_LightingSurface surface, vec3 viewDirWS)
 {
     // NdotV "ndotv"
     float cosine = dot(surface.normalWS, viewDirWS);
-    float ndotv = clamp(abs(cosine), 0.0, 1.0);
+    float ndotv = min(abs(cosine), 1.0);
 
     vec3 f0 = mix(vec3(0.04), surface.baseColor, surface.metallic);
 

@@ -178,22 +178,18 @@ Sail_LightingSurface Sail_lightingSurface(float2 uv0, float3 geometryNormalWS, f
     float sway)
 {
     Sail_Surface material = Sail_surface(uv0, geometryNormalWS, tangentWS, bitangentWS, sway);
-
-    // MetallicSetup "setup"
-    float oneMinusReflectivity = 0.96 * (1.0 - material.metallic);
-
     Sail_LightingSurface surface;
-    surface.diffuseColor = material.baseColor * oneMinusReflectivity;
-    surface.f0 = lerp(float3(0.04, 0.04, 0.04), material.baseColor, material.metallic);
+    surface.diffuseColor = material.baseColor * 0.96;
+    surface.f0 = float3(0.04, 0.04, 0.04);
     surface.baseColor = material.baseColor;
-    surface.metallic = material.metallic;
-    surface.oneMinusReflectivity = oneMinusReflectivity;
+    surface.metallic = 0.0;
+    surface.oneMinusReflectivity = 0.96;
     surface.roughness = material.roughness;
-    surface.normalWS = normalize(material.normalWS);
-    surface.occlusion = material.occlusion;
-    surface.emission = material.emission;
-    surface.alpha = material.alpha;
-    surface.alphaClip = material.alphaClip;
+    surface.normalWS = material.normalWS;
+    surface.occlusion = 1.0;
+    surface.emission = float3(0.0, 0.0, 0.0);
+    surface.alpha = 1.0;
+    surface.alphaClip = 0.5;
     return surface;
 }
 

@@ -61,7 +61,7 @@ layout(set = 1, binding = 0, std140) uniform Material
 };
 
 layout(set = 0, binding = 6) uniform textureCube environmentMap;
-layout(set = 0, binding = 8) uniform sampler environmentMapSampler;
+layout(set = 0, binding = 11) uniform sampler environmentMapSampler;
 layout(set = 1, binding = 1) uniform texture2D texture_;
 layout(set = 1, binding = 2) uniform sampler samplertexture;
 
@@ -98,16 +98,15 @@ float distanceAttenuation(float distanceSquared, float range)
 // The light in slot `index` of the list, as seen from `position` (world space).
 Light lightAt(int index, vec3 position)
 {
-    int slot = clamp(index, 0, 15);
-    vec4 place = lightPosition[slot];
-    vec4 color = lightColor[slot];
+    vec4 place = lightPosition[index];
+    vec4 color = lightColor[index];
     bool isLocal = place.w > 0.5;
     vec3 toLight = place.xyz - (isLocal ? position : vec3(0.0));
     float distanceSquared = dot(toLight, toLight);
     vec3 direction = toLight * inversesqrt(max(distanceSquared, 1e-12));
     float attenuation = isLocal ? distanceAttenuation(distanceSquared, color.w) : 1.0;
-    float cosine = -dot(lightAxis[slot].xyz, direction);
-    vec4 cone = lightCone[slot];
+    float cosine = -dot(lightAxis[index].xyz, direction);
+    vec4 cone = lightCone[index];
     float spot = clamp((cosine - cone.y) / max(cone.x - cone.y, 0.001), 0.0, 1.0);
     Light light;
     light.direction = direction;
@@ -161,16 +160,15 @@ void main()
     vec3 diffuseColor = material.baseColor * oneMinusReflectivity;
     vec3 f0 = mix(vec3(0.04), material.baseColor, material.metallic);
 
-    vec3 normalWS = normalize(material.normalWS);
     int count = min(lightCount, 16);
 
     // NdotV "ndotv"
-    float cosine = dot(normalWS, viewDirWS);
-    float ndotv = clamp(abs(cosine), 0.0, 1.0);
+    float cosine = dot(material.normalWS, viewDirWS);
+    float ndotv = min(abs(cosine), 1.0);
 
     // DisneyDiffuse "diffuse"
     float diffuseProduct = 2.0 * material.roughness;
-    float m = clamp(1.0 - ndotv, 0.0, 1.0);
+    float m = 1.0 - ndotv;
     float m2 = m * m;
     float schlickWeight = m2 * m2 * m;
 
@@ -183,7 +181,6 @@ void main()
 
     // DistributionGGXUnity "distribution"
     float a2 = alpha * alpha;
-    float distributionProduct = 0.31830987 * a2;
 
     // FresnelSchlick "fresnel"
     vec3 oneMinusF0 = 1.0 - f0;
@@ -195,14 +192,14 @@ void main()
         Light light = lightAt(i, vPositionWS);
 
         // NdotL "ndotl"
-        float ndotlCosine = dot(normalWS, light.direction);
+        float ndotlCosine = dot(material.normalWS, light.direction);
         float ndotl = clamp(ndotlCosine, 0.0, 1.0);
 
         // HalfVector "halfVector"
         vec3 halfVector = HalfVector(viewDirWS, light.direction);
 
         // NdotH "ndoth"
-        float ndoth = clamp(dot(normalWS, halfVector), 0.0, 1.0);
+        float ndoth = clamp(dot(material.normalWS, halfVector), 0.0, 1.0);
 
         // LdotH "ldoth"
         float ldoth = clamp(dot(light.direction, halfVector), 0.0, 1.0);
@@ -218,21 +215,20 @@ void main()
         float visibility = 0.5 / (viewPart + lightPart + 1e-05);
 
         float spread = (ndoth * a2 - ndoth) * ndoth + 1.0;
-        float distribution = distributionProduct / (spread * spread + 1e-07);
 
         vec3 fresnel = f0 + oneMinusF0 * SchlickWeight(ldoth);
 
-        vec3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * hasSpecular * fresnel;
+        vec3 specular = max(visibility * (a2 / (spread * spread + 1e-07)) * ndotl, 0.0) * hasSpecular * fresnel;
 
         vec3 radiance = light.color * (light.attenuation * light.shadow);
         directSum += (diffuseColor * (diffuse * ndotl) + specular) * radiance;
     }
 
     // AmbientIrradiance "ambient"
-    vec3 ambient = EvaluateSH9(normalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz, ambientSH[3].xyz,
-        ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
+    vec3 ambient = EvaluateSH9(material.normalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz,
+        ambientSH[3].xyz, ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
 
-    vec3 reflected = reflect(-viewDirWS, normalWS);
+    vec3 reflected = reflect(-viewDirWS, material.normalWS);
 
     // EnvironmentRadiance "environment"
     float mipFromRoughness = MipFromRoughness(clamp(material.roughness, 0.0, 1.0), 5.0);

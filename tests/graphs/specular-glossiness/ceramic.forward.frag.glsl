@@ -55,7 +55,7 @@ layout(set = 1, binding = 0, std140) uniform Material
 };
 
 layout(set = 0, binding = 6) uniform textureCube environmentMap;
-layout(set = 0, binding = 8) uniform sampler environmentMapSampler;
+layout(set = 0, binding = 11) uniform sampler environmentMapSampler;
 layout(set = 1, binding = 1) uniform texture2D _NormalTex;
 layout(set = 1, binding = 2) uniform sampler sampler_NormalTex;
 
@@ -108,16 +108,15 @@ float distanceAttenuation(float distanceSquared, float range)
 // The light in slot `index` of the list, as seen from `position` (world space).
 Light lightAt(int index, vec3 position)
 {
-    int slot = clamp(index, 0, 15);
-    vec4 place = lightPosition[slot];
-    vec4 color = lightColor[slot];
+    vec4 place = lightPosition[index];
+    vec4 color = lightColor[index];
     bool isLocal = place.w > 0.5;
     vec3 toLight = place.xyz - (isLocal ? position : vec3(0.0));
     float distanceSquared = dot(toLight, toLight);
     vec3 direction = toLight * inversesqrt(max(distanceSquared, 1e-12));
     float attenuation = isLocal ? distanceAttenuation(distanceSquared, color.w) : 1.0;
-    float cosine = -dot(lightAxis[slot].xyz, direction);
-    vec4 cone = lightCone[slot];
+    float cosine = -dot(lightAxis[index].xyz, direction);
+    vec4 cone = lightCone[index];
     float spot = clamp((cosine - cone.y) / max(cone.x - cone.y, 0.001), 0.0, 1.0);
     Light light;
     light.direction = direction;
@@ -172,16 +171,15 @@ void main()
     vec3 diffuseColor = material.baseColor * 0.95;
 
     float roughness = 1.0 - material.glossiness;
-    vec3 normalWS = normalize(material.normalWS);
     int count = min(lightCount, 16);
 
     // NdotV "ndotv"
-    float cosine = dot(normalWS, viewDirWS);
-    float ndotv = clamp(abs(cosine), 0.0, 1.0);
+    float cosine = dot(material.normalWS, viewDirWS);
+    float ndotv = min(abs(cosine), 1.0);
 
     // DisneyDiffuse "diffuse"
     float diffuseProduct = 2.0 * roughness;
-    float m = clamp(1.0 - ndotv, 0.0, 1.0);
+    float m = 1.0 - ndotv;
     float m2 = m * m;
     float schlickWeight = m2 * m2 * m;
 
@@ -194,21 +192,20 @@ void main()
 
     // DistributionGGXUnity "distribution"
     float a2 = alpha * alpha;
-    float distributionProduct = 0.31830987 * a2;
 
     vec3 directSum = vec3(0.0);
     for (int i = 0; i < count; ++i) {
         Light light = lightAt(i, vPositionWS);
 
         // NdotL "ndotl"
-        float ndotlCosine = dot(normalWS, light.direction);
+        float ndotlCosine = dot(material.normalWS, light.direction);
         float ndotl = clamp(ndotlCosine, 0.0, 1.0);
 
         // HalfVector "halfVector"
         vec3 halfVector = HalfVector(viewDirWS, light.direction);
 
         // NdotH "ndoth"
-        float ndoth = clamp(dot(normalWS, halfVector), 0.0, 1.0);
+        float ndoth = clamp(dot(material.normalWS, halfVector), 0.0, 1.0);
 
         // LdotH "ldoth"
         float ldoth = clamp(dot(light.direction, halfVector), 0.0, 1.0);
@@ -224,22 +221,19 @@ void main()
         float visibility = 0.5 / (viewPart + lightPart + 1e-05);
 
         float spread = (ndoth * a2 - ndoth) * ndoth + 1.0;
-        float distribution = distributionProduct / (spread * spread + 1e-07);
 
-        // FresnelSchlick "fresnel"
-        vec3 fresnel = 0.05 + vec3(0.95) * SchlickWeight(ldoth);
-
-        vec3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * fresnel;
+        float specularLimited = max(visibility * (a2 / (spread * spread + 1e-07)) * ndotl, 0.0);
+        vec3 specular = vec3(specularLimited * (0.05 + 0.95 * SchlickWeight(ldoth)));
 
         vec3 radiance = light.color * (light.attenuation * light.shadow);
         directSum += (diffuseColor * (diffuse * ndotl) + specular) * radiance;
     }
 
     // AmbientIrradiance "ambient"
-    vec3 ambient = EvaluateSH9(normalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz, ambientSH[3].xyz,
-        ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
+    vec3 ambient = EvaluateSH9(material.normalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz,
+        ambientSH[3].xyz, ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
 
-    vec3 reflected = reflect(-viewDirWS, normalWS);
+    vec3 reflected = reflect(-viewDirWS, material.normalWS);
 
     // EnvironmentRadiance "environment"
     float mipFromRoughness = MipFromRoughness(clamp(roughness, 0.0, 1.0), 5.0);
@@ -250,11 +244,9 @@ void main()
 
     // GrazingTerm "grazing"
     float smoothness = 1.0 - roughness;
-    float grazing = clamp(smoothness + 1.0 - 0.95, 0.0, 1.0);
+    float grazing = clamp(smoothness + 0.050000012, 0.0, 1.0);
 
-    // FresnelLerp "reflectance"
-    vec3 reflectance = mix(vec3(0.05), vec3(grazing), SchlickWeight(ndotv));
-
-    vec3 indirect = diffuseColor * ambient + reduction * reflectance * environmentTexel.xyz;
+    vec3 product = reduction * mix(0.05, grazing, SchlickWeight(ndotv)) * environmentTexel.xyz;
+    vec3 indirect = diffuseColor * ambient + product;
     outColor = vec4(directSum + indirect, 1.0);
 }

@@ -114,16 +114,15 @@ float distanceAttenuation(float distanceSquared, float range)
 // The light in slot `index` of the list, as seen from `position` (world space).
 Light lightAt(int index, float3 position)
 {
-    int slot = clamp(index, 0, 15);
-    float4 place = lightPosition[slot];
-    float4 color = lightColor[slot];
+    float4 place = lightPosition[index];
+    float4 color = lightColor[index];
     bool isLocal = place.w > 0.5;
     float3 toLight = place.xyz - (isLocal ? position : float3(0.0, 0.0, 0.0));
     float distanceSquared = dot(toLight, toLight);
     float3 direction = toLight * rsqrt(max(distanceSquared, 1e-12));
     float attenuation = isLocal ? distanceAttenuation(distanceSquared, color.w) : 1.0;
-    float cosine = -dot(lightAxis[slot].xyz, direction);
-    float4 cone = lightCone[slot];
+    float cosine = -dot(lightAxis[index].xyz, direction);
+    float4 cone = lightCone[index];
     float spot = saturate((cosine - cone.y) / max(cone.x - cone.y, 0.001));
     Light light;
     light.direction = direction;
@@ -179,16 +178,15 @@ FragmentOutput main(FragmentInput input)
     float3 diffuseColor = material.baseColor * 0.95;
 
     float roughness = 1.0 - material.glossiness;
-    float3 normalWS = normalize(material.normalWS);
     int count = min(lightCount, 16);
 
     // NdotV "ndotv"
-    float cosine = dot(normalWS, viewDirWS);
+    float cosine = dot(material.normalWS, viewDirWS);
     float ndotv = saturate(abs(cosine));
 
     // DisneyDiffuse "diffuse"
     float diffuseProduct = 2.0 * roughness;
-    float m = saturate(1.0 - ndotv);
+    float m = 1.0 - ndotv;
     float m2 = m * m;
     float schlickWeight = m2 * m2 * m;
 
@@ -201,21 +199,20 @@ FragmentOutput main(FragmentInput input)
 
     // DistributionGGXUnity "distribution"
     float a2 = alpha * alpha;
-    float distributionProduct = 0.31830987 * a2;
 
     float3 directSum = float3(0.0, 0.0, 0.0);
     for (int i = 0; i < count; ++i) {
         Light light = lightAt(i, input.positionWS);
 
         // NdotL "ndotl"
-        float ndotlCosine = dot(normalWS, light.direction);
+        float ndotlCosine = dot(material.normalWS, light.direction);
         float ndotl = saturate(ndotlCosine);
 
         // HalfVector "halfVector"
         float3 halfVector = HalfVector(viewDirWS, light.direction);
 
         // NdotH "ndoth"
-        float ndoth = saturate(dot(normalWS, halfVector));
+        float ndoth = saturate(dot(material.normalWS, halfVector));
 
         // LdotH "ldoth"
         float ldoth = saturate(dot(light.direction, halfVector));
@@ -231,22 +228,19 @@ FragmentOutput main(FragmentInput input)
         float visibility = 0.5 / (viewPart + lightPart + 1e-05);
 
         float spread = (ndoth * a2 - ndoth) * ndoth + 1.0;
-        float distribution = distributionProduct / (spread * spread + 1e-07);
 
-        // FresnelSchlick "fresnel"
-        float3 fresnel = 0.05 + float3(0.95, 0.95, 0.95) * SchlickWeight(ldoth);
-
-        float3 specular = max(visibility * distribution * 3.1415927 * ndotl, 0.0) * fresnel;
+        float specularLimited = max(visibility * (a2 / (spread * spread + 1e-07)) * ndotl, 0.0);
+        float3 specular = (specularLimited * (0.05 + 0.95 * SchlickWeight(ldoth))).xxx;
 
         float3 radiance = light.color * (light.attenuation * light.shadow);
         directSum += (diffuseColor * (diffuse * ndotl) + specular) * radiance;
     }
 
     // AmbientIrradiance "ambient"
-    float3 ambient = EvaluateSH9(normalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz, ambientSH[3].xyz,
-        ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
+    float3 ambient = EvaluateSH9(material.normalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz,
+        ambientSH[3].xyz, ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
 
-    float3 reflected = reflect(-viewDirWS, normalWS);
+    float3 reflected = reflect(-viewDirWS, material.normalWS);
 
     // EnvironmentRadiance "environment"
     float mipFromRoughness = MipFromRoughness(saturate(roughness), 5.0);
@@ -257,12 +251,10 @@ FragmentOutput main(FragmentInput input)
 
     // GrazingTerm "grazing"
     float smoothness = 1.0 - roughness;
-    float grazing = saturate(smoothness + 1.0 - 0.95);
+    float grazing = saturate(smoothness + 0.050000012);
 
-    // FresnelLerp "reflectance"
-    float3 reflectance = lerp(float3(0.05, 0.05, 0.05), grazing.xxx, SchlickWeight(ndotv));
-
-    float3 indirect = diffuseColor * ambient + reduction * reflectance * environmentTexel.xyz;
+    float3 product = reduction * lerp(0.05, grazing, SchlickWeight(ndotv)) * environmentTexel.xyz;
+    float3 indirect = diffuseColor * ambient + product;
     FragmentOutput output;
     output.color = float4(directSum + indirect, 1.0);
     return output;

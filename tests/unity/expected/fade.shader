@@ -208,6 +208,7 @@ Shader "Patina/fade"
         return (surface.diffuseColor * (diffuse * ndotl) + specular) * radiance;
     }
 
+    #if defined(USING_LIGHT_MULTI_COMPILE)
     struct v2f
     {
         float4 pos : SV_POSITION;
@@ -239,6 +240,7 @@ Shader "Patina/fade"
         UNITY_TRANSFER_FOG(o, o.pos);
         return o;
     }
+    #endif
 
     ENDCG
 
@@ -287,12 +289,10 @@ Shader "Patina/fade"
 
                 // GrazingTerm "grazing"
                 float smoothness = 1.0 - surface.roughness;
-                float grazing = saturate(smoothness + 1.0 - 0.96);
+                float grazing = saturate(smoothness + 0.04000002);
 
-                // FresnelLerp "reflectance"
-                float3 reflectance = lerp(float3(0.04, 0.04, 0.04), grazing.xxx, SchlickWeight(ndotv));
-
-                return surface.diffuseColor * ambient + reduction * reflectance * environment;
+                float3 product = reduction * lerp(0.04, grazing, SchlickWeight(ndotv)) * environment;
+                return surface.diffuseColor * ambient + product;
             }
 
             half4 frag(v2f i) : SV_Target
@@ -355,6 +355,52 @@ Shader "Patina/fade"
                 float3 fromLight = direct(surface, light, viewDirWS);
                 float4 color = float4(ProjectColor(fromLight), surface.alpha);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, color, float4(0.0, 0.0, 0.0, 0.0));
+                return color;
+            }
+            ENDCG
+        }
+
+        Pass
+        {
+            Name "META"
+            Tags { "LightMode" = "Meta" }
+            Cull Off
+            ZWrite Off
+
+            CGPROGRAM
+            #pragma target 3.0
+            #pragma vertex vert
+            #pragma fragment frag
+            #include "UnityMetaPass.cginc"
+
+            struct v2f
+            {
+                float4 pos : SV_POSITION;
+                float3 vertexNormalWS : TEXCOORD0;
+            };
+
+            v2f vert(appdata_full v)
+            {
+                v2f o;
+                UNITY_INITIALIZE_OUTPUT(v2f, o);
+
+                o.vertexNormalWS = UnityObjectToWorldNormal(v.normal);
+                o.pos = UnityMetaVertexPosition(v.vertex, v.texcoord1.xy, v.texcoord2.xy, unity_LightmapST,
+                    unity_DynamicLightmapST);
+                return o;
+            }
+
+            half4 frag(v2f i) : SV_Target
+            {
+                float3 geometryNormalWS = normalize(i.vertexNormalWS);
+                LightingSurface surface = lightingSurface(geometryNormalWS);
+                float alphaRoughness = surface.roughness * surface.roughness;
+                float3 albedo = surface.diffuseColor + alphaRoughness * 0.02;
+                UnityMetaInput meta;
+                UNITY_INITIALIZE_OUTPUT(UnityMetaInput, meta);
+                meta.Albedo = ProjectColor(albedo);
+                meta.Emission = ProjectColor(float3(0.0, 0.0, 0.0));
+                half4 color = UnityMetaFragment(meta);
                 return color;
             }
             ENDCG

@@ -329,11 +329,8 @@ Shader "Patina/passes"
                 // EnvironmentRadiance "environment"
                 float3 environment = ReflectedLight(reflected, 0.3, positionWS, readsProbes);
 
-                // FresnelLerp "reflectance"
-                float3 reflectance = lerp(float3(0.04, 0.04, 0.04), float3(0.74000007, 0.74000007, 0.74000007),
-                    SchlickWeight(ndotv));
-
-                return surface.diffuseColor * ambient + 0.99196506 * reflectance * environment;
+                float3 product = 0.99196506 * lerp(0.04, 0.74000007, SchlickWeight(ndotv)) * environment;
+                return surface.diffuseColor * ambient + product;
             }
 
             half4 frag(v2f i) : SV_Target
@@ -403,6 +400,52 @@ Shader "Patina/passes"
 
         Pass
         {
+            Name "META"
+            Tags { "LightMode" = "Meta" }
+            Cull Off
+
+            CGPROGRAM
+            #pragma target 3.0
+            #pragma vertex vert
+            #pragma fragment frag
+            #include "UnityMetaPass.cginc"
+
+            struct v2f
+            {
+                float4 pos : SV_POSITION;
+                float2 uv0 : TEXCOORD0;
+                float3 vertexNormalWS : TEXCOORD1;
+            };
+
+            v2f vert(appdata_full v)
+            {
+                v2f o;
+                UNITY_INITIALIZE_OUTPUT(v2f, o);
+
+                o.uv0 = v.texcoord.xy;
+                o.vertexNormalWS = UnityObjectToWorldNormal(v.normal);
+                o.pos = UnityMetaVertexPosition(v.vertex, v.texcoord1.xy, v.texcoord2.xy, unity_LightmapST,
+                    unity_DynamicLightmapST);
+                return o;
+            }
+
+            half4 frag(v2f i) : SV_Target
+            {
+                float3 geometryNormalWS = normalize(i.vertexNormalWS);
+                LightingSurface surface = lightingSurface(i.uv0, geometryNormalWS);
+                float3 albedo = surface.diffuseColor + 0.0018000001;
+                UnityMetaInput meta;
+                UNITY_INITIALIZE_OUTPUT(UnityMetaInput, meta);
+                meta.Albedo = ProjectColor(albedo);
+                meta.Emission = ProjectColor(float3(0.0, 0.0, 0.0));
+                half4 color = UnityMetaFragment(meta);
+                return color;
+            }
+            ENDCG
+        }
+
+        Pass
+        {
             Name "lacquer"
             Tags { "LightMode" = "ForwardBase" }
             ZWrite Off
@@ -447,15 +490,6 @@ Shader "Patina/passes"
                 lsl.normalWS = normalize(geometryNormalWS);
                 lsl.alpha = 0.3;
                 return lsl;
-            }
-
-            // A diffuse colour for blending with pre-multiplied alpha: reflections stay as the material fades.
-            PremultiplyAlphaResult PremultiplyAlpha(float3 diffuseColor, float alpha, float oneMinusReflectivity)
-            {
-                PremultiplyAlphaResult premultiplyAlphaResult;
-                premultiplyAlphaResult.value = diffuseColor * alpha;
-                premultiplyAlphaResult.outAlpha = 1.0 - oneMinusReflectivity + alpha * oneMinusReflectivity;
-                return premultiplyAlphaResult;
             }
 
             // The light that one light adds, by the lighting graph.
@@ -513,10 +547,17 @@ Shader "Patina/passes"
                 // EnvironmentRadiance "environment"
                 float3 environment = ReflectedLight(reflected, 0.1, positionWS, readsProbes);
 
-                // FresnelLerp "reflectance"
-                float3 reflectance = lerp(float3(0.04, 0.04, 0.04), float3(0.94, 0.94, 0.94), SchlickWeight(ndotv));
+                float3 product = 0.9999 * lerp(0.04, 0.94, SchlickWeight(ndotv)) * environment;
+                return surface.diffuseColor * ambient + product;
+            }
 
-                return surface.diffuseColor * ambient + 0.9999 * reflectance * environment;
+            // A diffuse colour for blending with pre-multiplied alpha: reflections stay as the material fades.
+            PremultiplyAlphaResult PremultiplyAlpha(float3 diffuseColor)
+            {
+                PremultiplyAlphaResult premultiplyAlphaResult;
+                premultiplyAlphaResult.value = diffuseColor * 0.3;
+                premultiplyAlphaResult.outAlpha = 0.32800004;
+                return premultiplyAlphaResult;
             }
 
             half4 frag(v2f i) : SV_Target
@@ -530,10 +571,9 @@ Shader "Patina/passes"
                 float3 geometryNormalWS = normalize(i.vertexNormalWS);
                 UNITY_LIGHT_ATTENUATION(attenuation, i, i.positionWS)
                 LightingSurfaceLacquer surface = lightingSurfaceLacquer(i.uv0, geometryNormalWS);
-                PremultiplyAlphaResult premultiplyAlphaResult = PremultiplyAlpha(surface.diffuseColor, surface.alpha,
-                    0.96);
+                PremultiplyAlphaResult premultiplyAlphaResult = PremultiplyAlpha(surface.diffuseColor);
                 surface.diffuseColor = premultiplyAlphaResult.value;
-                surface.alpha = premultiplyAlphaResult.outAlpha;
+                surface.alpha = 0.32800004;
                 Light light;
                 light.direction = _WorldSpaceLightPos0.xyz;
                 light.color = LinearColor(_LightColor0.rgb);
@@ -543,8 +583,8 @@ Shader "Patina/passes"
                 float3 fromLight = directLacquer(surface, light, viewDirWS);
                 float3 fromAround = indirectLacquer(surface, viewDirWS, i.positionWS, attenuation,
                     i.ambientOrLightmapUV, true);
-                float4 fog = float4(unity_FogColor.xyz * premultiplyAlphaResult.outAlpha, 0.0);
-                float4 color = float4(ProjectColor(fromLight + fromAround), premultiplyAlphaResult.outAlpha);
+                float4 fog = float4(unity_FogColor.xyz * 0.32800004, 0.0);
+                float4 color = float4(ProjectColor(fromLight + fromAround), 0.32800004);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, color, fog);
                 return color;
             }

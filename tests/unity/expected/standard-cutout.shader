@@ -343,7 +343,7 @@ Shader "Patina/Standard, cut out"
         ls.f0 = lerp(float3(0.04, 0.04, 0.04), tinted, metallic);
         ls.oneMinusReflectivity = oneMinusReflectivity;
         ls.roughness = 1.0 - smoothness;
-        ls.normalWS = normalize(NormalTangentToWorld(normalTS, geometryNormalWS, tangentWS, bitangentWS));
+        ls.normalWS = NormalTangentToWorld(normalTS, geometryNormalWS, tangentWS, bitangentWS);
         ls.occlusion = OcclusionStrength(cavity.y, _OcclusionStrength, 1.0);
         ls.emission = emission;
         ls.alpha = fromMapValue2 * LinearColor(_Color).w;
@@ -616,6 +616,74 @@ Shader "Patina/Standard, cut out"
                 float3 fromLight = direct(surface, light, viewDirWS);
                 float4 color = float4(ProjectColor(fromLight), 0.0);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, color, float4(0.0, 0.0, 0.0, 0.0));
+                return color;
+            }
+            ENDCG
+        }
+
+        Pass
+        {
+            Name "META"
+            Tags { "LightMode" = "Meta" }
+            Cull Off
+
+            CGPROGRAM
+            #pragma target 3.0
+            #pragma shader_feature_local _SMOOTHNESS_TEXTURE_ALBEDO_CHANNEL_A
+            #pragma shader_feature_local _METALLICGLOSSMAP
+            #pragma shader_feature_local _PARALLAXMAP
+            #pragma shader_feature_local _EMISSION
+            #pragma shader_feature_local _DETAIL_MULX2
+            #pragma vertex vert
+            #pragma fragment frag
+            #include "UnityMetaPass.cginc"
+
+            struct v2f
+            {
+                float4 pos : SV_POSITION;
+                float2 uv0 : TEXCOORD0;
+                float2 uv1 : TEXCOORD1;
+                float3 positionWS : TEXCOORD2;
+                float3 vertexNormalWS : TEXCOORD3;
+                float4 vertexTangentWS : TEXCOORD4;
+            };
+
+            v2f vert(appdata_full v)
+            {
+                v2f o;
+                UNITY_INITIALIZE_OUTPUT(v2f, o);
+
+                o.uv0 = v.texcoord.xy;
+                o.uv1 = v.texcoord1.xy;
+                o.positionWS = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0)).xyz;
+                o.vertexNormalWS = UnityObjectToWorldNormal(v.normal);
+                o.vertexTangentWS = float4(UnityObjectToWorldDir(v.tangent.xyz),
+                    v.tangent.w * unity_WorldTransformParams.w);
+                o.pos = UnityMetaVertexPosition(v.vertex, v.texcoord1.xy, v.texcoord2.xy, unity_LightmapST,
+                    unity_DynamicLightmapST);
+                return o;
+            }
+
+            half4 frag(v2f i) : SV_Target
+            {
+                float3 toViewer = lerp(UnityWorldSpaceViewDir(i.positionWS), UNITY_MATRIX_V[2].xyz,
+                    unity_OrthoParams.w);
+                float3 viewDirWS = normalize(toViewer);
+                float3 geometryNormalWS = normalize(i.vertexNormalWS);
+                float3 tangentWS = normalize(i.vertexTangentWS.xyz);
+                float3 bitangentWS = cross(geometryNormalWS, tangentWS) * i.vertexTangentWS.w;
+                LightingSurface surface = lightingSurface(i.uv0, i.uv1, viewDirWS, geometryNormalWS, tangentWS,
+                    bitangentWS);
+                float3 albedo = surface.diffuseColor;
+                if (any(surface.f0 > 0.0)) {
+                    float alphaRoughness = surface.roughness * surface.roughness;
+                    albedo = surface.diffuseColor + surface.f0 * (0.5 * alphaRoughness);
+                }
+                UnityMetaInput meta;
+                UNITY_INITIALIZE_OUTPUT(UnityMetaInput, meta);
+                meta.Albedo = ProjectColor(albedo);
+                meta.Emission = ProjectColor(surface.emission);
+                half4 color = UnityMetaFragment(meta);
                 return color;
             }
             ENDCG

@@ -187,7 +187,7 @@ Shader "Patina/Standard"
         ls.f0 = lerp(float3(0.04, 0.04, 0.04), baseColor, metallic);
         ls.oneMinusReflectivity = oneMinusReflectivity;
         ls.roughness = 1.0 - metal.w * _GlossMapScale;
-        ls.normalWS = normalize(NormalTangentToWorld(bumps, geometryNormalWS, tangentWS, bitangentWS));
+        ls.normalWS = NormalTangentToWorld(bumps, geometryNormalWS, tangentWS, bitangentWS);
         ls.occlusion = lerp(1.0, open.y, _OcclusionStrength);
         ls.emission = glow.xyz * _EmissionColor.xyz;
         return ls;
@@ -441,6 +441,61 @@ Shader "Patina/Standard"
                 float3 fromLight = direct(surface, light, viewDirWS);
                 float4 color = float4(ProjectColor(fromLight), 0.0);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, color, float4(0.0, 0.0, 0.0, 0.0));
+                return color;
+            }
+            ENDCG
+        }
+
+        Pass
+        {
+            Name "META"
+            Tags { "LightMode" = "Meta" }
+            Cull Off
+
+            CGPROGRAM
+            #pragma target 3.0
+            #pragma vertex vert
+            #pragma fragment frag
+            #include "UnityMetaPass.cginc"
+
+            struct v2f
+            {
+                float4 pos : SV_POSITION;
+                float2 uv0 : TEXCOORD0;
+                float3 vertexNormalWS : TEXCOORD1;
+                float4 vertexTangentWS : TEXCOORD2;
+            };
+
+            v2f vert(appdata_full v)
+            {
+                v2f o;
+                UNITY_INITIALIZE_OUTPUT(v2f, o);
+
+                o.uv0 = v.texcoord.xy;
+                o.vertexNormalWS = UnityObjectToWorldNormal(v.normal);
+                o.vertexTangentWS = float4(UnityObjectToWorldDir(v.tangent.xyz),
+                    v.tangent.w * unity_WorldTransformParams.w);
+                o.pos = UnityMetaVertexPosition(v.vertex, v.texcoord1.xy, v.texcoord2.xy, unity_LightmapST,
+                    unity_DynamicLightmapST);
+                return o;
+            }
+
+            half4 frag(v2f i) : SV_Target
+            {
+                float3 geometryNormalWS = normalize(i.vertexNormalWS);
+                float3 tangentWS = normalize(i.vertexTangentWS.xyz);
+                float3 bitangentWS = cross(geometryNormalWS, tangentWS) * i.vertexTangentWS.w;
+                LightingSurface surface = lightingSurface(i.uv0, geometryNormalWS, tangentWS, bitangentWS);
+                float3 albedo = surface.diffuseColor;
+                if (any(surface.f0 > 0.0)) {
+                    float alphaRoughness = surface.roughness * surface.roughness;
+                    albedo = surface.diffuseColor + surface.f0 * (0.5 * alphaRoughness);
+                }
+                UnityMetaInput meta;
+                UNITY_INITIALIZE_OUTPUT(UnityMetaInput, meta);
+                meta.Albedo = ProjectColor(albedo);
+                meta.Emission = ProjectColor(surface.emission);
+                half4 color = UnityMetaFragment(meta);
                 return color;
             }
             ENDCG

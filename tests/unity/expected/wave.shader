@@ -182,15 +182,14 @@ Shader "Patina/Wave"
 
         // DistributionGGXMinimalist "distribution"
         float peak = MinimalistPeak(ndoth, alpha);
-        float distribution = UNITY_INV_PI * peak * peak;
 
         // VisibilityMinimalist "visibility"
         float visibility = VisibilityMinimalist(ldoth, alpha);
 
-        float specular = distribution * visibility * UNITY_PI * ndotl;
+        float specular = peak * peak * visibility * ndotl;
 
         float3 radiance = light.color * (light.attenuation * light.shadow);
-        return (surface.diffuseColor * ndotl + float3(0.04, 0.04, 0.04) * specular) * radiance;
+        return (surface.diffuseColor * ndotl + 0.04 * specular) * radiance;
     }
 
     // The share of environment reflections that a rough surface keeps: 1 for a mirror, 0.5 for the roughest.
@@ -234,7 +233,7 @@ Shader "Patina/Wave"
 
         // GrazingTerm "grazing"
         float smoothness = 1.0 - surface.roughness;
-        float grazing = saturate(smoothness + 1.0 - 0.96);
+        float grazing = saturate(smoothness + 0.04000002);
 
         // FresnelLerpFast "reflectance"
         float3 reflectance = FresnelToGrazingFast(float3(0.04, 0.04, 0.04), grazing.xxx, ndotv);
@@ -382,6 +381,58 @@ Shader "Patina/Wave"
                 float3 fromLight = direct(surface, light, viewDirWS);
                 float4 color = float4(ProjectColor(fromLight), 0.0);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, color, float4(0.0, 0.0, 0.0, 0.0));
+                return color;
+            }
+            ENDCG
+        }
+
+        Pass
+        {
+            Name "META"
+            Tags { "LightMode" = "Meta" }
+            Cull Off
+
+            CGPROGRAM
+            #pragma target 3.5
+            #pragma vertex vert
+            #pragma fragment frag
+            #include "UnityMetaPass.cginc"
+
+            struct v2f
+            {
+                float4 pos : SV_POSITION;
+                float3 vertexNormalWS : TEXCOORD0;
+                float phase : TEXCOORD1;
+            };
+
+            v2f vert(appdata_full v)
+            {
+                v2f o;
+                UNITY_INITIALIZE_OUTPUT(v2f, o);
+
+                float3 normalOS = vertexNormalOS(v.vertex.xyz, v.normal);
+                float3 positionOS = vertexPositionOS(v.vertex.xyz, v.normal);
+                o.vertexNormalWS = UnityObjectToWorldNormal(normalOS);
+                o.phase = dot(v.vertex.xy, _Drift.xy) * float(int(_Waves)) + _Time.y;
+                o.pos = UnityMetaVertexPosition(v.vertex, v.texcoord1.xy, v.texcoord2.xy, unity_LightmapST,
+                    unity_DynamicLightmapST);
+                v.vertex.xyz = positionOS;
+                v.normal = normalOS;
+                return o;
+            }
+
+            half4 frag(v2f i, bool frontFacing : SV_IsFrontFace) : SV_Target
+            {
+                float3 normal = normalize(i.vertexNormalWS);
+                float3 geometryNormalWS = frontFacing ? normal : -normal;
+                LightingSurface surface = lightingSurface(geometryNormalWS, i.phase);
+                float alphaRoughness = surface.roughness * surface.roughness;
+                float3 albedo = surface.diffuseColor + alphaRoughness * 0.02;
+                UnityMetaInput meta;
+                UNITY_INITIALIZE_OUTPUT(UnityMetaInput, meta);
+                meta.Albedo = ProjectColor(albedo);
+                meta.Emission = ProjectColor(float3(0.0, 0.0, 0.0));
+                half4 color = UnityMetaFragment(meta);
                 return color;
             }
             ENDCG
