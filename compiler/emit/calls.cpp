@@ -65,9 +65,8 @@ Typed spelled_out(Emitter& emitter, const FunctionDecl& function, const Declarat
     inner.function = &function;
     inner.needs_quad = &needs_quad;
     auto next = arguments.begin();
-    const Outputs* outputs =
-        begin_body(emitter, function, home, gathered, std::string(function.name), inner,
-                   [&](const ParamDecl&, Type) { return *next++; });
+    const Outputs* outputs = begin_body(emitter, function, home, gathered, std::string(function.name), inner,
+                                        [&](const ParamDecl&, Type) { return *next++; });
     if (inner.result.is_error()) return {};
     Value returned;
     const std::size_t errors = emitter.diagnostics.error_count();
@@ -122,8 +121,7 @@ Typed call_gathered(Emitter& emitter, const FunctionDecl& function, const Declar
         values.push_back(value.value);
     }
     if (!good) return {};
-    if (function.marks.is_inlined)
-        return spelled_out(emitter, function, home, gathered, values, border, scope, span);
+    if (function.marks.is_inlined) return spelled_out(emitter, function, home, gathered, values, border, scope, span);
     const Instance& instance = instantiate(emitter, function, home, gathered, width, half, span);
     if (instance.result.is_error()) return {};
     if (instance.needs_quad) need_quad(emitter, scope, span, function.name, takes_texture(function));

@@ -307,7 +307,8 @@ namespace {
 void paste_slots_of_one_pass(Lowering& lowering) {
     Lowered& out = lowering.out;
     const auto draws = [](const LoweredPass& pass) { return !pass.declaration->state.targets.empty(); };
-    if (!out.keeps_functions || lowering.material.pass || std::count_if(out.passes.begin(), out.passes.end(), draws) > 1)
+    if (!out.keeps_functions || lowering.material.pass ||
+        std::count_if(out.passes.begin(), out.passes.end(), draws) > 1)
         return;
     out.keeps_functions = false;
     for (const SlotDecl& declared : lowering.session.paths->slots) {

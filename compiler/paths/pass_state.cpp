@@ -120,8 +120,10 @@ void read_stencil(Arguments& in, std::size_t count, PassDecl& pass) {
 // The places of an engine's file where a pass can insert lines.
 // "sampler" and "light mode" add no line: they name a sampler, and a mode of the pass, that the others need.
 constexpr std::array<std::string_view, 14> kPlaces = {
-    "grab",          "queue",        "pragma",     "include", "own include", "sampler",     "light mode", "first interpolator",
-    "interpolators", "vertex begin", "vertex end", "vertex condition", "fragment begin", "fragment end"};
+    "grab",           "queue",        "pragma",     "include",
+    "own include",    "sampler",      "light mode", "first interpolator",
+    "interpolators",  "vertex begin", "vertex end", "vertex condition",
+    "fragment begin", "fragment end"};
 
 void read_tag(Arguments& in, PassDecl& pass) {
     const std::string_view name = in.text();

@@ -32,7 +32,7 @@ struct Mesh {
 Mesh make_sphere(float radius = 1, int segments = 192, int rings = 96);
 Mesh make_plane(float size = 2, int segments = 128);  // faces +z
 Mesh make_cube(float size = 1.5f, int segments = 48);
-Mesh make_capsule(float radius = 0.6f, float length = 1, int segments = 192, int rings = 48);    // along y
+Mesh make_capsule(float radius = 0.6f, float length = 1, int segments = 192, int rings = 48);   // along y
 Mesh make_torus(float radius = 0.75f, float tube = 0.32f, int segments = 192, int sides = 72);  // its axis is z
 // Positions are clip space: with Camera::clip_space it covers every pixel, uv0 at pixel centres is (x + 0.5) / width.
 Mesh make_fullscreen();

@@ -162,9 +162,11 @@ constexpr TextKey kTextKeys[] = {
 struct WholeKey {
     std::string_view path;
     int RenderRequest::*member;
-    int highest;
+    int lowest, highest;
 };
-constexpr WholeKey kWholeKeys[] = {{"size", &RenderRequest::size, 4096}, {"samples", &RenderRequest::samples, 16}};
+constexpr WholeKey kWholeKeys[] = {{"size", &RenderRequest::size, 1, 8192},
+                                   {"samples", &RenderRequest::samples, 1, 16},
+                                   {"segments", &RenderRequest::segments, 3, 512}};
 struct ToleranceKey {
     std::string_view path;
     double Tolerance::*member;
@@ -275,8 +277,8 @@ Problem apply(const Entry& entry, const std::filesystem::path& folder, SnapshotF
         return wrong_unless(is_number && is_time(value), "'time' must be a number of seconds that a float can hold");
     }
     if (const WholeKey* key = find_key(kWholeKeys, entry.path)) {
-        if (!is_number || value != std::floor(value) || value < 1 || value > key->highest)
-            return {fmt::format("'{}' must be a whole number from 1 to {}", key->path, key->highest)};
+        if (!is_number || value != std::floor(value) || value < key->lowest || value > key->highest)
+            return {fmt::format("'{}' must be a whole number from {} to {}", key->path, key->lowest, key->highest)};
         request.*key->member = int(value);
         return {};
     }

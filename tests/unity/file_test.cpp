@@ -221,12 +221,7 @@ TEST_P(UnityKind, SaysHowItIsDrawn) {
 INSTANTIATE_TEST_SUITE_P(
     All, UnityKind,
     ::testing::Values(
-        Kind{"opaque",
-             "Opaque",
-             "Geometry",
-             "",
-             "\"VertexLit\"",
-             {"ForwardBase", "ForwardAdd", "Meta", "Deferred"}},
+        Kind{"opaque", "Opaque", "Geometry", "", "\"VertexLit\"", {"ForwardBase", "ForwardAdd", "Meta", "Deferred"}},
         Kind{"cutout",
              "TransparentCutout",
              "AlphaTest",

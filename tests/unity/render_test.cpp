@@ -312,8 +312,9 @@ TEST(UnityPictures, OfLightmapsHoldColourAndEmission) {
     EXPECT_NEAR(emission[2], 1.5, 1e-6);
 }
 
-// Lit at the vertices: what the runtime's own vertex path shows of direct light. The lights have no distance and no cone,
-// and there is no light around, because Unity knows these per pixel, and the runtime's path knows them per vertex.
+// Lit at the vertices: what the runtime's own vertex path shows of direct light. The lights have no distance and no
+// cone, and there is no light around, because Unity knows these per pixel, and the runtime's path knows them per
+// vertex.
 class UnityVertexLit : public testing::TestWithParam<Case> {};
 
 TEST_P(UnityVertexLit, IsThatOfTheVertexPath) {

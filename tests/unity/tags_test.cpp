@@ -88,8 +88,8 @@ TEST(UnityDepth, IsThereForPassesThatWriteIt) {
 
 // The fallback draws the shadows of surfaces that are as the mesh is, with the same text. All others need their own.
 TEST(UnityShadows, AreLeftToTheFallbackWhereItDrawsTheSame) {
-    for (const std::string graph :
-         {R"("surface": { "metallic": 0.5 })", R"("render": { "depthTest": "equal" })", R"("render": { "queue": 2100 })"}) {
+    for (const std::string graph : {R"("surface": { "metallic": 0.5 })", R"("render": { "depthTest": "equal" })",
+                                    R"("render": { "queue": 2100 })"}) {
         const Result result = of_text(material(graph));
         EXPECT_EQ(modes(result), (Words{"ForwardBase", "ForwardAdd", "Meta", "Deferred"})) << graph;
         EXPECT_TRUE(has(result.shaders.front().text, "FallBack \"VertexLit\"")) << graph;

@@ -25,13 +25,13 @@ struct Named {
     float number;
     std::string_view name;
 };
-constexpr Named kNumbers[] = {{3.14159265359f, "UNITY_PI"},          {6.28318530718f, "UNITY_TWO_PI"},
-                              {12.56637061436f, "UNITY_FOUR_PI"},    {0.31830988618f, "UNITY_INV_PI"},
+constexpr Named kNumbers[] = {{3.14159265359f, "UNITY_PI"},         {6.28318530718f, "UNITY_TWO_PI"},
+                              {12.56637061436f, "UNITY_FOUR_PI"},   {0.31830988618f, "UNITY_INV_PI"},
                               {0.15915494309f, "UNITY_INV_TWO_PI"}, {0.07957747155f, "UNITY_INV_FOUR_PI"}};
 
 std::string_view name_of_number(float number) {
-    const auto* const found =
-        std::find_if(std::begin(kNumbers), std::end(kNumbers), [&](const Named& each) { return each.number == number; });
+    const auto* const found = std::find_if(std::begin(kNumbers), std::end(kNumbers),
+                                           [&](const Named& each) { return each.number == number; });
     return found == std::end(kNumbers) ? std::string_view() : found->name;
 }
 

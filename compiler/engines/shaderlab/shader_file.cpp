@@ -19,9 +19,9 @@ struct SurfaceRow {
     std::string_view render_type;
 };
 constexpr SurfaceRow kSurfaces[] = {
-    {SurfaceKind::Opaque, "Opaque"},         {SurfaceKind::Cutout, "TransparentCutout"},
-    {SurfaceKind::Fade, "Transparent"},      {SurfaceKind::Transparent, "Transparent"},
-    {SurfaceKind::Additive, "Transparent"},  {SurfaceKind::Multiply, "Transparent"},
+    {SurfaceKind::Opaque, "Opaque"},        {SurfaceKind::Cutout, "TransparentCutout"},
+    {SurfaceKind::Fade, "Transparent"},     {SurfaceKind::Transparent, "Transparent"},
+    {SurfaceKind::Additive, "Transparent"}, {SurfaceKind::Multiply, "Transparent"},
 };
 
 // --- the text, line by line

@@ -61,7 +61,8 @@ void check_keywords(const graph::Material& material, const Reflection& reflectio
 void check_samplers(std::span<const LinkedPass> passes, const engines::Engine& engine, Diagnostics& diagnostics);
 
 // --- shader_order.cpp
-// Sorts the passes by their queues, relative to the material's own passes, and lets those that can share a vertex stage.
+// Sorts the passes by their queues, relative to the material's own passes, and lets those that can share a vertex
+// stage.
 void order_passes(std::vector<LinkedPass>& passes);
 // The queue of the whole file: the material's, unless a pass reads something that is available only later.
 int shader_queue(const graph::Material& material, std::span<const LinkedPass> passes);
@@ -76,8 +77,8 @@ std::vector<std::string> shader_state(const Pass& pass);
 std::string queue_word(int queue);
 
 // --- fallback.cpp
-// True if the shader that Unity falls back to for opaque surfaces draws the pass in the same way: the file need not hold
-// it.
+// True if the shader that Unity falls back to for opaque surfaces draws the pass in the same way: the file need not
+// hold it.
 bool is_in_fallback(const LinkedPass& pass);
 // The word of `FallBack`.
 std::string_view fallback_word(const graph::Material& material, const graph::Lowered& lowered,
@@ -94,7 +95,7 @@ struct PassText {
         languages::Piece::Kind kind{};
         std::string name, text;
         std::vector<languages::PrintedLine> lines{};  // counted from 0
-        bool is_own = false;  // no other pass has it, so it is declared in the pass (shader_shared.cpp)
+        bool is_own = false;        // no other pass has it, so it is declared in the pass (shader_shared.cpp)
         bool is_of_vertex = false;  // the vertex function, or the struct that it returns
     };
     std::vector<Declaration> declarations;  // each declaration after those that it reads; the entry functions last
@@ -119,11 +120,11 @@ bool mentions(std::string_view text, std::string_view name);
 // --- shader_shared.cpp
 // The texts of the passes. A name means the same in all of them, unless it belongs to one pass.
 std::vector<PassText> pass_texts(std::span<const LinkedPass> linked, const engines::Engine& engine);
-// The declarations that do not belong to one pass, each once and after those that it reads; a shared vertex function and
-// its struct come last.
+// The declarations that do not belong to one pass, each once and after those that it reads; a shared vertex function
+// and its struct come last.
 std::vector<const PassText::Declaration*> shared_declarations(const std::vector<PassText>& passes);
-// The condition, in the words of the preprocessor, under which programs may declare the vertex function that some passes
-// share; empty if all of them do.
+// The condition, in the words of the preprocessor, under which programs may declare the vertex function that some
+// passes share; empty if all of them do.
 std::string_view vertex_condition(const std::vector<PassText>& passes);
 // The pieces of the include that the text of the passes mentions, in their order.
 std::vector<std::string_view> needed_pieces_of(std::string_view include, const std::string& text);

@@ -184,7 +184,7 @@ std::string_view vertex_condition(const std::vector<PassText>& passes) {
     const auto shares = [](const PassText& pass) { return pass.shares_vertex; };
     const auto first = std::find_if(passes.begin(), passes.end(), shares);
     return first == passes.end() || std::all_of(passes.begin(), passes.end(), shares) ? std::string_view()
-                                                                                        : condition_of(*first);
+                                                                                      : condition_of(*first);
 }
 
 }  // namespace patina::engines::shaderlab

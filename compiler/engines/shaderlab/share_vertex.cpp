@@ -57,8 +57,8 @@ bool has_all_of(const std::vector<graph::Given<What>>& list, const std::vector<g
 
 // True if a value means the same at the vertices of both passes.
 bool computes_alike(const graph::LoweredPass& a, const graph::LoweredPass& b) {
-    return has_all_of(a.recipes, b.recipes) && has_all_of(b.recipes, a.recipes) &&
-           has_all_of(a.replaced, b.replaced) && has_all_of(b.replaced, a.replaced);
+    return has_all_of(a.recipes, b.recipes) && has_all_of(b.recipes, a.recipes) && has_all_of(a.replaced, b.replaced) &&
+           has_all_of(b.replaced, a.replaced);
 }
 
 bool can_serve(const LinkedPass& maker, const LinkedPass& reader) {

@@ -79,9 +79,10 @@ struct EngineInfo {
     std::vector<std::string> languages;
     bool is_default = false;
     bool has_own_passes = false;  // it draws its own rendering paths instead of the library's
-    std::vector<std::string> paths;  // of its own passes: those that CompileOptions::path can name; the first is the default
-    bool is_one_file = false;     // one file holds all passes of a material
-    std::string folder;           // the folder that defines it: "nodes/engines/vulkan"
+    std::vector<std::string>
+        paths;                 // of its own passes: those that CompileOptions::path can name; the first is the default
+    bool is_one_file = false;  // one file holds all passes of a material
+    std::string folder;        // the folder that defines it: "nodes/engines/vulkan"
 };
 
 // The place in the sources that a line of emitted text comes from.

@@ -73,9 +73,8 @@ private:
     bool is_same(std::uint32_t a, std::uint32_t b) const {
         if (a == b) return true;
         const auto left = module_.numbers_of(module_.constants[a]), right = module_.numbers_of(module_.constants[b]);
-        return std::equal(left.begin(), left.end(), right.begin(), right.end(), [](double x, double y) {
-            return x == y && std::signbit(x) == std::signbit(y);
-        });
+        return std::equal(left.begin(), left.end(), right.begin(), right.end(),
+                          [](double x, double y) { return x == y && std::signbit(x) == std::signbit(y); });
     }
 
     const Module& module_;
@@ -122,7 +121,8 @@ bool settle(Module& module) {
 
 Module settle_members(Module module) {
     // A member of one struct may be what is put into a member of another one.
-    for (std::size_t round = 0; round <= module.structs.size() && settle(module); ++round) {}
+    for (std::size_t round = 0; round <= module.structs.size() && settle(module); ++round) {
+    }
     return module;
 }
 

@@ -73,6 +73,37 @@ TEST(RenderRequest, PixelsThatAreNotFiniteAreCountedAndTracedToTheirNode) {
     EXPECT_LT(outcome.values.not_finite, 288u);
 }
 
+// White keeps its form in the default light: a matt surface that reflects all light stays below 1 wherever it faces,
+// and its lit side is at least twice as bright as the side in the shade.
+TEST(RenderRequest, TheDefaultLightLeavesFormToWhite) {
+    const OwnGraph graph(R"({ "patina": 1, "workflow": "metallic-roughness", "lighting": "lambert",
+        "surface": { "baseColor": 1, "roughness": 1 } })");
+    const Compiler compiler;
+    for (const char* mesh : {"sphere", "plane", "cube", "capsule", "torus"}) {
+        RenderMachine machine;
+        const RenderOutcome outcome =
+            render(compiler,
+                   {.graph = graph.path.string(), .mesh = mesh, .size = 64, .samples = 1, .options = {.via = "glsl"}},
+                   machine);
+        ASSERT_TRUE(outcome.ok) << outcome.error;
+        float least = 1, most = 0;
+        const Scene scene;
+        for (int y = 0; y < 64; y++) {
+            for (int x = 0; x < 64; x++) {
+                const auto pixel = outcome.image.at(x, y);
+                if (pixel[1] == scene.background.g) continue;
+                most = std::max({most, pixel[0], pixel[1], pixel[2]});
+                least = std::min(least, pixel[1]);
+            }
+        }
+        EXPECT_LT(most, 0.97) << mesh;
+        EXPECT_GT(most, 0.6) << mesh;
+        if (std::string_view(mesh) != "plane") {
+            EXPECT_LT(least, 0.5 * most) << mesh;
+        }
+    }
+}
+
 // Of a picture that is drawn in tiles, as of others.
 TEST(RenderRequest, APixelOfALargePictureIsTraced) {
     const OwnGraph graph(kDivides);
