@@ -73,11 +73,12 @@ Mesh revolve(const std::vector<OutlinePoint>& outline, int segments) {
 void add_square(Mesh& mesh, glm::vec3 normal, glm::vec3 right, float distance, float half, int segments) {
     glm::vec3 up = glm::cross(normal, right);
     add_grid(mesh, segments, segments, [&](int i, int j) {
-        glm::vec2 uv = {float(i) / segments, float(j) / segments};
-        return Vertex{.position = normal * distance + right * (half * (2 * uv.x - 1)) + up * (half * (1 - 2 * uv.y)),
+        // From the middle, so that squares that share an edge have the same vertices there, to the last bit.
+        const float x = float(2 * i - segments) / segments, y = float(segments - 2 * j) / segments;
+        return Vertex{.position = normal * distance + right * (half * x) + up * (half * y),
                       .normal = normal,
                       .tangent = {right, 1},
-                      .uv0 = uv};
+                      .uv0 = {float(i) / segments, float(j) / segments}};
     });
 }
 

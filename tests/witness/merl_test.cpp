@@ -233,6 +233,17 @@ struct Errors {
     }
 };
 
+// True for the background, and for pixels beside it: there a cell of the table reaches below the horizon, where a
+// measurement holds nothing.
+bool is_at_edge(const Image& image, std::size_t pixel) {
+    const int x = int(pixel) % image.width, y = int(pixel) / image.width;
+    for (const auto& [dx, dy] : {std::pair{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+        const int column = std::clamp(x + dx, 0, image.width - 1), row = std::clamp(y + dy, 0, image.height - 1);
+        if (std::ranges::equal(image.at(column, row), image.at(0, 0))) return true;
+    }
+    return false;
+}
+
 // Between entries the error goes with the square of their distance: a table of half the angles is four times as far
 // off, and a third of what lies between the two tables is what the finer one may be off.
 TEST_F(MerlTest, ATableDrawsWhatItWasSampledFrom) {
@@ -260,6 +271,7 @@ TEST_F(MerlTest, ATableDrawsWhatItWasSampledFrom) {
                         of_coarse = draw(*measured, coarse);
             Errors error, halving;
             for (std::size_t i = 0; i < exact.pixels.size(); ++i) {
+                if (is_at_edge(exact, i / 4)) continue;
                 error.add(of_fine.pixels[i], exact.pixels[i]);
                 halving.add(of_coarse.pixels[i], of_fine.pixels[i]);
             }

@@ -1,5 +1,5 @@
-// settle_members: which members are constants for their readers. ir_passes_meaning_test.cpp checks that the meaning stays
-// the same.
+// settle_members: which members are constants for their readers. ir_passes_meaning_test.cpp checks that the meaning
+// stays the same.
 #include "compiler/ir/passes/passes.h"
 #include "tests/unit/ir/ir_testing.h"
 
@@ -80,9 +80,8 @@ TEST(SettleMembers, AMemberMayBeWhatAnotherStructGets) {
         const std::vector<Value> parts = {b.extract(made, 0), b.extract(made, 1)};
         return b.construct(Type::structure(1), parts);
     });
-    const FunctionId reader = add(module, "read", {kX}, kFloat, [&](Builder& b) {
-        return b.extract(b.call(second, std::vector{b.param(0)}), 1);
-    });
+    const FunctionId reader = add(module, "read", {kX}, kFloat,
+                                  [&](Builder& b) { return b.extract(b.call(second, std::vector{b.param(0)}), 1); });
     module = checked(settle_members(std::move(module)));
     EXPECT_EQ(count(module[reader], Op::Extract), 0u);
 }

@@ -179,7 +179,7 @@ TEST(Segments, RefineASphere) {
 
 TEST(Segments, AreThoseOfThePreviewUnlessSaid) {
     const std::map<std::string_view, int> usual = {
-        {"sphere", 96}, {"plane", 32}, {"cube", 16}, {"capsule", 96}, {"torus", 128}};
+        {"sphere", 192}, {"plane", 128}, {"cube", 48}, {"capsule", 192}, {"torus", 192}};
     for (const auto& [name, segments] : usual) {
         EXPECT_EQ(make_mesh(name, segments)->indices, make_mesh(name)->indices) << name;
         EXPECT_GT(make_mesh(name, 2 * segments)->indices.size(), 3 * make_mesh(name)->indices.size()) << name;
