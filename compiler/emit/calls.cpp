@@ -52,6 +52,11 @@ Typed choose(Emitter& emitter, Value chooser, std::span<const Typed> choices, Sc
     return result;
 }
 
+void note_slot_quad(Scope& scope) {
+    bool* const noted = scope.slot_needs_quad ? scope.slot_needs_quad : scope.needs_quad;
+    if (noted) *noted = true;
+}
+
 // Emits the body in the place of the call, for functions marked [inline], so that the caller reads as one text.
 Typed spelled_out(Emitter& emitter, const FunctionDecl& function, const Declarations& home,
                   std::span<const Argument> gathered, std::span<const Value> arguments, const Scope& border,
@@ -60,10 +65,11 @@ Typed spelled_out(Emitter& emitter, const FunctionDecl& function, const Declarat
         emitter.diagnostics.report(Code::Recursion, span, function.name);
         return {};
     }
-    bool needs_quad = false;
+    bool needs_quad = false, slot_needs_quad = false;
     Scope inner = border;
     inner.function = &function;
     inner.needs_quad = &needs_quad;
+    inner.slot_needs_quad = &slot_needs_quad;
     auto next = arguments.begin();
     const Outputs* outputs = begin_body(emitter, function, home, gathered, std::string(function.name), inner,
                                         [&](const ParamDecl&, Type) { return *next++; });
@@ -80,6 +86,7 @@ Typed spelled_out(Emitter& emitter, const FunctionDecl& function, const Declarat
     }
     if (!returns) returned = return_value(emitter, nullptr, inner);
     if (needs_quad) need_quad(emitter, scope, span, function.name, takes_texture(function));
+    if (slot_needs_quad) note_slot_quad(scope);
     if (inner.rounds > 0) count_rounds(emitter, inner.rounds, scope, span);
     return {.value = returned, .type = inner.result, .outputs = outputs};
 }
@@ -150,7 +157,7 @@ Typed call_slot(Emitter& emitter, const FunctionDecl& function, const Expr& expr
         if (!value.ok()) return {};
         values.push_back(value.value);
     }
-    if (slot->needs_quad && scope.needs_quad) *scope.needs_quad = true;
+    if (slot->needs_quad) note_slot_quad(scope);
     return {.value = scope.builder->call(slot->function, values), .type = slot->result};
 }
 

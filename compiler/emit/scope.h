@@ -91,7 +91,9 @@ struct Scope {
     const FunctionDecl* function = nullptr;
     ir::Type result{};
     bool* needs_quad = nullptr;  // set if something reads neighbouring pixels
-    std::string_view flow{};     // "if" or "for" inside of one
+    // The same for slots, which may be called in a loop, in the body of an [inline] function; else null.
+    bool* slot_needs_quad = nullptr;
+    std::string_view flow{};  // "if" or "for" inside of one
     const OpenPort* open_port = nullptr;
     bool in_vertex_stage = false;
     double rounds_around = 1;  // how often the enclosing loops run what is emitted now

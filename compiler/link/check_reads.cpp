@@ -81,28 +81,39 @@ public:
     Reads(const Linked& linked, std::string_view global)
         : linked_(linked), global_(global), seen_(linked.functions.size()) {}
 
-    // A place in a graph that reads the value through a semantic, such as `@light`.
-    ir::Origin place() {
+    // The name under which a graph reads the value: a semantic ("@light"), with its place in the graph, or else a
+    // function of the library.
+    Missing named() {
         const auto& semantics = linked_.lowered.semantics;
         for (std::size_t i = 0; i < semantics.size(); ++i) {
             seen_.assign(seen_.size(), false);
             if (linked_.readers[i] && semantics[i].recipe && in(semantics[i].recipe))
-                return linked_.lowered.module.origins[linked_.readers[i].index];
+                return {"@" + linked_.lowered.module.semantics[i].name,
+                        linked_.lowered.module.origins[linked_.readers[i].index]};
         }
-        return {};
+        for (const ir::Function& function : linked_.functions) {
+            if (reads(function)) return {function.name, {}};
+        }
+        return {std::string(global_), {}};
     }
 
 private:
     bool in(ir::FunctionId function) {
         if (!function || seen_[function.index]) return false;
         seen_[function.index] = true;
+        if (reads(linked_.functions[function.index])) return true;
         for (const ir::Inst& inst : linked_.functions[function.index].insts) {
-            if (inst.op == ir::Op::Global && linked_.lowered.module.globals[inst.data].name == global_) return true;
             if (inst.op == ir::Op::Call && in({inst.data})) return true;
         }
         const std::vector<ir::SemanticId>& needs = linked_.needs[function.index];
         return std::any_of(needs.begin(), needs.end(), [&](ir::SemanticId semantic) {
             return in(linked_.lowered.semantics[semantic.index].recipe);
+        });
+    }
+
+    bool reads(const ir::Function& function) const {
+        return std::any_of(function.insts.begin(), function.insts.end(), [&](const ir::Inst& inst) {
+            return inst.op == ir::Op::Global && linked_.lowered.module.globals[inst.data].name == global_;
         });
     }
 
@@ -118,14 +129,15 @@ bool has_all(graph::Session& session, const Linked& linked, const LinkedPass& pa
         std::optional<Missing> missing = missing_in(*stage);
         if (!missing) continue;
         const Span graph = pass.material->graph->graph->span;
-        if (!missing->where.span.end) missing->where = Reads(linked, missing->name).place();
+        const Missing named = Reads(linked, missing->name).named();
+        if (!missing->where.span.end) missing->where = named.where;
         const bool is_at_node = missing->where.span.begin != missing->where.span.end;
         const graph::PassDecl& declaration = *pass.pass->declaration;
         DiagnosticRecord& record = session.diagnostics.report(
             declaration.is_optional ? Code::PassLeftOut : Code::PassRefused,
             is_at_node ? missing->where.span : Span{graph.begin, graph.begin + 1}, graph::known_as(declaration),
             fmt::format("its {} reads '{}', which '{}' does not provide there",
-                        stage == &pass.vertex ? "vertex stage" : "fragment stage", missing->name,
+                        stage == &pass.vertex ? "vertex stage" : "fragment stage", named.name,
                         session.options.targets[0].name()));
         record.at(missing->where.id);
         if (declaration.is_optional && !declaration.otherwise.empty()) record.note(std::string(declaration.otherwise));

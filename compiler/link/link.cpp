@@ -349,6 +349,17 @@ std::vector<ir::StageText> texts_of(const graph::PassDecl& pass) {
     return texts;
 }
 
+// True if the pass, or a function that its fragment stage calls, has lines at the end of the vertex stage.
+bool reads_mesh_at_end(const graph::PassDecl& pass, const ir::Module& fragment) {
+    const auto is_at_end = [](const ir::StageText& text) { return text.place == "vertex end"; };
+    const auto has_line = [&](const std::vector<ir::StageText>& texts) {
+        return std::any_of(texts.begin(), texts.end(), is_at_end);
+    };
+    return has_line(pass.vertex_texts) || has_line(pass.fragment_texts) ||
+           std::any_of(fragment.functions.begin(), fragment.functions.end(),
+                       [&](const ir::Function& function) { return has_line(function.texts); });
+}
+
 }  // namespace
 
 ir::Module link_fragment(const Linked& linked, const graph::LoweredPass& pass, ir::BuildOptions options) {
@@ -400,9 +411,11 @@ ir::Module link_vertex(const Linked& linked, const graph::LoweredPass& pass, ir:
             {.name = "position", .type = entry.builder().type(position), .builtin = ir::Builtin::Position});
         values.push_back(position);
     }
-    // If included files declare the mesh's values, they need them as the material has moved them.
+    // Lines at the end of the vertex stage read the mesh's values that included files declare: as the material has
+    // moved them.
+    const bool has_readers = reads_mesh_at_end(*pass.declaration, fragment);
     for (const auto& [semantic, global] : pass.attributes) {
-        if (!linked.lowered.semantics[semantic.index].override) continue;
+        if (!has_readers || !linked.lowered.semantics[semantic.index].override) continue;
         const Value moved = entry.value(semantic);
         outputs.push_back({.name = joined("moved", linked.lowered.module.semantics[semantic.index].name),
                            .type = entry.builder().type(moved),

@@ -40,6 +40,7 @@ void declare_statics(Lowering& lowering) {
             case StaticDecl::About::Clip:
             case StaticDecl::About::UvOrigin:
             case StaticDecl::About::Slot:
+            case StaticDecl::About::Reads:
             case StaticDecl::About::Pass: break;
         }
         return false;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "compiler/format/words.h"
+#include "compiler/ir/linear/linear_part.h"
 #include "compiler/lower/lowering.h"
 
 namespace patina::graph {
@@ -107,9 +108,11 @@ private:
         }
         const std::size_t own = passes.size();
         for (const PassDecl* pass : paths_.passes_of(path)) passes.push_back(pass);
+        std::vector<std::pair<const PassDecl*, Refusal>> left_out;  // told only if the path draws the material
+        std::set<std::string> told;                                 // one mistake may stop several passes
         for (const PassDecl* pass : optional_first(passes)) {
             const Refusal refusal = lower_pass(*pass);
-            if (refusal.is_news) report_left_out(*pass, refusal);
+            if (refusal.is_news) left_out.emplace_back(pass, refusal);
             if (!refusal || refusal.is_news || refusal.is_vain || pass->is_optional) continue;
             const bool is_own = std::find(passes.begin() + std::ptrdiff_t(own), passes.end(), pass) != passes.end();
             if (is_own && !pass->state.fallback.empty()) {
@@ -118,12 +121,13 @@ private:
                 tried_.insert(path);
                 if (!tried_.contains(pass->state.fallback)) return lower_path(pass->state.fallback);
             }
-            if (has_blend(*pass)) {
+            if (!has_blend(*pass)) {
+                if (is_own) left_out.emplace_back(pass, refusal);
+            } else if (told.insert(refusal.reason).second) {
                 report(Code::PassRefused, refusal, known_as(*pass), refusal.reason);
-            } else if (is_own) {
-                report_left_out(*pass, refusal);
             }
         }
+        for (const auto& [pass, refusal] : left_out) report_left_out(*pass, refusal);
         in_order_of([&](const LoweredPass& p) { return std::find(passes.begin(), passes.end(), p.declaration); });
     }
 
@@ -183,11 +187,15 @@ private:
         const Graph& graph = *lowering_.material.graph->graph;
         const LightingUse& use = graph.lighting;
         const Span inlined{use.span.begin, use.span.begin + 1};
-        return {.reason = fmt::format("it is for materials lit by {}, and this material is lit by {}",
-                                      list_of(pass.lighting), quoted(lowering_.material.lighting_name)),
+        const std::vector<std::string>& paths = lowering_.session.engine.paths;
+        const bool is_of_other = !pass.is_optional && !pass.along.empty() && pass.along.front() != paths.front();
+        return {.reason =
+                    fmt::format("it is for materials lit by {}, and this material is lit by {}", list_of(pass.lighting),
+                                quoted(use.inlined ? std::string_view() : lowering_.material.lighting_name)),
                 .where = {.span = !use.present  ? graph.workflow_span
                                   : use.inlined ? inlined
                                                 : use.span},
+                .advice = is_of_other ? fmt::format("use --path {}", paths.front()) : std::string(),
                 .is_news = pass.is_optional && is_drawn_again(pass)};
     }
 
@@ -207,7 +215,9 @@ private:
         if (!stencil || !draws_objects(pass) || pass.state.targets.empty()) return {};
         const ir::Origin where{.span = {stencil->span.begin, stencil->span.begin + 1}};
         if (pass.has_stencil)
-            return {.reason = "the path uses the stencil", .where = where, .is_news = has_own_passes()};
+            return {.reason = "the material has a stencil, and the pass sets the stencil itself",
+                    .where = where,
+                    .is_news = has_own_passes()};
         if (has_own_passes() && pass.state.each != PassEach::Light) return {};  // the other pass reports it
         if (!stencil->changes() || stencil->test == Compare::Always || !is_drawn_again(pass)) return {};
         Refusal refusal{
@@ -449,9 +459,29 @@ private:
                                         [&](const StaticDecl& each) { return each.variable == &variable; });
         if (asked == paths_.statics.end() || !asked->is_of_passes()) return {};
         bool is_any = false;
-        for (const std::string_view name : asked->words)
-            is_any = (asked->about == StaticDecl::About::Pass ? is_drawn_with(name) : has_slot(name)) || is_any;
+        for (const std::string_view name : asked->words) is_any = holds(asked->about, name) || is_any;
         return is_any;
+    }
+
+    bool holds(StaticDecl::About about, std::string_view name) {
+        if (about == StaticDecl::About::Pass) return is_drawn_with(name);
+        return about == StaticDecl::About::Slot ? has_slot(name) : lighting_reads(name);
+    }
+
+    // True if the lighting graph reads this member of the surface.
+    bool lighting_reads(std::string_view member) const {
+        const ir::Module& module = lowering_.out.module;
+        return std::any_of(paths_.slots.begin(), paths_.slots.end(), [&](const SlotDecl& slot) {
+            const emit::Slot* made =
+                slot.is_derived() ? nullptr : emit::find_slot(lowering_.emitter.known, slot.name());
+            if (!made || !made->function) return false;
+            const std::vector<ir::Param>& params = module[made->function].params;
+            if (params.empty() || params[0].type.kind != ir::Kind::Struct) return false;
+            const std::vector<ir::Member>& members = module.structs[params[0].type.ref].members;
+            const std::vector<ir::MemberRead> reads = ir::members_read(module, made->function, 0);
+            return std::any_of(reads.begin(), reads.end(),
+                               [&](const ir::MemberRead& read) { return members[read.member].name == member; });
+        });
     }
 
     bool is_drawn_with(std::string_view pass) {
@@ -464,7 +494,7 @@ private:
     bool has_slot(std::string_view name) {
         const SlotDecl* slot = paths_.slot(name);
         if (!slot) return false;
-        if (!slot->is_derived()) return emit::find_slot(lowering_.emitter.known, name) != nullptr;
+        if (!slot->is_derived()) return emit::find_slot(lowering_.emitter.known, name) && !is_always_zero(name);
         const DerivedSlot& part = derived_slot(lowering_, *slot);
         remark(*slot, part);
         return part.slot.function && !part.is_zero;
@@ -480,7 +510,9 @@ private:
                {.reason = {},
                 .where = part.where,
                 .advice = instead.empty() ? "" : fmt::format("use the path '{}'", instead)},
-               lowering_.out.path, slot.otherwise, part.why_not);
+               has_own_passes() ? lowering_.session.engine.own_path(lowering_.session.options.path)
+                                : std::string_view(lowering_.out.path),
+               slot.otherwise, part.why_not);
     }
 
     Lowering& lowering_;

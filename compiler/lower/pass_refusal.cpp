@@ -69,7 +69,8 @@ private:
         for (const Inst& inst : module_[function].insts) {
             if (refusal_) return;
             Place here = place;
-            if (inst.origin && !module_.origins[inst.origin.index].id.empty()) here.origin = inst.origin;
+            if (inst.origin && (!here.origin || !module_.origins[inst.origin.index].id.empty()))
+                here.origin = inst.origin;
             if (inst.op == Op::Call) visit({inst.data}, here);
             if (inst.op == Op::Semantic) semantic({inst.data}, here);
             if (inst.op == Op::Global) global({inst.data}, here);
@@ -77,11 +78,12 @@ private:
         }
     }
 
-    // Who reads the value, in words; a slot without parameters is the surface itself.
+    // Who reads the value, in words: a slot that a graph gives. A slot without parameters is the surface itself.
     std::string said(const Place& place) const {
         const SlotDecl* slot = lowering_.session.paths->slot(place.slot);
+        while (slot && slot->is_derived() && !slot->of.empty()) slot = lowering_.session.paths->slot(slot->of);
         if (slot && slot->function->params.empty()) return "the surface";
-        return fmt::format("'{}'", place.slot);
+        return fmt::format("'{}'", slot ? slot->name() : place.slot);
     }
 
     void derivative(Op op, const Place& place) {

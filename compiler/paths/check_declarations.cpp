@@ -15,9 +15,10 @@ using nodelang::Expr;
 using nodelang::StructDecl;
 using nodelang::VariableDecl;
 
-constexpr StaticWord kStatics[] = {{"surface", StaticDecl::About::Surface}, {"cull", StaticDecl::About::Cull},
-                                   {"slot", StaticDecl::About::Slot},       {"pass", StaticDecl::About::Pass},
-                                   {"clip", StaticDecl::About::Clip},       {"uvOrigin", StaticDecl::About::UvOrigin}};
+constexpr StaticWord kStatics[] = {{"surface", StaticDecl::About::Surface},  {"cull", StaticDecl::About::Cull},
+                                   {"slot", StaticDecl::About::Slot},        {"reads", StaticDecl::About::Reads},
+                                   {"pass", StaticDecl::About::Pass},        {"clip", StaticDecl::About::Clip},
+                                   {"uvOrigin", StaticDecl::About::UvOrigin}};
 constexpr BuiltinWord kBuiltins[] = {{"frontFacing", "bool", ir::Builtin::FrontFacing},
                                      {"fragCoord", "float4", ir::Builtin::FragCoord},
                                      {"vertexIndex", "int", ir::Builtin::VertexIndex},

@@ -309,7 +309,7 @@ const PassDecl* PathDeclarations::pass(std::string_view name) const {
 std::vector<const PassDecl*> PathDeclarations::passes_of(std::string_view path) const {
     std::vector<const PassDecl*> of;
     for (const PassDecl& each : passes) {
-        if (each.path == path && each.fragment) of.push_back(&each);
+        if (each.path == path && each.fragment && !each.draws_extra_alone) of.push_back(&each);
     }
     std::sort(of.begin(), of.end(),
               [](const PassDecl* a, const PassDecl* b) { return a->fragment->span.begin < b->fragment->span.begin; });
@@ -394,6 +394,9 @@ void collect(const nodelang::Ast& ast, const nodelang::Declarations& declaration
     for (const VariableDecl& variable : ast.variables) collector.variable(variable);
     for (const FunctionDecl& function : ast.functions) collector.function(function);
     check_conditions(ast, paths, diagnostics);
+    // What names a pass goes before what is for all passes of a file.
+    std::stable_partition(paths.given.begin(), paths.given.end(),
+                          [](const GivenDecl& given) { return !given.is_of_file; });
     for (const PassDecl& pass : paths.passes) {
         if (pass.vertex && pass.fragment) continue;
         diagnostics.report(Code::BadAttribute, pass.span, "pass",

@@ -56,13 +56,13 @@ struct ExternDecl {
 
 // [static("surface", "cutout")] bool b; it is true if the value that it asks about is one of the words.
 struct StaticDecl {
-    enum class About { Surface, Cull, Slot, Pass, Clip, UvOrigin };
+    enum class About { Surface, Cull, Slot, Reads, Pass, Clip, UvOrigin };
     const nodelang::VariableDecl* variable = nullptr;
     About about = About::Surface;
     std::vector<std::string_view> words;
 
     // True if the value is known only while the passes are lowered.
-    bool is_of_passes() const { return about == About::Slot || about == About::Pass; }
+    bool is_of_passes() const { return about == About::Slot || about == About::Reads || about == About::Pass; }
     bool is_of_engine() const { return about == About::Clip || about == About::UvOrigin; }
 };
 
@@ -135,15 +135,17 @@ struct PassDecl {
     std::vector<BlendRow> blends;
     // True if the pass states it; else the material decides.
     bool has_cull = false, has_depth = false, has_depth_bias = false, has_stencil = false;
-    bool draws_extra = false;                // it also draws the extra passes of materials
-    bool is_alone = false;                   // left out if the material has extra passes
-    bool is_optional = false;                // left out without a warning if it cannot draw the material
-    std::vector<std::string_view> needs;     // slots that must exist
-    std::vector<std::string_view> holds;     // members of the lighting surface that it can provide; empty: all
-    std::vector<std::string_view> excludes;  // switches that must be off
-    std::vector<std::string_view> lighting;  // lighting models that it supports; empty: all
-    std::string_view otherwise;              // what a material loses without it, in words; may be empty
-    std::vector<std::string_view> along;     // an engine's own pass: the requested paths that have it; empty: all
+    bool draws_extra = false;                   // it also draws the extra passes of materials
+    bool draws_extra_alone = false;             // along the requested path it draws these and no material
+    bool is_alone = false;                      // left out if the material has extra passes
+    bool is_optional = false;                   // left out without a warning if it cannot draw the material
+    std::vector<std::string_view> needs;        // slots that must exist
+    std::vector<std::string_view> holds;        // members of the lighting surface that it can provide; empty: all
+    std::vector<std::string_view> excludes;     // switches that must be off
+    std::vector<std::string_view> lighting;     // lighting models that it supports; empty: all
+    std::string_view otherwise;                 // what a material loses without it, in words; may be empty
+    std::vector<std::string_view> along;        // an engine's own pass: the requested paths that have it; empty: all
+    std::vector<std::string_view> extra_along;  // further requested paths for which it draws the extra passes
     std::vector<std::pair<std::string_view, std::string_view>> tags;  // for an engine that selects passes by tag
     std::vector<std::string_view> guards;                             // by render target: a condition, or empty
     std::vector<ir::StageText> vertex_texts, fragment_texts;          // lines of the engine's file
@@ -153,8 +155,9 @@ struct PassDecl {
 
 // [gives("positionWS", "deferred-light")]: a recipe of a semantic, or a body of an [extern] function, for these passes
 // only, in both stages; with [fragment], in the fragment stage only. If no pass is named, it applies to all passes of
-// the same file. Only in that case may it replace any function of the library, and only in that case may it be a
-// variable: a value that an included file declares, in place of an attribute or an [extern] value.
+// the same file, except where another one names the pass. Only in that case may it replace any function of the library,
+// and only in that case may it be a variable: a value that an included file declares, in place of an attribute or an
+// [extern] value.
 struct GivenDecl {
     std::string_view what;
     const nodelang::FunctionDecl* function = nullptr;
@@ -205,7 +208,7 @@ struct PathDeclarations {
     std::vector<std::string_view> hdr_members;  // [hdr] members of structs: light, which may be brighter than white
 
     const PassDecl* pass(std::string_view name) const;
-    // The passes of a path, in the order of its file.
+    // The passes of a path that draw materials, in the order of its file.
     std::vector<const PassDecl*> passes_of(std::string_view path) const;
     std::vector<std::string_view> names() const;  // of the paths
     // True if the pass may be in a frame of the path: as one of its passes, or of a path that it falls back to, or

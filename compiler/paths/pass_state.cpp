@@ -119,11 +119,11 @@ void read_stencil(Arguments& in, std::size_t count, PassDecl& pass) {
 
 // The places of an engine's file where a pass can insert lines.
 // "sampler" and "light mode" add no line: they name a sampler, and a mode of the pass, that the others need.
-constexpr std::array<std::string_view, 14> kPlaces = {
-    "grab",           "queue",        "pragma",     "include",
-    "own include",    "sampler",      "light mode", "first interpolator",
-    "interpolators",  "vertex begin", "vertex end", "vertex condition",
-    "fragment begin", "fragment end"};
+constexpr std::array<std::string_view, 15> kPlaces = {
+    "grab",           "queue",        "pragma",          "include",
+    "own include",    "sampler",      "light mode",      "first interpolator",
+    "interpolators",  "vertex begin", "vertex end",      "vertex result",
+    "fragment begin", "fragment end", "vertex condition"};
 
 void read_tag(Arguments& in, PassDecl& pass) {
     const std::string_view name = in.text();
@@ -173,7 +173,11 @@ constexpr StateRow kState[] = {
     {"alone", 0, 0, "[alone]", [](Arguments&, std::size_t, PassDecl& p) { p.is_alone = true; }},
     {"otherwise", 1, 1, "[otherwise(\"it casts no shadow\")]",
      [](Arguments& in, std::size_t, PassDecl& p) { p.otherwise = in.text(); }},
-    {"extra", 0, 0, "[extra]", [](Arguments&, std::size_t, PassDecl& p) { p.draws_extra = true; }},
+    {"extra", 0, 32, "[extra]",
+     [](Arguments& in, std::size_t count, PassDecl& p) {
+         p.draws_extra = true;
+         for (std::size_t i = 0; i < count; ++i) p.extra_along.push_back(in.text());
+     }},
 };
 
 // Reports a type that a shader cannot write to a render target.

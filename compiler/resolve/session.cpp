@@ -113,14 +113,32 @@ std::optional<std::uint32_t> load_source(Session& session, const std::string& pa
 
 namespace {
 
+bool is_in(const std::vector<std::string_view>& words, std::string_view word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
 void check_along(Session& session, const PassDecl& pass) {
     const std::vector<std::string_view> known(session.engine.paths.begin(), session.engine.paths.end());
-    for (const std::string_view path : pass.along) {
-        if (std::find(known.begin(), known.end(), path) != known.end()) continue;
-        session.diagnostics.report(Code::UnknownWord, pass.span, path, "a path of this engine's own passes")
-            .note(known.empty() ? std::string("this engine has no passes of its own: leave out [along]")
-                                : Diagnostics::suggestion(path, known));
+    for (const auto* paths : {&pass.along, &pass.extra_along}) {
+        for (const std::string_view path : *paths) {
+            if (is_in(known, path)) continue;
+            session.diagnostics.report(Code::UnknownWord, pass.span, path, "a path of this engine's own passes")
+                .note(known.empty() ? std::string("this engine has no passes of its own: leave out [along]")
+                                    : Diagnostics::suggestion(path, known));
+        }
     }
+}
+
+// What the file's pass draws along the requested path: materials, only what materials add, or nothing. An engine
+// selects its own passes, so those of the library draw nothing there.
+void choose_what_is_drawn(const Session& session, std::string_view own_path, PassDecl& pass) {
+    if (pass.path != session.path) {
+        if (session.engine.has_own_passes()) pass.draws_extra = false;
+        return;
+    }
+    const bool is_of_other = !pass.along.empty() && !is_in(pass.along, own_path);
+    pass.draws_extra_alone = is_of_other && is_in(pass.extra_along, own_path);
+    if (pass.is_older_fragment || (is_of_other && !pass.draws_extra_alone)) pass.path.clear();
 }
 
 // Adds the passes of a loaded file to those of the library.
@@ -136,10 +154,8 @@ void read_passes(Session& session, std::uint32_t base, std::string path) {
     // several paths.
     const std::string_view own_path = session.engine.own_path(session.options.path);
     for (PassDecl& pass : file->paths.passes) {
-        const bool is_of_other =
-            !pass.along.empty() && std::find(pass.along.begin(), pass.along.end(), own_path) == pass.along.end();
         if (pass.path == session.path) check_along(session, pass);
-        if (pass.path == session.path && (pass.is_older_fragment || is_of_other)) pass.path.clear();
+        choose_what_is_drawn(session, own_path, pass);
     }
     if (file->paths.passes_of(session.path).empty() && !session.diagnostics.has_errors())
         session.diagnostics.report(Code::NoNodeInFile, {base, base}, "[pass]");

@@ -160,7 +160,8 @@ TEST(UnityVertexLit, CompilesInEveryVariant) {
     for (const char* graph :
          {"examples/sources/diffuse-pixel-level.graph.json", "examples/sources/specular-pixel-level.graph.json",
           "examples/graphs/ivy.graph.json", "tests/unity/graphs/standard.graph.json",
-          "tests/unity/graphs/fade.graph.json", "tests/unity/graphs/wave.graph.json"}) {
+          "tests/unity/graphs/fade.graph.json", "tests/unity/graphs/wave.graph.json",
+          "tests/unity/graphs/passes.graph.json", "tests/unity/graphs/tiers_passes.graph.json"}) {
         SCOPED_TRACE(graph);
         expect_compiles(graph, "vertex");
     }
@@ -168,7 +169,8 @@ TEST(UnityVertexLit, CompilesInEveryVariant) {
 
 TEST(UnityTiers, CompileInEveryVariant) {
     for (const char* graph : {"examples/sources/standard.graph.json", "tests/unity/graphs/standard.graph.json",
-                              "tests/unity/graphs/fade.graph.json", "tests/unity/graphs/transparent.graph.json"}) {
+                              "tests/unity/graphs/fade.graph.json", "tests/unity/graphs/transparent.graph.json",
+                              "tests/unity/graphs/tiers_passes.graph.json"}) {
         SCOPED_TRACE(graph);
         expect_compiles(graph, "tiers");
     }

@@ -26,9 +26,10 @@ inline Result for_unity(const std::string& graph) {
     return result;
 }
 
-inline Result of_text(const std::string& text) {
+inline Result of_text(const std::string& text, const std::string& path = "forward") {
     CompileOptions options;
     options.targets = {kUnity};
+    options.path = path;
     return compiler().compile_text("t.graph.json", text, options);
 }
 

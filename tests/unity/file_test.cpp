@@ -367,7 +367,7 @@ TEST(UnitySeam, IsRefusedWhereUnityHasNothingLikeIt) {
     const Diagnostic in_add = first_error(added);
     EXPECT_EQ(in_add.code, "pass-refused");
     EXPECT_EQ(in_add.node, "sky") << to_text(in_add);
-    EXPECT_TRUE(has(in_add.message, "'ForwardAdd'") && has(in_add.message, "ambientSH")) << in_add.message;
+    EXPECT_TRUE(has(in_add.message, "'ForwardAdd'") && has(in_add.message, "'AmbientIrradiance'")) << in_add.message;
     const Result at_vertices = of_text(R"({ "patina": 1, "workflow": "metallic-smoothness",
         "nodes": [ { "id": "lit", "expr": "@light.color", "stage": "vertex" } ], "surface": { "baseColor": "lit" } })");
     EXPECT_FALSE(at_vertices.ok);

@@ -281,6 +281,33 @@ TEST(UnityTiers, OfTheBestQualityLookLikeTheModel) {
     expect_same(forward(own, scene), in_unity(by_tier, scene, {}), "linear");
 }
 
+// In a project of gamma space, Standard adds light and emission encoded: the picture of both is the sum of two
+// pictures.
+TEST(UnityTiers, AddEncodedColoursInGammaSpace) {
+    runtime::Scene scene = scene_of("torus", {kSun});
+    scene.ambient = {};
+    scene.environment = nullptr;
+    const auto picture = [&](const glm::vec3& sun, const std::string& emission) {
+        runtime::Scene seen = scene;
+        seen.lights[0].color = sun;
+        const std::string graph = "tests/unity/graphs/standard.graph.json";
+        Material material(graph, seen, {{"_Color", "#d08050"}, {"_EmissionColor", emission}}, {});
+        CompileOptions options;
+        options.path = "tiers";
+        options.targets = {{"unity", "hlsl"}};
+        material.file = taken_apart(compiler().compile_file(graph, options).shaders.front().text);
+        return in_unity(material, seen, {"UNITY_COLORSPACE_GAMMA", "_EMISSION"});
+    };
+    const glm::vec3 sun(0.3f, 0.25f, 0.2f);
+    const Image light = picture(sun, "0,0,0"), glow = picture(glm::vec3(0), "0.1,0.2,0.05");
+    Image sum = light;
+    for (std::size_t i = 0; i < sum.pixels.size(); ++i) {
+        if (i % 4 != 3) sum.pixels[i] += glow.pixels[i];
+    }
+    EXPECT_GT(paths::lit_pixels(glow), 500);
+    expect_same(sum, picture(sun, "0.1,0.2,0.05"), "the sum");
+}
+
 // The lightmapper gets the diffuse colour, half of the reflectance times the square of the roughness, and the emission.
 TEST(UnityPictures, OfLightmapsHoldColourAndEmission) {
     const runtime::Scene scene = scene_of("plane", {});

@@ -109,7 +109,7 @@ TEST(UnitySeam, HasNoLightAtTheVertices) {
     EXPECT_EQ(first_error(result).code, "pass-refused");
     EXPECT_EQ(first_error(result).line, 1);
     EXPECT_EQ(first_error(result).column, 77) << to_text(first_error(result));
-    EXPECT_TRUE(has(first_error(result).message, "its vertex stage reads 'lightPosition'"));
+    EXPECT_TRUE(has(first_error(result).message, "its vertex stage reads '@light'"));
 }
 
 // What only the first pass has may be read by what only the first pass shows.

@@ -97,6 +97,7 @@ TEST(UnityShadows, AreLeftToTheFallbackWhereItDrawsTheSame) {
     }
     for (const std::string graph :
          {R"("render": { "cull": "off" })", R"("render": { "cull": "front" })", R"("render": { "surface": "cutout" })",
+          R"("render": { "depthOffset": [1, 2] })", R"("render": { "depthOffset": [0, 1] })",
           R"("vertex": { "positionOS": "= @positionOS * 2" })"}) {
         const Result result = of_text(material(graph));
         EXPECT_EQ(modes(result), (Words{"ForwardBase", "ForwardAdd", "Meta", "ShadowCaster", "Deferred"})) << graph;
@@ -110,6 +111,11 @@ TEST(UnityModes, UnlitFilesHaveNone) {
     EXPECT_EQ(modes(unlit), (Words{""}));
     EXPECT_TRUE(has(unlit.shaders.front().text, "FallBack \"VertexLit\""));
     EXPECT_TRUE(has(unlit.shaders.front().text, "LOD 100"));
+    const Result at_vertices =
+        of_text(R"({ "patina": 1, "workflow": "unlit", "surface": { "color": 0.5 } })", "vertex");
+    EXPECT_EQ(modes(at_vertices), (Words{""}));
+    EXPECT_TRUE(has(at_vertices.shaders.front().text, "LOD 100"));
+    EXPECT_FALSE(has(at_vertices.shaders.front().text, "WhiteLight"));
     const Result lit = of_text(material(R"("name": "Lit")"));
     EXPECT_EQ(modes(lit).front(), "ForwardBase");
     EXPECT_TRUE(has(lit.shaders.front().text, "LOD 300"));
@@ -119,6 +125,41 @@ TEST(UnityModes, UnlitFilesHaveNone) {
                                      std::string(value) + R"j()" } })j");
         EXPECT_EQ(modes(reads).front(), "ForwardBase") << value;
     }
+}
+
+// Further passes of a material are Unity's own along every path: along `tiers`, too, which has none for other lighting.
+TEST(UnityPasses, OfAMaterialAreThereAlongEachPath) {
+    const std::string graph = material(R"json("passes": [
+        { "name": "outline", "workflow": "unlit", "surface": { "color": 0.1 },
+          "render": { "cull": "front", "queue": 1990 } },
+        { "name": "clear", "lighting": "lambert", "surface": { "alpha": 0.3 },
+          "render": { "surface": "transparent" } } ])json");
+    for (const char* path : {"forward", "vertex", "tiers"}) {
+        const Result result = of_text(graph, path);
+        ASSERT_TRUE(result.ok) << path;
+        EXPECT_EQ(modes(result), (Words{"ForwardBase", "ForwardBase", "ForwardAdd", "Meta", "ForwardBase"})) << path;
+        EXPECT_EQ(has(result.shaders.front().text, "UNITY_BRDF_PBS"), std::string(path) == "tiers");
+    }
+}
+
+// A lightmap has no camera and no side, and a surface without specular light has nothing of it.
+TEST(UnityMeta, ReadsNoCamera) {
+    const auto meta = [](const std::string& graph) {
+        const Result result = of_text(graph);
+        EXPECT_TRUE(result.ok);
+        const ShaderLab file = taken_apart(result.shaders.front().text);
+        const LabPass* pass = file.pass("Meta");
+        return pass ? pass->program : std::string();
+    };
+    const std::string seen = meta(material(R"json("render": { "cull": "off", "depthOffset": [1, 1] },
+        "surface": { "baseColor": "= saturate(@viewDirWS * @normalWS)" })json"));
+    EXPECT_TRUE(has(seen, "meta.Albedo"));
+    EXPECT_FALSE(has(seen, "SV_IsFrontFace"));
+    EXPECT_FALSE(has(seen, "UnityWorldSpaceViewDir") || has(seen, "_WorldSpaceCameraPos"));
+    // 0.96 of the base colour is diffuse.
+    const std::string lambert = meta(R"({ "patina": 1, "workflow": "metallic-roughness", "lighting": "lambert",
+        "surface": { "baseColor": 0.5 } })");
+    EXPECT_TRUE(has(lambert, "meta.Albedo = ProjectColor(float3(0.48, 0.48, 0.48))")) << lambert;
 }
 
 // A stencil that changes the value that it tests requires a single draw: unlit materials, and extra passes.

@@ -232,6 +232,7 @@ EntryPoint vertex_entry(Writer& w) {
     entry.begin = lines_at(stage, "vertex begin");
     entry.begin.insert(entry.begin.begin(), "v2f o;");
     entry.end = lines_at(stage, "vertex end");
+    for (std::string& line : lines_at(stage, "vertex result")) entry.end.push_back(std::move(line));
     entry.at_return = "return o;";
     return entry;
 }

@@ -17,7 +17,7 @@ bool is_varying(const ir::StageVariable& variable) {
 // What the stage interface and its texts say in the two places of a v2f and of a vertex function.
 bool is_of_vertex_stage(const ir::StageText& text) {
     return text.place == "first interpolator" || text.place == "interpolators" || text.place == "vertex begin" ||
-           text.place == "vertex end";
+           text.place == "vertex end" || text.place == "vertex result";
 }
 
 // The lines that the vertex function does not write: a pass must keep its own.

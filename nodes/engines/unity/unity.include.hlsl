@@ -64,19 +64,18 @@ half3 ProjectColor(half3 color) { return LinearToGammaSpace(color); }
 #define ProjectColor
 #endif
 
-// Unity's lighting functions, of the quality of the graphics tier. They expect colours of the project's colour space.
+// Unity's lighting functions, of the quality of the graphics tier, with colours of the project's colour space.
 half3 LitByTier(half3 diffuse, half3 f0, half oneMinusReflectivity, half smoothness, half3 normal, half3 view,
     half3 direction, half3 radiance, half3 ambient, half3 reflected)
 {
     UnityLight light;
     UNITY_INITIALIZE_OUTPUT(UnityLight, light);
-    light.color = ProjectColor(radiance);
+    light.color = radiance;
     light.dir = direction;
     UnityIndirect indirect;
-    indirect.diffuse = ProjectColor(ambient);
-    indirect.specular = ProjectColor(reflected);
-    return LinearColor(UNITY_BRDF_PBS(ProjectColor(diffuse), ProjectColor(f0), oneMinusReflectivity, smoothness, normal,
-        view, light, indirect).rgb);
+    indirect.diffuse = ambient;
+    indirect.specular = reflected;
+    return UNITY_BRDF_PBS(diffuse, f0, oneMinusReflectivity, smoothness, normal, view, light, indirect).rgb;
 }
 
 // The original texel of a normal map, independent of how Unity packs it.
@@ -134,7 +133,7 @@ UnityGI WhiteLight(float3 position, half3 normal, half attenuation, float4 ambie
     return UnityGI_Base(data, 1, normal);
 }
 
-// Light of the reflection probes from a direction, blurred for a perceptual roughness.
+// Light of the reflection probes from a direction, blurred for a perceptual roughness: encoded in a gamma-space project.
 half3 ReflectedLight(half3 direction, half roughness, float3 position, bool readsProbes)
 {
     if (!readsProbes) return 0;
@@ -157,7 +156,7 @@ half3 ReflectedLight(half3 direction, half roughness, float3 position, bool read
     UNITY_INITIALIZE_OUTPUT(Unity_GlossyEnvironmentData, environment);
     environment.roughness = roughness;
     environment.reflUVW = direction;
-    return LinearColor(UnityGI_IndirectSpecular(data, 1, environment));
+    return UnityGI_IndirectSpecular(data, 1, environment);
 }
 
 // The G-buffer holds reflections, unless Unity adds them afterwards.

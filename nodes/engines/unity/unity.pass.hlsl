@@ -117,7 +117,8 @@ float3 AmbientLight(float3 normal, float3 position, float attenuation, float4 am
 [foreign("WhiteLight({0}, float3(0, 1, 0), {1}, {2}).light.color.r")]
 [text("include", "UnityPBSLighting.cginc")] [text("sampler", "unity_ShadowMask")]
 float MixedShadow(float3 position, float attenuation, float4 ambientOrLightmapUV);
-[foreign] [text("include", "UnityPBSLighting.cginc")] [text("sampler", "unity_SpecCube0")]
+[foreign("LinearColor(ReflectedLight({0}, {1}, {2}, {3}))")]
+[text("include", "UnityPBSLighting.cginc")] [text("sampler", "unity_SpecCube0")]
 [text("light mode", "ForwardBase")]
 float3 ReflectedLight(float3 direction, float roughness, float3 position, bool readsProbes);
 [foreign] bool BufferReadsProbes();
@@ -230,7 +231,7 @@ float unitySceneDepth(float2 uv) {
 
 [foreign("float4 {result} = {0}; UNITY_APPLY_FOG_COLOR(i.fogCoord, {result}, {1});")]
 [text("pragma", "multi_compile_fog")] [text("include", "UnityCG.cginc")]
-[text("interpolators", "UNITY_FOG_COORDS({})")] [text("vertex end", "UNITY_TRANSFER_FOG(o, o.pos);")]
+[text("interpolators", "UNITY_FOG_COORDS({})")] [text("vertex result", "UNITY_TRANSFER_FOG(o, o.pos);")]
 float4 InFog(float4 color, float4 fog);
 
 [foreign] float4 unity_FogColor;
@@ -238,14 +239,18 @@ float4 InFog(float4 color, float4 fog);
 /// A pixel in fog, ready for the blend mode of its surface: fog covers as much as the surface does, dims additive
 /// surfaces, and weakens multiplying ones.
 [inline]
-float4 unityPixel(float3 color, float alpha) {
+float4 unityProjectPixel(float3 projectColor, float alpha) {
     float4 fog = unity_FogColor;
     if (premultiplied) { fog = float4(unity_FogColor.rgb * alpha, 0); }
     if (adds) { fog = float4(0); }
     if (multiplies) { fog = float4(1); }
     float covered = 1;
     if (fades || premultiplied) { covered = alpha; }
-    return InFog(float4(ProjectColor(color), covered), fog);
+    return InFog(float4(projectColor, covered), fog);
+}
+[inline]
+float4 unityPixel(float3 color, float alpha) {
+    return unityProjectPixel(ProjectColor(color), alpha);
 }
 
 // --- the passes
@@ -260,7 +265,7 @@ float4 unityVertex(float3 position = positionOS) {
     return UnityObjectToClipPos(position);
 }
 
-[pass("unity-forward-base")] [along("forward")] [fragment] [lights("main")] [extra]
+[pass("unity-forward-base")] [along("forward")] [fragment] [lights("main")] [extra("tiers")]
 [tag("Name", "FORWARD")] [tag("LightMode", "ForwardBase")]
 [text("pragma", "multi_compile_instancing")]
 [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
@@ -327,6 +332,8 @@ SplitLight unitySplitLight(float3 position = positionWS) {
     return splitOfOne(asLit(lightingSurface()), lightAt(0, position));
 }
 
+[static("slot", "direct")] bool isLit;
+
 [pass("unity-vertex-base")] [along("vertex")] [fragment] [lights("main")] [extra]
 [tag("Name", "FORWARD")] [tag("LightMode", "ForwardBase")]
 [text("pragma", "multi_compile_instancing")]
@@ -340,7 +347,8 @@ float4 unityVertexBase(float3 position = positionWS, float3 byDiffuse = lightByD
     if (alphaClip) {
         discardIf(surface.alpha < surface.alphaClip);
     }
-    float3 fromLight = directOfVertices(surface, byDiffuse, byBase, other) * MixedShadow(position, left, ambient);
+    float3 fromLight = float3(0);
+    if (isLit) { fromLight = directOfVertices(surface, byDiffuse, byBase, other) * MixedShadow(position, left, ambient); }
     float3 fromAround = indirect(surface);
     LightSum sum;
     sum.direct = fromLight;
@@ -368,10 +376,30 @@ float4 unityVertexAdd(float3 byDiffuse = lightByDiffuse, float3 byBase = lightBy
 
 // --- Unity's own lighting, of the quality that a project's graphics tier has: --path tiers
 
-/// A light, ambient light and reflected light, by UNITY_BRDF_PBS.
+/// A light, ambient light and reflected light, by UNITY_BRDF_PBS: in the project's colour space, as Standard computes
+/// and adds them.
 [foreign] [text("include", "UnityPBSLighting.cginc")]
 float3 LitByTier(float3 diffuse, float3 f0, float oneMinusReflectivity, float smoothness, float3 normal, float3 view,
                  float3 direction, float3 radiance, float3 ambient, float3 reflected);
+[foreign("_LightColor0.rgb")] [text("include", "UnityPBSLighting.cginc")] [text("light mode", "ForwardBase")]
+float3 ProjectLightColor();
+[foreign("WhiteLight({1}, {0}, {2}, {3}).indirect.diffuse")]
+[text("include", "UnityPBSLighting.cginc")] [text("sampler", "unity_Lightmap", "unity_DynamicLightmap")]
+[text("light mode", "ForwardBase")]
+float3 ProjectAmbientLight(float3 normal, float3 position, float attenuation, float4 ambientOrLightmapUV);
+[foreign("ReflectedLight({0}, {1}, {2}, true)")]
+[text("include", "UnityPBSLighting.cginc")] [text("sampler", "unity_SpecCube0")]
+[text("light mode", "ForwardBase")]
+float3 ProjectReflectedLight(float3 direction, float roughness, float3 position);
+
+[inline]
+float3 litByTier(LightingSurface surface, float3 view, float3 direction, float3 radiance, float3 ambient,
+                 float3 reflected) {
+    float3 diffuse = ProjectColor(surface.diffuseColor);
+    float3 specular = ProjectColor(surface.f0);
+    return LitByTier(diffuse, specular, surface.oneMinusReflectivity, surface.smoothness, surface.normalWS, view,
+                     direction, radiance, ambient, reflected);
+}
 
 [pass("unity-tiers-base")] [along("tiers")] [fragment] [lights("main")] [lighting("unity-brdf1")]
 [tag("Name", "FORWARD")] [tag("LightMode", "ForwardBase")]
@@ -380,18 +408,19 @@ float3 LitByTier(float3 diffuse, float3 f0, float oneMinusReflectivity, float sm
 [blend("fade", "srcAlpha", "oneMinusSrcAlpha", "one", "oneMinusSrcAlpha")]
 [blend("transparent", "one", "oneMinusSrcAlpha")] [blend("additive", "one", "one", "zero", "one")]
 [blend("multiply", "dstColor", "zero", "zero", "one")]
-float4 unityTiersBase(float3 position = positionWS, float3 view = viewDirWS) {
+float4 unityTiersBase(float3 position = positionWS, float3 view = viewDirWS, float left = attenuation,
+                      float4 ambient = ambientOrLightmapUV) {
     LightingSurface surface = asLit(lightingSurface());
     if (alphaClip) {
         discardIf(surface.alpha < surface.alphaClip);
     }
-    Light light = lightAt(0, position);
-    float3 radiance = light.radiance;
-    float3 fromAround = AmbientIrradiance(surface.normalWS) * surface.occlusion;
-    float3 mirrored = EnvironmentRadiance(reflect(-view, surface.normalWS), surface.roughness) * surface.occlusion;
-    float3 fromAll = LitByTier(surface.diffuseColor, surface.f0, surface.oneMinusReflectivity, surface.smoothness,
-                               surface.normalWS, view, light.direction, radiance, fromAround, mirrored);
-    return unityPixel(fromAll + surface.emission, surface.alpha);
+    float3 normal = surface.normalWS;
+    float3 radiance = ProjectLightColor() * MixedShadow(position, left, ambient);
+    float3 diffuseLight = ProjectAmbientLight(normal, position, left, ambient) * surface.occlusion;
+    float3 reflection = ProjectReflectedLight(reflect(-view, normal), surface.roughness, position) *
+                        surface.occlusion;
+    float3 litColor = litByTier(surface, view, LightDirection(), radiance, diffuseLight, reflection);
+    return unityProjectPixel(litColor + ProjectColor(surface.emission), surface.alpha);
 }
 
 [pass("unity-tiers-add")] [along("tiers")] [fragment] [each("light")] [lights("further")] [lighting("unity-brdf1")]
@@ -401,16 +430,15 @@ float4 unityTiersBase(float3 position = positionWS, float3 view = viewDirWS) {
 [depth("lessEqual", "keep")]
 [blend("opaque", "one", "one", "zero", "one")] [blend("cutout", "one", "one", "zero", "one")]
 [blend("fade", "srcAlpha", "one", "zero", "one")] [blend("transparent", "one", "one", "zero", "one")]
-float4 unityTiersAdd(float3 position = positionWS, float3 view = viewDirWS) {
+float4 unityTiersAdd(float3 position = positionWS, float3 view = viewDirWS, float left = attenuation) {
     LightingSurface surface = asLit(lightingSurface());
     if (alphaClip) {
         discardIf(surface.alpha < surface.alphaClip);
     }
-    Light light = lightAt(0, position);
-    float3 radiance = light.radiance;
-    float3 fromLight = LitByTier(surface.diffuseColor, surface.f0, surface.oneMinusReflectivity, surface.smoothness,
-                                 surface.normalWS, view, light.direction, radiance, float3(0), float3(0));
-    return InFog(float4(ProjectColor(fromLight), fades ? surface.alpha : 0), float4(0));
+    float3 direction = normalize(UnityWorldSpaceLightDir(position));
+    float3 radiance = ProjectLightColor() * left;
+    float3 litColor = litByTier(surface, view, direction, radiance, float3(0), float3(0));
+    return InFog(float4(litColor, fades ? surface.alpha : 0), float4(0));
 }
 
 // --- lightmaps
@@ -427,16 +455,28 @@ float4 unityMetaVertex() {
     return MetaPosition();
 }
 
+/// A lightmap holds what leaves the front of a surface in every direction: there is no camera, and no side of a face.
+[gives("frontFacing", "unity-meta")] [fragment]
+bool unityMetaFront() {
+    return true;
+}
+[gives("viewDirWS", "unity-meta")] [fragment]
+float3 unityMetaViewDir(float3 normal = geometryNormalWS) {
+    return normal;
+}
+
+[static("reads", "f0")] bool reflects;
+
 /// A rough metal scatters light, too: half of its reflectance counts, times the square of its perceptual roughness.
 /// source: UnityLightmappingAlbedo of Unity's Standard shader
 [pass("unity-meta")] [fragment] [lights("none")] [optional] [needs("added", "direct")]
 [tag("Name", "META")] [tag("LightMode", "Meta")]
 [text("own include", "UnityMetaPass.cginc")]
-[cull("off")] [blend("one", "zero")]
+[cull("off")] [depth("lessEqual", "write")] [depthBias(0, 0)] [blend("one", "zero")]
 float4 unityMeta() {
     LightingSurface surface = lightingSurface();
     float3 albedo = surface.diffuseColor;
-    if (any(surface.f0 > 0)) { albedo += surface.f0 * (0.5 * surface.alphaRoughness); }
+    if (reflects) { albedo += surface.f0 * (0.5 * surface.alphaRoughness); }
     return MetaColor(ProjectColor(albedo), ProjectColor(surface.emission));
 }
 

@@ -66,7 +66,7 @@ Shader "Patina/fade"
         return UnityGI_Base(data, 1, normal);
     }
 
-    // Light of the reflection probes from a direction, blurred for a perceptual roughness.
+    // Light of the reflection probes from a direction, blurred for a perceptual roughness: encoded in a gamma-space project.
     half3 ReflectedLight(half3 direction, half roughness, float3 position, bool readsProbes)
     {
         if (!readsProbes) return 0;
@@ -89,7 +89,7 @@ Shader "Patina/fade"
         UNITY_INITIALIZE_OUTPUT(Unity_GlossyEnvironmentData, environment);
         environment.roughness = roughness;
         environment.reflUVW = direction;
-        return LinearColor(UnityGI_IndirectSpecular(data, 1, environment));
+        return UnityGI_IndirectSpecular(data, 1, environment);
     }
 
     struct LightingSurface
@@ -282,7 +282,7 @@ Shader "Patina/fade"
                 float3 reflected = reflect(-viewDirWS, surface.normalWS);
 
                 // EnvironmentRadiance "environment"
-                float3 environment = ReflectedLight(reflected, surface.roughness, positionWS, readsProbes);
+                float3 environment = LinearColor(ReflectedLight(reflected, surface.roughness, positionWS, readsProbes));
 
                 // SurfaceReduction "reduction"
                 float reduction = 1.0 / (alpha * alpha + 1.0);
@@ -365,7 +365,6 @@ Shader "Patina/fade"
             Name "META"
             Tags { "LightMode" = "Meta" }
             Cull Off
-            ZWrite Off
 
             CGPROGRAM
             #pragma target 3.0

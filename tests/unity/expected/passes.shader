@@ -69,7 +69,7 @@ Shader "Patina/passes"
         return UnityGI_Base(data, 1, normal);
     }
 
-    // Light of the reflection probes from a direction, blurred for a perceptual roughness.
+    // Light of the reflection probes from a direction, blurred for a perceptual roughness: encoded in a gamma-space project.
     half3 ReflectedLight(half3 direction, half roughness, float3 position, bool readsProbes)
     {
         if (!readsProbes) return 0;
@@ -92,7 +92,7 @@ Shader "Patina/passes"
         UNITY_INITIALIZE_OUTPUT(Unity_GlossyEnvironmentData, environment);
         environment.roughness = roughness;
         environment.reflUVW = direction;
-        return LinearColor(UnityGI_IndirectSpecular(data, 1, environment));
+        return UnityGI_IndirectSpecular(data, 1, environment);
     }
 
     struct LightingSurface
@@ -282,7 +282,6 @@ Shader "Patina/passes"
                 float3 positionOS = v.vertex.xyz + v.normal * _Width;
 
                 o.pos = UnityObjectToClipPos(positionOS);
-                v.vertex.xyz = positionOS;
                 UNITY_TRANSFER_FOG(o, o.pos);
                 return o;
             }
@@ -327,7 +326,7 @@ Shader "Patina/passes"
                 float3 reflected = reflect(-viewDirWS, surface.normalWS);
 
                 // EnvironmentRadiance "environment"
-                float3 environment = ReflectedLight(reflected, 0.3, positionWS, readsProbes);
+                float3 environment = LinearColor(ReflectedLight(reflected, 0.3, positionWS, readsProbes));
 
                 float3 product = 0.99196506 * lerp(0.04, 0.74000007, SchlickWeight(ndotv)) * environment;
                 return surface.diffuseColor * ambient + product;
@@ -545,7 +544,7 @@ Shader "Patina/passes"
                 float3 reflected = reflect(-viewDirWS, surface.normalWS);
 
                 // EnvironmentRadiance "environment"
-                float3 environment = ReflectedLight(reflected, 0.1, positionWS, readsProbes);
+                float3 environment = LinearColor(ReflectedLight(reflected, 0.1, positionWS, readsProbes));
 
                 float3 product = 0.9999 * lerp(0.04, 0.94, SchlickWeight(ndotv)) * environment;
                 return surface.diffuseColor * ambient + product;

@@ -116,7 +116,7 @@ Shader "Patina/Standard, cut out"
         return UnityGI_Base(data, 1, normal);
     }
 
-    // Light of the reflection probes from a direction, blurred for a perceptual roughness.
+    // Light of the reflection probes from a direction, blurred for a perceptual roughness: encoded in a gamma-space project.
     half3 ReflectedLight(half3 direction, half roughness, float3 position, bool readsProbes)
     {
         if (!readsProbes) return 0;
@@ -139,7 +139,7 @@ Shader "Patina/Standard, cut out"
         UNITY_INITIALIZE_OUTPUT(Unity_GlossyEnvironmentData, environment);
         environment.roughness = roughness;
         environment.reflUVW = direction;
-        return LinearColor(UnityGI_IndirectSpecular(data, 1, environment));
+        return UnityGI_IndirectSpecular(data, 1, environment);
     }
 
     // The G-buffer holds reflections, unless Unity adds them afterwards.
@@ -460,7 +460,7 @@ Shader "Patina/Standard, cut out"
         float3 reflected = reflect(-viewDirWS, surface.normalWS);
 
         // EnvironmentRadiance "environment"
-        float3 environment = ReflectedLight(reflected, surface.roughness, positionWS, readsProbes);
+        float3 environment = LinearColor(ReflectedLight(reflected, surface.roughness, positionWS, readsProbes));
 
         // SurfaceReduction "reduction"
         float reduction = 1.0 / (alpha * alpha + 1.0);
@@ -643,9 +643,8 @@ Shader "Patina/Standard, cut out"
                 float4 pos : SV_POSITION;
                 float2 uv0 : TEXCOORD0;
                 float2 uv1 : TEXCOORD1;
-                float3 positionWS : TEXCOORD2;
-                float3 vertexNormalWS : TEXCOORD3;
-                float4 vertexTangentWS : TEXCOORD4;
+                float3 vertexNormalWS : TEXCOORD2;
+                float4 vertexTangentWS : TEXCOORD3;
             };
 
             v2f vert(appdata_full v)
@@ -655,7 +654,6 @@ Shader "Patina/Standard, cut out"
 
                 o.uv0 = v.texcoord.xy;
                 o.uv1 = v.texcoord1.xy;
-                o.positionWS = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0)).xyz;
                 o.vertexNormalWS = UnityObjectToWorldNormal(v.normal);
                 o.vertexTangentWS = float4(UnityObjectToWorldDir(v.tangent.xyz),
                     v.tangent.w * unity_WorldTransformParams.w);
@@ -666,19 +664,13 @@ Shader "Patina/Standard, cut out"
 
             half4 frag(v2f i) : SV_Target
             {
-                float3 toViewer = lerp(UnityWorldSpaceViewDir(i.positionWS), UNITY_MATRIX_V[2].xyz,
-                    unity_OrthoParams.w);
-                float3 viewDirWS = normalize(toViewer);
                 float3 geometryNormalWS = normalize(i.vertexNormalWS);
                 float3 tangentWS = normalize(i.vertexTangentWS.xyz);
                 float3 bitangentWS = cross(geometryNormalWS, tangentWS) * i.vertexTangentWS.w;
-                LightingSurface surface = lightingSurface(i.uv0, i.uv1, viewDirWS, geometryNormalWS, tangentWS,
+                LightingSurface surface = lightingSurface(i.uv0, i.uv1, geometryNormalWS, geometryNormalWS, tangentWS,
                     bitangentWS);
-                float3 albedo = surface.diffuseColor;
-                if (any(surface.f0 > 0.0)) {
-                    float alphaRoughness = surface.roughness * surface.roughness;
-                    albedo = surface.diffuseColor + surface.f0 * (0.5 * alphaRoughness);
-                }
+                float alphaRoughness = surface.roughness * surface.roughness;
+                float3 albedo = surface.diffuseColor + surface.f0 * (0.5 * alphaRoughness);
                 UnityMetaInput meta;
                 UNITY_INITIALIZE_OUTPUT(UnityMetaInput, meta);
                 meta.Albedo = ProjectColor(albedo);

@@ -91,7 +91,7 @@ Shader "Patina/Standard"
         return UnityGI_Base(data, 1, normal);
     }
 
-    // Light of the reflection probes from a direction, blurred for a perceptual roughness.
+    // Light of the reflection probes from a direction, blurred for a perceptual roughness: encoded in a gamma-space project.
     half3 ReflectedLight(half3 direction, half roughness, float3 position, bool readsProbes)
     {
         if (!readsProbes) return 0;
@@ -114,7 +114,7 @@ Shader "Patina/Standard"
         UNITY_INITIALIZE_OUTPUT(Unity_GlossyEnvironmentData, environment);
         environment.roughness = roughness;
         environment.reflUVW = direction;
-        return LinearColor(UnityGI_IndirectSpecular(data, 1, environment));
+        return UnityGI_IndirectSpecular(data, 1, environment);
     }
 
     // The G-buffer holds reflections, unless Unity adds them afterwards.
@@ -302,7 +302,7 @@ Shader "Patina/Standard"
         float3 reflected = reflect(-viewDirWS, surface.normalWS);
 
         // EnvironmentRadiance "environment"
-        float3 environment = ReflectedLight(reflected, surface.roughness, positionWS, readsProbes);
+        float3 environment = LinearColor(ReflectedLight(reflected, surface.roughness, positionWS, readsProbes));
 
         // SurfaceReduction "reduction"
         float reduction = 1.0 / (alpha * alpha + 1.0);
@@ -486,11 +486,8 @@ Shader "Patina/Standard"
                 float3 tangentWS = normalize(i.vertexTangentWS.xyz);
                 float3 bitangentWS = cross(geometryNormalWS, tangentWS) * i.vertexTangentWS.w;
                 LightingSurface surface = lightingSurface(i.uv0, geometryNormalWS, tangentWS, bitangentWS);
-                float3 albedo = surface.diffuseColor;
-                if (any(surface.f0 > 0.0)) {
-                    float alphaRoughness = surface.roughness * surface.roughness;
-                    albedo = surface.diffuseColor + surface.f0 * (0.5 * alphaRoughness);
-                }
+                float alphaRoughness = surface.roughness * surface.roughness;
+                float3 albedo = surface.diffuseColor + surface.f0 * (0.5 * alphaRoughness);
                 UnityMetaInput meta;
                 UNITY_INITIALIZE_OUTPUT(UnityMetaInput, meta);
                 meta.Albedo = ProjectColor(albedo);

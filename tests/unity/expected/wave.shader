@@ -74,7 +74,7 @@ Shader "Patina/Wave"
         return UnityGI_Base(data, 1, normal);
     }
 
-    // Light of the reflection probes from a direction, blurred for a perceptual roughness.
+    // Light of the reflection probes from a direction, blurred for a perceptual roughness: encoded in a gamma-space project.
     half3 ReflectedLight(half3 direction, half roughness, float3 position, bool readsProbes)
     {
         if (!readsProbes) return 0;
@@ -97,7 +97,7 @@ Shader "Patina/Wave"
         UNITY_INITIALIZE_OUTPUT(Unity_GlossyEnvironmentData, environment);
         environment.roughness = roughness;
         environment.reflUVW = direction;
-        return LinearColor(UnityGI_IndirectSpecular(data, 1, environment));
+        return UnityGI_IndirectSpecular(data, 1, environment);
     }
 
     // The G-buffer holds reflections, unless Unity adds them afterwards.
@@ -226,7 +226,7 @@ Shader "Patina/Wave"
         float3 reflected = reflect(-viewDirWS, surface.normalWS);
 
         // EnvironmentRadiance "environment"
-        float3 environment = ReflectedLight(reflected, surface.roughness, positionWS, readsProbes);
+        float3 environment = LinearColor(ReflectedLight(reflected, surface.roughness, positionWS, readsProbes));
 
         // SurfaceReduction "reduction"
         float reduction = SurfaceReductionSimpleLinear(alpha);
@@ -393,7 +393,7 @@ Shader "Patina/Wave"
             Cull Off
 
             CGPROGRAM
-            #pragma target 3.5
+            #pragma target 3.0
             #pragma vertex vert
             #pragma fragment frag
             #include "UnityMetaPass.cginc"
@@ -411,20 +411,16 @@ Shader "Patina/Wave"
                 UNITY_INITIALIZE_OUTPUT(v2f, o);
 
                 float3 normalOS = vertexNormalOS(v.vertex.xyz, v.normal);
-                float3 positionOS = vertexPositionOS(v.vertex.xyz, v.normal);
                 o.vertexNormalWS = UnityObjectToWorldNormal(normalOS);
                 o.phase = dot(v.vertex.xy, _Drift.xy) * float(int(_Waves)) + _Time.y;
                 o.pos = UnityMetaVertexPosition(v.vertex, v.texcoord1.xy, v.texcoord2.xy, unity_LightmapST,
                     unity_DynamicLightmapST);
-                v.vertex.xyz = positionOS;
-                v.normal = normalOS;
                 return o;
             }
 
-            half4 frag(v2f i, bool frontFacing : SV_IsFrontFace) : SV_Target
+            half4 frag(v2f i) : SV_Target
             {
-                float3 normal = normalize(i.vertexNormalWS);
-                float3 geometryNormalWS = frontFacing ? normal : -normal;
+                float3 geometryNormalWS = normalize(i.vertexNormalWS);
                 LightingSurface surface = lightingSurface(geometryNormalWS, i.phase);
                 float alphaRoughness = surface.roughness * surface.roughness;
                 float3 albedo = surface.diffuseColor + alphaRoughness * 0.02;
@@ -538,8 +534,6 @@ Shader "Patina/Wave"
                     vertexNormalWS);
                 o.phase = dot(v.vertex.xy, _Drift.xy) * float(int(_Waves)) + _Time.y;
                 o.pos = UnityObjectToClipPos(positionOS);
-                v.vertex.xyz = positionOS;
-                v.normal = normalOS;
                 return o;
             }
 
