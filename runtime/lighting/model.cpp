@@ -100,17 +100,20 @@ std::array<float, 4> texel_of(const Texture& texture) {
 }  // namespace
 
 std::optional<std::vector<double>> read_numbers(const std::string& word) {
+    const auto is_between = [](char c) {
+        return std::isspace(static_cast<unsigned char>(c)) != 0 || c == ',' || c == '[' || c == ']';
+    };
     std::vector<double> numbers;
     const char* at = word.data();
     const char* end = at + word.size();
     while (at != end) {
-        if (std::isspace(static_cast<unsigned char>(*at)) || *at == ',' || *at == '[' || *at == ']') {
+        if (is_between(*at)) {
             ++at;
             continue;
         }
         double value = 0;
         const auto [next, failure] = std::from_chars(at + (*at == '+' ? 1 : 0), end, value);
-        if (failure != std::errc() || !std::isfinite(value)) return {};
+        if (failure != std::errc() || !std::isfinite(value) || (next != end && !is_between(*next))) return {};
         numbers.push_back(value);
         at = next;
     }
