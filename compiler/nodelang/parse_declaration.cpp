@@ -88,6 +88,7 @@ constexpr AttributeInfo kAttributes[] = {
     {kVariable, "text"},
     {kVariable, "gives"},
     {kMember, "hdr"},
+    {kMember, "is"},
     {kMember, "target"},
     {kMember, "onlyIf"},
 };

@@ -6,6 +6,7 @@
 #include <array>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace patina::graph {
 namespace {
@@ -62,8 +63,11 @@ std::string described(const Meaning& meaning) {
 struct Value {
     Meaning meaning{};
     const Property* texel_of = nullptr;  // Kind::Texel
+    const Property* texture = nullptr;   // the value is this texture itself
     std::set<const Property*> textures{};
+    friend bool operator==(const Value&, const Value&) = default;
 };
+using Values = std::map<std::string_view, Value>;
 
 const Attribute* attribute_of(std::span<const Attribute> attributes, std::string_view name) {
     const auto found =
@@ -71,29 +75,39 @@ const Attribute* attribute_of(std::span<const Attribute> attributes, std::string
     return found == attributes.end() ? nullptr : &*found;
 }
 
+// A graph while it is walked: the material's, its lighting graph, or a sub-graph at one of its places.
+struct Walk {
+    const CheckedGraph& graph;
+    Values inputs{};  // of a sub-graph
+    std::vector<Value> values = std::vector<Value>(graph.nodes.size());
+    std::vector<Values> outputs = std::vector<Values>(graph.nodes.size());  // of nodes that are sub-graphs
+};
+
 class Check {
 public:
-    Check(Session& session, const Material& material)
-        : session_(session), material_(material), graph_(*material.graph), values_(graph_.nodes.size()) {}
+    Check(Session& session, const Material& material) : session_(session), material_(material) {}
 
     void run() {
-        for (const std::uint32_t index : graph_.order) node(index);
-        for (const PortValue& port : graph_.graph->surface) surface(port);
-        for (const PortValue& port : graph_.graph->vertex) {
+        const Graph& graph = *material_.graph->graph;
+        Walk walk{.graph = *material_.graph};
+        walk_ = &walk;
+        nodes();
+        for (const PortValue& port : graph.surface) surface(port);
+        for (const PortValue& port : graph.vertex) {
             if (!port.value) continue;
             const Value value = value_of(*port.value);
-            compare(value, meaning_of(port.name), port.name, port.value_span, {});
+            compare(value, meaning_of(port.name), port.name, port.value_span);
             used_as_data(value);
         }
-        for (const ExtraPass& pass : graph_.graph->passes) {
+        for (const ExtraPass& pass : graph.passes) {
             for (const PortValue& port : pass.graph->surface) surface(port);
         }
-        for (const PortValue& port : graph_.graph->lighting.inputs) {
+        for (const PortValue& port : graph.lighting.inputs) {
             if (!port.value) continue;
             const Value value = value_of(*port.value);
-            colors_.insert(value.textures.begin(), value.textures.end());
-            if (const Property* read = property_of(*port.value)) colors_.insert(read);
+            used_as_color(value);
         }
+        if (material_.lighting && graph.lighting.inlined) lighting(*material_.lighting);
         for (const auto& [property, where] : data_) {
             const bool is_color = property->usage == TextureUsage::Color && !property->usage_span;
             if (!is_color || colors_.contains(property)) continue;
@@ -114,8 +128,15 @@ private:
         return meaning_of(is ? nodelang::attribute_text(*is) : name);
     }
 
+    // What a function is called with: the expression of a parameter; null: its default, or nothing.
+    struct Argument {
+        const ParamDecl* param = nullptr;
+        const Expr* value = nullptr;
+        Span where{};
+    };
+
     // Of a node's result: [is("position", "space")] takes the space from the input `space`.
-    static Meaning result_of(const FunctionDecl& function, const Node& node) {
+    static Meaning result_of(const FunctionDecl& function, std::span<const Argument> arguments) {
         const Attribute* is = function.attribute("is");
         if (!is) return {};
         Meaning made = meaning_of(nodelang::attribute_text(*is));
@@ -125,8 +146,8 @@ private:
         for (const ParamDecl& param : function.params) {
             if (param.name == chosen && param.initial) word = param.initial->text;
         }
-        for (const PortValue& port : node.inputs) {
-            if (port.name == chosen) word = port.value ? port.value->text : std::string_view();
+        for (const Argument& argument : arguments) {
+            if (argument.param->name == chosen) word = argument.value->text;
         }
         for (const auto& [name, space] : kSpaceWords) {
             if (name == word) made.space = space;
@@ -134,67 +155,174 @@ private:
         return made;
     }
 
+    void nodes() {
+        for (const std::uint32_t index : walk_->graph.order) node(index);
+    }
+
     void node(std::uint32_t index) {
-        const Node& node = graph_.graph->nodes[index];
-        const ResolvedNode& resolved = graph_.nodes[index];
-        Value& made = values_[index];
+        const Node& node = walk_->graph.graph->nodes[index];
+        const ResolvedNode& resolved = walk_->graph.nodes[index];
         if (!resolved.ok) return;
+        node_ = node.id;
         if (node.is_expression) {
-            if (node.expr) made = value_of(*node.expr);
-            return;
+            if (node.expr) walk_->values[index] = value_of(*node.expr);
+        } else if (resolved.function) {
+            std::vector<Argument> arguments;
+            for (const PortValue& port : node.inputs) {
+                for (const ParamDecl& param : resolved.function->params) {
+                    if (port.value && param.name == port.name)
+                        arguments.push_back({.param = &param, .value = port.value, .where = port.value_span});
+                }
+            }
+            walk_->values[index] = result(*resolved.function, arguments);
+        } else if (resolved.subgraph) {
+            sub_graph(index);
         }
+        node_ = {};
+    }
+
+    Value result(const FunctionDecl& function, std::span<const Argument> arguments) {
+        Value made{.meaning = result_of(function, arguments)};
         const Property* texture = nullptr;
-        for (const PortValue& port : node.inputs) {
-            if (!port.value) continue;
-            const Value value = value_of(*port.value);
+        for (const Argument& argument : arguments) {
+            const Value value = value_of(*argument.value);
             made.textures.insert(value.textures.begin(), value.textures.end());
-            const Property* read = property_of(*port.value);
-            if (read && read->type == PropertyType::Texture2D) texture = read;
-            if (!resolved.function) {
-                if (read) colors_.insert(read);  // what a sub-graph does with a texture is not known
-                compare(value, meaning_of(port.name), port.name, port.value_span, node.id);
-                continue;
-            }
-            for (const ParamDecl& param : resolved.function->params) {
-                if (param.name != port.name) continue;
-                const Meaning wanted = declared(param.attributes, param.name);
-                if (wanted.kind == Kind::NormalMap || wanted.kind == Kind::Texel)
-                    normal_map(wanted.kind == Kind::NormalMap ? read : value.texel_of, node.id, port.value_span);
-                else if (wanted.kind == Kind::Data && read)
-                    data_.emplace(read, read->name_span);
-                else if (read && param.type.name == "Texture2D" &&
-                         result_of(*resolved.function, node).kind != Kind::Texel)
-                    colors_.insert(read);  // nor what a node does with it that says nothing of it
-                else
-                    compare(value, wanted, port.name, port.value_span, node.id);
-            }
+            if (value.texture && value.texture->type == PropertyType::Texture2D) texture = value.texture;
+            const Meaning wanted = declared(argument.param->attributes, argument.param->name);
+            if (wanted.kind == Kind::NormalMap || wanted.kind == Kind::Texel)
+                normal_map(wanted.kind == Kind::NormalMap ? value.texture : value.texel_of, argument.where);
+            else if (wanted.kind == Kind::Data && value.texture)
+                data_.emplace(value.texture, value.texture->name_span);
+            else if (value.texture && argument.param->type.name == "Texture2D" && made.meaning.kind != Kind::Texel)
+                colors_.insert(value.texture);  // what a node does with it that says nothing of it is not known
+            else
+                compare(value, wanted, argument.param->name, argument.where);
         }
-        if (!resolved.function) return;
-        made.meaning = result_of(*resolved.function, node);
-        if (made.meaning.kind != Kind::Texel) return;
+        same_space(function, arguments);
+        if (made.meaning.kind != Kind::Texel) return made;
         made.texel_of = texture;
         if (texture) made.textures.insert(texture);
+        return made;
+    }
+
+    static bool is_vector(const Meaning& meaning) {
+        return meaning.kind == Kind::Direction || meaning.kind == Kind::Position;
+    }
+
+    // What a parameter's default is: the value of a mesh, a camera or a light.
+    Meaning default_of(const ParamDecl& param) const {
+        if (!param.initial || param.is_out || attribute_of(param.attributes, "is")) return {};
+        const Expr& initial = *param.initial;
+        if (initial.kind == Expr::Kind::Name) return meaning_of(initial.text);
+        const bool is_member = initial.kind == Expr::Kind::Member && initial.args[0]->kind == Expr::Kind::Name;
+        return is_member ? member_of_semantic(initial.args[0]->text, initial.text) : Meaning{};
+    }
+
+    // "@light.direction": what the struct says of its member.
+    Meaning member_of_semantic(std::string_view semantic, std::string_view member) const {
+        const SemanticDecl* declared_as = session_.paths->semantic(semantic);
+        if (!declared_as) return {};
+        const std::string_view type =
+            declared_as->function ? declared_as->function->result.name : declared_as->variable->type.name;
+        const nodelang::StructDecl* structure = session_.declarations->structure(type);
+        if (!structure) return meaning_of(member);
+        for (const auto& each : structure->members) {
+            if (each.name == member) return declared(each.attributes, each.name);
+        }
+        return meaning_of(member);
+    }
+
+    // A node that takes several vectors wants them in one space. Which one does not matter, but what it does not get
+    // is its default.
+    void same_space(const FunctionDecl& function, std::span<const Argument> arguments) {
+        std::vector<std::pair<Meaning, const Argument*>> vectors;  // with their defaults
+        std::set<std::string_view> spaces;
+        for (const ParamDecl& param : function.params) {
+            const Meaning usual = default_of(param);
+            if (!is_vector(usual)) continue;
+            const auto given = std::find_if(arguments.begin(), arguments.end(),
+                                            [&](const Argument& each) { return each.param == &param; });
+            vectors.emplace_back(usual, given == arguments.end() ? nullptr : &*given);
+            const Meaning now = given == arguments.end() ? usual : value_of(*given->value).meaning;
+            if (is_vector(now) && !now.space.empty()) spaces.insert(now.space);
+        }
+        for (const auto& [usual, argument] : vectors) {
+            if (!argument) continue;
+            const Value value = value_of(*argument->value);
+            const bool is_other_space = spaces.size() > 1 && value.meaning.space != usual.space;
+            if (value.meaning.kind != usual.kind)
+                compare(value, {.kind = usual.kind, .space = value.meaning.space}, argument->param->name,
+                        argument->where);
+            else if (is_other_space)
+                compare(value, usual, argument->param->name, argument->where);
+        }
+    }
+
+    // A sub-graph is walked with what it gets here. The same inputs give the same outputs.
+    void sub_graph(std::uint32_t index) {
+        const Node& node = walk_->graph.graph->nodes[index];
+        const CheckedGraph& inside = *walk_->graph.nodes[index].subgraph;
+        Values given;
+        for (const PortValue& port : node.inputs) {
+            if (!port.value) continue;
+            given[port.name] = value_of(*port.value);
+            compare(given[port.name], meaning_of(port.name), port.name, port.value_span);
+        }
+        auto& known = known_[&inside];
+        auto found = std::find_if(known.begin(), known.end(), [&](const auto& each) { return each.first == given; });
+        if (found == known.end()) {
+            Walk walk{.graph = inside, .inputs = given};
+            Walk* const outside = std::exchange(walk_, &walk);
+            const std::string_view id = std::exchange(node_, {});
+            nodes();
+            Values made;
+            for (const PortValue& output : inside.graph->outputs) {
+                if (output.value) made[output.name] = value_of(*output.value);
+                // A name that says what it is counts where the value does not say it.
+                const Meaning said = meaning_of(output.name);
+                if (output.value) compare(made[output.name], said, output.name, output.value_span);
+                if (made[output.name].meaning.kind == Kind::Unknown) made[output.name].meaning = said;
+            }
+            walk_ = outside;
+            node_ = id;
+            known.emplace_back(std::move(given), std::move(made));
+            found = known.end() - 1;
+        }
+        walk_->outputs[index] = found->second;
+        if (found->second.size() == 1) walk_->values[index] = found->second.begin()->second;
+    }
+
+    // A lighting graph that the material states itself.
+    void lighting(const CheckedGraph& graph) {
+        Walk walk{.graph = graph};
+        walk_ = &walk;
+        nodes();
+        for (const PortValue& port : graph.graph->outputs) {
+            if (port.value) value_of(*port.value);
+        }
     }
 
     // --- expressions
 
-    const Property* property_of(const Expr& expr) const {
-        if (expr.kind != Expr::Kind::Property) return nullptr;
-        const auto& all = graph_.graph->properties;
+    Value property_of(const Expr& expr) const {
+        if (const auto given = walk_->inputs.find(expr.text); given != walk_->inputs.end()) return given->second;
+        const auto& all = walk_->graph.graph->properties;
         const auto found =
             std::find_if(all.begin(), all.end(), [&](const Property& each) { return each.name == expr.text; });
-        return found == all.end() ? nullptr : &*found;
+        return {.texture = found == all.end() ? nullptr : &*found};
     }
 
     Value member_of(const Expr& expr) {
         const Expr& whole = *expr.args[0];
         if (whole.kind == Expr::Kind::Name) {
-            const auto found = graph_.by_id.find(whole.text);
-            if (found != graph_.by_id.end()) {
+            const auto found = walk_->graph.by_id.find(whole.text);
+            if (found != walk_->graph.by_id.end()) {
                 if (const std::optional<Value> output = output_of(found->second, expr.text)) return *output;
             }
         }
+        if (whole.kind == Expr::Kind::Semantic) return {.meaning = member_of_semantic(whole.text, expr.text)};
         Value value = value_of(whole);
+        value.texture = nullptr;
         const bool is_alpha = expr.text == "a" || expr.text == "w";
         if (is_alpha) return {};  // alpha is never decoded
         const bool is_all = expr.text == "rgb" || expr.text == "xyz" || expr.text == "rgba" || expr.text == "xyzw";
@@ -204,53 +332,68 @@ private:
 
     // A named output of a node, or of a sub-graph; nothing if it is not one.
     std::optional<Value> output_of(std::uint32_t node, std::string_view name) {
-        const ResolvedNode& resolved = graph_.nodes[node];
-        Value value{.textures = values_[node].textures};
-        if (resolved.function) {
-            for (const ParamDecl& param : resolved.function->params) {
-                if (!param.is_out || param.name != name) continue;
-                value.meaning = declared(param.attributes, param.name);
-                return value;
-            }
-        } else if (resolved.subgraph) {
-            for (const PortValue& output : resolved.subgraph->graph->outputs) {
-                if (output.name != name) continue;
-                value.meaning = meaning_of(name);
-                return value;
-            }
+        const ResolvedNode& resolved = walk_->graph.nodes[node];
+        if (resolved.subgraph) {
+            const auto found = walk_->outputs[node].find(name);
+            return found == walk_->outputs[node].end() ? std::nullopt : std::optional(found->second);
+        }
+        if (!resolved.function) return {};
+        for (const ParamDecl& param : resolved.function->params) {
+            if (!param.is_out || param.name != name) continue;
+            return Value{.meaning = declared(param.attributes, param.name), .textures = walk_->values[node].textures};
         }
         return {};
     }
 
+    // A node that an expression calls: the arguments follow its inputs, in their order.
+    Value call(const FunctionDecl& function, const Expr& expr) {
+        std::vector<Argument> arguments;
+        auto next = expr.args.begin();
+        for (const ParamDecl& param : function.params) {
+            if (param.is_out) continue;
+            if (next == expr.args.end()) break;
+            arguments.push_back({.param = &param, .value = *next, .where = (*next)->span});
+            ++next;
+        }
+        return result(function, arguments);
+    }
+
     Value value_of(const Expr& expr) {
         if (expr.kind == Expr::Kind::Name) {
-            const auto found = graph_.by_id.find(expr.text);
-            return found == graph_.by_id.end() ? Value() : values_[found->second];
+            const auto found = walk_->graph.by_id.find(expr.text);
+            return found == walk_->graph.by_id.end() ? Value() : walk_->values[found->second];
         }
+        if (expr.kind == Expr::Kind::Property) return property_of(expr);
         if (expr.kind == Expr::Kind::Semantic) return {.meaning = meaning_of(expr.text)};
         if (expr.kind == Expr::Kind::Member) return member_of(expr);
+        if (expr.kind == Expr::Kind::Call) {
+            if (const FunctionDecl* function = session_.library.declarations.function(expr.text))
+                return call(*function, expr);
+        }
         Value made;
         std::vector<Value> parts;
         for (const Expr* argument : expr.args) {
             parts.push_back(value_of(*argument));
             made.textures.insert(parts.back().textures.begin(), parts.back().textures.end());
         }
-        const auto is_vector = [](const Value& value) {
-            return value.meaning.kind == Kind::Direction || value.meaning.kind == Kind::Position;
-        };
         const bool is_sign = expr.kind == Expr::Kind::Unary && (expr.text == "-" || expr.text == "+");
         const bool is_normalize = expr.kind == Expr::Kind::Call && expr.text == "normalize";
-        if ((is_sign || is_normalize) && parts.size() == 1 && is_vector(parts[0])) {
+        if ((is_sign || is_normalize) && parts.size() == 1 && is_vector(parts[0].meaning)) {
             made.meaning = parts[0].meaning;
             if (is_normalize) made.meaning.kind = Kind::Direction;
         }
         if (expr.kind == Expr::Kind::Binary && parts.size() == 2) {
             const bool is_sum = expr.text == "+" || expr.text == "-", is_scale = expr.text == "*" || expr.text == "/";
             const bool is_number = expr.args[1]->kind == Expr::Kind::Number;
-            if (is_sum && is_vector(parts[0]) && parts[0].meaning == parts[1].meaning) made.meaning = parts[0].meaning;
+            if (is_sum && is_vector(parts[0].meaning) && parts[0].meaning == parts[1].meaning)
+                made.meaning = parts[0].meaning;
             // The difference of positions is a direction.
             if (expr.text == "-" && made.meaning.kind == Kind::Position) made.meaning.kind = Kind::Direction;
-            if (is_scale && is_number && is_vector(parts[0])) made.meaning = parts[0].meaning;
+            if (is_scale && is_number && is_vector(parts[0].meaning)) made.meaning = parts[0].meaning;
+        }
+        if (expr.kind == Expr::Kind::Ternary && parts.size() == 3 && parts[1].meaning == parts[2].meaning) {
+            made.meaning = parts[1].meaning;
+            if (parts[1].texel_of == parts[2].texel_of) made.texel_of = parts[1].texel_of;
         }
         return made;
     }
@@ -260,39 +403,43 @@ private:
     void surface(const PortValue& port) {
         if (!port.value) return;
         const Value value = value_of(*port.value);
-        compare(value, meaning_of(port.name), port.name, port.value_span, {});
+        compare(value, meaning_of(port.name), port.name, port.value_span);
         bool is_color = true;
         for (const Input* input : material_.surface_inputs()) {
             if (input->name == port.name) is_color = input->type.starts_with("color");
         }
         if (is_color)
-            colors_.insert(value.textures.begin(), value.textures.end());
+            used_as_color(value);
         else
             used_as_data(value);
+    }
+
+    void used_as_color(const Value& value) {
+        colors_.insert(value.textures.begin(), value.textures.end());
+        if (value.texture) colors_.insert(value.texture);
     }
 
     void used_as_data(const Value& value) {
         for (const Property* texture : value.textures) data_.emplace(texture, texture->name_span);
     }
 
-    void normal_map(const Property* texture, const std::string& node, Span where) {
+    void normal_map(const Property* texture, Span where) {
         if (!texture) return;
         colors_.insert(texture);  // one warning is enough
         if (texture->usage != TextureUsage::Color) return;
         session_.diagnostics.report(Code::WrongUsage, where, texture->name, "a colour, decoded from sRGB")
-            .at(node)
+            .at(node_)
             .note(texture->name_span, "it is a normal map: write \"usage\": \"normal\"");
     }
 
-    void compare(const Value& value, const Meaning& wanted, std::string_view port, Span where,
-                 const std::string& node) {
+    void compare(const Value& value, const Meaning& wanted, std::string_view port, Span where) {
         if (wanted.kind != Kind::Direction && wanted.kind != Kind::Position) return;
         const Meaning& given = value.meaning;
         if (given.kind == Kind::Texel && wanted.kind == Kind::Direction) {
             colors_.insert(value.textures.begin(), value.textures.end());  // one warning is enough
             DiagnosticRecord& record = session_.diagnostics.report(Code::WrongMeaning, where, port, described(wanted),
                                                                    "the texel of a texture");
-            record.at(node, port);
+            record.at(node_, port);
             note_converter(record, {.kind = Kind::Texel}, wanted);
             return;
         }
@@ -303,7 +450,7 @@ private:
         if (!is_other_space && !is_other_kind) return;
         DiagnosticRecord& record =
             session_.diagnostics.report(Code::WrongMeaning, where, port, described(wanted), described(given));
-        record.at(node, port);
+        record.at(node_, port);
         note_converter(record, given, wanted);
     }
 
@@ -326,8 +473,9 @@ private:
 
     Session& session_;
     const Material& material_;
-    const CheckedGraph& graph_;
-    std::vector<Value> values_;
+    Walk* walk_ = nullptr;
+    std::string_view node_;  // the node that is being walked; empty: none
+    std::map<const CheckedGraph*, std::vector<std::pair<Values, Values>>> known_;  // of sub-graphs: inputs, outputs
     std::map<const Property*, Span> data_;
     std::set<const Property*> colors_;
 };

@@ -4,7 +4,7 @@
 
 /// One light, as seen from a point.
 struct Light {
-    float3 direction;   ///< to the light, unit
+    [is("directionWS")] float3 direction;  ///< to the light, unit
     float3 color;       ///< linear colour times intensity
     float attenuation;  ///< by distance, cone and cookie, 0 to 1 at one metre or more
     float shadow;       ///< 1: lit, 0: in shadow
