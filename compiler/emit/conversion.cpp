@@ -79,6 +79,8 @@ Typed expression_as(Emitter& emitter, const Expr& expr, Type wanted, Scope& scop
         const Value opaque = scope.builder->constant(ir::kFloat, {1});
         value = {.value = scope.builder->construct(ir::kFloat4, std::array{value.value, opaque}), .type = ir::kFloat4};
     }
+    if (expr.kind == Expr::Kind::Color && value.ok() && value.type.width() == 4 && wanted == ir::kFloat3)
+        emitter.diagnostics.report(Code::NoEffect, expr.name_span, "alpha", "a colour without alpha is wanted");
     return convert(emitter, value, wanted, scope, expr.span, what);
 }
 

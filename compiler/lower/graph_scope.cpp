@@ -179,9 +179,9 @@ void GraphScope::fill_inputs(GraphScope& inner, const Node& node, const Graph& s
         if (type.is_error()) continue;
         const std::string what = fmt::format("the input '{}'", input.name);
         if (port != node.inputs.end()) {
-            inner.set_input(input.name, value_as(*port, type, what));
+            inner.set_input(input.name, value_as(*port, type, what, input.type == "color"));
         } else if (input.value) {
-            inner.set_input(input.name, inner.value_as(*input.value, type, what));
+            inner.set_input(input.name, inner.value_as(*input.value, type, what, input.type == "color"));
         } else {
             lowering_.session.diagnostics.report(Code::MissingInput, node.type_span, input.name, node.type);
             inner.set_input(input.name, {});
@@ -257,12 +257,18 @@ Typed GraphScope::value(const Expr& expr) {
     return emit::expression(lowering_.emitter, expr, scope_);
 }
 
-Typed GraphScope::value_as(const Expr& expr, Type type, std::string_view what) {
+Typed GraphScope::value_as(const Expr& expr, Type type, std::string_view what, bool is_color) {
+    if (is_color && type == ir::kFloat4 && expr.kind == Expr::Kind::List && expr.args.size() == 3) {
+        const Typed rgb = value_as(expr, ir::kFloat3, what);
+        ir::Builder& b = *scope_.builder;
+        if (!rgb.ok()) return {};
+        return {.value = b.construct(type, std::array{rgb.value, b.constant(ir::kFloat, {1})}), .type = type};
+    }
     return emit::expression_as(lowering_.emitter, expr, type, scope_, what);
 }
 
 // Instructions that belong to no node belong to the port.
-Typed GraphScope::value_as(const PortValue& port, Type type, std::string_view what) {
+Typed GraphScope::value_as(const PortValue& port, Type type, std::string_view what, bool is_color) {
     if (!port.value) return {};
     ir::Module& module = lowering_.out.module;
     ir::Builder& b = *scope_.builder;
@@ -271,7 +277,7 @@ Typed GraphScope::value_as(const PortValue& port, Type type, std::string_view wh
         module.origins.push_back({.span = port.value_span});
         b.set_origin({static_cast<std::uint32_t>(module.origins.size() - 1)});
     }
-    const Typed value = value_as(*port.value, type, what);
+    const Typed value = value_as(*port.value, type, what, is_color);
     b.set_origin(outer);
     return value;
 }

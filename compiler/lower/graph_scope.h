@@ -77,9 +77,10 @@ public:
     // textures, which cannot be done there. emit_nodes() announces what nodes read; announce() the expression of a
     // port.
     void announce(const nodelang::Expr& expr);
-    // A port's value, converted; nodes that it reads must have been emitted.
-    Typed value_as(const PortValue& port, ir::Type type, std::string_view what);
-    Typed value_as(const nodelang::Expr& expr, ir::Type type, std::string_view what);
+    // A port's value, converted; nodes that it reads must have been emitted. Three numbers are an opaque colour, as
+    // "#ff8800" is.
+    Typed value_as(const PortValue& port, ir::Type type, std::string_view what, bool is_color = false);
+    Typed value_as(const nodelang::Expr& expr, ir::Type type, std::string_view what, bool is_color = false);
     Typed value(const nodelang::Expr& expr);
     emit::Scope& scope() { return scope_; }
 

@@ -23,12 +23,19 @@ constexpr const char* kTwice = R"json({
   "outputs": { "out": "= layer.width * layer.height" }
 })json";
 
+constexpr const char* kPaint = R"json({
+  "patina": 1, "kind": "subgraph",
+  "inputs": [ { "name": "paint", "type": "color" } ],
+  "outputs": { "out": "= $paint.rgb * $paint.a" }
+})json";
+
 std::string text_of(const std::string& graph, const Target& target = Target::Glsl) {
     CompileOptions options;
     options.targets = {target};
     options.loader = [](const std::string& path) -> std::optional<std::string> {
         if (path.ends_with("layer.subgraph.json")) return kLayer;
         if (path.ends_with("twice.subgraph.json")) return kTwice;
+        if (path.ends_with("paint.subgraph.json")) return kPaint;
         return {};
     };
     const Result result = Compiler().compile_text("test.graph.json", graph, options);
@@ -51,6 +58,14 @@ bool has(const std::string& text, const std::string& part) {
 }
 #define EXPECT_HAS(text, part) EXPECT_TRUE(has(text, part)) << "no " << (part) << " in\n" << (text)
 #define EXPECT_LACKS(text, part) EXPECT_FALSE(has(text, part)) << (part) << " in\n" << (text)
+
+// --- colours
+
+TEST(EmittedColors, OfThreeNumbersAreOpaque) {
+    const std::string text =
+        shown("paint", R"({ "id": "paint", "node": "./paint.subgraph.json", "in": { "paint": [0.5, 0.25, 0.75] } })");
+    EXPECT_HAS(text, "vec4(0.5, 0.25, 0.75, 1.0)");
+}
 
 // --- names
 
