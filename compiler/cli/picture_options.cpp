@@ -1,7 +1,7 @@
 #include "compiler/cli/picture_options.h"
 
 #include "patina/name_value.h"
-#include "runtime/scene/mesh.h"
+#include "runtime/mesh/mesh.h"
 
 namespace patina::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include "patina/interpret.h"
 #include "runtime/cpu/raster.h"
 #include "runtime/outcome.h"
-#include "runtime/scene/mesh.h"
+#include "runtime/mesh/mesh.h"
 
 namespace patina::runtime {
 

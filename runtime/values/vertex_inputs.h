@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "runtime/scene/mesh.h"
+#include "runtime/mesh/mesh.h"
 
 namespace patina::runtime {
 

@@ -1,3 +1,5 @@
+// The room `mesh`: vertices and triangles, and the meshes that need no file. It knows no scene and no material.
+//
 // The preview meshes, made in code: sphere, plane, cube, capsule, torus, and the quad that covers the screen. World
 // space is right-handed with y up; front faces are counter-clockwise seen from outside. uv has its origin at the top
 // left of the picture, v down. The tangent follows +u, and cross(normal, tangent) * w follows -v: up in the picture, so

@@ -1,4 +1,4 @@
-#include "runtime/scene/mesh.h"
+#include "runtime/mesh/mesh.h"
 
 #include <algorithm>
 #include <array>
