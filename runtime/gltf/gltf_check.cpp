@@ -58,7 +58,8 @@ private:
     }
 
     // True if an index is one of a list; -1 is "none".
-    bool is_there(const std::string& where, int index, std::size_t count, std::string_view list, bool may_lack = false) {
+    bool is_there(const std::string& where, int index, std::size_t count, std::string_view list,
+                  bool may_lack = false) {
         if (index == -1 && may_lack) return false;
         if (index >= 0 && static_cast<std::size_t>(index) < count) return true;
         wrong(where, "names " + place(list, 0).substr(0, list.size()) + "[" + std::to_string(index) +
@@ -89,8 +90,8 @@ private:
         if (!is_there(where + ".bufferView", view_index, model_.bufferViews.size(), "bufferViews")) return false;
         const tinygltf::BufferView& view = model_.bufferViews[static_cast<std::size_t>(view_index)];
         if (stride < element) {
-            wrong(where, "its elements have " + number(element) + " bytes, and the view's byteStride is " +
-                             number(stride));
+            wrong(where,
+                  "its elements have " + number(element) + " bytes, and the view's byteStride is " + number(stride));
             return false;
         }
         if ((offset + view.byteOffset) % unit != 0 || stride % unit != 0) {
@@ -273,7 +274,8 @@ private:
         if (accessor.type != TINYGLTF_TYPE_MAT4 || accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT)
             wrong(matrices, "are not matrices of 16 floats");
         if (accessor.count < skin.joints.size())
-            wrong(matrices, "are " + number(accessor.count) + ", and there are " + number(skin.joints.size()) + " joints");
+            wrong(matrices,
+                  "are " + number(accessor.count) + ", and there are " + number(skin.joints.size()) + " joints");
     }
 
     void camera(std::size_t i) {

@@ -1,8 +1,8 @@
 // The room `gltf`: reads glTF 2.0 files (.gltf, .glb) as meshes, cameras, lights and materials. It knows no graph and
 // draws nothing.
 //
-// Opens a file with its buffers and checks all that others rely on: every index, every range of bytes, every count. What
-// it returns can be read without further checks. Pictures are not decoded.
+// Opens a file with its buffers and checks all that others rely on: every index, every range of bytes, every count.
+// What it returns can be read without further checks. Pictures are not decoded.
 //
 //   Outcome<tinygltf::Model> file = open_gltf("chair.glb");
 #pragma once

@@ -212,7 +212,7 @@ private:
     std::vector<std::array<glm::vec4, 3>> corners_;  // w is 0 until it is known
     std::vector<std::uint32_t> stamps_;              // by triangle: the last group that it was asked for
     std::uint32_t stamp_ = 0;
-    std::vector<glm::vec4> known_;                   // by point: what triangles without area take; w is 0: nothing
+    std::vector<glm::vec4> known_;  // by point: what triangles without area take; w is 0: nothing
 };
 
 }  // namespace

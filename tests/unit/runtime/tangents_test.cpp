@@ -56,11 +56,10 @@ TEST(Tangents, FollowTheTexture) {
 
 // Two halves with mirrored textures meet in an edge: its vertices have the same uv0, and become two each.
 TEST(Tangents, AreNotAveragedWithThoseOfAMirroredTexture) {
-    const Mesh made = with_tangents(mesh_of(
-        {flat(-1, 0, 1, 1), flat(0, 0, 0, 1), flat(0, 1, 0, 0), flat(1, 0, 1, 1)}, {0, 1, 2, 1, 3, 2}));
+    const Mesh made = with_tangents(
+        mesh_of({flat(-1, 0, 1, 1), flat(0, 0, 0, 1), flat(0, 1, 0, 0), flat(1, 0, 1, 1)}, {0, 1, 2, 1, 3, 2}));
     EXPECT_EQ(made.vertices.size(), 6u);
-    for (std::size_t i = 0; i < 3; ++i)
-        EXPECT_EQ(made.vertices[made.indices[i]].tangent, glm::vec4(-1, 0, 0, -1)) << i;
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(made.vertices[made.indices[i]].tangent, glm::vec4(-1, 0, 0, -1)) << i;
     for (std::size_t i = 3; i < 6; ++i) EXPECT_EQ(made.vertices[made.indices[i]].tangent, glm::vec4(1, 0, 0, 1)) << i;
 }
 
@@ -81,8 +80,7 @@ TEST(Tangents, AreAveragedByAngle) {
 
 // What has no area, or no texture, still has a frame.
 TEST(Tangents, AlwaysExist) {
-    const Mesh no_texture =
-        with_tangents(mesh_of({flat(0, 0, 0, 0), flat(1, 0, 0, 0), flat(0, 1, 0, 0)}, {0, 1, 2}));
+    const Mesh no_texture = with_tangents(mesh_of({flat(0, 0, 0, 0), flat(1, 0, 0, 0), flat(0, 1, 0, 0)}, {0, 1, 2}));
     const Mesh no_area = with_tangents(mesh_of({flat(0, 0, 0, 0), flat(0, 0, 1, 0), flat(0, 0, 0, 1)}, {0, 1, 2}));
     for (const Mesh* mesh : {&no_texture, &no_area}) {
         ASSERT_EQ(mesh->indices.size(), 3u);
