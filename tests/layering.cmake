@@ -199,12 +199,13 @@ endforeach()
 
 # --- the rooms of the runtime, from the bottom to the top: room -> rooms that it may include (itself and outcome.h
 # always). A room includes only rooms above it in this list, so that there are no circles.
-set(runtime_rooms files picture lighting mesh scene lights values frame cpu gpu render snapshot)
+set(runtime_rooms files picture lighting mesh gltf scene lights values frame cpu gpu render snapshot)
 set(runtime_files "")
 set(runtime_picture "files")
 set(runtime_lighting "files;picture")
 set(runtime_mesh "")
-set(runtime_scene "picture;lighting;mesh")
+set(runtime_gltf "mesh")
+set(runtime_scene "picture;lighting;mesh;gltf")
 set(runtime_lights "picture;mesh;scene")
 set(runtime_values "picture;lighting;mesh;scene;lights")
 set(runtime_frame "picture;mesh;scene;lights;values")

@@ -9,7 +9,8 @@ namespace patina::runtime {
 namespace {
 
 // Extensions that a file may require: others change what the core of the file means.
-constexpr std::string_view kRead[] = {"KHR_lights_punctual",
+constexpr std::string_view kRead[] = {"KHR_draco_mesh_compression",
+                                      "KHR_lights_punctual",
                                       "KHR_texture_transform",
                                       "KHR_mesh_quantization",
                                       "KHR_materials_anisotropy",

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "runtime/gltf/gltf_draco.h"
+
 namespace patina::runtime {
 namespace {
 
@@ -15,6 +17,40 @@ constexpr std::uintmax_t kMostBytes = std::uintmax_t{2} << 30;
 
 bool has_header_of_glb(const std::vector<unsigned char>& bytes) {
     return bytes.size() >= 12 && std::memcmp(bytes.data(), "glTF", 4) == 0;
+}
+
+std::uint32_t number_at(const std::vector<unsigned char>& bytes, std::size_t at) {
+    return bytes[at] | bytes[at + 1] << 8 | bytes[at + 2] << 16 | std::uint32_t{bytes[at + 3]} << 24;
+}
+
+// The container with another text in its first chunk, which is padded to four bytes.
+std::vector<unsigned char> with_text(const std::vector<unsigned char>& glb, std::size_t old_size, std::string text) {
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    const std::size_t rest = glb.size() - 20 - old_size;
+    std::vector<unsigned char> made(20 + text.size() + rest);
+    std::memcpy(made.data(), glb.data(), 20);
+    std::memcpy(made.data() + 20, text.data(), text.size());
+    std::memcpy(made.data() + 20 + text.size(), glb.data() + 20 + old_size, rest);
+    const auto put = [&](std::size_t at, std::size_t number) {
+        for (std::size_t i = 0; i < 4; ++i) made[at + i] = static_cast<unsigned char>(number >> (8 * i));
+    };
+    put(8, made.size());
+    put(12, text.size());
+    return made;
+}
+
+// Both forms of a file, as tinygltf can read it (gltf_draco.h).
+std::vector<unsigned char> readable(std::vector<unsigned char> bytes) {
+    if (!has_header_of_glb(bytes)) {
+        const std::string text = without_draco_indices({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        return {text.begin(), text.end()};
+    }
+    if (bytes.size() < 20 || number_at(bytes, 12) > bytes.size() - 20) return bytes;  // tinygltf reports it
+    const std::size_t size = number_at(bytes, 12);
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data() + 20), size);
+    if (std::string changed = without_draco_indices(text); changed != text)
+        return with_text(bytes, size, std::move(changed));
+    return bytes;
 }
 
 // Keeps pictures as they are in the file: whoever wants one decodes it.
@@ -61,6 +97,7 @@ Outcome<tinygltf::Model> open_gltf(const std::string& path) {
     std::string why, warning;
     if (!exists(path, nullptr)) return Failure{"cannot read " + path + ": there is no such file"};
     if (!read_whole(&bytes, &why, path, nullptr)) return Failure{"cannot read " + one_line(why)};
+    bytes = readable(std::move(bytes));
     tinygltf::TinyGLTF reader;
     reader.SetImageLoader(keep_picture, nullptr);
     reader.SetFsCallbacks({exists, same, read_whole, nullptr, nullptr});
@@ -80,6 +117,7 @@ Outcome<tinygltf::Model> open_gltf(const std::string& path) {
         why = one_line(why);
         return Failure{path + " is not a glTF file that can be read: " + (why.empty() ? "it is broken" : why)};
     }
+    if (std::string mistake = expand_draco(model); !mistake.empty()) return Failure{path + ": " + mistake};
     if (std::string mistake = mistake_in(model); !mistake.empty()) return Failure{path + ": " + mistake};
     return model;
 }

@@ -74,12 +74,12 @@ public:
         mesh_.indices = triangles_of(corners, primitive_.mode);
         take<2>("TEXCOORD_0", [](Vertex& v, const glm::vec2& uv) { v.uv0 = v.uv1 = uv; });
         take<2>("TEXCOORD_1", [](Vertex& v, const glm::vec2& uv) { v.uv1 = uv; });
-        take<4>("COLOR_0", [](Vertex& v, const glm::vec4& color) { v.color = color; }, 1);
-        const bool has_normals =
-            take<3>("NORMAL", [](Vertex& v, const glm::vec3& normal) { v.normal = normal; });
+        take<4>(
+            "COLOR_0", [](Vertex& v, const glm::vec4& color) { v.color = color; }, 1);
+        const bool has_normals = take<3>("NORMAL", [](Vertex& v, const glm::vec3& normal) { v.normal = normal; });
         const bool has_tangents = has_normals && take<4>("TANGENT", [](Vertex& v, const glm::vec4& tangent) {
-            v.tangent = {glm::vec3(tangent), tangent.w < 0 ? -1 : 1};
-        });
+                                      v.tangent = {glm::vec3(tangent), tangent.w < 0 ? -1 : 1};
+                                  });
         morph(weights);
         if (!joints.empty()) {
             if (std::string error = bend(where, joints); !error.empty()) return Failure{error};

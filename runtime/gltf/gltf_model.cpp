@@ -83,8 +83,7 @@ private:
         const tinygltf::Node& node = file_.nodes[index];
         if (node.camera >= 0) add_camera(index, file_.cameras[static_cast<std::size_t>(node.camera)]);
         if (const auto found = node.extensions.find("KHR_lights_punctual"); found != node.extensions.end())
-            add_light(index,
-                      file_.lights[static_cast<std::size_t>(found->second.Get("light").GetNumberAsInt())]);
+            add_light(index, file_.lights[static_cast<std::size_t>(found->second.Get("light").GetNumberAsInt())]);
         return node.mesh < 0 ? std::string() : add_parts(index);
     }
 
@@ -96,27 +95,25 @@ private:
         const std::vector<double>& weights = node.weights.empty() ? mesh.weights : node.weights;
         for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
             const tinygltf::Primitive& primitive = mesh.primitives[i];
-            const std::string where =
-                "meshes[" + std::to_string(node.mesh) + "].primitives[" + std::to_string(i) + "]";
+            const std::string where = "meshes[" + std::to_string(node.mesh) + "].primitives[" + std::to_string(i) + "]";
             if (!has_triangles(primitive)) {
                 made_.left_out.push_back(where + ": points and lines are not drawn");
                 continue;
             }
             const bool is_own = !joints.empty() || !node.weights.empty();
-            std::shared_ptr<const Mesh> known =
-                is_own ? nullptr : known_[{node.mesh, static_cast<int>(i)}];
+            std::shared_ptr<const Mesh> known = is_own ? nullptr : known_[{node.mesh, static_cast<int>(i)}];
             if (!known) {
                 Outcome<Mesh> read = primitive_mesh(file_, where, primitive, weights, joints);
                 if (!read) return read.error;
                 known = std::make_shared<const Mesh>(std::move(read.value));
                 if (!is_own) known_[{node.mesh, static_cast<int>(i)}] = known;
             }
-            made_.parts.push_back(
-                {.node = name_of(index),
-                 .mesh = known,
-                 .object_to_world = joints.empty() ? places_[index] : glm::mat4(1),
-                 .material = primitive.material < 0 ? std::nullopt
-                                                    : std::optional(static_cast<std::size_t>(primitive.material))});
+            made_.parts.push_back({.node = name_of(index),
+                                   .mesh = known,
+                                   .object_to_world = joints.empty() ? places_[index] : glm::mat4(1),
+                                   .material = primitive.material < 0
+                                                   ? std::nullopt
+                                                   : std::optional(static_cast<std::size_t>(primitive.material))});
         }
         return {};
     }
@@ -160,8 +157,8 @@ private:
     }
 
     const tinygltf::Model& file_;
-    std::vector<glm::mat4> places_;                                          // of the nodes, in the world
-    std::map<std::pair<int, int>, std::shared_ptr<const Mesh>> known_;       // by mesh and primitive
+    std::vector<glm::mat4> places_;                                     // of the nodes, in the world
+    std::map<std::pair<int, int>, std::shared_ptr<const Mesh>> known_;  // by mesh and primitive
     GltfModel made_;
 };
 
@@ -233,8 +230,7 @@ Outcome<Mesh> read_mesh(const std::string& path, const std::string& node) {
             is_wanted = is_wanted || ((*wanted)[i] && reading.name_of(i) == part.node);
         if (is_wanted) append(*part.mesh, part.object_to_world, whole);
     }
-    if (whole.indices.empty())
-        return Failure{path + (node.empty() ? "" : "#" + node) + " has no triangles"};
+    if (whole.indices.empty()) return Failure{path + (node.empty() ? "" : "#" + node) + " has no triangles"};
     return whole;
 }
 

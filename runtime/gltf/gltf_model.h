@@ -1,5 +1,5 @@
-// A glTF file as what it shows: meshes at their places in the default scene, cameras and lights. Skins and morph targets
-// are in their rest pose: the joints where the nodes are, the weights that the file states.
+// A glTF file as what it shows: meshes at their places in the default scene, cameras and lights. Skins and morph
+// targets are in their rest pose: the joints where the nodes are, the weights that the file states.
 //
 //   Outcome<GltfModel> model = read_model("chair.glb");
 //   Outcome<Mesh> seat = read_mesh("chair.glb", "Seat");
@@ -17,7 +17,7 @@
 namespace patina::runtime {
 
 struct ModelPart {
-    std::string node;                 // its name; "node 3" if it has none
+    std::string node;                  // its name; "node 3" if it has none
     std::shared_ptr<const Mesh> mesh;  // shared by nodes that show the same primitive
     glm::mat4 object_to_world{1};
     std::optional<std::size_t> material;  // index into the file's materials
@@ -25,9 +25,9 @@ struct ModelPart {
 
 struct ModelCamera {
     std::string node;
-    glm::mat4 camera_to_world{1};  // it looks along its -z, with y up
-    float fov = 0;                 // degrees, vertical; of a perspective camera
-    float height = 0;              // world units; of an orthographic one
+    glm::mat4 camera_to_world{1};         // it looks along its -z, with y up
+    float fov = 0;                        // degrees, vertical; of a perspective camera
+    float height = 0;                     // world units; of an orthographic one
     float near_plane = 0, far_plane = 0;  // far: 0 if there is none
     bool is_orthographic = false;
 };
@@ -40,8 +40,8 @@ struct ModelLight {
     glm::mat4 light_to_world{1};  // it shines along its -z
     glm::vec3 color{1};           // linear
     float intensity = 1;
-    float range = 0;                            // metres; 0: without end
-    float inner_angle = 0, outer_angle = 45;    // degrees from the axis
+    float range = 0;                          // metres; 0: without end
+    float inner_angle = 0, outer_angle = 45;  // degrees from the axis
 };
 
 struct GltfModel {
