@@ -10,7 +10,8 @@ namespace patina::runtime {
 
 Outcome<Mesh> mesh_named(const std::string& name, int segments) {
     if (is_model_name(name)) {
-        if (segments != 0) return Failure{"the mesh of a file has the triangles of the file: segments are of built-in meshes"};
+        if (segments != 0)
+            return Failure{"the mesh of a file has the triangles of the file: segments are of built-in meshes"};
         const std::size_t sharp = name.find('#');
         return read_mesh(name.substr(0, sharp), sharp == name.npos ? "" : name.substr(sharp + 1));
     }

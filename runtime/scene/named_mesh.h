@@ -12,8 +12,8 @@
 
 namespace patina::runtime {
 
-// Fails if there is neither a mesh nor a file of that name, if the file is broken, and if a file's mesh is to be divided
-// into segments. `segments`: 0 for the usual number (make_mesh()).
+// Fails if there is neither a mesh nor a file of that name, if the file is broken, and if a file's mesh is to be
+// divided into segments. `segments`: 0 for the usual number (make_mesh()).
 Outcome<Mesh> mesh_named(const std::string& name, int segments = 0);
 
 // A camera that frames the mesh: the built-in ones as default_camera() does; others a little from above and from the
