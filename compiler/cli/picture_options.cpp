@@ -1,7 +1,8 @@
 #include "compiler/cli/picture_options.h"
 
 #include "patina/name_value.h"
-#include "runtime/scene/mesh.h"
+#include "runtime/gltf/gltf_model.h"
+#include "runtime/mesh/mesh.h"
 
 namespace patina::cli {
 namespace {
@@ -11,9 +12,15 @@ void add_scene_options(CLI::App& command, runtime::RenderRequest& request) {
     for (std::string_view name : runtime::mesh_names()) meshes.emplace_back(name);
     std::string list;
     for (const std::string& mesh : meshes) list += (list.empty() ? "" : "|") + mesh;
-    command.add_option("--mesh", request.mesh, "The mesh to draw; default: sphere")
-        ->type_name(list)
-        ->check(one_of("a mesh", std::move(meshes)));
+    const std::function<std::string(std::string)> is_built_in = one_of("a mesh", std::move(meshes));
+    command
+        .add_option("--mesh", request.mesh,
+                    "The mesh to draw: a built-in one, or a glTF file, or one of its nodes with what is below it; "
+                    "default: sphere")
+        ->type_name(list + "|FILE.glb[#NODE]")
+        ->check([is_built_in](const std::string& word) {
+            return runtime::is_model_name(word) ? std::string() : is_built_in(word);
+        });
     command
         .add_option(
             "--segments", request.segments,

@@ -246,7 +246,8 @@ constexpr std::array kSceneMaterial = {
 
 constexpr std::array kSceneObject = {
     KeyInfo{"id", "a unique name: an identifier", ObjectKind::Free, true},
-    KeyInfo{"mesh", "sphere, plane, cube, capsule or torus", ObjectKind::Free, true},
+    KeyInfo{"mesh", "sphere, plane, cube, capsule, torus, or a glTF file: model.glb, model.glb#Node", ObjectKind::Free,
+            true},
     KeyInfo{"segments", "the number of segments of the mesh, 3 to 512"},
     KeyInfo{"material", "the name of a material of this scene", ObjectKind::Free, true},
     kPosition,

@@ -10,8 +10,8 @@
 
 #include "patina/interpret.h"
 #include "runtime/cpu/raster.h"
+#include "runtime/mesh/mesh.h"
 #include "runtime/outcome.h"
-#include "runtime/scene/mesh.h"
 
 namespace patina::runtime {
 

@@ -22,8 +22,8 @@
 
 #include "patina/interpret.h"
 #include "patina/reflection.h"
+#include "runtime/mesh/mesh.h"
 #include "runtime/picture/area.h"
-#include "runtime/scene/mesh.h"
 #include "runtime/values/material_values.h"
 #include "runtime/values/textures.h"
 

@@ -6,7 +6,7 @@
 
 #include <glm/glm.hpp>
 
-#include "runtime/scene/mesh.h"
+#include "runtime/mesh/mesh.h"
 #include "runtime/scene/view.h"
 
 namespace patina::runtime {

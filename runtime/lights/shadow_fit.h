@@ -9,7 +9,7 @@
 #include <span>
 
 #include "patina/reflection.h"
-#include "runtime/scene/mesh.h"
+#include "runtime/mesh/mesh.h"
 #include "runtime/scene/view.h"
 
 namespace patina::runtime {

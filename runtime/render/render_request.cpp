@@ -9,6 +9,7 @@
 #include "runtime/render/prepare_material.h"
 #include "runtime/render/preview_world.h"
 #include "runtime/render/render_world.h"
+#include "runtime/scene/named_mesh.h"
 #include "runtime/scene/scene_text.h"
 #include "runtime/scene/world_file.h"
 
@@ -59,16 +60,13 @@ std::string take_words(const RenderRequest& request, Scene& scene) {
 
 // The scene that the request's words describe.
 Outcome<Scene> read_scene(const RenderRequest& request) {
-    std::optional<Mesh> mesh = make_mesh(request.mesh, request.segments);
-    if (!mesh) {
-        std::string names;
-        for (std::string_view name : mesh_names()) names += (names.empty() ? "" : ", ") + std::string(name);
-        return Failure{"there is no mesh '" + request.mesh + "'; there are: " + names};
-    }
+    Outcome<Mesh> mesh = mesh_named(request.mesh, request.segments);
+    if (!mesh) return Failure{mesh.error};
     if (!is_time(request.time.value_or(0)))
         return Failure{"the time must be a number of seconds that a float can hold"};
-    Scene scene{.mesh = std::move(*mesh),
-                .camera = default_camera(request.mesh),
+    const Camera camera = camera_for(request.mesh, mesh.value);
+    Scene scene{.mesh = std::move(mesh.value),
+                .camera = camera,
                 .lights = default_lights(),
                 .ambient = studio_environment()->ambient(),
                 .environment = studio_environment(),

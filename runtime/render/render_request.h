@@ -24,7 +24,7 @@ namespace patina::runtime {
 
 struct RenderRequest {
     std::string graph{};          // a file: a material's graph, or a scene (x.scene.json)
-    std::string mesh = "sphere";  // mesh_names()
+    std::string mesh = "sphere";  // mesh_named()
     int segments = 0;             // of the mesh (make_mesh()); 0: as usual
     int size = 512;               // pixels, width
     int height = 0;               // 0: as the width

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "patina/reflection.h"
-#include "runtime/scene/mesh.h"
+#include "runtime/mesh/mesh.h"
 
 namespace patina::runtime {
 

@@ -18,7 +18,7 @@
 #include "patina/interpret.h"
 #include "patina/words.h"
 #include "runtime/lighting/environment.h"
-#include "runtime/scene/mesh.h"
+#include "runtime/mesh/mesh.h"
 
 namespace patina::runtime {
 

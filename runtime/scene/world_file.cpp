@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <glm/gtc/matrix_transform.hpp>
 #include <utility>
 
 #include "patina/complaints.h"
+#include "runtime/gltf/gltf_model.h"
 #include "runtime/picture/mip_chain.h"
+#include "runtime/scene/named_mesh.h"
 #include "runtime/scene/scene_text.h"
 #include "runtime/scene/view.h"
 
@@ -139,18 +142,30 @@ std::vector<WorldInstance> make_instances(const SceneObject& object) {
 // One mesh for all objects that are alike.
 class Meshes {
 public:
-    // Null if there is no such mesh.
-    std::shared_ptr<const Mesh> get(const std::string& name, int segments) {
-        const auto [found, is_new] = made_.try_emplace({name, segments});
-        if (is_new) {
-            std::optional<Mesh> mesh = make_mesh(name, segments);
-            if (mesh) found->second = std::make_shared<const Mesh>(std::move(*mesh));
-        }
-        return found->second;
+    const Outcome<std::shared_ptr<const Mesh>>& get(const SceneObject& object, WorldFile& file) {
+        const std::string name = path_of(object);
+        const int segments = object.segments.value_or(0);
+        const auto found = made_.find({name, segments});
+        if (found != made_.end()) return found->second;
+        Outcome<Mesh> mesh = mesh_named(name, segments);
+        if (is_model_name(name)) file.dependencies.push_back(name.substr(0, name.find('#')));
+        Outcome<std::shared_ptr<const Mesh>> made(nullptr);
+        if (mesh)
+            made.value = std::make_shared<const Mesh>(std::move(mesh.value));
+        else
+            made.error = mesh.error;
+        return made_.emplace(std::pair(name, segments), std::move(made)).first->second;
     }
 
 private:
-    std::map<std::pair<std::string, int>, std::shared_ptr<const Mesh>> made_;
+    // A file is named relative to the scene.
+    static std::string path_of(const SceneObject& object) {
+        const std::filesystem::path path(object.mesh);
+        if (!is_model_name(object.mesh) || path.is_absolute()) return object.mesh;
+        return (std::filesystem::path(object.mesh_place.file).parent_path() / path).string();
+    }
+
+    std::map<std::pair<std::string, int>, Outcome<std::shared_ptr<const Mesh>>> made_;
 };
 
 Diagnostic unknown_mesh(const SceneObject& object) {
@@ -181,10 +196,13 @@ WorldFile make_world(const SceneFile& scene) {
     }
     Meshes meshes;
     for (const SceneObject& object : scene.objects) {
-        std::shared_ptr<const Mesh> mesh = meshes.get(object.mesh, object.segments.value_or(0));
-        if (!mesh) file.diagnostics.push_back(unknown_mesh(object));
+        const Outcome<std::shared_ptr<const Mesh>>& mesh = meshes.get(object, file);
+        if (!mesh)
+            file.diagnostics.push_back(is_model_name(object.mesh)
+                                           ? diagnostic_at(object.mesh_place, "cannot-read", mesh.error)
+                                           : unknown_mesh(object));
         world.objects.push_back({.name = object.id,
-                                 .mesh = std::move(mesh),
+                                 .mesh = mesh.value,
                                  .object_to_world = glm::mat4(make_transform(object)),
                                  .instances = make_instances(object),
                                  .material = object.material,

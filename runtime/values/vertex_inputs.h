@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "runtime/scene/mesh.h"
+#include "runtime/mesh/mesh.h"
 
 namespace patina::runtime {
 
@@ -17,7 +17,7 @@ struct VertexSource {
     unsigned components = 0;
 };
 
-// uv1 to uv3 read uv0: the preview meshes have one set. Null: no mesh has such an input.
+// uv2 and uv3 read uv0: meshes have two sets. Null: no mesh has such an input.
 inline const VertexSource* vertex_source(std::string_view name) {
     static constexpr VertexSource kSources[] = {
         {"positionOS", offsetof(Vertex, position), 3},
@@ -25,7 +25,7 @@ inline const VertexSource* vertex_source(std::string_view name) {
         {"tangentOS", offsetof(Vertex, tangent), 4},
         {"vertexColor", offsetof(Vertex, color), 4},
         {"uv0", offsetof(Vertex, uv0), 2},
-        {"uv1", offsetof(Vertex, uv0), 2},
+        {"uv1", offsetof(Vertex, uv1), 2},
         {"uv2", offsetof(Vertex, uv0), 2},
         {"uv3", offsetof(Vertex, uv0), 2},
     };

@@ -106,7 +106,7 @@ inline constexpr std::size_t kMostSceneInstances = 100'000;
 
 struct SceneObject {
     std::string id;
-    std::string mesh;  // "sphere"; not checked
+    std::string mesh;  // "sphere", "model.glb#Node"; not checked
     ScenePlace mesh_place;
     std::optional<int> segments{};  // 3 to 512: how fine the mesh is
     std::size_t material = 0;       // index into SceneFile::materials

@@ -1,5 +1,5 @@
-// Promises of runtime/scene/mesh.h that shading depends on, checked on every mesh.
-#include "runtime/scene/mesh.h"
+// Promises of runtime/mesh/mesh.h that shading depends on, checked on every mesh.
+#include "runtime/mesh/mesh.h"
 
 #include <gtest/gtest.h>
 

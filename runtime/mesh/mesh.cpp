@@ -1,4 +1,4 @@
-#include "runtime/scene/mesh.h"
+#include "runtime/mesh/mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -28,7 +28,10 @@ template <class VertexAt>
 void add_grid(Mesh& mesh, int columns, int rows, VertexAt vertex) {
     auto first = std::uint32_t(mesh.vertices.size());
     for (int j = 0; j <= rows; j++)
-        for (int i = 0; i <= columns; i++) mesh.vertices.push_back(vertex(i, j));
+        for (int i = 0; i <= columns; i++) {
+            mesh.vertices.push_back(vertex(i, j));
+            mesh.vertices.back().uv1 = mesh.vertices.back().uv0;
+        }
 
     auto add_triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         const glm::vec3& pa = mesh.vertices[a].position;

@@ -1,7 +1,9 @@
+// The room `mesh`: vertices and triangles, and the meshes that need no file. It knows no scene and no material.
+//
 // The preview meshes, made in code: sphere, plane, cube, capsule, torus, and the quad that covers the screen. World
 // space is right-handed with y up; front faces are counter-clockwise seen from outside. uv has its origin at the top
 // left of the picture, v down. The tangent follows +u, and cross(normal, tangent) * w follows -v: up in the picture, so
-// normal maps with y up (OpenGL style) are right. It does not read mesh files.
+// normal maps with y up (OpenGL style) are right.
 //
 //   std::optional<Mesh> mesh = make_mesh("torus");
 #pragma once
@@ -21,6 +23,7 @@ struct Vertex {
     glm::vec4 tangent;  // unit xyz; w is the bitangent's sign, 1 or -1
     glm::vec2 uv0;
     glm::vec4 color = glm::vec4(1);
+    glm::vec2 uv1{0};  // of lightmaps, and what a material reads as uv1; the preview meshes have uv0 here
 };
 
 struct Mesh {

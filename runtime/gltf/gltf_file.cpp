@@ -1,0 +1,125 @@
+#include "runtime/gltf/gltf_file.h"
+
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+
+#include "runtime/gltf/gltf_draco.h"
+
+namespace patina::runtime {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The container's own limit for a .glb is 4 GB; a file of that size takes several times as much memory.
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{2} << 30;
+
+bool has_header_of_glb(const std::vector<unsigned char>& bytes) {
+    return bytes.size() >= 12 && std::memcmp(bytes.data(), "glTF", 4) == 0;
+}
+
+std::uint32_t number_at(const std::vector<unsigned char>& bytes, std::size_t at) {
+    return bytes[at] | bytes[at + 1] << 8 | bytes[at + 2] << 16 | std::uint32_t{bytes[at + 3]} << 24;
+}
+
+// The container with another text in its first chunk, which is padded to four bytes.
+std::vector<unsigned char> with_text(const std::vector<unsigned char>& glb, std::size_t old_size, std::string text) {
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    const std::size_t rest = glb.size() - 20 - old_size;
+    std::vector<unsigned char> made(20 + text.size() + rest);
+    std::memcpy(made.data(), glb.data(), 20);
+    std::memcpy(made.data() + 20, text.data(), text.size());
+    std::memcpy(made.data() + 20 + text.size(), glb.data() + 20 + old_size, rest);
+    const auto put = [&](std::size_t at, std::size_t number) {
+        for (std::size_t i = 0; i < 4; ++i) made[at + i] = static_cast<unsigned char>(number >> (8 * i));
+    };
+    put(8, made.size());
+    put(12, text.size());
+    return made;
+}
+
+// Both forms of a file, as tinygltf can read it (gltf_draco.h).
+std::vector<unsigned char> readable(std::vector<unsigned char> bytes) {
+    if (!has_header_of_glb(bytes)) {
+        const std::string text = without_draco_indices({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        return {text.begin(), text.end()};
+    }
+    if (bytes.size() < 20 || number_at(bytes, 12) > bytes.size() - 20) return bytes;  // tinygltf reports it
+    const std::size_t size = number_at(bytes, 12);
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data() + 20), size);
+    if (std::string changed = without_draco_indices(text); changed != text)
+        return with_text(bytes, size, std::move(changed));
+    return bytes;
+}
+
+// Keeps pictures as they are in the file: whoever wants one decodes it.
+bool keep_picture(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes,
+                  int size, void*) {
+    image->image.assign(bytes, bytes + size);
+    image->as_is = true;
+    return true;
+}
+
+// tinygltf reads files through these: it must neither expand "~" nor read what is not a regular file.
+bool exists(const std::string& path, void*) {
+    std::error_code error;
+    return fs::is_regular_file(path, error);
+}
+std::string same(const std::string& path, void*) {
+    return path;
+}
+bool read_whole(std::vector<unsigned char>* out, std::string* why, const std::string& path, void*) {
+    std::error_code error;
+    const std::uintmax_t size = fs::file_size(path, error);
+    if (error || size > kMostBytes) {
+        *why += path + (error ? ": " + error.message() : " is larger than 2 GB") + "\n";
+        return false;
+    }
+    std::ifstream in(path, std::ios::binary);
+    out->resize(size);
+    in.read(reinterpret_cast<char*>(out->data()), static_cast<std::streamsize>(size));
+    if (!in) *why += path + ": it cannot be read\n";
+    return static_cast<bool>(in);
+}
+
+// tinygltf's messages are lines; some end in a full stop.
+std::string one_line(std::string text) {
+    while (!text.empty() && (text.back() == '\n' || text.back() == '.' || text.back() == ' ')) text.pop_back();
+    for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at)) text.replace(at, 1, "; ");
+    return text;
+}
+
+}  // namespace
+
+Outcome<tinygltf::Model> open_gltf(const std::string& path) {
+    std::vector<unsigned char> bytes;
+    std::string why, warning;
+    if (!exists(path, nullptr)) return Failure{"cannot read " + path + ": there is no such file"};
+    if (!read_whole(&bytes, &why, path, nullptr)) return Failure{"cannot read " + one_line(why)};
+    bytes = readable(std::move(bytes));
+    tinygltf::TinyGLTF reader;
+    reader.SetImageLoader(keep_picture, nullptr);
+    reader.SetFsCallbacks({exists, same, read_whole, nullptr, nullptr});
+    const std::string folder = fs::path(path).parent_path().string();
+    tinygltf::Model model;
+    bool is_read = false;
+    try {
+        is_read = has_header_of_glb(bytes)
+                      ? reader.LoadBinaryFromMemory(&model, &why, &warning, bytes.data(),
+                                                    static_cast<unsigned int>(bytes.size()), folder)
+                      : reader.LoadASCIIFromString(&model, &why, &warning, reinterpret_cast<const char*>(bytes.data()),
+                                                   static_cast<unsigned int>(bytes.size()), folder);
+    } catch (const std::exception& error) {
+        why = error.what();
+    }
+    if (!is_read) {
+        why = one_line(why);
+        return Failure{path + " is not a glTF file that can be read: " + (why.empty() ? "it is broken" : why)};
+    }
+    if (std::string mistake = expand_draco(model); !mistake.empty()) return Failure{path + ": " + mistake};
+    if (std::string mistake = mistake_in(model); !mistake.empty()) return Failure{path + ": " + mistake};
+    return model;
+}
+
+}  // namespace patina::runtime

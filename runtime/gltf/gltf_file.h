@@ -1,0 +1,25 @@
+// The room `gltf`: reads glTF 2.0 files (.gltf, .glb) as meshes, cameras, lights and materials. It knows no graph and
+// draws nothing.
+//
+// Opens a file with its buffers and checks all that others rely on: every index, every range of bytes, every count.
+// What it returns can be read without further checks. Pictures are not decoded.
+//
+//   Outcome<tinygltf::Model> file = open_gltf("chair.glb");
+#pragma once
+
+#include <tiny_gltf.h>
+
+#include <string>
+
+#include "runtime/outcome.h"
+
+namespace patina::runtime {
+
+// Errors name the file and the place in it: "chair.glb: accessors[3]: ...".
+Outcome<tinygltf::Model> open_gltf(const std::string& path);
+
+// gltf_check.cpp: the first mistake, with its place; empty if there is none. `is_used`: an extension that a file
+// requires is refused if this room does not read it.
+std::string mistake_in(const tinygltf::Model& model);
+
+}  // namespace patina::runtime

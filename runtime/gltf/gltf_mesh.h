@@ -1,0 +1,27 @@
+// A primitive of a glTF mesh as triangles: strips and fans are resolved, normals and tangents are made where the file
+// has none (flat ones, and those of mesh/tangents.h), morph targets and skins are applied.
+//
+//   Outcome<Mesh> mesh = primitive_mesh(file, "meshes[0].primitives[1]", primitive, weights, joints);
+#pragma once
+
+#include <tiny_gltf.h>
+
+#include <string>
+#include <vector>
+
+#include "runtime/mesh/mesh.h"
+#include "runtime/outcome.h"
+
+namespace patina::runtime {
+
+// True for triangles, strips and fans; points and lines have no surface.
+bool has_triangles(const tinygltf::Primitive& primitive);
+
+// `weights`: one for each morph target; missing ones are 0. `joints`: from the mesh's space to that of the joint's
+// pose, for each joint of the skin; empty: no skin. `where` begins the errors: an index past the end, a joint that the
+// skin lacks, a number that is not finite.
+Outcome<Mesh> primitive_mesh(const tinygltf::Model& model, const std::string& where,
+                             const tinygltf::Primitive& primitive, const std::vector<double>& weights,
+                             const std::vector<glm::mat4>& joints);
+
+}  // namespace patina::runtime
