@@ -19,9 +19,8 @@ using Channels = std::array<Channel, 3>;
 // --- colour spaces
 
 // Linear sRGB to CIE XYZ (IEC 61966-2-1), and its inverse; white is the sum of a row.
-constexpr float kToXyz[3][3] = {{0.4124564f, 0.3575761f, 0.1804375f},
-                                {0.2126729f, 0.7151522f, 0.0721750f},
-                                {0.0193339f, 0.1191920f, 0.9503041f}};
+constexpr float kToXyz[3][3] = {
+    {0.4124564f, 0.3575761f, 0.1804375f}, {0.2126729f, 0.7151522f, 0.0721750f}, {0.0193339f, 0.1191920f, 0.9503041f}};
 constexpr float kFromXyz[3][3] = {{3.2404542f, -1.5371385f, -0.4985314f},
                                   {-0.9692660f, 1.8760108f, 0.0415560f},
                                   {0.0556434f, -0.2040259f, 1.0572252f}};
@@ -126,8 +125,7 @@ Channel seen(const Channel& channel, std::span<const Sensitivity> terms) {
     double total = 0;
     Channel result = like(channel);
     for (const Sensitivity& term : terms) {
-        const std::vector<float> row =
-            gaussian(kPi * kPi / (term.b * kPixelsPerDegree * kPixelsPerDegree), radius);
+        const std::vector<float> row = gaussian(kPi * kPi / (term.b * kPixelsPerDegree * kPixelsPerDegree), radius);
         const double scale = term.a * std::sqrt(kPi / term.b), sum = sum_of(row);
         total += scale * sum * sum;
         const Channel part = filtered(channel, row, row);
@@ -209,8 +207,7 @@ Seen seen(const Image& encoded) {
 // From the distance of two colours: small ones count for more than large ones.
 float color_error(float distance) {
     constexpr float kPower = 0.7f, kSplit = 0.4f, kAtSplit = 0.95f;
-    static const float kMost =
-        std::pow(hyab(perceived(xyz_of({0, 1, 0})), perceived(xyz_of({0, 0, 1}))), kPower);
+    static const float kMost = std::pow(hyab(perceived(xyz_of({0, 1, 0})), perceived(xyz_of({0, 0, 1}))), kPower);
     const float error = std::pow(distance, kPower), split = kSplit * kMost;
     if (error < split) return kAtSplit / split * error;
     return std::min(kAtSplit + (error - split) / (kMost - split) * (1 - kAtSplit), 1.0f);

@@ -20,8 +20,7 @@ constexpr Lab kBlack{0, 0, 0}, kWhite{100, 0, 0}, kRed{53.2408, 80.0925, 67.2032
 // Hunt's adjustment, the distance of HyAB, and the paper's map of distances to errors.
 double distance(const Lab& p, const Lab& q) {
     const auto hunt = [](double lightness, double chroma) { return 0.01 * lightness * chroma; };
-    return std::abs(p.l - q.l) +
-           std::hypot(hunt(p.l, p.a) - hunt(q.l, q.a), hunt(p.l, p.b) - hunt(q.l, q.b));
+    return std::abs(p.l - q.l) + std::hypot(hunt(p.l, p.a) - hunt(q.l, q.a), hunt(p.l, p.b) - hunt(q.l, q.b));
 }
 double error_of(const Lab& p, const Lab& q) {
     const double most = std::pow(distance(kGreen, kBlue), 0.7), error = std::pow(distance(p, q), 0.7);
@@ -45,9 +44,7 @@ TEST(Flip, OfEvenPicturesIsTheErrorOfTheirColours) {
 
 // L* is 116 Y^(1/3) - 16, so that these two are 1 apart.
 TEST(Flip, OfAStepOfLightnessOfOne) {
-    const auto grey_of = [](double lightness) {
-        return srgb_encode(float(std::pow((lightness + 16) / 116, 3)));
-    };
+    const auto grey_of = [](double lightness) { return srgb_encode(float(std::pow((lightness + 16) / 116, 3))); };
     const float dark = grey_of(50), light = grey_of(51);
     EXPECT_NEAR(flip(even(dark, dark, dark), even(light, light, light)), error_of({50, 0, 0}, {51, 0, 0}), 1e-3);
 }
