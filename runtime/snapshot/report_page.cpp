@@ -145,9 +145,10 @@ std::string text_difference(const std::vector<DiffLine>& diff) {
 // --- cases
 
 std::string message(const SnapshotCase& each) {
-    std::string text = each.message;
-    for (const Diagnostic& diagnostic : each.diagnostics) text += (text.empty() ? "" : "\n") + to_text(diagnostic);
-    return text.empty() ? "" : fmt::format("<p class=\"message\">{}</p>\n", escaped(text));
+    std::string text = each.message.empty() ? "" : fmt::format("<p class=\"message\">{}</p>\n", escaped(each.message));
+    for (const Diagnostic& diagnostic : each.diagnostics)
+        text += fmt::format("<pre class=\"message\">{}</pre>\n", escaped(to_text(diagnostic)));
+    return text;
 }
 
 std::string card(const SnapshotCase& each) {
