@@ -73,8 +73,7 @@ private:
         const std::string stem = without(file, kSnapshotEnding);
         if (!read.file) {
             // Its graph is not a case of its own: what the file wants of it is not known.
-            for (const char* ending : {".graph.json", ".scene.json"})
-                shown_.insert(same_for_all(stem + ending));
+            for (const char* ending : {".graph.json", ".scene.json"}) shown_.insert(same_for_all(stem + ending));
             add({.file = file, .stem = stem, .problem = std::move(read.error)}, "");
             return;
         }
@@ -91,7 +90,8 @@ private:
     }
 
     void add_bare(const std::string& file) {
-        PlannedCase made{.file = file, .stem = without(file, file.ends_with(".scene.json") ? ".scene.json" : ".graph.json")};
+        PlannedCase made{.file = file,
+                         .stem = without(file, file.ends_with(".scene.json") ? ".scene.json" : ".graph.json")};
         made.request = default_request();
         made.request.graph = file;
         made.path_place.file = file;
@@ -121,7 +121,7 @@ private:
     std::string folder_;
     fs::path root_;
     FoundCases found_{};
-    std::set<std::string> shown_{};              // graphs and scenes of snapshot files
+    std::set<std::string> shown_{};               // graphs and scenes of snapshot files
     std::map<std::string, std::string> stems_{};  // -> the file that has it
 };
 

@@ -13,15 +13,15 @@
 namespace patina::runtime {
 
 struct PlannedCase {
-    std::string name{};  // "metal/rust", below the folder; with its variation: "metal/rust.deferred"
-    std::string base{};  // without the variation
+    std::string name{};    // "metal/rust", below the folder; with its variation: "metal/rust.deferred"
+    std::string base{};    // without the variation
     std::string folder{};  // that was searched
-    std::string file{};  // the snapshot file; without one the graph or scene
-    std::string stem{};  // of its references: "art/metal/rust.deferred"
+    std::string file{};    // the snapshot file; without one the graph or scene
+    std::string stem{};    // of its references: "art/metal/rust.deferred"
     RenderRequest request{};
     Tolerance tolerance{};
     bool text = false;
-    ScenePlace path_place{};             // as ReadSnapshot's
+    ScenePlace path_place{};              // as ReadSnapshot's
     std::optional<Diagnostic> problem{};  // why it cannot be drawn
 
     std::string picture() const { return stem + ".reference.png"; }
@@ -29,8 +29,8 @@ struct PlannedCase {
 };
 
 struct FoundCases {
-    std::string error{};  // the folder cannot be read, or holds none
-    std::vector<PlannedCase> cases{};  // by name; no two have the same references
+    std::string error{};                 // the folder cannot be read, or holds none
+    std::vector<PlannedCase> cases{};    // by name; no two have the same references
     std::vector<std::string> orphans{};  // reference pictures of no case
 };
 

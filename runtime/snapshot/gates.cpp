@@ -8,12 +8,10 @@
 namespace patina::runtime {
 namespace {
 
-constexpr ToleranceKey kKeys[] = {{"pixel", &Tolerance::pixel, 0, 1},
-                                  {"share", &Tolerance::share, 0, 1},
-                                  {"average", &Tolerance::average, 0, 1},
-                                  {"tile", &Tolerance::tile, 0, 1},
-                                  {"perceptual", &Tolerance::perceptual, 0, 1},
-                                  {"otherDriver", &Tolerance::other_driver, 1, 1000}};
+constexpr ToleranceKey kKeys[] = {
+    {"pixel", &Tolerance::pixel, 0, 1},           {"share", &Tolerance::share, 0, 1},
+    {"average", &Tolerance::average, 0, 1},       {"tile", &Tolerance::tile, 0, 1},
+    {"perceptual", &Tolerance::perceptual, 0, 1}, {"otherDriver", &Tolerance::other_driver, 1, 1000}};
 
 std::string number(const Gate& gate, double value) {
     return gate.name == "share" ? fmt::format("{:.3g} %", 100 * value) : fmt::format("{:.2g}", value);

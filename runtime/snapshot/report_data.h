@@ -14,8 +14,8 @@ namespace patina::runtime {
 //     "file": "art/rust.graph.json", "state": "failed", "message": "...", "reference": "art/rust.reference.png",
 //     "received": "received/rust.received.png", "difference": "received/rust.difference.png",
 //     "gates": { "share": { "value": 0.4, "limit": 0.001, "ok": false }, ... },
-//     "device": "llvmpipe (LLVM 15.0.6, 256 bits)", "driver": "...", "referenceDevice": "...", "referenceDriver": "...",
-//     "otherDriver": false, "spirvBytes": 5120, "referenceSpirvBytes": 5000, "changedLines": 3 } ] }
+//     "device": "llvmpipe (LLVM 15.0.6, 256 bits)", "driver": "...", "referenceDevice": "...", "referenceDriver":
+//     "...", "otherDriver": false, "spirvBytes": 5120, "referenceSpirvBytes": 5000, "changedLines": 3 } ] }
 // What is not known is left out.
 std::string report_json(const SnapshotReport& report);
 

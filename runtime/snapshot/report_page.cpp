@@ -33,8 +33,7 @@ std::string base64(std::string_view bytes) {
         std::uint32_t three = 0;
         for (std::size_t j = 0; j < 3; j++)
             three = three << 8 | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0u);
-        for (std::size_t j = 0; j < 4; j++)
-            text += i + j <= bytes.size() ? kDigits[three >> (18 - 6 * j) & 63] : '=';
+        for (std::size_t j = 0; j < 4; j++) text += i + j <= bytes.size() ? kDigits[three >> (18 - 6 * j) & 63] : '=';
     }
     return text;
 }
@@ -54,7 +53,8 @@ std::string figure(const std::string& png, const std::string& caption) {
 std::string slider(const SnapshotCase& each) {
     if (each.reference_png.empty() || each.received_png.empty() || each.gates.empty()) return {};
     return fmt::format(
-        "<figure><div class=\"picture slider\">{}{}<div class=\"bar\"></div><input type=\"range\" min=\"0\" max=\"100\" "
+        "<figure><div class=\"picture slider\">{}{}<div class=\"bar\"></div><input type=\"range\" min=\"0\" "
+        "max=\"100\" "
         "step=\"0.1\" value=\"50\" aria-label=\"from the reference to what was received\"></div>"
         "<figcaption class=\"ends\"><span>Reference</span><span>move the bar</span><span>Received</span></figcaption>"
         "</figure>\n",
@@ -139,7 +139,8 @@ std::string text_difference(const std::vector<DiffLine>& diff) {
         lines += fmt::format("<div{}><span>{}</span><span>{}</span><code>{} {}</code></div>", css,
                              line_number(line.old_line), line_number(line.new_line), sign, escaped(line.text));
     }
-    return fmt::format("<h3>Shaders: {} changed lines</h3>\n<div class=\"code\">{}</div>\n", changed_lines(diff), lines);
+    return fmt::format("<h3>Shaders: {} changed lines</h3>\n<div class=\"code\">{}</div>\n", changed_lines(diff),
+                       lines);
 }
 
 // --- cases
@@ -156,7 +157,8 @@ std::string card(const SnapshotCase& each) {
                                  figure(each.received_png, "Received") +
                                  figure(each.difference_png, "Difference, 8 times as bright");
     return fmt::format(
-        "<section class=\"card\" data-case=\"{0}\" id=\"{1}\">\n<div class=\"head\"><span class=\"state {0}\">{0}</span>"
+        "<section class=\"card\" data-case=\"{0}\" id=\"{1}\">\n<div class=\"head\"><span class=\"state "
+        "{0}\">{0}</span>"
         "<h2>{1}</h2><span class=\"file\">{2}</span></div>\n{3}<div class=\"pictures\">\n{4}</div>\n{5}{6}{7}{8}"
         "</section>\n",
         to_string(each.state), escaped(each.name), escaped(each.file), message(each), pictures, table(each.gates),
@@ -167,8 +169,9 @@ std::string thumbnail(const SnapshotCase& each) {
     const auto perceptual = std::ranges::find(each.gates, "perceptual", &Gate::name);
     const std::string figure =
         perceptual == each.gates.end() ? "" : fmt::format("<br><small>FLIP {:.2g}</small>", perceptual->value);
-    return fmt::format("<figure data-case=\"{}\"><div class=\"picture\">{}</div><figcaption>{}{}</figcaption></figure>\n",
-                       to_string(each.state), picture(each.received_png, each.name), escaped(each.name), figure);
+    return fmt::format(
+        "<figure data-case=\"{}\"><div class=\"picture\">{}</div><figcaption>{}{}</figcaption></figure>\n",
+        to_string(each.state), picture(each.received_png, each.name), escaped(each.name), figure);
 }
 
 std::string summary(const SnapshotReport& report) {
@@ -192,17 +195,17 @@ std::string all_cases(const SnapshotReport& report) {
             cards += card(each);
     }
     if (thumbnails.empty()) return cards;
-    return cards + "<section class=\"card\">\n<div class=\"head\"><h2>As they should be</h2></div>\n<div class=\"grid\" "
-                   "style=\"margin-top: 16px\">\n" +
+    return cards +
+           "<section class=\"card\">\n<div class=\"head\"><h2>As they should be</h2></div>\n<div class=\"grid\" "
+           "style=\"margin-top: 16px\">\n" +
            thumbnails + "</div>\n</section>\n";
 }
 
 }  // namespace
 
 std::string report_page(const SnapshotReport& report, const std::string& folder) {
-    const std::pair<std::string_view, std::string> parts[] = {{"@TITLE@", "Snapshots of " + escaped(folder)},
-                                                              {"@SUMMARY@", summary(report)},
-                                                              {"@CASES@", all_cases(report)}};
+    const std::pair<std::string_view, std::string> parts[] = {
+        {"@TITLE@", "Snapshots of " + escaped(folder)}, {"@SUMMARY@", summary(report)}, {"@CASES@", all_cases(report)}};
     std::string page;
     for (std::string_view rest = kReportFrame; !rest.empty();) {
         std::size_t at = rest.npos;

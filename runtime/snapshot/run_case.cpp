@@ -61,7 +61,8 @@ public:
     // `received` is what an 8-bit file would hold, so that it can meet the reference exactly.
     void run(const Image& received, const std::string& text) {
         std::error_code ignored;
-        for (const fs::path& earlier : {this->received("received.png"), this->received("difference.png"), received_text_})
+        for (const fs::path& earlier :
+             {this->received("received.png"), this->received("difference.png"), received_text_})
             fs::remove(earlier, ignored);
         const bool has_picture = compare_pictures(received);
         const bool has_text = compare_texts(text);
@@ -96,8 +97,8 @@ private:
         reference_ = quantized(reference.value);  // what OpenImageIO makes of a byte may be off in the last bit
         result_.then = record_of(load_notes(result_.reference));
         if (options_.keeps_pictures) result_.reference_png = read_file(result_.reference);
-        result_.other_driver = !result_.then.device.empty() && (result_.then.device != result_.now.device ||
-                                                                result_.then.driver != result_.now.driver);
+        result_.other_driver = !result_.then.device.empty() &&
+                               (result_.then.device != result_.now.device || result_.then.driver != result_.now.driver);
         Tolerance tolerance = planned_.tolerance;
         for (const auto& [name, value] : options_.tolerance) tolerance.*find_tolerance_key(name)->member = value;
         if (result_.other_driver) tolerance = widened(tolerance);
@@ -144,9 +145,10 @@ private:
         const std::string advice = reference == result_.reference && fs::exists(old, ignored)
                                        ? fmt::format("; if '{}' is it, rename it", old)
                                        : "";
-        return fmt::format("there is no reference '{}' yet: look at what was received, and accept it with "
-                           "'patina snapshot {} --update {}'{}",
-                           reference, planned_.folder, result_.name, advice);
+        return fmt::format(
+            "there is no reference '{}' yet: look at what was received, and accept it with "
+            "'patina snapshot {} --update {}'{}",
+            reference, planned_.folder, result_.name, advice);
     }
 
     // References that are as they should be stay, but for one that does not say yet what drew it.

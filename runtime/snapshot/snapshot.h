@@ -76,7 +76,7 @@ struct SnapshotOptions {
 
 struct SnapshotReport {
     std::string error;                   // the folder cannot be read, or holds no (such) case
-    std::vector<SnapshotCase> cases{};  // by name
+    std::vector<SnapshotCase> cases{};   // by name
     std::vector<std::string> orphans{};  // reference pictures of no case
     bool ok() const;                     // no error, and every case passed or was updated
     std::size_t count(SnapshotState state) const;
