@@ -50,7 +50,7 @@ void print_case(const Console& console, const runtime::SnapshotCase& result, boo
     note("difference", result.difference);
     if (result.other_driver)
         note("the limits are wider, because another driver drew the reference",
-             result.then.device + ", " + result.then.driver);
+             result.then.device + (result.then.driver.empty() ? "" : ", " + result.then.driver));
     report(console, {&diagnostic, 1});
 }
 

@@ -42,8 +42,9 @@ protected:
         std::ofstream(folder / name, std::ios::binary) << text;
     }
     void write_graph(const std::string& name, const std::string& color) const {
-        write(name, R"({ "patina": 1, "workflow": "unlit", "properties": [ { "name": "_C", "type": "float", "default": )" +
-                        color + R"( } ], "surface": { "color": "$_C" } })");
+        write(name,
+              R"({ "patina": 1, "workflow": "unlit", "properties": [ { "name": "_C", "type": "float", "default": )" +
+                  color + R"( } ], "surface": { "color": "$_C" } })");
     }
     SnapshotReport run() const { return run_snapshots(compiler(), folder.string(), options); }
     SnapshotReport update() {
@@ -84,12 +85,13 @@ TEST_F(Snapshots, AreGraphsAndScenesThatNoFileShowsAndTheFiles) {
 
 TEST_F(Snapshots, AFileHasAPictureForEachPathAndValue) {
     write_graph("rust.graph.json", "0.5");
-    write("rust.snapshot.json",
-          R"({ "patina": 1, "path": ["forward", "./mine.pass.hlsl"], "sweep": { "_A": [0, 1], "_Tint": ["#ff0000", "x/y.png"] } })");
-    EXPECT_EQ(names(), (Names{"rust.forward._A=0._Tint=_ff0000", "rust.forward._A=0._Tint=y.png",
-                              "rust.forward._A=1._Tint=_ff0000", "rust.forward._A=1._Tint=y.png",
-                              "rust.mine._A=0._Tint=_ff0000", "rust.mine._A=0._Tint=y.png",
-                              "rust.mine._A=1._Tint=_ff0000", "rust.mine._A=1._Tint=y.png"}));
+    write(
+        "rust.snapshot.json",
+        R"({ "patina": 1, "path": ["forward", "./mine.pass.hlsl"], "sweep": { "_A": [0, 1], "_Tint": ["#ff0000", "x/y.png"] } })");
+    EXPECT_EQ(names(),
+              (Names{"rust.forward._A=0._Tint=_ff0000", "rust.forward._A=0._Tint=y.png",
+                     "rust.forward._A=1._Tint=_ff0000", "rust.forward._A=1._Tint=y.png", "rust.mine._A=0._Tint=_ff0000",
+                     "rust.mine._A=0._Tint=y.png", "rust.mine._A=1._Tint=_ff0000", "rust.mine._A=1._Tint=y.png"}));
     const PlannedCase last = find_cases(folder.string()).cases.back();
     EXPECT_EQ(last.base, "rust");
     EXPECT_EQ(last.request.options.path, (folder / "./mine.pass.hlsl").string());
