@@ -22,6 +22,15 @@ struct Arguments {
     std::string shard, page, junit;
     bool json = false;
     runtime::SnapshotOptions options;
+
+    // What goes to standard output in place of a line for each case; empty: these lines.
+    std::vector<std::string> printed() const {
+        std::vector<std::string> names;
+        if (json) names.emplace_back("--json");
+        if (is_standard_output(page)) names.emplace_back("--report " + page);
+        if (is_standard_output(junit)) names.emplace_back("--junit " + junit);
+        return names;
+    }
 };
 
 // The result of a case, with its figures if two pictures were compared.
@@ -46,7 +55,7 @@ void print_case(const Console& console, const runtime::SnapshotCase& result, boo
         added.message = std::string(what) + ": " + text;
     };
     note("received", result.received);
-    if (!result.received.empty()) note("reference", result.reference);
+    if (!result.difference.empty()) note("reference", result.reference);
     note("difference", result.difference);
     if (result.other_driver)
         note("the limits are wider, because another driver drew the reference",
@@ -77,20 +86,23 @@ std::string summary(const runtime::SnapshotReport& result) {
 // The page and the file for a build server, also if cases fail: that is when they are wanted.
 bool write_reports(const Console& console, const Arguments& arguments, const runtime::SnapshotReport& result) {
     Outputs outputs(console);
-    OutputFiles files;
-    if (!arguments.page.empty()) files.add(arguments.page, runtime::report_page(result, arguments.folder));
-    if (!arguments.junit.empty()) files.add(arguments.junit, runtime::report_junit(result, arguments.folder));
-    if (files.files.empty()) return true;
-    if (!outputs.write(arguments.folder, files)) return false;
-    if (!arguments.json) say(console, files);
-    return true;
+    const auto write = [&](const std::string& path, auto make) {
+        if (path.empty()) return true;
+        OutputFiles file;
+        file.add(path, make(result, arguments.folder));
+        if (!outputs.write(arguments.folder, file)) return false;
+        if (arguments.printed().empty()) say(console, file);
+        return true;
+    };
+    const bool has_page = write(arguments.page, runtime::report_page);
+    return write(arguments.junit, runtime::report_junit) && has_page;
 }
 
 Exit compare(const Console& console, Arguments& arguments) {
     const Compiler compiler;
     arguments.options.keeps_pictures = !arguments.page.empty();
     arguments.options.on_case = [&](const runtime::SnapshotCase& each, std::size_t index, std::size_t count) {
-        print_case(console, each, !arguments.json);
+        print_case(console, each, arguments.printed().empty());
         if (index + 1 < count) show_progress(console, index + 1, count, "");
     };
     const runtime::SnapshotReport result = runtime::run_snapshots(compiler, arguments.folder, arguments.options);
@@ -100,10 +112,8 @@ Exit compare(const Console& console, Arguments& arguments) {
         return Exit::Wrong;
     }
     warn_of_orphans(console, result);
-    if (arguments.json)
-        print(runtime::report_json(result));
-    else
-        say(console, summary(result));
+    if (arguments.json) print(runtime::report_json(result));
+    if (arguments.printed().empty()) say(console, summary(result));
     Exit exit = result.ok() ? Exit::Ok : Exit::Wrong;
     if (!write_reports(console, arguments, result)) exit = Exit::Wrong;
     for (const runtime::SnapshotCase& each : result.cases)
@@ -218,12 +228,14 @@ void add_snapshot(Program& program) {
         arguments->options.update = update->count() > 0;
         if (!arguments->update.empty()) arguments->options.only = arguments->update.front();
         take_tolerance(*arguments);
+        if (const std::vector<std::string> printed = arguments->printed(); printed.size() > 1)
+            throw CLI::ValidationError(printed[0], "and " + printed[1] + " both print to standard output");
         if (!arguments->shard.empty()) arguments->options.shard = read_shard(arguments->shard);
     });
 
     set_work(program, command, [arguments](const Console& console) {
-        if (console.json && arguments->json) {
-            complain(console, Complaint::MixedOutput, {"--json"});
+        if (const std::vector<std::string> printed = arguments->printed(); console.json && !printed.empty()) {
+            complain(console, Complaint::MixedOutput, {printed.front()});
             return Exit::Usage;
         }
         return compare(console, *arguments);
