@@ -19,5 +19,8 @@ if(Python3_Interpreter_FOUND)
   set_tests_properties(report_page PROPERTIES SKIP_REGULAR_EXPRESSION "(^|\n)skipped: " TIMEOUT 300)
 endif()
 
+# What a team's build server and pre-commit run.
+add_python_test(guard ${CMAKE_CURRENT_SOURCE_DIR}/guard/guard_test.py $<TARGET_FILE:patina_cli> ${CMAKE_SOURCE_DIR})
+
 add_python_test(brdf_values ${CMAKE_CURRENT_SOURCE_DIR}/data/derive_brdf_values.py)
 add_python_test(sources ${CMAKE_CURRENT_SOURCE_DIR}/docs/sources.py ${CMAKE_SOURCE_DIR} $<TARGET_FILE:patina_cli>)
