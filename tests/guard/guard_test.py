@@ -1,5 +1,6 @@
 """Runs what action.yml and .pre-commit-hooks.yaml say in a folder of graphs, as a build server and pre-commit would: in a
 good folder all steps pass, and each mistake fails the step that looks for it. Usage: guard_test.py PATINA SOURCE"""
+import json
 import os
 import re
 import shlex
@@ -154,6 +155,34 @@ class Hooks(InAFolder):
             for key in ("id", "name", "entry", "language", "files"):
                 self.assertIsInstance(hook[key], str)
             self.assertEqual(hook["language"], "system")
+
+
+class Documentation(InAFolder):
+    def blocks(self, language):
+        page = read(os.path.join(SOURCE, "docs/snapshots.md"))
+        return re.findall(rf"^```{language}\n(.*?)^```", page, flags=re.DOTALL | re.MULTILINE)
+
+    def test_its_workflow_and_hooks_use_what_there_is(self):
+        workflow, hooks = map(yaml.safe_load, self.blocks("yaml"))
+        step = workflow["jobs"]["patina"]["steps"][-1]
+        self.assertLessEqual(set(step["with"]), set(load("action.yml")["inputs"]))
+        known = {each["id"] for each in load(".pre-commit-hooks.yaml")}
+        self.assertEqual({each["id"] for each in hooks["repos"][0]["hooks"]}, known)
+
+    def test_every_key_of_its_snapshot_is_known(self):
+        snapshot, = self.blocks("jsonc")
+        write("art/rust.snapshot.json", snapshot)
+        done = subprocess.run([PATINA, "snapshot", "art", "--only", "rust"], capture_output=True, text=True, check=False)
+        for code in ("bad-snapshot", "unknown-key", "bad-json"):
+            self.assertNotIn(f"[{code}]", done.stderr)
+        self.assertEqual(done.stdout.count("failed   rust._Metallic="), 3, done.stdout)  # GOOD has no such property
+
+    def test_its_limits_are_the_defaults(self):
+        done = subprocess.run([PATINA, "snapshot", "art", "--json"], capture_output=True, text=True, check=True)
+        for name, gate in json.loads(done.stdout)["cases"][0]["gates"].items():
+            page = read(os.path.join(SOURCE, "docs/snapshots.md"))
+            row, = re.findall(rf"^\| `{name}` \|.*\| ([0-9.]+) \|$", page, flags=re.MULTILINE)
+            self.assertEqual(float(row), gate["limit"], name)
 
 
 if __name__ == "__main__":
