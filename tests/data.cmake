@@ -1,4 +1,5 @@
-# Reference values, derived independently of Patina from the papers; and the rows and links of docs/sources.md.
+# Tests in Python: pages in a browser; reference values, derived independently of Patina from the papers; and the rows
+# and links of docs/sources.md.
 find_package(Python3 COMPONENTS Interpreter)
 
 # A test that is a Python script; without Python it is skipped with a message.
@@ -11,6 +12,15 @@ function(add_python_test name)
     set_tests_properties(${name} PROPERTIES SKIP_REGULAR_EXPRESSION "skipped: there is no Python 3")
   endif()
 endfunction()
+
+# The page of `patina snapshot --report` in a headless Chromium, which scripts/setup installs.
+add_python_test(report_page ${CMAKE_CURRENT_SOURCE_DIR}/report/report_page_test.py $<TARGET_FILE:patina_cli>)
+if(Python3_Interpreter_FOUND)
+  set_tests_properties(report_page PROPERTIES SKIP_REGULAR_EXPRESSION "(^|\n)skipped: " TIMEOUT 300)
+endif()
+
+# What a team's build server and pre-commit run.
+add_python_test(guard ${CMAKE_CURRENT_SOURCE_DIR}/guard/guard_test.py $<TARGET_FILE:patina_cli> ${CMAKE_SOURCE_DIR})
 
 add_python_test(brdf_values ${CMAKE_CURRENT_SOURCE_DIR}/data/derive_brdf_values.py)
 add_python_test(sources ${CMAKE_CURRENT_SOURCE_DIR}/docs/sources.py ${CMAKE_SOURCE_DIR} $<TARGET_FILE:patina_cli>)

@@ -89,8 +89,11 @@ std::string heading(const Console& console, std::string_view text) {
 
 void show_progress(const Console& console, std::size_t index, std::size_t count, std::string_view item) {
     if (!console.progress || console.quiet || console.json || count < 2) return;
+    constexpr std::size_t kWidth = 20;
+    const std::size_t full = std::min(index * kWidth / count, kWidth);
     std::string line(kClearLine);
-    line += '[' + std::to_string(index + 1) + '/' + std::to_string(count) + "] " + std::string(item);
+    line += '[' + std::string(full, '#') + std::string(kWidth - full, '-') + "] ";
+    line += std::to_string(index + 1) + '/' + std::to_string(count) + ' ' + std::string(item);
     write(stderr, line);
     std::fflush(stderr);
 }

@@ -54,7 +54,7 @@ std::string heading(const Console& console, std::string_view text);
 
 // Progress on one line, which is overwritten: "rust.graph.json 37%".
 void show_share(const Console& console, double share, std::string_view item);
-// The same for one of several items: "[3/12] rust.graph.json". Not shown for a single item.
+// The same for one of several items: "[#####---------------] 3/12 rust.graph.json". Not shown for a single item.
 void show_progress(const Console& console, std::size_t index, std::size_t count, std::string_view item);
 void end_progress(const Console& console);
 

@@ -14,13 +14,21 @@ using runtime::destination_of;
 
 constexpr std::string_view kStandardOutput = "-";
 
-// The snapshot that a file is the reference picture of, or nothing.
-std::string snapshot_of(std::string path) {
-    constexpr std::string_view kReference = ".reference.png";
-    if (!path.ends_with(kReference)) return {};
-    path.replace(path.size() - kReference.size(), std::string::npos, ".snapshot.json");
+// The snapshot, graph or scene that a file is the reference of, or nothing. Of several pictures of a snapshot, each has
+// a word of its own: rust.deferred.reference.png.
+std::string snapshot_of(const std::string& path) {
     std::error_code ignored;
-    return fs::exists(path, ignored) ? fs::path(path).filename().string() : std::string();
+    std::string name = fs::path(path).filename().string();
+    const std::size_t reference = name.rfind(".reference.");
+    if (reference == std::string::npos) return {};
+    const fs::path folder = fs::path(path).parent_path();
+    for (std::size_t end = reference; end != std::string::npos && end > 0; end = name.rfind('.', end - 1)) {
+        for (const char* ending : {".snapshot.json", ".graph.json", ".scene.json"}) {
+            const std::string shown = name.substr(0, end) + ending;
+            if (fs::exists(folder / shown, ignored)) return shown;
+        }
+    }
+    return {};
 }
 
 bool is_one_of(const std::string& path, std::span<const std::string> files) {

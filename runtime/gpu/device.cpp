@@ -156,7 +156,11 @@ Outcome<bool> choose_physical_device(Device& device, const std::string& wanted) 
         VkPhysicalDeviceProperties2 more{};
         more.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
         more.pNext = &memory;
+        VkPhysicalDeviceDriverProperties driver{};
+        driver.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES;
+        memory.pNext = &driver;
         vkGetPhysicalDeviceProperties2(physical, &more);
+        device.driver = std::string(driver.driverName) + " " + driver.driverInfo;
         device.most_allocation = memory.maxMemoryAllocationSize;
         if (is_software || !wanted.empty()) break;
     }

@@ -35,9 +35,9 @@ struct Device {
     VkPhysicalDeviceLimits limits{};
     std::uint64_t most_allocation = 0;  // bytes that one image or buffer can have
     bool anisotropy = false;
-    bool independent_blend = false;  // targets of one draw may blend differently
-    bool symmetric_depth = false;    // clip space may begin at z = -w
-    std::string name;
+    bool independent_blend = false;     // targets of one draw may blend differently
+    bool symmetric_depth = false;       // clip space may begin at z = -w
+    std::string name, driver;           // the driver with its version: "llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"
     std::vector<std::string> messages;  // warnings and errors of the validation layer
 
     Device() = default;

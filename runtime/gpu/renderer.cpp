@@ -90,6 +90,9 @@ std::string Renderer::beyond_limits(const Draw& draw) const {
 const std::string& Renderer::device_name() const {
     return impl_->device->name;
 }
+const std::string& Renderer::driver() const {
+    return impl_->device->driver;
+}
 const std::vector<std::string>& Renderer::messages() const {
     return impl_->device->messages;
 }

@@ -44,6 +44,7 @@ public:
     std::string beyond_limits(const Draw& draw) const;
 
     const std::string& device_name() const;
+    const std::string& driver() const;  // with its version
     // What the validation layer has said so far: tests want it empty.
     const std::vector<std::string>& messages() const;
 

@@ -22,6 +22,8 @@ Comparison compare(const Image& a, const Image& b, double threshold) {
 
     std::size_t differing = 0;
     double sum = 0;
+    const int columns = (a.width + kTileSide - 1) / kTileSide;
+    std::vector<double> tiles(std::size_t(columns) * ((a.height + kTileSide - 1) / kTileSide));
     for (int y = 0; y < a.height; y++) {
         for (int x = 0; x < a.width; x++) {
             std::span<const float> p = a.at(x, y), q = b.at(x, y);
@@ -30,6 +32,7 @@ Comparison compare(const Image& a, const Image& b, double threshold) {
                 double difference = channel_difference(p[c], q[c]);
                 worst = std::max(worst, difference);
                 sum += difference;
+                tiles[std::size_t(y / kTileSide) * columns + x / kTileSide] += difference;
             }
             if (worst > threshold) differing++;
             if (worst > result.largest) {
@@ -41,6 +44,15 @@ Comparison compare(const Image& a, const Image& b, double threshold) {
     }
     result.share = double(differing) / (double(a.width) * a.height);
     result.average = sum / double(a.pixels.size());
+    for (std::size_t i = 0; i < tiles.size(); i++) {
+        const int x = int(i) % columns * kTileSide, y = int(i) / columns * kTileSide;
+        const double pixels = double(std::min(kTileSide, a.width - x)) * std::min(kTileSide, a.height - y);
+        const double mean = tiles[i] / (4 * pixels);
+        if (mean <= result.tile) continue;
+        result.tile = mean;
+        result.tile_x = x;
+        result.tile_y = y;
+    }
     return result;
 }
 

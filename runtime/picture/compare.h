@@ -1,5 +1,6 @@
-// Compares two pictures by two limits: the share of pixels that differ by more than a threshold, which finds a wrong
-// edge or a missing highlight, and the average error, which finds a fainter change. It is not a perceptual metric.
+// Compares two pictures: the share of pixels that differ by more than a threshold, which finds a wrong edge or a
+// missing highlight; the average error, which finds a faint change of everything; the worst tile, which finds a faint
+// change of one place. flip.h says how much of it a person sees.
 //
 //   Comparison c = compare(reference, received, 3.01 / 255);
 //   bool same = c.same_size && c.share <= 0.001 && c.average <= 0.002;
@@ -15,7 +16,12 @@ struct Comparison {
     double average = 0;  // mean absolute difference over all channels; infinite if a NaN or infinity stands on one side
     double largest = 0;  // greatest absolute difference of a channel
     int worst_x = 0, worst_y = 0;  // where it is
+    double tile = 0;               // greatest mean absolute difference of a tile, over its channels
+    int tile_x = 0, tile_y = 0;    // its upper left pixel
 };
+
+inline constexpr int kTileSide =
+    16;  // pixels; tiles begin at the upper left, and those at the far edges may be smaller
 
 // Channels are compared as they stand: give both encoded, or both linear. NaN equals NaN, and nothing else.
 Comparison compare(const Image& a, const Image& b, double threshold);

@@ -76,7 +76,7 @@ float to_unit_range(float value) {
 }
 
 // Row after row, so that no second picture is made. `encoding` is applied to the colours, and not to alpha.
-Outcome<std::string> encode_png_with(const Image& image, float (*encoding)(float)) {
+Outcome<std::string> encode_png_with(const Image& image, float (*encoding)(float), const PictureNotes& notes = {}) {
     const auto write = [&](OIIO::ImageOutput& output) {
         std::vector<unsigned char> row(4 * std::size_t(image.width));
         for (int y = 0; y < image.height; y++) {
@@ -89,7 +89,9 @@ Outcome<std::string> encode_png_with(const Image& image, float (*encoding)(float
         }
         return true;
     };
-    return encode("picture.png", spec_of(image, OIIO::TypeDesc::UINT8, "sRGB"), write);
+    OIIO::ImageSpec spec = spec_of(image, OIIO::TypeDesc::UINT8, "sRGB");
+    for (const auto& [keyword, text] : notes) spec.attribute(keyword, text);
+    return encode("picture.png", spec, write);
 }
 
 std::string save(const std::string& path, Outcome<std::string> bytes) {
@@ -189,6 +191,24 @@ std::string save_png(const std::string& path, const Image& linear) {
 
 std::string save_png_as_is(const std::string& path, const Image& encoded) {
     return save(path, encode_png_with(encoded, nullptr));
+}
+
+Outcome<std::string> encode_png_as_is(const Image& encoded, const PictureNotes& notes) {
+    return encode_png_with(encoded, nullptr, notes);
+}
+
+PictureNotes load_notes(const std::string& path) {
+    PictureNotes notes;
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) return notes;
+    const auto input = OIIO::ImageInput::open(path);
+    if (!input) {
+        OIIO::geterror();  // or it would be the next file's
+        return notes;
+    }
+    for (const OIIO::ParamValue& each : input->spec().extra_attribs)
+        if (each.type() == OIIO::TypeDesc::STRING) notes[each.name().string()] = each.get_string();
+    return notes;
 }
 
 std::string save_exr(const std::string& path, const Image& linear) {

@@ -9,6 +9,7 @@
 //   std::string error = save_png("out.png", image.value);    // encodes once; empty: written
 #pragma once
 
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -57,6 +58,12 @@ std::string save_exr(const std::string& path, const Image& linear);
 std::string save_image(const std::string& path, const Image& linear);
 // For pictures whose numbers are meant as they stand, such as differences: no encoding.
 std::string save_png_as_is(const std::string& path, const Image& encoded);
+
+// What a PNG file says of itself, in its text chunks: keyword -> text. Keywords have 1 to 79 characters of ASCII.
+using PictureNotes = std::map<std::string, std::string>;
+Outcome<std::string> encode_png_as_is(const Image& encoded, const PictureNotes& notes = {});
+// None if there are none, or if the file is no picture.
+PictureNotes load_notes(const std::string& path);
 
 // Averages blocks of `factor` x `factor` pixels. Colours count by their alpha, so that a transparent background does
 // not darken an edge.

@@ -37,6 +37,12 @@ struct RenderOptions {
     std::function<void(double)> progress{};  // given the share that is done, 0 to 1; on the GPU for pictures in tiles
 };
 
+// A shader that a picture was drawn with.
+struct DrawnShader {
+    std::string file_name{}, text{};
+    std::size_t spirv_bytes = 0;  // of the instructions, without names; 0: the CPU ran it
+};
+
 struct RenderOutcome {
     bool ok = false;
     Image image;                              // linear
@@ -44,6 +50,8 @@ struct RenderOutcome {
     std::vector<Diagnostic> diagnostics;      // of the compiler and of glslang; warnings too
     std::string error;                        // what else went wrong: a word of the request, a file, the device
     std::vector<std::string> dependencies{};  // files that were read: the scene, its graphs, textures
+    std::vector<DrawnShader> shaders{};       // each text once, in the order of the materials and their passes
+    std::string device{}, driver{};           // what drew the picture
     std::size_t draws = 0;                    // steps that drew the image, shadow maps among them
     std::size_t tiles = 0;                    // how often they were drawn, each time for another part of the picture
     bool missing_machine = false;  // `error` is about this machine: no Vulkan device, or one with too low limits

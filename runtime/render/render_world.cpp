@@ -31,6 +31,22 @@ struct Variant {
 
 using Spirv = std::vector<std::uint32_t>;
 
+// The size of a module, without the instructions that only name things or tell of its source (sections 3.52.1 to 3 of
+// the SPIR-V specification): a longer name does not make a shader slower.
+std::size_t bytes_without_names(const Spirv& module) {
+    constexpr std::size_t kHeader = 5;  // words
+    constexpr std::uint32_t kFirstDebug = 2, kLastDebug = 8, kNoLine = 317, kModuleProcessed = 330;
+    std::size_t words = std::min(module.size(), kHeader);
+    for (std::size_t at = kHeader; at < module.size();) {
+        const std::uint32_t opcode = module[at] & 0xffff, length = std::max(module[at] >> 16, 1u);
+        const bool is_debug =
+            (opcode >= kFirstDebug && opcode <= kLastDebug) || opcode == kNoLine || opcode == kModuleProcessed;
+        if (!is_debug) words += length;
+        at += length;
+    }
+    return words * sizeof(std::uint32_t);
+}
+
 class Drawing {
 public:
     Drawing(const Compiler& compiler, const World& world, const RenderOptions& options, RenderMachine& machine)
@@ -175,6 +191,8 @@ private:
         drawn_.clear();
         instance_values_.clear();
         outcome_.dependencies.clear();
+        outcome_.shaders.clear();
+        spirv_.clear();
         prepare();
         if (!ok_) return Failure{outcome_.error};
         Outcome<Frame> frame = plan();
@@ -349,12 +367,15 @@ private:
     // Materials that differ in their values alone have the same text; so have lighting passes of one lighting graph.
     const Spirv* spirv_of(const Shader& shader) {
         const auto [found, is_new] = spirv_.try_emplace(shader.text);
-        if (is_new) {
+        if (!is_new) return &found->second;
+        if (!on_cpu()) {
             Validated validated = validate(shader);
             report(validated.diagnostics);
             found->second = std::move(validated.spirv);
             if (!validated.ok) ok_ = false;
         }
+        outcome_.shaders.push_back(
+            {.file_name = shader.file_name, .text = shader.text, .spirv_bytes = bytes_without_names(found->second)});
         return &found->second;
     }
 
@@ -368,9 +389,8 @@ private:
             for (const Shader& shader : material.compiled.shaders) {
                 if (shader.pass != pass.name) continue;
                 if (shader.stage == Stage::Fragment) made.fragment = shader.text;
-                if (on_cpu()) continue;
                 const Spirv* spirv = spirv_of(shader);
-                if (shader.target != target()) continue;
+                if (on_cpu() || shader.target != target()) continue;
                 (shader.stage == Stage::Vertex ? made.stages.vertex_spirv : made.stages.fragment_spirv) = *spirv;
             }
         }
@@ -393,6 +413,8 @@ private:
         outcome_.missing_machine = !error.empty();
         if (!error.empty()) return Failure{error};
         const std::size_t messages_before = machine_.renderer->messages().size();
+        outcome_.device = machine_.renderer->device_name();
+        outcome_.driver = machine_.renderer->driver();
         Outcome<Image> image = machine_.renderer->draw(frame);
         const std::vector<std::string>& messages = machine_.renderer->messages();
         if (image && messages.size() > messages_before)
@@ -401,6 +423,7 @@ private:
     }
 
     RenderOutcome draw(const Frame& frame) {
+        if (on_cpu()) outcome_.device = "CPU reference";
         Outcome<Image> image = on_cpu() ? cpu_draw(frame) : gpu_draw(frame);
         if (!image) return failed(image.error);
         outcome_.image = std::move(image.value);

@@ -1,138 +1,71 @@
 #include "runtime/snapshot/snapshot.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <atomic>
 #include <filesystem>
+#include <mutex>
+#include <thread>
+
+#include "runtime/snapshot/find_cases.h"
+#include "runtime/snapshot/run_case.h"
 
 namespace patina::runtime {
 namespace {
 
-namespace fs = std::filesystem;
-constexpr std::string_view kEnding = ".snapshot.json";
+constexpr unsigned kMostJobs = 8;  // without a wish: a device for each needs memory
 
-// Paths of the snapshot files in and below `dir`, without their ending, sorted.
-Outcome<std::vector<fs::path>> find_cases(const std::string& dir) {
-    std::vector<fs::path> cases;
-    std::error_code error;
-    for (fs::recursive_directory_iterator at(dir, error), end; !error && at != end; at.increment(error)) {
-        std::string name = at->path().lexically_normal().string();
-        if (name.ends_with(kEnding)) cases.emplace_back(name.substr(0, name.size() - kEnding.size()));
+bool is_wanted(const PlannedCase& planned, const std::string& only) {
+    return only.empty() || only == planned.name || only == planned.base ||
+           only == std::filesystem::path(planned.name).filename() ||
+           only == std::filesystem::path(planned.base).filename();
+}
+
+// Cases in turn, so that each part has some of every folder.
+std::vector<PlannedCase> part_of(std::vector<PlannedCase> cases, const Shard& shard) {
+    std::vector<PlannedCase> part;
+    for (std::size_t i = 0; i < cases.size(); i++)
+        if (i % shard.count == shard.index - 1) part.push_back(std::move(cases[i]));
+    return part;
+}
+
+// Runs the cases on several threads, each with a device of its own, and reports them in order.
+class Run {
+public:
+    Run(const Compiler& compiler, const std::vector<PlannedCase>& planned, const SnapshotOptions& options)
+        : compiler_(compiler), planned_(planned), options_(options), cases_(planned.size()), done_(planned.size()) {}
+
+    std::vector<SnapshotCase> run() {
+        const unsigned cores = std::clamp(std::thread::hardware_concurrency(), 1u, kMostJobs);
+        const std::size_t wanted = options_.jobs > 0 ? std::size_t(options_.jobs) : cores;
+        std::vector<std::thread> others;
+        for (std::size_t i = 1; i < std::min(wanted, planned_.size()); i++) others.emplace_back([this] { work(); });
+        work();
+        for (std::thread& other : others) other.join();
+        return std::move(cases_);
     }
-    if (error) return Failure{"cannot read the folder '" + dir + "': " + error.message()};
-    if (cases.empty()) return Failure{"there is no *.snapshot.json in '" + dir + "'"};
-    std::sort(cases.begin(), cases.end());
-    return cases;
-}
 
-// The result of the comparison and the tolerance.
-std::string describe(const Comparison& c, const Tolerance& tolerance) {
-    return fmt::format(
-        "{:.3g} % of the pixels differ (limit {:.3g} %), the average error is {:.2g} (limit {:.2g}); the largest is "
-        "{:.2g}, "
-        "at {}, {}",
-        c.share * 100, tolerance.share * 100, c.average, tolerance.average, c.largest, c.worst_x, c.worst_y);
-}
-
-bool passes(const Comparison& c, const Tolerance& tolerance) {
-    return c.share <= tolerance.share && c.average <= tolerance.average;
-}
-
-// Writes a picture into the received folder and keeps its path in `written`; appends to `message` what went wrong.
-void write_received(const fs::path& path, const Image& encoded, std::string& written, std::string& message) {
-    const std::string problem = save_png_as_is(path.string(), encoded);
-    if (problem.empty())
-        written = path.string();
-    else
-        message += "; " + problem;
-}
-
-void accept(SnapshotCase& result, const Image& received) {
-    std::string error = save_png_as_is(result.reference, received);
-    result.state = error.empty() ? SnapshotState::Updated : SnapshotState::Failed;
-    result.message = error;
-}
-
-// Reference pictures were once named NAME.png, which is now a picture that 'patina render' writes.
-std::string advice_on(const SnapshotCase& result) {
-    std::error_code ignored;
-    const fs::path old = result.file.substr(0, result.file.size() - kEnding.size()) + ".png";
-    if (!fs::exists(old, ignored)) return "";
-    return fmt::format("; if '{}' is it, rename it", old.string());
-}
-
-// `received` is what an 8-bit file would hold, so that it can meet the reference exactly.
-void judge(SnapshotCase& result, const Image& received, const SnapshotOptions& options) {
-    fs::path kept = fs::path(options.received_dir) / (result.name + ".received.png");
-    fs::path difference = fs::path(options.received_dir) / (result.name + ".difference.png");
-    std::error_code ignored;
-    fs::remove(kept, ignored);  // of an earlier run
-    fs::remove(difference, ignored);
-
-    if (!fs::exists(result.reference, ignored)) {
-        if (options.update) return accept(result, received);
-        result.state = SnapshotState::Missing;
-        result.message = "there is no reference picture '" + result.reference + "' yet" + advice_on(result);
-        write_received(kept, received, result.received, result.message);
-        return;
+private:
+    void work() {
+        RenderMachine machine;
+        for (std::size_t i = next_++; i < planned_.size(); i = next_++) {
+            SnapshotCase result = run_case(compiler_, planned_[i], options_, machine);
+            const std::scoped_lock lock(mutex_);
+            cases_[i] = std::move(result);
+            done_[i] = true;
+            for (; told_ < cases_.size() && done_[told_]; told_++)
+                if (options_.on_case) options_.on_case(cases_[told_], told_, cases_.size());
+        }
     }
-    Outcome<Image> reference = load_image(result.reference);
-    if (!reference && options.update) return accept(result, received);
-    if (!reference) {
-        result.message = reference.error;
-        return;
-    }
-    Comparison comparison = compare(reference.value, received, result.tolerance.pixel);
-    if (comparison.same_size) result.comparison = comparison;
-    if (result.comparison && passes(comparison, result.tolerance)) {
-        result.state = SnapshotState::Passed;
-        return;
-    }
-    if (options.update) return accept(result, received);
-    result.message = result.comparison
-                         ? describe(comparison, result.tolerance)
-                         : fmt::format("the reference is {} x {} pixels and the picture {} x {}", reference.value.width,
-                                       reference.value.height, received.width, received.height);
-    write_received(kept, received, result.received, result.message);
-    write_received(difference, difference_image(reference.value, received, result.tolerance.pixel), result.difference,
-                   result.message);
-}
 
-SnapshotCase run_case(const Compiler& compiler, const fs::path& stem, const std::string& name,
-                      const SnapshotOptions& options, RenderMachine& machine) {
-    SnapshotCase result{
-        .name = name, .file = stem.string() + std::string(kEnding), .reference = stem.string() + ".reference.png"};
-    ReadSnapshot read = read_snapshot(result.file);
-    if (!read.file) {
-        result.diagnostics = {read.error};
-        return result;
-    }
-    RenderRequest& request = read.file->request;
-    if (!options.via.empty()) request.options.via = options.via;
-    request.options.device = options.device;
-    request.options.validation = options.validation;
-    request.options.include_dirs = options.include_dirs;
-    result.tolerance = read.file->tolerance;
-
-    RenderOutcome outcome = render(compiler, request, machine);
-    result.diagnostics = std::move(outcome.diagnostics);
-    // Diagnostics without a place are about the path.
-    for (Diagnostic& each : result.diagnostics) {
-        if (!each.file.empty()) continue;
-        Diagnostic placed = diagnostic_at(read.path_place, each.code, each.message);
-        placed.severity = each.severity;
-        placed.notes = std::move(each.notes);
-        each = std::move(placed);
-    }
-    result.missing_machine = outcome.missing_machine;
-    if (!outcome.ok) {
-        result.message = outcome.error;
-        return result;
-    }
-    encode_srgb(outcome.image);
-    judge(result, quantized(outcome.image), options);
-    return result;
-}
+    const Compiler& compiler_;
+    const std::vector<PlannedCase>& planned_;
+    const SnapshotOptions& options_;
+    std::atomic<std::size_t> next_{0};
+    std::mutex mutex_{};  // of what follows
+    std::vector<SnapshotCase> cases_;
+    std::vector<bool> done_;
+    std::size_t told_ = 0;
+};
 
 }  // namespace
 
@@ -147,25 +80,22 @@ std::string_view to_string(SnapshotState state) {
 }
 
 bool SnapshotReport::ok() const {
-    return error.empty() && std::all_of(cases.begin(), cases.end(), [](const SnapshotCase& each) {
-               return each.state == SnapshotState::Passed || each.state == SnapshotState::Updated;
-           });
+    return error.empty() && std::ranges::all_of(cases, &SnapshotCase::ok);
 }
 
-SnapshotReport run_snapshots(const Compiler& compiler, const std::string& dir, const SnapshotOptions& options,
-                             RenderMachine& machine) {
-    SnapshotReport report;
-    Outcome<std::vector<fs::path>> cases = find_cases(dir);
-    if (!cases) {
-        report.error = cases.error;
-        return report;
-    }
-    for (const fs::path& stem : cases.value) {
-        std::string name = stem.lexically_relative(fs::path(dir).lexically_normal()).generic_string();
-        bool wanted = options.only.empty() || options.only == name || options.only == stem.filename();
-        if (wanted) report.cases.push_back(run_case(compiler, stem, name, options, machine));
-    }
-    if (report.cases.empty()) report.error = "there is no case '" + options.only + "' in '" + dir + "'";
+std::size_t SnapshotReport::count(SnapshotState state) const {
+    return std::size_t(std::ranges::count(cases, state, &SnapshotCase::state));
+}
+
+SnapshotReport run_snapshots(const Compiler& compiler, const std::string& dir, const SnapshotOptions& options) {
+    FoundCases found = find_cases(dir);
+    SnapshotReport report{.error = std::move(found.error)};
+    if (!report.error.empty()) return report;
+    std::erase_if(found.cases, [&](const PlannedCase& each) { return !is_wanted(each, options.only); });
+    if (found.cases.empty()) report.error = "there is no case '" + options.only + "' in '" + dir + "'";
+    if (options.only.empty()) report.orphans = std::move(found.orphans);
+    const std::vector<PlannedCase> cases = part_of(std::move(found.cases), options.shard);
+    report.cases = Run(compiler, cases, options).run();
     return report;
 }
 

@@ -5,6 +5,7 @@
 #include <rapidjson/reader.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -19,7 +20,6 @@ namespace patina::runtime {
 namespace {
 
 constexpr std::uintmax_t kLargestFile = 1 << 20;  // bytes
-constexpr std::string_view kEnding = ".snapshot.json";
 
 // A part of the text, in bytes.
 struct Place {
@@ -157,7 +157,6 @@ constexpr TextKey kTextKeys[] = {
     {"object", [](RenderRequest& request) -> std::string& { return request.object; }},
     {"material", [](RenderRequest& request) -> std::string& { return request.material; }},
     {"via", [](RenderRequest& request) -> std::string& { return request.options.via; }},
-    {"path", [](RenderRequest& request) -> std::string& { return request.options.path; }},
 };
 struct WholeKey {
     std::string_view path;
@@ -167,14 +166,6 @@ struct WholeKey {
 constexpr WholeKey kWholeKeys[] = {{"size", &RenderRequest::size, 1, 8192},
                                    {"samples", &RenderRequest::samples, 1, 16},
                                    {"segments", &RenderRequest::segments, 3, 512}};
-struct ToleranceKey {
-    std::string_view path;
-    double Tolerance::*member;
-};
-constexpr ToleranceKey kToleranceKeys[] = {{"tolerance/pixel", &Tolerance::pixel},
-                                           {"tolerance/share", &Tolerance::share},
-                                           {"tolerance/average", &Tolerance::average}};
-
 constexpr std::string_view kCameraKeys[] = {"position", "target", "fov", "orthographic", "near", "far"};
 
 // Keys whose value is an object, and what one looks like.
@@ -183,6 +174,7 @@ struct ObjectKey {
 };
 constexpr ObjectKey kObjectKeys[] = {{"camera", R"({ "position": [2, 1, 3], "fov": 40 })"},
                                      {"set", R"({ "_Roughness": 0.2 })"},
+                                     {"sweep", R"({ "_Roughness": [0, 0.5, 1] })"},
                                      {"tolerance", R"({ "pixel": 0.01 })"}};
 
 template <class Table>
@@ -192,7 +184,7 @@ auto* find_key(const Table& table, std::string_view path) {
 }
 
 Problem unknown_key(const std::string& path) {
-    std::vector<std::string> known = {"patina", "time", "lights"};
+    std::vector<std::string> known = {"patina", "time", "lights", "path", "text"};
     for (const TextKey& key : kTextKeys) known.emplace_back(key.path);
     for (const WholeKey& key : kWholeKeys) known.emplace_back(key.path);
     for (const ObjectKey& key : kObjectKeys) known.emplace_back(key.path);
@@ -202,7 +194,7 @@ Problem unknown_key(const std::string& path) {
     if (path.starts_with("tolerance/")) {
         place = "a tolerance";
         known.clear();
-        for (const ToleranceKey& each : kToleranceKeys) known.emplace_back(each.path.substr(slash + 1));
+        for (const ToleranceKey& each : tolerance_keys()) known.emplace_back(each.name);
     } else if (path.starts_with("camera/")) {
         place = "a camera";
         known.assign(std::begin(kCameraKeys), std::end(kCameraKeys));
@@ -218,18 +210,53 @@ bool read_number(const Entry& entry, double& value) {
     return entry.kind == Entry::Kind::Number && error == std::errc{} && next == end && std::isfinite(value);
 }
 
-// A property's value, in the words of the command line; the numbers of an array are joined with commas.
+Problem wrong_unless(bool good, std::string message) {
+    return good ? Problem{} : Problem{std::move(message)};
+}
+
+// A property's value, in the words of the command line.
+std::string value_of(const Entry& entry, const std::filesystem::path& folder) {
+    std::error_code ignored;
+    const bool is_file =
+        entry.kind == Entry::Kind::Text && std::filesystem::is_regular_file(folder / entry.text, ignored);
+    return is_file ? (folder / entry.text).string() : entry.text;
+}
+
+// The numbers of an array are joined with commas.
 Problem add_override(const Entry& entry, const std::filesystem::path& folder, RenderRequest& request) {
     if (entry.kind == Entry::Kind::EmptyArray) return {"an empty array is not a value"};
     if (entry.in_array && entry.kind != Entry::Kind::Number) return {"an array here holds numbers only"};
-    std::string name = entry.path.substr(std::string_view("set/").size());
-    std::string value = entry.text;
-    std::error_code ignored;
-    if (entry.kind == Entry::Kind::Text && std::filesystem::is_regular_file(folder / value, ignored))
-        value = (folder / value).string();
-    std::string& target = request.overrides[name];
-    target += (target.empty() ? "" : ",") + value;
+    std::string& target = request.overrides[entry.path.substr(std::string_view("set/").size())];
+    target += (target.empty() ? "" : ",") + value_of(entry, folder);
     return {};
+}
+
+Problem too_many(const SnapshotFile& file) {
+    std::size_t count = std::max<std::size_t>(file.paths.size(), 1);
+    for (const PropertySweep& sweep : file.sweeps) count *= sweep.values.size();
+    return wrong_unless(count <= kMostVariations, fmt::format("a snapshot has at most {} pictures", kMostVariations));
+}
+
+Problem add_to_sweep(const Entry& entry, const std::filesystem::path& folder, SnapshotFile& file) {
+    const std::string name = entry.path.substr(std::string_view("sweep/").size());
+    if (!entry.in_array) return {"'" + name + "' of a sweep is an array of values, such as [0, 0.5, 1]"};
+    if (file.sweeps.empty() || file.sweeps.back().property != name) file.sweeps.push_back({.property = name});
+    std::vector<std::string>& values = file.sweeps.back().values;
+    const std::string value = value_of(entry, folder);
+    if (std::ranges::find(values, value) != values.end()) return {"the value '" + entry.text + "' appears twice"};
+    values.push_back(value);
+    return too_many(file);
+}
+
+// A path by its name, or a file.
+Problem add_path(const Entry& entry, const std::filesystem::path& folder, SnapshotFile& file) {
+    if (entry.kind != Entry::Kind::Text || entry.text.empty())
+        return {R"('path' is the name of a rendering path, or a list of names: ["forward", "deferred"])"};
+    const std::string path = entry.text.ends_with(".hlsl") ? (folder / entry.text).string() : entry.text;
+    if (std::ranges::find(file.paths, path) != file.paths.end()) return {"the path '" + entry.text + "' appears twice"};
+    if (entry.in_array) file.paths.push_back(path);
+    if (!entry.in_array || file.paths.size() == 1) file.request.options.path = path;
+    return too_many(file);
 }
 
 // The camera in the words of the command line: "position=2,1,3 fov=40".
@@ -245,10 +272,6 @@ Problem add_to_camera(const Entry& entry, RenderRequest& request) {
     return {};
 }
 
-Problem wrong_unless(bool good, std::string message) {
-    return good ? Problem{} : Problem{std::move(message)};
-}
-
 Problem apply(const Entry& entry, const std::filesystem::path& folder, SnapshotFile& file) {
     RenderRequest& request = file.request;
     if (entry.path == "lights") {
@@ -258,11 +281,17 @@ Problem apply(const Entry& entry, const std::filesystem::path& folder, SnapshotF
         return wrong_unless(good, "a light is a text, like \"point position=1,2,0 range=5\"");
     }
     if (entry.path.starts_with("set/")) return add_override(entry, folder, request);
+    if (entry.path.starts_with("sweep/")) return add_to_sweep(entry, folder, file);
     if (entry.path.starts_with("camera/")) return add_to_camera(entry, request);
+    if (entry.path == "path") return add_path(entry, folder, file);
     if (const ObjectKey* key = find_key(kObjectKeys, entry.path))
         return {fmt::format("'{}' must be an object, such as {}", key->path, key->example)};
     if (entry.in_array || entry.kind == Entry::Kind::EmptyArray) return {"an array is not allowed here"};
     if (entry.path == "$schema") return {};
+    if (entry.path == "text") {
+        file.text = entry.text == "true";
+        return wrong_unless(entry.kind == Entry::Kind::Bool, "'text' is true or false");
+    }
 
     if (const TextKey* key = find_key(kTextKeys, entry.path)) {
         if (entry.kind == Entry::Kind::Bool) return {"'" + entry.path + "' must be a text"};
@@ -282,12 +311,13 @@ Problem apply(const Entry& entry, const std::filesystem::path& folder, SnapshotF
         request.*key->member = int(value);
         return {};
     }
-    if (const ToleranceKey* key = find_key(kToleranceKeys, entry.path)) {
-        if (!is_number || value < 0 || value > 1) return {fmt::format("'{}' must be between 0 and 1", key->path)};
-        file.tolerance.*key->member = value;
-        return {};
-    }
-    return unknown_key(entry.path);
+    constexpr std::string_view kTolerance = "tolerance/";
+    if (!entry.path.starts_with(kTolerance)) return unknown_key(entry.path);
+    const ToleranceKey* key = find_tolerance_key(std::string_view(entry.path).substr(kTolerance.size()));
+    if (!key) return unknown_key(entry.path);
+    if (!is_number) return {fmt::format("'{}' must be a number", key->name)};
+    file.tolerance.*key->member = value;
+    return wrong_unless(check_tolerance(*key, value).empty(), check_tolerance(*key, value));
 }
 
 // NAME.graph.json, or the scene if there is no such graph.
@@ -332,18 +362,17 @@ ReadSnapshot read_snapshot(const std::string& path) {
                      {.begin = parsed.Offset(), .end = parsed.Offset()});
 
     std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    SnapshotFile file{.request = {.size = 128, .samples = 2}};
+    SnapshotFile file{.request = default_request()};
     for (const Entry& entry : flat.entries)
         if (Problem problem = apply(entry, folder, file)) return wrong(problem, entry.key);
     if (!flat.seen.contains("patina"))
         return wrong({.message = "the key \"patina\": 1 is missing", .code = "missing-key"}, {});
 
     std::string stem = std::filesystem::path(path).filename().string();
-    if (stem.ends_with(kEnding)) stem.resize(stem.size() - kEnding.size());
+    if (stem.ends_with(kSnapshotEnding)) stem.resize(stem.size() - kSnapshotEnding.size());
     RenderRequest& request = file.request;
     if (request.graph.empty()) request.graph = default_graph(folder, stem);
     request.graph = (folder / request.graph).string();
-    if (request.options.path.ends_with(".hlsl")) request.options.path = (folder / request.options.path).string();
     ReadSnapshot read{.file = std::move(file), .error = {}};
     read.path_place.file = path;
     for (const Entry& entry : flat.entries) {
@@ -357,6 +386,47 @@ ReadSnapshot read_snapshot(const std::string& path) {
                            .source_line = at.source_line};
     }
     return read;
+}
+
+namespace {
+
+// A part of a file's name that stands for `value`.
+std::string file_word(std::string_view value) {
+    std::string word = std::filesystem::path(value).filename().string();
+    for (char& c : word)
+        if (!std::isalnum(static_cast<unsigned char>(c)) &&
+            std::string_view("._-+,=").find(c) == std::string_view::npos)
+            c = '_';
+    return word;
+}
+
+}  // namespace
+
+RenderRequest default_request() {
+    return {.size = 128, .samples = 2};
+}
+
+std::vector<Variation> variations(const SnapshotFile& file) {
+    std::vector<Variation> made;
+    if (file.paths.empty()) made.push_back({.request = file.request});
+    for (const std::string& path : file.paths) {
+        const std::string name = file_word(path);
+        Variation& each =
+            made.emplace_back(Variation{.name = name.substr(0, name.find('.', 1)), .request = file.request});
+        each.request.options.path = path;
+    }
+    for (const PropertySweep& sweep : file.sweeps) {
+        std::vector<Variation> more;
+        for (const Variation& each : made) {
+            for (const std::string& value : sweep.values) {
+                Variation& next = more.emplace_back(each);
+                next.name += (next.name.empty() ? "" : ".") + file_word(sweep.property) + "=" + file_word(value);
+                next.request.overrides[sweep.property] = value;
+            }
+        }
+        made = std::move(more);
+    }
+    return made;
 }
 
 }  // namespace patina::runtime

@@ -12,7 +12,7 @@
 
 #include "patina/validate.h"
 #include "runtime/picture/compare.h"
-#include "runtime/snapshot/snapshot_file.h"
+#include "runtime/snapshot/find_cases.h"
 
 namespace patina::runtime {
 namespace {
@@ -64,9 +64,8 @@ TEST_P(Example, CompilesForBothTargets) {
 TEST_P(Example, HasAPicture) {
     std::string scene = GetParam();
     scene.replace(scene.rfind(".graph.json"), std::string::npos, ".scene.json");
-    for (const std::string& file : files_of("tests/snapshots", ".snapshot.json")) {
-        const ReadSnapshot read = read_snapshot(file);
-        const fs::path shown = read.file ? fs::path(read.file->request.graph).lexically_normal() : fs::path();
+    for (const PlannedCase& each : find_cases("tests/snapshots").cases) {
+        const fs::path shown = fs::path(each.request.graph).lexically_normal();
         if (shown == GetParam() || shown == scene) return;
     }
     ADD_FAILURE() << "no *.snapshot.json in tests/snapshots shows " << GetParam();
@@ -85,13 +84,11 @@ void expect_alike(const Image& glsl, const Image& other, const char* via) {
     EXPECT_LE(difference.average, 0.001) << via;
 }
 
-class Picture : public testing::TestWithParam<std::string> {};
+class Picture : public testing::TestWithParam<PlannedCase> {};
 
 TEST_P(Picture, IsTheSameThroughGlslHlslAndTheCpu) {
     static RenderMachine machine;
-    const ReadSnapshot read = read_snapshot(GetParam());
-    ASSERT_TRUE(read.file);
-    RenderRequest request = read.file->request;
+    RenderRequest request = GetParam().request;
     request.options.exact_textures = true;
     request.options.exact_targets = true;  // how a GPU rounds to ten bits is its own business
     request.options.validation = true;
@@ -114,18 +111,17 @@ TEST_P(Picture, IsTheSameThroughGlslHlslAndTheCpu) {
     if (cpu.diagnostics.empty()) expect_alike(glsl.image, cpu.image, "cpu");
 }
 
-std::vector<std::string> pictures() {
-    std::vector<std::string> files = files_of("tests/snapshots", ".snapshot.json");
-    std::erase_if(files, [](const std::string& file) {
-        const ReadSnapshot read = read_snapshot(file);
-        return !read.file || !fs::path(read.file->request.graph).lexically_normal().string().starts_with("examples/") ||
-               !read.file->request.options.preview.empty();
+std::vector<PlannedCase> pictures() {
+    std::vector<PlannedCase> cases = find_cases("tests/snapshots").cases;
+    std::erase_if(cases, [](const PlannedCase& each) {
+        return !fs::path(each.request.graph).lexically_normal().string().starts_with("examples/") ||
+               !each.request.options.preview.empty();
     });
-    return files;
+    return cases;
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Picture, testing::ValuesIn(pictures()),
-                         [](const auto& info) { return word(fs::path(info.param).stem().stem()); });
+                         [](const auto& info) { return word(fs::path(info.param.name).filename()); });
 
 // --- every model under every workflow
 

@@ -96,5 +96,18 @@ TEST(DifferenceImage, MarksWhatOnlyOneOfThemHas) {
     EXPECT_EQ(difference.at(1, 1)[0], 1);
 }
 
+// 40 x 20 pixels are 3 x 2 tiles; those at the far edges have 8 columns and 4 rows.
+TEST(Compare, TheWorstTileIsTheMeanOfItsOwnPixels) {
+    Image a = make_image(40, 20), b = a;
+    b.at(0, 0)[0] = 1;    // of 16 x 16 pixels
+    b.at(39, 19)[0] = 1;  // of 8 x 4
+    Comparison c = compare(a, b, 0.5);
+    EXPECT_DOUBLE_EQ(c.tile, 1.0 / (4 * 8 * 4));
+    EXPECT_EQ(c.tile_x, 32);
+    EXPECT_EQ(c.tile_y, 16);
+    EXPECT_DOUBLE_EQ(compare(make_image(5, 3), make_image(5, 3, 1, 0, 0, 1), 0).tile, 0.25);
+    EXPECT_EQ(compare(a, a, 0).tile, 0);
+}
+
 }  // namespace
 }  // namespace patina::runtime

@@ -265,5 +265,22 @@ TEST_F(ImageFile, EveryTextureThatCannotBeLoadedIsNamed) {
     EXPECT_TRUE(loaded.errors[3].ends_with("it is a folder")) << loaded.errors[3];
 }
 
+// Each is a text chunk of the PNG: its keyword, a zero byte and its text.
+TEST_F(ImageFile, NotesAreTextChunks) {
+    const Outcome<std::string> png =
+        encode_png_as_is(all_bytes(), {{"Patina Device", "a device"}, {"Patina Driver", "7.1"}});
+    ASSERT_TRUE(png) << png.error;
+    EXPECT_NE(png.value.find(std::string("tEXtPatina Device\0a device", 25)), std::string::npos);
+    std::ofstream(path("noted.png"), std::ios::binary) << png.value;
+    const PictureNotes notes = load_notes(path("noted.png"));
+    EXPECT_EQ(notes.at("Patina Device"), "a device");
+    EXPECT_EQ(notes.at("Patina Driver"), "7.1");
+    EXPECT_EQ(quantized(load_image(path("noted.png")).value).pixels, quantized(all_bytes()).pixels);
+    EXPECT_TRUE(load_notes(path("none.png")).empty());
+    std::ofstream(path("text.png")) << "no picture";
+    EXPECT_TRUE(load_notes(path("text.png")).empty());
+    EXPECT_EQ(load_notes(path("noted.png")).count("Patina Cost"), 0u);
+}
+
 }  // namespace
 }  // namespace patina::runtime

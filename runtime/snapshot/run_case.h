@@ -1,0 +1,14 @@
+// One snapshot: draws it, compares it with its references, and accepts it if that is asked for.
+//
+//   SnapshotCase result = run_case(compiler, planned, options, machine);
+#pragma once
+
+#include "runtime/snapshot/find_cases.h"
+#include "runtime/snapshot/snapshot.h"
+
+namespace patina::runtime {
+
+SnapshotCase run_case(const Compiler& compiler, const PlannedCase& planned, const SnapshotOptions& options,
+                      RenderMachine& machine);
+
+}  // namespace patina::runtime

@@ -1,0 +1,26 @@
+// The differences of two texts, line by line, with the lines around them. Myers, "An O(ND) Difference Algorithm and Its
+// Variations" (1986), finds the fewest.
+//
+//   for (const DiffLine& line : differences(old_text, new_text)) ...
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace patina::runtime {
+
+struct DiffLine {
+    enum class Kind { Same, Removed, Added, Gap } kind = Kind::Same;
+    int old_line = 0, new_line = 0;  // from 1; 0: the text does not have it
+    std::string text{};              // of a Gap: nothing. Lines without difference are left out there
+};
+
+inline constexpr int kDiffContext = 3;  // lines before and after a difference
+
+// Empty if the texts are equal. Texts of very many differences may not get the fewest.
+std::vector<DiffLine> differences(std::string_view old_text, std::string_view new_text);
+// How many lines are added or removed.
+std::size_t changed_lines(const std::vector<DiffLine>& diff);
+
+}  // namespace patina::runtime
