@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "patina/complaints.h"
+#include "patina/segments.h"
 
 namespace patina::runtime {
 namespace {
@@ -166,7 +167,7 @@ struct WholeKey {
 };
 constexpr WholeKey kWholeKeys[] = {{"size", &RenderRequest::size, 1, 8192},
                                    {"samples", &RenderRequest::samples, 1, 16},
-                                   {"segments", &RenderRequest::segments, 3, 512}};
+                                   {"segments", &RenderRequest::segments, kLeastSegments, kMostSegments}};
 struct ToleranceKey {
     std::string_view path;
     double Tolerance::*member;
