@@ -108,7 +108,7 @@ constexpr OtherName kOtherNames[] = {
     {"ifequal", "a == b ? x : y"},
     {"ramplr", "lerp(left, right, saturate(@uv0.x))"},
     {"ramptb", "lerp(top, bottom, saturate(@uv0.y))"},
-    {"hsvtorgb", "v * lerp(1, saturate(abs(frac(h + [1, 2.0 / 3, 1.0 / 3]) * 6 - 3) - 1), s)"},
+    {"hsvtorgb", "v * lerp(1, saturate(abs(frac(h + float3(1, 2.0 / 3, 1.0 / 3)) * 6 - 3) - 1), s)"},
     {"rgbtohsv", "", "the nodes 'HueRotate' and 'Saturation' change a colour without it"},
     {"color3", "float3"},
     {"color4", "float4"},
