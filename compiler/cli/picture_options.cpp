@@ -1,6 +1,7 @@
 #include "compiler/cli/picture_options.h"
 
 #include "patina/name_value.h"
+#include "patina/segments.h"
 #include "runtime/gltf/gltf_model.h"
 #include "runtime/mesh/mesh.h"
 
@@ -27,7 +28,7 @@ void add_scene_options(CLI::App& command, runtime::RenderRequest& request) {
             "How finely the mesh is divided: the number of quads around a round mesh, or along each side of a flat "
             "one. A coarse mesh shows what is computed at vertices")
         ->type_name("N")
-        ->check(CLI::Range(3, 1024));
+        ->check(CLI::Range(kLeastSegments, kMostSegments));
     CLI::Option* size = command
                             .add_option("--size", request.size,
                                         "Width and height in pixels; default: 512. A large picture is drawn in tiles")

@@ -9,6 +9,7 @@
 #include "compiler/emit/conversion.h"
 #include "compiler/emit/operations/operations.h"
 #include "compiler/emit/operations/textures.h"
+#include "compiler/nodelang/other_names.h"
 
 namespace patina::emit {
 
@@ -88,8 +89,11 @@ Typed named_value(Emitter& emitter, const Expr& expr, Scope& scope) {
     if (scope.environment) return scope.environment->name(expr, scope);
     std::vector<std::string_view> known;
     for (const Local& local : scope.locals) known.push_back(local.name);
-    emitter.diagnostics.report(Code::UnknownName, expr.span, "variable", expr.text)
-        .note(Diagnostics::suggestion(expr.text, known));
+    const std::string advice = nodelang::word_advice(expr.text);
+    DiagnosticRecord& record = emitter.diagnostics.report(Code::UnknownName, expr.span, "variable", expr.text);
+    record.note(advice.empty() ? Diagnostics::suggestion(expr.text, known) : advice);
+    if (advice.find("'@") != std::string::npos)
+        record.note("a function reads a semantic as the default of a parameter, without the @");
     return {};
 }
 

@@ -63,10 +63,9 @@ Type type(Emitter& emitter, const TypeName& name, const Scope& scope) {
             std::vector<std::string_view> known = {"bool",     "int",       "uint",       "half",   "float",
                                                    "float2",   "float3",    "float4",     "floatN", "float3x3",
                                                    "float4x4", "Texture2D", "TextureCube"};
-            const std::string_view own = nodelang::own_word(name.name);
+            const std::string advice = nodelang::word_advice(name.name);
             emitter.diagnostics.report(Code::UnknownType, name.span, name.name)
-                .note(own.empty() ? Diagnostics::suggestion(name.name, known)
-                                  : fmt::format("'{}' is written '{}' here", name.name, own));
+                .note(advice.empty() ? Diagnostics::suggestion(name.name, known) : advice);
             return Type::error();
         }
     }

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "compiler/format/read_scene_fields.h"
+#include "patina/segments.h"
 
 namespace patina::graph {
 namespace {
@@ -270,7 +271,7 @@ SceneObject read_object(SceneReading& reading, const Json& json, const Materials
         object.mesh_place = place_of(reading, inside(mesh->span));
     }
     if (const Json* segments = json.find("segments")) {
-        object.segments = read_int(reading, *segments, "'segments'", 3, 512);
+        object.segments = read_int(reading, *segments, "'segments'", kLeastSegments, kMostSegments);
     }
     if (const Json* material = json.find("material")) object.material = find_material(reading, *material, materials);
     read_vector(reading, json, "position", -kFarthest, kFarthest, object.position);

@@ -1,5 +1,6 @@
 #include "compiler/json/json.h"
 
+#include <fmt/format.h>
 #include <rapidjson/reader.h>
 
 #include <algorithm>
@@ -380,9 +381,24 @@ std::optional<std::size_t> check_text(std::string_view text, std::uint32_t base,
     return text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
 }
 
+// A file in the node language, whose first word would be the first mistake of broken JSON.
+bool is_node_language(std::string_view file, std::uint32_t base, Diagnostics& diagnostics) {
+    if (!file.ends_with(".hlsl")) return false;
+    const bool has_passes = file.ends_with(".pass.hlsl");
+    const std::string own = fmt::format("{}{}", file.starts_with('/') || file.starts_with('.') ? "" : "./", file);
+    diagnostics
+        .report(Code::WrongJsonType, {base, base}, fmt::format("'{}'", file), "a graph or a scene, which are JSON",
+                has_passes ? "a file of passes" : "a file of nodes")
+        .note(has_passes ? fmt::format("it draws a graph with the option --path {}", own)
+                         : fmt::format("a graph uses it as a node: \"node\": \"{}\"", own))
+        .note("'patina check' checks it");
+    return true;
+}
+
 }  // namespace
 
 std::unique_ptr<Json> parse_json(const SourceMap& sources, std::uint32_t base, Diagnostics& diagnostics) {
+    if (is_node_language(sources.file(base), base, diagnostics)) return nullptr;
     const std::string_view text = sources.file_text(base);
     const std::optional<std::size_t> start = check_text(text, base, diagnostics);
     if (!start) return nullptr;

@@ -6,6 +6,7 @@
 
 #include "compiler/base/text.h"
 #include "compiler/lower/lowering.h"
+#include "compiler/nodelang/other_names.h"
 
 namespace patina::graph {
 
@@ -297,7 +298,8 @@ Typed GraphScope::name(const Expr& expr, emit::Scope&) {
     } else if (lowering_.session.paths->semantic_index.contains(expr.text)) {
         record.note(fmt::format("read a semantic as '@{}'", expr.text));
     } else {
-        record.note(Diagnostics::suggestion(expr.text, known));
+        const std::string advice = nodelang::word_advice(expr.text);
+        record.note(advice.empty() ? Diagnostics::suggestion(expr.text, known) : advice);
     }
     return {};
 }

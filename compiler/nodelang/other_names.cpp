@@ -9,42 +9,91 @@
 namespace patina::nodelang {
 namespace {
 
+// What stands for `other` here, and what to know of it. No `own`: there is nothing of the kind, and the remark says
+// what to do. "atan/2" is the function with two arguments.
 struct OtherName {
-    std::string_view other, own;
+    std::string_view other, own, remark{};
 };
-// Words of the language itself. A node has its other names in its file: [also("mix")].
+// Words of the language itself, and values. A node has its other names in its file: [also("mix")].
 constexpr OtherName kOtherNames[] = {
     // GLSL
     {"mix", "lerp"},
     {"fract", "frac"},
     {"inversesqrt", "rsqrt"},
+    {"roundEven", "round"},
+    {"atan/2", "atan2"},
     {"dFdx", "ddx"},
     {"dFdy", "ddy"},
     {"mod", "x - y * floor(x / y)"},
+    {"fma", "a * b + c"},
+    {"lessThan", "a < b"},
+    {"lessThanEqual", "a <= b"},
+    {"greaterThan", "a > b"},
+    {"greaterThanEqual", "a >= b"},
+    {"equal", "a == b"},
+    {"notEqual", "a != b"},
+    {"outerProduct", "float3x3(a.x * b, a.y * b, a.z * b)"},
+    {"inverse", "", "a matrix has no 'inverse' here; if it only rotates, use 'transpose'"},
     {"vec2", "float2"},
     {"vec3", "float3"},
     {"vec4", "float4"},
+    {"bvec2", "bool2"},
+    {"bvec3", "bool3"},
+    {"bvec4", "bool4"},
     {"ivec2", "int2"},
     {"ivec3", "int3"},
     {"ivec4", "int4"},
     {"uvec2", "uint2"},
     {"uvec3", "uint3"},
     {"uvec4", "uint4"},
+    {"mat2", "float2x2"},
     {"mat3", "float3x3"},
     {"mat4", "float4x4"},
     {"sampler2D", "Texture2D"},
     {"samplerCube", "TextureCube"},
+    {"gl_FragCoord", "@fragCoord"},
+    {"gl_FrontFacing", "@frontFacing"},
     // HLSL and Unity
     {"mad", "a * b + c"},
+    {"log10", "log(x) / log(10)"},
+    {"sincos", "sin(x) and cos(x)"},
+    {"clip", "", "a surface of the kind 'cutout' drops the pixels whose 'alpha' is below 'alphaClip'"},
+    {"texCUBE", "", "a graph has no cube textures of its own; the node 'EnvironmentRadiance' reads the environment"},
     {"fixed", "half"},
     {"fixed3", "float3"},
     {"fixed4", "float4"},
     {"real", "half"},
     {"clamp01", "saturate"},
+    {"Vector2", "float2"},
+    {"Vector3", "float3"},
+    {"Vector4", "float4"},
+    {"UNITY_PI", "PI"},
+    {"UNITY_TWO_PI", "2 * PI"},
+    {"UNITY_HALF_PI", "PI / 2"},
+    {"_Time", "@time", "in seconds, as _Time.y"},
+    {"_SinTime", "sin(@time)", "as _SinTime.w"},
+    {"_CosTime", "cos(@time)", "as _CosTime.w"},
+    {"_ScreenParams", "@screenSize", "its x and y"},
+    {"_WorldSpaceCameraPos", "@cameraPositionWS"},
+    {"_WorldSpaceLightPos0", "@light.direction", "the direction to the light, of every kind of light"},
+    {"_LightColor0", "@light.color"},
+    {"unity_ObjectToWorld", "", "no matrix is needed: read '@positionWS', '@normalWS' or '@tangentWS'"},
+    {"unity_WorldToObject", "", "no matrix is needed: read '@positionOS', '@normalOS' or '@tangentOS'"},
+    {"UnityObjectToClipPos", "", "the passes compute it: a graph gives \"positionOS\" in its block \"vertex\""},
+    {"UnityObjectToViewPos", "@positionVS"},
+    {"UnityObjectToWorldNormal", "@normalWS", "the mesh's normal, of unit length"},
+    {"UnityObjectToWorldDir", "", "of the mesh, read '@normalWS', '@tangentWS' or '@bitangentWS'"},
+    {"WorldSpaceViewDir", "@viewDirWS", "of unit length"},
+    {"UnityWorldSpaceViewDir", "@viewDirWS", "of unit length"},
+    {"ObjSpaceViewDir", "", "the direction to the camera is '@viewDirWS', in world space"},
+    {"WorldSpaceLightDir", "@light.direction", "of unit length"},
+    {"UnityWorldSpaceLightDir", "@light.direction", "of unit length"},
     // C and C++
     {"fabs", "abs"},
     {"fmin", "min"},
     {"fmax", "max"},
+    {"M_PI", "PI"},
+    {"pi", "PI"},
     {"double", "float"},
     {"unsigned", "uint"},
     {"boolean", "bool"},
@@ -57,6 +106,10 @@ constexpr OtherName kOtherNames[] = {
     {"ifgreater", "a > b ? x : y"},
     {"ifgreatereq", "a >= b ? x : y"},
     {"ifequal", "a == b ? x : y"},
+    {"ramplr", "lerp(left, right, saturate(@uv0.x))"},
+    {"ramptb", "lerp(top, bottom, saturate(@uv0.y))"},
+    {"hsvtorgb", "v * lerp(1, saturate(abs(frac(h + float3(1, 2.0 / 3, 1.0 / 3)) * 6 - 3) - 1), s)"},
+    {"rgbtohsv", "", "the nodes 'HueRotate' and 'Saturation' change a colour without it"},
     {"color3", "float3"},
     {"color4", "float4"},
     {"vector2", "float2"},
@@ -65,12 +118,20 @@ constexpr OtherName kOtherNames[] = {
     {"integer", "int"},
 };
 
-}  // namespace
-
-std::string_view own_word(std::string_view word) {
+const OtherName* find_other(std::string_view word) {
     const auto found = std::find_if(std::begin(kOtherNames), std::end(kOtherNames),
                                     [&](const OtherName& row) { return row.other == word; });
-    return found == std::end(kOtherNames) ? std::string_view() : found->own;
+    return found == std::end(kOtherNames) ? nullptr : found;
+}
+
+}  // namespace
+
+std::string word_advice(std::string_view word) {
+    const OtherName* row = find_other(word);
+    if (!row) return {};
+    if (row->own.empty()) return std::string(row->remark);
+    const std::string_view plain = word.substr(0, word.find('/'));
+    return fmt::format("'{}' is written '{}' here{}{}", plain, row->own, row->remark.empty() ? "" : ": ", row->remark);
 }
 
 const FunctionDecl* known_as(const Declarations& declarations, std::string_view word) {
@@ -92,13 +153,16 @@ std::string node_advice(std::string_view word, std::span<const std::string_view>
                         const Declarations& declarations) {
     if (const FunctionDecl* node = known_as(declarations, word))
         return fmt::format("'{}' is the node '{}' here", word, node->name);
+    if (const OtherName* row = find_other(word))
+        return row->own.empty() ? std::string(row->remark)
+                                : fmt::format("write an expression: \"expr\": \"{}\"", row->own);
     const std::string_view near = nearest(word, known);
     return near.empty() ? std::string() : fmt::format("did you mean '{}'?", near);
 }
 
 std::string advice(std::string_view word, std::span<const std::string_view> known, const Declarations& declarations) {
-    const std::string_view own = own_word(word);
-    return own.empty() ? node_advice(word, known, declarations) : fmt::format("'{}' is written '{}' here", word, own);
+    const std::string own = word_advice(word);
+    return own.empty() ? node_advice(word, known, declarations) : own;
 }
 
 }  // namespace patina::nodelang

@@ -2,6 +2,7 @@
 // because of them: they are advice.
 //
 //   record.note(advice("mix", known, declarations));       // "'mix' is written 'lerp' here"
+//   record.note(word_advice("_Time"));                     // "'_Time' is written '@time' here: in seconds, as _Time.y"
 //   record.note(node_advice("Mix", known, declarations));  // "'Mix' is the node 'Lerp' here"
 #pragma once
 
@@ -13,8 +14,9 @@
 
 namespace patina::nodelang {
 
-// What to write for a word of another language, such as "lerp" for "mix"; empty if the word is unknown.
-std::string_view own_word(std::string_view word);
+// What to write for a function, a type or a value of another language; empty if the word is unknown. "atan/2" is the
+// function with two arguments.
+std::string word_advice(std::string_view word);
 
 // The node that has `word` in its attribute [also("mix")]; null if there is none. Capitals, spaces and _ do not count.
 const FunctionDecl* known_as(const Declarations& declarations, std::string_view word);

@@ -308,8 +308,10 @@ const CheckedGraph* load_graph(Session& session, const std::string& path, GraphK
         if (auto graph = read_graph(*json, path, session.sources, session.ast, session.diagnostics, kind)) {
             if (shown) {
                 const Expr* value = parse_shown(session, shown);
-                graph->outputs.push_back(
-                    {.name = std::string(kShown), .name_span = where, .value_span = where, .value = value});
+                graph->outputs.push_back({.name = std::string(kShown),
+                                          .name_span = where,
+                                          .value_span = value ? value->span : where,
+                                          .value = value});
             }
             checked = check_graph(session, graph, shown);
         }

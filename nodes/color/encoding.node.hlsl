@@ -54,7 +54,7 @@ float3 SrgbToLinear(
 /// source: Unity built-in shaders, LinearToGammaSpace
 /// test: LinearToSrgbApproximate(0.5) == float3(0.7353569828698382, 0.7353569828698382, 0.7353569828698382)
 /// test: LinearToSrgbApproximate(float3(0.0005, 0, 1)) == float3(0, 0, 1)
-[node("Color/Linear to sRGB Approximate")]
+[node("Color/Linear to sRGB Approximate")] [also("LinearToGammaSpace")]
 float3 LinearToSrgbApproximate(
     float3 color = 0  ///< linear colour; below zero counts as zero
 ) {
@@ -67,7 +67,7 @@ float3 LinearToSrgbApproximate(
 /// source: Chilliant, "sRGB Approximations for HLSL", 2012
 /// test: SrgbToLinearApproximate(0.5) == float3(0.21496746812500003, 0.21496746812500003, 0.21496746812500003)
 /// test: SrgbToLinearApproximate(float3(0.02, 0, 1)) == float3(0.0005257684524880001, 0, 1)
-[node("Color/sRGB to Linear Approximate")]
+[node("Color/sRGB to Linear Approximate")] [also("GammaToLinearSpace")]
 float3 SrgbToLinearApproximate(
     float3 color = 0  ///< sRGB colour, 0 to 1
 ) {
@@ -81,7 +81,7 @@ float3 SrgbToLinearApproximate(
 /// test: LinearToSrgbUnity(0.002) == float3(0.02584, 0.02584, 0.02584)
 /// test: LinearToSrgbUnity(float3(0, 0.5, 2)) == float3(0, 0.7353569647913258, 1.3703509804026013)
 /// test: LinearToSrgbUnity(float3(-1, 1, 1)) == float3(0, 1, 1)
-[node("Color/Linear to sRGB Unity")]
+[node("Color/Linear to sRGB Unity")] [also("LinearToGammaSpaceExact")]
 float3 LinearToSrgbUnity(
     float3 color = 0  ///< linear colour; below zero counts as zero
 ) {
@@ -98,7 +98,7 @@ float3 LinearToSrgbUnity(
 /// test: SrgbToLinearUnity(0.02) == float3(0.0015479876160990713, 0.0015479876160990713, 0.0015479876160990713)
 /// test: SrgbToLinearUnity(float3(0, 0.5, 1.5)) == float3(0, 0.21404114048223255, 2.440061485194822)
 /// test: SrgbToLinearUnity(float3(-1.292, 1, 1)) == float3(-0.1, 1, 1)
-[node("Color/sRGB to Linear Unity")]
+[node("Color/sRGB to Linear Unity")] [also("GammaToLinearSpaceExact")]
 float3 SrgbToLinearUnity(
     float3 color = 0  ///< sRGB colour
 ) {

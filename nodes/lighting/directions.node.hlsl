@@ -121,7 +121,7 @@ float NdotVShifted(
 [node("Lighting/Direction/Tangent Frame")] [range(-1, 1)]
 float3 TangentFrame(
     float3 normal = geometryNormalWS,    ///< normal, of any length but zero
-    float4 tangent = float4(1, 0, 0, 1),   ///< xyz: tangent, not along the normal; w: handedness, 1 or -1
+    float4 tangent = handedTangentWS,      ///< xyz: tangent, not along the normal; w: handedness, 1 or -1
     [range(-1, 1)] out float3 bitangent,   ///< unit bitangent
     [range(-1, 1)] out float3 unitNormal  ///< unit normal
 ) {

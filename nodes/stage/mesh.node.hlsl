@@ -83,6 +83,12 @@ float3 bitangentWS(float3 normal = geometryNormalWS, float3 tangent = tangentWS,
     return twoSided && !front ? -bitangent : bitangent;
 }
 
+/// `@tangentWS`, and in w the handedness with which `@bitangentWS` is cross(normal, tangent) w: 1 or -1.
+[semantic("pixel")]
+float4 handedTangentWS(float3 tangent = tangentWS, float4 interpolated = vertexTangentWS, bool front = frontFacing) {
+    return float4(tangent, twoSided && !front ? -interpolated.w : interpolated.w);
+}
+
 /// Transforms a normal by the inverse transpose, so that it stays perpendicular under non-uniform scale.
 float3 normalObjectToWorld(float3 normal) {
     return normalize(mul(float4(normal, 0), worldToObject).xyz);

@@ -4,7 +4,7 @@
 ///
 /// The mip level follows from derivatives. Where there are none (in the vertex stage, for each light, inside a branch), use
 /// SampleTexture2DLevel.
-[node("Texture/Sample Texture 2D")] [also("Image", "TiledImage", "Tex2D", "Texture", "TextureSample")] [is("texel")]
+[node("Texture/Sample Texture 2D")] [also("Image", "TiledImage", "Tex2D", "Texture", "Texture2D", "TextureSample")] [is("texel")]
 float4 SampleTexture2D(
     Texture2D texture,  ///< texture to read
     float2 uv = uv0     ///< texture coordinates, before the texture's own tiling
@@ -62,7 +62,7 @@ float4 LoadTexture2D(
 }
 
 /// The size of one texel, and of the whole texture.
-[node("Texture/Texel Size")]
+[node("Texture/Texel Size")] [also("TextureSize")]
 float2 TexelSize(
     Texture2D texture,  ///< any texture
     out float2 size     ///< width and height in texels

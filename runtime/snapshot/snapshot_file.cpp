@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "patina/complaints.h"
+#include "patina/segments.h"
 
 namespace patina::runtime {
 namespace {
@@ -165,7 +166,7 @@ struct WholeKey {
 };
 constexpr WholeKey kWholeKeys[] = {{"size", &RenderRequest::size, 1, 8192},
                                    {"samples", &RenderRequest::samples, 1, 16},
-                                   {"segments", &RenderRequest::segments, 3, 512}};
+                                   {"segments", &RenderRequest::segments, kLeastSegments, kMostSegments}};
 constexpr std::string_view kCameraKeys[] = {"position", "target", "fov", "orthographic", "near", "far"};
 
 // Keys whose value is an object, and what one looks like.

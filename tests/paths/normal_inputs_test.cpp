@@ -79,5 +79,34 @@ TEST(NormalInputs, AreNotTurnedWhereOneSideIsSeen) {
     }
 }
 
+// Without inputs, the node TangentFrame is the mesh's own frame; from behind, the whole frame is turned, as in glTF.
+TEST(TangentFrame, IsTheMeshsOwnOnBothSides) {
+    for (const Case& each : kCases) {
+        const glm::dmat3 linear(each.object_to_world);
+        const glm::dvec3 along_u = glm::normalize(linear * glm::dvec3(1, 0, 0));
+        const glm::dvec3 normal = glm::normalize(glm::transpose(glm::inverse(linear)) * glm::dvec3(0, 0, 1));
+        // The plane's v grows downwards, and its frame is right-handed.
+        const std::pair<const char*, glm::dvec3> kOutputs[] = {
+            {"out", along_u}, {"bitangent", glm::cross(normal, along_u)}, {"unitNormal", normal}};
+        for (const auto& [output, in_front] : kOutputs) {
+            const std::string file = written(fmt::format("frame_{}.graph.json", output), fmt::format(R"({{ "patina": 1,
+  "workflow": "metallic-roughness", "nodes": [{{ "id": "frame", "node": "TangentFrame" }}],
+  "surface": {{ "emission": "frame.{}" }},
+  "lighting": {{ "direct": [0, 0, 0], "final": "@surface.emission" }}, "render": {{ "cull": "off" }} }})",
+                                                                                                     output));
+            for (const double side : {1.0, -1.0}) {
+                SCOPED_TRACE(fmt::format("{}, {}, {}", output, each.what, side > 0 ? "the front" : "behind"));
+                World world;
+                world.view.width = world.view.height = 4;
+                world.view.camera = {.position = glm::vec3(4 * side * normal), .target = {0, 0, 0}, .fov = 2};
+                add_object(world, file, "plane", 1, glm::mat4(each.object_to_world));
+                const Image image = draw(world, {.exact_targets = true});
+                for (int c = 0; c < 3; ++c)
+                    EXPECT_NEAR(double(image.at(2, 2)[std::size_t(c)]), side * in_front[c], 1e-5) << "channel " << c;
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace patina::paths

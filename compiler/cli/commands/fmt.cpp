@@ -26,10 +26,6 @@ Exit format_standard_input(const Console& console, const Compiler& compiler) {
 
 Exit format_file(const Console& console, const Compiler& compiler, const Arguments& arguments,
                  const std::string& path) {
-    if (path.ends_with(".hlsl")) {
-        complain(console, Complaint::NotJson, {path});
-        return Exit::Wrong;
-    }
     std::string error;
     const std::optional<std::string> text = read_file(path, error);
     if (!text) {

@@ -7,6 +7,7 @@
 #include "compiler/emit/conversion.h"
 #include "compiler/emit/operations/operations.h"
 #include "compiler/ir/fold/fold.h"
+#include "compiler/nodelang/other_names.h"
 
 namespace patina::emit {
 
@@ -146,7 +147,8 @@ Typed intrinsic(Emitter& emitter, std::string_view name, const Expr& expr, Scope
     if (!found) return {};
     const std::size_t wanted = row ? row->arguments : 1;
     if (expr.args.size() != wanted) {
-        emitter.diagnostics.report(Code::ArgumentCount, expr.name_span, name, wanted, expr.args.size());
+        emitter.diagnostics.report(Code::ArgumentCount, expr.name_span, name, wanted, expr.args.size())
+            .note(nodelang::word_advice(fmt::format("{}/{}", name, expr.args.size())));
         return {};
     }
     std::vector<Typed> operands;

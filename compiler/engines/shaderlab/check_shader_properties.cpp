@@ -252,9 +252,9 @@ void check_samplers(std::span<const LinkedPass> passes, const engines::Engine& e
     };
     const std::size_t room = engine.most_samplers - std::min<std::size_t>(use.of_engine, engine.most_samplers);
     const std::string need =
-        fmt::format("the pass '{}' reads {} textures, and of the {} samplers of Direct3D 11, {}", name_of(*worst),
+        fmt::format("the pass '{}' reads {} textures, and Direct3D 11 has {} samplers{}", name_of(*worst),
                     use.of_material, engine.most_samplers,
-                    use.of_engine > 0 ? fmt::format("Unity's own text needs {}", use.of_engine) : "all are free");
+                    use.of_engine > 0 ? fmt::format(", of which Unity's own text needs {}", use.of_engine) : "");
     if (use.count() > engine.most_samplers) {
         diagnostics.report(Code::TooMany, span_of({}), use.of_material, "textures in one pass", room)
             .note(need)

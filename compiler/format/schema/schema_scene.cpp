@@ -1,4 +1,5 @@
 #include "compiler/format/schema/schema_parts.h"
+#include "patina/segments.h"
 
 namespace patina::graph {
 namespace {
@@ -76,7 +77,7 @@ std::vector<SchemaRow> scene_rows() {
         {Free, "graph", text(kText)},
         {Free, "set", text(kSet)},
         {Free, "mesh", text(kText)},
-        {Free, "segments", between("integer", 3, 512)},
+        {Free, "segments", between("integer", kLeastSegments, kMostSegments)},
         {Free, "material", text(kIdentifier)},
         {Free, "rotation", text(kVector)},
         {Free, "scale", any_of({text(kPositive), text(kVector)})},

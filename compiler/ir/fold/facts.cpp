@@ -194,6 +194,7 @@ private:
         if (op == Op::BitAnd) return of_bits(arg(0), arg(1));
         if (op == Op::Mod) return of_remainder(inst.type, arg(0), arg(1));
         if (op == Op::Sign) return {-1, 1, true};
+        if (op == Op::Pow) return of_power(arg(0), arg(1));
         const bool is_square = op == Op::Dot && args[0] == args[1];
         const bool is_positive =
             op == Op::Sqrt || op == Op::Length || op == Op::Distance || op == Op::Exp || op == Op::Exp2;
@@ -245,9 +246,18 @@ private:
         return rounded(type, number(a.low + b.low, a.high + b.high));
     }
     static Range of_product(Type type, std::span<const Value> args, const Range& a, const Range& b) {
+        const bool is_square = !type.is_matrix() && args[0] == args[1];
+        if (is_square && a.is_finite()) {
+            const Range size = of_abs(type, a);
+            return rounded(type, number(size.low * size.low, size.high * size.high));
+        }
         if (a.is_finite() && b.is_finite()) return rounded(type, product(a, b));
-        const bool is_square = type.is_floating() && !type.is_matrix() && args[0] == args[1];
-        return is_square ? Range{0, kInfinity, true} : all_of_type(type);
+        return is_square && type.is_floating() ? Range{0, kInfinity, true} : all_of_type(type);
+    }
+    // A GPU computes exp2(exponent log2(base)). This may round to more than 1 where the exact power is not more.
+    static Range of_power(const Range& base, const Range& exponent) {
+        const bool may_be_nan = !base.is_finite() || !exponent.is_finite() || base.low < 0 || exponent.low <= 0;
+        return {0, kInfinity, may_be_nan};
     }
     static Range of_bits(const Range& a, const Range& b) {
         if (a.low >= 0 && b.low >= 0) return number(0, std::min(a.high, b.high));

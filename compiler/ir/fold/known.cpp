@@ -35,6 +35,15 @@ Value simpler_limit(Builder& b, Op op, Type type, std::span<const Value> args) {
     return is_below ? b.emit(Op::Max, type, {args[0], args[1]}) : Value();
 }
 
+// x * 0 and x - x, which are NaN if x is NaN or infinite.
+bool is_zero(Builder& b, Op op, std::span<const Value> args) {
+    const FactsOf facts{b.module(), b.function()};
+    const auto is_finite = [&](Value value) { return range_of(facts, value).is_finite(); };
+    if (op == Op::Sub) return args[0] == args[1] && is_finite(args[0]);
+    return op == Op::Mul &&
+           ((b.is_constant(args[1], 0) && is_finite(args[0])) || (b.is_constant(args[0], 0) && is_finite(args[1])));
+}
+
 }  // namespace
 
 Value unchanged_operand(const FactsOf& facts, Op op, std::span<const Value> args) {
@@ -49,6 +58,7 @@ Value unchanged_operand(const FactsOf& facts, Op op, std::span<const Value> args
 }
 
 Value simplify_known(Builder& b, Op op, Type type, std::span<const Value> args) {
+    if (type.is_floating() && !type.is_matrix() && is_zero(b, op, args)) return b.splat_constant(type, 0);
     if ((!is_limit(op) && op != Op::Normalize) || !type.is_numeric()) return {};
     const Value same = unchanged_operand({b.module(), b.function()}, op, args);
     return same ? same : simpler_limit(b, op, type, args);

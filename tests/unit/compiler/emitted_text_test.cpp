@@ -142,6 +142,22 @@ TEST(EmittedOperations, LimitOnlyWhereAValueIsNotLimitedYet) {
     // A limit that turns NaN into a number stays.
     EXPECT_HAS(shown("float3(max(abs($_K), 0))"), "max(abs(_K), 0.0)");
     EXPECT_HAS(shown("float3(max(sqrt($_K), 0))"), "max(sqrt(_K), 0.0)");
+    EXPECT_HAS(shown("float3(max($_K * $_K, 0))"), "max(_K * _K, 0.0)");
+    const std::string cosine = R"json({ "id": "c", "expr": "clamp($_K, -1, 1)" })json";
+    EXPECT_LACKS(shown("float3(max(c * c, 0))", cosine), "max(");
+    // A GPU may round a power of a number below 1 to more than 1, but never below 0.
+    EXPECT_HAS(shown("float3(saturate(pow(saturate($_K), 2)))"), "min(pow(clamp(_K, 0.0, 1.0), 2.0), 1.0)");
+    EXPECT_LACKS(shown("float3(max(pow(saturate($_K), 2), 0))"), "max(");
+    EXPECT_HAS(shown("float3(max(pow($_K, 2), 0))"), "max(pow(_K, 2.0), 0.0)");
+    EXPECT_HAS(shown("float3(max(pow(saturate($_K), 0), 0))"), "max(pow(");  // pow(0, 0) is NaN on some GPUs
+}
+
+TEST(EmittedOperations, TimesZeroOnlyWhereAValueMayNotBeFinite) {
+    EXPECT_HAS(shown("float3($_K * 0.0)"), "_K * 0.0");
+    EXPECT_LACKS(shown("$_V + float3(0.0 * (1 - saturate($_K)))"), "clamp(");
+    const std::string part = R"json({ "id": "c", "expr": "saturate($_K)" })json";
+    EXPECT_LACKS(shown("$_V + float3(c - c)", part), "clamp(");
+    EXPECT_HAS(shown("float3($_K - $_K)"), "_K - _K");
 }
 
 TEST(EmittedOperations, NormalizeOnce) {

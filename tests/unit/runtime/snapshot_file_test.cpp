@@ -54,7 +54,7 @@ TEST_F(SnapshotFileTest, ReadsEverything) {
     std::ofstream(folder / "rust.png") << "x";
     ReadSnapshot read_file = read(R"({
         // a comment, and a trailing comma
-        "patina": 1, "graph": "other.graph.json", "mesh": "torus", "size": 64, "samples": 1, "time": 1.5, "node": "mask", "object": "wall", "material": "brick",
+        "patina": 1, "graph": "other.graph.json", "mesh": "torus", "size": 64, "samples": 1, "segments": 512, "time": 1.5, "node": "mask", "object": "wall", "material": "brick",
         "camera": { "position": [2, 1, 3], "fov": 40 }, "ambient": 0.2, "via": "cpu", "lights": ["directional", "point range=3"],
         "set": { "_Roughness": 0.25, "_Tint": [1, 0, 0.5], "_On": true, "_Mode": "Wet", "_MainTex": "rust.png" },
         "tolerance": { "pixel": 0.1, "share": 0.2, "average": 0.3 },
@@ -66,6 +66,7 @@ TEST_F(SnapshotFileTest, ReadsEverything) {
     EXPECT_EQ(request.mesh, "torus");
     EXPECT_EQ(request.size, 64);
     EXPECT_EQ(request.samples, 1);
+    EXPECT_EQ(request.segments, 512);
     EXPECT_EQ(request.time, 1.5);
     EXPECT_EQ(request.options.preview, "mask");
     EXPECT_EQ(request.object, "wall");
@@ -104,6 +105,7 @@ TEST_F(SnapshotFileTest, ErrorsHaveAPlaceAndAReason) {
                       Case{R"({ "patina": 1, "size": 0 })", ":1:16: ", "from 1 to 8192"},
                       Case{R"({ "patina": 1, "size": 1.5 })", ":1:16: ", "whole number"},
                       Case{R"({ "patina": 1, "size": 1e99 })", ":1:16: ", "from 1 to 8192"},
+                      Case{R"({ "patina": 1, "segments": 513 })", ":1:16: ", "from 3 to 512"},
                       Case{R"({ "patina": 1, "time": "soon" })", ":1:16: ", "number of seconds"},
                       Case{R"({ "patina": 1, "time": 1e39 })", ":1:16: ", "number of seconds"},
                       Case{R"({ "patina": 1, "mesh": true })", ":1:16: ", "must be a text"},
