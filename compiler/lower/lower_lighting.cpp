@@ -76,7 +76,7 @@ ir::FunctionId lower_lighting(Lowering& lowering, const SlotDecl& declared, cons
     builder.ret(value.value);
     needs_quad = scope.needs_quad();
     if (declared.light_param && needs_quad) refuse_derivatives_per_light(lowering, function);
-    return add_function(module, std::move(function));
+    return add_function(module, without_unset_inputs(lowering, std::move(function)));
 }
 
 }  // namespace
