@@ -50,41 +50,73 @@ bool reads_member_of_surface(const ir::Function& function, const ir::Inst& inst)
     return whole.op == Op::Param && whole.data == 0;
 }
 
-// Rewrites what depends on an unset input alone, and choices that such a value decides. All else stays as it was
-// emitted, so that a function that is not folded remains so.
+// Reads of unset inputs become their constants, and a choice that they decide becomes the value that it chooses: a
+// Select, and a lerp whose weight is 0 or 1. All else stays as it was emitted, so that a function that is not folded
+// remains so.
 class Rewrite {
 public:
-    Rewrite(const ir::Function& from, const std::map<std::uint32_t, std::vector<double>>& unset)
-        : unset_(unset), follows_(from.insts.size(), 0) {}
+    Rewrite(const ir::Module& module, const ir::Function& from, std::map<std::uint32_t, std::vector<double>> unset)
+        : module_(module), unset_(std::move(unset)), known_(from.insts.size()) {}
 
     bool operator()(ir::Copy& copy, Value value) {
         const ir::Inst& inst = copy.from[value];
+        const std::vector<Value> args(copy.from.args(inst).begin(), copy.from.args(inst).end());
         if (reads_member_of_surface(copy.from, inst) && unset_.contains(inst.data)) {
+            known_[value.index] = unset_.at(inst.data);
             copy.map[value.index] = copy.to.constant(inst.type, unset_.at(inst.data));
-            follows_[value.index] = 1;
             return true;
         }
-        if (ir::has(inst.op, ir::Effect) || ir::has(inst.op, ir::Structure) || inst.op == Op::Call) return false;
-        bool follows = false, is_constant = inst.operand_count > 0;
-        std::vector<Value> args;
-        for (const Value arg : copy.from.args(inst)) {
-            args.push_back(copy.map[arg.index]);
-            follows = follows || follows_[arg.index];
-            is_constant = is_constant && !copy.to.constant_of(args.back()).empty();
+        if (const Value chosen = chosen_of(inst, args)) {
+            known_[value.index] = known_[chosen.index];
+            copy.map[value.index] = copy.map[chosen.index];
+            return true;
         }
-        const bool is_composite = inst.op == Op::Construct && is_constant && inst.type.is_numeric();
-        if (!follows && !is_composite) return false;
-        copy.to.set_origin(inst.origin);
-        const Value known = ir::simplify(copy.to, inst.op, inst.type, args, inst.data);
-        if (!known) return false;
-        copy.map[value.index] = known;
-        follows_[value.index] = follows && !copy.to.constant_of(known).empty();
-        return true;
+        known_[value.index] = numbers_of(copy.from, inst, args);
+        return false;
     }
 
 private:
-    const std::map<std::uint32_t, std::vector<double>>& unset_;
-    std::vector<std::uint8_t> follows_;  // by old value: 1 if it is a constant because an input is unset
+    Value chosen_of(const ir::Inst& inst, std::span<const Value> args) const {
+        if (inst.op == Op::Select && inst.type.is_numeric()) {
+            const std::vector<double>& condition = known_[args[0].index];
+            return condition.size() != 1 ? Value() : condition[0] != 0 ? args[1] : args[2];
+        }
+        if (inst.op != Op::Lerp) return {};
+        const std::vector<double>& weight = known_[args[2].index];
+        const auto is_all = [&](double wanted) {
+            return !weight.empty() && std::all_of(weight.begin(), weight.end(), [&](double w) { return w == wanted; });
+        };
+        return is_all(0) ? args[0] : is_all(1) ? args[1] : Value();
+    }
+
+    // What an instruction computes from constants alone; empty if it does not, or if that must not be folded.
+    std::vector<double> numbers_of(const ir::Function& from, const ir::Inst& inst, std::span<const Value> args) {
+        std::vector<double> numbers;
+        if (inst.op == Op::Constant) {
+            const auto constant = module_.numbers_of(module_.constants[inst.data]);
+            return {constant.begin(), constant.end()};
+        }
+        if (!inst.type.is_numeric() || args.empty()) return numbers;
+        std::vector<ir::Type> types;
+        std::vector<std::span<const double>> operands;
+        for (const Value arg : args) {
+            if (known_[arg.index].empty()) return numbers;
+            types.push_back(from[arg].type);
+            operands.emplace_back(known_[arg.index]);
+        }
+        if (inst.op == Op::Construct) {
+            for (const std::span<const double> part : operands) numbers.insert(numbers.end(), part.begin(), part.end());
+            if (numbers.size() == 1) numbers.resize(inst.type.components(), numbers[0]);
+            if (numbers.size() != inst.type.components()) numbers.clear();
+        } else if (!ir::fold_constant(inst.op, inst.type, types, operands, inst.data, numbers)) {
+            numbers.clear();
+        }
+        return numbers;
+    }
+
+    const ir::Module& module_;
+    std::map<std::uint32_t, std::vector<double>> unset_;
+    std::vector<std::vector<double>> known_;  // by old value: its numbers, if they are known
 };
 
 // A copy of the function; its probes follow their values, and go with them.
@@ -110,7 +142,7 @@ ir::Function without_unset_inputs(Lowering& lowering, ir::Function function) {
         }))
         return function;
     ir::Module& module = lowering.out.module;
-    Rewrite rewrite(function, unset);
+    Rewrite rewrite(module, function, unset);
     ir::Function settled = copied(module, lowering.emitter.options, std::move(function), nullptr, std::ref(rewrite));
     const ir::Liveness live = ir::live_in(settled);
     return copied(module, lowering.emitter.options, std::move(settled), &live, {});
