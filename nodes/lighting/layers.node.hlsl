@@ -143,5 +143,8 @@ float3 BentNormal(
     float3 facing = around * rsqrt(max(dot(around, around), 1e-7));
     float keep = 1 - strength * (1 - roughness);
     float keep2 = keep * keep;
-    return normalize(lerp(facing, normal, keep2 * keep2));
+    float3 bent = lerp(facing, normal, keep2 * keep2);
+    // A view along the direction across has no bent normal.
+    float squared = dot(bent, bent);
+    return squared > 1e-4 ? bent * rsqrt(max(squared, 1e-4)) : normal;
 }

@@ -38,14 +38,15 @@ float3 TransmissionHalfVector(
 /// test: Transmittance(float3(0.5, 0.25, 1), 2, 1) == float3(0.7071067811865476, 0.5, 1)
 /// test: Transmittance(float3(0.5, 0.25, 1), 2, 0) == float3(1, 1, 1)
 /// test: Transmittance(float3(0.5, 0.25, 1), 0, 1) == float3(1, 1, 1)
-[node("Lighting/Transmission/Transmittance")] [range(0, 1)]
+[node("Lighting/Transmission/Transmittance")] [range(0, 1)] [inFloat]
 float3 Transmittance(
     [color] float3 color = 1,                          ///< what white light becomes over the distance
     [range(0, 10)] [unit("m")] float distance = 0,     ///< over which it becomes so
     [range(0, 10)] [unit("m")] float depth = 1         ///< length of the way through the medium
 ) {
-    float turns = distance > 0 ? depth / max(distance, 1e-6) : 0;
-    return exp2(log2(max(color, 1e-6)) * turns);
+    float turns = distance > 0 ? depth / max(distance, 1e-4) : 0;
+    // A power of ten thousand is black for every color below 1, and half can hold it.
+    return exp2(log2(clamp(color, 1e-4, 1)) * min(turns, 10000));
 }
 
 /// The indices of refraction of red, green and blue light.
