@@ -118,7 +118,7 @@ struct Case {
 const Case kCases[] = {
     {"core", {}, [](const Lit& d) { return core(d); }},
     {"clearcoat", {{"clearcoat", "0.7"}, {"clearcoatRoughness", "0.3"}}, clear_coat},
-    {"specular", {{"specular", "0.6"}, {"specularColor", "0.5,0.5,0.5"}, {"ior", "1.8"}}, specular},
+    {"specular", {{"specularFactor", "0.6"}, {"specularColor", "0.5,0.5,0.5"}, {"ior", "1.8"}}, specular},
     {"ior0", {{"specularColor", "0.3,0.3,0.3"}, {"ior", "0"}}, all_reflected},
     {"anisotropy", {{"anisotropy", "0.7"}}, stretched},
     {"anisotropyAcross",
@@ -153,7 +153,7 @@ TEST_P(Layer, EqualsItsClosedForm) {
 TEST(Layers, SheenEqualsItsClosedForm) {
     for (const double roughness : {0.2, 0.5, 1.0}) {
         const Words fibres = {{"baseColor", "0,0,0"},
-                              {"specular", "0"},
+                              {"specularFactor", "0"},
                               {"sheenColor", "0.2,0.8,0.5"},
                               {"sheenRoughness", std::to_string(roughness)}};
         Words cloth = fibres;
@@ -181,7 +181,7 @@ TEST(Layers, SheenEqualsItsClosedForm) {
 // Behind a translucent sheet is Lambert's light; behind a pane is the highlight that a mirrored light would have.
 TEST(Layers, LightFromBehindPasses) {
     Model sheet = model_of({{"baseColor", "1,1,1"},
-                            {"specular", "0"},
+                            {"specularFactor", "0"},
                             {"diffuseTransmission", "0.25"},
                             {"diffuseTransmissionColor", "1,0.5,0"},
                             {"thickness", "2"},
@@ -239,7 +239,7 @@ struct Furnace {
     Fineness fineness = kCoarse;
 };
 // Over Lambert's white, which has no loss of its own; metals are for lobes that only they show.
-const Words kMatt = {{"baseColor", "1,1,1"}, {"specular", "0"}};
+const Words kMatt = {{"baseColor", "1,1,1"}, {"specularFactor", "0"}};
 const Words kMetal = {{"baseColor", "1,1,1"}, {"metallic", "1"}};
 Words joined(Words words, const Words& more) {
     words.insert(words.end(), more.begin(), more.end());
@@ -265,7 +265,7 @@ const Furnace kOpenPbr[] = {
     {"openpbr, thinFilmWeight 1", joined(kWhite, {{"thinFilmWeight", "1"}}), 0.16, false},
 };
 const Furnace kFurnaces[] = {
-    {"specular 0", kMatt, 0.25},
+    {"specularFactor 0", kMatt, 0.25},
     {"clearcoat, roughness 0", joined(kMatt, {{"clearcoat", "1"}}), 0.002},
     {"clearcoat, roughness 0.2", joined(kMatt, {{"clearcoat", "1"}, {"clearcoatRoughness", "0.2"}}), 0.04, false},
     {"clearcoat, roughness 0.5", joined(kMatt, {{"clearcoat", "1"}, {"clearcoatRoughness", "0.5"}}), 0.25, false},
@@ -381,7 +381,7 @@ TEST(Layers, UnusedOnesCostNothing) {
     // The count sees each layer that is used.
     const auto without = work_in(shader_of("gltf", "", "forward"));
     for (const char* used :
-         {R"(, "clearcoat": 0.5)", R"(, "sheenColor": [1, 0, 0])", R"(, "specular": 0.5)",
+         {R"(, "clearcoat": 0.5)", R"(, "sheenColor": [1, 0, 0])", R"(, "specularFactor": 0.5)",
           R"(, "specularColor": [1, 0, 0])", R"(, "ior": 1.4)", R"(, "anisotropy": 0.5)", R"(, "iridescence": 1)",
           R"(, "transmission": 1)", R"(, "diffuseTransmission": 0.5)", R"(, "emissiveStrength": 3)"}) {
         const std::string shader = shader_of("gltf", used, "forward");
