@@ -99,7 +99,7 @@ void lower_slots(Lowering& lowering) {
                                          [&](const PortValue& p) { return p.name == slot->name; });
         if (slot->params.empty()) {
             if (!surface) continue;
-            made.function = lower_setup(lowering, *slot, surface, members);
+            made.function = lowering.setup = lower_setup(lowering, *slot, surface, members);
         } else if (output != lighting.graph->outputs.end()) {
             if (!output->value) continue;
             made.function = lower_lighting(lowering, declared, *output, material, made.needs_quad);

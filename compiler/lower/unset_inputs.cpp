@@ -3,6 +3,7 @@
 // a material does not use costs nothing, and no pass is refused for what only that layer reads.
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "compiler/ir/liveness.h"
 #include "compiler/lower/lowering.h"
@@ -132,6 +133,70 @@ ir::Function copied(ir::Module& module, ir::BuildOptions options, ir::Function o
 }
 
 }  // namespace
+
+namespace {
+
+// The member of a struct that no function needs goes: what was put there, and the place itself.
+void drop_member(ir::Module& module, std::uint32_t structure, std::uint32_t member) {
+    const ir::Type type = module.structs[structure].members[member].type;
+    const auto is_of = [&](const ir::Type& other) { return other.kind == ir::Kind::Struct && other.ref == structure; };
+    for (ir::Function& function : module.functions) {
+        for (ir::Inst& inst : function.insts) {
+            if (inst.op == Op::Construct && is_of(inst.type)) {
+                const auto first = function.operands.begin() + inst.first_operand;
+                std::move(first + member + 1, first + inst.operand_count, first + member);
+                --inst.operand_count;
+            }
+            const bool reads = inst.op == Op::Extract || inst.op == Op::Insert;
+            if (!reads || !is_of(function[function.args(inst)[0]].type)) continue;
+            if (inst.data > member) {
+                --inst.data;
+            } else if (inst.data == member && inst.op == Op::Extract) {
+                // Only the member of another struct that goes, too, is made of it.
+                inst.op = Op::Constant;
+                inst.operand_count = 0;
+                inst.data = static_cast<std::uint32_t>(module.constants.size());
+                module.constants.push_back({type, static_cast<std::uint32_t>(module.numbers.size())});
+                module.numbers.insert(module.numbers.end(), type.components(), 0);
+            }
+        }
+    }
+    module.structs[structure].members.erase(module.structs[structure].members.begin() + member);
+}
+
+std::optional<std::uint32_t> member_named(const ir::Module& module, ir::Type type, std::string_view name) {
+    const std::vector<ir::Member>& members = module.structs[type.ref].members;
+    const auto found =
+        std::find_if(members.begin(), members.end(), [&](const ir::Member& m) { return m.name == name; });
+    if (found == members.end()) return {};
+    return static_cast<std::uint32_t>(found - members.begin());
+}
+
+bool is_read(const ir::Module& module, ir::Type type, std::uint32_t member) {
+    return std::any_of(module.functions.begin(), module.functions.end(), [&](const ir::Function& function) {
+        return std::any_of(function.insts.begin(), function.insts.end(), [&](const ir::Inst& inst) {
+            return inst.op == Op::Extract && inst.data == member && function[function.args(inst)[0]].type == type;
+        });
+    });
+}
+
+}  // namespace
+
+void leave_out_unset_inputs(Lowering& lowering) {
+    ir::Module& module = lowering.out.module;
+    if (!lowering.setup) return;
+    const ir::Type lit = module[lowering.setup].result, given = module[lowering.surface].result;
+    const std::vector<PortValue>& set = lowering.material.graph->graph->surface;
+    for (const Input& input : lowering.material.lighting->graph->inputs) {
+        if (std::any_of(set.begin(), set.end(), [&](const PortValue& p) { return p.name == input.name; })) continue;
+        const auto place = member_named(module, lit, input.name), source = member_named(module, given, input.name);
+        if (!place || !source || !module.structs[lit.ref].members[*place].type.is_numeric()) continue;
+        // One without a literal default may be read.
+        if (is_read(module, lit, *place)) continue;
+        drop_member(module, lit.ref, *place);
+        drop_member(module, given.ref, *source);
+    }
+}
 
 ir::Function without_unset_inputs(Lowering& lowering, ir::Function function) {
     const ir::Type surface = function.params.empty() ? ir::Type() : function.params[0].type;

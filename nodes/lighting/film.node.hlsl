@@ -71,9 +71,9 @@ float3 FresnelThinFilm(
 /// test: F0FromSchlick(float3(0.3, 0.3, 0.3), 1) == float3(0.3, 0.3, 0.3)
 [node("Lighting/Fresnel/F0 from Schlick")] [range(0, 1)]
 float3 F0FromSchlick(
-    [color] float3 reflectance,  ///< F at the angle
+    [color] float3 atAngle,      ///< F at the angle
     [range(0, 1)] float cosine   ///< of the angle
 ) {
     float weight = min(SchlickWeight(cosine), 0.999);
-    return saturate((reflectance - weight) / (1 - weight));
+    return saturate((atAngle - weight) / (1 - weight));
 }
