@@ -43,6 +43,7 @@ struct Lowering {
     std::map<std::string_view, DerivedSlot> derived_slots;  // the derived slots that have been requested
     std::set<std::uint32_t> per_object;                     // globals of the drawn object
     ir::FunctionId surface{};                               // surface(): all that the graph computes
+    ir::FunctionId setup{};                                 // lightingSurface(): what lighting reads of it
 
     bool is_on(std::string_view wanted) const;  // a switch
     // The slot that the function fills, or empty.

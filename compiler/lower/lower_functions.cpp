@@ -29,6 +29,7 @@ public:
                                                              *lowering_.session.declarations, environment_, false);
             if (made) add(made, each.name, nodelang::first_sentence(each.function->doc));
         }
+        leave_out_unset_inputs(lowering_);
         add_vertex_functions();
         leave_to_engine();
         for (ir::Function& function : module_.functions) take_engine_values(function);

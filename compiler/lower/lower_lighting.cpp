@@ -76,7 +76,7 @@ ir::FunctionId lower_lighting(Lowering& lowering, const SlotDecl& declared, cons
     builder.ret(value.value);
     needs_quad = scope.needs_quad();
     if (declared.light_param && needs_quad) refuse_derivatives_per_light(lowering, function);
-    return add_function(module, std::move(function));
+    return add_function(module, without_unset_inputs(lowering, std::move(function)));
 }
 
 }  // namespace
@@ -99,7 +99,7 @@ void lower_slots(Lowering& lowering) {
                                          [&](const PortValue& p) { return p.name == slot->name; });
         if (slot->params.empty()) {
             if (!surface) continue;
-            made.function = lower_setup(lowering, *slot, surface, members);
+            made.function = lowering.setup = lower_setup(lowering, *slot, surface, members);
         } else if (output != lighting.graph->outputs.end()) {
             if (!output->value) continue;
             made.function = lower_lighting(lowering, declared, *output, material, made.needs_quad);

@@ -15,6 +15,11 @@ ir::FunctionId lower_surface(Lowering& lowering, std::vector<const Input*>& memb
 // lightingSurface(): the workflow's set-up, over the surface.
 ir::FunctionId lower_setup(Lowering& lowering, const nodelang::FunctionDecl& slot, ir::FunctionId surface,
                            std::span<const Input* const> members);
+// The function of a lighting graph, in a material that does not set all inputs of the model: their defaults are
+// constants, and what they switch off is left out (unset_inputs.cpp). Its first parameter is the lighting surface.
+ir::Function without_unset_inputs(Lowering& lowering, ir::Function function);
+// Leaves such inputs out of the structs of the surface. For functions, whose text shows these structs.
+void leave_out_unset_inputs(Lowering& lowering);
 // Fills the slots that the material, its workflow and its lighting graph provide.
 void lower_slots(Lowering& lowering);
 

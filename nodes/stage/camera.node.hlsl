@@ -61,6 +61,17 @@ float SceneDepth(
     return dot(behind - cameraPositionWS, cameraForwardWS);
 }
 
+/// The place on the screen at which a point of the world appears.
+///
+/// The point must be in front of the camera.
+[node("Input/Scene/Screen from World")] [inFloat]
+float2 ScreenFromWorld(
+    [unit("m")] float3 position = positionWS  ///< the point, in world space
+) {
+    float4 clip = mul(worldToClip, float4(position, 1));
+    return float2(0.5, -0.5) * clip.xy / max(clip.w, 1e-6) + 0.5;
+}
+
 /// The colour drawn so far behind this pixel, linear. The material is drawn after all that do not read it.
 [semantic("pixel")]
 float3 sceneColor(float2 uv = screenUV) {

@@ -16,7 +16,7 @@ import sys
 import time
 
 from brdf import diffuse, disney, distribution, empirical, fresnel, harmonics  # noqa: F401, each files its terms
-from brdf import image_based, split_sum, unity, unity_brdf, visibility  # noqa: F401
+from brdf import image_based, layers, split_sum, unity, unity_brdf, visibility  # noqa: F401
 from brdf.registry import TERMS
 
 VALUES = pathlib.Path(__file__).with_name("brdf-values.json")

@@ -303,6 +303,72 @@ Color gltf_ambient(const Surface& s, const Directions& d) {
     return times(product(s.base, left), (1 - s.metallic) * s.occlusion);
 }
 
+// --- OpenPBR 1.1: dielectric, metal and coat, each compensated (Turquin 2019)
+struct OpenLobe {
+    SplitSum e;
+    Color f0;
+    double f90;
+    Color compensation() const { return plus(gray(1), times(f0, 1 / (e.scale + e.offset) - 1)); }
+    Color albedo() const {
+        Color sum = product(plus(times(f0, e.scale), gray(f90 * e.offset)), compensation());
+        for (double& c : sum) c = std::min(c, 1.0);
+        return sum;
+    }
+    Color fresnel(double cosine) const { return product(schlick(f0, f90, cosine), compensation()); }
+};
+struct OpenPbr {
+    double nv, share;
+    Surface below;
+    Color base;
+    OpenLobe dielectric, metal, coat;
+    Color kept, through;
+    OpenPbr(const Surface& s, const Directions& d) : nv(absolute_nv(d)), share(s.number("coatWeight")), below(s) {
+        const double r = s.roughness, c = s.number("coatRoughness"), n = s.number("coatIor");
+        below.roughness = r + (std::pow(std::min(1.0, std::pow(r, 4) + 2 * std::pow(c, 4)), 0.25) - r) * share;
+        base = times(s.base, s.number("baseWeight"));
+        const double ratio = s.number("specularIor") / (1 + (n - 1) * share), weight = s.number("specularWeight");
+        const double f0 = std::pow((ratio - 1) / (ratio + 1), 2) * weight, coat_f0 = std::pow((n - 1) / (n + 1), 2);
+        const SplitSum e = split_sum(below, nv);
+        Surface above = s;
+        above.roughness = c;
+        dielectric = {e, gray(f0), std::min(1.0, 50 * f0)};
+        metal = {e, base, 1};
+        coat = {split_sum(above, nv), gray(coat_f0), std::min(1.0, 50 * coat_f0)};
+        kept = plus(gray(1), times(dielectric.albedo(), -1));
+        // Light between coat and base, and its way through the coat.
+        const Color albedo =
+            mixed(plus(dielectric.albedo(), product(kept, base)), times(metal.albedo(), weight), s.metallic);
+        const double mean = (n - 1) / (4.08567 + 1.00071 * n), rough = 1 - (1 - mean) / (n * n);
+        const double smooth = coat_f0 + (1 - coat_f0) * fifth(nv), matte = 1 + (r - 1) * s.metallic;
+        const double back = smooth + (rough - smooth) * matte, way = 1 / std::sqrt(1 - (1 - nv * nv) / (n * n));
+        for (std::size_t i = 0; i < 3; ++i) {
+            through[i] =
+                (1 - coat.albedo()[i]) * std::pow(s.own.at("coatColor")[i], way) * (1 - back) / (1 - albedo[i] * back);
+        }
+    }
+    Color covered(const Color& light) const { return mixed(light, product(light, through), share); }
+};
+Color open_pbr(const Surface& s, const Directions& d) {
+    const Cosines c(d, Half::Floored);
+    const OpenPbr o(s, d);
+    Surface above = s;
+    above.roughness = s.number("coatRoughness");
+    const double lobe = ggx_lobe(o.below, c, d);
+    const Color insulator = plus(times(product(o.kept, o.base), c.nl), times(o.dielectric.fresnel(c.lh), lobe));
+    const Color conductor = times(o.metal.fresnel(c.lh), lobe * s.number("specularWeight"));
+    return plus(o.covered(mixed(insulator, conductor, s.metallic)),
+                times(o.coat.fresnel(c.lh), o.share * ggx_lobe(above, c, d)));
+}
+Color open_pbr_ambient(const Surface& s, const Directions& d) {
+    const OpenPbr o(s, d);
+    return times(o.covered(product(o.kept, o.base)), (1 - s.metallic) * s.occlusion);
+}
+Color open_pbr_environment(const Surface& s, const Directions& d) {
+    const OpenPbr o(s, d);
+    const Color base = mixed(o.dielectric.albedo(), times(o.metal.albedo(), s.number("specularWeight")), s.metallic);
+    return times(plus(o.covered(base), times(o.coat.albedo(), o.share)), s.occlusion);
+}
+
 // --- Cook-Torrance, with one term at a time other than GGX, Smith's joint V, Schlick and Lambert
 using Visibility = double (*)(const Surface&, const Cosines&, double nv);
 template <double (*D)(double, double), Visibility V>
@@ -466,6 +532,13 @@ const std::vector<ClosedModel>& closed_models() {
     static const Own highlight = {{"specularColor", true}, {"exponent", false, 1, 1000}};
     static const Own bands = {{"bands", false, 1, 8}, {"bandSoftness"}, {"shadeColor", true},
                               {"highlight"},          {"rim"},          {"rimWidth"}};
+    static const Own coated = {{"baseWeight"},
+                               {"specularWeight"},
+                               {"specularIor", false, 1.1, 2.5},
+                               {"coatWeight"},
+                               {"coatColor", true, 0.05, 1},
+                               {"coatRoughness"},
+                               {"coatIor", false, 1.1, 2.5}};
     static const Own eleven = {{"subsurface"}, {"specularLevel"}, {"specularTint"}, {"anisotropic"},
                                {"sheen"},      {"sheenTint"},     {"clearcoat"},    {"clearcoatGloss"}};
     const auto torrance = [](const char* choice, const char* word, Color (*direct)(const Surface&, const Directions&)) {
@@ -492,6 +565,7 @@ const std::vector<ClosedModel>& closed_models() {
         {"pbr-direct-indirect", {{"_Part", "IndirectDiffuse"}}, {}, nothing, four_parts_ambient, nothing},
         {"energy-conserving", {}, {}, energy_conserving, energy_conserving_ambient, energy_conserving_environment},
         {"gltf", {}, {}, gltf, gltf_ambient, mirrored_split_sum},
+        {"openpbr", {}, coated, open_pbr, open_pbr_ambient, open_pbr_environment},
         torrance("_Distribution", "GGX", cook_torrance<ggx, v_joint>),
         torrance("_Distribution", "Beckmann", cook_torrance<beckmann, v_joint>),
         torrance("_Distribution", "BlinnPhong", cook_torrance<blinn_phong_of_roughness, v_joint>),

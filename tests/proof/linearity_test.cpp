@@ -41,6 +41,7 @@ const std::map<std::string, Formula> kFormulas = {
     {"half-lambert", {.has_diffuse_color = true, .has_environment = false}},
     {"lambert", {.has_diffuse_color = true, .has_environment = false}},
     {"merl", {.has_environment = false}},
+    {"openpbr", {.is_linear_in_base_color = false}},
     {"pbr-direct-indirect", {}},
     {"phong", {.has_diffuse_color = true}},
     {"toon", {.has_environment = false}},
@@ -226,7 +227,11 @@ TEST(Linearity, MembersThatAModelReads) {
     EXPECT_EQ(members(lambert, "indirect"), (std::set<std::string>{"diffuseColor", "normalWS", "occlusion"}));
     EXPECT_EQ(members(lambert, "final"), (std::set<std::string>{"emission"}));
     // Smoothness is a member function of the surface, that reads the roughness.
-    LoweredMaterial toon(material_of("toon", kWorkflow));
+    LoweredMaterial plain(material_of("toon", kWorkflow));
+    EXPECT_EQ(members(plain, "direct"), (std::set<std::string>{"baseColor", "roughness", "normalWS"}));
+    // A model's own inputs are read where the material sets them.
+    LoweredMaterial toon(R"json({ "patina": 1, "workflow": "metallic-roughness", "lighting": "toon", "surface": {
+        "bands": 4, "bandSoftness": 0.1, "highlight": 1, "rim": 1, "rimWidth": 0.3 } })json");
     EXPECT_EQ(members(toon, "direct"), (std::set<std::string>{"baseColor", "roughness", "normalWS", "bands",
                                                               "bandSoftness", "highlight", "rim", "rimWidth"}));
 }

@@ -18,9 +18,9 @@ namespace {
 using nodelang::FunctionDecl;
 using runtime::Triple;
 
-constexpr const char* kMicrofacet[] = {"cl-pbr-specular",   "cook-torrance", "disney-principled",
-                                       "energy-conserving", "gltf",          "pbr-direct-indirect",
-                                       "unity-brdf1",       "unity-brdf2"};
+constexpr const char* kMicrofacet[] = {"cl-pbr-specular",     "cook-torrance", "disney-principled",
+                                       "energy-conserving",   "gltf",          "openpbr",
+                                       "pbr-direct-indirect", "unity-brdf1",   "unity-brdf2"};
 constexpr const char* kFamilies[] = {"Distribution", "Visibility", "Fresnel", "Diffuse"};
 
 const Compiler& compiler() {
@@ -90,7 +90,8 @@ std::vector<Words> settings_of(const graph::Graph& graph) {
     Words surface = {{"baseColor", "0.8,0.5,0.3"}, {"metallic", "0.3"}, {"roughness", "0.6"}};
     for (const graph::Input& input : graph.inputs)
         surface.push_back({input.name, input.type == "color3" ? "0.6,0.7,0.8" : "0.6"});
-    std::vector<Words> settings = {surface};
+    // And with none of that: what is chosen instead of it.
+    std::vector<Words> settings = {surface, Words(surface.begin(), surface.begin() + 3)};
     for (const graph::Property& property : graph.properties) {
         for (const std::string& word : property.values) {
             settings.push_back(surface);
@@ -103,10 +104,11 @@ std::vector<Words> settings_of(const graph::Graph& graph) {
 // Lamps and surroundings at a few points.
 std::vector<Triple> seen(const std::string& model, const Words& values) {
     runtime::Model made(compiler(), {.model = model, .values = values});
-    EXPECT_TRUE(made.ok()) << model;
+    EXPECT_TRUE(made.ok()) << model << (made.ok() ? "" : to_text(made.diagnostics().at(0)));
+    if (!made.ok()) return {};
     std::vector<Triple> colors;
     for (const double x : {-0.6, 0.1, 0.7}) {
-        for (const double z : {0.1, 0.5, 1.0}) {
+        for (const double z : {-0.6, 0.1, 0.5, 1.0}) {
             const runtime::ModelPoint point{.l = {x, 0.3, z}, .v = {0.4, -0.2, 0.6}};
             colors.push_back(made.direct(point));
             colors.push_back(made.color(point, {.light = {}, .ambient = {1, 1, 1}, .environment = {1, 1, 1}}));

@@ -188,8 +188,13 @@ TEST_P(ModelTest, IsFiniteAndNotNegativeEverywhere) {
 }
 
 // Models whose direct light depends on one of the two directions more than on the other.
-constexpr std::string_view kOneSided[] = {"half-lambert Squared", "half-lambert Linear", "phong Classic",
-                                          "blinn-phong Classic",  "energy-conserving",   "toon"};
+constexpr std::string_view kOneSided[] = {"half-lambert Squared",
+                                          "half-lambert Linear",
+                                          "phong Classic",
+                                          "blinn-phong Classic",
+                                          "energy-conserving",
+                                          "openpbr",
+                                          "toon"};
 
 TEST_P(ModelTest, LightAndViewerMayChangePlaces) {
     const bool is_one_sided =

@@ -32,7 +32,7 @@ inline const rapidjson::Document& read_json(const char* path) {
 inline const rapidjson::Document& rows() {
     return read_json("tests/data/brdf-values.json");
 }
-inline constexpr std::size_t kRows = 640;
+inline constexpr std::size_t kRows = 780;
 
 inline void append_word(const Json& value, std::string& word) {
     if (value.IsArray()) {

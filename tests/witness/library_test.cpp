@@ -17,6 +17,8 @@ constexpr Exempt kExempt[] = {
     {"AmbientIrradiance", "reads the scene's ambient light; EvaluateSH9, which it calls, is tested"},
     {"EnvironmentRadiance", "reads the scene's environment; environment_test looks at what is in it"},
     {"SceneColor", "reads what was drawn before"},
+    {"SceneThroughRoughSurface", "reads what was drawn before; layers_paths_test draws with it"},
+    {"ScreenFromWorld", "reads the camera; layers_paths_test draws with it"},
     {"SceneDepth", "reads what was drawn before"},
     {"SplitSumTable", "reads a table; environment_test compares it with the integral"},
     {"SampleShadowTent5x5", "reads a shadow map; pass_functions_test compares it with an integral"},

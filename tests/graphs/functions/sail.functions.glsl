@@ -233,8 +233,10 @@ vec3 Sail_direct(Sail_LightingSurface surface, Sail_Light light, vec3 viewDirWS)
 
     vec3 specular = fresnel * (3.1415927 * distribution * visibility * ndotl);
 
+    vec3 base = (1.0 - fresnel) * scattering * ndotl + specular;
+
     vec3 radiance = light.color * (light.attenuation * light.shadow);
-    return ((1.0 - fresnel) * scattering * ndotl + specular) * radiance;
+    return base * radiance;
 }
 
 // LightSum.indirect: all light that does not come from a single light.

@@ -232,8 +232,10 @@ float3 Sail_direct(Sail_LightingSurface surface, Sail_Light light, float3 viewDi
 
     float3 specular = fresnel * (3.1415927 * distribution * visibility * ndotl);
 
+    float3 base = (1.0 - fresnel) * scattering * ndotl + specular;
+
     float3 radiance = light.color * (light.attenuation * light.shadow);
-    return ((1.0 - fresnel) * scattering * ndotl + specular) * radiance;
+    return base * radiance;
 }
 
 // LightSum.indirect: all light that does not come from a single light.
