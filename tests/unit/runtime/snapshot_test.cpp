@@ -114,6 +114,8 @@ TEST_F(Snapshots, AReferenceOfNoCaseIsFound) {
     write_graph("rust.graph.json", "0.5");
     write("rust.reference.png", "");
     write("gone.reference.png", "");
+    write("broken.snapshot.json", "{");
+    write("broken.deferred.reference.png", "");
     EXPECT_EQ(find_cases(folder.string()).orphans, Names{(folder / "gone.reference.png").string()});
 }
 
