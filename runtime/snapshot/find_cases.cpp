@@ -63,17 +63,24 @@ public:
             if (!shown_.contains(same_for_all(file))) add_bare(file);
         std::ranges::stable_sort(found_.cases, {}, &PlannedCase::name);
         for (const std::string& reference : files.references)
-            if (!stems_.contains(without(reference, kReferenceEnding))) found_.orphans.push_back(reference);
+            if (is_orphan(without(reference, kReferenceEnding))) found_.orphans.push_back(reference);
         return std::move(found_);
     }
 
 private:
+    // Which pictures a broken file has is not known, so each that may be of it is left alone.
+    bool is_orphan(const std::string& stem) const {
+        if (stems_.contains(stem)) return false;
+        return std::ranges::none_of(broken_, [&](const std::string& each) { return stem.starts_with(each + "."); });
+    }
+
     void add_snapshot(const std::string& file) {
         ReadSnapshot read = read_snapshot(file);
         const std::string stem = without(file, kSnapshotEnding);
         if (!read.file) {
             // Its graph is not a case of its own: what the file wants of it is not known.
             for (const char* ending : {".graph.json", ".scene.json"}) shown_.insert(same_for_all(stem + ending));
+            broken_.push_back(stem);
             add({.file = file, .stem = stem, .problem = std::move(read.error)}, "");
             return;
         }
@@ -121,6 +128,7 @@ private:
     std::string folder_;
     fs::path root_;
     FoundCases found_{};
+    std::vector<std::string> broken_{};           // stems of snapshot files that cannot be read
     std::set<std::string> shown_{};               // graphs and scenes of snapshot files
     std::map<std::string, std::string> stems_{};  // -> the file that has it
 };

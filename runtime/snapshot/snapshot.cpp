@@ -12,7 +12,7 @@
 namespace patina::runtime {
 namespace {
 
-constexpr unsigned kMostJobs = 8;  // without a wish: a device for each needs memory
+constexpr unsigned kMostJobs = 4;  // without a wish: each needs a device and its memory
 
 bool is_wanted(const PlannedCase& planned, const std::string& only) {
     return only.empty() || only == planned.name || only == planned.base ||

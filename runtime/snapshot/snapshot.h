@@ -68,7 +68,7 @@ struct SnapshotOptions {
     std::vector<std::string> include_dirs{};
     std::map<std::string, double> tolerance{};  // by ToleranceKey::name; overrides what the files say
     Shard shard{};
-    int jobs = 0;  // cases at once; 0: as many as the machine has cores, at most 8
+    int jobs = 0;  // cases at once; 0: as many as the machine has cores, at most 4
     bool keeps_pictures = false;
     // Called for one case after the other, in their order, as soon as each can be; `index` from 0.
     std::function<void(const SnapshotCase&, std::size_t index, std::size_t count)> on_case{};

@@ -211,7 +211,7 @@ void add_snapshot(Program& program) {
                      check_tolerance_word)
         ->type_name("NAME=NUMBER");
     add_outputs(command, *arguments);
-    command.add_option("--jobs", options.jobs, "Run N cases at once; default: one for each core")
+    command.add_option("--jobs", options.jobs, "Run N cases at once; default: one for each core, at most 4")
         ->type_name("N")
         ->check(CLI::Range(1, 256));
     command.add_option("--shard", arguments->shard, "Run the I-th of N equal parts of the cases, on one of N machines")

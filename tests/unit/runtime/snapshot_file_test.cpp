@@ -85,6 +85,18 @@ TEST_F(SnapshotFileTest, ReadsEverything) {
     EXPECT_EQ(file.tolerance.average, 0.3);
 }
 
+TEST_F(SnapshotFileTest, HasAsManyPicturesAsValuesButNotTooMany) {
+    std::string values = "0";
+    for (int i = 1; i < 100; i++) values += "," + std::to_string(i);
+    const auto sweeps = [&](const std::string& second) {
+        return R"({ "patina": 1, "sweep": { "_A": [)" + values + R"(], "_B": [)" + second + "] } }";
+    };
+    EXPECT_EQ(variations(*read(sweeps("0,1,2,3,4,5,6,7,8,9")).file).size(), 1000u);
+    EXPECT_NE(to_text(read(sweeps(values)).error).find("at most 1000 pictures"), std::string::npos);
+    EXPECT_EQ(variations(*read(R"({ "patina": 1 })").file).size(), 1u);
+    EXPECT_TRUE(read(R"({ "patina": 1, "text": true })").file->text);
+}
+
 TEST_F(SnapshotFileTest, NoLightsAtAllIsAnEmptyArray) {
     EXPECT_EQ(read(R"({ "patina": 1, "lights": [] })").file->request.lights, std::vector<std::string>{"none"});
 }
@@ -114,6 +126,17 @@ TEST_F(SnapshotFileTest, ErrorsHaveAPlaceAndAReason) {
                       Case{R"({ "patina": 1, "patina": 1 })", ":1:16: ", "appears twice"},
                       Case{R"({ "patina": 1, "tolerance": { "pixels": 1 } })", ":1:31: ", "unknown key 'pixels'"},
                       Case{R"({ "patina": 1, "tolerance": { "pixel": 2 } })", ":1:31: ", "between 0 and 1"},
+                      Case{R"({ "patina": 1, "tolerance": { "share": "1" } })", ":1:31: ", "'share' must be a number"},
+                      Case{R"({ "patina": 1, "tolerance": { "otherDriver": 0.5 } })", ":1:31: ", "between 1 and 1000"},
+                      Case{R"({ "patina": 1, "text": "yes" })", ":1:16: ", "'text' is true or false"},
+                      Case{R"({ "patina": 1, "path": [] })", ":1:16: ", "or a list of names"},
+                      Case{R"({ "patina": 1, "path": [1] })", ":1:16: ", "or a list of names"},
+                      Case{R"({ "patina": 1, "path": "" })", ":1:16: ", "'path' is the name of a rendering path"},
+                      Case{R"({ "patina": 1, "path": ["a", "a"] })", ":1:16: ", "the path 'a' appears twice"},
+                      Case{R"({ "patina": 1, "sweep": [1] })", ":1:16: ", "'sweep' must be an object"},
+                      Case{R"({ "patina": 1, "sweep": { "_A": 1 } })", ":1:27: ", "'_A' of a sweep is an array"},
+                      Case{R"({ "patina": 1, "sweep": { "_A": [] } })", ":1:27: ", "'_A' of a sweep is an array"},
+                      Case{R"({ "patina": 1, "sweep": { "_A": [1, 1] } })", ":1:27: ", "the value '1' appears twice"},
                       Case{R"({ "patina": 1, "tolerance": 1 })",
                            ":1:16: ", R"('tolerance' must be an object, such as { "pixel": 0.01 })"},
                       Case{R"({ "patina": 1, "set": [1] })", ":1:16: ", "'set' must be an object"},

@@ -114,6 +114,8 @@ TEST_F(Snapshots, AReferenceOfNoCaseIsFound) {
     write_graph("rust.graph.json", "0.5");
     write("rust.reference.png", "");
     write("gone.reference.png", "");
+    write("broken.snapshot.json", "{");
+    write("broken.deferred.reference.png", "");
     EXPECT_EQ(find_cases(folder.string()).orphans, Names{(folder / "gone.reference.png").string()});
 }
 
@@ -150,7 +152,23 @@ TEST_F(Snapshots, OnlyAnUpdateChangesAReference) {
     EXPECT_FALSE(fs::exists(root / "received/rust.difference.png")) << "of an earlier run";
 }
 
-// A reference of two squares' worth of other pixels: what each gate says of it follows from how it was made.
+TEST_F(Snapshots, AReferenceThatIsNoPictureFailsAndCanBeReplaced) {
+    write_graph("rust.graph.json", "0.5");
+    write_graph("wood.graph.json", "0.5");
+    write("rust.reference.png", "no picture");
+    fs::create_directory(folder / "wood.reference.png");
+    const SnapshotReport report = run();
+    ASSERT_EQ(report.cases.size(), 2u);
+    EXPECT_NE(report.cases[0].message.find("as an image"), std::string::npos) << report.cases[0].message;
+    EXPECT_NE(report.cases[1].message.find("it is a folder"), std::string::npos) << report.cases[1].message;
+    const SnapshotReport updated = update();
+    EXPECT_EQ(updated.cases[0].state, SnapshotState::Updated);
+    EXPECT_EQ(updated.cases[1].state, SnapshotState::Failed);
+    EXPECT_NE(updated.cases[1].message.find("cannot write"), std::string::npos) << updated.cases[1].message;
+    EXPECT_EQ(run().cases[0].state, SnapshotState::Passed);
+}
+
+// A reference in which a rectangle has another red: what each gate says of it follows from how it was made.
 TEST_F(Snapshots, EachGateHasItsFigure) {
     write_graph("rust.graph.json", "0.5");
     write("rust.snapshot.json", R"({ "patina": 1, "size": 32, "mesh": "plane" })");
