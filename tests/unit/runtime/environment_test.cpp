@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "runtime/lighting/cube.h"
+#include "runtime/lighting/prefilter.h"
 #include "runtime/lighting/split_sum.h"
 #include "runtime/lighting/studio.h"
 #include "tests/support/reference_values.h"

@@ -1,0 +1,36 @@
+// Light as spherical harmonics: nine coefficients, from which shaders compute diffuse light.
+//
+//   SphericalHarmonics sky = gradient_ambient({0.4f, 0.5f, 0.7f}, glm::vec3(0.3f), glm::vec3(0.1f));
+//   add_light(sky, {0, 1, 0}, glm::vec3(0.2f));
+#pragma once
+
+#include <array>
+#include <functional>
+#include <glm/glm.hpp>
+
+namespace patina::runtime {
+
+// Linear radiance that arrives from a unit direction of the world; asked by several threads at once.
+using Radiance = std::function<glm::vec3(glm::vec3)>;
+
+// Radiance in nine coefficients, order l(l+1)+m, of the real basis without the Condon-Shortley sign, evaluated on world
+// x, y and z directly: Y1 = 0.4886 y, Y2 = 0.4886 z, Y3 = 0.4886 x ... (Ramamoorthi and Hanrahan 2001).
+struct SphericalHarmonics {
+    std::array<glm::vec3, 9> coefficients{};
+};
+SphericalHarmonics constant_ambient(glm::vec3 radiance);
+// The radiance horizon + (sky - ground) / 2 * y + ((sky + ground) / 2 - horizon) * y^2: exactly the three colours at
+// up, horizontal and down, with no ringing.
+SphericalHarmonics gradient_ambient(glm::vec3 sky, glm::vec3 horizon, glm::vec3 ground);
+// Adds a directional light. `color`: its E/pi, which is what the irradiance of the sum gains, over pi, on a surface
+// that faces the light: nine coefficients would make it 17/16 of that, so they are scaled (Sloan, "Stupid Spherical
+// Harmonics Tricks", GDC 2008, "normalization"). `direction`: to the light, unit.
+void add_light(SphericalHarmonics& sum, glm::vec3 direction, glm::vec3 color);
+// The basis at a unit direction.
+std::array<float, 9> spherical_harmonics_basis(glm::vec3 direction);
+// The radiance that the coefficients describe, at a unit direction; 0 where it would be negative.
+glm::vec3 evaluate(const SphericalHarmonics& sh, glm::vec3 direction);
+// The integral of the radiance times each function of the basis, over the texels of a small cube.
+SphericalHarmonics project(const Radiance& radiance);
+
+}  // namespace patina::runtime
