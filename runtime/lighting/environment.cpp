@@ -19,32 +19,28 @@ TextureLevel unpacked(std::span<const float>& numbers, int size) {
 
 }  // namespace
 
-Environment::Environment(Radiance radiance, int face_size)
-    : radiance_(std::move(radiance)), face_size_(face_size), ambient_(project(radiance_)) {}
+Environment::Environment(const SphericalHarmonics& ambient, std::function<TextureData()> make_map)
+    : ambient_(ambient), make_map_(std::move(make_map)) {}
 
-Environment::Environment(Radiance radiance, int face_size, std::span<const float> blurred_levels)
-    : Environment(std::move(radiance), face_size) {
-    blurred_levels_ = blurred_levels;
-}
+Environment::Environment(const Radiance& radiance, int face_size)
+    : Environment(project(radiance), [radiance, face_size] { return prefiltered(Pyramid(radiance, face_size), {}); }) {}
 
 Environment::Environment(const SphericalHarmonics& ambient)
-    : radiance_([ambient](glm::vec3 direction) { return evaluate(ambient, direction); }),
-      face_size_(256),
-      ambient_(ambient) {}
+    : Environment(ambient, [ambient] {
+          return prefiltered(Pyramid([&](glm::vec3 d) { return evaluate(ambient, d); }, 256), {});
+      }) {}
 
 std::shared_ptr<const TextureData> Environment::map() const {
-    std::call_once(made_, [this] {
-        TextureData data{.levels = {}, .sampler = {.wrap = Wrap::Clamp}, .faces = 6};
-        const Pyramid pyramid(radiance_, face_size_);
-        std::span<const float> known = blurred_levels_;
-        for (int level = 0; level < kEnvironmentLevels; level++) {
-            const int size = std::max(face_size_ >> level, 1);
-            const bool is_known = level > 0 && !known.empty();
-            data.levels.push_back(is_known ? unpacked(known, size) : blurred(pyramid, level, size));
-        }
-        map_ = std::make_shared<const TextureData>(std::move(data));
-    });
+    std::call_once(made_, [this] { map_ = std::make_shared<const TextureData>(make_map_()); });
     return map_;
+}
+
+TextureData map_with_levels(const Radiance& radiance, int face_size, std::span<const float> blurred_levels) {
+    TextureData data{.levels = {}, .sampler = {.wrap = Wrap::Clamp}, .faces = 6};
+    data.levels.push_back(blurred(Pyramid(radiance, face_size), 0, face_size, 1));
+    for (int level = 1; level < kEnvironmentLevels; level++)
+        data.levels.push_back(unpacked(blurred_levels, std::max(face_size >> level, 1)));
+    return data;
 }
 
 }  // namespace patina::runtime

@@ -9,6 +9,7 @@
 //   scene.ambient = sunset.ambient();   texture = sunset.map();
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -20,28 +21,26 @@ namespace patina::runtime {
 
 class Environment {
 public:
+    // A map is a cube of kEnvironmentLevels levels (prefilter.h); it is made when first asked for, by one thread.
+    Environment(const SphericalHarmonics& ambient, std::function<TextureData()> make_map);
     // `face_size`: texels along a face of the cube, a power of two, 256 or more: the last level has 8 or more, fewer of
     // which would show as facets.
-    Environment(Radiance radiance, int face_size);
-    // With a map that is known already: its levels from the second on, texel by texel, red, green and blue.
-    // `blurred_levels` must outlive this.
-    Environment(Radiance radiance, int face_size, std::span<const float> blurred_levels);
+    Environment(const Radiance& radiance, int face_size);
     // What the coefficients describe, smooth as it is.
     explicit Environment(const SphericalHarmonics& ambient);
 
-    glm::vec3 radiance(glm::vec3 direction) const { return radiance_(direction); }
     const SphericalHarmonics& ambient() const { return ambient_; }
-    // A cube; made when first asked for, by one thread.
     std::shared_ptr<const TextureData> map() const;
 
 private:
-    Radiance radiance_;
-    int face_size_;
     SphericalHarmonics ambient_;
-    std::span<const float> blurred_levels_{};  // empty: not known
+    std::function<TextureData()> make_map_;
     mutable std::once_flag made_;
     mutable std::shared_ptr<const TextureData> map_;
 };
+
+// A map whose levels from the second on are known, texel by texel, red, green and blue.
+TextureData map_with_levels(const Radiance& radiance, int face_size, std::span<const float> blurred_levels);
 
 // The studio of studio.h. The same object each time.
 std::shared_ptr<const Environment> studio_environment();

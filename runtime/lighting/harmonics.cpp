@@ -60,24 +60,30 @@ glm::vec3 evaluate(const SphericalHarmonics& sh, glm::vec3 direction) {
 }
 
 // c_i = integral of L Y_i, over the texels of a cube with their solid angles, which are made to sum to 4 pi.
-SphericalHarmonics project(const Radiance& radiance) {
-    constexpr int kSize = 48;
-    SphericalHarmonics result;
+SphericalHarmonics project(const Radiance& radiance, int face_size) {
+    std::array<glm::dvec3, 9> sums{};
     double weight_sum = 0;
     for (int face = 0; face < 6; face++) {
-        for (int y = 0; y < kSize; y++) {
-            for (int x = 0; x < kSize; x++) {
-                glm::vec3 direction = cube_direction(face, x, y, kSize);
-                float weight = cube_solid_angle(x, y, kSize);
+        for (int y = 0; y < face_size; y++) {
+            for (int x = 0; x < face_size; x++) {
+                glm::vec3 direction = cube_direction(face, x, y, face_size);
+                float weight = cube_solid_angle(x, y, face_size);
                 weight_sum += weight;
                 std::array<float, 9> basis = spherical_harmonics_basis(direction);
                 glm::vec3 light = radiance(direction) * weight;
-                for (std::size_t i = 0; i < basis.size(); i++) result.coefficients[i] += basis[i] * light;
+                for (std::size_t i = 0; i < basis.size(); i++) sums[i] += glm::dvec3(basis[i] * light);
             }
         }
     }
-    for (glm::vec3& coefficient : result.coefficients) coefficient *= float(4 * std::numbers::pi / weight_sum);
+    SphericalHarmonics result;
+    for (std::size_t i = 0; i < sums.size(); i++)
+        result.coefficients[i] = glm::vec3(sums[i] * (4 * std::numbers::pi / weight_sum));
     return result;
+}
+
+SphericalHarmonics scaled(SphericalHarmonics light, float factor) {
+    for (glm::vec3& coefficient : light.coefficients) coefficient *= factor;
+    return light;
 }
 
 }  // namespace patina::runtime

@@ -30,7 +30,8 @@ void add_light(SphericalHarmonics& sum, glm::vec3 direction, glm::vec3 color);
 std::array<float, 9> spherical_harmonics_basis(glm::vec3 direction);
 // The radiance that the coefficients describe, at a unit direction; 0 where it would be negative.
 glm::vec3 evaluate(const SphericalHarmonics& sh, glm::vec3 direction);
-// The integral of the radiance times each function of the basis, over the texels of a small cube.
-SphericalHarmonics project(const Radiance& radiance);
+// The integral of the radiance times each function of the basis, over the texels of a cube with faces of this size.
+SphericalHarmonics project(const Radiance& radiance, int face_size = 48);
+SphericalHarmonics scaled(SphericalHarmonics light, float factor);
 
 }  // namespace patina::runtime

@@ -73,11 +73,18 @@ float roughness_of_level(int level) {
     return (1.7f - std::sqrt(1.7f * 1.7f - 4 * 0.7f * share)) / 1.4f;
 }
 
-Pyramid::Pyramid(const Radiance& radiance, int size) : size_(size) {
+Pyramid::Pyramid(const Radiance& radiance, int size, int samples) : size_(size) {
     std::vector<glm::vec3>& base = levels_.emplace_back(std::size_t(6) * size * size);
     on_each_face([&](int face) {
-        for (int y = 0; y < size; y++)
-            for (int x = 0; x < size; x++) base[at(size, face, x, y)] = radiance(cube_direction(face, x, y, size));
+        for (int y = 0; y < size; y++) {
+            for (int x = 0; x < size; x++) {
+                glm::vec3 sum(0);
+                for (int j = 0; j < samples; j++)
+                    for (int i = 0; i < samples; i++)
+                        sum += radiance(cube_direction(face, x * samples + i, y * samples + j, size * samples));
+                base[at(size, face, x, y)] = sum / float(samples * samples);
+            }
+        }
     });
     for (int half = size / 2; half > 0; half /= 2) {
         std::vector<glm::vec3> next(std::size_t(6) * half * half);
@@ -122,11 +129,10 @@ glm::vec3 Pyramid::bilinear(int level, const CubePlace& place) const {
                     glm::mix(texel(left, top + 1), texel(left + 1, top + 1), x - left), y - top);
 }
 
-TextureLevel blurred(const Pyramid& pyramid, int level, int size) {
+TextureLevel blurred(const Pyramid& pyramid, float roughness, int size, int samples,
+                     const PrefilterProgress& progress) {
     std::vector<Mirrored> around = {{{0, 0, 1}, 1, 0}};
-    // Coarser levels have fewer texels, and each covers more of the environment.
-    constexpr int kSamples[kEnvironmentLevels] = {1, 16, 48, 96, 256, 1024};
-    if (level > 0) around = mirrored_directions(roughness_of_level(level), kSamples[level], pyramid.size());
+    if (roughness > 0) around = mirrored_directions(roughness, samples, pyramid.size());
     TextureLevel result{.width = size, .height = size, .texels = std::vector<float>(std::size_t(24) * size * size)};
     on_each_face([&](int face) {
         float* texel = result.texels.data() + std::size_t(4) * size * size * face;
@@ -145,9 +151,30 @@ TextureLevel blurred(const Pyramid& pyramid, int level, int size) {
                 sum /= weights;
                 texel[0] = float(sum.x), texel[1] = float(sum.y), texel[2] = float(sum.z), texel[3] = 1;
             }
+            // The calling thread does the first face.
+            if (face == 0 && progress) progress(double(y + 1) / size);
         }
     });
     return result;
+}
+
+TextureData prefiltered(const Pyramid& pyramid, const PrefilterProgress& progress) {
+    // Coarser levels have fewer texels, and each covers more of the environment.
+    constexpr int kSamples[kEnvironmentLevels] = {1, 16, 48, 96, 256, 1024};
+    const auto size_of = [&](int level) { return std::max(pyramid.size() >> level, 1); };
+    const auto work_of = [&](int level) { return double(kSamples[level]) * size_of(level) * size_of(level); };
+    double all = 0, done = 0;
+    for (int level = 0; level < kEnvironmentLevels; level++) all += work_of(level);
+    TextureData data{.levels = {}, .sampler = {.wrap = Wrap::Clamp}, .faces = 6};
+    for (int level = 0; level < kEnvironmentLevels; level++) {
+        const double work = work_of(level);
+        const auto show = [&](double share) {
+            if (progress) progress((done + work * share) / all);
+        };
+        data.levels.push_back(blurred(pyramid, roughness_of_level(level), size_of(level), kSamples[level], show));
+        done += work;
+    }
+    return data;
 }
 
 }  // namespace patina::runtime

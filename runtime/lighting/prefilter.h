@@ -1,9 +1,9 @@
 // Prefiltering: what rough surfaces reflect of an environment, as the levels of a cube map.
 //
-//   Pyramid pyramid(radiance, 256);
-//   TextureLevel rough = blurred(pyramid, 3, 32);
+//   TextureData map = prefiltered(Pyramid(radiance, 256), {});
 #pragma once
 
+#include <functional>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -23,7 +23,8 @@ float roughness_of_level(int level);
 // Sampling", EGSR 2008).
 class Pyramid {
 public:
-    Pyramid(const Radiance& radiance, int size);
+    // The finest level is the mean of `samples` x `samples` directions in each texel.
+    Pyramid(const Radiance& radiance, int size, int samples = 1);
 
     int size() const { return size_; }
     glm::vec3 look(glm::vec3 direction, float level) const;
@@ -35,8 +36,15 @@ private:
     std::vector<std::vector<glm::vec3>> levels_;
 };
 
-// What a surface that is as rough as the level reflects, for a view along its normal: the mean of the radiance,
-// weighted by n.l (Karis, SIGGRAPH 2013). `size`: texels along a face.
-TextureLevel blurred(const Pyramid& pyramid, int level, int size);
+// Given the share that is done, 0 to 1, on the calling thread.
+using PrefilterProgress = std::function<void(double)>;
+
+// What a surface of this perceptual roughness reflects for a view along its normal: the mean of the radiance, weighted
+// by n.l (Karis, SIGGRAPH 2013). `size`: texels along a face. `samples`: pairs of directions for each texel.
+TextureLevel blurred(const Pyramid& pyramid, float roughness, int size, int samples,
+                     const PrefilterProgress& progress = {});
+
+// All levels of an environment's map. The first has the size of the pyramid.
+TextureData prefiltered(const Pyramid& pyramid, const PrefilterProgress& progress);
 
 }  // namespace patina::runtime

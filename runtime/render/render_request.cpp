@@ -38,6 +38,12 @@ std::string take_words(const RenderRequest& request, Scene& scene) {
     if (scene.lights.size() > kMostLights)
         return "there are " + std::to_string(scene.lights.size()) + " lights, more than the limit of " +
                std::to_string(kMostLights);
+    if (!request.environment.empty()) {
+        const Outcome<EnvironmentChoice> around = parse_environment(request.environment);
+        if (!around) return around.error;
+        std::string error = set_environment(scene, around.value, request.options.progress);
+        if (!error.empty()) return error;
+    }
     if (!request.ambient.empty()) {
         Outcome<SphericalHarmonics> ambient = parse_ambient(request.ambient);
         if (!ambient) return ambient.error;

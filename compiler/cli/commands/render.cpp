@@ -90,7 +90,9 @@ Exit render_graph(Outputs& outputs, const Console& console, const Arguments& arg
     runtime::RenderRequest request = arguments.request;
     request.graph = graph;
     request.time = arguments.times[frame];
-    request.options.progress = [&](double share) { show_share(console, share, graph); };
+    request.options.progress = [&](double share, std::string_view file) {
+        show_share(console, share, file.empty() ? graph : fmt::format("prefiltering {}", file));
+    };
     const runtime::RenderOutcome outcome = runtime::render(compiler, request, machine);
     // A warning that an earlier picture gave is not repeated.
     std::vector<Diagnostic> news;
@@ -182,7 +184,8 @@ void add_render(Program& program) {
          "patina render *.graph.json -o pictures", "patina render flag.graph.json --time 0..2:48 -o frames",
          "patina render room.scene.json --path deferred -o room.png",
          "patina render room.scene.json --node albedo --object wall -o albedo.png",
-         "patina render rust.graph.json --light 'directional direction=1,1,1 intensity=2' --ambient 0.1 --via cpu"});
+         "patina render rust.graph.json --light 'directional direction=1,1,1 intensity=2' --ambient 0.1 --via cpu",
+         "patina render rust.graph.json --env 'sunset.hdr rotation=90' -o rust.png"});
     auto arguments = std::make_shared<Arguments>();
     runtime::RenderRequest& request = arguments->request;
     command
