@@ -86,4 +86,24 @@ SphericalHarmonics scaled(SphericalHarmonics light, float factor) {
     return light;
 }
 
+SphericalHarmonics with_z_reversed(SphericalHarmonics light) {
+    for (const std::size_t odd : {2, 5, 7}) light.coefficients[odd] = -light.coefficients[odd];
+    return light;
+}
+
+PackedIrradiance packed_irradiance(const SphericalHarmonics& light) {
+    constexpr float kBand1 = 2.0f / 3, kBand2 = 1.0f / 4;
+    PackedIrradiance packed;
+    for (int channel = 0; channel < 3; channel++) {
+        const auto c = [&](std::size_t i) { return light.coefficients[i][channel]; };
+        const std::size_t at = std::size_t(channel);
+        // 3 z^2 - 1 gives to the constant, too.
+        packed.linear[at] = {kBand1 * kK1 * c(3), kBand1 * kK1 * c(1), kBand1 * kK1 * c(2),
+                             kK0 * c(0) - kBand2 * kK3 * c(6)};
+        packed.quadratic[at] = {kBand2 * kK2 * c(4), kBand2 * kK2 * c(5), 3 * kBand2 * kK3 * c(6), kBand2 * kK2 * c(7)};
+        packed.last[channel] = kBand2 * kK4 * c(8);
+    }
+    return packed;
+}
+
 }  // namespace patina::runtime

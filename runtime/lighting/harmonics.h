@@ -33,5 +33,17 @@ glm::vec3 evaluate(const SphericalHarmonics& sh, glm::vec3 direction);
 // The integral of the radiance times each function of the basis, over the texels of a cube with faces of this size.
 SphericalHarmonics project(const Radiance& radiance, int face_size = 48);
 SphericalHarmonics scaled(SphericalHarmonics light, float factor);
+// The same light for a world whose z points the other way: right-handed to left-handed and back.
+SphericalHarmonics with_z_reversed(SphericalHarmonics light);
+
+// Diffuse light as engines evaluate it. At the normal n, the irradiance over pi is, for channel c (red, green, blue):
+//   dot(linear[c], (n, 1)) + dot(quadratic[c], (n.x n.y, n.y n.z, n.z n.z, n.z n.x)) + last[c] (n.x^2 - n.y^2)
+// The cosine lobe is in it: factors 1, 2/3 and 1/4 of the bands (Ramamoorthi and Hanrahan, "An Efficient Representation
+// for Irradiance Environment Maps", SIGGRAPH 2001).
+struct PackedIrradiance {
+    std::array<glm::vec4, 3> linear{}, quadratic{};
+    glm::vec3 last{0};
+};
+PackedIrradiance packed_irradiance(const SphericalHarmonics& light);
 
 }  // namespace patina::runtime

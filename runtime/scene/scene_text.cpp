@@ -233,10 +233,10 @@ Outcome<EnvironmentChoice> parse_environment(std::string_view text) {
     // Settings stand at the end: all before them is the file.
     while (true) {
         const std::size_t space = text.find_last_of(" \t");
-        const std::string_view word = space == text.npos ? std::string_view() : text.substr(space + 1);
+        const std::string_view word = space == text.npos ? text : text.substr(space + 1);
         if (!word.starts_with("rotation=") && !word.starts_with("intensity=")) break;
         given += " " + std::string(word);
-        text = text.substr(0, text.find_last_not_of(" \t", space) + 1);
+        text = space == text.npos ? std::string_view() : text.substr(0, text.find_last_not_of(" \t", space) + 1);
     }
     choice.path = text;
     if (choice.path.empty()) return Failure{"the environment is a picture, studio or none, and nothing is given"};
