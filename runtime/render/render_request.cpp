@@ -200,7 +200,7 @@ bool world_of_file(const Compiler& compiler, const RenderRequest& request, World
     if (request.mesh != RenderRequest{}.mesh || request.segments != 0)
         return refuse("a scene has its own meshes, in its objects");
     if (!is_time(request.time.value_or(0))) return refuse("the time must be a number of seconds that a float can hold");
-    WorldFile file = read_world(compiler, request.graph, compile_options(request.options));
+    WorldFile file = read_world(compiler, request.graph, compile_options(request.options), request.options.progress);
     outcome.diagnostics = std::move(file.diagnostics);
     outcome.dependencies = std::move(file.dependencies);
     if (!file.ok) return false;
