@@ -162,6 +162,8 @@ set(draws "/(render|check_scene|snapshot|trace)\\.cpp$|/picture_options\\.(h|cpp
 foreach(file IN LISTS files)
   if(file MATCHES "${draws}")
     check_includes(${file} "^(compiler/cli|patina|runtime)/")
+  elseif(file MATCHES "/env\\.cpp$")
+    check_includes(${file} "^(compiler/cli|patina)/|^runtime/(lighting|picture)/")
   elseif(file MATCHES "/import\\.cpp$")
     check_includes(${file} "^(compiler/cli|patina)/|^compiler/importers/importer\\.h$")
   else()
@@ -318,8 +320,9 @@ if(count_of_engines LESS 2)
   string(APPEND breaches "only ${count_of_engines} engines were found: the search itself is broken\n")
 endif()
 file(GLOB_RECURSE files ${ROOT}/compiler/*.h ${ROOT}/compiler/*.cpp ${ROOT}/compiler/*.def ${ROOT}/runtime/*.h ${ROOT}/runtime/*.cpp)
-# A format of another program may hold the name of its engine, so importers may, too.
-list(FILTER files EXCLUDE REGEX "/compiler/(engines|importers)/")
+# A format of another program may hold the name of its engine, so importers may, too; so may the names of the variables
+# that hold its light, and the table of names in other programs that Patina knows under another name.
+list(FILTER files EXCLUDE REGEX "/compiler/(engines|importers)/|/cli/commands/env\\.cpp$|/nodelang/other_names\\.cpp$")
 foreach(file IN LISTS files)
   file(READ ${file} text)
   # Comments may cite an engine's manual or its names as an example; so may the examples of --help.

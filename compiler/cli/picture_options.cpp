@@ -52,8 +52,15 @@ void add_scene_options(CLI::App& command, runtime::RenderRequest& request) {
             "Light it with this instead of the default lights: 'point position=1,2,0 color=#f80', or none; repeatable")
         ->type_name("LIGHT")
         ->allow_extra_args(false);
+    CLI::Option* environment =
+        command
+            .add_option("--env", request.environment,
+                        "The surroundings: a picture of them (equirectangular, or the faces of a cube), 'sunset.hdr "
+                        "rotation=90 intensity=2', studio or none; default: studio")
+            ->type_name("FILE");
     command.add_option("--ambient", request.ambient, "Ambient light: a colour, or 'sky=#9ab horizon=0.2 ground=0.05'")
-        ->type_name("LIGHT");
+        ->type_name("LIGHT")
+        ->excludes(environment);
     command
         .add_option("--background", request.background,
                     "What is behind everything: a colour, or none, which is transparent; default: dark grey")

@@ -174,7 +174,11 @@ constexpr std::array kScene = {
     kHelp,
     KeyInfo{"camera", "the camera", ObjectKind::Camera, true},
     KeyInfo{"ambient", "the ambient light: studio, none, a colour, or sky, horizon and ground", ObjectKind::Ambient},
-    KeyInfo{"environment", "the reflections: studio, or none to reflect the ambient light"},
+    KeyInfo{
+        "environment",
+        "the surroundings: studio, none to reflect the ambient light, or a picture: its file, or file, rotation and "
+        "intensity",
+        ObjectKind::Environment},
     KeyInfo{"fog", "the fog", ObjectKind::Fog},
     KeyInfo{"mixedLighting", "the combination of real-time shadows and baked light", ObjectKind::MixedLighting},
     KeyInfo{"background", "the background colour"},
@@ -194,6 +198,13 @@ constexpr std::array kCamera = {
     KeyInfo{"orthographic", "orthographic projection, instead of fov: the height of the picture in metres"},
     KeyInfo{"near", "the distance of the near plane in metres; default: 0.05"},
     KeyInfo{"far", "the distance of the far plane in metres; default: 100"},
+};
+
+constexpr std::array kEnvironment = {
+    KeyInfo{"file", "the picture, relative to the scene's folder: equirectangular, or the faces of a cube",
+            ObjectKind::Free, true},
+    KeyInfo{"rotation", "degrees about the y axis, counter-clockwise seen from above; default: 0"},
+    KeyInfo{"intensity", "the factor of its light; default: 1"},
 };
 
 constexpr std::array kAmbient = {
@@ -345,6 +356,7 @@ std::span<const KeyInfo> keys_of(ObjectKind kind) {
         case ObjectKind::Scene: return kScene;
         case ObjectKind::Camera: return kCamera;
         case ObjectKind::Ambient: return kAmbient;
+        case ObjectKind::Environment: return kEnvironment;
         case ObjectKind::Fog: return kFog;
         case ObjectKind::MixedLighting: return kMixedLighting;
         case ObjectKind::Light: return kLight;
@@ -388,6 +400,7 @@ std::string_view describe(ObjectKind kind) {
         case ObjectKind::Scene: return "a scene";
         case ObjectKind::Camera: return "a camera";
         case ObjectKind::Ambient: return "ambient light";
+        case ObjectKind::Environment: return "an environment";
         case ObjectKind::Fog: return "fog";
         case ObjectKind::MixedLighting: return "mixed lighting";
         case ObjectKind::Light: return "a light";

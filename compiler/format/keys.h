@@ -29,6 +29,7 @@ enum class ObjectKind {
     Scene,
     Camera,
     Ambient,
+    Environment,
     Fog,
     MixedLighting,
     Light,

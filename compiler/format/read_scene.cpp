@@ -76,6 +76,26 @@ std::optional<SceneAmbient> read_ambient(Reading& reading, const Json& json) {
     return SceneAmbient{.horizon = SceneVector{(*color)[0], (*color)[1], (*color)[2]}};
 }
 
+// A text with a dot or a slash is a file; another one is a word.
+void read_environment(SceneReading& reading, const Json& json, SceneFile& scene) {
+    const bool is_text = json.kind == Json::Kind::String;
+    if (is_text && json.string.find_first_of("./\\") == std::string::npos) {
+        scene.environment = read_word<SceneEnvironment>(reading, json, "environment", "an environment")
+                                .value_or(SceneEnvironment::Studio);
+        return;
+    }
+    ScenePicture& picture = scene.picture.emplace();
+    if (is_text) {
+        picture.file = read_file_name(reading, json, "'environment'");
+        return;
+    }
+    if (!expect(reading, json, Json::Kind::Object, "'environment'")) return;
+    check_keys(reading, json, ObjectKind::Environment);
+    if (const Json* file = json.find("file")) picture.file = read_file_name(reading, *file, "'file'");
+    read_number(reading, json, "rotation", -1e5, 1e5, picture.rotation);
+    read_number(reading, json, "intensity", 0, kFarthest, picture.intensity);
+}
+
 std::optional<SceneFog> read_fog(Reading& reading, const Json& json) {
     if (!expect(reading, json, Json::Kind::Object, "'fog'")) return std::nullopt;
     SceneFog fog;
@@ -320,10 +340,8 @@ SceneFile read_scene(const Reading& given, const Json& json, const std::string& 
     if (const Json* camera = json.find("camera")) scene.camera = read_camera(reading, *camera);
     if (const Json* ambient = json.find("ambient")) scene.ambient = read_ambient(reading, *ambient);
     if (scene.ambient) scene.environment = SceneEnvironment::None;
-    if (const Json* environment = json.find("environment")) {
-        scene.environment = read_word<SceneEnvironment>(reading, *environment, "environment", "an environment")
-                                .value_or(SceneEnvironment::Studio);
-    }
+    scene.has_studio_ambient = json.find("ambient") && !scene.ambient;
+    if (const Json* environment = json.find("environment")) read_environment(reading, *environment, scene);
     if (const Json* fog = json.find("fog")) scene.fog = read_fog(reading, *fog);
     if (const Json* mixed = json.find("mixedLighting")) scene.mixed_lighting = read_mixed_lighting(reading, *mixed);
     if (const Json* color = json.find("background")) {

@@ -23,8 +23,10 @@ constexpr std::size_t kSplitSumNumbers = std::size_t(2) * kSplitSumSize * kSplit
 }  // namespace
 
 std::shared_ptr<const Environment> studio_environment() {
-    static const auto kStudio = std::make_shared<const Environment>(
-        studio_radiance, kStudioSize, std::span<const float>(patina_baked + kSplitSumNumbers, patina_baked_end));
+    static const auto kStudio = std::make_shared<const Environment>(project(studio_radiance), [] {
+        return map_with_levels(studio_radiance, kStudioSize,
+                               std::span<const float>(patina_baked + kSplitSumNumbers, patina_baked_end));
+    });
     return kStudio;
 }
 

@@ -1,194 +1,11 @@
 #include "runtime/lighting/environment.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <thread>
 
-#include "runtime/lighting/cube.h"
+#include "runtime/lighting/prefilter.h"
 
 namespace patina::runtime {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-
-// Normalisation of the basis: sqrt(1 / 4pi), sqrt(3 / 4pi), sqrt(15 / 4pi), sqrt(5 / 16pi), sqrt(15 / 16pi).
-constexpr float kK0 = 0.28209479177387814f;
-constexpr float kK1 = 0.48860251190291992f;
-constexpr float kK2 = 1.0925484305920792f;
-constexpr float kK3 = 0.31539156525252005f;
-constexpr float kK4 = 0.5462742152960396f;
-
-glm::vec3 evaluate(const SphericalHarmonics& sh, glm::vec3 direction) {
-    std::array<float, 9> basis = spherical_harmonics_basis(direction);
-    glm::vec3 sum(0);
-    for (std::size_t i = 0; i < basis.size(); i++) sum += basis[i] * sh.coefficients[i];
-    return glm::max(sum, glm::vec3(0));
-}
-
-// c_i = integral of L Y_i, over the texels of a cube with their solid angles, which are made to sum to 4 pi.
-SphericalHarmonics project(const Radiance& radiance) {
-    constexpr int kSize = 48;
-    SphericalHarmonics result;
-    double weight_sum = 0;
-    for (int face = 0; face < 6; face++) {
-        for (int y = 0; y < kSize; y++) {
-            for (int x = 0; x < kSize; x++) {
-                glm::vec3 direction = cube_direction(face, x, y, kSize);
-                float weight = cube_solid_angle(x, y, kSize);
-                weight_sum += weight;
-                std::array<float, 9> basis = spherical_harmonics_basis(direction);
-                glm::vec3 light = radiance(direction) * weight;
-                for (std::size_t i = 0; i < basis.size(); i++) result.coefficients[i] += basis[i] * light;
-            }
-        }
-    }
-    for (glm::vec3& coefficient : result.coefficients) coefficient *= float(4 * kPi / weight_sum);
-    return result;
-}
-
-// Runs `work` for 0 to 5, each on a thread.
-template <class Work>
-void on_each_face(const Work& work) {
-    std::vector<std::thread> threads;
-    for (int face = 1; face < 6; face++) threads.emplace_back(work, face);
-    work(0);
-    for (std::thread& thread : threads) thread.join();
-}
-
-// Van der Corput's sequence in base 2.
-double radical_inverse(std::uint32_t bits) {
-    bits = (bits << 16) | (bits >> 16);
-    bits = ((bits & 0x55555555u) << 1) | ((bits & 0xAAAAAAAAu) >> 1);
-    bits = ((bits & 0x33333333u) << 2) | ((bits & 0xCCCCCCCCu) >> 2);
-    bits = ((bits & 0x0F0F0F0Fu) << 4) | ((bits & 0xF0F0F0F0u) >> 4);
-    bits = ((bits & 0x00FF00FFu) << 8) | ((bits & 0xFF00FF00u) >> 8);
-    return bits * (1.0 / 4294967296.0);
-}
-
-// The radiance on the faces of a cube, with mip levels down to one texel per face. A sample reads the level whose
-// texels are as wide as the distance between samples (Krivanek and Colbert, "Real-time Shading with Filtered Importance
-// Sampling", EGSR 2008).
-class Pyramid {
-public:
-    Pyramid(const Radiance& radiance, int size) : size_(size) {
-        std::vector<glm::vec3>& base = levels_.emplace_back(std::size_t(6) * size * size);
-        on_each_face([&](int face) {
-            for (int y = 0; y < size; y++)
-                for (int x = 0; x < size; x++) base[at(size, face, x, y)] = radiance(cube_direction(face, x, y, size));
-        });
-        for (int half = size / 2; half > 0; half /= 2) {
-            std::vector<glm::vec3> next(std::size_t(6) * half * half);
-            const std::vector<glm::vec3>& before = levels_.back();
-            for (int face = 0; face < 6; face++) {
-                for (int y = 0; y < half; y++) {
-                    for (int x = 0; x < half; x++) {
-                        next[at(half, face, x, y)] =
-                            (before[at(2 * half, face, 2 * x, 2 * y)] + before[at(2 * half, face, 2 * x + 1, 2 * y)] +
-                             before[at(2 * half, face, 2 * x, 2 * y + 1)] +
-                             before[at(2 * half, face, 2 * x + 1, 2 * y + 1)]) /
-                            4.0f;
-                    }
-                }
-            }
-            levels_.push_back(std::move(next));
-        }
-    }
-
-    int size() const { return size_; }
-
-    glm::vec3 look(glm::vec3 direction, float level) const {
-        const float highest = float(levels_.size() - 1), lod = std::clamp(level, 0.0f, highest);
-        const CubePlace place = cube_place(direction);
-        const int finer = int(lod);
-        const glm::vec3 fine = bilinear(finer, place);
-        return lod == float(finer) ? fine : glm::mix(fine, bilinear(finer + 1, place), lod - float(finer));
-    }
-
-private:
-    static std::size_t at(int size, int face, int x, int y) {
-        return (std::size_t(face) * size + std::size_t(y)) * size + std::size_t(x);
-    }
-    glm::vec3 bilinear(int level, const CubePlace& place) const {
-        const int size = size_ >> level;
-        const float x = place.u * float(size) - 0.5f, y = place.v * float(size) - 0.5f;
-        const float left = std::floor(x), top = std::floor(y);
-        const std::vector<glm::vec3>& texels = levels_[std::size_t(level)];
-        const auto texel = [&](float column, float row) {
-            if (column >= 0 && row >= 0 && column < float(size) && row < float(size))
-                return texels[at(size, place.face, int(column), int(row))];
-            // Beyond an edge: the neighbour's texel that lies there.
-            const CubePlace beyond = cube_place(cube_direction(place.face, int(column), int(row), size));
-            const auto inside = [&](float share) { return std::clamp(int(share * float(size)), 0, size - 1); };
-            return texels[at(size, beyond.face, inside(beyond.u), inside(beyond.v))];
-        };
-        return glm::mix(glm::mix(texel(left, top), texel(left + 1, top), x - left),
-                        glm::mix(texel(left, top + 1), texel(left + 1, top + 1), x - left), y - top);
-    }
-
-    int size_;
-    std::vector<std::vector<glm::vec3>> levels_;
-};
-
-// A direction around +z in which a surface reflects a view along its normal.
-struct Mirrored {
-    glm::vec3 direction;
-    float weight;  // with n.l in it
-    float level;   // of the pyramid, as wide as the sample
-};
-
-std::vector<Mirrored> mirrored_directions(float roughness, int count, int size) {
-    double a2 = std::pow(double(roughness), 4), texel = 4 * kPi / (6.0 * size * size);
-    std::vector<Mirrored> result;
-    for (int i = 0; i < count; i++) {
-        // More samples lie in the tail, each with less weight.
-        double s = (i + 0.5) / count, u = 1 - (1 - s) * (1 - s), weight = 2 * (1 - s);
-        double phi = kPi * radical_inverse(std::uint32_t(i));
-        double cos2 = (1 - u) / (1 + (a2 - 1) * u), sin2 = std::max(1 - cos2, 0.0);
-        // l = 2 (v.h) h - v with v = (0, 0, 1)
-        double along = 2 * cos2 - 1, across = 2 * std::sqrt(cos2 * sin2);
-        if (along <= 0) continue;
-        // Its probability by solid angle: D (n.h) / (4 (v.h)), and here v is n.
-        double root = cos2 * (a2 - 1) + 1, density = a2 / (kPi * root * root) / 4;
-        double wide = weight / (2 * count * density);
-        // Faces of fewer than 16 texels are too coarse for a lobe that is blurred less.
-        float level = float(std::clamp(0.5 * std::log2(wide / texel) + 0.5, 0.0, std::log2(size) - 4.0));
-        // Samples come in pairs, so that the lobe is symmetric; azimuths cover half a turn, or pairs would coincide.
-        for (double side : {across, -across}) {
-            result.push_back({{side * std::cos(phi), side * std::sin(phi), along}, float(along * weight), level});
-        }
-    }
-    return result;
-}
-
-// The mean of the reflected radiance, weighted by n.l (Karis, SIGGRAPH 2013), for a view along the normal.
-TextureLevel blurred(const Pyramid& pyramid, int level, int size) {
-    std::vector<Mirrored> around = {{{0, 0, 1}, 1, 0}};
-    // Coarser levels have fewer texels, and each covers more of the environment.
-    constexpr int kSamples[kEnvironmentLevels] = {1, 16, 48, 96, 256, 1024};
-    if (level > 0) around = mirrored_directions(roughness_of_level(level), kSamples[level], pyramid.size());
-    TextureLevel result{.width = size, .height = size, .texels = std::vector<float>(std::size_t(24) * size * size)};
-    on_each_face([&](int face) {
-        float* texel = result.texels.data() + std::size_t(4) * size * size * face;
-        for (int y = 0; y < size; y++) {
-            for (int x = 0; x < size; x++, texel += 4) {
-                glm::vec3 normal = cube_direction(face, x, y, size);
-                glm::vec3 helper = std::abs(normal.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
-                glm::vec3 tangent = glm::normalize(glm::cross(helper, normal)), bitangent = glm::cross(normal, tangent);
-                glm::dvec3 sum(0);
-                double weights = 0;
-                for (const Mirrored& l : around) {
-                    glm::vec3 towards = tangent * l.direction.x + bitangent * l.direction.y + normal * l.direction.z;
-                    sum += glm::dvec3(pyramid.look(towards, l.level) * l.weight);
-                    weights += l.weight;
-                }
-                sum /= weights;
-                texel[0] = float(sum.x), texel[1] = float(sum.y), texel[2] = float(sum.z), texel[3] = 1;
-            }
-        }
-    });
-    return result;
-}
 
 // Takes a level's texels, three numbers each, from the front.
 TextureLevel unpacked(std::span<const float>& numbers, int size) {
@@ -202,74 +19,28 @@ TextureLevel unpacked(std::span<const float>& numbers, int size) {
 
 }  // namespace
 
-std::array<float, 9> spherical_harmonics_basis(glm::vec3 d) {
-    return {kK0,
-            kK1 * d.y,
-            kK1 * d.z,
-            kK1 * d.x,
-            kK2 * d.x * d.y,
-            kK2 * d.y * d.z,
-            kK3 * (3 * d.z * d.z - 1),
-            kK2 * d.x * d.z,
-            kK4 * (d.x * d.x - d.y * d.y)};
-}
+Environment::Environment(const SphericalHarmonics& ambient, std::function<TextureData()> make_map)
+    : ambient_(ambient), make_map_(std::move(make_map)) {}
 
-SphericalHarmonics constant_ambient(glm::vec3 radiance) {
-    SphericalHarmonics result;
-    result.coefficients[0] = radiance / kK0;
-    return result;
-}
-
-SphericalHarmonics gradient_ambient(glm::vec3 sky, glm::vec3 horizon, glm::vec3 ground) {
-    // On the unit sphere y^2 = 1/3 - (3z^2 - 1)/6 - (x^2 - y^2)/2: each term is one basis function.
-    glm::vec3 linear = (sky - ground) / 2.0f;
-    glm::vec3 square = (sky + ground) / 2.0f - horizon;
-    SphericalHarmonics result;
-    result.coefficients[0] = (horizon + square / 3.0f) / kK0;
-    result.coefficients[1] = linear / kK1;
-    result.coefficients[6] = square * (-1.0f / 6) / kK3;
-    result.coefficients[8] = square * (-1.0f / 2) / kK4;
-    return result;
-}
-
-void add_light(SphericalHarmonics& sum, glm::vec3 direction, glm::vec3 color) {
-    constexpr float kNormalization = 16 * std::numbers::pi_v<float> / 17;
-    std::array<float, 9> basis = spherical_harmonics_basis(direction);
-    for (std::size_t i = 0; i < basis.size(); i++) sum.coefficients[i] += color * (kNormalization * basis[i]);
-}
-
-float roughness_of_level(int level) {
-    // The root of r (1.7 - 0.7 r) = level / (levels - 1).
-    float share = float(level) / float(kEnvironmentLevels - 1);
-    return (1.7f - std::sqrt(1.7f * 1.7f - 4 * 0.7f * share)) / 1.4f;
-}
-
-Environment::Environment(Radiance radiance, int face_size)
-    : radiance_(std::move(radiance)), face_size_(face_size), ambient_(project(radiance_)) {}
-
-Environment::Environment(Radiance radiance, int face_size, std::span<const float> blurred_levels)
-    : Environment(std::move(radiance), face_size) {
-    blurred_levels_ = blurred_levels;
-}
+Environment::Environment(const Radiance& radiance, int face_size)
+    : Environment(project(radiance), [radiance, face_size] { return prefiltered(Pyramid(radiance, face_size), {}); }) {}
 
 Environment::Environment(const SphericalHarmonics& ambient)
-    : radiance_([ambient](glm::vec3 direction) { return evaluate(ambient, direction); }),
-      face_size_(256),
-      ambient_(ambient) {}
+    : Environment(ambient, [ambient] {
+          return prefiltered(Pyramid([&](glm::vec3 d) { return evaluate(ambient, d); }, 256), {});
+      }) {}
 
 std::shared_ptr<const TextureData> Environment::map() const {
-    std::call_once(made_, [this] {
-        TextureData data{.levels = {}, .sampler = {.wrap = Wrap::Clamp}, .faces = 6};
-        const Pyramid pyramid(radiance_, face_size_);
-        std::span<const float> known = blurred_levels_;
-        for (int level = 0; level < kEnvironmentLevels; level++) {
-            const int size = std::max(face_size_ >> level, 1);
-            const bool is_known = level > 0 && !known.empty();
-            data.levels.push_back(is_known ? unpacked(known, size) : blurred(pyramid, level, size));
-        }
-        map_ = std::make_shared<const TextureData>(std::move(data));
-    });
+    std::call_once(made_, [this] { map_ = std::make_shared<const TextureData>(make_map_()); });
     return map_;
+}
+
+TextureData map_with_levels(const Radiance& radiance, int face_size, std::span<const float> blurred_levels) {
+    TextureData data{.levels = {}, .sampler = {.wrap = Wrap::Clamp}, .faces = 6};
+    data.levels.push_back(blurred(Pyramid(radiance, face_size), 0, face_size, 1));
+    for (int level = 1; level < kEnvironmentLevels; level++)
+        data.levels.push_back(unpacked(blurred_levels, std::max(face_size >> level, 1)));
+    return data;
 }
 
 }  // namespace patina::runtime

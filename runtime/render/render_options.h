@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -34,7 +35,9 @@ struct RenderOptions {
     std::size_t most_target_bytes = kMostTargetBytes, most_whole_bytes = kMostWholeBytes;
     int largest_viewport = 0;  // of a tile, in samples; 0: the device's limit says
     std::vector<std::string> include_dirs{};
-    std::function<void(double)> progress{};  // given the share that is done, 0 to 1; on the GPU for pictures in tiles
+    // Given the share that is done, 0 to 1, and the file that is prefiltered, or nothing while the picture is drawn (on
+    // the GPU: one in tiles).
+    std::function<void(double, std::string_view)> progress{};
 };
 
 // A shader that a picture was drawn with.

@@ -39,6 +39,12 @@ std::string take_words(const RenderRequest& request, Scene& scene) {
     if (scene.lights.size() > kMostLights)
         return "there are " + std::to_string(scene.lights.size()) + " lights, more than the limit of " +
                std::to_string(kMostLights);
+    if (!request.environment.empty()) {
+        const Outcome<EnvironmentChoice> around = parse_environment(request.environment);
+        if (!around) return around.error;
+        std::string error = set_environment(scene, around.value, request.options.progress);
+        if (!error.empty()) return error;
+    }
     if (!request.ambient.empty()) {
         Outcome<SphericalHarmonics> ambient = parse_ambient(request.ambient);
         if (!ambient) return ambient.error;
@@ -192,7 +198,7 @@ bool world_of_file(const Compiler& compiler, const RenderRequest& request, World
     if (request.mesh != RenderRequest{}.mesh || request.segments != 0)
         return refuse("a scene has its own meshes, in its objects");
     if (!is_time(request.time.value_or(0))) return refuse("the time must be a number of seconds that a float can hold");
-    WorldFile file = read_world(compiler, request.graph, compile_options(request.options));
+    WorldFile file = read_world(compiler, request.graph, compile_options(request.options), request.options.progress);
     outcome.diagnostics = std::move(file.diagnostics);
     outcome.dependencies = std::move(file.dependencies);
     if (!file.ok) return false;

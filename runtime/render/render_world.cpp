@@ -68,7 +68,7 @@ public:
                 if (!frame) return failed(frame.error);
             }
         }
-        frame.value.progress = options_.progress;
+        if (options_.progress) frame.value.progress = [this](double share) { options_.progress(share, {}); };
         return draw(frame.value);
     }
 
@@ -100,7 +100,7 @@ public:
         if (ok_) outcome_.error = no_picture();
         if (ok_ && outcome_.error.empty()) {
             Outcome<Frame> frame = plan();
-            frame.value.progress = options_.progress;
+            if (options_.progress) frame.value.progress = [this](double share) { options_.progress(share, {}); };
             Outcome<PixelTrace> pixel = frame ? cpu_trace(frame.value, wish) : Failure{frame.error};
             outcome_.error = pixel.error;
             traced.trace = std::move(pixel.value);

@@ -67,6 +67,7 @@ struct MixedLighting {
 };
 
 inline constexpr std::size_t kMostLights = 16;
+inline constexpr float kMostDegrees = 1e5f, kMostIntensity = 1e6f;  // of an environment's rotation, and its factor
 
 // A number of seconds that a shader's float can hold.
 bool is_time(double seconds);

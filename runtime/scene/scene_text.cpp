@@ -227,6 +227,49 @@ Outcome<SphericalHarmonics> parse_ambient(std::string_view text) {
     return ambient_of(given(has_sky, sky), given(has_horizon, horizon), given(has_ground, ground));
 }
 
+Outcome<EnvironmentChoice> parse_environment(std::string_view text) {
+    EnvironmentChoice choice;
+    std::string given;  // the settings
+    // Settings stand at the end: all before them is the file.
+    while (true) {
+        const std::size_t space = text.find_last_of(" \t");
+        const std::string_view word = space == text.npos ? text : text.substr(space + 1);
+        if (!word.starts_with("rotation=") && !word.starts_with("intensity=")) break;
+        given += " " + std::string(word);
+        text = space == text.npos ? std::string_view() : text.substr(0, text.find_last_not_of(" \t", space) + 1);
+    }
+    choice.path = text;
+    if (choice.path.empty()) return Failure{"the environment is a picture, studio or none, and nothing is given"};
+    Outcome<Words> words = split_words(given);
+    if (!words) return Failure{"the environment: " + words.error};
+    Settings settings(std::move(words.value), "the environment");
+    float rotation = 0, intensity = 1;
+    settings.number("rotation", rotation, -kMostDegrees, kMostDegrees);
+    settings.number("intensity", intensity, 0, kMostIntensity);
+    if (std::string error = settings.error(); !error.empty()) return Failure{error};
+    if (!given.empty() && from_word<SceneEnvironment>(choice.path))
+        return Failure{"the environment " + quoted(choice.path) + " has no settings: only a picture has"};
+    choice.rotation = rotation;
+    choice.intensity = intensity;
+    return choice;
+}
+
+std::string set_environment(Scene& scene, const EnvironmentChoice& choice, const EnvironmentProgress& progress) {
+    const std::optional<SceneEnvironment> word = from_word<SceneEnvironment>(choice.path);
+    if (word == SceneEnvironment::None) {
+        scene.environment = nullptr;
+        return "";
+    }
+    scene.environment = studio_environment();
+    if (!word) {
+        Outcome<std::shared_ptr<const Environment>> loaded = load_environment(choice, progress);
+        if (!loaded) return loaded.error;
+        scene.environment = std::move(loaded.value);
+    }
+    scene.ambient = scene.environment->ambient();
+    return "";
+}
+
 Outcome<glm::vec4> parse_background(std::string_view text) {
     if (text == "none") return glm::vec4(0);
     Outcome<glm::vec4> color = Settings::parse_color(text);

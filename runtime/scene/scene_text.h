@@ -5,6 +5,7 @@
 //   parse_light("directional direction=-1,1,1")
 //   parse_ambient("0.2")
 //   parse_ambient("sky=#9ab horizon=0.2 ground=0.05")
+//   parse_environment("sunset.hdr rotation=90 intensity=2")
 //   parse_background("#203040")
 //   parse_camera("position=2,1,3 target=0,0,0 fov=35")
 //
@@ -15,6 +16,7 @@
 #include <optional>
 #include <string_view>
 
+#include "runtime/lighting/environment_file.h"
 #include "runtime/outcome.h"
 #include "runtime/scene/scene.h"
 
@@ -22,6 +24,11 @@ namespace patina::runtime {
 
 Outcome<Light> parse_light(std::string_view text);
 Outcome<SphericalHarmonics> parse_ambient(std::string_view text);
+// A file, or one of the words of a scene's "environment"; then settings. A file's name may contain spaces.
+Outcome<EnvironmentChoice> parse_environment(std::string_view text);
+// Lights the scene by it: "studio", "none" (mirrors reflect the ambient light, which stays), or a file. Returns
+// nothing, or what is wrong with the file.
+std::string set_environment(Scene& scene, const EnvironmentChoice& choice, const EnvironmentProgress& progress);
 // Words that are not given keep the values of `base`.
 Outcome<Camera> parse_camera(std::string_view text, const Camera& base);
 

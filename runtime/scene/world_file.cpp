@@ -89,11 +89,26 @@ Light make_light(const SceneLight& light, WorldFile& file) {
     return made;
 }
 
+// A picture that cannot be loaded is reported at its name.
+void load_picture(const ScenePicture& picture, const EnvironmentProgress& progress, WorldFile& file) {
+    Outcome<std::shared_ptr<const Environment>> loaded = load_environment(
+        {.path = picture.file.path, .rotation = picture.rotation, .intensity = picture.intensity}, progress);
+    if (!loaded) {
+        file.diagnostics.push_back(
+            diagnostic_at(picture.file.place, std::string(code_of(Complaint::BadEnvironment)), loaded.error));
+        return;
+    }
+    file.dependencies.push_back(picture.file.path);
+    file.world.view.environment = std::move(loaded.value);
+}
+
 void set_surroundings(Scene& view, const SceneFile& scene) {
-    view.ambient = scene.ambient ? ambient_of(vector(scene.ambient->sky), vector(scene.ambient->horizon),
-                                              vector(scene.ambient->ground))
-                                 : studio_environment()->ambient();
-    if (scene.environment == SceneEnvironment::Studio) view.environment = studio_environment();
+    if (!scene.picture && scene.environment == SceneEnvironment::Studio) view.environment = studio_environment();
+    const bool has_picture_ambient = scene.picture && view.environment && !scene.has_studio_ambient;
+    view.ambient = scene.ambient         ? ambient_of(vector(scene.ambient->sky), vector(scene.ambient->horizon),
+                                                      vector(scene.ambient->ground))
+                   : has_picture_ambient ? view.environment->ambient()
+                                         : studio_environment()->ambient();
     if (scene.fog) {
         view.fog = {.mode = scene.fog->mode,
                     .color = vector(scene.fog->color),
@@ -178,11 +193,12 @@ Diagnostic unknown_mesh(const SceneObject& object) {
 
 }  // namespace
 
-WorldFile make_world(const SceneFile& scene) {
+WorldFile make_world(const SceneFile& scene, const EnvironmentProgress& progress) {
     WorldFile file;
     World& world = file.world;
     world.view.camera = make_camera(scene.camera);
     for (const SceneLight& light : scene.lights) world.view.lights.push_back(make_light(light, file));
+    if (scene.picture) load_picture(*scene.picture, progress, file);
     set_surroundings(world.view, scene);
     world.view.time = float(scene.time);
     world.pixel_light_count = scene.pixel_light_count;
@@ -217,12 +233,13 @@ WorldFile make_world(const SceneFile& scene) {
     return file;
 }
 
-WorldFile read_world(const Compiler& compiler, const std::string& path, const CompileOptions& options) {
+WorldFile read_world(const Compiler& compiler, const std::string& path, const CompileOptions& options,
+                     const EnvironmentProgress& progress) {
     SceneResult read = compiler.read_scene(path, options);
     if (!read.ok) {
         return {.diagnostics = std::move(read.diagnostics), .dependencies = std::move(read.dependencies)};
     }
-    WorldFile file = make_world(read.scene);
+    WorldFile file = make_world(read.scene, progress);
     file.diagnostics.insert(file.diagnostics.begin(), read.diagnostics.begin(), read.diagnostics.end());
     file.dependencies.insert(file.dependencies.begin(), read.dependencies.begin(), read.dependencies.end());
     return file;

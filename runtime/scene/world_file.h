@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "patina/patina.h"
+#include "runtime/lighting/environment_file.h"
 #include "runtime/scene/world.h"
 
 namespace patina::runtime {
@@ -21,8 +22,9 @@ struct WorldFile {
     std::vector<std::string> dependencies{};  // files that were read; pictures of objects and materials are not yet
 };
 
-WorldFile read_world(const Compiler& compiler, const std::string& path, const CompileOptions& options);
+WorldFile read_world(const Compiler& compiler, const std::string& path, const CompileOptions& options,
+                     const EnvironmentProgress& progress = {});
 // Of a scene that was read without errors.
-WorldFile make_world(const SceneFile& scene);
+WorldFile make_world(const SceneFile& scene, const EnvironmentProgress& progress = {});
 
 }  // namespace patina::runtime

@@ -14,6 +14,7 @@
 #include "compiler/cli/outputs.h"
 #include "compiler/cli/picture_options.h"
 #include "patina/output_name.h"
+#include "runtime/picture/tone.h"
 
 namespace patina::cli {
 namespace {
@@ -24,6 +25,8 @@ struct Arguments {
     std::string output;
     runtime::RenderRequest request;
     std::string range, time;
+    std::string tonemap = "none";
+    runtime::Tone tone;
     std::vector<std::optional<double>> times = {{}};  // one a picture; nothing: --time is not given
     PathOptions path;
 };
@@ -82,6 +85,17 @@ void say_range(const Console& console, const Arguments& arguments, const runtime
                arguments.request.options.preview, values.low, values.high, low, high));
 }
 
+// Light above 1 is lost in a PNG.
+void say_clipping(const Console& console, const Arguments& arguments, const std::string& path,
+                  const runtime::Image& image) {
+    if (!arguments.request.options.preview.empty() || path.ends_with(".exr")) return;
+    const std::optional<runtime::Clipping> clipped = runtime::clipping(image);
+    if (!clipped) return;
+    remark(console, fmt::format("{:.1f} % of the pixels are brighter than white and clip: --exposure {:.2f} shows all "
+                                "light, and --tonemap khronos-neutral compresses it",
+                                100 * clipped->share, arguments.tone.exposure + clipped->exposure));
+}
+
 // The diagnostics of earlier pictures of a sequence: code, file and text.
 using Said = std::set<std::tuple<std::string, std::string, std::string>>;
 
@@ -90,8 +104,10 @@ Exit render_graph(Outputs& outputs, const Console& console, const Arguments& arg
     runtime::RenderRequest request = arguments.request;
     request.graph = graph;
     request.time = arguments.times[frame];
-    request.options.progress = [&](double share) { show_share(console, share, graph); };
-    const runtime::RenderOutcome outcome = runtime::render(compiler, request, machine);
+    request.options.progress = [&](double share, std::string_view file) {
+        show_share(console, share, file.empty() ? graph : fmt::format("prefiltering {}", file));
+    };
+    runtime::RenderOutcome outcome = runtime::render(compiler, request, machine);
     // A warning that an earlier picture gave is not repeated.
     std::vector<Diagnostic> news;
     for (const Diagnostic& each : outcome.diagnostics) {
@@ -101,7 +117,11 @@ Exit render_graph(Outputs& outputs, const Console& console, const Arguments& arg
     report(console, news);
     if (!outcome.error.empty()) complain(console, Complaint::CannotRender, {outcome.error});
     if (outcome.missing_machine) return Exit::Machine;
-    if (outcome.ok && frame == 0) say_range(console, arguments, outcome);
+    if (outcome.ok) outcome.image = runtime::toned(std::move(outcome.image), arguments.tone);
+    if (outcome.ok && frame == 0) {
+        say_range(console, arguments, outcome);
+        say_clipping(console, arguments, output_of(arguments, graph, frame), outcome.image);
+    }
     return outcome.ok ? write(outputs, console, arguments, graph, frame, outcome) : Exit::Wrong;
 }
 
@@ -128,6 +148,18 @@ std::vector<std::optional<double>> read_times(const std::string& text) {
     if (error.empty()) error = is_time_word(text);
     if (!error.empty()) throw CLI::ValidationError("--time", error);
     return {std::optional(time)};
+}
+
+void take_tone(Arguments& arguments) {
+    for (const runtime::TonemapWord& each : runtime::kTonemaps)
+        if (each.word == arguments.tonemap) arguments.tone.curve = each.curve;
+    const bool has_curve = arguments.tone.curve != runtime::Tonemap::None;
+    if (has_curve && arguments.output.ends_with(".exr"))
+        throw CLI::ValidationError("--tonemap",
+                                   "an EXR file holds the light as it is: leave out --tonemap, or write a PNG");
+    if ((has_curve || arguments.tone.exposure != 0) && !arguments.request.options.preview.empty())
+        throw CLI::ValidationError(has_curve ? "--tonemap" : "--exposure",
+                                   "--node shows values, not light: leave one of them out");
 }
 
 // Checks what can be wrong before the first graph is read.
@@ -167,6 +199,7 @@ void complete(Arguments& arguments, bool has_mesh) {
         if (!range) throw CLI::ValidationError("--range", range.error);
         arguments.request.range = range.value;
     }
+    take_tone(arguments);
     arguments.request.keeps_values = arguments.output.ends_with(".exr");
     refuse_equal_outputs(arguments.graphs, ".png", "render");
 }
@@ -182,7 +215,9 @@ void add_render(Program& program) {
          "patina render *.graph.json -o pictures", "patina render flag.graph.json --time 0..2:48 -o frames",
          "patina render room.scene.json --path deferred -o room.png",
          "patina render room.scene.json --node albedo --object wall -o albedo.png",
-         "patina render rust.graph.json --light 'directional direction=1,1,1 intensity=2' --ambient 0.1 --via cpu"});
+         "patina render rust.graph.json --light 'directional direction=1,1,1 intensity=2' --ambient 0.1 --via cpu",
+         "patina render rust.graph.json --exposure -1 --tonemap khronos-neutral -o rust.png",
+         "patina render rust.graph.json --env 'sunset.hdr rotation=90' -o rust.png"});
     auto arguments = std::make_shared<Arguments>();
     runtime::RenderRequest& request = arguments->request;
     command
@@ -220,6 +255,18 @@ void add_render(Program& program) {
                     "Pixels that are not finite are squares of magenta and black")
         ->type_name("LOW..HIGH");
     add_picture_options(command, arguments->set, request);
+    command
+        .add_option("--exposure", arguments->tone.exposure,
+                    "Make the picture brighter by so many stops: 1 doubles its light; default: 0")
+        ->type_name("EV")
+        ->check(CLI::Range(-64.0, 64.0));
+    std::vector<std::string> curves;
+    for (const runtime::TonemapWord& each : runtime::kTonemaps) curves.emplace_back(each.word);
+    command
+        .add_option("--tonemap", arguments->tonemap,
+                    "Bring bright light below white by a curve; default: none, so that it clips")
+        ->type_name("none|khronos-neutral|agx|aces")
+        ->check(one_of("a tone curve", std::move(curves)));
     command
         .add_option("--time", arguments->time,
                     "The time in seconds, or a sequence FROM..TO:COUNT of pictures NAME.0000.png; default: 0")

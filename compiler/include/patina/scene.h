@@ -69,6 +69,13 @@ struct SceneAmbient {
     std::optional<SceneVector> sky{}, horizon{}, ground{};
 };
 
+// A picture of the surroundings.
+struct ScenePicture {
+    SceneFileName file;
+    double rotation = 0;  // degrees about y, counter-clockwise seen from above
+    double intensity = 1;
+};
+
 struct SceneFog {
     FogMode mode = FogMode::Linear;
     SceneVector color{0.5, 0.5, 0.5};
@@ -123,8 +130,10 @@ struct SceneFile {
     std::string name;  // "name", or the file's stem
     SceneCamera camera{};
     std::vector<SceneLight> lights{};       // at most kMostSceneLights, kMostSceneShadows of them with a shadow
-    std::optional<SceneAmbient> ambient{};  // nothing: the studio's
+    std::optional<SceneAmbient> ambient{};  // nothing: the picture's, or the studio's
+    bool has_studio_ambient = false;        // although there is a picture
     SceneEnvironment environment = SceneEnvironment::Studio;
+    std::optional<ScenePicture> picture{};  // the environment, instead of `environment`
     std::optional<SceneFog> fog{};
     SceneMixedLighting mixed_lighting{};
     std::optional<std::array<double, 4>> background{};  // linear, with alpha; nothing: the runtime's own

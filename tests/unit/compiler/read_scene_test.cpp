@@ -121,6 +121,7 @@ TEST(ReadScene, Surroundings) {
     EXPECT_EQ(sky.environment, SceneEnvironment::None);
     EXPECT_EQ(good(R"("ambient":0.2,"environment":"studio")").environment, SceneEnvironment::Studio);
     EXPECT_EQ(good(R"("environment":"none")").environment, SceneEnvironment::None);
+    EXPECT_FALSE(plain.picture || plain.has_studio_ambient);
 }
 
 TEST(ReadScene, Fog) {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "runtime/lighting/cube.h"
+#include "runtime/lighting/prefilter.h"
 #include "runtime/lighting/split_sum.h"
 #include "runtime/lighting/studio.h"
 #include "tests/support/reference_values.h"
@@ -132,14 +133,13 @@ TEST(Harmonics, AHemisphereOfLight) {
 }
 
 TEST(Harmonics, AConstantAndAGradient) {
-    const Environment constant(constant_ambient({0.25f, 0.5f, 1}));
-    EXPECT_NEAR(constant.radiance({0.6f, 0, -0.8f}).g, 0.5, 1e-6);
+    EXPECT_NEAR(evaluate(constant_ambient({0.25f, 0.5f, 1}), {0.6f, 0, -0.8f}).g, 0.5, 1e-6);
     const glm::vec3 sky(0.1f, 0.5f, 1), horizon(0.4f), ground(0.2f, 0.1f, 0);
-    const Environment gradient(gradient_ambient(sky, horizon, ground));
+    const SphericalHarmonics gradient = gradient_ambient(sky, horizon, ground);
     for (int c = 0; c < 3; ++c) {
-        EXPECT_NEAR(gradient.radiance({0, 1, 0})[c], sky[c], 1e-6);
-        EXPECT_NEAR(gradient.radiance({0.8f, 0, -0.6f})[c], horizon[c], 1e-6);
-        EXPECT_NEAR(gradient.radiance({0, -1, 0})[c], ground[c], 1e-6);
+        EXPECT_NEAR(evaluate(gradient, {0, 1, 0})[c], sky[c], 1e-6);
+        EXPECT_NEAR(evaluate(gradient, {0.8f, 0, -0.6f})[c], horizon[c], 1e-6);
+        EXPECT_NEAR(evaluate(gradient, {0, -1, 0})[c], ground[c], 1e-6);
     }
 }
 
@@ -176,12 +176,12 @@ TEST(Levels, EvenLightStaysAsItIs) {
 }
 
 TEST(Levels, TheFirstIsAMirror) {
-    const Environment environment(
-        [](glm::vec3 d) { return glm::vec3(std::sin(9 * d.x), std::cos(7 * d.y), d.z * d.x); }, 64);
+    const auto radiance = [](glm::vec3 d) { return glm::vec3(std::sin(9 * d.x), std::cos(7 * d.y), d.z * d.x); };
+    const Environment environment(radiance, 64);
     for (int face = 0; face < 6; ++face) {
         for (int y = 0; y < 64; ++y) {
             for (int x = 0; x < 64; ++x) {
-                const glm::vec3 expected = environment.radiance(cube_direction(face, x, y, 64));
+                const glm::vec3 expected = radiance(cube_direction(face, x, y, 64));
                 EXPECT_LT(glm::length(texel(level_of(environment, 0), face, x, y) - expected), 1e-5f);
             }
         }
@@ -205,7 +205,7 @@ double mean_cosine(double alpha) {
 }
 
 // Irradiance over pi, by a sum over a fine cube.
-glm::vec3 cosine_mean(const Environment& environment, glm::vec3 n) {
+glm::vec3 cosine_mean(const Radiance& radiance, glm::vec3 n) {
     constexpr int kSize = 48;
     glm::vec3 sum(0);
     for (int face = 0; face < 6; ++face) {
@@ -213,7 +213,7 @@ glm::vec3 cosine_mean(const Environment& environment, glm::vec3 n) {
             for (int x = 0; x < kSize; ++x) {
                 const glm::vec3 l = cube_direction(face, x, y, kSize);
                 const float cosine = std::max(glm::dot(n, l), 0.0f);
-                sum += environment.radiance(l) * (cosine * cube_solid_angle(x, y, kSize));
+                sum += radiance(l) * (cosine * cube_solid_angle(x, y, kSize));
             }
         }
     }
@@ -249,12 +249,12 @@ TEST(Levels, RoughSurfacesSeeTheStudioWithoutFacets) {
                                                    cube_direction(face, 2 * x + 2, 2 * y + 2, 2 * size));
                 glm::vec3 exact(0);
                 for (const auto& [column, row] : {std::pair(x, y), {x + 1, y}, {x, y + 1}, {x + 1, y + 1}}) {
-                    const glm::vec3 value = cosine_mean(studio, cube_direction(face, column, row, size));
+                    const glm::vec3 value = cosine_mean(studio_radiance, cube_direction(face, column, row, size));
                     const glm::vec3 off = glm::abs(texel(last, face, column, row) - value);
                     texel_error = std::max({texel_error, off.r, off.g, off.b});
                     exact += value / 4.0f;
                 }
-                const glm::vec3 off = glm::abs(exact - cosine_mean(studio, n));
+                const glm::vec3 off = glm::abs(exact - cosine_mean(studio_radiance, n));
                 filter_error = std::max({filter_error, off.r, off.g, off.b});
             }
         }

@@ -105,6 +105,51 @@ TEST(RenderRequest, TheDefaultLightLeavesFormToWhite) {
 }
 
 // Of a picture that is drawn in tiles, as of others.
+// A mirror before the camera shows what is behind the camera, with right and left as they are there: the picture's
+// edges, here red at the left one, where somebody who turns round to the left looks, and green at the right one.
+TEST(RenderRequest, AMirrorShowsThePictureOfTheSurroundings) {
+    const OwnGraph graph(R"json({ "patina": 1, "workflow": "metallic-smoothness", "lighting": "unity-brdf1",
+        "surface": { "baseColor": [1, 1, 1], "metallic": 1, "smoothness": 1 } })json");
+    setenv("XDG_CACHE_HOME", graph.folder.c_str(), 1);
+    Image picture = make_image(64, 32, 0, 0, 0.25f);
+    for (int y = 0; y < 32; ++y) {
+        for (int x = 0; x < 16; ++x) picture.at(x, y)[0] = 0.5f, picture.at(63 - x, y)[1] = 0.5f;
+    }
+    const std::string file = (graph.folder / "around.exr").string();
+    ASSERT_EQ(save_exr(file, picture), "");
+    const Compiler compiler;
+    RenderMachine machine;
+    const auto drawn = [&](const std::string& environment, const char* via) {
+        RenderOutcome outcome = render(compiler,
+                                       {.graph = graph.path.string(),
+                                        .mesh = "plane",
+                                        .size = 33,
+                                        .samples = 1,
+                                        .lights = {"none"},
+                                        .environment = environment,
+                                        .options = {.via = via}},
+                                       machine);
+        EXPECT_TRUE(outcome.ok) << outcome.error;
+        return std::move(outcome.image);
+    };
+    for (const char* via : {"cpu", "glsl"}) {
+        const Image image = drawn(file, via);
+        // The camera looks along -z, so what it sees left of its axis is reflected to its left: -x.
+        EXPECT_NEAR(image.at(10, 16)[0], 0.5, 0.02) << via;
+        EXPECT_NEAR(image.at(10, 16)[1], 0, 0.02) << via;
+        EXPECT_NEAR(image.at(22, 16)[1], 0.5, 0.02) << via;
+        EXPECT_NEAR(image.at(22, 16)[2], 0.25, 0.02) << via;
+        // A half turn puts the middle of the picture there, where there is neither.
+        const Image turned = drawn(file + " rotation=180 intensity=2", via);
+        EXPECT_NEAR(turned.at(10, 16)[0], 0, 0.02) << via;
+        EXPECT_NEAR(turned.at(10, 16)[2], 0.5, 0.02) << via;
+    }
+    const RenderOutcome none =
+        render(compiler, {.graph = graph.path.string(), .environment = "none.hdr", .options = {.via = "cpu"}}, machine);
+    EXPECT_FALSE(none.ok);
+    EXPECT_EQ(none.error, "there is no file 'none.hdr'");
+}
+
 TEST(RenderRequest, APixelOfALargePictureIsTraced) {
     const OwnGraph graph(kDivides);
     const Compiler compiler;

@@ -164,6 +164,22 @@ TEST(ParseAmbient, ReadsColorsAndGradients) {
     EXPECT_FALSE(parse_ambient(""));
 }
 
+TEST(ParseEnvironment, AFileAndItsSettings) {
+    const auto plain = parse_environment("my sunset.hdr");
+    ASSERT_TRUE(plain) << plain.error;
+    EXPECT_EQ(plain.value.path, "my sunset.hdr");
+    EXPECT_EQ(plain.value.rotation, 0);
+    EXPECT_EQ(plain.value.intensity, 1);
+    const auto set = parse_environment("a=b.hdr  intensity=0.5 rotation=-90");
+    ASSERT_TRUE(set) << set.error;
+    EXPECT_EQ(set.value.path, "a=b.hdr");
+    EXPECT_EQ(set.value.rotation, -90);
+    EXPECT_EQ(set.value.intensity, 0.5);
+    for (const char* wrong : {"", "rotation=90", "a.hdr intensity=-1", "a.hdr rotation=x",
+                              "a.hdr rotation=1 rotation=2", "studio rotation=90", "none intensity=2"})
+        EXPECT_FALSE(parse_environment(wrong)) << wrong;
+}
+
 TEST(ParseCamera, ChangesOnlyWhatIsSaid) {
     Camera base{.position = {1, 2, 3}, .fov = 20};
     Outcome<Camera> camera = parse_camera("target=0,1,0 orthographic=3", base);

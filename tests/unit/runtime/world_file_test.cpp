@@ -201,6 +201,36 @@ TEST_F(WorldOfFile, AmbientLight) {
     EXPECT_EQ(world(R"("ambient":0.2,"environment":"studio")").view.environment, studio_environment());
 }
 
+// An even picture of 0.5: the first coefficient is 0.5 times 2 sqrt(pi).
+TEST_F(WorldOfFile, AnEnvironmentFromAPicture) {
+    setenv("XDG_CACHE_HOME", path("cache").c_str(), 1);
+    ASSERT_EQ(save_exr(path("sky.exr"), make_image(8, 4, 0.5f, 0.5f, 0.5f)), "");
+    const float half = std::sqrt(std::acos(-1.0f));
+    const auto first = [](const World& made) { return made.view.ambient.coefficients[0].g; };
+    World made = world(R"("environment":"sky.exr")");
+    ASSERT_TRUE(made.view.environment);
+    EXPECT_NEAR(first(made), half, 1e-3f);
+    EXPECT_NEAR(made.view.environment->ambient().coefficients[0].g, half, 1e-3f);
+    EXPECT_NEAR(first(world(R"("environment":{"file":"sky.exr","rotation":90,"intensity":2})")), 2 * half, 2e-3f);
+    // Other ambient light replaces the picture's diffuse light alone.
+    made = world(R"("environment":"sky.exr","ambient":0.25)");
+    EXPECT_NEAR(first(made), half / 2, 1e-3f);
+    EXPECT_NEAR(made.view.environment->ambient().coefficients[0].g, half, 1e-3f);
+    made = world(R"("environment":"sky.exr","ambient":"studio")");
+    EXPECT_EQ(made.view.ambient.coefficients, studio_environment()->ambient().coefficients);
+
+    std::ofstream(path("broken.exr")) << "no picture";
+    const WorldFile broken = read(R"("environment":{"file":"broken.exr"})");
+    EXPECT_FALSE(broken.ok);
+    ASSERT_EQ(broken.diagnostics.size(), 1u);
+    EXPECT_EQ(broken.diagnostics[0].code, "bad-environment");
+    EXPECT_EQ(broken.diagnostics[0].line, 3);
+    const WorldFile missing = read(R"("environment":"none.exr")");
+    EXPECT_FALSE(missing.ok);
+    ASSERT_EQ(missing.diagnostics.size(), 1u);
+    EXPECT_EQ(missing.diagnostics[0].line, 3);
+}
+
 TEST_F(WorldOfFile, LoadsCookies) {
     Image image = make_image(2, 1, 0.25f, 0, 0);
     image.at(1, 0)[0] = 0.75f;

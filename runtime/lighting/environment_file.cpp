@@ -1,0 +1,104 @@
+#include "runtime/lighting/environment_file.h"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <mutex>
+#include <sstream>
+
+#include "runtime/lighting/map_cache.h"
+#include "runtime/lighting/panorama.h"
+#include "runtime/lighting/prefilter.h"
+#include "runtime/picture/image.h"
+
+namespace patina::runtime {
+namespace {
+
+// Texels along a face of the map: as fine as the picture, within these limits.
+constexpr int kSmallestMap = 256, kLargestMap = 512;
+
+// The bytes of a file; nothing if it cannot be read, of which load_image() knows the reason.
+std::string bytes_of(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream bytes;
+    bytes << file.rdbuf();
+    return std::move(bytes).str();
+}
+
+Outcome<Panorama> load_panorama(const std::string& path) {
+    Outcome<Image> image = load_image(path);
+    if (!image) return Failure{image.error};
+    if (image.value.bits <= 8) decode_srgb(image.value);
+    return panorama_of(std::move(image.value), path);
+}
+
+Pyramid pyramid_of(const Panorama& around, double rotation) {
+    const int wanted = int(std::bit_ceil(unsigned(std::clamp(around.quarter, kSmallestMap, kLargestMap))));
+    // At least two directions for each pixel along each axis, so that a small sun counts as much as it does there.
+    const int samples = std::max(2, (2 * around.quarter + wanted - 1) / wanted);
+    return {turned(around.radiance, rotation), wanted, samples};
+}
+
+TextureData scaled(TextureData map, float factor) {
+    if (factor == 1) return map;
+    for (TextureLevel& level : map.levels)
+        for (std::size_t i = 0; i < level.texels.size(); i++)
+            if (i % 4 != 3) level.texels[i] *= factor;
+    return map;
+}
+
+double rotation_of(const EnvironmentChoice& choice) {
+    return std::remainder(choice.rotation, 360.0);
+}
+
+// Nothing is shown of what takes less than a second.
+PrefilterProgress after_a_second(const EnvironmentProgress& progress, const std::string& what) {
+    if (!progress) return {};
+    using Clock = std::chrono::steady_clock;
+    return [=, begin = Clock::now()](double share) {
+        if (Clock::now() - begin >= std::chrono::seconds(1)) progress(share, what);
+    };
+}
+
+using Made = Outcome<std::shared_ptr<const Environment>>;
+
+Made make_environment(const EnvironmentChoice& choice, const std::string& name, EnvironmentProgress progress) {
+    const float intensity = float(choice.intensity);
+    const double rotation = rotation_of(choice);
+    const MapCache cache;
+    if (std::optional<KeptEnvironment> kept = cache.read(name)) {
+        const auto map = std::make_shared<TextureData>(std::move(kept->map));
+        return std::make_shared<const Environment>(scaled(kept->ambient, intensity),
+                                                   [=] { return scaled(std::move(*map), intensity); });
+    }
+    Outcome<Panorama> around = load_panorama(choice.path);
+    if (!around) return Failure{around.error};
+    const auto pyramid = std::make_shared<const Pyramid>(pyramid_of(around.value, rotation));
+    const SphericalHarmonics ambient =
+        project([&](glm::vec3 direction) { return pyramid->look(direction, 0); }, pyramid->size());
+    return std::make_shared<const Environment>(scaled(ambient, intensity), [=, progress = std::move(progress)] {
+        KeptEnvironment made{ambient, prefiltered(*pyramid, after_a_second(progress, choice.path))};
+        cache.write(name, made);
+        return scaled(std::move(made.map), intensity);
+    });
+}
+
+}  // namespace
+
+// The last one is kept for the other pictures of a sequence.
+Made load_environment(const EnvironmentChoice& choice, EnvironmentProgress progress) {
+    static std::mutex mutex;
+    static std::string last_name;
+    static std::shared_ptr<const Environment> last;
+    const std::string name = MapCache::name_of(bytes_of(choice.path), rotation_of(choice));
+    const std::string key = name + " " + std::to_string(choice.intensity);
+    const std::lock_guard lock(mutex);
+    if (last && key == last_name) return last;
+    Made made = make_environment(choice, name, std::move(progress));
+    if (made) last_name = key, last = made.value;
+    return made;
+}
+
+}  // namespace patina::runtime
