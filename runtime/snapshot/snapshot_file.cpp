@@ -16,6 +16,7 @@
 
 #include "patina/complaints.h"
 #include "patina/segments.h"
+#include "runtime/gltf/gltf_model.h"
 
 namespace patina::runtime {
 namespace {
@@ -374,6 +375,7 @@ ReadSnapshot read_snapshot(const std::string& path) {
     RenderRequest& request = file.request;
     if (request.graph.empty()) request.graph = default_graph(folder, stem);
     request.graph = (folder / request.graph).string();
+    if (is_model_name(request.mesh)) request.mesh = (folder / request.mesh).string();
     ReadSnapshot read{.file = std::move(file), .error = {}};
     read.path_place.file = path;
     for (const Entry& entry : flat.entries) {

@@ -1,5 +1,5 @@
-// glTF files that the test writes itself, one for each feature, with their values in closed form; and broken ones, which
-// are refused with the place of the mistake.
+// glTF files that the test writes itself, one for each feature, with their values in closed form; and broken ones,
+// which are refused with the place of the mistake.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,8 +21,7 @@ std::string base64(const std::vector<unsigned char>& bytes) {
         std::uint32_t three = std::uint32_t{bytes[i]} << 16;
         if (i + 1 < bytes.size()) three |= std::uint32_t{bytes[i + 1]} << 8;
         if (i + 2 < bytes.size()) three |= bytes[i + 2];
-        for (std::size_t k = 0; k < 4; ++k)
-            text += i + k > bytes.size() ? '=' : kLetters[(three >> (18 - 6 * k)) & 63];
+        for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : kLetters[(three >> (18 - 6 * k)) & 63];
     }
     return text;
 }
@@ -52,8 +51,8 @@ public:
     // `rest`: meshes, nodes and all else.
     std::string save(const std::string& rest) const {
         return save_text(R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":)" + std::to_string(bytes_.size()) +
-                         R"(,"uri":"data:application/octet-stream;base64,)" + base64(bytes_) + R"("}],"bufferViews":[)" +
-                         views_ + R"(],"accessors":[)" + accessors_ + "]," + rest + "}");
+                         R"(,"uri":"data:application/octet-stream;base64,)" + base64(bytes_) +
+                         R"("}],"bufferViews":[)" + views_ + R"(],"accessors":[)" + accessors_ + "]," + rest + "}");
     }
     static std::string save_text(const std::string& text) {
         static int number = 0;
@@ -91,8 +90,8 @@ TEST(Gltf, TrianglesWithoutNormalsAreFlat) {
     File file;
     const int positions = file.points({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1});
     const int indices = file.add<std::uint8_t>({0, 1, 2, 0, 3, 1}, 5121, "SCALAR", 1);
-    const Mesh made = read(file.save(mesh(at("POSITION", positions), "," + at("indices", indices)) +
-                                     R"(,"nodes":[{"mesh":0}])"));
+    const Mesh made =
+        read(file.save(mesh(at("POSITION", positions), "," + at("indices", indices)) + R"(,"nodes":[{"mesh":0}])"));
     ASSERT_EQ(made.indices.size(), 6u);
     for (std::size_t i = 0; i < 3; ++i) expect_near(made.vertices[made.indices[i]].normal, {0, 0, 1});
     for (std::size_t i = 3; i < 6; ++i) expect_near(made.vertices[made.indices[i]].normal, {0, 1, 0});
@@ -101,7 +100,8 @@ TEST(Gltf, TrianglesWithoutNormalsAreFlat) {
 
 // A strip and a fan of the same square: each triangle faces +z.
 TEST(Gltf, StripsAndFansAreTriangles) {
-    const std::vector<float> square = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}, around = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+    const std::vector<float> square = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0},
+                             around = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
     for (const bool is_strip : {true, false}) {
         File file;
         const int positions = file.points(is_strip ? square : around);
@@ -114,13 +114,13 @@ TEST(Gltf, StripsAndFansAreTriangles) {
 
 TEST(Gltf, NumbersAreNormalisedAndSparse) {
     File file;
-    const int positions = file.add<std::int16_t>({0, 0, 0, 32767, 0, 0, 0, -32768, 0}, 5122, "VEC3", 3, // padded below
+    const int positions = file.add<std::int16_t>({0, 0, 0, 32767, 0, 0, 0, -32768, 0}, 5122, "VEC3", 3,  // padded below
                                                  ",\"normalized\":true");
     const int colors = file.add<std::uint8_t>({255, 0, 0, 51, 0, 255, 0, 255, 0, 0, 255, 255}, 5121, "VEC4", 4,
                                               ",\"normalized\":true");
-    const Mesh made = read(file.save(R"("extensionsRequired":["KHR_mesh_quantization"],)" +
-                                     mesh(at("POSITION", positions) + "," + at("COLOR_0", colors)) +
-                                     R"(,"nodes":[{"mesh":0}])"));
+    const Mesh made =
+        read(file.save(R"("extensionsRequired":["KHR_mesh_quantization"],)" +
+                       mesh(at("POSITION", positions) + "," + at("COLOR_0", colors)) + R"(,"nodes":[{"mesh":0}])"));
     ASSERT_EQ(made.indices.size(), 3u);
     expect_near(made.vertices[made.indices[1]].position, {1, 0, 0});
     expect_near(made.vertices[made.indices[2]].position, {0, -1, 0});  // never below -1
@@ -170,8 +170,8 @@ TEST(Gltf, MorphTargetsHaveTheirWeights) {
     const int positions = file.points(kTriangle), moves = file.points({0, 0, 1, 0, 0, 2, 0, 0, 4});
     const std::string whole = R"({"primitives":[{"attributes":{)" + at("POSITION", positions) + R"(},"targets":[{)" +
                               at("POSITION", moves) + R"(}]}],"weights":[0.5]})";
-    const std::string path =
-        file.save(R"("meshes":[)" + whole + R"(],"nodes":[{"mesh":0,"name":"half"},{"mesh":0,"name":"all","weights":[1]}])");
+    const std::string path = file.save(R"("meshes":[)" + whole +
+                                       R"(],"nodes":[{"mesh":0,"name":"half"},{"mesh":0,"name":"all","weights":[1]}])");
     const Mesh half = read(path, "half"), all = read(path, "all");
     EXPECT_NEAR(half.vertices[half.indices[2]].position.z, 2, 1e-6);
     EXPECT_NEAR(all.vertices[all.indices[2]].position.z, 4, 1e-6);
@@ -275,7 +275,8 @@ TEST(Gltf, ClaimsAreChecked) {
                          R"({"buffer":0,"byteLength":4000000000})", buffer))
                   .find("bufferViews[0]: 4000000000 bytes from byte 0 on"),
               std::string::npos);
-    EXPECT_NE(error(with("{}", view, R"({"byteLength":4,"uri":"nowhere.bin"})")).find("nowhere.bin"), std::string::npos);
+    EXPECT_NE(error(with("{}", view, R"({"byteLength":4,"uri":"nowhere.bin"})")).find("nowhere.bin"),
+              std::string::npos);
     EXPECT_NE(error("nowhere.glb").find("there is no such file"), std::string::npos);
     for (const std::string& text : {std::string(), std::string("{"), std::string("glTF"), std::string("[]"),
                                     std::string("glTF\2\0\0\0\xff\xff\xff\x7f\xff\xff\xff\x7fJSON{", 21),

@@ -39,6 +39,10 @@ TEST_F(SnapshotFileTest, LeavesOutWhatHasDefaults) {
 
 TEST_F(SnapshotFileTest, ShowsASceneOfItsNameWhereThereIsNoGraph) {
     std::ofstream(folder / "rust.scene.json") << "{}";
+    // A model is a file next to the snapshot's; a built-in mesh is a word.
+    EXPECT_EQ(read(R"({ "patina": 1, "mesh": "chair.glb#Seat" })").file->request.mesh,
+              (folder / "chair.glb#Seat").string());
+    EXPECT_EQ(read(R"({ "patina": 1, "mesh": "torus" })").file->request.mesh, "torus");
     EXPECT_EQ(read(R"({ "patina": 1 })").file->request.graph, (folder / "rust.scene.json").string());
     std::ofstream(folder / "rust.graph.json") << "{}";
     EXPECT_EQ(read(R"({ "patina": 1 })").file->request.graph, (folder / "rust.graph.json").string());
