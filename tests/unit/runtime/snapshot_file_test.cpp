@@ -37,12 +37,14 @@ TEST_F(SnapshotFileTest, LeavesOutWhatHasDefaults) {
     EXPECT_TRUE(file.request.lights.empty());
 }
 
-TEST_F(SnapshotFileTest, ShowsASceneOfItsNameWhereThereIsNoGraph) {
-    std::ofstream(folder / "rust.scene.json") << "{}";
-    // A model is a file next to the snapshot's; a built-in mesh is a word.
+TEST_F(SnapshotFileTest, FindsModelsNextToItself) {
     EXPECT_EQ(read(R"({ "patina": 1, "mesh": "chair.glb#Seat" })").file->request.mesh,
               (folder / "chair.glb#Seat").string());
     EXPECT_EQ(read(R"({ "patina": 1, "mesh": "torus" })").file->request.mesh, "torus");
+}
+
+TEST_F(SnapshotFileTest, ShowsASceneOfItsNameWhereThereIsNoGraph) {
+    std::ofstream(folder / "rust.scene.json") << "{}";
     EXPECT_EQ(read(R"({ "patina": 1 })").file->request.graph, (folder / "rust.scene.json").string());
     std::ofstream(folder / "rust.graph.json") << "{}";
     EXPECT_EQ(read(R"({ "patina": 1 })").file->request.graph, (folder / "rust.graph.json").string());
