@@ -5,6 +5,7 @@
 #include <rapidjson/reader.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -17,6 +18,8 @@
 #include "patina/complaints.h"
 #include "patina/segments.h"
 #include "runtime/gltf/gltf_model.h"
+#include "runtime/mesh/mesh.h"
+#include "runtime/scene/scene_text.h"
 
 namespace patina::runtime {
 namespace {
@@ -322,6 +325,34 @@ Problem apply(const Entry& entry, const std::filesystem::path& folder, SnapshotF
     return wrong_unless(check_tolerance(*key, value).empty(), check_tolerance(*key, value));
 }
 
+// Words that rendering would refuse without knowing where they stand.
+Problem check_words(const Entry& entry) {
+    constexpr std::array<std::string_view, 3> kVia = {"glsl", "hlsl", "cpu"};
+    if (entry.path == "via" && std::ranges::find(kVia, entry.text) == kVia.end())
+        return {.message = "'via' is glsl, hlsl or cpu, not '" + entry.text + "'", .code = "unknown-word"};
+    const std::vector<std::string> meshes(mesh_names().begin(), mesh_names().end());
+    if (entry.path == "mesh" && !is_model_name(entry.text) && std::ranges::find(meshes, entry.text) == meshes.end())
+        return {.message = "there is no mesh '" + entry.text + "'",
+                .code = "unknown-name",
+                .hint = suggestion(entry.text, meshes)};
+    if (entry.path == "ambient") return {parse_ambient(entry.text).error};
+    if (entry.path == "lights" && entry.kind == Entry::Kind::Text) return {parse_light(entry.text).error};
+    return {};
+}
+
+// The mistake in the camera's numbers, and the entry that has it.
+std::pair<Problem, Place> check_camera(const std::vector<Entry>& entries, const std::string& words) {
+    const std::string error = words.empty() ? std::string() : parse_camera(words, Camera{}).error;
+    std::pair<Problem, Place> found{Problem{error}, {}};
+    for (const Entry& entry : entries) {
+        const bool is_first = found.second.end == 0;
+        if (!entry.path.starts_with("camera/")) continue;
+        const bool is_named = error.find("'" + entry.path.substr(std::string_view("camera/").size())) != error.npos;
+        if (is_first || is_named) found.second = entry.key;
+    }
+    return found;
+}
+
 // NAME.graph.json, or the scene if there is no such graph.
 std::string default_graph(const std::filesystem::path& folder, const std::string& stem) {
     std::error_code ignored;
@@ -365,8 +396,12 @@ ReadSnapshot read_snapshot(const std::string& path) {
 
     std::filesystem::path folder = std::filesystem::path(path).parent_path();
     SnapshotFile file{.request = default_request()};
-    for (const Entry& entry : flat.entries)
+    for (const Entry& entry : flat.entries) {
         if (Problem problem = apply(entry, folder, file)) return wrong(problem, entry.key);
+        if (Problem problem = check_words(entry)) return wrong(problem, entry.key);
+    }
+    if (const auto [problem, place] = check_camera(flat.entries, file.request.camera); problem)
+        return wrong(problem, place);
     if (!flat.seen.contains("patina"))
         return wrong({.message = "the key \"patina\": 1 is missing", .code = "missing-key"}, {});
 

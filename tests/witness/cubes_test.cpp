@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/lighting/prefilter.h"
 #include "witness/bench.h"
 
 namespace patina::witness {
