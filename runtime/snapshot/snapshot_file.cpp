@@ -347,7 +347,8 @@ std::pair<Problem, Place> check_camera(const std::vector<Entry>& entries, const 
     for (const Entry& entry : entries) {
         const bool is_first = found.second.end == 0;
         if (!entry.path.starts_with("camera/")) continue;
-        const bool is_named = error.find("'" + entry.path.substr(std::string_view("camera/").size())) != error.npos;
+        const bool is_named =
+            error.find(": " + entry.path.substr(std::string_view("camera/").size()) + " ") != error.npos;
         if (is_first || is_named) found.second = entry.key;
     }
     return found;

@@ -246,6 +246,10 @@ TEST(Pruning, VerticesEvaluateEachLightOnce) {
         for (const char* shadows : {"false", "true"}) {
             SCOPED_TRACE(model.name + ", shadows " + shadows);
             const Result result = compiled(varying_graph(model), "vertex", {{"shadows", shadows}});
+            // What was drawn before can be read per pixel only: transmission makes such a material another path's.
+            const bool reads_picture = model.name == "gltf" || model.name == "openpbr";
+            ASSERT_EQ(result.reflection.path, reads_picture ? "forward" : "vertex");
+            if (reads_picture) continue;
             const Shader* vertex = find_shader(result, "vertex", Stage::Vertex);
             ASSERT_TRUE(vertex);
             const std::size_t lights = model.name == "unlit" ? 0 : 1;

@@ -280,7 +280,7 @@ private:
         // A hash: its result has nothing to do with how near two inputs are.
         if (node.name == "Random") return false;
         // What was drawn before: nothing, and not in the target that is drawn into.
-        if (node.category == "Input/Scene") return false;
+        if (node.category == "Input/Scene" || node.name == "SceneThroughRoughSurface") return false;
         // Thousands of steps a pixel, on domains of their own.
         if (node.name == "SplitSumIntegral") return false;
         return std::all_of(node.ports.begin(), node.ports.end(), [&](const PortInfo& port) {
