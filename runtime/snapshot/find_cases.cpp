@@ -91,7 +91,7 @@ private:
                  .request = std::move(each.request),
                  .tolerance = read.file->tolerance,
                  .text = read.file->text,
-                 .path_place = read.path_place},
+                 .places = read.places},
                 each.name);
         }
     }
@@ -101,7 +101,6 @@ private:
                          .stem = without(file, file.ends_with(".scene.json") ? ".scene.json" : ".graph.json")};
         made.request = default_request();
         made.request.graph = file;
-        made.path_place.file = file;
         add(std::move(made), "");
     }
 

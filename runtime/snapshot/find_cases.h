@@ -4,6 +4,7 @@
 //   FoundCases found = find_cases("art");   // art/rust.graph.json -> the case "rust", art/rust.reference.png
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,8 +22,8 @@ struct PlannedCase {
     RenderRequest request{};
     Tolerance tolerance{};
     bool text = false;
-    ScenePlace path_place{};              // as ReadSnapshot's
-    std::optional<Diagnostic> problem{};  // why it cannot be drawn
+    std::map<std::string, ScenePlace> places{};  // as ReadSnapshot's
+    std::optional<Diagnostic> problem{};         // why it cannot be drawn
 
     std::string picture() const { return stem + ".reference.png"; }
     std::string shaders(std::string_view language) const { return stem + ".reference." + std::string(language); }

@@ -201,15 +201,38 @@ private:
     Tolerance tolerance_{};
 };
 
-// Diagnostics without a place are about the path.
-void place(std::vector<Diagnostic>& diagnostics, const ScenePlace& path_place) {
+Diagnostic placed_at(const ScenePlace& place, Diagnostic found) {
+    Diagnostic placed = diagnostic_at(place, found.code, found.message);
+    placed.severity = found.severity;
+    placed.notes = std::move(found.notes);
+    return placed;
+}
+
+// Diagnostics without a place are about the path, those of the preview's text about the node.
+void place(std::vector<Diagnostic>& diagnostics, const PlannedCase& planned) {
     for (Diagnostic& each : diagnostics) {
-        if (!each.file.empty()) continue;
-        Diagnostic placed = diagnostic_at(path_place, each.code, each.message);
-        placed.severity = each.severity;
-        placed.notes = std::move(each.notes);
-        each = std::move(placed);
+        const bool is_of_node = each.file == "preview";
+        if (!each.file.empty() && !is_of_node) continue;
+        ScenePlace whole_file;
+        whole_file.file = planned.file;
+        const auto found = planned.places.find(is_of_node ? "node" : "path");
+        if (found != planned.places.end())
+            each = placed_at(found->second, std::move(each));
+        else if (!is_of_node)
+            each = placed_at(whole_file, std::move(each));
     }
+}
+
+// Why there is no picture: at the value that it names, if the file has it.
+void explain(const std::string& error, const PlannedCase& planned, SnapshotCase& result) {
+    for (const auto& [key, place] : planned.places) {
+        const std::size_t slash = key.find('/');
+        const bool is_value = key.starts_with("set/") || key.starts_with("sweep/");
+        if (!is_value || error.find("'" + key.substr(slash + 1) + "'") == error.npos) continue;
+        result.diagnostics.push_back(diagnostic_at(place, "bad-snapshot", error));
+        return;
+    }
+    result.message = error;
 }
 
 void draw_and_judge(const Compiler& compiler, const PlannedCase& planned, const SnapshotOptions& options,
@@ -221,12 +244,9 @@ void draw_and_judge(const Compiler& compiler, const PlannedCase& planned, const 
     request.options.include_dirs = options.include_dirs;
     RenderOutcome outcome = render(compiler, request, machine);
     result.diagnostics = std::move(outcome.diagnostics);
-    place(result.diagnostics, planned.path_place);
+    place(result.diagnostics, planned);
     result.missing_machine = outcome.missing_machine;
-    if (!outcome.ok) {
-        result.message = outcome.error;
-        return;
-    }
+    if (!outcome.ok) return explain(outcome.error, planned, result);
     result.now = {.device = outcome.device, .driver = outcome.driver};
     for (const DrawnShader& shader : outcome.shaders) result.now.spirv_bytes += shader.spirv_bytes;
     encode_srgb(outcome.image);

@@ -413,16 +413,14 @@ ReadSnapshot read_snapshot(const std::string& path) {
     request.graph = (folder / request.graph).string();
     if (is_model_name(request.mesh)) request.mesh = (folder / request.mesh).string();
     ReadSnapshot read{.file = std::move(file), .error = {}};
-    read.path_place.file = path;
     for (const Entry& entry : flat.entries) {
-        if (entry.path != "path") continue;
         const Diagnostic at = located({}, path, text.value, entry.key);
-        read.path_place = {.file = path,
-                           .line = at.line,
-                           .column = at.column,
-                           .end_line = at.end_line,
-                           .end_column = at.end_column,
-                           .source_line = at.source_line};
+        read.places[entry.path] = {.file = path,
+                                   .line = at.line,
+                                   .column = at.column,
+                                   .end_line = at.end_line,
+                                   .end_column = at.end_column,
+                                   .source_line = at.source_line};
     }
     return read;
 }

@@ -11,6 +11,7 @@
 // // comments and trailing commas are accepted.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -51,8 +52,9 @@ std::vector<Variation> variations(const SnapshotFile& file);
 
 struct ReadSnapshot {
     std::optional<SnapshotFile> file;
-    Diagnostic error;         // without a file: what is wrong, and where
-    ScenePlace path_place{};  // where the snapshot names its path; of its file alone if it names none
+    Diagnostic error;  // without a file: what is wrong, and where
+    // Where the file has each key, for what is found out when the picture is drawn: "path", "node", "set/_Roughness".
+    std::map<std::string, ScenePlace> places{};
 };
 ReadSnapshot read_snapshot(const std::string& path);
 
