@@ -345,7 +345,9 @@ private:
 
     void library_node(const std::string& id) {
         const NodeInfo& node = *dice_.pick(library_);
-        const bool half = choose_half();
+        // TangentFrame subtracts products, and halves may keep no digit of such a difference: more than its inputs'
+        // noise.
+        const bool half = choose_half() && node.name != "TangentFrame";
         const int wide = 1 + dice_.below(4);
         std::string ports;
         bool is_first = true;
