@@ -9,8 +9,8 @@
 namespace patina::nodelang {
 namespace {
 
-// What stands for `other` here, and what to know of it. No `own`: there is nothing of the kind, and the remark says
-// what to do. "atan/2" is the function with two arguments.
+// A name of another language, Patina's name for it, and a remark. If `own` is empty, Patina has no such name, and the
+// remark says what to write. "atan/2" is the function with two arguments.
 struct OtherName {
     std::string_view other, own, remark{};
 };

@@ -394,7 +394,7 @@ void collect(const nodelang::Ast& ast, const nodelang::Declarations& declaration
     for (const VariableDecl& variable : ast.variables) collector.variable(variable);
     for (const FunctionDecl& function : ast.functions) collector.function(function);
     check_conditions(ast, paths, diagnostics);
-    // What names a pass goes before what is for all passes of a file.
+    // The first match is used, so recipes for named passes come first.
     std::stable_partition(paths.given.begin(), paths.given.end(),
                           [](const GivenDecl& given) { return !given.is_of_file; });
     for (const PassDecl& pass : paths.passes) {

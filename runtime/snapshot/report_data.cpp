@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "runtime/snapshot/escaped.h"
+
 namespace patina::runtime {
 namespace {
 
@@ -73,23 +75,6 @@ void write_case(Writer& writer, const SnapshotCase& each) {
     write_count(writer, "referenceSpirvBytes", each.then.spirv_bytes);
     write_count(writer, "changedLines", changed_lines(each.text_diff));
     writer.EndObject();
-}
-
-// Text and attribute values of XML 1.0, which has no control characters but tab, line feed and carriage return.
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (char c : text) {
-        switch (c) {
-            case '&': result += "&amp;"; break;
-            case '<': result += "&lt;"; break;
-            case '>': result += "&gt;"; break;
-            case '"': result += "&quot;"; break;
-            case '\n': result += "&#10;"; break;
-            case '\t': result += "&#9;"; break;
-            default: result += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
-        }
-    }
-    return result;
 }
 
 bool is_drawn(const SnapshotCase& each) {

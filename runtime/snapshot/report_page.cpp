@@ -6,24 +6,11 @@
 #include <cmath>
 #include <cstdint>
 
+#include "runtime/snapshot/escaped.h"
 #include "runtime/snapshot/report_frame.h"
 
 namespace patina::runtime {
 namespace {
-
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (char c : text) {
-        switch (c) {
-            case '&': result += "&amp;"; break;
-            case '<': result += "&lt;"; break;
-            case '>': result += "&gt;"; break;
-            case '"': result += "&quot;"; break;
-            default: result += c;
-        }
-    }
-    return result;
-}
 
 // RFC 4648.
 std::string base64(std::string_view bytes) {

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// --- what a reference picture notes of itself
+// --- what a reference picture records
 
 constexpr const char* kDevice = "Patina Device";
 constexpr const char* kDriver = "Patina Driver";

@@ -26,7 +26,7 @@ namespace patina::runtime {
 enum class SnapshotState { Passed, Failed, Missing, Updated };
 std::string_view to_string(SnapshotState state);  // "passed" ...
 
-// A device and its driver, and what the shaders of a picture cost: what a reference picture notes of itself.
+// What a reference picture records: the device, its driver, and the size of the shaders.
 struct PictureRecord {
     std::string device{}, driver{};  // empty: not noted
     std::size_t spirv_bytes = 0;     // of all shaders (DrawnShader); 0: not noted
