@@ -85,6 +85,13 @@ Value lighting_value(const GraphFile& graph) {
     return made.value();
 }
 
+// The comment above a file.
+std::string head_of(std::string_view comment) {
+    std::string head;
+    for (const std::string_view line : split(comment, "\n")) head += "// " + std::string(line) + "\n";
+    return head;
+}
+
 std::string unformatted(const GraphFile& graph) {
     Text made('{');
     made.member("patina", number(1.0));
@@ -105,9 +112,14 @@ std::string unformatted(const GraphFile& graph) {
     // A material says its surface, even if all of it is the default.
     if (graph.kind == "material" || !graph.surface.empty()) made.member("surface", object(graph.surface));
     made.members(graph.more);
-    std::string head;
-    for (const std::string_view line : split(graph.comment, "\n")) head += "// " + std::string(line) + "\n";
-    return head + made.value().json;
+    return head_of(graph.comment) + made.value().json;
+}
+
+std::string in_canonical_form(std::string text) {
+    SourceMap sources;
+    Diagnostics diagnostics;
+    const std::uint32_t begin = sources.add("graph", std::move(text));
+    return graph::format_graph(sources, begin, diagnostics).text;
 }
 
 }  // namespace
@@ -151,10 +163,15 @@ Value object(std::span<const Member> members) {
 }
 
 std::string write_graph(const GraphFile& graph) {
-    SourceMap sources;
-    Diagnostics diagnostics;
-    const std::uint32_t begin = sources.add("graph", unformatted(graph));
-    return graph::format_graph(sources, begin, diagnostics).text;
+    return in_canonical_form(unformatted(graph));
+}
+
+std::string write_scene(std::string_view comment, std::span<const Member> members) {
+    Text made('{');
+    made.member("patina", number(1.0));
+    made.member("kind", text("scene"));
+    made.members(members);
+    return in_canonical_form(head_of(comment) + made.value().json);
 }
 
 }  // namespace patina::importers

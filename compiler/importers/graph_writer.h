@@ -69,4 +69,7 @@ struct GraphFile {
 // Empty if the text cannot be JSON: a name or comment is not UTF-8.
 std::string write_graph(const GraphFile& graph);
 
+// A scene: `members` are all keys but "patina" and "kind".
+std::string write_scene(std::string_view comment, std::span<const Member> members);
+
 }  // namespace patina::importers

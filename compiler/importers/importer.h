@@ -28,7 +28,10 @@ struct Source {
 inline constexpr std::size_t kStart = 4096;
 
 struct Options {
-    std::string name{};  // of the graph; empty: the name of the file
+    std::string name{};     // of the graph; empty: the name of the file
+    std::string folder{};   // that the files will be written to, for references to others; empty: the source's own
+    std::string camera{};   // of a source with a scene: the camera that it is seen through; empty: the first
+    std::string variant{};  // the one of its variants that the scene shows; empty: each has a scene of its own
 };
 
 // What became of one part of the source.
@@ -63,6 +66,7 @@ struct PictureFile {
 struct Imported {
     std::string error{};  // not empty: what is wrong, with the file's name; then there is nothing else
     std::vector<TextFile> graphs{};
+    std::string scene{};  // the one of the graphs that shows all; empty: there is none
     std::vector<PictureFile> pictures{};
     std::vector<BinaryFile> copies{};
     std::vector<Remark> remarks{};

@@ -1,6 +1,7 @@
 // The list of importers: one row each.
 #include <algorithm>
 
+#include "compiler/importers/gltf/gltf_importer.h"
 #include "compiler/importers/importer.h"
 #include "compiler/importers/merl/merl_importer.h"
 
@@ -8,6 +9,7 @@ namespace patina::importers {
 
 std::span<const Importer> importers() {
     static const Importer kImporters[] = {
+        gltf_importer(),
         merl_importer(),
     };
     return kImporters;
@@ -22,9 +24,9 @@ const Importer* importer_of(const Source& source) {
 
 std::string_view to_string(Remark::Kind kind) {
     switch (kind) {
-        case Remark::Kind::Taken: return "taken";
-        case Remark::Kind::Changed: return "changed";
-        case Remark::Kind::LeftOut: return "left out";
+        case Remark::Kind::Taken: return "mapped";
+        case Remark::Kind::Changed: return "approximated";
+        case Remark::Kind::LeftOut: return "refused";
     }
     return {};
 }

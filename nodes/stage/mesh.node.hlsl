@@ -105,3 +105,10 @@ float3 shownNormalObjectToWorld(float3 normal, bool front = frontFacing) {
 float3 objectPositionWS() {
     return mul(objectToWorld, float4(0, 0, 0, 1)).xyz;
 }
+
+/// The object's scale: the lengths of its three axes in world space.
+[semantic("uniform")]
+float3 objectScale() {
+    return float3(length(mul(objectToWorld, float4(1, 0, 0, 0)).xyz), length(mul(objectToWorld, float4(0, 1, 0, 0)).xyz),
+                  length(mul(objectToWorld, float4(0, 0, 1, 0)).xyz));
+}

@@ -53,10 +53,11 @@ std::vector<unsigned char> readable(std::vector<unsigned char> bytes) {
     return bytes;
 }
 
-// Keeps pictures as they are in the file: whoever wants one decodes it.
+// Keeps pictures as they are in the file: whoever wants one decodes it. One that lies in a buffer stays there: its view
+// has not been checked yet.
 bool keep_picture(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes,
                   int size, void*) {
-    image->image.assign(bytes, bytes + size);
+    if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
     image->as_is = true;
     return true;
 }
@@ -91,6 +92,14 @@ std::string one_line(std::string text) {
 }
 
 }  // namespace
+
+std::string_view picture_bytes(const tinygltf::Model& model, std::size_t index) {
+    const tinygltf::Image& image = model.images[index];
+    if (image.bufferView < 0) return {reinterpret_cast<const char*>(image.image.data()), image.image.size()};
+    const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(image.bufferView)];
+    const std::vector<unsigned char>& buffer = model.buffers[static_cast<std::size_t>(view.buffer)].data;
+    return {reinterpret_cast<const char*>(buffer.data()) + view.byteOffset, view.byteLength};
+}
 
 Outcome<tinygltf::Model> open_gltf(const std::string& path) {
     std::vector<unsigned char> bytes;

@@ -10,6 +10,7 @@
 #include <tiny_gltf.h>
 
 #include <string>
+#include <string_view>
 
 #include "runtime/outcome.h"
 
@@ -17,6 +18,9 @@ namespace patina::runtime {
 
 // Errors name the file and the place in it: "chair.glb: accessors[3]: ...".
 Outcome<tinygltf::Model> open_gltf(const std::string& path);
+
+// The bytes of a picture's own file, not decoded. Empty: it is a file that could not be read.
+std::string_view picture_bytes(const tinygltf::Model& model, std::size_t index);
 
 // gltf_check.cpp: the first mistake, with its place; empty if there is none. `is_used`: an extension that a file
 // requires is refused if this room does not read it.

@@ -59,7 +59,7 @@ public:
         : model_(model), primitive_(primitive), attributes_(primitive.attributes) {}
 
     Outcome<Mesh> run(const std::string& where, const std::vector<double>& weights,
-                      const std::vector<glm::mat4>& joints) {
+                      const std::vector<glm::mat4>& joints, bool makes_tangents) {
         const std::vector<glm::vec3> positions = vectors<3>(model_, attributes_.at("POSITION"));
         mesh_.vertices.resize(positions.size());
         for (std::size_t i = 0; i < positions.size(); ++i) mesh_.vertices[i].position = positions[i];
@@ -89,7 +89,7 @@ public:
         }
         if (!has_normals) mesh_ = flat(mesh_);
         make_units();
-        if (!has_tangents) mesh_ = with_tangents(mesh_);
+        if (!has_tangents && makes_tangents) mesh_ = with_tangents(mesh_);
         return std::move(mesh_);
     }
 
@@ -185,8 +185,8 @@ bool has_triangles(const tinygltf::Primitive& primitive) {
 
 Outcome<Mesh> primitive_mesh(const tinygltf::Model& model, const std::string& where,
                              const tinygltf::Primitive& primitive, const std::vector<double>& weights,
-                             const std::vector<glm::mat4>& joints) {
-    return Reading(model, primitive).run(where, weights, joints);
+                             const std::vector<glm::mat4>& joints, bool makes_tangents) {
+    return Reading(model, primitive).run(where, weights, joints, makes_tangents);
 }
 
 }  // namespace patina::runtime

@@ -19,9 +19,9 @@ bool has_triangles(const tinygltf::Primitive& primitive);
 
 // `weights`: one for each morph target; missing ones are 0. `joints`: from the mesh's space to that of the joint's
 // pose, for each joint of the skin; empty: no skin. `where` begins the errors: an index past the end, a joint that the
-// skin lacks, a number that is not finite.
+// skin lacks, a number that is not finite. Without `makes_tangents`, those that the file lacks are (1, 0, 0).
 Outcome<Mesh> primitive_mesh(const tinygltf::Model& model, const std::string& where,
                              const tinygltf::Primitive& primitive, const std::vector<double>& weights,
-                             const std::vector<glm::mat4>& joints);
+                             const std::vector<glm::mat4>& joints, bool makes_tangents = true);
 
 }  // namespace patina::runtime

@@ -7,6 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <map>
+#include <tuple>
 
 #include "runtime/gltf/gltf_file.h"
 #include "runtime/gltf/gltf_mesh.h"
@@ -28,11 +29,20 @@ glm::mat4 transform_of(const tinygltf::Node& node) {
     return glm::mat4(made);
 }
 
+// Front faces stay counter-clockwise where an object is mirrored, as the specification demands.
+void turn_round(Mesh& mesh) {
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+}
+
 class Reading {
 public:
-    explicit Reading(const tinygltf::Model& file) : file_(file) {}
+    Reading(const tinygltf::Model& file, bool has_tangents) : file_(file), has_tangents_(has_tangents) {}
 
     Outcome<GltfModel> run() {
+        for (std::size_t i = 0; i < file_.nodes.size(); ++i) made_.nodes.push_back({.name = name_of(i), .parent = {}});
+        for (std::size_t i = 0; i < file_.nodes.size(); ++i) {
+            for (const int child : file_.nodes[i].children) made_.nodes[static_cast<std::size_t>(child)].parent = i;
+        }
         places_.assign(file_.nodes.size(), glm::mat4(1));
         const std::vector<int> roots = roots_of_scene();
         std::vector<std::pair<int, glm::mat4>> open;
@@ -55,12 +65,12 @@ public:
         return std::move(made_);
     }
 
+private:
     std::string name_of(std::size_t node) const {
         const std::string& name = file_.nodes[node].name;
         return name.empty() ? "node " + std::to_string(node) : name;
     }
 
-private:
     std::vector<int> all_roots() const {
         std::vector<bool> is_child(file_.nodes.size());
         for (const tinygltf::Node& node : file_.nodes) {
@@ -81,9 +91,9 @@ private:
 
     std::string show(std::size_t index) {
         const tinygltf::Node& node = file_.nodes[index];
-        if (node.camera >= 0) add_camera(index, file_.cameras[static_cast<std::size_t>(node.camera)]);
+        if (node.camera >= 0) add_camera(index, static_cast<std::size_t>(node.camera));
         if (const auto found = node.extensions.find("KHR_lights_punctual"); found != node.extensions.end())
-            add_light(index, file_.lights[static_cast<std::size_t>(found->second.Get("light").GetNumberAsInt())]);
+            add_light(index, static_cast<std::size_t>(found->second.Get("light").GetNumberAsInt()));
         return node.mesh < 0 ? std::string() : add_parts(index);
     }
 
@@ -101,16 +111,21 @@ private:
                 continue;
             }
             const bool is_own = !joints.empty() || !node.weights.empty();
-            std::shared_ptr<const Mesh> known = is_own ? nullptr : known_[{node.mesh, static_cast<int>(i)}];
+            const glm::mat4 place = joints.empty() ? places_[index] : glm::mat4(1);
+            const bool is_mirrored = glm::determinant(glm::mat3(place)) < 0;
+            std::shared_ptr<const Mesh> own;
+            std::shared_ptr<const Mesh>& known = is_own ? own : known_[{node.mesh, static_cast<int>(i), is_mirrored}];
             if (!known) {
-                Outcome<Mesh> read = primitive_mesh(file_, where, primitive, weights, joints);
+                Outcome<Mesh> read = primitive_mesh(file_, where, primitive, weights, joints, has_tangents_);
                 if (!read) return read.error;
+                if (is_mirrored) turn_round(read.value);
                 known = std::make_shared<const Mesh>(std::move(read.value));
-                if (!is_own) known_[{node.mesh, static_cast<int>(i)}] = known;
             }
             made_.parts.push_back({.node = name_of(index),
+                                   .node_index = index,
+                                   .primitive = i,
                                    .mesh = known,
-                                   .object_to_world = joints.empty() ? places_[index] : glm::mat4(1),
+                                   .object_to_world = place,
                                    .material = primitive.material < 0
                                                    ? std::nullopt
                                                    : std::optional(static_cast<std::size_t>(primitive.material))});
@@ -130,9 +145,12 @@ private:
         return made;
     }
 
-    void add_camera(std::size_t index, const tinygltf::Camera& camera) {
+    void add_camera(std::size_t index, std::size_t number) {
+        const tinygltf::Camera& camera = file_.cameras[number];
         ModelCamera& made = made_.cameras.emplace_back();
         made.node = name_of(index);
+        made.name = camera.name;
+        made.index = number;
         made.camera_to_world = places_[index];
         made.is_orthographic = camera.type == "orthographic";
         made.fov = glm::degrees(static_cast<float>(camera.perspective.yfov));
@@ -142,9 +160,11 @@ private:
         made.far_plane = static_cast<float>(made.is_orthographic ? camera.orthographic.zfar : camera.perspective.zfar);
     }
 
-    void add_light(std::size_t index, const tinygltf::Light& light) {
+    void add_light(std::size_t index, std::size_t number) {
+        const tinygltf::Light& light = file_.lights[number];
         ModelLight& made = made_.lights.emplace_back();
         made.node = name_of(index);
+        made.index = number;
         made.kind = light.type == "directional" ? ModelLight::Kind::Directional
                     : light.type == "spot"      ? ModelLight::Kind::Spot
                                                 : ModelLight::Kind::Point;
@@ -157,8 +177,9 @@ private:
     }
 
     const tinygltf::Model& file_;
-    std::vector<glm::mat4> places_;                                     // of the nodes, in the world
-    std::map<std::pair<int, int>, std::shared_ptr<const Mesh>> known_;  // by mesh and primitive
+    std::vector<glm::mat4> places_;  // of the nodes, in the world
+    bool has_tangents_;
+    std::map<std::tuple<int, int, bool>, std::shared_ptr<const Mesh>> known_;  // by mesh, primitive and is_mirrored
     GltfModel made_;
 };
 
@@ -178,60 +199,84 @@ void append(const Mesh& part, const glm::mat4& place, Mesh& whole) {
                                    is_mirrored ? -vertex.tangent.w : vertex.tangent.w);
         whole.vertices.push_back(vertex);
     }
-    for (std::size_t i = 0; i + 2 < part.indices.size(); i += 3) {
-        const std::uint32_t a = part.indices[i], b = part.indices[i + 1], c = part.indices[i + 2];
-        whole.indices.insert(whole.indices.end(),
-                             {first + a, first + (is_mirrored ? c : b), first + (is_mirrored ? b : c)});
-    }
+    for (const std::uint32_t index : part.indices) whole.indices.push_back(first + index);
 }
 
-// The nodes at and below the one of that name; nothing if there is none.
-std::optional<std::vector<bool>> below(const tinygltf::Model& file, const std::string& name, const Reading& names) {
-    std::vector<bool> made(file.nodes.size());
-    std::vector<int> open;
-    for (std::size_t i = 0; i < file.nodes.size(); ++i) {
-        if (names.name_of(i) == name) open.push_back(static_cast<int>(i));
+// The nodes of that name: if there are none, the one with that number, "node 3".
+std::vector<std::size_t> nodes_named(const GltfModel& model, std::string_view name) {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        if (model.nodes[i].name == name) found.push_back(i);
     }
-    if (open.empty()) return {};
-    while (!open.empty()) {
-        const auto index = static_cast<std::size_t>(open.back());
-        open.pop_back();
-        made[index] = true;
-        open.insert(open.end(), file.nodes[index].children.begin(), file.nodes[index].children.end());
+    for (std::size_t i = 0; found.empty() && name.starts_with("node ") && i < model.nodes.size(); ++i) {
+        if (name.substr(5) == std::to_string(i)) found.push_back(i);
+    }
+    return found;
+}
+
+// For each node, whether it is one of them or below one.
+std::vector<bool> below(const GltfModel& model, const std::vector<std::size_t>& tops) {
+    std::vector<bool> made(model.nodes.size());
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        for (std::optional<std::size_t> at = i; at && !made[i]; at = model.nodes[*at].parent)
+            made[i] = std::find(tops.begin(), tops.end(), *at) != tops.end();
     }
     return made;
 }
 
 }  // namespace
 
+Outcome<GltfModel> model_of(const tinygltf::Model& file, bool has_tangents) {
+    return Reading(file, has_tangents).run();
+}
+
 Outcome<GltfModel> read_model(const std::string& path) {
     Outcome<tinygltf::Model> file = open_gltf(path);
     if (!file) return Failure{file.error};
-    Outcome<GltfModel> model = Reading(file.value).run();
+    Outcome<GltfModel> model = model_of(file.value);
     if (!model) return Failure{path + ": " + model.error};
     return model;
 }
 
-Outcome<Mesh> read_mesh(const std::string& path, const std::string& node) {
-    Outcome<tinygltf::Model> file = open_gltf(path);
-    if (!file) return Failure{file.error};
-    Reading reading(file.value);
-    Outcome<GltfModel> model = reading.run();
-    if (!model) return Failure{path + ": " + model.error};
-    const auto wanted = node.empty() ? std::nullopt : below(file.value, node, reading);
-    std::string names;
-    for (std::size_t i = 0; i < file.value.nodes.size() && names.size() < 200; ++i)
-        names += (names.empty() ? "" : ", ") + reading.name_of(i);
-    if (!node.empty() && !wanted) return Failure{path + " has no node '" + node + "'; there are: " + names};
+const ModelPart* find_part(const GltfModel& model, std::string_view name) {
+    const std::size_t slash = name.rfind('/');
+    if (slash == name.npos || !nodes_named(model, name).empty()) return nullptr;
+    const std::vector<std::size_t> nodes = nodes_named(model, name.substr(0, slash));
+    if (nodes.size() != 1) return nullptr;
+    const auto found = std::find_if(model.parts.begin(), model.parts.end(), [&](const ModelPart& part) {
+        return part.node_index == nodes[0] && std::to_string(part.primitive) == name.substr(slash + 1);
+    });
+    return found == model.parts.end() ? nullptr : &*found;
+}
+
+Outcome<Mesh> mesh_of(const GltfModel& model, const std::string& path, const std::string& node) {
     Mesh whole;
-    for (const ModelPart& part : model.value.parts) {
-        bool is_wanted = !wanted;
-        for (std::size_t i = 0; wanted && i < wanted->size(); ++i)
-            is_wanted = is_wanted || ((*wanted)[i] && reading.name_of(i) == part.node);
-        if (is_wanted) append(*part.mesh, part.object_to_world, whole);
+    if (const ModelPart* part = find_part(model, node)) {
+        append(*part->mesh, part->object_to_world, whole);
+        return whole;
+    }
+    std::vector<bool> wanted(model.nodes.size(), true);
+    if (!node.empty()) {
+        const std::vector<std::size_t> tops = nodes_named(model, node);
+        if (tops.empty()) {
+            std::string names;
+            for (std::size_t i = 0; i < model.nodes.size() && names.size() < 200; ++i)
+                names += (names.empty() ? "" : ", ") + model.nodes[i].name;
+            return Failure{path + " has no node '" + node + "'; there are: " + names};
+        }
+        wanted = below(model, tops);
+    }
+    for (const ModelPart& part : model.parts) {
+        if (wanted[part.node_index]) append(*part.mesh, part.object_to_world, whole);
     }
     if (whole.indices.empty()) return Failure{path + (node.empty() ? "" : "#" + node) + " has no triangles"};
     return whole;
+}
+
+Outcome<Mesh> read_mesh(const std::string& path, const std::string& node) {
+    Outcome<GltfModel> model = read_model(path);
+    if (!model) return Failure{model.error};
+    return mesh_of(model.value, path, node);
 }
 
 bool is_model_name(std::string_view name) {

@@ -14,17 +14,23 @@
 #include "runtime/mesh/mesh.h"
 #include "runtime/outcome.h"
 
+namespace tinygltf {
+class Model;
+}
+
 namespace patina::runtime {
 
 struct ModelPart {
-    std::string node;                  // its name; "node 3" if it has none
-    std::shared_ptr<const Mesh> mesh;  // shared by nodes that show the same primitive
-    glm::mat4 object_to_world{1};
-    std::optional<std::size_t> material;  // index into the file's materials
+    std::string node;                           // its name; "node 3" if it has none
+    std::size_t node_index = 0, primitive = 0;  // in the file; the latter of the node's mesh
+    std::shared_ptr<const Mesh> mesh;           // shared by nodes that show the same primitive
+    glm::mat4 object_to_world{1};               // may mirror: then the mesh's triangles are turned round
+    std::optional<std::size_t> material;        // index into the file's materials
 };
 
 struct ModelCamera {
-    std::string node;
+    std::string node, name;               // the node's; the camera's own, which may be empty
+    std::size_t index = 0;                // in the file's cameras
     glm::mat4 camera_to_world{1};         // it looks along its -z, with y up
     float fov = 0;                        // degrees, vertical; of a perspective camera
     float height = 0;                     // world units; of an orthographic one
@@ -36,6 +42,7 @@ struct ModelCamera {
 struct ModelLight {
     enum class Kind { Directional, Point, Spot };
     std::string node;
+    std::size_t index = 0;  // in the file's lights
     Kind kind = Kind::Point;
     glm::mat4 light_to_world{1};  // it shines along its -z
     glm::vec3 color{1};           // linear
@@ -44,7 +51,13 @@ struct ModelLight {
     float inner_angle = 0, outer_angle = 45;  // degrees from the axis
 };
 
+struct ModelNode {
+    std::string name;                   // "node 3" if it has none
+    std::optional<std::size_t> parent;  // index of a node
+};
+
 struct GltfModel {
+    std::vector<ModelNode> nodes;  // all of the file
     std::vector<ModelPart> parts;
     std::vector<ModelCamera> cameras;
     std::vector<ModelLight> lights;
@@ -53,10 +66,17 @@ struct GltfModel {
 
 // Errors name the file and the place in it.
 Outcome<GltfModel> read_model(const std::string& path);
+// Of a file that has been opened (gltf_file.h); errors name the place in it. Meshes without tangents of their own need
+// time for them: `has_tangents` false leaves them out.
+Outcome<GltfModel> model_of(const tinygltf::Model& file, bool has_tangents = true);
 
 // One mesh of all that the file shows, or of one node and what is below it, in the space of the file's scene. Materials
-// are not told apart. Without triangles or without the node it is a failure that names the nodes.
+// are not told apart. "Seat/1" is primitive 1 of the node alone, and "node 3/0" that of a node by its number. Without
+// triangles or without the node it is a failure that names the nodes. `path`: for messages.
+Outcome<Mesh> mesh_of(const GltfModel& model, const std::string& path, const std::string& node = {});
 Outcome<Mesh> read_mesh(const std::string& path, const std::string& node = {});
+// The primitive of one node, "Seat/1", in the mesh's own space; null: the name means something else, or nothing.
+const ModelPart* find_part(const GltfModel& model, std::string_view name);
 
 // True for the name of a file of this format, with a node or without: "chair.glb", "chair.gltf#Seat".
 bool is_model_name(std::string_view name);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "runtime/gltf/gltf_model.h"
+#include "runtime/mesh/framing.h"
 
 namespace patina::runtime {
 
@@ -31,13 +32,12 @@ Camera camera_for(const std::string& name, const Mesh& mesh) {
     const glm::vec3 middle = (low + high) / 2.0f;
     float radius = 0;
     for (const Vertex& vertex : mesh.vertices) radius = std::max(radius, glm::length(vertex.position - middle));
-    if (!(radius > 0)) radius = 1;
     Camera camera;
-    const float distance = 1.08f * radius / std::sin(glm::radians(camera.fov) / 2);
-    camera.target = middle;
-    camera.position = middle + glm::normalize(glm::vec3(0.45f, 0.3f, 1)) * distance;
-    camera.near_plane = distance / 100;
-    camera.far_plane = 4 * distance;
+    const Framing framing = framing_of(middle, radius, camera.fov);
+    camera.target = framing.target;
+    camera.position = framing.position;
+    camera.near_plane = framing.near_plane;
+    camera.far_plane = framing.far_plane;
     return camera;
 }
 

@@ -142,34 +142,41 @@ glm::dmat4 make_transform(const Placed& object) {
     return glm::scale(matrix, exact(object.scale));
 }
 
-std::vector<WorldInstance> make_instances(const SceneObject& object) {
+// `place`: of the mesh in the object.
+std::vector<WorldInstance> make_instances(const SceneObject& object, const glm::mat4& place) {
     std::vector<WorldInstance> instances;
-    const glm::dmat4 place = make_transform(object);
+    const glm::dmat4 object_to_world = make_transform(object);
     for (const SceneInstance& instance : object.instances) {
         WorldInstance& made = instances.emplace_back();
-        made.object_to_world = glm::mat4(place * make_transform(instance));
+        made.object_to_world = glm::mat4(object_to_world * make_transform(instance)) * place;
         made.set = instance.set;
         for (const SceneValue& value : instance.set) made.overrides[value.property] = value.words;
     }
     return instances;
 }
 
-// One mesh for all objects that are alike.
+// A mesh, and where a model's file puts it.
+struct PlacedMesh {
+    std::shared_ptr<const Mesh> mesh{};
+    glm::mat4 place{1};
+};
+
+// One mesh for all objects that are alike. A file is read once.
 class Meshes {
 public:
-    const Outcome<std::shared_ptr<const Mesh>>& get(const SceneObject& object, WorldFile& file) {
+    Outcome<PlacedMesh> get(const SceneObject& object, WorldFile& file) {
         const std::string name = path_of(object);
+        const std::size_t sharp = name.find('#');
+        if (is_model_name(name) && !object.segments) {
+            const std::string path = name.substr(0, sharp), node = sharp == name.npos ? "" : name.substr(sharp + 1);
+            const Outcome<GltfModel>& model = model_at(path, file);
+            if (!model) return Failure{model.error};
+            if (const ModelPart* part = find_part(model.value, node))
+                return PlacedMesh{.mesh = part->mesh, .place = part->object_to_world};
+            return get(name, 0, [&] { return mesh_of(model.value, path, node); });
+        }
         const int segments = object.segments.value_or(0);
-        const auto found = made_.find({name, segments});
-        if (found != made_.end()) return found->second;
-        Outcome<Mesh> mesh = mesh_named(name, segments);
-        if (is_model_name(name)) file.dependencies.push_back(name.substr(0, name.find('#')));
-        Outcome<std::shared_ptr<const Mesh>> made(nullptr);
-        if (mesh)
-            made.value = std::make_shared<const Mesh>(std::move(mesh.value));
-        else
-            made.error = mesh.error;
-        return made_.emplace(std::pair(name, segments), std::move(made)).first->second;
+        return get(name, segments, [&] { return mesh_named(name, segments); });
     }
 
 private:
@@ -177,10 +184,29 @@ private:
     static std::string path_of(const SceneObject& object) {
         const std::filesystem::path path(object.mesh);
         if (!is_model_name(object.mesh) || path.is_absolute()) return object.mesh;
-        return (std::filesystem::path(object.mesh_place.file).parent_path() / path).string();
+        return (std::filesystem::path(object.mesh_place.file).parent_path() / path).lexically_normal().string();
     }
 
-    std::map<std::pair<std::string, int>, Outcome<std::shared_ptr<const Mesh>>> made_;
+    const Outcome<GltfModel>& model_at(const std::string& path, WorldFile& file) {
+        const auto found = models_.find(path);
+        if (found != models_.end()) return found->second;
+        file.dependencies.push_back(path);
+        return models_.emplace(path, read_model(path)).first->second;
+    }
+
+    template <class Make>
+    Outcome<PlacedMesh> get(const std::string& name, int segments, const Make& make) {
+        const auto found = made_.find({name, segments});
+        if (found != made_.end()) return found->second;
+        Outcome<Mesh> mesh = make();
+        const Outcome<PlacedMesh> placed =
+            mesh ? Outcome<PlacedMesh>({.mesh = std::make_shared<const Mesh>(std::move(mesh.value))})
+                 : Outcome<PlacedMesh>(Failure{mesh.error});
+        return made_.emplace(std::pair(name, segments), placed).first->second;
+    }
+
+    std::map<std::pair<std::string, int>, Outcome<PlacedMesh>> made_;
+    std::map<std::string, Outcome<GltfModel>> models_;
 };
 
 Diagnostic unknown_mesh(const SceneObject& object) {
@@ -212,15 +238,15 @@ WorldFile make_world(const SceneFile& scene, const EnvironmentProgress& progress
     }
     Meshes meshes;
     for (const SceneObject& object : scene.objects) {
-        const Outcome<std::shared_ptr<const Mesh>>& mesh = meshes.get(object, file);
+        const Outcome<PlacedMesh> mesh = meshes.get(object, file);
         if (!mesh)
             file.diagnostics.push_back(is_model_name(object.mesh)
                                            ? diagnostic_at(object.mesh_place, "cannot-read", mesh.error)
                                            : unknown_mesh(object));
         world.objects.push_back({.name = object.id,
-                                 .mesh = mesh.value,
-                                 .object_to_world = glm::mat4(make_transform(object)),
-                                 .instances = make_instances(object),
+                                 .mesh = mesh.value.mesh,
+                                 .object_to_world = glm::mat4(make_transform(object)) * mesh.value.place,
+                                 .instances = make_instances(object, mesh.value.place),
                                  .material = object.material,
                                  .lightmap = object.lightmap.path,
                                  .lightmap_encoding = object.lightmap_encoding,

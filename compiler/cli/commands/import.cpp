@@ -80,12 +80,12 @@ Exit import_file(const Console& console, const Arguments& arguments, const std::
         complain(console, Complaint::UnknownFormat, {file, formats()});
         return Exit::Wrong;
     }
-    const Imported made = importer->read(source, {});
+    const fs::path folder = arguments.folder.empty() ? fs::path(file).parent_path() : fs::path(arguments.folder);
+    const Imported made = importer->read(source, {.folder = folder.string()});
     if (!made.error.empty()) {
         complain(console, Complaint::CannotImport, {made.error});
         return Exit::Wrong;
     }
-    const fs::path folder = arguments.folder.empty() ? fs::path(file).parent_path() : fs::path(arguments.folder);
     const runtime::Outcome<OutputFiles> files = files_of(made, folder);
     if (!files) {
         complain(console, Complaint::CannotWrite, {files.error});

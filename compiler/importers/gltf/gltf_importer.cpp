@@ -1,0 +1,208 @@
+#include "compiler/importers/gltf/gltf_importer.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "compiler/importers/gltf/gltf_material.h"
+#include "compiler/importers/gltf/gltf_rest.h"
+#include "compiler/importers/gltf/gltf_scene.h"
+#include "runtime/gltf/gltf_file.h"
+
+namespace patina::importers {
+namespace {
+
+using namespace gltf;
+
+bool recognises(const Source& source) {
+    return source.start.starts_with("glTF") || source.path.ends_with(".gltf") || source.path.ends_with(".glb");
+}
+
+// The JSON of either form. The file has been read, so it has one.
+std::string json_of(const std::string& path, bool& is_binary) {
+    std::ifstream file(path, std::ios::binary);
+    std::string head(20, '\0');
+    file.read(head.data(), 20);
+    is_binary = head.starts_with("glTF");
+    std::size_t size = 0;
+    if (is_binary) {
+        for (std::size_t i = 0; i < 4; ++i) size |= std::size_t{static_cast<unsigned char>(head[12 + i])} << (8 * i);
+    } else {
+        file.clear();
+        size = std::filesystem::file_size(path);
+        file.seekg(0);
+    }
+    std::string text(size, '\0');
+    file.read(text.data(), static_cast<std::streamsize>(size));
+    // A glb's text is padded with spaces, by some programs with zeros.
+    while (!text.empty() && text.back() == '\0') text.pop_back();
+    return text;
+}
+
+// --- which material a primitive shows
+
+const Json* primitive_of(const Context& context, const runtime::ModelPart& part) {
+    const int mesh = context.file.nodes[part.node_index].mesh;
+    const Json* primitives = element(context, "meshes", static_cast<std::size_t>(mesh)).json()->find("primitives");
+    return &primitives->elements[part.primitive];
+}
+
+// Its material for one variant, or without variants. `count`: the number of materials, which stands for "none".
+std::size_t material_of(const Context& context, const runtime::ModelPart& part, std::optional<std::size_t> variant) {
+    const std::size_t count = count_of(context, "materials"), own = part.material.value_or(count);
+    if (!variant) return own;
+    Object primitive(context.report, primitive_of(context, part), fmt::format("the mesh of '{}'", part.node));
+    Object extension = primitive.extension("KHR_materials_variants");
+    const Json* mappings = extension ? extension.json()->find("mappings") : nullptr;
+    if (!mappings) return own;
+    for (const Json& each : mappings->elements) {
+        Object mapping(context.report, &each, extension.path() + ".mappings");
+        const Json* variants = mapping ? each.find("variants") : nullptr;
+        if (!variants) continue;
+        for (const Json& number : variants->elements) {
+            if (number.kind == Json::Kind::Number && number.number == static_cast<double>(*variant))
+                return mapping.index("material", "materials", count).value_or(own);
+        }
+    }
+    return own;
+}
+
+void note_use(const Context& context, const runtime::ModelPart& part, MaterialUse& use) {
+    const Json* attributes = primitive_of(context, part)->find("attributes");
+    use.has_colors = use.has_colors || (attributes && attributes->find("COLOR_0"));
+    const glm::mat3 turn(part.object_to_world);
+    const float x = glm::length(turn[0]), y = glm::length(turn[1]), z = glm::length(turn[2]);
+    const auto differ = [](float a, float b) { return std::abs(a - b) > 1e-4f * b; };
+    use.is_scaled = use.is_scaled || differ(x, 1) || differ(y, 1) || differ(z, 1);
+    use.is_stretched = use.is_stretched || differ(x, y) || differ(x, z);
+}
+
+struct Variant {
+    std::string name{};
+    std::optional<std::size_t> index{};  // nothing: the file's own materials
+};
+
+// The file without variants, and each of them.
+std::vector<Variant> variants_of(const Context& context) {
+    std::vector<Variant> made = {{}};
+    Object root(context.report, &context.root, "");
+    Object extension = root.extension("KHR_materials_variants");
+    const Json* list = extension ? extension.json()->find("variants") : nullptr;
+    for (std::size_t i = 0; list && i < list->elements.size(); ++i) {
+        Object variant(context.report, &list->elements[i], fmt::format("{}.variants[{}]", extension.path(), i));
+        made.push_back({.name = variant.word("name").value_or(fmt::format("variant {}", i)), .index = i});
+    }
+    return made;
+}
+
+std::string names_of(const std::vector<Variant>& variants) {
+    std::string names;
+    for (const Variant& each : variants)
+        if (each.index) names += (names.empty() ? "" : ", ") + each.name;
+    return names.empty() ? "none" : names;
+}
+
+// --- all of it
+
+Imported import_model(const Context& context, const runtime::GltfModel& model, const Options& options) {
+    Imported made;
+    const std::vector<Variant> variants = variants_of(context);
+    std::vector<Variant> wanted = variants;
+    if (!options.variant.empty()) {
+        std::erase_if(wanted, [&](const Variant& each) { return each.name != options.variant; });
+        if (wanted.empty())
+            return {.error = fmt::format("{} has no variant '{}'; there are: {}", context.path, options.variant,
+                                         names_of(variants))};
+    }
+    const runtime::ModelCamera* camera = find_camera(model, options.camera);
+    if (!camera && !options.camera.empty()) {
+        std::string names;
+        for (const runtime::ModelCamera& each : model.cameras) names += (names.empty() ? "" : ", ") + each.node;
+        return {.error = fmt::format("{} has no camera '{}'; there are: {}", context.path, options.camera,
+                                     names.empty() ? "none" : names)};
+    }
+
+    const std::size_t count = count_of(context, "materials");
+    std::set<std::string> names;
+    std::vector<MaterialUse> uses(count + 1);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::string name = element(context, "materials", i).word("name").value_or("");
+        uses[i].name = file_name(name, fmt::format("material-{}", i), names);
+    }
+    uses[count].name = file_name("default", "default", names);
+    bool needs_default = false;
+    for (const Variant& variant : variants) {
+        for (const runtime::ModelPart& part : model.parts) {
+            const std::size_t material = material_of(context, part, variant.index);
+            note_use(context, part, uses[material]);
+            needs_default = needs_default || material == count;
+        }
+    }
+    Pictures pictures(context);
+    for (std::size_t i = 0; i < count + (needs_default ? 1 : 0); ++i) {
+        const std::string json = write_graph(material_graph(context, pictures, i, uses[i]));
+        if (json.empty()) return {.error = fmt::format("{}: materials[{}].name is not UTF-8", context.path, i)};
+        made.graphs.push_back({.name = uses[i].name + ".graph.json", .text = json});
+    }
+    made.copies = std::move(pictures.copies);
+
+    const std::string stem = options.name.empty() ? std::filesystem::path(context.path).stem().string() : options.name;
+    std::set<std::string> scenes;
+    for (const Variant& variant : wanted) {
+        SceneWish wish{.name = variant.index && options.variant.empty() ? stem + ", " + variant.name : stem,
+                       .camera = camera};
+        for (const MaterialUse& use : uses) wish.graphs.push_back(use.name);
+        for (const runtime::ModelPart& part : model.parts)
+            wish.materials.push_back(material_of(context, part, variant.index));
+        const bool is_first = made.scene.empty();
+        const std::string name =
+            (is_first ? stem : stem + "." + file_name(variant.name, "variant", scenes)) + ".scene.json";
+        made.graphs.push_back({.name = name, .text = scene_text(context, model, wish)});
+        if (is_first) made.scene = name;
+    }
+    report_view(context, model, camera);
+    report_rest(context, model);
+    return made;
+}
+
+Imported read(const Source& source, const Options& options) {
+    const runtime::Outcome<tinygltf::Model> file = runtime::open_gltf(source.path);
+    if (!file) return {.error = file.error};
+    bool is_binary = false;
+    SourceMap sources;
+    const std::uint32_t begin = sources.add(source.path, json_of(source.path, is_binary));
+    Diagnostics diagnostics;
+    const std::unique_ptr<Json> root = graph::parse_json(sources, begin, diagnostics);
+    if (!root || diagnostics.has_errors()) {
+        const DiagnosticRecord& first = diagnostics.records().front();
+        const Position at = sources.resolve(first.span.begin);
+        return {.error = fmt::format("{}:{}:{}: {}", source.path, at.line, at.column, first.message)};
+    }
+    const runtime::Outcome<runtime::GltfModel> model = runtime::model_of(file.value, false);
+    if (!model) return {.error = source.path + ": " + model.error};
+    Report report(source.path, is_binary ? nullptr : &sources);
+    const Context context{
+        .file = file.value,
+        .root = *root,
+        .report = report,
+        .path = source.path,
+        .folder = options.folder.empty() ? std::filesystem::path(source.path).parent_path().string() : options.folder};
+    Imported made = import_model(context, model.value, options);
+    if (!report.error.empty()) return {.error = report.error};
+    made.remarks = std::move(report.remarks);
+    return made;
+}
+
+}  // namespace
+
+Importer gltf_importer() {
+    return {.name = "gltf",
+            .reads = "models in glTF 2.0 (.glb, .gltf)",
+            .example = "patina import chair.glb -o chair          # a graph for each material, and chair.scene.json",
+            .recognises = recognises,
+            .read = read};
+}
+
+}  // namespace patina::importers

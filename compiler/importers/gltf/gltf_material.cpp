@@ -1,0 +1,258 @@
+#include "compiler/importers/gltf/gltf_material.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/importers/gltf/gltf_layers.h"
+
+namespace patina::importers::gltf {
+namespace {
+
+// The base colour, or the diffuse colour of the older workflow, and its alpha.
+struct Base {
+    Term color, alpha;
+};
+
+Base base_of(MaterialGraph& graph, Object& from, const Slot& slot, bool has_alpha, bool has_colors) {
+    const std::string node = graph.texel(from, slot.texture, slot.slot, "color");
+    const auto factor = from.numbers(slot.factor, 4, 0, 1);
+    const std::vector<double> value = factor.value_or(std::vector<double>(4, 1));
+    const std::vector<double> rgb(value.begin(), value.begin() + 3);
+    std::vector<std::string> colors, alphas;
+    if (!node.empty()) {
+        colors.push_back(node + ".rgb");
+        alphas.push_back(node + ".a");
+    }
+    const bool is_alone = node.empty() && !has_colors;
+    const bool has_color = rgb != std::vector<double>(3, 1) || (factor && is_alone);
+    const bool scales_alpha = has_alpha && value[3] != 1;
+    if (has_color || scales_alpha) {
+        const std::string property = graph.color_property(slot.property, scales_alpha ? value : rgb);
+        if (has_color) colors.push_back(property + ".rgb");
+        if (scales_alpha) alphas.push_back(property + ".a");
+        from.taken(slot.factor, fmt::format("the property '{}'", slot.property));
+        if (!has_alpha && value[3] != 1) from.taken(slot.factor, "its alpha has no effect: the alpha mode is OPAQUE");
+    }
+    from.taken(slot.factor, "white: it changes nothing");
+    if (has_colors) {
+        colors.push_back("@vertexColor.rgb");
+        alphas.push_back("@vertexColor.a");
+    }
+    return {.color = product(colors, {.numbers = {1, 1, 1}}), .alpha = product(alphas, constant(1))};
+}
+
+// OPAQUE, MASK or BLEND: the surface kind, and whether alpha counts.
+struct Alpha {
+    std::string_view surface{};  // empty: opaque, the default
+    std::optional<double> cutoff{};
+};
+
+Alpha alpha_of(Object& material) {
+    const std::string mode = material.word("alphaMode").value_or("OPAQUE");
+    if (mode != "OPAQUE" && mode != "MASK" && mode != "BLEND")
+        material.changed("alphaMode",
+                         fmt::format("'{}' is not a mode of the specification: the surface is opaque", mode));
+    const auto cutoff = material.number("alphaCutoff", 0, 1e6);
+    if (mode == "MASK") {
+        material.taken("alphaMode", "\"surface\": \"cutout\"");
+        return {.surface = "cutout", .cutoff = cutoff};
+    }
+    material.taken("alphaCutoff", "it has no effect: the alpha mode is not MASK");
+    if (mode == "BLEND") return {.surface = "fade"};
+    material.taken("alphaMode", "an opaque surface, the default");
+    return {};
+}
+
+// Nothing shows through an alpha of 1, and an opaque surface needs no order of drawing.
+void settle_blend(Object& material, Alpha& alpha, const Term& value) {
+    if (alpha.surface != "fade") return;
+    if (value.is(1)) alpha.surface = {};
+    material.taken("alphaMode", value.is(1) ? "an opaque surface: its alpha is 1 everywhere" : "\"surface\": \"fade\"");
+}
+
+void set_render(MaterialGraph& graph, Object& material, const Alpha& alpha) {
+    std::vector<Member> render;
+    if (!alpha.surface.empty()) render.push_back({"surface", text(alpha.surface)});
+    const bool is_double = material.flag("doubleSided").value_or(false);
+    if (is_double) render.push_back({"cull", text("off")});
+    material.taken("doubleSided", is_double ? "\"cull\": \"off\"" : "back faces are culled, the default");
+    if (!render.empty()) graph.graph.more.push_back({"render", object(render)});
+}
+
+void set_alpha(MaterialGraph& graph, Object& material, const Alpha& alpha, const Term& value) {
+    if (alpha.surface.empty()) return;
+    if (!value.is(1)) graph.set("alpha", value);
+    if (!alpha.cutoff) return;
+    // No alpha is above 1, so a greater cutoff hides all.
+    graph.set("alphaClip", expression(graph.number_property("_AlphaCutoff", *alpha.cutoff, 0, 1)));
+    material.taken("alphaCutoff", "the property '_AlphaCutoff'");
+}
+
+// --- one of three kinds of material
+
+// Occlusion, roughness and metallic often are the channels of one picture.
+std::string_view slot_of_roughness(Object& material, Object& metal) {
+    const Json* occlusion = material.has("occlusionTexture") ? material.json()->find("occlusionTexture") : nullptr;
+    const Json* rough =
+        metal.has("metallicRoughnessTexture") ? metal.json()->find("metallicRoughnessTexture") : nullptr;
+    const Json* first = occlusion ? occlusion->find("index") : nullptr;
+    const Json* second = rough ? rough->find("index") : nullptr;
+    return first && second && first->number == second->number ? "orm" : "metallicRoughness";
+}
+
+Term set_metal(MaterialGraph& graph, Object& material, Object& metal, bool has_alpha, const MaterialUse& use) {
+    const Base base = base_of(
+        graph, metal,
+        {.factor = "baseColorFactor", .texture = "baseColorTexture", .slot = "baseColor", .property = "_BaseColor"},
+        has_alpha, use.has_colors);
+    graph.set("baseColor", base.color);
+    const std::string_view slot = slot_of_roughness(material, metal);
+    graph.set("metallic", graph.scalar(metal, {.factor = "metallicFactor",
+                                               .texture = "metallicRoughnessTexture",
+                                               .slot = slot,
+                                               .channel = "b",
+                                               .property = "_Metallic"}));
+    graph.set("roughness", graph.scalar(metal, {.factor = "roughnessFactor",
+                                                .texture = "metallicRoughnessTexture",
+                                                .slot = slot,
+                                                .channel = "g",
+                                                .property = "_Roughness"}));
+    metal.rest();
+    return base.alpha;
+}
+
+// f0 is stated, and the diffuse colour loses its largest channel: with 'specularColor' that is a dielectric of any f0.
+Term set_specular(MaterialGraph& graph, Object& gloss, bool has_alpha, const MaterialUse& use) {
+    const Base base =
+        base_of(graph, gloss,
+                {.factor = "diffuseFactor", .texture = "diffuseTexture", .slot = "diffuse", .property = "_Diffuse"},
+                has_alpha, use.has_colors);
+    const Slot slot{.factor = "specularFactor",
+                    .texture = "specularGlossinessTexture",
+                    .slot = "specularGlossiness",
+                    .channel = "rgb",
+                    .property = "_Specular"};
+    const Term specular = graph.color(gloss, slot);
+    const std::string node = graph.texel(gloss, slot.texture, slot.slot, "color");
+    const auto factor = gloss.number("glossinessFactor", 0, 1);
+    std::vector<std::string> factors;
+    if (!node.empty()) factors.push_back(node + ".a");
+    if (factor && (*factor != 1 || node.empty())) {
+        factors.push_back(graph.number_property("_Glossiness", *factor, 0, 1));
+        gloss.taken("glossinessFactor", "the property '_Glossiness'");
+    }
+    gloss.taken("glossinessFactor", "1: the texture alone");
+    const Term glossiness = product(factors, constant(1));
+    graph.node({.id = "f0", .expression = specular.expression.empty() ? specular.inside() : specular.expression});
+    graph.set("baseColor", expression(base.color.inside() + " * (1 - max(max(f0.r, f0.g), f0.b))"));
+    graph.set("metallic", constant(0));
+    graph.set("roughness", glossiness.is(1) ? constant(0) : expression("1 - " + glossiness.inside()));
+    graph.set("specularColor", expression("f0 / 0.04"));
+    gloss.rest();
+    return base.alpha;
+}
+
+void set_normal(MaterialGraph& graph, Object& material) {
+    const std::string node = graph.normal(material, "normalTexture", "normal", "_NormalScale");
+    if (!node.empty()) graph.set("normalTS", expression(node));
+}
+
+void set_occlusion(MaterialGraph& graph, Object& material) {
+    const std::string node = graph.texel(material, "occlusionTexture", "occlusion", "data");
+    if (node.empty()) return;
+    const double strength = material.child("occlusionTexture").number("strength", 0, 1).value_or(1);
+    if (strength == 1) return graph.set("occlusion", expression(node + ".r"));
+    const std::string property = graph.number_property("_OcclusionStrength", strength, 0, 1);
+    graph.set("occlusion", expression(fmt::format("lerp(1, {}.r, {})", node, property)));
+}
+
+void set_emission(MaterialGraph& graph, Object& material) {
+    Object extension = material.extension("KHR_materials_emissive_strength");
+    const auto factor = material.numbers("emissiveFactor", 3, 0, 1);
+    const bool is_dark = !factor || *factor == std::vector<double>(3, 0);
+    if (is_dark) {
+        material.taken("emissiveFactor", "black: the surface emits nothing");
+        material.taken("emissiveTexture", "it has no effect: 'emissiveFactor' is black");
+        extension.all_taken("it has no effect: 'emissiveFactor' is black");
+        return extension.rest();
+    }
+    graph.set("emission", graph.color(material, {.factor = "emissiveFactor",
+                                                 .texture = "emissiveTexture",
+                                                 .slot = "emissive",
+                                                 .channel = "rgb",
+                                                 .property = "_Emission"}));
+    constexpr double kBrightest = 1e6;
+    if (const auto strength = extension.number("emissiveStrength", 0, kBrightest); strength && *strength != 1) {
+        graph.set("emissiveStrength", expression(graph.number_property("_EmissiveStrength", *strength, 0, 10)));
+        extension.taken("emissiveStrength", "the property '_EmissiveStrength'");
+    }
+    extension.taken("emissiveStrength", "1 changes nothing");
+    extension.rest();
+}
+
+Term set_unlit(MaterialGraph& graph, Object& material, Object& metal, bool has_alpha, const MaterialUse& use) {
+    graph.graph.workflow = "unlit";
+    const Base base = base_of(
+        graph, metal,
+        {.factor = "baseColorFactor", .texture = "baseColorTexture", .slot = "baseColor", .property = "_BaseColor"},
+        has_alpha, use.has_colors);
+    graph.set("color", base.color);
+    metal.all_taken("it has no effect: the material is unlit");
+    metal.rest();
+    for (const std::string_view key : {"normalTexture", "occlusionTexture", "emissiveTexture", "emissiveFactor"})
+        material.taken(key, "it has no effect: the material is unlit");
+    Object strength = material.extension("KHR_materials_emissive_strength");
+    strength.all_taken("it has no effect: the material is unlit");
+    strength.rest();
+    return base.alpha;
+}
+
+}  // namespace
+
+GraphFile material_graph(const Context& context, Pictures& pictures, std::size_t index, const MaterialUse& use) {
+    MaterialGraph graph(context, pictures, use.name);
+    Object material = element(context, "materials", index);
+    graph.graph.name = material.word("name").value_or(use.name);
+    graph.graph.workflow = "metallic-roughness";
+    material.taken("name", "the graph's name");
+    Alpha alpha = alpha_of(material);
+    Term opacity;
+    const bool has_alpha = !alpha.surface.empty();
+    Object metal = material.child("pbrMetallicRoughness");
+    Object unlit = material.extension("KHR_materials_unlit");
+    Object gloss = material.extension("KHR_materials_pbrSpecularGlossiness");
+    if (unlit) {
+        context.report.add(Remark::Kind::Taken, unlit.path(), "the workflow 'unlit'", unlit.json());
+        unlit.rest();
+        opacity = set_unlit(graph, material, metal, has_alpha, use);
+        leave_layers(material, "it has no effect: the material is unlit");
+    } else {
+        graph.graph.lighting = "gltf";
+        if (gloss) {
+            metal.all_taken("it has no effect: the material has KHR_materials_pbrSpecularGlossiness");
+            metal.rest();
+            context.report.add(
+                Remark::Kind::Changed, gloss.path(),
+                "a dielectric whose 'specularColor' gives f0: diffuse light loses the largest channel of "
+                "the Fresnel term, not each channel its own",
+                gloss.json());
+        }
+        opacity =
+            gloss ? set_specular(graph, gloss, has_alpha, use) : set_metal(graph, material, metal, has_alpha, use);
+        set_normal(graph, material);
+        set_occlusion(graph, material);
+        set_emission(graph, material);
+        if (gloss)
+            leave_layers(material, "the specular-glossiness workflow has no layers");
+        else
+            set_layers(graph, material, use);
+    }
+    settle_blend(material, alpha, opacity);
+    set_alpha(graph, material, alpha, opacity);
+    set_render(graph, material, alpha);
+    material.rest();
+    return std::move(graph.graph);
+}
+
+}  // namespace patina::importers::gltf

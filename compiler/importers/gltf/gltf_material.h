@@ -1,0 +1,23 @@
+// A material of a glTF file as a graph: the core metallic-roughness material, or the one of
+// KHR_materials_pbrSpecularGlossiness or KHR_materials_unlit; alpha modes, sides, vertex colours. gltf_layers.h adds
+// the layers of the other extensions.
+//
+//   GraphFile graph = material_graph(context, pictures, 2, {.name = "Paint", .has_colors = true});
+#pragma once
+
+#include "compiler/importers/gltf/material_graph.h"
+
+namespace patina::importers::gltf {
+
+// How the file's meshes use a material.
+struct MaterialUse {
+    std::string name{};         // of its files
+    bool has_colors = false;    // a mesh has vertex colours
+    bool is_scaled = false;     // a node has a scale other than 1
+    bool is_stretched = false;  // with different factors along its axes
+};
+
+// `index` past the end: the material of meshes that name none.
+GraphFile material_graph(const Context& context, Pictures& pictures, std::size_t index, const MaterialUse& use);
+
+}  // namespace patina::importers::gltf

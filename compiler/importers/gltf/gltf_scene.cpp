@@ -1,0 +1,249 @@
+#include "compiler/importers/gltf/gltf_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "compiler/base/text.h"
+#include "patina/scene.h"
+#include "runtime/mesh/framing.h"
+
+namespace patina::importers::gltf {
+namespace {
+
+using runtime::GltfModel;
+using runtime::ModelCamera;
+using runtime::ModelLight;
+using runtime::ModelPart;
+
+// What a scene's keys take (compiler/format).
+constexpr float kFarthest = 1e6f, kBrightest = 1e6f, kNarrowest = 1, kWidest = 170;
+constexpr float kPi = std::numbers::pi_v<float>;
+
+// Rounding errors of a product of matrices are no part of a position.
+constexpr int kDecimals = 6;
+Value rounded(float value, int decimals) {
+    const double unit = std::pow(10.0, decimals);
+    return number(std::round(static_cast<double>(value) * unit) / unit);
+}
+Value vector(const glm::vec3& v, int decimals = kDecimals) {
+    return list({rounded(v.x, decimals), rounded(v.y, decimals), rounded(v.z, decimals)});
+}
+
+// The sphere that holds all that is drawn.
+struct Extent {
+    glm::vec3 middle{0};
+    float radius = 0;
+};
+Extent extent_of(const GltfModel& model) {
+    glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
+    const auto for_all = [&](const auto& take) {
+        for (const ModelPart& part : model.parts) {
+            for (const runtime::Vertex& vertex : part.mesh->vertices)
+                take(glm::vec3(part.object_to_world * glm::vec4(vertex.position, 1)));
+        }
+    };
+    for_all([&](const glm::vec3& point) {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    });
+    if (!(low.x <= high.x)) return {};
+    Extent made{.middle = (low + high) / 2.0f};
+    for_all([&](const glm::vec3& point) { made.radius = std::max(made.radius, glm::length(point - made.middle)); });
+    return made;
+}
+
+glm::vec3 forward_of(const glm::mat4& place) {
+    return -glm::normalize(glm::vec3(place[2]));
+}
+
+Value camera_value(const Extent& extent, const ModelCamera* camera) {
+    std::vector<Member> members;
+    if (!camera) {
+        constexpr float kFov = 30;
+        const runtime::Framing framing = runtime::framing_of(extent.middle, extent.radius, kFov);
+        // Three digits of the distance are enough for a view.
+        const float distance = glm::length(framing.position - framing.target);
+        const int decimals = 3 - static_cast<int>(std::floor(std::log10(distance)));
+        members.push_back({"position", vector(framing.position, decimals)});
+        members.push_back({"target", vector(framing.target, decimals)});
+        members.push_back({"fov", number(kFov)});
+        members.push_back({"near", rounded(framing.near_plane, decimals + 1)});
+        members.push_back({"far", rounded(framing.far_plane, decimals - 1)});
+        return object(members);
+    }
+    const glm::vec3 position(camera->camera_to_world[3]), forward = forward_of(camera->camera_to_world);
+    // The target is as far as the model, so that a person who moves the camera turns around it.
+    const float distance = std::max(glm::dot(extent.middle - position, forward), 1.0f);
+    members.push_back({"position", vector(position)});
+    members.push_back({"target", vector(position + forward * distance)});
+    if (camera->is_orthographic)
+        members.push_back({"orthographic", number(camera->height)});
+    else
+        members.push_back({"fov", rounded(std::clamp(camera->fov, kNarrowest, kWidest), 4)});
+    const float near_plane = std::max(camera->near_plane, 1e-4f);
+    // Without an end of its own the view ends behind the model.
+    const float behind = 2 * (glm::length(extent.middle - position) + extent.radius);
+    const float far_plane = camera->far_plane > near_plane ? camera->far_plane : std::max(behind, 2 * near_plane);
+    members.push_back({"near", number(near_plane)});
+    members.push_back({"far", number(far_plane)});
+    return object(members);
+}
+
+// glTF's units are lux and candela; a scene's light is the radiance of a white diffuse surface: E / pi.
+Value light_value(const ModelLight& light, const Extent& extent) {
+    const glm::vec3 position(light.light_to_world[3]), forward = forward_of(light.light_to_world);
+    const bool is_directional = light.kind == ModelLight::Kind::Directional;
+    std::vector<Member> members;
+    switch (light.kind) {
+        case ModelLight::Kind::Directional: members.push_back({"type", text("directional")}); break;
+        case ModelLight::Kind::Point: members.push_back({"type", text("point")}); break;
+        case ModelLight::Kind::Spot: members.push_back({"type", text("spot")}); break;
+    }
+    if (!is_directional) members.push_back({"position", vector(position)});
+    if (light.kind != ModelLight::Kind::Point)
+        members.push_back({"direction", vector(is_directional ? -forward : forward)});
+    if (light.color != glm::vec3(1)) members.push_back({"color", vector(light.color)});
+    members.push_back({"intensity", number(std::min(light.intensity / kPi, kBrightest))});
+    if (!is_directional) {
+        const float endless = std::max(1000.0f, 100 * extent.radius);
+        members.push_back({"range", number(std::clamp(light.range > 0 ? light.range : endless, 1e-3f, kFarthest))});
+    }
+    if (light.kind == ModelLight::Kind::Spot) {
+        const float outer = std::clamp(light.outer_angle, 0.1f, 90.0f);
+        members.push_back({"inner", rounded(std::clamp(light.inner_angle, 0.0f, std::min(outer, 89.0f)), 4)});
+        members.push_back({"outer", rounded(outer, 4)});
+    }
+    return object(members);
+}
+
+// Those of `patina render`, whose studio lights what the file does not.
+Value default_lights() {
+    const auto light = [](const glm::vec3& direction, const glm::vec3& color) {
+        return object(std::vector<Member>{
+            {"type", text("directional")}, {"direction", vector(direction)}, {"color", vector(color)}});
+    };
+    return list({light({-0.6f, 0.8f, 0.8f}, {0.58f, 0.56f, 0.535f}), light({0.9f, 0.1f, 0.5f}, {0.06f, 0.075f, 0.1f}),
+                 light({0.5f, 0.5f, -0.8f}, glm::vec3(0.22f))});
+}
+
+Value all_of(const std::vector<Value>& values) {
+    std::string json;
+    for (const Value& each : values) json += (json.empty() ? "[" : ", ") + each.json;
+    return {json + "]"};
+}
+
+// A word for an object: "Blue glass" is "Blue_glass".
+std::string identifier(std::string_view name, std::set<std::string>& taken) {
+    std::string made;
+    for (const char letter : name) made += is_identifier(std::string("_") + letter) ? letter : '_';
+    if (made.empty() || !is_identifier(made)) made = "_" + made;
+    for (int number = 2; !taken.insert(made).second; ++number) {
+        const std::size_t end = number == 2 ? made.size() : made.rfind('_');
+        made = made.substr(0, end) + "_" + std::to_string(number);
+    }
+    return made;
+}
+
+// How a scene names a node: by its number if its name says something else, too.
+std::string node_name(const GltfModel& model, std::size_t index) {
+    const std::string& name = model.nodes[index].name;
+    const auto count = std::count_if(model.nodes.begin(), model.nodes.end(),
+                                     [&](const runtime::ModelNode& node) { return node.name == name; });
+    return count == 1 && name.find('/') == name.npos ? name : fmt::format("node {}", index);
+}
+
+}  // namespace
+
+std::string scene_text(const Context& context, const GltfModel& model, const SceneWish& wish) {
+    const Extent extent = extent_of(model);
+    std::vector<Member> members = {{"name", text(wish.name)}, {"camera", camera_value(extent, wish.camera)}};
+    if (model.lights.empty()) {
+        members.push_back({"lights", default_lights(), "The file has no lights: the default ones."});
+    } else {
+        std::vector<Value> lights;
+        for (const ModelLight& light : model.lights) {
+            if (lights.size() < kMostSceneLights) lights.push_back(light_value(light, extent));
+        }
+        members.push_back({"lights", all_of(lights)});
+    }
+    std::set<std::size_t> used(wish.materials.begin(), wish.materials.end());
+    std::vector<Value> materials, objects;
+    for (const std::size_t material : used) {
+        const std::string& name = wish.graphs[material];
+        materials.push_back(object(std::vector<Member>{{"name", text(name)}, {"graph", text(name + ".graph.json")}}));
+    }
+    const std::string file = reference_to(context, context.path);
+    std::set<std::string> ids;
+    for (std::size_t i = 0; i < model.parts.size(); ++i) {
+        const ModelPart& part = model.parts[i];
+        const std::string mesh = fmt::format("{}#{}/{}", file, node_name(model, part.node_index), part.primitive);
+        objects.push_back(object(std::vector<Member>{{"id", text(identifier(part.node, ids))},
+                                                     {"mesh", text(mesh)},
+                                                     {"material", text(wish.graphs[wish.materials[i]])}}));
+    }
+    if (!materials.empty()) members.push_back({"materials", all_of(materials)});
+    if (!objects.empty()) members.push_back({"objects", all_of(objects)});
+    return write_scene("", members);
+}
+
+const ModelCamera* find_camera(const GltfModel& model, const std::string& name) {
+    for (const ModelCamera& camera : model.cameras) {
+        if (name.empty() || camera.node == name || camera.name == name) return &camera;
+    }
+    return nullptr;
+}
+
+void report_view(const Context& context, const GltfModel& model, const ModelCamera* camera) {
+    for (const ModelCamera& each : model.cameras) {
+        Object from = element(context, "cameras", each.index);
+        const bool is_seen = &each == camera;
+        const Remark::Kind kind = is_seen ? Remark::Kind::Taken : Remark::Kind::LeftOut;
+        context.report.add(kind, from.path(),
+                           is_seen ? fmt::format("the camera of the scene, at the node '{}'", each.node)
+                                   : fmt::format("a scene has one camera; 'patina render MODEL --camera \"{}\"' draws "
+                                                 "through this one",
+                                                 each.node),
+                           from.json());
+        if (!is_seen) continue;
+        const glm::vec3 forward = forward_of(each.camera_to_world),
+                        up = glm::normalize(glm::vec3(each.camera_to_world[1]));
+        const glm::vec3 side = glm::cross(forward, glm::vec3(0, 1, 0));
+        if (glm::length(side) > 1e-4f && std::abs(glm::dot(glm::normalize(side), up)) > 1e-3f) {
+            context.report.add(Remark::Kind::Changed, from.path(),
+                               "its roll about the view: a scene's camera is upright", from.json());
+        }
+        Object lens = from.child(each.is_orthographic ? "orthographic" : "perspective");
+        lens.changed("aspectRatio", "the picture's width and height decide");
+        lens.changed("xmag", "the picture's width and height decide");
+        if (each.far_plane == 0) lens.changed("znear", "with an end of the view behind the model: the file has none");
+        if (!each.is_orthographic && (each.fov < kNarrowest || each.fov > kWidest))
+            lens.changed("yfov", fmt::format("between {} and {} degrees", kNarrowest, kWidest));
+    }
+    for (std::size_t i = 0; i < model.lights.size(); ++i) {
+        const ModelLight& light = model.lights[i];
+        const Json* list = context.root.find("extensions")->find("KHR_lights_punctual")->find("lights");
+        Object from(context.report, &list->elements[light.index],
+                    fmt::format("extensions.KHR_lights_punctual.lights[{}]", light.index));
+        if (i >= kMostSceneLights) {
+            context.report.add(Remark::Kind::LeftOut, from.path(),
+                               fmt::format("a scene has at most {} lights", kMostSceneLights), from.json());
+            continue;
+        }
+        context.report.add(Remark::Kind::Taken, from.path(),
+                           fmt::format("lights[{}] of the scene, at the node '{}'; intensity over pi", i, light.node),
+                           from.json());
+        if (light.kind == ModelLight::Kind::Directional) continue;
+        if (light.range > 0)
+            from.changed("range", "the same range, towards which light fades by the square of glTF's window");
+        else
+            context.report.add(Remark::Kind::Changed, from.path(), "a range, which a scene's light needs, far outside",
+                               from.json());
+        if (light.intensity / kPi > kBrightest) from.changed("intensity", "the brightest light of a scene");
+    }
+}
+
+}  // namespace patina::importers::gltf

@@ -1,0 +1,241 @@
+#include "compiler/importers/gltf/material_graph.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "compiler/base/text.h"
+
+namespace patina::importers::gltf {
+namespace {
+
+// As the files of most programs have them: 0.8, not 0.800000011920929.
+Value short_number(double value) {
+    return number(static_cast<float>(value));
+}
+
+Value short_list(const std::vector<double>& values) {
+    const std::vector<float> floats(values.begin(), values.end());
+    return list(floats);
+}
+
+// "_BaseColorMap" of "baseColor".
+std::string map_name(std::string_view slot) {
+    std::string name = "_" + std::string(slot) + "Map";
+    name[1] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[1])));
+    return name;
+}
+
+// A link, a property or a call needs no brackets.
+bool is_simple(std::string_view text) {
+    return text.find_first_of(" ") == text.npos;
+}
+
+}  // namespace
+
+std::string words(double number) {
+    return shortest(static_cast<float>(number));
+}
+
+bool Term::is(double number) const {
+    return expression.empty() && !numbers.empty() &&
+           std::all_of(numbers.begin(), numbers.end(), [&](double each) { return each == number; });
+}
+
+std::string Term::inside() const {
+    if (!expression.empty()) return is_simple(expression) ? expression : "(" + expression + ")";
+    if (numbers.size() == 1) return words(numbers[0]);
+    std::string list;
+    for (const double each : numbers) list += (list.empty() ? "" : ", ") + words(each);
+    return fmt::format("float{}({})", numbers.size(), list);
+}
+
+Value Term::value() const {
+    if (!expression.empty()) {
+        const bool is_link = is_simple(expression) && expression.find('(') == std::string::npos;
+        return text(is_link ? expression : "= " + expression);
+    }
+    return numbers.size() == 1 ? short_number(numbers[0]) : short_list(numbers);
+}
+
+Term constant(double number) {
+    return {.numbers = {number}};
+}
+
+Term expression(std::string text) {
+    return {.expression = std::move(text)};
+}
+
+Term product(const std::vector<std::string>& factors, Term otherwise) {
+    std::string made;
+    for (const std::string& each : factors) made += (made.empty() ? "" : " * ") + each;
+    return made.empty() ? otherwise : expression(made);
+}
+
+void MaterialGraph::node(GraphNode node) {
+    graph.nodes.push_back(std::move(node));
+}
+
+void MaterialGraph::set(std::string_view input, const Term& term) {
+    graph.surface.push_back({std::string(input), term.value()});
+}
+
+std::string MaterialGraph::number_property(std::string_view name, double value, double low, double high) {
+    graph.properties.push_back(
+        {.name = std::string(name),
+         .type = "float",
+         .value = short_number(value),
+         .more = {{"range", list({short_number(std::min(low, value)), short_number(std::max(high, value))})}}});
+    return "$" + std::string(name);
+}
+
+std::string MaterialGraph::color_property(std::string_view name, const std::vector<double>& value) {
+    GraphProperty property{.name = std::string(name), .type = "color", .value = short_list(value)};
+    const double largest = *std::max_element(value.begin(), value.end());
+    if (largest > 1) property.more.push_back({"range", list({number(0.0), short_number(largest)})});
+    graph.properties.push_back(std::move(property));
+    return "$" + std::string(name);
+}
+
+std::string MaterialGraph::texture_property(std::size_t texture, std::string_view slot, std::string_view usage) {
+    const auto [found, is_new] = textures_.try_emplace({texture, std::string(usage)});
+    if (!is_new) return found->second;
+    const TextureFile& file = pictures_->texture(texture, fmt::format("{}_{}", name_, slot));
+    if (file.file.empty()) return {};
+    GraphProperty property{.name = map_name(slot), .type = "texture2d", .value = text(file.file)};
+    property.more.push_back({"usage", text(usage)});
+    if (!file.sampler.empty()) property.more.push_back({"sampler", object(file.sampler)});
+    graph.properties.push_back(std::move(property));
+    return found->second = map_name(slot);
+}
+
+// The texture coordinates, as an input takes them; empty for the first set as it is. A transform becomes a node, which
+// textures with the same transform share.
+std::string MaterialGraph::coordinates(Object& info) {
+    Object transform = info.extension("KHR_texture_transform");
+    double set = info.number("texCoord", 0, 1e6).value_or(0);
+    info.taken("texCoord", fmt::format("@uv{}", set));
+    if (const auto other = transform.number("texCoord", 0, 1e6)) {
+        set = *other;
+        transform.taken("texCoord", fmt::format("@uv{}", set));
+    }
+    if (set > 1) {
+        const std::string why = "@uv1: there are two sets of texture coordinates";
+        info.changed("texCoord", why);
+        transform.changed("texCoord", why);
+    }
+    const std::string uv = set == 0 ? "@uv0" : "@uv1";
+    constexpr double kFar = 1e6;
+    const auto scale = transform.numbers("scale", 2, -kFar, kFar);
+    const auto offset = transform.numbers("offset", 2, -kFar, kFar);
+    const double angle = transform.number("rotation", -kFar, kFar).value_or(0);
+    const std::vector<double> tiling = scale.value_or(std::vector<double>{1, 1});
+    const std::vector<double> move = offset.value_or(std::vector<double>{0, 0});
+    const bool is_scaled = tiling[0] != 1 || tiling[1] != 1, is_moved = move[0] != 0 || move[1] != 0;
+    std::string made = uv;
+    if (is_scaled) made += fmt::format(" * float2({}, {})", words(tiling[0]), words(tiling[1]));
+    // The specification turns the other way: (u cos + v sin, v cos - u sin).
+    if (angle != 0) made = fmt::format("Rotate({}, {}, float2(0, 0))", made, words(-angle));
+    if (is_moved) made += fmt::format(" + float2({}, {})", words(move[0]), words(move[1]));
+    if (made == uv) {
+        transform.all_taken("it changes nothing");
+        transform.rest();
+        return uv == "@uv0" ? std::string() : uv;
+    }
+    const auto [found, is_new] = coordinates_.try_emplace(made);
+    if (is_new) {
+        found->second = coordinates_.size() == 1 ? "uv" : fmt::format("uv{}", coordinates_.size());
+        if (angle == 0) {
+            GraphNode tiled{.id = found->second, .node = "TilingOffset"};
+            if (uv != "@uv0") tiled.inputs.push_back({"uv", text(uv)});
+            if (is_scaled) tiled.inputs.push_back({"tiling", short_list(tiling)});
+            if (is_moved) tiled.inputs.push_back({"offset", short_list(move)});
+            node(std::move(tiled));
+        } else {
+            node({.id = found->second, .expression = made});
+        }
+    }
+    transform.all_taken(fmt::format("the node '{}'", found->second));
+    transform.rest();
+    return found->second;
+}
+
+std::string MaterialGraph::texel(Object& from, std::string_view key, std::string_view slot, std::string_view usage) {
+    Object info = from.child(key);
+    const auto texture = info.index("index", "textures", count_of(context(), "textures"));
+    if (!texture) {
+        if (info) context().report.wrong(info.path(), "has no 'index'", info.json());
+        return {};
+    }
+    const std::string property = texture_property(*texture, slot, usage);
+    if (property.empty()) {
+        info.left_out("index", "its texture cannot be read: the factor alone is used");
+        info.all_taken("without its texture it has no effect");
+        return {};
+    }
+    const std::string uv = coordinates(info);
+    const bool is_normal = usage == "normal";
+    const auto [found, is_new] = samples_.try_emplace({property, uv, std::string(usage)});
+    if (is_new) {
+        found->second = std::string(slot);
+        GraphNode sample{.id = found->second, .node = is_normal ? "SampleNormalMap" : "SampleTexture2D"};
+        sample.inputs.push_back({"texture", text("$" + property)});
+        if (!uv.empty()) sample.inputs.push_back({"uv", text(uv)});
+        node(std::move(sample));
+    }
+    info.taken("index", fmt::format("the property '{}', read by the node '{}'", property, found->second));
+    // Their owner reads them.
+    for (const std::string_view own : {"scale", "strength"}) {
+        if (info.has(own))
+            info.taken(own, own == "scale" ? "the strength of the bumps" : "the strength of the occlusion");
+    }
+    info.rest();
+    return found->second;
+}
+
+std::string MaterialGraph::normal(Object& from, std::string_view key, std::string_view slot,
+                                  std::string_view scale_property) {
+    std::string made = texel(from, key, slot, "normal");
+    Object info = from.child(key);
+    const double scale = info.number("scale", -1e6, 1e6).value_or(1);
+    if (made.empty() || scale == 1) return made;
+    const std::string strong = std::string(slot) + "Scaled";
+    node({.id = strong,
+          .node = "NormalStrength",
+          .inputs = {{"normal", text(made)}, {"strength", text(number_property(scale_property, scale, 0, 2))}}});
+    return strong;
+}
+
+Term MaterialGraph::scalar(Object& from, const Slot& slot) {
+    const std::string node = slot.texture.empty() ? std::string() : texel(from, slot.texture, slot.slot, "data");
+    const auto factor = from.number(slot.factor, 0, slot.high);
+    std::vector<std::string> factors;
+    if (!node.empty()) factors.push_back(fmt::format("{}.{}", node, slot.channel));
+    const double value = factor.value_or(slot.otherwise);
+    if (factor && (value != 1 || node.empty())) {
+        factors.push_back(number_property(slot.property, value, 0, std::min(slot.high, std::max(1.0, value))));
+        from.taken(slot.factor, fmt::format("the property '{}'", slot.property));
+    }
+    from.taken(slot.factor, "1: the texture alone");
+    // Without a factor of its own a texture is multiplied by the default one.
+    if (!factor && !node.empty() && value != 1) return product({words(value), factors[0]}, {});
+    return product(factors, constant(value));
+}
+
+Term MaterialGraph::color(Object& from, const Slot& slot) {
+    const std::string node = slot.texture.empty() ? std::string() : texel(from, slot.texture, slot.slot, "color");
+    const auto factor = from.numbers(slot.factor, 3, 0, slot.high);
+    std::vector<std::string> factors;
+    if (!node.empty()) factors.push_back(fmt::format("{}.{}", node, slot.channel));
+    const std::vector<double> value = factor.value_or(std::vector<double>(3, slot.otherwise));
+    const bool is_one = value == std::vector<double>(3, 1);
+    if (factor && (!is_one || node.empty())) {
+        factors.push_back(color_property(slot.property, value) + ".rgb");
+        from.taken(slot.factor, fmt::format("the property '{}'", slot.property));
+    }
+    from.taken(slot.factor, "white: the texture alone");
+    return product(factors, {.numbers = value});
+}
+
+}  // namespace patina::importers::gltf

@@ -1,0 +1,81 @@
+// A graph in the making for one glTF material: properties for what the material states, a node for each texture that it
+// reads, and inputs of the surface.
+//
+//   MaterialGraph graph(context, pictures, "Paint");
+//   Term roughness = graph.scalar(pbr, {.factor = "roughnessFactor", .texture = "metallicRoughnessTexture",
+//                                       .slot = "metallicRoughness", .channel = "g", .property = "_Roughness"});
+//   graph.set("roughness", roughness);
+#pragma once
+
+#include <limits>
+#include <map>
+#include <string>
+#include <tuple>
+
+#include "compiler/importers/gltf/gltf_pictures.h"
+#include "compiler/importers/graph_writer.h"
+
+namespace patina::importers::gltf {
+
+// A value as a port takes it: an expression over properties and nodes, or numbers.
+struct Term {
+    std::string expression{};       // "baseColor.rgb * $_BaseColor.rgb"; empty: the numbers
+    std::vector<double> numbers{};  // one, or the components of a colour
+
+    bool is(double number) const;  // all of the numbers, and nothing else
+    // As part of a larger expression: "(1 - a)" for "1 - a".
+    std::string inside() const;
+    Value value() const;
+};
+Term constant(double number);
+Term expression(std::string text);
+// "a * b * c"; without factors `otherwise`.
+Term product(const std::vector<std::string>& factors, Term otherwise);
+
+// Where a number or a colour of glTF is: a factor, times some channels of a texture.
+struct Slot {
+    std::string_view factor{}, texture{};
+    std::string_view slot{};      // of the texture: the node's id, "baseColor"
+    std::string_view channel{};   // "g", "rgb"
+    std::string_view property{};  // "_Roughness"
+    double otherwise = 1;         // if the factor is not stated
+    double high = 1;              // the factor's range begins at 0
+};
+
+class MaterialGraph {
+public:
+    MaterialGraph(const Context& context, Pictures& pictures, std::string name)
+        : context_(&context), pictures_(&pictures), name_(std::move(name)) {}
+
+    // Factor times texture, with remarks for both.
+    Term scalar(Object& from, const Slot& slot);
+    Term color(Object& from, const Slot& slot);
+    // The node that samples a texture; empty if there is none. `usage`: "color", "data" or "normal".
+    std::string texel(Object& from, std::string_view key, std::string_view slot, std::string_view usage);
+    // A node with a normal in tangent space; empty if there is none.
+    std::string normal(Object& from, std::string_view key, std::string_view slot, std::string_view scale_property);
+    // A property with a range from `low` to `high`; "$_Roughness". A default beyond it widens the range.
+    std::string number_property(std::string_view name, double value, double low, double high);
+    std::string color_property(std::string_view name, const std::vector<double>& value);
+    void node(GraphNode node);
+    void set(std::string_view input, const Term& term);
+
+    const Context& context() const { return *context_; }
+    GraphFile graph{};
+
+private:
+    std::string coordinates(Object& info);
+    std::string texture_property(std::size_t texture, std::string_view slot, std::string_view usage);
+
+    const Context* context_;
+    Pictures* pictures_;
+    std::string name_;                                                       // that pictures without a name begin with
+    std::map<std::pair<std::size_t, std::string>, std::string> textures_{};  // property
+    std::map<std::tuple<std::string, std::string, std::string>, std::string> samples_{};  // node, by property and uv
+    std::map<std::string, std::string> coordinates_{};                                    // node, by expression
+};
+
+// "Rotate(...)" needs the angle; a number as an expression has it.
+std::string words(double number);
+
+}  // namespace patina::importers::gltf
