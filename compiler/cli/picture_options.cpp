@@ -65,7 +65,9 @@ void add_scene_options(CLI::App& command, runtime::RenderRequest& request) {
         .add_option("--background", request.background,
                     "What is behind everything: a colour, or none, which is transparent; default: dark grey")
         ->type_name("COLOR");
-    command.add_option("--camera", request.camera, "The camera: 'position=2,1,3 target=0,0,0 fov=35'")
+    command
+        .add_option("--camera", request.camera,
+                    "The camera: 'position=2,1,3 target=0,0,0 fov=35', or the name of a camera of a model")
         ->type_name("CAMERA");
 }
 
@@ -75,15 +77,20 @@ bool is_scene(const std::string& graph) {
     return graph.ends_with(".scene.json");
 }
 
+bool is_model(const std::string& graph) {
+    return runtime::is_model_name(graph);
+}
+
 void refuse_mesh(const std::vector<std::string>& graphs, bool has_mesh) {
     for (const std::string& graph : graphs) {
-        if (has_mesh && is_scene(graph))
-            throw CLI::ValidationError("--mesh", "'" + graph + "' is a scene, which has meshes of its own");
+        if (has_mesh && (is_scene(graph) || is_model(graph)))
+            throw CLI::ValidationError("--mesh", "'" + graph + "' is a " + (is_scene(graph) ? "scene" : "model") +
+                                                     ", which has meshes of its own");
     }
 }
 
 void refuse_object(const std::string& graph, const std::string& option, const std::string& value) {
-    if (!value.empty() && !is_scene(graph))
+    if (!value.empty() && !is_scene(graph) && !is_model(graph))
         throw CLI::ValidationError(option, "'" + graph + "' is a graph: only a scene (NAME.scene.json) has objects");
 }
 

@@ -14,8 +14,10 @@ namespace patina::cli {
 void add_picture_options(CLI::App& command, std::vector<std::string>& set, runtime::RenderRequest& request);
 
 bool is_scene(const std::string& graph);
-// Throw the usage error if one of the graphs is a scene but has a mesh from the command line; if an option that chooses
-// in a scene is given with a graph.
+// By its name; a model is drawn as the scene that its import gives.
+bool is_model(const std::string& graph);
+// Throw the usage error if one of the graphs is a scene or a model but has a mesh from the command line; if an option
+// that chooses in a scene is given with a graph.
 void refuse_mesh(const std::vector<std::string>& graphs, bool has_mesh);
 void refuse_object(const std::string& graph, const std::string& option, const std::string& value);
 

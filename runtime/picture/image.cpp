@@ -135,12 +135,12 @@ Image quantized(const Image& encoded) {
     return result;
 }
 
-Outcome<Image> load_image(const std::string& path) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) return Failure{"cannot read '" + path + "': it is a folder"};
-    if (!std::filesystem::is_regular_file(path, ignored)) return Failure{"there is no file '" + path + "'"};
+namespace {
+
+Outcome<Image> read_image(const std::string& path, OIIO::Filesystem::IOProxy* bytes) {
     OIIO::ImageSpec straight;
     straight.attribute("oiio:UnassociatedAlpha", 1);  // a texture's alpha is data: keep the colours under it
+    if (bytes) straight.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &bytes);
     auto input = OIIO::ImageInput::open(path, &straight);
     if (!input) return Failure{"cannot read '" + path + "' as an image: " + reason(OIIO::geterror())};
 
@@ -165,6 +165,20 @@ Outcome<Image> load_image(const std::string& path) {
         image.pixels.insert(image.pixels.end(), {p[0], grey ? p[0] : p[1], grey ? p[0] : p[2], alpha});
     }
     return image;
+}
+
+}  // namespace
+
+Outcome<Image> load_image(const std::string& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) return Failure{"cannot read '" + path + "': it is a folder"};
+    if (!std::filesystem::is_regular_file(path, ignored)) return Failure{"there is no file '" + path + "'"};
+    return read_image(path, nullptr);
+}
+
+Outcome<Image> decode_image(const std::string& path, std::string_view bytes) {
+    OIIO::Filesystem::IOMemReader reader(const_cast<char*>(bytes.data()), bytes.size());  // it only reads
+    return read_image(path, &reader);
 }
 
 Outcome<std::string> encode_png(const Image& linear) {

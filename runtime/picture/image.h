@@ -12,6 +12,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "runtime/outcome.h"
@@ -44,6 +45,11 @@ Image quantized(const Image& encoded);
 
 // Any format that OpenImageIO reads. One channel is a grey, two a grey and alpha; without alpha it is 1.
 Outcome<Image> load_image(const std::string& path);
+// The same from the bytes of a file; `path` says the format by its ending, and names it in messages.
+Outcome<Image> decode_image(const std::string& path, std::string_view bytes);
+
+// Bytes of files by their normal paths (std::filesystem::path::lexically_normal).
+using MemoryFiles = std::map<std::string, std::string>;
 
 // The bytes of a picture's file. Equal pictures have equal bytes: they hold no date. PNG: 8 bits, sRGB-encoded here,
 // from linear values. EXR: 32-bit float, the values as they are.

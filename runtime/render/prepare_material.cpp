@@ -1,6 +1,9 @@
 #include "runtime/render/prepare_material.h"
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
 
 #include "patina/complaints.h"
 #include "runtime/render/complaints.h"
@@ -9,15 +12,28 @@
 namespace patina::runtime {
 namespace {
 
-void load(const WorldMaterial& material, bool exact, PreparedMaterial& made) {
+void load(const WorldMaterial& material, const RenderOptions& options, PreparedMaterial& made) {
     const std::string folder = std::filesystem::path(material.graph).parent_path().string();
-    made.loaded = load_textures(made.compiled.reflection, folder, made.values.textures, exact);
+    made.loaded = load_textures(made.compiled.reflection, folder, made.values.textures, options.exact_textures,
+                                options.files.get());
     for (std::size_t i = 0; i < made.loaded.errors.size(); ++i) {
         const ScenePlace* place = place_of_value(material, made.loaded.failed[i]);
         made.diagnostics.push_back(
             place ? diagnostic_at(*place, std::string(code_of(Complaint::BadTexture)), made.loaded.errors[i])
                   : complaint(material.graph, Severity::Error, Complaint::BadTexture, {made.loaded.errors[i]}));
     }
+}
+
+// Files in memory first, then those of the file system.
+Loader loader_of(std::shared_ptr<const MemoryFiles> files) {
+    return [files = std::move(files)](const std::string& path) -> std::optional<std::string> {
+        const auto found = files->find(std::filesystem::path(path).lexically_normal().generic_string());
+        if (found != files->end()) return found->second;
+        std::error_code ignored;
+        if (!std::filesystem::is_regular_file(path, ignored)) return std::nullopt;
+        std::ifstream file(path, std::ios::binary);
+        return std::string(std::istreambuf_iterator<char>(file), {});
+    };
 }
 
 }  // namespace
@@ -28,6 +44,7 @@ CompileOptions compile_options(const RenderOptions& options) {
     made.switches = options.switches;
     made.include_dirs = options.include_dirs;
     made.preview = options.preview;
+    if (options.files) made.loader = loader_of(options.files);
     return made;
 }
 
@@ -46,7 +63,7 @@ Result compile_material(const Compiler& compiler, const WorldMaterial& material,
     return compiler.compile_file(material.graph, options);
 }
 
-PreparedMaterial prepare_material(const WorldMaterial& material, Result compiled, bool exact_textures) {
+PreparedMaterial prepare_material(const WorldMaterial& material, Result compiled, const RenderOptions& options) {
     PreparedMaterial made{.compiled = std::move(compiled)};
     if (!made.compiled.ok) return made;
     const Reflection& reflection = made.compiled.reflection;
@@ -64,7 +81,7 @@ PreparedMaterial prepare_material(const WorldMaterial& material, Result compiled
         if (material.set.empty())
             made.diagnostics.push_back(complaint(material.graph, Severity::Warning, Complaint::SoftRange, {warning}));
     }
-    load(material, exact_textures, made);
+    load(material, options, made);
     made.ok = made.loaded.errors.empty();
     return made;
 }

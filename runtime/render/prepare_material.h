@@ -2,7 +2,7 @@
 // its textures. A picture of one material, a world and a trace all prepare their materials here. It opens no device.
 //
 //   Result compiled = compile_material(compiler, material, compile_options(options));
-//   PreparedMaterial made = prepare_material(material, std::move(compiled), options.exact_textures);
+//   PreparedMaterial made = prepare_material(material, std::move(compiled), options);
 //   if (made.ok) fill_blocks(made.compiled.reflection, made.values, scene);
 #pragma once
 
@@ -33,6 +33,6 @@ struct PreparedMaterial {
 };
 
 // Not ok if `compiled` is not.
-PreparedMaterial prepare_material(const WorldMaterial& material, Result compiled, bool exact_textures);
+PreparedMaterial prepare_material(const WorldMaterial& material, Result compiled, const RenderOptions& options);
 
 }  // namespace patina::runtime

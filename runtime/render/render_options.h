@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -35,6 +36,9 @@ struct RenderOptions {
     std::size_t most_target_bytes = kMostTargetBytes, most_whole_bytes = kMostWholeBytes;
     int largest_viewport = 0;  // of a tile, in samples; 0: the device's limit says
     std::vector<std::string> include_dirs{};
+    // Files that exist in memory alone, by their normal paths: graphs, scenes and pictures of an imported model. They
+    // are found before those of the file system.
+    std::shared_ptr<const MemoryFiles> files{};
     // Given the share that is done, 0 to 1, and the file that is prefiltered, or nothing while the picture is drawn (on
     // the GPU: one in tiles).
     std::function<void(double, std::string_view)> progress{};

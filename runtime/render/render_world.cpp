@@ -316,8 +316,7 @@ private:
             }
         }
         report(compiled.diagnostics);
-        auto made = std::make_unique<PreparedMaterial>(
-            prepare_material(material, std::move(compiled), options_.exact_textures));
+        auto made = std::make_unique<PreparedMaterial>(prepare_material(material, std::move(compiled), options_));
         report(made->diagnostics);
         if (!made->error.empty()) outcome_.error = made->error;
         add_dependencies(made->compiled.dependencies);

@@ -13,14 +13,20 @@
 namespace patina::runtime {
 namespace {
 
-Outcome<LoadedTexture> load_texture(const Texture& texture, const std::string& source, bool exact) {
+Outcome<Image> image_at(const std::string& source, const MemoryFiles* in_memory) {
+    const auto found = in_memory ? in_memory->find(source) : MemoryFiles::const_iterator();
+    return in_memory && found != in_memory->end() ? decode_image(source, found->second) : load_image(source);
+}
+
+Outcome<LoadedTexture> load_texture(const Texture& texture, const std::string& source, bool exact,
+                                    const MemoryFiles* in_memory) {
     if (texture.dimension != TextureDimension::Flat)
         return Failure{fmt::format("the texture '{}' is a {} texture; only 2d ones can be drawn", texture.name,
                                    to_string(texture.dimension))};
     Image image = default_texture(source);
     const bool is_named = !image.pixels.empty();
     if (!is_named) {
-        Outcome<Image> loaded = load_image(source);
+        Outcome<Image> loaded = image_at(source, in_memory);
         if (!loaded) return Failure{"texture '" + texture.name + "': " + loaded.error};
         image = std::move(loaded.value);
     }
@@ -88,13 +94,14 @@ void add_engine_textures(std::vector<LoadedTexture>& textures, const Reflection&
 }
 
 LoadedTextures load_textures(const Reflection& reflection, const std::string& graph_folder,
-                             const std::map<std::string, std::string>& files, bool exact) {
+                             const std::map<std::string, std::string>& files, bool exact,
+                             const MemoryFiles* in_memory) {
     LoadedTextures result;
     for (const Texture& texture : reflection.textures) {
         if (!texture.is_material) continue;
         auto chosen = files.find(texture.name);
         const std::string source = chosen == files.end() ? default_source(texture, graph_folder) : chosen->second;
-        Outcome<LoadedTexture> loaded = load_texture(texture, source, exact);
+        Outcome<LoadedTexture> loaded = load_texture(texture, source, exact, in_memory);
         if (loaded) {
             if (default_texture(source).pixels.empty()) result.files.push_back(source);
             result.textures.push_back(std::move(loaded.value));

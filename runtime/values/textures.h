@@ -46,8 +46,10 @@ struct LoadedTextures {
 void add_engine_textures(std::vector<LoadedTexture>& textures, const Reflection& reflection, const Scene& scene);
 
 // The reflection's own defaults are files below `graph_folder`. `files` maps texture names to a default's name or a
-// file, as one opens it, and wins over them.
+// file, as one opens it, and wins over them. `in_memory`: files that are found before those of the file system; null:
+// none.
 LoadedTextures load_textures(const Reflection& reflection, const std::string& graph_folder,
-                             const std::map<std::string, std::string>& files, bool exact);
+                             const std::map<std::string, std::string>& files, bool exact,
+                             const MemoryFiles* in_memory = nullptr);
 
 }  // namespace patina::runtime

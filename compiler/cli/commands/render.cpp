@@ -7,10 +7,12 @@
 #include <optional>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/eval/sweep.h"
 #include "compiler/cli/files.h"
+#include "compiler/cli/model_file.h"
 #include "compiler/cli/outputs.h"
 #include "compiler/cli/picture_options.h"
 #include "patina/output_name.h"
@@ -24,7 +26,7 @@ struct Arguments {
     std::vector<std::string> set;
     std::string output;
     runtime::RenderRequest request;
-    std::string range, time;
+    std::string range, time, variant;
     std::string tonemap = "none";
     runtime::Tone tone;
     std::vector<std::optional<double>> times = {{}};  // one a picture; nothing: --time is not given
@@ -99,10 +101,34 @@ void say_clipping(const Console& console, const Arguments& arguments, const std:
 // The diagnostics of earlier pictures of a sequence: code, file and text.
 using Said = std::set<std::tuple<std::string, std::string, std::string>>;
 
-Exit render_graph(Outputs& outputs, const Console& console, const Arguments& arguments, const Compiler& compiler,
-                  const std::string& graph, std::size_t frame, Said& said, runtime::RenderMachine& machine) {
+// What the picture of a graph, a scene or a model is asked for; nothing: the model cannot be imported, and it has
+// complained.
+std::optional<runtime::RenderRequest> request_for(const Console& console, const Arguments& arguments,
+                                                  const std::string& graph) {
     runtime::RenderRequest request = arguments.request;
     request.graph = graph;
+    if (!is_model(graph)) return request;
+    importers::Options options{.variant = arguments.variant};
+    // Of a model, a camera can be named; words that state one have an '='.
+    if (request.camera.find('=') == std::string::npos) options.camera = std::exchange(request.camera, {});
+    runtime::Outcome<ModelFile> model = import_model(graph, options);
+    if (!model) {
+        complain(console, Complaint::CannotImport, {model.error});
+        return std::nullopt;
+    }
+    if (model.value.refused > 0) {
+        remark(console, fmt::format("{} of what '{}' states is not in the picture: 'patina import {} -o DIR --report' "
+                                    "says what, and why",
+                                    model.value.refused, graph, graph));
+    }
+    request.graph = model.value.scene;
+    request.options.files = model.value.files;
+    return request;
+}
+
+Exit render_graph(Outputs& outputs, const Console& console, const Arguments& arguments, const Compiler& compiler,
+                  const std::string& graph, runtime::RenderRequest request, std::size_t frame, Said& said,
+                  runtime::RenderMachine& machine) {
     request.time = arguments.times[frame];
     request.options.progress = [&](double share, std::string_view file) {
         show_share(console, share, file.empty() ? graph : fmt::format("prefiltering {}", file));
@@ -174,6 +200,10 @@ void complete(Arguments& arguments, bool has_mesh) {
         if (!value.empty() && request.options.preview.empty())
             throw CLI::ValidationError(option, "needs --node: it chooses what shows the values of a port");
     }
+    for (const std::string& graph : arguments.graphs) {
+        if (!arguments.variant.empty() && !is_model(graph))
+            throw CLI::ValidationError("--variant", "'" + graph + "' is no model: only .glb and .gltf files have them");
+    }
     take_overrides(arguments.set, arguments.path, arguments.request);
     if (const std::string wrong = not_an_output(arguments.output); !wrong.empty())
         throw CLI::ValidationError("--output", wrong);
@@ -216,14 +246,15 @@ void add_render(Program& program) {
          "patina render room.scene.json --path deferred -o room.png",
          "patina render room.scene.json --node albedo --object wall -o albedo.png",
          "patina render rust.graph.json --light 'directional direction=1,1,1 intensity=2' --ambient 0.1 --via cpu",
+         "patina render chair.glb -o chair.png", "patina render chair.glb --camera Front --variant Oak -o front.png",
          "patina render rust.graph.json --exposure -1 --tonemap khronos-neutral -o rust.png",
          "patina render rust.graph.json --env 'sunset.hdr rotation=90' -o rust.png"});
     auto arguments = std::make_shared<Arguments>();
     runtime::RenderRequest& request = arguments->request;
     command
         .add_option("GRAPH", arguments->graphs,
-                    "Material graphs and scenes (JSON). A scene has meshes and values of its own: --mesh and --set are "
-                    "for graphs")
+                    "Material graphs and scenes (JSON), and models (.glb, .gltf). A scene and a model have meshes and "
+                    "values of their own: --mesh and --set are for graphs")
         ->required()
         ->type_name(" ");
     command
@@ -255,6 +286,11 @@ void add_render(Program& program) {
                     "Pixels that are not finite are squares of magenta and black")
         ->type_name("LOW..HIGH");
     add_picture_options(command, arguments->set, request);
+    command
+        .add_option("--variant", arguments->variant,
+                    "Of a model: show this one of its material variants; default: the materials that its meshes name")
+        ->type_name("NAME")
+        ->check(is_not_empty);
     command
         .add_option("--exposure", arguments->tone.exposure,
                     "Make the picture brighter by so many stops: 1 doubles its light; default: 0")
@@ -294,12 +330,18 @@ void add_render(Program& program) {
         Outputs outputs(console);
         Exit exit = Exit::Ok;
         Said said;
+        std::optional<runtime::RenderRequest> request;
         const std::size_t frames = arguments->times.size(), count = arguments->graphs.size() * frames;
         for (std::size_t i = 0; i < count && exit != Exit::Machine; ++i) {
             const std::string& graph = arguments->graphs[i / frames];
-            if (i % frames == 0) said.clear();
             show_progress(console, i, count, graph);
-            const Exit done = render_graph(outputs, console, *arguments, compiler, graph, i % frames, said, machine);
+            if (i % frames == 0) {
+                said.clear();
+                request = request_for(console, *arguments, graph);
+            }
+            const Exit done = request ? render_graph(outputs, console, *arguments, compiler, graph, *request,
+                                                     i % frames, said, machine)
+                                      : Exit::Wrong;
             exit = worse(exit, done);
             if (done != Exit::Ok) i += frames - 1 - i % frames;  // the rest of a sequence would fail the same way
         }

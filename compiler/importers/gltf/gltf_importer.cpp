@@ -168,6 +168,9 @@ Imported import_model(const Context& context, const runtime::GltfModel& model, c
 }
 
 Imported read(const Source& source, const Options& options) {
+    // A scene names a node after a '#'.
+    if (source.path.find('#') != std::string::npos)
+        return {.error = source.path + ": no scene can name a file with a '#' in its path: rename it"};
     const runtime::Outcome<tinygltf::Model> file = runtime::open_gltf(source.path);
     if (!file) return {.error = file.error};
     bool is_binary = false;

@@ -50,8 +50,8 @@ std::size_t count_of(const Context& context, std::string_view list) {
 std::string reference_to(const Context& context, const std::string& file) {
     const fs::path to = fs::absolute(file).lexically_normal();
     const fs::path from = fs::absolute(context.folder.empty() ? "." : context.folder).lexically_normal();
-    std::string name = to.lexically_relative(from / "").generic_string();
-    return name.starts_with("../") ? name : "./" + name;
+    std::string name = (to.parent_path().lexically_relative(from) / to.filename()).generic_string();
+    return name.starts_with("../") || name.starts_with("./") ? name : "./" + name;
 }
 
 std::string file_name(std::string_view name, std::string_view otherwise, std::set<std::string>& taken) {
@@ -116,6 +116,8 @@ std::vector<Member> Pictures::sampler_of(std::size_t index) {
     const auto [found, is_new] = samplers_.try_emplace(index);
     if (!is_new) return found->second;
     Object sampler = element(context_, "samplers", index);
+    if (sampler && sampler.json()->members.empty())
+        context_.report.add(Remark::Kind::Taken, sampler.path(), "the default of a property", sampler.json());
     const auto word_of = [&](std::string_view key, double otherwise) {
         return static_cast<int>(sampler.number(key, 0, 1e6).value_or(otherwise));
     };

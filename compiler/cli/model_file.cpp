@@ -1,0 +1,36 @@
+#include "compiler/cli/model_file.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+
+namespace patina::cli {
+
+runtime::Outcome<ModelFile> import_model(const std::string& path, importers::Options options) {
+    using importers::Remark;
+    importers::Source source{.path = path, .start = std::string(importers::kStart, '\0')};
+    std::ifstream file(path, std::ios::binary);
+    file.read(source.start.data(), static_cast<std::streamsize>(source.start.size()));
+    source.start.resize(static_cast<std::size_t>(file.gcount()));
+    const importers::Importer* importer = importers::importer_of(source);
+    if (!importer) return runtime::Failure{"'" + path + "' is no model that can be read"};
+    options.folder = path;
+    importers::Imported made = importer->read(source, options);
+    if (!made.error.empty()) return runtime::Failure{made.error};
+    if (made.scene.empty()) return runtime::Failure{"'" + path + "' has no scene: import it, and draw its graphs"};
+
+    runtime::MemoryFiles files;
+    const auto name_of = [&](const std::string& name) {
+        return (std::filesystem::path(path) / name).lexically_normal().generic_string();
+    };
+    for (importers::TextFile& each : made.graphs) files[name_of(each.name)] = std::move(each.text);
+    for (importers::BinaryFile& each : made.copies) files[name_of(each.name)] = std::move(each.bytes);
+    const auto refused = std::count_if(made.remarks.begin(), made.remarks.end(),
+                                       [](const Remark& remark) { return remark.kind == Remark::Kind::LeftOut; });
+    return ModelFile{.scene = (std::filesystem::path(path) / made.scene).generic_string(),
+                     .files = std::make_shared<const runtime::MemoryFiles>(std::move(files)),
+                     .refused = static_cast<std::size_t>(refused)};
+}
+
+}  // namespace patina::cli
