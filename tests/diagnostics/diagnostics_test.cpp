@@ -23,7 +23,6 @@ constexpr std::pair<std::string_view, std::string_view> kExempt[] = {
     {"downstream-error",
      "a shader that another compiler refuses is a fault of the printers; validate_test.cpp makes one"},
     {"internal", "a library without one of its slots cannot be built"},
-    {"not-imported", "no importer leaves anything out so far"},
 };
 
 // Codes of both tables.

@@ -135,12 +135,15 @@ std::string MaterialGraph::coordinates(Object& info) {
     const bool is_scaled = tiling[0] != 1 || tiling[1] != 1, is_moved = move[0] != 0 || move[1] != 0;
     std::string made = uv;
     if (is_scaled) made += fmt::format(" * float2({}, {})", words(tiling[0]), words(tiling[1]));
-    // The specification turns the other way: (u cos + v sin, v cos - u sin).
+    // glTF turns counter-clockwise as the picture is seen, so from v, which grows downwards, to u.
     if (angle != 0) made = fmt::format("Rotate({}, {}, float2(0, 0))", made, words(-angle));
     if (is_moved) made += fmt::format(" + float2({}, {})", words(move[0]), words(move[1]));
-    if (made == uv) {
-        transform.all_taken("it changes nothing");
+    const auto take_all = [&](const std::string& text) {
+        for (const std::string_view key : {"offset", "rotation", "scale"}) transform.taken(key, text);
         transform.rest();
+    };
+    if (made == uv) {
+        take_all("it changes nothing");
         return uv == "@uv0" ? std::string() : uv;
     }
     const auto [found, is_new] = coordinates_.try_emplace(made);
@@ -156,8 +159,7 @@ std::string MaterialGraph::coordinates(Object& info) {
             node({.id = found->second, .expression = made});
         }
     }
-    transform.all_taken(fmt::format("the node '{}'", found->second));
-    transform.rest();
+    take_all(fmt::format("the node '{}'", found->second));
     return found->second;
 }
 
