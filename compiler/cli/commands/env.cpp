@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "compiler/cli/commands/commands.h"
+#include "compiler/cli/json_text.h"
 #include "compiler/cli/outputs.h"
 #include "patina/interpret.h"
 #include "runtime/lighting/environment_file.h"
@@ -45,16 +46,6 @@ std::string numbers(glm::vec3 v) {
 }
 std::string numbers(glm::vec4 v) {
     return numbers({v.x, v.y, v.z, v.w});
-}
-
-// A name as JSON spells it.
-std::string json_text(std::string_view text) {
-    std::string made = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') made += '\\';
-        made += static_cast<unsigned char>(c) < 0x20 ? fmt::format("\\u{:04x}", c) : std::string(1, c);
-    }
-    return made + '"';
 }
 
 std::string stem_of(const Arguments& arguments) {

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "compiler/cli/commands/commands.h"
+#include "compiler/cli/json_text.h"
 #include "compiler/cli/outputs.h"
 #include "compiler/importers/importer.h"
 
@@ -21,7 +22,7 @@ using importers::Remark;
 struct Arguments {
     std::vector<std::string> files;
     std::string folder;
-    bool shows_remarks = false;
+    bool shows_remarks = false, json = false;
 };
 
 importers::Source source_of(const std::string& path) {
@@ -57,6 +58,22 @@ void report_remarks(const Console& console, const Arguments& arguments, const st
             print(fmt::format("{}: {} {}: {}\n", place, importers::to_string(remark.kind), remark.part, remark.text));
         }
     }
+}
+
+// What was written, and the remarks, as one JSON object on a line.
+std::string json_of(const std::string& file, const OutputFiles& written, std::span<const Remark> remarks) {
+    std::string text = "{\"file\": " + json_text(file) + ", \"written\": [";
+    for (std::size_t i = 0; i < written.files.size(); ++i)
+        text += (i > 0 ? ", " : "") + json_text(written.files[i].path);
+    text += "], \"parts\": [";
+    for (std::size_t i = 0; i < remarks.size(); ++i) {
+        const Remark& remark = remarks[i];
+        text += fmt::format("{}{{\"part\": {}, \"state\": {}, \"text\": {}", i > 0 ? ", " : "", json_text(remark.part),
+                            json_text(importers::to_string(remark.kind)), json_text(remark.text));
+        if (remark.line > 0) text += fmt::format(", \"line\": {}, \"column\": {}", remark.line, remark.column);
+        text += "}";
+    }
+    return text + "]}\n";
 }
 
 // All files of an import, or what is wrong. The graphs come last: if a graph is there, its textures are, too.
@@ -97,6 +114,10 @@ Exit import_file(const Console& console, const Arguments& arguments, const std::
         return Exit::Wrong;
     }
     if (!Outputs(console).write(file, files.value)) return Exit::Wrong;
+    if (arguments.json) {
+        print(json_of(file, files.value, made.remarks));
+        return Exit::Ok;
+    }
     report_remarks(console, arguments, file, made.remarks);
     say(console, files.value);
     return Exit::Ok;
@@ -115,8 +136,13 @@ void add_import(Program& program) {
         ->type_name("DIR")
         ->check(is_folder_name);
     command.add_flag("--report", arguments->shows_remarks,
-                     "Print what became of each part of the files: taken, changed or left out");
+                     "Print what became of each part of the files: mapped, approximated or refused, and why");
+    command.add_flag("--json", arguments->json, "Print the same as JSON, one object a file, instead of warnings");
     set_work(program, command, [arguments](const Console& console) {
+        if (console.json && arguments->json) {
+            complain(console, Complaint::MixedOutput, {"--json"});
+            return Exit::Usage;
+        }
         Exit exit = Exit::Ok;
         for (std::size_t i = 0; i < arguments->files.size(); ++i) {
             show_progress(console, i, arguments->files.size(), arguments->files[i]);

@@ -172,9 +172,12 @@ std::string scene_text(const Context& context, const GltfModel& model, const Sce
     }
     std::set<std::size_t> used(wish.materials.begin(), wish.materials.end());
     std::vector<Value> materials, objects;
+    std::map<std::size_t, std::string> names;
+    std::set<std::string> words;
     for (const std::size_t material : used) {
-        const std::string& name = wish.graphs[material];
-        materials.push_back(object(std::vector<Member>{{"name", text(name)}, {"graph", text(name + ".graph.json")}}));
+        const std::string& graph = wish.graphs[material];
+        const std::string& name = names[material] = identifier(graph, words);
+        materials.push_back(object(std::vector<Member>{{"name", text(name)}, {"graph", text(graph + ".graph.json")}}));
     }
     const std::string file = reference_to(context, context.path);
     std::set<std::string> ids;
@@ -183,7 +186,7 @@ std::string scene_text(const Context& context, const GltfModel& model, const Sce
         const std::string mesh = fmt::format("{}#{}/{}", file, node_name(model, part.node_index), part.primitive);
         objects.push_back(object(std::vector<Member>{{"id", text(identifier(part.node, ids))},
                                                      {"mesh", text(mesh)},
-                                                     {"material", text(wish.graphs[wish.materials[i]])}}));
+                                                     {"material", text(names[wish.materials[i]])}}));
     }
     if (!materials.empty()) members.push_back({"materials", all_of(materials)});
     if (!objects.empty()) members.push_back({"objects", all_of(objects)});

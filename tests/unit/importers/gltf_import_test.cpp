@@ -55,10 +55,10 @@ TEST(GltfImport, AnObjectIsAPrimitiveOfANode) {
 }
 
 TEST(GltfImport, TheFirstCameraIsTheScenes) {
-    const std::string path = save_gltf(
-        {.nodes = R"([{"mesh":0,"children":[1,2]},{"name":"front","camera":0,"translation":[0,0,5]},
+    const std::string path =
+        save_gltf({.nodes = R"([{"mesh":0,"children":[1,2]},{"name":"front","camera":0,"translation":[0,0,5]},
                       {"name":"top","camera":1,"translation":[0,4,0],"rotation":[-0.70710678,0,0,0.70710678]}])",
-         .more = R"("cameras":[{"type":"perspective","perspective":{"yfov":0.5,"znear":0.25,"zfar":50}},
+                   .more = R"("cameras":[{"type":"perspective","perspective":{"yfov":0.5,"znear":0.25,"zfar":50}},
                               {"type":"orthographic","name":"map","orthographic":{"xmag":1,"ymag":2,"znear":1,"zfar":9}}])"});
     const SceneCamera front = scene_of(import(path)).camera;
     expect_near(front.position, {0, 0, 5});
@@ -81,11 +81,11 @@ TEST(GltfImport, TheFirstCameraIsTheScenes) {
 // A white diffuse surface sends out E / pi; a candela is a lux at one metre.
 TEST(GltfImport, LightsAreInTheUnitsOfScenes) {
     const double pi = std::acos(-1.0);
-    const std::string path = save_gltf(
-        {.nodes = R"([{"mesh":0,"children":[1,2,3]},{"extensions":{"KHR_lights_punctual":{"light":0}}},
+    const std::string path =
+        save_gltf({.nodes = R"([{"mesh":0,"children":[1,2,3]},{"extensions":{"KHR_lights_punctual":{"light":0}}},
                       {"translation":[1,2,3],"extensions":{"KHR_lights_punctual":{"light":1}}},
                       {"rotation":[-0.70710678,0,0,0.70710678],"extensions":{"KHR_lights_punctual":{"light":2}}}])",
-         .more = R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"directional","intensity":6},
+                   .more = R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"directional","intensity":6},
                      {"type":"point","color":[1,0.5,0.25],"intensity":30,"range":7},
                      {"type":"spot","spot":{"innerConeAngle":0.2,"outerConeAngle":0.4}}]}})"});
     const SceneFile scene = scene_of(import(path));
@@ -116,16 +116,17 @@ TEST(GltfImport, EachVariantIsAScene) {
     EXPECT_EQ(scene_of(made, "square.Oak.scene.json").materials[0].name, "oak");
     EXPECT_EQ(scene_of(made, "square.Beach.scene.json").materials[0].name, "blue_paint");
     EXPECT_EQ(scene_of(import(path, {.variant = "Beach"})).materials[0].name, "blue_paint");
-    EXPECT_NE(import(path, {.variant = "x"}).error.find("has no variant 'x'; there are: Oak, Beach"), std::string::npos);
+    EXPECT_NE(import(path, {.variant = "x"}).error.find("has no variant 'x'; there are: Oak, Beach"),
+              std::string::npos);
 }
 
 TEST(GltfImport, PicturesAreNamedOrWritten) {
     const std::string png = png_of(1, 1, {255, 0, 0, 255});
-    const std::string path = save_gltf(
-        {.materials = R"([{"name":"a","pbrMetallicRoughness":{"baseColorTexture":{"index":0}}},
+    const std::string path =
+        save_gltf({.materials = R"([{"name":"a","pbrMetallicRoughness":{"baseColorTexture":{"index":0}}},
                           {"name":"b","pbrMetallicRoughness":{"baseColorTexture":{"index":1}}}])",
-         .textures = R"("textures":[{"source":0},{"source":1}],"images":[{"uri":"wood%20grain.png"},)" + picture_of(png) +
-                     "]"});
+                   .textures = R"("textures":[{"source":0},{"source":1}],"images":[{"uri":"wood%20grain.png"},)" +
+                               picture_of(png) + "]"});
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
     std::ofstream(folder / "wood grain.png", std::ios::binary) << png;
     const Imported made = import(path, {.folder = (folder / "out").string()});
@@ -163,13 +164,13 @@ void expect_remarks(const graph::Json& json, const std::string& path, const Impo
 TEST(GltfImport, EveryPropertyHasARemark) {
     std::string layers;
     for (const char* layer :
-         {"clearcoat\":{\"clearcoatFactor\":1,\"clearcoatNew\":1}", "sheen\":{\"sheenColorFactor\":[1,1,1],\"sheenNew\":1}",
-          "specular\":{\"specularFactor\":0.5,\"new\":1}", "ior\":{\"ior\":1.2,\"new\":1}",
+         {"clearcoat\":{\"clearcoatFactor\":1,\"clearcoatNew\":1}",
+          "sheen\":{\"sheenColorFactor\":[1,1,1],\"sheenNew\":1}", "specular\":{\"specularFactor\":0.5,\"new\":1}",
+          "ior\":{\"ior\":1.2,\"new\":1}",
           "anisotropy\":{\"anisotropyStrength\":1,\"anisotropyTexture\":{\"index\":0,\"new\":1}}",
-          "iridescence\":{\"iridescenceFactor\":0,\"iridescenceIor\":1.2}",
-          "transmission\":{\"transmissionFactor\":1}", "volume\":{\"thicknessFactor\":1,\"attenuationDistance\":2,\"new\":1}",
-          "dispersion\":{\"dispersion\":0.1}", "emissive_strength\":{\"emissiveStrength\":2}",
-          "diffuse_transmission\":{\"diffuseTransmissionFactor\":1}"})
+          "iridescence\":{\"iridescenceFactor\":0,\"iridescenceIor\":1.2}", "transmission\":{\"transmissionFactor\":1}",
+          "volume\":{\"thicknessFactor\":1,\"attenuationDistance\":2,\"new\":1}", "dispersion\":{\"dispersion\":0.1}",
+          "emissive_strength\":{\"emissiveStrength\":2}", "diffuse_transmission\":{\"diffuseTransmissionFactor\":1}"})
         layers += (layers.empty() ? "" : ",") + std::string("\"KHR_materials_") + layer;
     const std::string path = save_gltf(
         {.materials = R"([{"name":"all","new":1,"alphaMode":"MASK","alphaCutoff":0.2,"doubleSided":true,
@@ -180,9 +181,11 @@ TEST(GltfImport, EveryPropertyHasARemark) {
                       layers + R"(}},{"extensions":{"KHR_materials_unlit":{}},"normalTexture":{"index":0}},
               {"extensions":{"KHR_materials_pbrSpecularGlossiness":{"specularGlossinessTexture":{"index":0},"new":1}}}])",
          .nodes = R"([{"name":"square","mesh":0,"scale":[2,2,2],"extensions":{"EXT_new":{}}},{"mesh":0,"camera":0}])",
-         .textures = R"("samplers":[{"wrapS":33071,"new":1},{}],"textures":[{"source":0,"sampler":0,"new":1},{"source":1}],
-                        "images":[)" + picture_of(png_of(1, 1, {9, 9, 9, 255}), R"(,"new":1)") + "," +
-                     picture_of(png_of(1, 1, {9, 9, 9, 255})) + "]",
+         .textures =
+             R"("samplers":[{"wrapS":33071,"new":1},{}],"textures":[{"source":0,"sampler":0,"new":1},{"source":1}],
+                        "images":[)" +
+             picture_of(png_of(1, 1, {9, 9, 9, 255}), R"(,"new":1)") + "," + picture_of(png_of(1, 1, {9, 9, 9, 255})) +
+             "]",
          .more = R"("cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":1}}],"new":1,
                     "animations":[{"channels":[],"samplers":[]}],"extensions":{"EXT_new":{}},"extensionsUsed":["EXT_new"])"});
     const Imported made = import(path);
@@ -199,18 +202,31 @@ TEST(GltfImport, EveryPropertyHasARemark) {
             return remark.part == part && remark.kind == Remark::Kind::LeftOut && remark.line > 0;
         });
     };
-    for (const char* part :
-         {"materials[0].new", "materials[0].pbrMetallicRoughness.new", "materials[0].extras",
-          "materials[0].extensions.EXT_new", "materials[0].extensions.KHR_materials_clearcoat.clearcoatNew",
-          "materials[0].extensions.KHR_materials_sheen.sheenNew", "materials[0].extensions.KHR_materials_specular.new",
-          "materials[0].extensions.KHR_materials_ior.new",
-          "materials[0].extensions.KHR_materials_anisotropy.anisotropyTexture.new",
-          "materials[0].extensions.KHR_materials_volume.new",
-          "materials[0].pbrMetallicRoughness.baseColorTexture.extensions.EXT_new",
-          "materials[0].pbrMetallicRoughness.baseColorTexture.extensions.KHR_texture_transform.new",
-          "materials[2].extensions.KHR_materials_pbrSpecularGlossiness.new", "nodes[0].extensions.EXT_new",
-          "nodes[1].mesh", "samplers[0].new", "samplers[1]", "textures[0].new", "textures[1]", "images[0].new",
-          "images[1]", "cameras[0]", "animations[0]", "new", "extensions.EXT_new"})
+    for (const char* part : {"materials[0].new",
+                             "materials[0].pbrMetallicRoughness.new",
+                             "materials[0].extras",
+                             "materials[0].extensions.EXT_new",
+                             "materials[0].extensions.KHR_materials_clearcoat.clearcoatNew",
+                             "materials[0].extensions.KHR_materials_sheen.sheenNew",
+                             "materials[0].extensions.KHR_materials_specular.new",
+                             "materials[0].extensions.KHR_materials_ior.new",
+                             "materials[0].extensions.KHR_materials_anisotropy.anisotropyTexture.new",
+                             "materials[0].extensions.KHR_materials_volume.new",
+                             "materials[0].pbrMetallicRoughness.baseColorTexture.extensions.EXT_new",
+                             "materials[0].pbrMetallicRoughness.baseColorTexture.extensions.KHR_texture_transform.new",
+                             "materials[2].extensions.KHR_materials_pbrSpecularGlossiness.new",
+                             "nodes[0].extensions.EXT_new",
+                             "nodes[1].mesh",
+                             "samplers[0].new",
+                             "samplers[1]",
+                             "textures[0].new",
+                             "textures[1]",
+                             "images[0].new",
+                             "images[1]",
+                             "cameras[0]",
+                             "animations[0]",
+                             "new",
+                             "extensions.EXT_new"})
         EXPECT_TRUE(refused(part)) << part;
 }
 
@@ -228,7 +244,8 @@ TEST(GltfImport, BrokenFilesAreRefusedAtTheirPlace) {
     };
     const std::vector<Broken> cases = {
         {with_picture(R"([{"uri":"nowhere.png"}])"), "images[0].uri: the file 'nowhere.png' cannot be read"},
-        {with_picture("[" + picture_of(png.substr(0, png.size() - 20)) + "]"), "images[0]: is a PNG file without its end"},
+        {with_picture("[" + picture_of(png.substr(0, png.size() - 20)) + "]"),
+         "images[0]: is a PNG file without its end"},
         {with_picture("[" + picture_of("\xff\xd8\xff\xe0") + "]"), "images[0]: is a JPEG file without its end"},
         {with_picture("[" + picture_of("no picture") + "]"), "images[0]: is neither a PNG nor a JPEG file"},
         {with_picture(R"([{"bufferView":0,"mimeType":"image/png"}])"), "images[0]: is neither a PNG nor a JPEG file"},

@@ -85,8 +85,9 @@ std::string graph_of(const Square& square) {
 }
 
 std::string extended(const std::string& name, const std::string& members, const std::string& core = "") {
-    return R"([{"name":"Paint",)" + core + R"("pbrMetallicRoughness":{"metallicFactor":0.5},"extensions":{"KHR_materials_)" +
-           name + "\":{" + members + "}}}]";
+    return R"([{"name":"Paint",)" + core +
+           R"("pbrMetallicRoughness":{"metallicFactor":0.5},"extensions":{"KHR_materials_)" + name + "\":{" + members +
+           "}}}]";
 }
 
 const std::string kTexture = R"("textures":[{"source":0}],"images":[)" +
@@ -109,26 +110,33 @@ TEST(GltfMaterial, WithoutAWordItIsTheSpecificationsDefault) {
 TEST(GltfMaterial, OnlyWhatALayerUsesIsInItsGraph) {
     const std::string core = R"("baseColor": [1, 1, 1], "metallic": "$_Metallic", "roughness": 1)";
     const std::vector<Case> cases = {
-        {"clearcoat", extended("clearcoat", R"("clearcoatFactor":0.8,"clearcoatRoughnessFactor":0.1)"),
+        {"clearcoat",
+         extended("clearcoat", R"("clearcoatFactor":0.8,"clearcoatRoughnessFactor":0.1)"),
          R"(, "clearcoat": "$_Clearcoat", "clearcoatRoughness": "$_ClearcoatRoughness")",
          {"_Clearcoat", "_ClearcoatRoughness"}},
         {"clearcoat that is off", extended("clearcoat", R"("clearcoatRoughnessFactor":0.1)"), "", {}},
-        {"sheen", extended("sheen", R"("sheenColorFactor":[1,0.5,0.25],"sheenRoughnessFactor":0.3)"),
+        {"sheen",
+         extended("sheen", R"("sheenColorFactor":[1,0.5,0.25],"sheenRoughnessFactor":0.3)"),
          R"(, "sheenColor": "$_SheenColor.rgb", "sheenRoughness": "$_SheenRoughness")",
          {"_SheenColor", "_SheenRoughness"}},
         {"sheen that is off", extended("sheen", R"("sheenRoughnessFactor":0.3)"), "", {}},
-        {"specular", extended("specular", R"("specularFactor":0.5,"specularColorFactor":[2,1,1])"),
+        {"specular",
+         extended("specular", R"("specularFactor":0.5,"specularColorFactor":[2,1,1])"),
          R"(, "specularFactor": "$_Specular", "specularColor": "$_SpecularColor.rgb")",
          {"_Specular", "_SpecularColor"}},
         {"ior", extended("ior", R"("ior":1.8)"), R"(, "ior": "$_Ior")", {"_Ior"}},
         {"ior of 1.5", extended("ior", R"("ior":1.5)"), "", {}},
-        {"anisotropy", extended("anisotropy", R"("anisotropyStrength":0.6,"anisotropyRotation":1.5)"),
+        {"anisotropy",
+         extended("anisotropy", R"("anisotropyStrength":0.6,"anisotropyRotation":1.5)"),
          R"x(, "anisotropy": "$_Anisotropy", "anisotropyDirection": "= float2(cos($_AnisotropyRotation), sin($_AnisotropyRotation))")x",
          {"_Anisotropy", "_AnisotropyRotation"}},
-        {"iridescence", extended("iridescence", R"("iridescenceFactor":1,"iridescenceIor":1.6)"),
+        {"iridescence",
+         extended("iridescence", R"("iridescenceFactor":1,"iridescenceIor":1.6)"),
          R"(, "iridescence": "$_Iridescence", "iridescenceIor": "$_IridescenceIor")",
          {"_Iridescence", "_IridescenceIor"}},
-        {"transmission", extended("transmission", R"("transmissionFactor":0.9)"), R"(, "transmission": "$_Transmission")",
+        {"transmission",
+         extended("transmission", R"("transmissionFactor":0.9)"),
+         R"(, "transmission": "$_Transmission")",
          {"_Transmission"}},
         {"volume without transmission", extended("volume", R"("thicknessFactor":0.9)"), "", {}},
         {"diffuse transmission",
@@ -137,7 +145,8 @@ TEST(GltfMaterial, OnlyWhatALayerUsesIsInItsGraph) {
          R"(, "diffuseTransmission": "$_DiffuseTransmission", "diffuseTransmissionColor": "$_DiffuseTransmissionColor.rgb")",
          {"_DiffuseTransmission", "_DiffuseTransmissionColor"}},
         {"dispersion without transmission", extended("dispersion", R"("dispersion":0.5)"), "", {}},
-        {"emissive strength", extended("emissive_strength", R"("emissiveStrength":4)", R"("emissiveFactor":[1,0.5,0],)"),
+        {"emissive strength",
+         extended("emissive_strength", R"("emissiveStrength":4)", R"("emissiveFactor":[1,0.5,0],)"),
          R"(, "emission": "$_Emission.rgb", "emissiveStrength": "$_EmissiveStrength")",
          {"_Emission", "_EmissiveStrength"}},
         {"emissive strength of black", extended("emissive_strength", R"("emissiveStrength":4)"), "", {}},
@@ -154,25 +163,38 @@ TEST(GltfMaterial, OnlyWhatALayerUsesIsInItsGraph) {
 TEST(GltfMaterial, TexturesHaveTheChannelsOfTheSpecification) {
     const std::string t = R"({"index":0})";
     const std::vector<Case> cases = {
-        {"baseColor", R"([{"pbrMetallicRoughness":{"baseColorTexture":)" + t + "}}]", R"("baseColor": "baseColor.rgb")"},
+        {"baseColor", R"([{"pbrMetallicRoughness":{"baseColorTexture":)" + t + "}}]",
+         R"("baseColor": "baseColor.rgb")"},
         {"metallic", R"([{"pbrMetallicRoughness":{"metallicRoughnessTexture":)" + t + "}}]",
          R"("metallic": "metallicRoughness.b", "roughness": "metallicRoughness.g")"},
         {"occlusion", R"([{"occlusionTexture":{"index":0,"strength":0.5}}])",
          R"x("occlusion": "= lerp(1, occlusion.r, $_OcclusionStrength)")x"},
         {"emission", R"([{"emissiveTexture":{"index":0},"emissiveFactor":[1,1,1]}])", R"("emission": "emissive.rgb")"},
-        {"clearcoat", extended("clearcoat", R"("clearcoatFactor":1,"clearcoatTexture":{"index":0},"clearcoatRoughnessTexture":{"index":0},"clearcoatRoughnessFactor":1)"),
+        {"clearcoat",
+         extended(
+             "clearcoat",
+             R"("clearcoatFactor":1,"clearcoatTexture":{"index":0},"clearcoatRoughnessTexture":{"index":0},"clearcoatRoughnessFactor":1)"),
          R"("clearcoat": "clearcoat.r", "clearcoatRoughness": "clearcoat.g")"},
-        {"sheen", extended("sheen", R"("sheenColorFactor":[1,1,1],"sheenColorTexture":{"index":0},"sheenRoughnessFactor":1,"sheenRoughnessTexture":{"index":0})"),
+        {"sheen",
+         extended(
+             "sheen",
+             R"("sheenColorFactor":[1,1,1],"sheenColorTexture":{"index":0},"sheenRoughnessFactor":1,"sheenRoughnessTexture":{"index":0})"),
          R"("sheenColor": "sheenColor.rgb", "sheenRoughness": "sheenRoughness.a")"},
         {"specular", extended("specular", R"("specularTexture":{"index":0},"specularColorTexture":{"index":0})"),
          R"("specularFactor": "specular.a", "specularColor": "specularColor.rgb")"},
         {"anisotropy", extended("anisotropy", R"("anisotropyStrength":1,"anisotropyTexture":{"index":0})"),
          R"("anisotropy": "anisotropy.b", "anisotropyDirection": "= anisotropy.rg * 2 - 1")"},
-        {"iridescence", extended("iridescence", R"("iridescenceFactor":1,"iridescenceTexture":{"index":0},"iridescenceThicknessTexture":{"index":0})"),
+        {"iridescence",
+         extended(
+             "iridescence",
+             R"("iridescenceFactor":1,"iridescenceTexture":{"index":0},"iridescenceThicknessTexture":{"index":0})"),
          R"x("iridescence": "iridescence.r", "iridescenceThickness": "= lerp($_IridescenceThicknessMinimum, $_IridescenceThicknessMaximum, iridescence.g)")x"},
         {"transmission", extended("transmission", R"("transmissionFactor":1,"transmissionTexture":{"index":0})"),
          R"("transmission": "transmission.r")"},
-        {"diffuse transmission", extended("diffuse_transmission", R"("diffuseTransmissionFactor":1,"diffuseTransmissionTexture":{"index":0},"diffuseTransmissionColorTexture":{"index":0})"),
+        {"diffuse transmission",
+         extended(
+             "diffuse_transmission",
+             R"("diffuseTransmissionFactor":1,"diffuseTransmissionTexture":{"index":0},"diffuseTransmissionColorTexture":{"index":0})"),
          R"("diffuseTransmission": "diffuseTransmission.a", "diffuseTransmissionColor": "diffuseTransmissionColor.rgb")"},
     };
     for (const Case& each : cases) {
@@ -184,17 +206,20 @@ TEST(GltfMaterial, TexturesHaveTheChannelsOfTheSpecification) {
 // The specification's colours are sRGB, all else is data: one picture with both uses is two properties.
 TEST(GltfMaterial, ATextureIsDecodedOnlyAsAColor) {
     const std::string text = graph_of(
-        {.materials = R"([{"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"metallicRoughnessTexture":{"index":0}},
+        {.materials =
+             R"([{"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"metallicRoughnessTexture":{"index":0}},
                            "occlusionTexture":{"index":0},"normalTexture":{"index":0,"scale":0.5}}])",
          .textures = kTexture});
-    EXPECT_NE(text.find(R"("name": "_BaseColorMap", "type": "texture2d", "usage": "color", "default": "./a_picture.png")"),
-              text.npos);
+    EXPECT_NE(
+        text.find(R"("name": "_BaseColorMap", "type": "texture2d", "usage": "color", "default": "./a_picture.png")"),
+        text.npos);
     EXPECT_NE(text.find(R"("name": "_OrmMap", "type": "texture2d", "usage": "data", "default": "./a_picture.png")"),
               text.npos);
     EXPECT_NE(text.find(R"("name": "_NormalMap", "type": "texture2d", "usage": "normal")"), text.npos);
     const std::string surface = part_of(text, "surface");
-    EXPECT_NE(surface.find(R"("metallic": "orm.b", "roughness": "orm.g", "normalTS": "normalScaled", "occlusion": "orm.r")"),
-              surface.npos)
+    EXPECT_NE(
+        surface.find(R"("metallic": "orm.b", "roughness": "orm.g", "normalTS": "normalScaled", "occlusion": "orm.r")"),
+        surface.npos)
         << surface;
 }
 
@@ -216,8 +241,9 @@ TEST(GltfMaterial, AVolumeGrowsWithItsNode) {
 
 TEST(GltfMaterial, AlphaModesAndSidesAreRenderState) {
     const auto render = [](const std::string& members, const std::string& factor = "[1,1,1,0.5]") {
-        const std::string text = graph_of({.materials = R"([{"pbrMetallicRoughness":{"metallicFactor":0,"baseColorFactor":)" +
-                                                        factor + "}" + members + "}]"});
+        const std::string text =
+            graph_of({.materials = R"([{"pbrMetallicRoughness":{"metallicFactor":0,"baseColorFactor":)" + factor + "}" +
+                                   members + "}]"});
         return part_of(text, "render") + part_of(text, "surface");
     };
     const auto has = [](const std::string& text, const std::string& part) { return text.find(part) != text.npos; };
@@ -244,14 +270,14 @@ TEST(GltfMaterial, OtherWorkflows) {
               R"("roughness": "= 1 - $_Glossiness", "specularColor": "= f0 / 0.04"})");
 }
 
-// The example of the extension's specification: offset (0, 1), rotation pi / 2 and scale 0.5 show the lower left quarter
-// of the picture, turned clockwise. So its upper left corner is the quarter's lower left one. The matrix in that text
-// turns the other way, and would show another quarter.
+// The example of the extension's specification: offset (0, 1), rotation pi / 2 and scale 0.5 show the lower left
+// quarter of the picture, turned clockwise. So its upper left corner is the quarter's lower left one. The matrix in
+// that text turns the other way, and would show another quarter.
 TEST(GltfMaterial, ATextureIsTransformedAsTheSpecificationSays) {
-    const std::string text = graph_of(
-        {.materials = R"([{"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"texCoord":1,"extensions":
+    const std::string text =
+        graph_of({.materials = R"([{"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"texCoord":1,"extensions":
              {"KHR_texture_transform":{"offset":[0,1],"rotation":1.57079632679,"scale":[0.5,0.5]}}}}}])",
-         .textures = kTexture});
+                  .textures = kTexture});
     const std::size_t at = text.find("\"expr\": \"") + 9;
     std::string expression = text.substr(at, text.find('"', at) - at);
     ASSERT_NE(expression.find("@uv1"), expression.npos) << text;
@@ -265,17 +291,18 @@ TEST(GltfMaterial, ATextureIsTransformedAsTheSpecificationSays) {
         EXPECT_NEAR(moved.outputs[0].values[0], to[0], 1e-6);
         EXPECT_NEAR(moved.outputs[0].values[1], to[1], 1e-6);
     }
-    const std::string plain = graph_of(
-        {.materials = R"([{"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"extensions":
+    const std::string plain =
+        graph_of({.materials = R"([{"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"extensions":
              {"KHR_texture_transform":{"scale":[2,3],"texCoord":1}}}}}])",
-         .textures = kTexture});
+                  .textures = kTexture});
     EXPECT_NE(plain.find(R"("node": "TilingOffset", "in": { "uv": "@uv1", "tiling": [2, 3] })"), plain.npos) << plain;
 }
 
 TEST(GltfMaterial, SamplersAreThePropertys) {
     const auto sampler = [](const std::string& members) {
         return graph_of({.materials = R"([{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}])",
-                         .textures = R"("samplers":[{)" + members + R"(}],"textures":[{"source":0,"sampler":0}],"images":[)" +
+                         .textures = R"("samplers":[{)" + members +
+                                     R"(}],"textures":[{"source":0,"sampler":0}],"images":[)" +
                                      picture_of(png_of(1, 1, {0, 0, 0, 255})) + "]"});
     };
     EXPECT_NE(sampler(R"("wrapS":33071,"wrapT":33071)").find(R"("sampler": { "wrap": "clamp" })"), std::string::npos);

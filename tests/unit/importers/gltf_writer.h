@@ -53,23 +53,23 @@ inline std::string new_folder() {
 struct Square {
     std::string materials = "[]";
     std::string nodes = R"([{"name":"square","mesh":0}])";
-    std::string meshes{};      // empty: one, with the first material if there is one
-    std::string textures{};    // with "images" and "samplers": R"("textures":[...],"images":[...])"
-    std::string more{};        // other members of the file
-    bool has_colors = false;   // of the default mesh: the left side is black, the right side red
+    std::string meshes{};     // empty: one, with the first material if there is one
+    std::string textures{};   // with "images" and "samplers": R"("textures":[...],"images":[...])"
+    std::string more{};       // other members of the file
+    bool has_colors = false;  // of the default mesh: the left side is black, the right side red
     std::string name = "square.gltf";
 };
 
 // In a folder of its own. Attributes: POSITION 0, NORMAL 1, TEXCOORD_0 2 (u to the right, v down), TEXCOORD_1 3 (the
 // same, turned by half a turn), COLOR_0 4.
 inline std::string save_gltf(const Square& square) {
-    const std::string bytes = bytes_of({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0}) +
-                              bytes_of({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}) + bytes_of({0, 1, 1, 1, 1, 0, 0, 0}) +
-                              bytes_of({1, 0, 0, 0, 0, 1, 1, 1}) +
-                              bytes_of({0, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1}) +
-                              std::string("\0\1\2\0\2\3", 6);
+    const std::string bytes =
+        bytes_of({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0}) + bytes_of({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}) +
+        bytes_of({0, 1, 1, 1, 1, 0, 0, 0}) + bytes_of({1, 0, 0, 0, 0, 1, 1, 1}) +
+        bytes_of({0, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1}) + std::string("\0\1\2\0\2\3", 6);
     const auto view = [](int offset, int length) {
-        return R"({"buffer":0,"byteOffset":)" + std::to_string(offset) + ",\"byteLength\":" + std::to_string(length) + "}";
+        return R"({"buffer":0,"byteOffset":)" + std::to_string(offset) + ",\"byteLength\":" + std::to_string(length) +
+               "}";
     };
     const auto accessor = [](int number, const char* type, int count, int component = 5126) {
         return R"({"bufferView":)" + std::to_string(number) + ",\"componentType\":" + std::to_string(component) +
