@@ -47,8 +47,8 @@ bool is_one_picture(const std::string& output) {
 
 // -o names a picture, or a folder for the pictures of all graphs.
 std::string output_of(const Arguments& arguments, const std::string& graph, std::size_t frame) {
-    std::string path =
-        is_one_picture(arguments.output) ? arguments.output : join_path(arguments.output, output_name(graph) + ".png");
+    const std::string name = is_model(graph) ? std::filesystem::path(graph).stem().string() : output_name(graph);
+    std::string path = is_one_picture(arguments.output) ? arguments.output : join_path(arguments.output, name + ".png");
     if (arguments.times.size() > 1) path.insert(path.rfind('.'), fmt::format(".{:04}", frame));
     return path;
 }
