@@ -149,6 +149,11 @@ Imported import_model(const Context& context, const runtime::GltfModel& model, c
     made.copies = std::move(pictures.copies);
 
     const std::string stem = options.name.empty() ? std::filesystem::path(context.path).stem().string() : options.name;
+    if (model.parts.empty()) {
+        wanted.clear();
+        context.report.add(Remark::Kind::LeftOut, "nodes", "none of them shows triangles, so there is no scene",
+                           context.root.find("nodes"));
+    }
     std::set<std::string> scenes;
     for (const Variant& variant : wanted) {
         SceneWish wish{.name = variant.index && options.variant.empty() ? stem + ", " + variant.name : stem,
@@ -160,6 +165,7 @@ Imported import_model(const Context& context, const runtime::GltfModel& model, c
         const std::string name =
             (is_first ? stem : stem + "." + file_name(variant.name, "variant", scenes)) + ".scene.json";
         made.graphs.push_back({.name = name, .text = scene_text(context, model, wish)});
+        if (made.graphs.back().text.empty()) return {.error = context.path + ": the name of a node is not UTF-8"};
         if (is_first) made.scene = name;
     }
     report_view(context, model, camera);

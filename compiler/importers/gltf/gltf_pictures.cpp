@@ -58,9 +58,11 @@ std::string file_name(std::string_view name, std::string_view otherwise, std::se
     constexpr std::size_t kLongest = 80;
     std::string made;
     for (const char letter : name.empty() ? otherwise : name) {
-        const bool is_plain = std::isalnum(static_cast<unsigned char>(letter)) || letter == '-' || letter == '.';
-        if (made.size() < kLongest && (is_plain || (!made.empty() && made.back() != '_')))
-            made += is_plain ? letter : '_';
+        const auto byte = static_cast<unsigned char>(letter);
+        const bool is_plain = std::isalnum(byte) || byte >= 0x80 || letter == '-' || letter == '.';
+        // Not in the middle of a letter: the bytes that follow its first are 0x80 to 0xbf.
+        if (made.size() >= kLongest && (byte & 0xc0) != 0x80) break;
+        if (is_plain || (!made.empty() && made.back() != '_')) made += is_plain ? letter : '_';
     }
     while (!made.empty() && (made.front() == '.' || made.front() == '-')) made.erase(0, 1);
     while (!made.empty() && (made.back() == '.' || made.back() == '_')) made.pop_back();

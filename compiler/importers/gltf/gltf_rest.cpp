@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace patina::importers::gltf {
 namespace {
@@ -66,25 +67,30 @@ void report_scenes(const Context& context) {
     }
 }
 
+// "textures[3]" for every remark on that texture or on something inside.
+std::set<std::string> elements_with_remarks(const Report& report) {
+    std::set<std::string> made;
+    for (const Remark& remark : report.remarks) made.insert(remark.part.substr(0, remark.part.find(']') + 1));
+    return made;
+}
+
 // Lists whose elements are either used by what has been reported, or by nothing.
-void report_unused(const Context& context, std::string_view list, std::string_view why) {
-    const std::string prefix = std::string(list) + "[";
+void report_unused(const Context& context, std::string_view list, const std::set<std::string>& known,
+                   std::string_view why) {
     for (std::size_t i = 0; i < count_of(context, list); ++i) {
         const Object each = element(context, list, i);
-        const bool is_known =
-            std::any_of(context.report.remarks.begin(), context.report.remarks.end(), [&](const Remark& remark) {
-                return remark.part == each.path() || remark.part.starts_with(each.path() + ".");
-            });
-        if (!is_known) context.report.add(Remark::Kind::LeftOut, each.path(), std::string(why), each.json());
+        if (!known.contains(each.path()))
+            context.report.add(Remark::Kind::LeftOut, each.path(), std::string(why), each.json());
     }
 }
 
 }  // namespace
 
 void report_rest(const Context& context, const runtime::GltfModel& model) {
+    const std::set<std::string> known = elements_with_remarks(context.report);
     for (const std::string_view list : {"textures", "images", "samplers"})
-        report_unused(context, list, "no material reads it");
-    report_unused(context, "cameras", "no node of the file's scene has it");
+        report_unused(context, list, known, "no material reads it");
+    report_unused(context, "cameras", known, "no node of the file's scene has it");
     report_nodes(context, model);
     report_meshes(context);
     report_scenes(context);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 
 #include "compiler/base/text.h"
@@ -148,12 +149,16 @@ std::string identifier(std::string_view name, std::set<std::string>& taken) {
     return made;
 }
 
-// How a scene names a node: by its number if its name says something else, too.
-std::string node_name(const GltfModel& model, std::size_t index) {
-    const std::string& name = model.nodes[index].name;
-    const auto count = std::count_if(model.nodes.begin(), model.nodes.end(),
-                                     [&](const runtime::ModelNode& node) { return node.name == name; });
-    return count == 1 && name.find('/') == name.npos ? name : fmt::format("node {}", index);
+// How a scene names nodes: by their numbers if their names say something else, too.
+std::vector<std::string> node_names(const GltfModel& model) {
+    std::map<std::string_view, std::size_t> counts;
+    for (const runtime::ModelNode& node : model.nodes) ++counts[node.name];
+    std::vector<std::string> made;
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        const std::string& name = model.nodes[i].name;
+        made.push_back(counts[name] == 1 && name.find('/') == name.npos ? name : fmt::format("node {}", i));
+    }
+    return made;
 }
 
 }  // namespace
@@ -180,10 +185,11 @@ std::string scene_text(const Context& context, const GltfModel& model, const Sce
         materials.push_back(object(std::vector<Member>{{"name", text(name)}, {"graph", text(graph + ".graph.json")}}));
     }
     const std::string file = reference_to(context, context.path);
+    const std::vector<std::string> nodes = node_names(model);
     std::set<std::string> ids;
     for (std::size_t i = 0; i < model.parts.size(); ++i) {
         const ModelPart& part = model.parts[i];
-        const std::string mesh = fmt::format("{}#{}/{}", file, node_name(model, part.node_index), part.primitive);
+        const std::string mesh = fmt::format("{}#{}/{}", file, nodes[part.node_index], part.primitive);
         objects.push_back(object(std::vector<Member>{{"id", text(identifier(part.node, ids))},
                                                      {"mesh", text(mesh)},
                                                      {"material", text(names[wish.materials[i]])}}));

@@ -54,6 +54,14 @@ TEST(GltfImport, AnObjectIsAPrimitiveOfANode) {
     expect_near(scene.camera.target, {1.5, 0, 0}, 1e-2);
 }
 
+TEST(GltfImport, AFileOfMaterialsHasNoScene) {
+    const Imported made = import(save_gltf({.materials = R"([{"name":"Paint"}])", .nodes = "[{}]"}));
+    EXPECT_EQ(made.error, "");
+    ASSERT_EQ(made.graphs.size(), 1u);
+    EXPECT_EQ(made.graphs[0].name, "Paint.graph.json");
+    EXPECT_EQ(made.scene, "");
+}
+
 TEST(GltfImport, TheFirstCameraIsTheScenes) {
     const std::string path =
         save_gltf({.nodes = R"([{"mesh":0,"children":[1,2]},{"name":"front","camera":0,"translation":[0,0,5]},

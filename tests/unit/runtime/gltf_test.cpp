@@ -220,6 +220,55 @@ TEST(Gltf, HasCamerasAndLights) {
     EXPECT_NEAR(model.value.lights[0].outer_angle, 0.75 * 180 / std::acos(-1.0), 1e-4);
 }
 
+// "left/1" is a primitive alone, in its own space; what is below the node is not part of it.
+TEST(Gltf, APrimitiveOfANodeHasAName) {
+    File file;
+    file.points(kTriangle);
+    file.points({0, 0, 5, 1, 0, 5, 0, 1, 5});
+    const std::string path =
+        file.save(R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}},{"attributes":{"POSITION":1}}]}],
+        "nodes":[{"name":"left","mesh":0,"children":[1],"translation":[7,0,0]},{"name":"a/1","mesh":0},{"mesh":0}])");
+    const Outcome<GltfModel> model = read_model(path);
+    ASSERT_TRUE(model) << model.error;
+    const ModelPart* part = find_part(model.value, "left/1");
+    ASSERT_TRUE(part);
+    EXPECT_EQ(part->mesh->vertices[0].position, glm::vec3(0, 0, 5));
+    EXPECT_EQ(part->object_to_world[3], glm::vec4(7, 0, 0, 1));
+    ASSERT_TRUE(find_part(model.value, "node 2/0"));
+    EXPECT_EQ(find_part(model.value, "node 2/0")->node_index, 2u);
+    EXPECT_FALSE(find_part(model.value, "left/2"));
+    EXPECT_FALSE(find_part(model.value, "a/1"));  // the name of a node
+    EXPECT_FALSE(find_part(model.value, "left"));
+    const Mesh alone = read(path, "left/1");
+    ASSERT_EQ(alone.vertices.size(), 3u);
+    expect_near(alone.vertices[0].position, {7, 0, 5});
+    EXPECT_EQ(read(path, "left").vertices.size(), 12u);
+    EXPECT_EQ(read(path, "a/1").vertices.size(), 6u);
+}
+
+// A mirrored object turns its triangles round, so that their fronts stay fronts; its normals point where they did.
+TEST(Gltf, MirroredNodesTurnTheirTriangles) {
+    File file;
+    file.points(kTriangle);
+    const std::string path =
+        file.save(mesh(at("POSITION", 0)) + R"(,"nodes":[{"name":"a","mesh":0},{"name":"b","mesh":0,"scale":[-1,1,1]}])");
+    const Outcome<GltfModel> model = read_model(path);
+    ASSERT_EQ(model.value.parts.size(), 2u);
+    for (const ModelPart& part : model.value.parts) {
+        const auto corner = [&](std::size_t i) {
+            const Vertex& vertex = part.mesh->vertices[part.mesh->indices[i]];
+            return glm::vec3(part.object_to_world * glm::vec4(vertex.position, 1));
+        };
+        EXPECT_GT(glm::cross(corner(1) - corner(0), corner(2) - corner(0)).z, 0) << part.node;
+        EXPECT_EQ(part.mesh->vertices[0].normal, glm::vec3(0, 0, 1));
+    }
+    const Mesh whole = read(path, "b");
+    EXPECT_GT(glm::cross(whole.vertices[whole.indices[1]].position - whole.vertices[whole.indices[0]].position,
+                         whole.vertices[whole.indices[2]].position - whole.vertices[whole.indices[0]].position)
+                  .z,
+              0);
+}
+
 // --- broken files
 
 struct Broken {
