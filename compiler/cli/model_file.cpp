@@ -18,7 +18,8 @@ runtime::Outcome<ModelFile> import_model(const std::string& path, importers::Opt
     options.folder = path;
     importers::Imported made = importer->read(source, options);
     if (!made.error.empty()) return runtime::Failure{made.error};
-    if (made.scene.empty()) return runtime::Failure{"'" + path + "' shows no triangles: import it, and draw its graphs"};
+    if (made.scene.empty())
+        return runtime::Failure{"'" + path + "' shows no triangles: import it, and draw its graphs"};
 
     runtime::MemoryFiles files;
     const auto name_of = [&](const std::string& name) {

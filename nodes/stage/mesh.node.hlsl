@@ -109,6 +109,8 @@ float3 objectPositionWS() {
 /// The object's scale: the lengths of its three axes in world space.
 [semantic("uniform")]
 float3 objectScale() {
-    return float3(length(mul(objectToWorld, float4(1, 0, 0, 0)).xyz), length(mul(objectToWorld, float4(0, 1, 0, 0)).xyz),
-                  length(mul(objectToWorld, float4(0, 0, 1, 0)).xyz));
+    float scaleX = length(mul(objectToWorld, float4(1, 0, 0, 0)).xyz);
+    float scaleY = length(mul(objectToWorld, float4(0, 1, 0, 0)).xyz);
+    float scaleZ = length(mul(objectToWorld, float4(0, 0, 1, 0)).xyz);
+    return float3(scaleX, scaleY, scaleZ);
 }

@@ -117,9 +117,11 @@ std::optional<runtime::RenderRequest> request_for(const Console& console, const 
         return std::nullopt;
     }
     if (model.value.refused > 0) {
-        remark(console, fmt::format("{} of what '{}' states is not in the picture: 'patina import {} -o DIR --report' "
-                                    "says what, and why",
-                                    model.value.refused, graph, graph));
+        remark(console,
+               fmt::format("{} of '{}' {} not in the picture: 'patina import {} -o DIR --report' says what, and "
+                           "why",
+                           model.value.refused == 1 ? "1 property" : fmt::format("{} properties", model.value.refused),
+                           graph, model.value.refused == 1 ? "is" : "are", graph));
     }
     request.graph = model.value.scene;
     request.options.files = model.value.files;

@@ -17,7 +17,7 @@ void report_nodes(const Context& context, const runtime::GltfModel& model) {
             node.taken(key, "the place of the objects, read from the file");
         node.taken("name", "the scene's name for it");
         node.taken("camera", "see the camera");
-        if (node.has("mesh") && parts[i] == 0) node.left_out("mesh", "the file's scene does not show it");
+        if (node.has("mesh") && parts[i] == 0) node.left_out("mesh", "no object of the scene shows it");
         node.taken("mesh", fmt::format("{} of the scene's objects", parts[i]));
         node.taken("skin", "its rest pose");
         node.taken("weights", "the mesh as these weights shape it");

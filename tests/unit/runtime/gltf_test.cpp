@@ -250,8 +250,8 @@ TEST(Gltf, APrimitiveOfANodeHasAName) {
 TEST(Gltf, MirroredNodesTurnTheirTriangles) {
     File file;
     file.points(kTriangle);
-    const std::string path =
-        file.save(mesh(at("POSITION", 0)) + R"(,"nodes":[{"name":"a","mesh":0},{"name":"b","mesh":0,"scale":[-1,1,1]}])");
+    const std::string path = file.save(mesh(at("POSITION", 0)) +
+                                       R"(,"nodes":[{"name":"a","mesh":0},{"name":"b","mesh":0,"scale":[-1,1,1]}])");
     const Outcome<GltfModel> model = read_model(path);
     ASSERT_EQ(model.value.parts.size(), 2u);
     for (const ModelPart& part : model.value.parts) {
