@@ -33,8 +33,10 @@ public:
         if (!look_at(world.value.materials[0])) return std::move(out_);
         const std::shared_ptr<const Mesh> mesh = world.value.objects[0].mesh;
         Outcome<UvLayout> layout = uv_layout(*mesh, request_.render.size);
-        if (!layout)
-            return refused(fmt::format("the mesh '{}' cannot be baked: {}", request_.render.mesh, layout.error));
+        if (!layout) {
+            refuse(fmt::format("the mesh '{}' cannot be baked: {}", request_.render.mesh, layout.error));
+            return std::move(out_);
+        }
         say_overlap(layout.value);
         world.value.objects[0].mesh = std::make_shared<const Mesh>(std::move(layout.value.mesh));
         Outcome<BakedTargets> drawn = draw(std::move(world.value));
@@ -53,9 +55,9 @@ private:
         out_.error = std::move(error);
         return std::move(out_);
     }
-    BakeOutcome refused(std::string why) {
+    bool refuse(std::string_view why) {
         report({complaint(request_.render.graph, Severity::Error, Complaint::CannotBake, {why})});
-        return std::move(out_);
+        return false;
     }
     void lose(std::string_view what, std::string_view why) {
         report({complaint(request_.render.graph, Severity::Warning, Complaint::NotBaked, {what, why})});
@@ -99,9 +101,8 @@ private:
         out_.is_unlit = reflection.lighting == kUnlit;
         state_ = {.surface = reflection.surface, .is_unlit = out_.is_unlit, .is_specular = request_.is_specular};
         if (reflection.surface == SurfaceKind::Additive || reflection.surface == SurfaceKind::Multiply) {
-            refused(fmt::format("glTF has no surface of the kind '{}': use opaque, cutout, fade or transparent",
-                                to_string(reflection.surface)));
-            return false;
+            return refuse(fmt::format("glTF has no surface of the kind '{}': use opaque, cutout, fade or transparent",
+                                      to_string(reflection.surface)));
         }
         if (reflection.surface == SurfaceKind::Transparent && !out_.is_unlit)
             lose("the full strength of reflections on a transparent surface",
@@ -112,14 +113,30 @@ private:
                 continue;
             }
             if (pass.cull == Cull::Front) {
-                refused("glTF draws front faces: \"cull\" must be back or off");
-                return false;
+                return refuse("glTF draws front faces: \"cull\" must be back or off");
             }
             state_.is_double_sided = pass.cull == Cull::Off;
         }
+        say_inputs(material);
         if (reflection.moves_vertices)
             lose("the movement of the vertices", "the model has the positions and normals of the mesh");
         return true;
+    }
+
+    // The inputs of the lighting model that the graph sets: a preview of any other is an error.
+    void say_inputs(const WorldMaterial& material) {
+        for (const ModelInfo& model : compiler_.lighting_models()) {
+            if (model.name != out_.lighting) continue;
+            for (const ModelInputInfo& input : model.inputs) {
+                WorldMaterial shown = material;
+                shown.preview = "surface." + input.name;
+                CompileOptions options = compile_options(request_.render.options);
+                options.targets.clear();
+                if (compile_material(compiler_, shown, std::move(options)).ok)
+                    lose(fmt::format("'{}'", input.name),
+                         "of the surface, only the inputs of every lighting model are baked");
+            }
+        }
     }
 
     RenderOptions draw_options() const {

@@ -258,15 +258,18 @@ private:
             brightest = std::max(brightest, channels[c].high);
         }
         if (brightest <= 0) return;
-        const float strength = std::max(brightest, 1.0f);
+        if (state_.is_specular && brightest > 1 + kSlack)
+            lose(fmt::format("emission above 1, up to {:.3g},", brightest),
+                 "glTF allows no emissive strength together with specular and glossiness");
+        const float strength = state_.is_specular ? 1 : std::max(brightest, 1.0f);
         out_.material.emissive_strength = strength;
         if (is_constant(channels)) {
-            out_.material.emission = glm::max(middle(channels) / double(strength), glm::dvec3(0));
+            out_.material.emission = glm::clamp(middle(channels) / double(strength), 0.0, 1.0);
             return;
         }
         Image scaled = picked(drawn_.emission, {0, 1, 2, std::nullopt});
         for (std::size_t i = 0; i < scaled.pixels.size(); i++)
-            if (i % 4 != 3) scaled.pixels[i] = std::max(scaled.pixels[i] / strength, 0.0f);
+            if (i % 4 != 3) scaled.pixels[i] = std::clamp(scaled.pixels[i] / strength, 0.0f, 1.0f);
         out_.material.emission = glm::dvec3(1);
         out_.material.emission_texture = add_map("emissive", true, std::move(scaled));
     }
