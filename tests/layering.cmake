@@ -214,7 +214,7 @@ set(runtime_frame "picture;mesh;scene;lights;values")
 set(runtime_cpu "picture;mesh;scene;values;frame")
 set(runtime_gpu "picture;values;frame")
 set(runtime_render "picture;mesh;scene;values;frame;cpu;gpu")
-set(runtime_bake "picture;mesh;gltf;scene;render")
+set(runtime_bake "picture;mesh;gltf;scene;values;render")
 set(runtime_snapshot "files;picture;mesh;gltf;scene;render")
 
 set(lower_rooms "")

@@ -40,7 +40,7 @@ float3 diffuseBeforeReflection(LightingSurface surface) {
     return surface.diffuseColor / max(1 - max(max(surface.f0.r, surface.f0.g), surface.f0.b), 1e-4);
 }
 
-[pass("bake")] [vertex]
+[pass("bake")] [pass("bake-value")] [vertex]
 float4 bakeVertex(float2 place = uv0) {
     return float4(2 * place.x - 1, 1 - 2 * place.y, 0.5, 1);
 }

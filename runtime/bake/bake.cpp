@@ -4,14 +4,19 @@
 
 #include <algorithm>
 #include <future>
+#include <optional>
 #include <set>
 
 #include "runtime/bake/baked_material.h"
+#include "runtime/bake/layers.h"
+#include "runtime/bake/texels.h"
 #include "runtime/bake/uv_layout.h"
+#include "runtime/gltf/gltf_model.h"
 #include "runtime/gltf/gltf_writer.h"
 #include "runtime/render/complaints.h"
 #include "runtime/render/prepare_material.h"
 #include "runtime/render/render_world.h"
+#include "runtime/values/material_values.h"
 
 namespace patina::runtime {
 namespace {
@@ -20,7 +25,9 @@ namespace {
 constexpr const char *kPath = "bake", *kWholePath = "forward";
 const std::vector<std::string> kTargets = {"bakedColor", "bakedReflection", "bakedNormal", "bakedEmission",
                                            "bakedCutoff"};
-constexpr std::string_view kUnlit = "unlit";
+constexpr const char *kValuePath = "bake-value", *kValueTarget = "bakedValue";
+// The lighting model without lighting, and that of glTF, with an input that is no layer.
+constexpr std::string_view kUnlit = "unlit", kModel = "gltf", kStrength = "emissiveStrength";
 
 class Baking {
 public:
@@ -39,10 +46,19 @@ public:
         }
         say_overlap(layout.value);
         world.value.objects[0].mesh = std::make_shared<const Mesh>(std::move(layout.value.mesh));
-        Outcome<BakedTargets> drawn = draw(std::move(world.value));
-        if (!drawn) return failed(drawn.error);
-        if (drawn.value.color.pixels.empty()) return std::move(out_);
-        const BakedMaterial made = baked_material(request_.name, std::move(drawn.value), state_);
+        world.value.view.samples = 1;
+        world.value.view.background = glm::vec4(0);
+        std::vector<Image> drawn = draw(world.value, kPath, kTargets);
+        if (drawn.empty()) return std::move(out_);
+        std::optional<std::vector<LayerValue>> layers = draw_layers(std::move(world.value));
+        if (!layers) return std::move(out_);
+        const BakedMaterial made = baked_material(request_.name,
+                                                  {.color = std::move(drawn[0]),
+                                                   .reflection = std::move(drawn[1]),
+                                                   .normal = std::move(drawn[2]),
+                                                   .emission = std::move(drawn[3]),
+                                                   .cutoff = std::move(drawn[4])},
+                                                  *layers, state_);
         report_losses(made);
         write(made, *mesh);
         return std::move(out_);
@@ -95,6 +111,8 @@ private:
         const Result whole = compile_material(compiler_, material, std::move(options));
         report(whole.diagnostics);
         out_.dependencies = whole.dependencies;
+        const std::string& mesh = request_.render.mesh;
+        if (is_model_name(mesh)) out_.dependencies.push_back(mesh.substr(0, mesh.find('#')));
         if (!whole.ok) return false;
         const Reflection& reflection = whole.reflection;
         out_.lighting = reflection.lighting;
@@ -117,33 +135,42 @@ private:
             }
             state_.is_double_sided = pass.cull == Cull::Off;
         }
-        say_inputs(material);
+        if (!out_.is_unlit) find_layers(material);
         if (reflection.moves_vertices)
             lose("the movement of the vertices", "the model has the positions and normals of the mesh");
         return true;
     }
 
-    // The inputs of the lighting model that the graph sets: a preview of any other is an error.
-    void say_inputs(const WorldMaterial& material) {
+    // The inputs of the lighting model that the graph sets: a preview of any other is an error. Those that glTF has a
+    // place for are kept.
+    void find_layers(const WorldMaterial& material) {
         for (const ModelInfo& model : compiler_.lighting_models()) {
             if (model.name != out_.lighting) continue;
             for (const ModelInputInfo& input : model.inputs) {
-                WorldMaterial shown = material;
-                shown.preview = "surface." + input.name;
                 CompileOptions options = compile_options(request_.render.options);
                 options.targets.clear();
-                if (compile_material(compiler_, shown, std::move(options)).ok)
-                    lose(fmt::format("'{}'", input.name),
-                         "of the surface, only the inputs of every lighting model are baked");
+                if (!compile_material(compiler_, showing(material, input.name), std::move(options)).ok) continue;
+                const std::string named = fmt::format("'{}'", input.name);
+                if (out_.lighting != kModel)
+                    lose(named, fmt::format("only the layers of the lighting model '{}' are baked", kModel));
+                else if (request_.is_specular && input.name != kStrength)
+                    lose(named, "glTF allows no layer together with specular and glossiness");
+                else if (is_layer(input.name) || input.name == kStrength)
+                    layers_.push_back(input.name);
+                else
+                    lose(named, "glTF has a texture of other values for it");
             }
         }
+    }
+
+    static WorldMaterial showing(WorldMaterial material, const std::string& input) {
+        material.preview = "surface." + input;
+        return material;
     }
 
     RenderOptions draw_options() const {
         const RenderRequest& request = request_.render;
         RenderOptions options = request.options;
-        options.path = kPath;
-        options.also_shown = kTargets;
         const auto turn_on = [&](const char* name, bool is_on) {
             if (is_on) options.switches.emplace_back(name, "true");
         };
@@ -154,21 +181,44 @@ private:
         return options;
     }
 
-    Outcome<BakedTargets> draw(World world) {
-        world.view.samples = 1;
-        world.view.background = glm::vec4(0);
-        RenderOutcome drawn = draw_world(compiler_, world, draw_options(), machine_);
+    // The pixels of the targets; none after an error.
+    std::vector<Image> draw(const World& world, const char* path, const std::vector<std::string>& targets) {
+        RenderOptions options = draw_options();
+        options.path = path;
+        options.also_shown = targets;
+        RenderOutcome drawn = draw_world(compiler_, world, options, machine_);
         report(drawn.diagnostics);
         out_.dependencies.insert(out_.dependencies.end(), drawn.dependencies.begin(), drawn.dependencies.end());
         out_.missing_machine = drawn.missing_machine;
-        if (!drawn.error.empty()) return Failure{drawn.error};
-        if (!drawn.ok) return BakedTargets{};
-        std::vector<Image>& images = drawn.also_shown;
-        return BakedTargets{.color = std::move(images[0]),
-                            .reflection = std::move(images[1]),
-                            .normal = std::move(images[2]),
-                            .emission = std::move(images[3]),
-                            .cutoff = std::move(images[4])};
+        out_.error = drawn.error;
+        return drawn.ok ? std::move(drawn.also_shown) : std::vector<Image>();
+    }
+
+    std::optional<std::vector<LayerValue>> draw_layers(World world) {
+        std::vector<LayerValue> made;
+        const WorldMaterial material = world.materials[0];
+        for (const std::string& input : layers_) {
+            world.materials[0] = showing(material, input);
+            keep_known(world.materials[0]);
+            std::vector<Image> drawn = draw(world, kValuePath, {kValueTarget});
+            if (drawn.empty()) return std::nullopt;
+            const std::vector<std::uint8_t> covered = covered_texels(drawn[0]);
+            made.push_back({.input = input, .image = shrunk(std::move(drawn[0]), covered)});
+        }
+        return made;
+    }
+
+    // A preview has no lighting, so properties of the lighting have no place in it.
+    void keep_known(WorldMaterial& shown) const {
+        CompileOptions options = compile_options(request_.render.options);
+        options.targets.clear();
+        WorldMaterial plain = shown;
+        plain.overrides.clear();
+        const Result result = compile_material(compiler_, plain, std::move(options));
+        const std::vector<std::string> names = property_names(result.reflection);
+        std::erase_if(shown.overrides, [&](const auto& each) {
+            return std::find(names.begin(), names.end(), each.first) == names.end();
+        });
     }
 
     // --- the files
@@ -204,6 +254,7 @@ private:
     const BakeRequest& request_;
     RenderMachine& machine_;
     BakedState state_{};
+    std::vector<std::string> layers_{};  // inputs of the lighting model
     std::set<std::string> said_{};
     BakeOutcome out_{};
 };

@@ -7,32 +7,27 @@
 #include <cmath>
 #include <limits>
 
+#include "runtime/bake/layers.h"
 #include "runtime/bake/padding.h"
+#include "runtime/bake/texels.h"
 
 namespace patina::runtime {
 namespace {
 
-// Numbers that differ by no more than this are one number: the rounding of 32-bit floats, far below a step of 8 bits.
-constexpr float kSame = 1e-4f;
 // A normal this near to the mesh's own is its own: a quarter of a step of 8 bits.
 constexpr float kFlat = 0.25f * 2 / 255;
 // How far a value may be outside of 0 to 1 before it is told.
 constexpr float kSlack = 1e-3f;
-
-struct Range {
-    float low = std::numeric_limits<float>::max(), high = std::numeric_limits<float>::lowest();
-    bool is_constant() const { return high - low <= kSame; }
-    double middle() const { return (double(low) + double(high)) / 2; }
-};
+constexpr std::string_view kStrength = "emissiveStrength";
 
 class Making {
 public:
-    Making(const std::string& name, BakedTargets& drawn, const BakedState& state) : drawn_(drawn), state_(state) {
+    Making(const std::string& name, BakedTargets& drawn, const std::vector<LayerValue>& layers, const BakedState& state)
+        : drawn_(drawn), layers_(layers), state_(state), covered_(covered_texels(drawn.normal)) {
         out_.material.name = name;
     }
 
     BakedMaterial run() {
-        find_covered();
         for (Image* image : {&drawn_.color, &drawn_.reflection, &drawn_.normal, &drawn_.emission, &drawn_.cutoff})
             make_finite(*image);
         out_.material.is_unlit = state_.is_unlit;
@@ -50,11 +45,6 @@ public:
 private:
     // --- the texels
 
-    void find_covered() {
-        covered_.resize(drawn_.normal.pixels.size() / 4);
-        for (std::size_t i = 0; i < covered_.size(); i++) covered_[i] = drawn_.normal.pixels[4 * i + 3] > 0.5f;
-    }
-
     void make_finite(Image& image) {
         for (std::size_t i = 0; i < covered_.size(); i++) {
             bool is_finite = true;
@@ -71,16 +61,7 @@ private:
         }
     }
 
-    Range range(const Image& image, int channel) const {
-        Range found;
-        for (std::size_t i = 0; i < covered_.size(); i++) {
-            if (!covered_[i]) continue;
-            const float value = image.pixels[4 * i + std::size_t(channel)];
-            found.low = std::min(found.low, value);
-            found.high = std::max(found.high, value);
-        }
-        return found;
-    }
+    Range range(const Image& image, int channel) const { return range_of(image, covered_, channel); }
 
     // The range of values that glTF keeps between 0 and 1; what is outside is told.
     Range share(Image& image, int channel, std::string_view what) {
@@ -110,17 +91,6 @@ private:
     std::size_t add_map(std::string name, bool is_color, Image image) {
         out_.maps.push_back({.name = std::move(name), .is_color = is_color, .image = std::move(image)});
         return out_.maps.size() - 1;
-    }
-
-    // A texture of four channels, each from a channel of `image`, or 1 where the factor says all.
-    Image picked(const Image& image, const std::array<std::optional<int>, 4>& channels) const {
-        Image made{.width = image.width, .height = image.height, .pixels = std::vector<float>(image.pixels.size(), 1)};
-        for (std::size_t c = 0; c < 4; c++) {
-            if (!channels[c]) continue;
-            for (std::size_t i = c; i < made.pixels.size(); i += 4)
-                made.pixels[i] = image.pixels[i - c + std::size_t(*channels[c])];
-        }
-        return made;
     }
 
     static bool is_constant(const std::array<Range, 3>& channels) {
@@ -191,7 +161,20 @@ private:
             metallic_roughness();
         normal();
         occlusion();
+        strengthen();
         emission();
+        add_layers();
+    }
+
+    void add_layers() {
+        Layers made = layers_of(layers_, covered_);
+        const std::size_t before = out_.maps.size();
+        for (WrittenExtension& extension : made.extensions) {
+            for (auto& [name, texture] : extension.textures) texture += before;
+            out_.material.layers.push_back(std::move(extension));
+        }
+        for (BakedMap& map : made.maps) out_.maps.push_back(std::move(map));
+        for (BakedMaterial::Loss& loss : made.losses) lose(std::move(loss.what), std::move(loss.why));
     }
 
     void metallic_roughness() {
@@ -248,6 +231,16 @@ private:
         out_.material.occlusion_strength = 1 - open.middle();
     }
 
+    // The lighting model's own factor of the emission.
+    void strengthen() {
+        for (const LayerValue& layer : layers_) {
+            if (layer.input != kStrength) continue;
+            const bool is_even = layer.image.pixels.size() == 4;
+            for (std::size_t i = 0; i < drawn_.emission.pixels.size(); i++)
+                if (i % 4 != 3) drawn_.emission.pixels[i] *= layer.image.pixels[is_even ? 0 : i - i % 4];
+        }
+    }
+
     // Textures and factors hold 0 to 1; brighter light needs a strength.
     void emission() {
         std::array<Range, 3> channels{};
@@ -275,15 +268,17 @@ private:
     }
 
     BakedTargets& drawn_;
+    const std::vector<LayerValue>& layers_;
     const BakedState& state_;
-    std::vector<std::uint8_t> covered_{};
+    std::vector<std::uint8_t> covered_;
     BakedMaterial out_{};
 };
 
 }  // namespace
 
-BakedMaterial baked_material(const std::string& name, BakedTargets drawn, const BakedState& state) {
-    return Making(name, drawn, state).run();
+BakedMaterial baked_material(const std::string& name, BakedTargets drawn, const std::vector<LayerValue>& layers,
+                             const BakedState& state) {
+    return Making(name, drawn, layers, state).run();
 }
 
 Outcome<std::string> encode_map(const BakedMap& map) {

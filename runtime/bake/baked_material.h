@@ -1,7 +1,7 @@
 // What the pass `bake` has drawn (nodes/passes/bake.pass.hlsl) as a glTF material: what is the same everywhere becomes
 // a factor, the rest a texture.
 //
-//   BakedMaterial made = baked_material("rust", drawn, state);
+//   BakedMaterial made = baked_material("rust", drawn, {}, state);
 //   Outcome<std::string> png = encode_map(made.maps[0]);
 #pragma once
 
@@ -17,6 +17,13 @@ namespace patina::runtime {
 // The targets of the pass, all of one size.
 struct BakedTargets {
     Image color, reflection, normal, emission, cutoff;
+};
+
+// An input of the lighting model that the graph sets, as the pass `bake-value` has drawn it; one texel if it is the
+// same everywhere.
+struct LayerValue {
+    std::string input{};
+    Image image{};
 };
 
 // What the pass does not draw.
@@ -45,7 +52,8 @@ struct BakedMaterial {
     int first_x = 0, first_y = 0;
 };
 
-BakedMaterial baked_material(const std::string& name, BakedTargets drawn, const BakedState& state);
+BakedMaterial baked_material(const std::string& name, BakedTargets drawn, const std::vector<LayerValue>& layers,
+                             const BakedState& state);
 
 Outcome<std::string> encode_map(const BakedMap& map);  // a PNG file
 

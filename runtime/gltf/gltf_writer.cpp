@@ -17,7 +17,8 @@ using Object = tinygltf::Value::Object;
 using tinygltf::Value;
 
 constexpr const char *kUnlit = "KHR_materials_unlit", *kStrength = "KHR_materials_emissive_strength",
-                     *kSpecularGlossiness = "KHR_materials_pbrSpecularGlossiness";
+                     *kSpecularGlossiness = "KHR_materials_pbrSpecularGlossiness",
+                     *kAnisotropy = "KHR_materials_anisotropy";
 
 // What a float means in as few decimals as give it back: 0.3, not 0.30000001192092896.
 double short_number(double value) {
@@ -110,7 +111,7 @@ private:
         add_bounds(model_.accessors[std::size_t(primitive.attributes["POSITION"])]);
         if (!material_.is_unlit)
             add_attribute(primitive, "NORMAL", TINYGLTF_TYPE_VEC3, [](const Vertex& v) { return v.normal; });
-        if (material_.normal_texture)
+        if (needs_tangents())
             add_attribute(primitive, "TANGENT", TINYGLTF_TYPE_VEC4, [](const Vertex& v) { return v.tangent; });
         if (!pictures_.empty())
             add_attribute(primitive, "TEXCOORD_0", TINYGLTF_TYPE_VEC2, [](const Vertex& v) { return v.uv0; });
@@ -126,6 +127,12 @@ private:
         scene.nodes = {0};
         model_.scenes.push_back(std::move(scene));
         model_.defaultScene = 0;
+    }
+
+    bool needs_tangents() const {
+        return material_.normal_texture ||
+               std::any_of(material_.layers.begin(), material_.layers.end(),
+                           [](const WrittenExtension& layer) { return layer.name == kAnisotropy; });
     }
 
     void add_bounds(tinygltf::Accessor& accessor) const {
@@ -201,6 +208,18 @@ private:
         if (material_.emissive_strength != 1)
             use(made, kStrength, {{"emissiveStrength", Value(short_number(material_.emissive_strength))}});
         if (material_.specular_glossiness) add_specular(made, *material_.specular_glossiness);
+        for (const WrittenExtension& layer : material_.layers) add_layer(made, layer);
+    }
+
+    void add_layer(tinygltf::Material& made, const WrittenExtension& layer) {
+        Object values;
+        for (const auto& [name, given] : layer.numbers) {
+            Value::Array all;
+            for (const double number : given) all.emplace_back(short_number(number));
+            values[name] = all.size() == 1 ? all[0] : Value(all);
+        }
+        for (const auto& [name, texture] : layer.textures) values[name] = texture_info(texture);
+        use(made, layer.name.c_str(), std::move(values));
     }
 
     void add_specular(tinygltf::Material& made, const WrittenMaterial::SpecularGlossiness& from) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,6 +25,13 @@ struct WrittenPicture {
 
 // An index into the pictures that are written. Nothing: the factors alone count.
 using WrittenTexture = std::optional<std::size_t>;
+
+// An extension of a material, by the names of its properties. One number is a number, three are a colour.
+struct WrittenExtension {
+    std::string name{};
+    std::map<std::string, std::vector<double>> numbers{};
+    std::map<std::string, std::size_t> textures{};
+};
 
 // As the specification says, a texture's value is multiplied by its factor. Colours are linear.
 struct WrittenMaterial {
@@ -52,9 +60,11 @@ struct WrittenMaterial {
         WrittenTexture texture{};  // specular, and glossiness in alpha
     };
     std::optional<SpecularGlossiness> specular_glossiness{};
+    std::vector<WrittenExtension> layers{};  // not together with the last one
 };
 
-// Texture coordinates are written if there is a texture, and tangents if there is a normal map. Vertex colours are not:
+// Texture coordinates are written if there is a texture, and tangents if there is a normal map or anisotropy.
+// Vertex colours are not:
 // they would be multiplied with the base colour.
 Outcome<std::string> write_glb(const std::string& name, const Mesh& mesh, const WrittenMaterial& material,
                                std::span<const WrittenPicture> pictures);

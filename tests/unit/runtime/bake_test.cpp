@@ -186,6 +186,100 @@ TEST(Bake, TimeAndCameraCanBeFixed) {
     EXPECT_NEAR(pbr["metallicFactor"].GetDouble(), 0.25, 1e-6);
 }
 
+// --- layers
+
+// The value at a texel as the extension's text defines it: the factor times a channel of the texture.
+class LayerReader {
+public:
+    LayerReader(const Folder& folder, const Baked& made) : folder_(folder), made_(made) {}
+
+    double number(const char* extension, const char* factor, const char* texture, int channel, int x, int y) const {
+        const auto& object = made_.material()["extensions"][extension];
+        const auto& given = object[factor];
+        const double value = given.IsArray() ? given[unsigned(channel)].GetDouble() : given.GetDouble();
+        return value * texel(object, texture, channel, x, y);
+    }
+    double texel(const rapidjson::Value& object, const char* texture, int channel, int x, int y) const {
+        const int index = object[texture]["index"].GetInt();
+        const int image = made_.json["textures"][unsigned(index)]["source"].GetInt();
+        const std::string name = made_.json["images"][unsigned(image)]["name"].GetString();
+        Outcome<Image> read = load_image((folder_.path / (name + ".png")).string());
+        EXPECT_TRUE(read) << read.error;
+        if (std::string(texture).find("Color") != std::string::npos) decode_srgb(read.value);
+        return double(read.value.at(x, y)[std::size_t(channel)]);
+    }
+    const rapidjson::Value& extension(const char* name) const { return made_.material()["extensions"][name]; }
+
+private:
+    const Folder& folder_;
+    const Baked& made_;
+};
+
+TEST(Bake, LayersAreWhereTheirExtensionsReadThem) {
+    const Folder folder;
+    const std::string graph = folder.write("own.graph.json", R"js({ "patina": 1, "workflow": "metallic-roughness",
+        "lighting": "gltf", "surface": { "clearcoat": "@uv0.x", "clearcoatRoughness": "@uv0.y",
+        "sheenColor": "= float3(@uv0, 0.3)", "sheenRoughness": "@uv0.x", "specularFactor": "@uv0.y",
+        "specularColor": "= float3(@uv0 * 2, 0.5)", "ior": 1.4, "anisotropy": "= 0.5 * @uv0.x",
+        "anisotropyDirection": [0.6, -0.8], "iridescence": "@uv0.y", "iridescenceThickness": "= 200 + 300 * @uv0.x",
+        "transmission": "@uv0.x", "thickness": "= 3 * @uv0.y", "attenuationDistance": 0.7,
+        "emission": [0, 0.5, 1], "emissiveStrength": 4 } })js");
+    const Baked made = baked(folder, {.render = {.graph = graph, .mesh = "plane", .size = 64}});
+    ASSERT_TRUE(made.outcome.ok);
+    const LayerReader read(folder, made);
+    constexpr int kRed = 0, kGreen = 1, kBlue = 2, kAlpha = 3;
+    const double kHalfStep = 0.5 / 255 + 1e-3;
+    for (const auto& [x, y] : {std::pair(3, 50), {40, 20}}) {
+        const double u = (x + 0.5) / 64, v = (y + 0.5) / 64;
+        const auto number = [&, x = x, y = y](const char* extension, const char* factor, const char* texture,
+                                              int channel) {
+            return read.number(extension, factor, texture, channel, x, y);
+        };
+        const char* coat = "KHR_materials_clearcoat";
+        EXPECT_NEAR(number(coat, "clearcoatFactor", "clearcoatTexture", kRed), u, kHalfStep);
+        EXPECT_NEAR(number(coat, "clearcoatRoughnessFactor", "clearcoatRoughnessTexture", kGreen), v, kHalfStep);
+        const char* sheen = "KHR_materials_sheen";
+        EXPECT_NEAR(number(sheen, "sheenColorFactor", "sheenColorTexture", kRed), u, 2 * kHalfStep);
+        EXPECT_NEAR(number(sheen, "sheenColorFactor", "sheenColorTexture", kBlue), 0.3, 2 * kHalfStep);
+        EXPECT_NEAR(number(sheen, "sheenRoughnessFactor", "sheenRoughnessTexture", kAlpha), u, kHalfStep);
+        const char* specular = "KHR_materials_specular";
+        EXPECT_NEAR(number(specular, "specularFactor", "specularTexture", kAlpha), v, kHalfStep);
+        EXPECT_NEAR(number(specular, "specularColorFactor", "specularColorTexture", kGreen), 2 * v, 4 * kHalfStep);
+        EXPECT_NEAR(number("KHR_materials_transmission", "transmissionFactor", "transmissionTexture", kRed), u,
+                    kHalfStep);
+        EXPECT_NEAR(number("KHR_materials_volume", "thicknessFactor", "thicknessTexture", kGreen), 3 * v,
+                    3 * kHalfStep);
+        const auto& film = read.extension("KHR_materials_iridescence");
+        EXPECT_NEAR(number("KHR_materials_iridescence", "iridescenceFactor", "iridescenceTexture", kRed), v, kHalfStep);
+        const double thinnest = film["iridescenceThicknessMinimum"].GetDouble();
+        const double thickest = film["iridescenceThicknessMaximum"].GetDouble();
+        EXPECT_NEAR(thinnest + (thickest - thinnest) * read.texel(film, "iridescenceThicknessTexture", kGreen, x, y),
+                    200 + 300 * u, 300 * kHalfStep);
+        // The texture's direction, turned by the rotation, which is 0 where it is not given.
+        const auto& stretch = read.extension("KHR_materials_anisotropy");
+        EXPECT_FALSE(stretch.HasMember("anisotropyRotation"));
+        EXPECT_NEAR(2 * read.texel(stretch, "anisotropyTexture", kRed, x, y) - 1, 0.6, 2 * kHalfStep);
+        EXPECT_NEAR(2 * read.texel(stretch, "anisotropyTexture", kGreen, x, y) - 1, -0.8, 2 * kHalfStep);
+        EXPECT_NEAR(number("KHR_materials_anisotropy", "anisotropyStrength", "anisotropyTexture", kBlue), 0.5 * u,
+                    kHalfStep);
+    }
+    EXPECT_NEAR(read.extension("KHR_materials_ior")["ior"].GetDouble(), 1.4, 1e-6);
+    EXPECT_NEAR(read.extension("KHR_materials_volume")["attenuationDistance"].GetDouble(), 0.7, 1e-6);
+    EXPECT_NEAR(read.extension("KHR_materials_emissive_strength")["emissiveStrength"].GetDouble(), 4, 1e-6);
+    expect_numbers(made.material()["emissiveFactor"], {0, 0.5, 1});
+}
+
+TEST(Bake, AConstantStretchIsARotation) {
+    const Folder folder;
+    const std::string graph = folder.write("own.graph.json", R"js({ "patina": 1, "workflow": "metallic-roughness",
+        "lighting": "gltf", "surface": { "anisotropy": 0.5, "anisotropyDirection": [0, 1] } })js");
+    const Baked made = baked(folder, {.render = {.graph = graph, .mesh = "plane", .size = 16}});
+    const auto& stretch = made.material()["extensions"]["KHR_materials_anisotropy"];
+    EXPECT_NEAR(stretch["anisotropyStrength"].GetDouble(), 0.5, 1e-6);
+    EXPECT_NEAR(stretch["anisotropyRotation"].GetDouble(), std::acos(0.0), 1e-6);
+    EXPECT_TRUE(made.json["meshes"][0]["primitives"][0]["attributes"].HasMember("TANGENT"));
+}
+
 // --- pictures
 
 // The graph that reads the baked files as a viewer does: each texture times its factor.
