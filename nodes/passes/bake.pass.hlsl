@@ -5,7 +5,6 @@
 // A texture is the same from every side, in every light and at any time. A surface that reads the camera, lights or the
 // time is refused, until a switch says that one value is meant.
 // source: Khronos Group, "glTF 2.0 Specification", section 3.9 (materials), 2021
-// source: Khronos Group, KHR_materials_pbrSpecularGlossiness
 
 /// The time has one value.
 [switch] [otherwise("fix the time: patina bake --time 0")] bool fixedTime;
@@ -13,15 +12,13 @@
 [switch] [otherwise("fix the camera: patina bake --camera position=0,0,4")] bool fixedView;
 /// Lights and surroundings are those of one scene.
 [switch] [otherwise("fix the light: patina bake --env studio")] bool fixedLight;
-/// The textures are those of KHR_materials_pbrSpecularGlossiness.
-[switch] bool specularGlossiness;
 
 struct BakedSurface {
-    [target("bakedColor", "rgba32f")] float4 color;            // base colour or diffuse colour, alpha
-    [target("bakedReflection", "rgba32f")] float4 reflection;  // occlusion, roughness, metallic; or f0, glossiness
-    [target("bakedNormal", "rgba32f")] float4 normal;     // in tangent space; 1 where the mesh is
-    [target("bakedEmission", "rgba32f")] float4 emission;  // radiance, occlusion
-    [target("bakedCutoff", "r32f")] float cutoff;         // alphaClip
+    [target("bakedColor", "rgba32f")] float4 color;            // base colour, alpha
+    [target("bakedReflection", "rgba32f")] float4 reflection;  // occlusion, roughness, metallic
+    [target("bakedNormal", "rgba32f")] float4 normal;          // in tangent space; 1 where the mesh is
+    [target("bakedEmission", "rgba32f")] float4 emission;      // radiance, occlusion
+    [target("bakedCutoff", "r32f")] float cutoff;              // alphaClip
 };
 
 /// The tangent-space normal that NormalTangentToWorld() turns into `normal`. Its frame may be skewed, so it is solved
@@ -34,13 +31,19 @@ float3 normalInFrame(float3 normal, float3 tangent, float3 bitangent, float3 up)
     return dot(solved, solved) > 1e-12 ? normalize(solved) : float3(0, 0, 1);
 }
 
-/// The diffuse colour before the share that is reflected is taken away, as the specular workflow states it.
+/// The surface of a material of metallic and roughness.
 [inline]
-float3 diffuseBeforeReflection(LightingSurface surface) {
-    return surface.diffuseColor / max(1 - max(max(surface.f0.r, surface.f0.g), surface.f0.b), 1e-4);
+BakedSurface bakedSurface(LightingSurface lit, float3 normal) {
+    BakedSurface baked;
+    baked.color = float4(lit.baseColor, lit.alpha);
+    baked.reflection = float4(lit.occlusion, lit.roughness, lit.metallic, 0);
+    baked.normal = float4(normal, 1);
+    baked.emission = float4(lit.emission, lit.occlusion);
+    baked.cutoff = lit.alphaClip;
+    return baked;
 }
 
-[pass("bake")] [pass("bake-value")] [vertex]
+[pass("bake")] [pass("bake-specular")] [pass("bake-value")] [vertex]
 float4 bakeVertex(float2 place = uv0) {
     return float4(2 * place.x - 1, 1 - 2 * place.y, 0.5, 1);
 }
@@ -51,15 +54,5 @@ float4 bakeVertex(float2 place = uv0) {
 [lacks("Lights", "Shadows", "Ambient", "environmentMap", "lightCookie", "fixedLight")]
 BakedSurface bakeFragment(float3 tangent = tangentWS, float3 bitangent = bitangentWS, float3 up = geometryNormalWS) {
     LightingSurface lit = lightingSurface();
-    BakedSurface baked;
-    baked.color = float4(lit.baseColor, lit.alpha);
-    baked.reflection = float4(lit.occlusion, lit.roughness, lit.metallic, 0);
-    if (specularGlossiness) {
-        baked.color = float4(diffuseBeforeReflection(lit), lit.alpha);
-        baked.reflection = float4(lit.f0, 1 - lit.roughness);
-    }
-    baked.normal = float4(normalInFrame(lit.normalWS, tangent, bitangent, up), 1);
-    baked.emission = float4(lit.emission, lit.occlusion);
-    baked.cutoff = lit.alphaClip;
-    return baked;
+    return bakedSurface(lit, normalInFrame(lit.normalWS, tangent, bitangent, up));
 }

@@ -21,8 +21,8 @@
 namespace patina::runtime {
 namespace {
 
-// The path that draws the textures, and one that has all that a material is made of.
-constexpr const char *kPath = "bake", *kWholePath = "forward";
+// The paths that draw the textures of each workflow, and one that has all that a material is made of.
+constexpr const char *kPath = "bake", *kSpecularPath = "bake-specular", *kWholePath = "forward";
 const std::vector<std::string> kTargets = {"bakedColor", "bakedReflection", "bakedNormal", "bakedEmission",
                                            "bakedCutoff"};
 constexpr const char *kValuePath = "bake-value", *kValueTarget = "bakedValue";
@@ -48,7 +48,7 @@ public:
         world.value.objects[0].mesh = std::make_shared<const Mesh>(std::move(layout.value.mesh));
         world.value.view.samples = 1;
         world.value.view.background = glm::vec4(0);
-        std::vector<Image> drawn = draw(world.value, kPath, kTargets);
+        std::vector<Image> drawn = draw(world.value, request_.is_specular ? kSpecularPath : kPath, kTargets);
         if (drawn.empty()) return std::move(out_);
         std::optional<std::vector<LayerValue>> layers = draw_layers(std::move(world.value));
         if (!layers) return std::move(out_);
@@ -158,7 +158,7 @@ private:
                 else if (is_layer(input.name) || input.name == kStrength)
                     layers_.push_back(input.name);
                 else
-                    lose(named, "glTF has a texture of other values for it");
+                    lose(named, "its normal map in tangent space is not made");
             }
         }
     }
@@ -177,7 +177,6 @@ private:
         turn_on("fixedTime", request.time.has_value());
         turn_on("fixedView", !request.camera.empty());
         turn_on("fixedLight", !request.lights.empty() || !request.ambient.empty() || !request.environment.empty());
-        turn_on("specularGlossiness", request_.is_specular);
         return options;
     }
 

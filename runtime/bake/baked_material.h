@@ -1,5 +1,5 @@
-// What the pass `bake` has drawn (nodes/passes/bake.pass.hlsl) as a glTF material: what is the same everywhere becomes
-// a factor, the rest a texture.
+// What the pass `bake` or `bake-specular` has drawn (nodes/passes/bake.pass.hlsl) as a glTF material: what is the same
+// everywhere becomes a factor, the rest a texture.
 //
 //   BakedMaterial made = baked_material("rust", drawn, {}, state);
 //   Outcome<std::string> png = encode_map(made.maps[0]);

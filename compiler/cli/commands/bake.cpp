@@ -14,7 +14,7 @@
 namespace patina::cli {
 namespace {
 
-// Each texel takes some 80 bytes while the textures are made.
+// The textures take some 200 bytes for each texel while they are made.
 constexpr int kLargest = 4096;
 constexpr std::string_view kMetallic = "metallic-roughness", kSpecular = "specular-glossiness";
 
