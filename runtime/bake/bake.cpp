@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <future>
 #include <optional>
 #include <set>
@@ -135,6 +136,7 @@ private:
             }
             state_.is_double_sided = pass.cull == Cull::Off;
         }
+        say_fixed(material);
         if (!out_.is_unlit) find_layers(material);
         if (reflection.moves_vertices)
             lose("the movement of the vertices", "the model has the positions and normals of the mesh");
@@ -168,15 +170,48 @@ private:
         return material;
     }
 
-    RenderOptions draw_options() const {
+    // What the request gives one value: the switch of the pass, and what the model loses by it.
+    struct Fixed {
+        std::string_view name;
+        bool is_on;
+        std::string_view what, why;
+    };
+    std::array<Fixed, 3> fixed() const {
+        const RenderRequest& request = request_.render;
+        const bool has_light = !request.lights.empty() || !request.ambient.empty() || !request.environment.empty();
+        return {Fixed{"fixedTime", request.time.has_value(), "how the surface changes with the time",
+                      "it is as at the second that --time gives"},
+                Fixed{"fixedView", !request.camera.empty(), "how the surface changes with the view",
+                      "it is as --camera sees it, from every side"},
+                Fixed{"fixedLight", has_light, "how the surface changes with light",
+                      "it is as in the light of --light, --env and --ambient"}};
+    }
+
+    // The node that reads such a value is the one at which the pass is refused without it.
+    void say_fixed(const WorldMaterial& material) {
+        for (const Fixed& each : fixed()) {
+            if (!each.is_on) continue;
+            CompileOptions options = compile_options(draw_options(each.name));
+            options.path = request_.is_specular ? kSpecularPath : kPath;
+            options.targets.clear();
+            for (Diagnostic refusal : compile_material(compiler_, material, std::move(options)).diagnostics) {
+                if (refusal.severity != Severity::Error) continue;
+                const Diagnostic loss = patina::complaint(Complaint::NotBaked, {each.what, each.why});
+                refusal.severity = Severity::Warning;
+                refusal.code = loss.code;
+                refusal.message = loss.message;
+                refusal.notes.clear();
+                report({refusal});
+            }
+        }
+    }
+
+    // `left_out`: a switch that stays off.
+    RenderOptions draw_options(std::string_view left_out = {}) const {
         const RenderRequest& request = request_.render;
         RenderOptions options = request.options;
-        const auto turn_on = [&](const char* name, bool is_on) {
-            if (is_on) options.switches.emplace_back(name, "true");
-        };
-        turn_on("fixedTime", request.time.has_value());
-        turn_on("fixedView", !request.camera.empty());
-        turn_on("fixedLight", !request.lights.empty() || !request.ambient.empty() || !request.environment.empty());
+        for (const Fixed& each : fixed())
+            if (each.is_on && each.name != left_out) options.switches.emplace_back(each.name, "true");
         return options;
     }
 

@@ -26,7 +26,7 @@ struct BakeRequest {
     // request says one; a surface that reads them is refused otherwise.
     RenderRequest render{};
     bool is_specular = false;  // KHR_materials_pbrSpecularGlossiness instead of metallic and roughness
-    bool is_exr = false;       // the textures beside the model; those in it are PNG, as glTF demands
+    bool is_exr = false;       // the textures next to the model; those in it are PNG, as glTF demands
     std::string name{};        // of the model and the files
 };
 

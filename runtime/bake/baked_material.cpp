@@ -16,7 +16,7 @@ namespace {
 
 // A normal this near to the mesh's own is its own: a quarter of a step of 8 bits.
 constexpr float kFlat = 0.25f * 2 / 255;
-// How far a value may be outside of 0 to 1 before it is told.
+// How far a value may be outside of 0 to 1 before a warning names it.
 constexpr float kSlack = 1e-3f;
 constexpr std::string_view kStrength = "emissiveStrength";
 
@@ -63,7 +63,7 @@ private:
 
     Range range(const Image& image, int channel) const { return range_of(image, covered_, channel); }
 
-    // The range of values that glTF keeps between 0 and 1; what is outside is told.
+    // The range of values that glTF keeps between 0 and 1; warnings name what is outside.
     Range share(Image& image, int channel, std::string_view what) {
         const Range found = range(image, channel);
         if (found.low >= 0 && found.high <= 1) return found;

@@ -28,7 +28,7 @@ private:
     void row(int y, int before) {
         if (before >= 0 && before < height_) {
             for (int x = 0; x < width_; x++)
-                for (const int beside : {x - 1, x, x + 1}) take(x, y, beside, before);
+                for (const int column : {x - 1, x, x + 1}) take(x, y, column, before);
         }
         for (int x = 1; x < width_; x++) take(x, y, x - 1, y);
         for (int x = width_ - 2; x >= 0; x--) take(x, y, x + 1, y);
