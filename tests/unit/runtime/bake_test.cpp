@@ -337,7 +337,16 @@ std::string viewer(const Folder& folder, const Baked& made, bool is_specular) {
         set("emission", std::to_string(strength) + " * " + color(material, "emissiveFactor", 0) +
                             (has_file("emissive") ? " * emissive.rgb" : ""));
     }
-    return folder.write("viewer.graph.json", std::string(R"({ "patina": 1, "workflow": ")") +
+    std::string render;
+    if (material.HasMember("alphaMode")) {
+        EXPECT_STREQ(material["alphaMode"].GetString(), "MASK");
+        set("alpha", "baseColor.a");
+        set("alphaClip", number(material, "alphaCutoff", 0.5));
+        render =
+            R"("surface": "cutout", "cull": ")" + std::string(material.HasMember("doubleSided") ? "off\"" : "back\"");
+    }
+    return folder.write("viewer.graph.json", std::string(R"({ "patina": 1, "render": {)") + render +
+                                                 R"(}, "workflow": ")" +
                                                  (is_specular ? "specular-glossiness" : "metallic-roughness") +
                                                  R"(", "lighting": "gltf", "properties": [)" + properties +
                                                  R"(], "nodes": [)" + nodes + R"(], "surface": {)" + surface + "} }");
@@ -386,6 +395,20 @@ TEST(Bake, TheModelLooksLikeTheGraph) {
         expect_alike(picture(graph, mesh), picture(viewer(folder, made, false), (folder.path / "baked.glb").string()),
                      mesh);
     }
+}
+
+// Seen through its holes, from behind, too: there the whole tangent frame is turned round.
+TEST(Bake, SoDoesACutoutFromBothSides) {
+    const Folder folder;
+    const std::string graph =
+        folder.write("own.graph.json", std::string(R"({ "patina": 1, "workflow": "metallic-roughness",
+        "lighting": "gltf", "render": { "surface": "cutout", "cull": "off" }, )") +
+                                           kVaried + R"js("surface": {
+        "baseColor": "= 0.2 + 0.7 * wave", "normalTS": "bump", "alpha": "@uv0.y", "alphaClip": 0.45 } })js");
+    const Baked made = baked(folder, {.render = {.graph = graph, .mesh = "sphere", .size = 1024}});
+    ASSERT_TRUE(made.outcome.ok);
+    expect_alike(picture(graph, "sphere"), picture(viewer(folder, made, false), (folder.path / "baked.glb").string()),
+                 "cutout");
 }
 
 TEST(Bake, SoDoesTheSpecularModel) {
