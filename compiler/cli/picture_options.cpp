@@ -8,7 +8,36 @@
 namespace patina::cli {
 namespace {
 
-void add_scene_options(CLI::App& command, runtime::RenderRequest& request) {
+void add_size_options(CLI::App& command, runtime::RenderRequest& request) {
+    CLI::Option* size = command
+                            .add_option("--size", request.size,
+                                        "Width and height in pixels; default: 512. A large picture is drawn in tiles")
+                            ->type_name("N")
+                            ->check(CLI::Range(1, 8192));
+    command.add_option("--width", request.size, "Width in pixels; default: 512")
+        ->type_name("N")
+        ->check(CLI::Range(1, 8192))
+        ->excludes(size);
+    command.add_option("--height", request.height, "Height in pixels; default: as the width")
+        ->type_name("N")
+        ->check(CLI::Range(1, 8192))
+        ->excludes(size);
+    command
+        .add_option("--samples", request.samples, "Samples along each axis of a pixel; default: 4, which is 16 a pixel")
+        ->type_name("N")
+        ->check(CLI::Range(1, 16));
+}
+
+void add_background_option(CLI::App& command, runtime::RenderRequest& request) {
+    command
+        .add_option("--background", request.background,
+                    "What is behind everything: a colour, or none, which is transparent; default: dark grey")
+        ->type_name("COLOR");
+}
+
+}  // namespace
+
+void add_mesh_options(CLI::App& command, runtime::RenderRequest& request) {
     std::vector<std::string> meshes;
     for (std::string_view name : runtime::mesh_names()) meshes.emplace_back(name);
     std::string list;
@@ -29,23 +58,9 @@ void add_scene_options(CLI::App& command, runtime::RenderRequest& request) {
             "one. A coarse mesh shows what is computed at vertices")
         ->type_name("N")
         ->check(CLI::Range(kLeastSegments, kMostSegments));
-    CLI::Option* size = command
-                            .add_option("--size", request.size,
-                                        "Width and height in pixels; default: 512. A large picture is drawn in tiles")
-                            ->type_name("N")
-                            ->check(CLI::Range(1, 8192));
-    command.add_option("--width", request.size, "Width in pixels; default: 512")
-        ->type_name("N")
-        ->check(CLI::Range(1, 8192))
-        ->excludes(size);
-    command.add_option("--height", request.height, "Height in pixels; default: as the width")
-        ->type_name("N")
-        ->check(CLI::Range(1, 8192))
-        ->excludes(size);
-    command
-        .add_option("--samples", request.samples, "Samples along each axis of a pixel; default: 4, which is 16 a pixel")
-        ->type_name("N")
-        ->check(CLI::Range(1, 16));
+}
+
+void add_light_options(CLI::App& command, runtime::RenderRequest& request) {
     command
         .add_option(
             "--light", request.lights,
@@ -61,17 +76,20 @@ void add_scene_options(CLI::App& command, runtime::RenderRequest& request) {
     command.add_option("--ambient", request.ambient, "Ambient light: a colour, or 'sky=#9ab horizon=0.2 ground=0.05'")
         ->type_name("LIGHT")
         ->excludes(environment);
-    command
-        .add_option("--background", request.background,
-                    "What is behind everything: a colour, or none, which is transparent; default: dark grey")
-        ->type_name("COLOR");
+}
+
+void add_camera_option(CLI::App& command, runtime::RenderRequest& request) {
     command
         .add_option("--camera", request.camera,
                     "The camera: 'position=2,1,3 target=0,0,0 fov=35', or the name of a camera of a model")
         ->type_name("CAMERA");
 }
 
-}  // namespace
+void add_set_option(CLI::App& command, std::vector<std::string>& set) {
+    command.add_option("--set", set, "Set a property: _Roughness=0.2, _MainTex=rust.png; repeatable")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
+}
 
 bool is_scene(const std::string& graph) {
     return graph.ends_with(".scene.json");
@@ -105,10 +123,12 @@ std::string is_time_word(const std::string& word) {
 }
 
 void add_picture_options(CLI::App& command, std::vector<std::string>& set, runtime::RenderRequest& request) {
-    command.add_option("--set", set, "Set a property: _Roughness=0.2, _MainTex=rust.png; repeatable")
-        ->type_name("NAME=VALUE")
-        ->allow_extra_args(false);
-    add_scene_options(command, request);
+    add_set_option(command, set);
+    add_mesh_options(command, request);
+    add_size_options(command, request);
+    add_light_options(command, request);
+    add_background_option(command, request);
+    add_camera_option(command, request);
     add_include_option(command, request.options.include_dirs);
 }
 

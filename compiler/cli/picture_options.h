@@ -1,5 +1,5 @@
-// The options for the picture of a graph: mesh, size, lights, camera, property values. `patina render` and
-// `patina trace` share them.
+// The options for the picture of a graph: mesh, size, lights, camera, property values. `patina render`,
+// `patina trace` and `patina bake` share them.
 //
 //   add_picture_options(command, arguments->set, arguments->request);
 //   take_overrides(arguments->set, arguments->path, arguments->request);   // once the command line is parsed
@@ -10,7 +10,14 @@
 
 namespace patina::cli {
 
-// --set, --mesh, --segments, --size, --width, --height, --samples, --light, --ambient, --background, --camera and -I.
+// Some of them: --set; --mesh and --segments; --light, --env and --ambient; --camera.
+void add_set_option(CLI::App& command, std::vector<std::string>& set);
+void add_mesh_options(CLI::App& command, runtime::RenderRequest& request);
+void add_light_options(CLI::App& command, runtime::RenderRequest& request);
+void add_camera_option(CLI::App& command, runtime::RenderRequest& request);
+
+// All: --set, --mesh, --segments, --size, --width, --height, --samples, --light, --ambient, --background, --camera and
+// -I.
 void add_picture_options(CLI::App& command, std::vector<std::string>& set, runtime::RenderRequest& request);
 
 bool is_scene(const std::string& graph);

@@ -195,8 +195,11 @@ void declare_switches(Lowering& lowering) {
             lowering.out.switches[static_cast<std::size_t>(found - known.begin())].second = value != "false";
         }
     }
-    std::erase_if(lowering.out.switches,
-                  [&](const auto& each) { return !each.second && is_of_wraps(*session.paths, each.first); });
+    // What is off, and what no reader of the reflection needs.
+    std::erase_if(lowering.out.switches, [&](const auto& each) {
+        return !each.second &&
+               (is_of_wraps(*session.paths, each.first) || !session.paths->switch_named(each.first)->otherwise.empty());
+    });
     for (const SwitchDecl& each : session.paths->switches)
         lowering.emitter.known.statics[each.variable] = lowering.is_on(each.variable->name) ? 1 : 0;
     for (const nodelang::VariableDecl* older : session.paths->repeated) {

@@ -323,9 +323,10 @@ private:
     }
 
     // A pass of the library that draws objects has every value in the fragment stage. For the vertex stage, and for a
-    // pass that draws no object, this must be checked.
+    // pass that draws no object or lacks values, this must be checked.
     bool may_be_refused(const PassDecl& pass) const {
-        return !draws_objects(pass) || !pass.holds.empty() || reads_of_pass_ || lowering_.session.pass_file;
+        return !draws_objects(pass) || !pass.holds.empty() || !pass.lacks.empty() || reads_of_pass_ ||
+               lowering_.session.pass_file;
     }
 
     void lower_given_recipes(LoweredPass& pass) {

@@ -105,6 +105,8 @@ private:
         Place inside = place;
         if (place.semantic.empty() && is_graph(place)) inside.semantic = module_.semantics[id.index].name;
         const std::string_view name = inside.semantic.empty() ? module_.semantics[id.index].name : inside.semantic;
+        const nodelang::VariableDecl* variable = recipe.declaration ? recipe.declaration->variable : nullptr;
+        if (is_lacking(module_.semantics[id.index].name, variable, fmt::format("@{}", name), place)) return;
         const bool is_interpolated =
             recipe.source == SemanticSource::Vertex || recipe.source == SemanticSource::Attribute;
         if (is_interpolated && is_graph(place) && !draws_objects())
@@ -146,9 +148,42 @@ private:
     }
 
     void global(ir::GlobalId id, const Place& place) {
+        const ir::Global& global = module_.globals[id.index];
+        if (global.group == ir::Group::Engine || global.group == ir::Group::Targets) {
+            const nodelang::VariableDecl* variable = lowering_.session.declarations->variable(global.name);
+            if (is_lacking(global.name, variable, shown_name(global.name, place), place)) return;
+        }
         if (draws_objects() || !is_graph(place) || !lowering_.per_object.contains(id.index)) return;
         refuse(place, fmt::format("{} reads '{}' of the object, which the pass cannot provide", said(place),
                                   module_.globals[id.index].name));
+    }
+
+    // As the graph says it.
+    std::string shown_name(const std::string& global, const Place& place) const {
+        if (!place.semantic.empty()) return fmt::format("@{}", place.semantic);
+        return lowering_.session.paths->semantic(global) ? "@" + global : global;
+    }
+
+    // Refuses the material if a graph reads this value and the pass lacks it: by its name, its block, or the target
+    // that it reads. `shown`: what the graph says.
+    bool is_lacking(std::string_view name, const nodelang::VariableDecl* variable, std::string_view shown,
+                    const Place& place) {
+        if (!is_graph(place)) return false;
+        const ExternDecl* value = lowering_.session.paths->extern_of(variable);
+        const auto is_it = [&](std::string_view word) {
+            return word == name || (value && !word.empty() && (word == value->block || word == value->reads));
+        };
+        for (const std::vector<std::string_view>& row : declaration_.lacks) {
+            const auto is_on = [&](std::string_view word) { return lowering_.is_on(word); };
+            if (std::none_of(row.begin(), row.end(), is_it) || std::any_of(row.begin(), row.end(), is_on)) continue;
+            refuse(place, fmt::format("{} reads '{}', which the pass cannot provide", said(place), shown));
+            for (const std::string_view word : row) {
+                const SwitchDecl* off = lowering_.session.paths->switch_named(word);
+                if (off && refusal_.advice.empty()) refusal_.advice = off->otherwise;
+            }
+            return true;
+        }
+        return false;
     }
 
     // The lighting surface is a slot's first parameter.

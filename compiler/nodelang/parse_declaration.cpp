@@ -55,6 +55,7 @@ constexpr AttributeInfo kAttributes[] = {
     {kFunction, "needs"},
     {kFunction, "holds"},
     {kFunction, "excludes"},
+    {kFunction, "lacks"},
     // What every pass does while a switch is on.
     {kFunction, "wraps"},
     {kFunction, "with"},
@@ -80,6 +81,7 @@ constexpr AttributeInfo kAttributes[] = {
     {kVariable, "given"},
     {kVariable, "static"},
     {kVariable, "switch"},
+    {kVariable, "otherwise"},
     {kVariable, "perObject"},
     {kVariable, "unit"},
     {kVariable, "vertexOutput"},

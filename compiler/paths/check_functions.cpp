@@ -19,9 +19,9 @@ using nodelang::ParamDecl;
 using nodelang::TypeName;
 
 // The attributes of a pass's fragment function; others have a meaning on other functions, too.
-constexpr std::array<std::string_view, 18> kOfFragment = {
-    "draws",     "each",    "lights", "camera",   "fallback", "cull",  "blend", "depth", "depthTarget",
-    "depthBias", "stencil", "target", "optional", "extra",    "alone", "along", "needs", "excludes"};
+constexpr std::array<std::string_view, 19> kOfFragment = {
+    "draws",   "each",   "lights",   "camera", "fallback", "cull",  "blend", "depth",    "depthTarget", "depthBias",
+    "stencil", "target", "optional", "extra",  "alone",    "along", "needs", "excludes", "lacks"};
 constexpr std::array<std::string_view, 12> kVaryings = {"float", "float2", "float3", "float4", "half", "half2",
                                                         "half3", "half4",  "int",    "int2",   "int3", "int4"};
 constexpr WrapWord kWraps[] = {{"position", "float4", WrapDecl::What::Position},

@@ -34,8 +34,7 @@ public:
         if (variable.attribute("extern") || variable.attribute("reads")) read_extern(variable);
         if (const Attribute* attribute = variable.attribute("static")) read_static(variable, *attribute);
         if (variable.attribute("foreign")) foreign(variable);
-        if (const Attribute* attribute = variable.attribute("switch"))
-            paths_.switches.push_back({.variable = &variable, .brings = nodelang::attribute_text(*attribute)});
+        if (const Attribute* attribute = variable.attribute("switch")) read_switch(variable, *attribute);
         if (const std::optional<SemanticSource> source = source_of(variable)) {
             add({.name = variable.name,
                  .source = *source,
@@ -103,6 +102,13 @@ private:
             if (attribute && row.text == nodelang::attribute_text(*attribute)) return row.builtin;
         }
         return ir::Builtin::None;
+    }
+
+    void read_switch(const VariableDecl& variable, const Attribute& attribute) {
+        const Attribute* otherwise = variable.attribute("otherwise");
+        paths_.switches.push_back({.variable = &variable,
+                                   .brings = nodelang::attribute_text(attribute),
+                                   .otherwise = otherwise ? word(*otherwise, 0) : std::string_view()});
     }
 
     void read_extern(const VariableDecl& variable) {
@@ -276,6 +282,17 @@ void make_way(const nodelang::Ast& ast, PathDeclarations& paths) {
     std::erase_if(paths.switches, of_repeated);
 }
 
+// What a pass can lack.
+std::vector<std::string_view> values_of(const PathDeclarations& paths) {
+    std::vector<std::string_view> values;
+    for (const SemanticDecl& each : paths.semantics) values.push_back(each.name);
+    for (const ExternDecl& each : paths.externs) {
+        for (const std::string_view name : {std::string_view(each.variable->name), each.block, each.reads})
+            if (!name.empty() && !is_in(values, name)) values.push_back(name);
+    }
+    return values;
+}
+
 // A pass can exclude switches. A variable can exist with switches or paths.
 void check_conditions(const nodelang::Ast& ast, const PathDeclarations& paths, Diagnostics& diagnostics) {
     const auto check = [&](const Attribute* attribute, std::vector<std::string_view> known, const char* what) {
@@ -288,6 +305,9 @@ void check_conditions(const nodelang::Ast& ast, const PathDeclarations& paths, D
         }
     };
     for (const FunctionDecl& function : ast.functions) {
+        for (const Attribute& attribute : function.attributes)
+            if (attribute.name == "lacks")
+                check(&attribute, values_of(paths), "a value, a block, a target or a switch");
         check(function.attribute("excludes"), {}, "a switch of a pass");
         check(function.attribute("with"), {}, "a switch");
     }
@@ -357,6 +377,12 @@ const SlotDecl* PathDeclarations::slot(std::string_view name) const {
 
 bool PathDeclarations::is_hdr(std::string_view member) const {
     return is_in(hdr_members, member);
+}
+
+const SwitchDecl* PathDeclarations::switch_named(std::string_view name) const {
+    const auto found = std::find_if(switches.begin(), switches.end(),
+                                    [&](const SwitchDecl& each) { return each.variable->name == name; });
+    return found == switches.end() ? nullptr : &*found;
 }
 
 const SwitchDecl* PathDeclarations::switch_of(const VariableDecl* variable) const {

@@ -135,13 +135,15 @@ struct PassDecl {
     std::vector<BlendRow> blends;
     // True if the pass states it; else the material decides.
     bool has_cull = false, has_depth = false, has_depth_bias = false, has_stencil = false;
-    bool draws_extra = false;                   // it also draws the extra passes of materials
-    bool draws_extra_alone = false;             // along the requested path it draws these and no material
-    bool is_alone = false;                      // left out if the material has extra passes
-    bool is_optional = false;                   // left out without a warning if it cannot draw the material
-    std::vector<std::string_view> needs;        // slots that must exist
-    std::vector<std::string_view> holds;        // members of the lighting surface that it can provide; empty: all
-    std::vector<std::string_view> excludes;     // switches that must be off
+    bool draws_extra = false;                // it also draws the extra passes of materials
+    bool draws_extra_alone = false;          // along the requested path it draws these and no material
+    bool is_alone = false;                   // left out if the material has extra passes
+    bool is_optional = false;                // left out without a warning if it cannot draw the material
+    std::vector<std::string_view> needs;     // slots that must exist
+    std::vector<std::string_view> holds;     // members of the lighting surface that it can provide; empty: all
+    std::vector<std::string_view> excludes;  // switches that must be off
+    // Values that a material cannot read here: each row names some, and switches that turn the row off.
+    std::vector<std::vector<std::string_view>> lacks;
     std::vector<std::string_view> lighting;     // lighting models that it supports; empty: all
     std::string_view otherwise;                 // what a material loses without it, in words; may be empty
     std::vector<std::string_view> along;        // an engine's own pass: the requested paths that have it; empty: all
@@ -185,7 +187,8 @@ struct WrapDecl {
 
 struct SwitchDecl {
     const nodelang::VariableDecl* variable = nullptr;
-    std::string_view brings;  // a pass that is drawn first if the switch is on
+    std::string_view brings;     // a pass that is drawn first if the switch is on
+    std::string_view otherwise;  // what to do about a material that needs it, in words; may be empty
 };
 
 struct PathDeclarations {
@@ -221,6 +224,7 @@ struct PathDeclarations {
     const SlotDecl* slot(std::string_view name) const;
     bool is_hdr(std::string_view member) const;
     const SwitchDecl* switch_of(const nodelang::VariableDecl* variable) const;
+    const SwitchDecl* switch_named(std::string_view name) const;
     // Null if the variable is not [extern].
     const ExternDecl* extern_of(const nodelang::VariableDecl* variable) const;
 };

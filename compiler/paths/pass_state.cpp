@@ -247,7 +247,8 @@ void read_targets(const nodelang::FunctionDecl& fragment, const nodelang::Declar
 void check_twice(const nodelang::FunctionDecl& fragment, Diagnostics& diagnostics) {
     for (std::size_t i = 0; i < fragment.attributes.size(); ++i) {
         const Attribute& now = fragment.attributes[i];
-        if (now.name == "pass" || now.name == "gives" || now.name == "tag" || now.name == "text") continue;
+        if (now.name == "pass" || now.name == "gives" || now.name == "tag" || now.name == "text" || now.name == "lacks")
+            continue;
         const auto is_same = [&](const Attribute& before) {
             if (before.name != now.name) return false;
             return now.name != "blend" || before.args.size() == 2 || now.args.size() == 2 ||
@@ -283,6 +284,7 @@ void read_pass_state(const nodelang::FunctionDecl& fragment, const nodelang::Dec
         if (attribute.name == "needs") pass.needs = attribute_words(attribute);
         if (attribute.name == "holds") pass.holds = attribute_words(attribute);
         if (attribute.name == "excludes") pass.excludes = attribute_words(attribute);
+        if (attribute.name == "lacks") pass.lacks.push_back(attribute_words(attribute));
         if (attribute.name == "lighting") pass.lighting = attribute_words(attribute);
         const auto row = std::find_if(std::begin(kState), std::end(kState),
                                       [&](const StateRow& r) { return r.name == attribute.name; });

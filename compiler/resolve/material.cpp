@@ -201,12 +201,16 @@ bool make_preview(Session& session, Graph& graph, const Shown& shown) {
         if (!workflow.get() || workflow.get()->preview_input.empty()) continue;
         const Expr* value = parse_shown(session, shown);
         if (!value) return false;
-        const auto is_node = [&](const Node& node) { return node.id == shown.text; };
+        const auto has_node = [&](std::string_view id) {
+            return std::any_of(graph.nodes.begin(), graph.nodes.end(), [&](const Node& node) { return node.id == id; });
+        };
+        // A preview of a surface input shows the value that the input is given. "surface.thickness" is the input even
+        // if there is a node "thickness".
+        constexpr std::string_view kSurface = "surface";
         for (const PortValue& port : graph.surface) {
-            // A preview of a surface input shows the value that the input is given.
-            if (port.name != shown.text || !port.value || std::any_of(graph.nodes.begin(), graph.nodes.end(), is_node))
-                continue;
-            value = port.value;
+            const bool is_short = port.name == shown.text && !has_node(port.name);
+            const bool is_full = shown.text == fmt::format("{}.{}", kSurface, port.name) && !has_node(kSurface);
+            if (port.value && (is_short || is_full)) value = port.value;
         }
         graph.workflow = name;
         graph.lighting = {};

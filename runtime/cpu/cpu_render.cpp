@@ -20,8 +20,8 @@ public:
     TiledDraw(const Frame& frame, Precision precision)
         : frame_(frame), precision_(precision), targets_(frame.targets.size()) {}
 
-    // The tile's pixels, samples averaged.
-    Outcome<Image> draw(const PixelArea& tile, std::size_t index, std::size_t count) {
+    // The tile's pixels of all targets that are shown, samples averaged.
+    Outcome<std::vector<Image>> draw(const PixelArea& tile, std::size_t index, std::size_t count) {
         const auto is_drawn = [&](bool of_picture) { return of_picture || index == 0; };
         for (std::size_t i = 0; i < targets_.size(); i++) {
             const FrameTarget& wanted = frame_.targets[i];
@@ -38,7 +38,10 @@ public:
                 step.blocks = blocks_at(step, {.x = tile.x, .y = tile.y, .width = tile.width, .height = tile.height});
             if (std::string error = draw(step, report); !error.empty()) return Failure{error};
         }
-        return box_filtered(image_of(targets_[frame_.shown]), frame_.samples);
+        std::vector<Image> shown = {box_filtered(image_of(targets_[frame_.shown]), frame_.samples)};
+        for (const std::size_t target : frame_.also_shown)
+            shown.push_back(box_filtered(image_of(targets_[target]), frame_.samples));
+        return shown;
     }
 
 private:
@@ -69,18 +72,26 @@ private:
 }  // namespace
 
 Outcome<Image> cpu_draw(const Frame& frame, Precision precision) {
+    Outcome<std::vector<Image>> drawn = cpu_draw_all(frame, precision);
+    if (!drawn) return Failure{drawn.error};
+    return std::move(drawn.value.front());
+}
+
+Outcome<std::vector<Image>> cpu_draw_all(const Frame& frame, Precision precision) {
     if (std::string error = frame_error(frame); !error.empty()) return Failure{error};
     TiledDraw drawing(frame, precision);
     const std::vector<PixelArea> tiles = tiles_of(frame);
     const FrameTarget& shown = frame.targets[frame.shown];
-    Image picture;
-    if (tiles.size() > 1) picture = make_image(shown.width / frame.samples, shown.height / frame.samples);
+    std::vector<Image> pictures;
+    for (std::size_t k = 0; k <= frame.also_shown.size(); k++)
+        if (tiles.size() > 1) pictures.push_back(make_image(shown.width / frame.samples, shown.height / frame.samples));
     for (std::size_t i = 0; i < tiles.size(); i++) {
-        Outcome<Image> part = drawing.draw(tiles[i], i, tiles.size());
-        if (!part || tiles.size() == 1) return part;
-        put_tile(part.value, tiles[i].x / frame.samples, tiles[i].y / frame.samples, picture);
+        Outcome<std::vector<Image>> parts = drawing.draw(tiles[i], i, tiles.size());
+        if (!parts || tiles.size() == 1) return parts;
+        for (std::size_t k = 0; k < pictures.size(); k++)
+            put_tile(parts.value[k], tiles[i].x / frame.samples, tiles[i].y / frame.samples, pictures[k]);
     }
-    return picture;
+    return pictures;
 }
 
 Outcome<Image> cpu_draw(const Draw& draw, Precision precision) {

@@ -19,5 +19,7 @@ namespace patina::runtime {
 // The target Frame::shown, its samples averaged.
 Outcome<Image> cpu_draw(const Frame& frame, Precision precision = Precision::Float);
 Outcome<Image> cpu_draw(const Draw& draw, Precision precision = Precision::Float);
+// The same, and behind it each of Frame::also_shown.
+Outcome<std::vector<Image>> cpu_draw_all(const Frame& frame, Precision precision = Precision::Float);
 
 }  // namespace patina::runtime

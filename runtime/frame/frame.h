@@ -83,9 +83,10 @@ struct FrameStep {
 struct Frame {
     std::vector<FrameTarget> targets{};
     std::vector<FrameStep> steps{};
-    std::size_t shown = 0;  // the target that is the result
-    int samples = 1;        // the result is averaged over so many pixels along each axis
-    int tile = 0;           // the side of a tile, in samples (tiles.h); 0: the picture is drawn at once
+    std::size_t shown = 0;                  // the target that is the result
+    std::vector<std::size_t> also_shown{};  // others of the picture whose pixels are wanted (draw_all())
+    int samples = 1;                        // the result is averaged over so many pixels along each axis
+    int tile = 0;                           // the side of a tile, in samples (tiles.h); 0: the picture is drawn at once
     // Of a tile: the largest viewport that is used, in samples; 0: the device's limit says. The CPU has none.
     int largest_viewport = 0;
     // Called now and then with the share that is done, 0 to 1, on the calling thread; on the GPU after each tile.

@@ -100,6 +100,9 @@ PixelArea full_area(const FrameStep& step, const Frame& frame) {
 
 std::string frame_error(const Frame& frame) {
     if (frame.shown >= frame.targets.size()) return "the frame shows a target that it does not have";
+    for (const std::size_t target : frame.also_shown)
+        if (target >= frame.targets.size() || !frame.targets[target].is_of_picture)
+            return "the frame shows a target that is not of the picture";
     if (frame.samples < 1) return "a frame needs at least one sample per pixel";
     for (const FrameTarget& target : frame.targets)
         if (std::string error = target_error(frame, target); !error.empty()) return error;

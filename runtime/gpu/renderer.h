@@ -38,6 +38,8 @@ public:
     // The target Frame::shown, its samples averaged.
     Outcome<Image> draw(const Frame& frame);
     Outcome<Image> draw(const Draw& draw);
+    // The same, and behind it each of Frame::also_shown.
+    Outcome<std::vector<Image>> draw_all(const Frame& frame);
     // For a valid frame (frame_check.h, drawable_pass()): empty, or the limit of this device that it exceeds
     // (limits.h). draw() refuses it too.
     std::string beyond_limits(const Frame& frame) const;

@@ -29,6 +29,7 @@ struct RenderOptions {
     bool validation = false;      // Khronos validation layer; its messages become errors
     bool exact_textures = false;  // float texels on the GPU, to compare it with the CPU
     bool exact_targets = false;   // every colour target in 32-bit floats, whatever the passes say
+    std::vector<std::string> also_shown{};  // further targets of the path that the outcome has
     bool stated_formats = false;  // the picture too is drawn in the format that the passes state, not in 32-bit floats
     int shadow_atlas_size = 2048;
     // Render targets of more bytes do not exist at once: the picture is drawn in tiles (frame/tiles.h), or refused if
@@ -53,6 +54,8 @@ struct DrawnShader {
 struct RenderOutcome {
     bool ok = false;
     Image image;                              // linear
+    std::vector<Image> also_shown{};          // as RenderOptions::also_shown; of a failure: none
+    Reflection reflection{};                  // of the only material; of several: of the first
     DataSummary values{};                     // of the picture; of a preview: of what the object covers
     std::vector<Diagnostic> diagnostics;      // of the compiler and of glslang; warnings too
     std::string error;                        // what else went wrong: a word of the request, a file, the device

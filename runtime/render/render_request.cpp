@@ -84,18 +84,6 @@ Outcome<Scene> read_scene(const RenderRequest& request) {
     return scene;
 }
 
-// One object of the material alone in the scene that the request describes.
-Outcome<World> world_around(const RenderRequest& request) {
-    Outcome<Scene> scene = read_scene(request);
-    if (!scene) return Failure{scene.error};
-    World world{.view = std::move(scene.value),
-                .materials = {{.graph = request.graph, .overrides = request.overrides}}};
-    world.objects.push_back({.mesh = std::make_shared<const Mesh>(std::move(world.view.mesh))});
-    world.view.mesh = {};
-    world.pixel_light_count = int(world.view.lights.size());
-    return world;
-}
-
 // Every pixel is what it would be without an object.
 bool is_empty(const Image& image, const glm::vec4& background) {
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
@@ -218,7 +206,7 @@ bool world_of(const Compiler& compiler, const RenderRequest& request, World& wor
         outcome.error = fmt::format("'{}' is a graph, which has no objects: only a scene has", request.graph);
         return false;
     }
-    Outcome<World> made = world_around(request);
+    Outcome<World> made = world_of_graph(request);
     outcome.error = std::move(made.error);
     world = std::move(made.value);
     return outcome.error.empty();
@@ -325,6 +313,17 @@ RenderOutcome render_scene_preview(const Compiler& compiler, const RenderRequest
 }
 
 }  // namespace
+
+Outcome<World> world_of_graph(const RenderRequest& request) {
+    Outcome<Scene> scene = read_scene(request);
+    if (!scene) return Failure{scene.error};
+    World world{.view = std::move(scene.value),
+                .materials = {{.graph = request.graph, .overrides = request.overrides}}};
+    world.objects.push_back({.mesh = std::make_shared<const Mesh>(std::move(world.view.mesh))});
+    world.view.mesh = {};
+    world.pixel_light_count = int(world.view.lights.size());
+    return world;
+}
 
 RenderOutcome render(const Compiler& compiler, const RenderRequest& request, RenderMachine& machine) {
     if (request.options.via != "glsl" && request.options.via != "hlsl" && request.options.via != "cpu")

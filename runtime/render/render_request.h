@@ -19,6 +19,7 @@
 #include "runtime/picture/data_picture.h"
 #include "runtime/render/render_machine.h"
 #include "runtime/render/render_options.h"
+#include "runtime/scene/world.h"
 
 namespace patina::runtime {
 
@@ -44,6 +45,9 @@ struct RenderRequest {
     bool keeps_values = false;  // of a preview: values that are not finite stay, as an EXR file can hold them
     RenderOptions options{};
 };
+
+// One object of the request's material alone, seen as the request's words say. Fails if one of them is wrong.
+Outcome<World> world_of_graph(const RenderRequest& request);
 
 RenderOutcome render(const Compiler& compiler, const RenderRequest& request, RenderMachine& machine);
 

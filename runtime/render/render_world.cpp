@@ -152,7 +152,7 @@ private:
     // Empty, or why nothing would be seen: no pass draws into the picture.
     std::string no_picture() const {
         std::vector<std::string> drawn;
-        if (compiled_.empty()) return "";
+        if (compiled_.empty() || !options_.also_shown.empty()) return "";
         for (const auto& material : compiled_) {
             for (const Pass& pass : material->compiled.reflection.passes) {
                 for (const RenderTarget& target : pass.targets) {
@@ -174,14 +174,26 @@ private:
 
     Outcome<Frame> plan() {
         if (!compiled_.empty()) spread_.view.camera.clip_depth = compiled_.front()->compiled.reflection.clip_depth;
-        return plan_frame(
-            spread_, drawn_,
-            {.path = path_name(),
-             .shadow_atlas_size = options_.shadow_atlas_size,
-             .exact = options_.exact_targets,
-             .shown_format = options_.stated_formats ? std::nullopt : std::optional(TargetFormat::Rgba32F),
-             .object_textures = object_textures_,
-             .instance_values = instance_values_});
+        Outcome<Frame> frame =
+            plan_frame(spread_, drawn_,
+                       {.path = path_name(),
+                        .shadow_atlas_size = options_.shadow_atlas_size,
+                        .exact = options_.exact_targets,
+                        .shown_format = options_.stated_formats ? std::nullopt : std::optional(TargetFormat::Rgba32F),
+                        .object_textures = object_textures_,
+                        .instance_values = instance_values_});
+        return frame ? with_further_targets(std::move(frame.value)) : std::move(frame);
+    }
+
+    Outcome<Frame> with_further_targets(Frame frame) const {
+        for (const std::string& name : options_.also_shown) {
+            const auto found = std::find_if(frame.targets.begin(), frame.targets.end(),
+                                            [&](const FrameTarget& target) { return target.name == name; });
+            if (found == frame.targets.end())
+                return Failure{fmt::format("no pass of the path '{}' writes the target '{}'", path_name(), name)};
+            frame.also_shown.push_back(std::size_t(found - frame.targets.begin()));
+        }
+        return frame;
     }
 
     // The materials again, for targets that hold one tile.
@@ -406,7 +418,7 @@ private:
 
     // --- drawing
 
-    Outcome<Image> gpu_draw(const Frame& frame) {
+    Outcome<std::vector<Image>> gpu_draw(const Frame& frame) {
         std::string error = open_machine(options_.device, options_.validation, machine_);
         if (error.empty()) error = machine_.renderer->beyond_limits(frame);
         outcome_.missing_machine = !error.empty();
@@ -414,18 +426,21 @@ private:
         const std::size_t messages_before = machine_.renderer->messages().size();
         outcome_.device = machine_.renderer->device_name();
         outcome_.driver = machine_.renderer->driver();
-        Outcome<Image> image = machine_.renderer->draw(frame);
+        Outcome<std::vector<Image>> images = machine_.renderer->draw_all(frame);
         const std::vector<std::string>& messages = machine_.renderer->messages();
-        if (image && messages.size() > messages_before)
+        if (images && messages.size() > messages_before)
             return Failure{"the Vulkan validation layer reports: " + messages[messages_before]};
-        return image;
+        return images;
     }
 
     RenderOutcome draw(const Frame& frame) {
         if (on_cpu()) outcome_.device = "CPU reference";
-        Outcome<Image> image = on_cpu() ? cpu_draw(frame) : gpu_draw(frame);
-        if (!image) return failed(image.error);
-        outcome_.image = std::move(image.value);
+        Outcome<std::vector<Image>> images = on_cpu() ? cpu_draw_all(frame) : gpu_draw(frame);
+        if (!images) return failed(images.error);
+        outcome_.image = std::move(images.value.front());
+        outcome_.also_shown.assign(std::make_move_iterator(images.value.begin() + 1),
+                                   std::make_move_iterator(images.value.end()));
+        if (!compiled_.empty()) outcome_.reflection = compiled_.front()->compiled.reflection;
         outcome_.draws = frame.steps.size();
         outcome_.tiles = tiles_of(frame).size();
         outcome_.ok = true;

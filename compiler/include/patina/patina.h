@@ -129,8 +129,8 @@ struct CompileOptions {
     std::vector<std::pair<std::string, std::string>> switches{};
     std::vector<std::string> include_dirs;  // searched after the graph's own folder
     Loader loader;                          // default: the file system
-    // "mask", "rust.amount", or "layers/mask" inside the sub-graph of the node "layers": compiles a material that shows
-    // this port, unlit, instead of the graph's surface.
+    // "mask", "rust.amount", "layers/mask" inside the sub-graph of the node "layers", or an input of the surface,
+    // "surface.roughness": compiles a material that shows this port, unlit, instead of the graph's surface.
     std::string preview;
     // The steps whose text goes to Result::dumps: "graph", "ir", "linked", "tidy", "rates".
     std::vector<std::string> dump;

@@ -1,5 +1,7 @@
 #include "compiler/ir/fold/fold.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +9,7 @@
 #include <numbers>
 
 #include "compiler/base/bits.h"
+#include "compiler/base/text.h"
 #include "compiler/ir/builder.h"
 
 namespace patina::ir {
@@ -164,6 +167,15 @@ double rounded(Scalar scalar, double value) {
             return static_cast<double>(static_cast<float>(value));
     }
     return value;
+}
+
+// The number that the author of a float constant wrote: the decimal number of at most six digits that the float is next
+// to, if there is one. 1 - 0.8 is 0.2, but 1 minus the float next to 0.8 rounds to 0.19999999.
+double as_written(double number) {
+    const bool is_exact = number == std::trunc(number) || std::fabs(number) >= 0x1p24;
+    if (is_exact) return number;
+    const double written = read_number(fmt::format("{:.6g}", number)).value_or(number);
+    return static_cast<double>(static_cast<float>(written)) == number ? written : number;
 }
 
 // --- shapes: what is not component by component
@@ -350,7 +362,14 @@ bool evaluate(Op op, Type type, std::span<const Type> types, Operands operands, 
 // A result that would be NaN, infinite or undefined is not folded: the GPU computes it, perhaps differently.
 bool fold_constant(Op op, Type type, std::span<const Type> operand_types, Operands operands, std::uint32_t data,
                    std::vector<double>& out) {
-    return evaluate(op, type, operand_types, operands, data, out) &&
+    std::vector<std::vector<double>> written(operands.size());
+    std::vector<Numbers> in(operands.begin(), operands.end());
+    for (std::size_t i = 0; i < in.size(); i++) {
+        if (operand_types[i].scalar != Scalar::Float) continue;
+        for (const double number : in[i]) written[i].push_back(as_written(number));
+        in[i] = written[i];
+    }
+    return evaluate(op, type, operand_types, in, data, out) &&
            std::all_of(out.begin(), out.end(), [](double number) { return std::isfinite(number); });
 }
 

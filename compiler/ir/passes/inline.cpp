@@ -12,6 +12,8 @@ namespace {
 
 // The text of a function of so few operations is as easy to read where it is called.
 constexpr std::uint32_t kSmall = 3;
+// A struct of so few numbers, such as the coverage that a shadow reads of a surface, says no more than the numbers.
+constexpr std::size_t kFewNumbers = 2;
 // How many instructions may be copied in one module; then calls stay calls. Functions that are always inlined and call
 // others twice would double the text at each level.
 constexpr std::size_t kBudget = 1u << 18;
@@ -50,14 +52,22 @@ std::size_t nesting_of(const Function& function) {
     return deepest;
 }
 
-Callee describe(const Module& module, const Function& function) {
+bool is_few_numbers(const Module& module, Type type) {
+    if (type.kind != Kind::Struct) return false;
+    const std::vector<Member>& members = module.structs[type.ref].members;
+    return members.size() <= kFewNumbers &&
+           std::all_of(members.begin(), members.end(), [](const Member& m) { return m.type.is_scalar(); });
+}
+
+Callee describe(const Module& module, const Function& function, std::size_t calls) {
     const bool takes_opaque = std::any_of(function.params.begin(), function.params.end(),
                                           [&](const Param& p) { return holds_opaque(module, p.type); });
     const auto work = static_cast<std::size_t>(
         std::count_if(function.insts.begin(), function.insts.end(), [](const Inst& i) { return is_work(i.op); }));
     // To make a struct takes a line for each member. Stages that share the function should not repeat these.
     const bool is_shared = function.linkage == Linkage::Exported && function.result.kind == Kind::Struct;
-    const bool is_wanted = function.always_inline || takes_opaque || (work <= kSmall && !is_shared);
+    const bool is_little = (work <= kSmall && !is_shared) || (calls == 1 && is_few_numbers(module, function.result));
+    const bool is_wanted = function.always_inline || takes_opaque || is_little;
     return {.always = is_wanted && !ir::is_elsewhere(function),
             .nesting = nesting_of(function),
             .verdicts = {},
@@ -108,13 +118,19 @@ public:
     explicit Inliner(Module& module) : module_(module), old_(std::move(module.functions)) {
         module_.functions.clear();
         module_.functions.reserve(old_.size());
+        calls_.resize(old_.size());
+        for (const Function& function : old_) {
+            for (const Inst& inst : function.insts) {
+                if (inst.op == Op::Call) calls_[inst.data]++;
+            }
+        }
     }
 
     // Callees come first, so a body that is copied has its own calls decided already.
     void run() {
         for (Function& old : old_) {
             module_.functions.push_back(calls_something(old) ? inlined(old) : std::move(old));
-            callees_.push_back(describe(module_, module_.functions.back()));
+            callees_.push_back(describe(module_, module_.functions.back(), calls_[callees_.size()]));
         }
     }
 
@@ -224,6 +240,7 @@ private:
 
     Module& module_;
     std::vector<Function> old_;
+    std::vector<std::size_t> calls_;  // of each function
     std::vector<Callee> callees_;
     LightRate light_;
     std::size_t budget_ = kBudget;

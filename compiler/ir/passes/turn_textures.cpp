@@ -102,7 +102,9 @@ private:
         const Type scalar = b.type(uv).with_width(1);
         const std::array parts = {b.extract(uv, 0),
                                   b.emit(Op::Sub, scalar, {b.splat_constant(scalar, 1), b.extract(uv, 1)})};
-        return named(b, b.construct(b.type(uv), parts), "turnedUV");
+        const Hint hint = hint_of(b.module(), b[uv].name);
+        const std::string_view said = hint.name.empty() ? hint.callee : hint.name;
+        return named(b, b.construct(b.type(uv), parts), said.empty() ? "turnedUV" : std::string(said) + "Turned");
     }
 
     // A name for a value that needs one.

@@ -95,11 +95,11 @@ void main()
 
         float tone = smoothstep(_Edge, toneSum, ndotl * light.shadow);
 
-        directSum += mix(vec3(0.029556835, 0.014443844, 0.06847817), vec3(0.715588, 0.081001155, 0.047718305),
+        directSum += mix(vec3(0.029556835, 0.014443844, 0.06847817), vec3(0.71558803, 0.08100116, 0.047718305),
             tone) * light.color * light.attenuation;
     }
     vec3 ambientOrBaked = EvaluateSH9(geometryNormalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz,
         ambientSH[3].xyz, ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
-    vec3 indirect = vec3(0.715588, 0.081001155, 0.047718305) * ambientOrBaked;
+    vec3 indirect = vec3(0.71558803, 0.08100116, 0.047718305) * ambientOrBaked;
     outColor = vec4(directSum + indirect, 1.0);
 }

@@ -102,12 +102,12 @@ FragmentOutput main(FragmentInput input)
 
         float tone = smoothstep(_Edge, toneSum, ndotl * light.shadow);
 
-        directSum += lerp(float3(0.029556835, 0.014443844, 0.06847817), float3(0.715588, 0.081001155, 0.047718305),
+        directSum += lerp(float3(0.029556835, 0.014443844, 0.06847817), float3(0.71558803, 0.08100116, 0.047718305),
             tone) * light.color * light.attenuation;
     }
     float3 ambientOrBaked = EvaluateSH9(geometryNormalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz,
         ambientSH[3].xyz, ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
-    float3 indirect = float3(0.715588, 0.081001155, 0.047718305) * ambientOrBaked;
+    float3 indirect = float3(0.71558803, 0.08100116, 0.047718305) * ambientOrBaked;
     FragmentOutput output;
     output.color = float4(directSum + indirect, 1.0);
     return output;

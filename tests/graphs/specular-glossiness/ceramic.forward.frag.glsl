@@ -244,7 +244,7 @@ void main()
 
     // GrazingTerm "grazing"
     float smoothness = 1.0 - roughness;
-    float grazing = clamp(smoothness + 0.050000012, 0.0, 1.0);
+    float grazing = clamp(smoothness + 0.05, 0.0, 1.0);
 
     vec3 product = reduction * mix(0.05, grazing, SchlickWeight(ndotv)) * environmentTexel.xyz;
     vec3 indirect = diffuseColor * ambient + product;

@@ -251,7 +251,7 @@ FragmentOutput main(FragmentInput input)
 
     // GrazingTerm "grazing"
     float smoothness = 1.0 - roughness;
-    float grazing = saturate(smoothness + 0.050000012);
+    float grazing = saturate(smoothness + 0.05);
 
     float3 product = reduction * lerp(0.05, grazing, SchlickWeight(ndotv)) * environmentTexel.xyz;
     float3 indirect = diffuseColor * ambient + product;

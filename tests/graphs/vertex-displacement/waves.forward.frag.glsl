@@ -86,13 +86,13 @@ void main()
         float ndotl = clamp(cosine, 0.0, 1.0);
 
         vec3 radiance = light.color * (light.attenuation * light.shadow);
-        directSum += vec3(0.065739036, 0.20374152, 0.4167875) * ndotl * radiance;
+        directSum += vec3(0.06573904, 0.20374152, 0.4167875) * ndotl * radiance;
     }
 
     // AmbientIrradiance "ambient"
     vec3 ambient = EvaluateSH9(geometryNormalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz, ambientSH[3].xyz,
         ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
 
-    vec3 indirect = vec3(0.065739036, 0.20374152, 0.4167875) * ambient;
+    vec3 indirect = vec3(0.06573904, 0.20374152, 0.4167875) * ambient;
     outColor = vec4(directSum + indirect, 1.0);
 }

@@ -93,14 +93,14 @@ FragmentOutput main(FragmentInput input)
         float ndotl = saturate(cosine);
 
         float3 radiance = light.color * (light.attenuation * light.shadow);
-        directSum += float3(0.065739036, 0.20374152, 0.4167875) * ndotl * radiance;
+        directSum += float3(0.06573904, 0.20374152, 0.4167875) * ndotl * radiance;
     }
 
     // AmbientIrradiance "ambient"
     float3 ambient = EvaluateSH9(geometryNormalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz,
         ambientSH[3].xyz, ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
 
-    float3 indirect = float3(0.065739036, 0.20374152, 0.4167875) * ambient;
+    float3 indirect = float3(0.06573904, 0.20374152, 0.4167875) * ambient;
     FragmentOutput output;
     output.color = float4(directSum + indirect, 1.0);
     return output;

@@ -85,8 +85,9 @@ TEST(Builder, FoldsInTheTypesPrecision) {
     Builder b(module, function);
     const Value tenth = b.constant(kFloat, {0.1});
     EXPECT_EQ(b.constant_of(tenth)[0], static_cast<double>(0.1f));
-    const Value product = b.emit(Op::Mul, {tenth, tenth});
-    EXPECT_EQ(b.constant_of(product)[0], static_cast<double>(0.1f * 0.1f));
+    const Value third = b.constant(kFloat, {1.0 / 3});
+    const Value product = b.emit(Op::Mul, {third, third});
+    EXPECT_EQ(b.constant_of(product)[0], static_cast<double>((1 / 3.f) * (1 / 3.f)));
 }
 
 // A value of one branch is not seen in the other, nor after both; a value from before is seen in both.

@@ -278,6 +278,17 @@ TEST(Fold, ComputesInThePrecisionOfTheType) {
     EXPECT_EQ(round_to(Scalar::Half, 0x1p-24 * 1.4), 0x1p-24);
 }
 
+TEST(Fold, ComputesWithTheNumbersThatAreWritten) {
+    // In floats alone, these are 0.19999999, 0.010000001 and 0.050000012.
+    EXPECT_EQ(folded(Op::Sub, kFloat, {{kFloat, {1}}, {kFloat, {0.8f}}}), Numbers{0.2f});
+    EXPECT_EQ(folded(Op::Mul, kFloat, {{kFloat, {0.1f}}, {kFloat, {0.1f}}}), Numbers{0.01f});
+    EXPECT_EQ(folded(Op::Sub, kFloat, {{kFloat, {1}}, {kFloat, {0.95f}}}), Numbers{0.05f});
+    // A number of more digits than a float is sure of is the float itself.
+    const float third = 1.f / 3;
+    EXPECT_EQ(folded(Op::Sub, kFloat, {{kFloat, {1}}, {kFloat, {third}}}), Numbers{1 - third});
+    EXPECT_EQ(folded(Op::Add, kFloat, {{kFloat, {0x1p-24}}, {kFloat, {0x1p-24}}}), Numbers{0x1p-23});
+}
+
 TEST(Fold, WrapsIntegersTo32Bits) {
     EXPECT_EQ(folded(Op::Add, kInt, {{kInt, {2147483647}}, {kInt, {1}}}), Numbers{-2147483648.0});
     EXPECT_EQ(folded(Op::Sub, kUint, {{kUint, {0}}, {kUint, {1}}}), Numbers{4294967295.0});

@@ -289,7 +289,7 @@ Shader "Patina/fade"
 
                 // GrazingTerm "grazing"
                 float smoothness = 1.0 - surface.roughness;
-                float grazing = saturate(smoothness + 0.04000002);
+                float grazing = saturate(smoothness + 0.04);
 
                 float3 product = reduction * lerp(0.04, grazing, SchlickWeight(ndotv)) * environment;
                 return surface.diffuseColor * ambient + product;

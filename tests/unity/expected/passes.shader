@@ -328,7 +328,7 @@ Shader "Patina/passes"
                 // EnvironmentRadiance "environment"
                 float3 environment = LinearColor(ReflectedLight(reflected, 0.3, positionWS, readsProbes));
 
-                float3 product = 0.99196506 * lerp(0.04, 0.74000007, SchlickWeight(ndotv)) * environment;
+                float3 product = 0.99196506 * lerp(0.04, 0.74, SchlickWeight(ndotv)) * environment;
                 return surface.diffuseColor * ambient + product;
             }
 
@@ -432,7 +432,7 @@ Shader "Patina/passes"
             {
                 float3 geometryNormalWS = normalize(i.vertexNormalWS);
                 LightingSurface surface = lightingSurface(i.uv0, geometryNormalWS);
-                float3 albedo = surface.diffuseColor + 0.0018000001;
+                float3 albedo = surface.diffuseColor + 0.0018;
                 UnityMetaInput meta;
                 UNITY_INITIALIZE_OUTPUT(UnityMetaInput, meta);
                 meta.Albedo = ProjectColor(albedo);
@@ -515,10 +515,10 @@ Shader "Patina/passes"
                 float diffuse = DisneyDiffuseTerm(ndotv, ndotl, ldoth, 0.1);
 
                 // VisibilitySmithJointApproximate "visibility"
-                float visibility = VisibilitySmithJointApproximate(ndotl, ndotv, 0.010000001, 1e-05);
+                float visibility = VisibilitySmithJointApproximate(ndotl, ndotv, 0.01, 1e-05);
 
                 // DistributionGGXUnity "distribution"
-                float distribution = DistributionGGXUnity(ndoth, 0.010000001);
+                float distribution = DistributionGGXUnity(ndoth, 0.01);
 
                 // FresnelSchlick "fresnel"
                 float3 fresnel = FresnelSchlick(float3(0.04, 0.04, 0.04), ldoth, 1.0);
@@ -555,7 +555,7 @@ Shader "Patina/passes"
             {
                 PremultiplyAlphaResult premultiplyAlphaResult;
                 premultiplyAlphaResult.value = diffuseColor * 0.3;
-                premultiplyAlphaResult.outAlpha = 0.32800004;
+                premultiplyAlphaResult.outAlpha = 0.328;
                 return premultiplyAlphaResult;
             }
 
@@ -572,7 +572,7 @@ Shader "Patina/passes"
                 LightingSurfaceLacquer surface = lightingSurfaceLacquer(i.uv0, geometryNormalWS);
                 PremultiplyAlphaResult premultiplyAlphaResult = PremultiplyAlpha(surface.diffuseColor);
                 surface.diffuseColor = premultiplyAlphaResult.value;
-                surface.alpha = 0.32800004;
+                surface.alpha = 0.328;
                 Light light;
                 light.direction = _WorldSpaceLightPos0.xyz;
                 light.color = LinearColor(_LightColor0.rgb);
@@ -582,8 +582,8 @@ Shader "Patina/passes"
                 float3 fromLight = directLacquer(surface, light, viewDirWS);
                 float3 fromAround = indirectLacquer(surface, viewDirWS, i.positionWS, attenuation,
                     i.ambientOrLightmapUV, true);
-                float4 fog = float4(unity_FogColor.xyz * 0.32800004, 0.0);
-                float4 color = float4(ProjectColor(fromLight + fromAround), 0.32800004);
+                float4 fog = float4(unity_FogColor.xyz * 0.328, 0.0);
+                float4 color = float4(ProjectColor(fromLight + fromAround), 0.328);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, color, fog);
                 return color;
             }

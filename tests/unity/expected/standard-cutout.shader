@@ -250,32 +250,32 @@ Shader "Patina/Standard, cut out"
         float2 uv = tiled + offset;
 
         float2 detailUV = tiledDetail + offset;
-        float2 detailUVTurnedUV = float2(uv.x, 1.0 - uv.y);
-        float4 main_ = LinearColor(UNITY_SAMPLE_TEX2D(_MainTex, detailUVTurnedUV));
+        float2 uvTurned = float2(uv.x, 1.0 - uv.y);
+        float4 main_ = LinearColor(UNITY_SAMPLE_TEX2D(_MainTex, uvTurned));
 
         float3 tinted = main_.xyz * LinearColor(_Color).xyz;
 
         // SampleTexture2D "maps/mask"
         float4 mask;
     #if defined(_DETAIL_MULX2)
-        mask = UNITY_SAMPLE_TEX2D(_DetailMask, detailUVTurnedUV);
+        mask = UNITY_SAMPLE_TEX2D(_DetailMask, uvTurned);
     #else
         mask = float4(0.0, 0.0, 0.0, 0.0);
     #endif
-        float2 maskTurnedUV = float2(detailUV.x, 1.0 - detailUV.y);
+        float2 detailUVTurned = float2(detailUV.x, 1.0 - detailUV.y);
 
         // SampleTexture2D "maps/metallicGloss"
         float4 metallicGloss;
     #if defined(_METALLICGLOSSMAP)
-        metallicGloss = UNITY_SAMPLE_TEX2D(_MetallicGlossMap, detailUVTurnedUV);
+        metallicGloss = UNITY_SAMPLE_TEX2D(_MetallicGlossMap, uvTurned);
     #else
         metallicGloss = float4(0.0, 0.0, 0.0, 0.0);
     #endif
 
         // SampleTexture2D "maps/cavity"
-        float4 cavity = UNITY_SAMPLE_TEX2D(_OcclusionMap, detailUVTurnedUV);
+        float4 cavity = UNITY_SAMPLE_TEX2D(_OcclusionMap, uvTurned);
     #if defined(_DETAIL_MULX2)
-        float4 detail = LinearColor(UNITY_SAMPLE_TEX2D(_DetailAlbedoMap, maskTurnedUV));
+        float4 detail = LinearColor(UNITY_SAMPLE_TEX2D(_DetailAlbedoMap, detailUVTurned));
 
         // DetailAlbedo "maps/detailed"
         tinted *= lerp(float3(1.0, 1.0, 1.0), 4.5947933 * detail.xyz, mask.w);
@@ -306,11 +306,11 @@ Shader "Patina/Standard, cut out"
         float3 normalTS;
     #if defined(_NORMALMAP)
         // SampleNormalMap "maps/bumps"
-        float4 bumpsTexel = UNITY_SAMPLE_TEX2D(_BumpMap, detailUVTurnedUV);
+        float4 bumpsTexel = UNITY_SAMPLE_TEX2D(_BumpMap, uvTurned);
         normalTS = UnpackScaleNormal(bumpsTexel, _BumpScale);
     #if defined(_DETAIL_MULX2)
         // SampleNormalMap "maps/detailBumps"
-        float4 detailBumpsTexel = UNITY_SAMPLE_TEX2D(_DetailNormalMap, maskTurnedUV);
+        float4 detailBumpsTexel = UNITY_SAMPLE_TEX2D(_DetailNormalMap, detailUVTurned);
         float3 detailBumps = UnpackScaleNormal(detailBumpsTexel, _DetailNormalMapScale);
 
         // DetailNormal "maps/detailedBumps"
@@ -322,7 +322,7 @@ Shader "Patina/Standard, cut out"
         float3 emission;
     #if defined(_EMISSION)
         // SampleTexture2D "maps/glow"
-        float4 glow = LinearColor(UNITY_SAMPLE_TEX2D(_EmissionMap, detailUVTurnedUV));
+        float4 glow = LinearColor(UNITY_SAMPLE_TEX2D(_EmissionMap, uvTurned));
 
         emission = glow.xyz * _EmissionColor.xyz;
     #else
@@ -695,12 +695,6 @@ Shader "Patina/Standard, cut out"
             #pragma vertex vert
             #pragma fragment frag
 
-            struct LightingSurfaceShadowCaster
-            {
-                float alpha;
-                float alphaClip;
-            };
-
             struct v2f
             {
                 V2F_SHADOW_CASTER;
@@ -711,48 +705,6 @@ Shader "Patina/Standard, cut out"
                 UNITY_VERTEX_INPUT_INSTANCE_ID
                 UNITY_VERTEX_OUTPUT_STEREO
             };
-
-            // The surface at this point, from the material and its workflow.
-            LightingSurfaceShadowCaster lightingSurfaceShadowCaster(float2 uv0, float3 viewDirWS,
-                float3 geometryNormalWS, float3 tangentWS, float3 bitangentWS)
-            {
-                // standard-maps "maps"
-                float fromMapValue;
-            #if defined(_SMOOTHNESS_TEXTURE_ALBEDO_CHANNEL_A)
-                fromMapValue = 1.0;
-            #else
-                // TilingOffset "maps/tiled"
-                float2 tiledValue = float2(_MainTex_ST.z, 1.0 - _MainTex_ST.y - _MainTex_ST.w);
-                float2 tiled = float2(uv0.x, 1.0 - uv0.y) * _MainTex_ST.xy + tiledValue;
-
-                float2 offset;
-            #if defined(_PARALLAXMAP)
-                // WorldToTangent "maps/viewDirTS"
-                float geometryNormalWSDotViewDirWS = dot(geometryNormalWS, viewDirWS);
-                float3 viewDirTS = float3(dot(tangentWS, viewDirWS), dot(bitangentWS, viewDirWS),
-                    geometryNormalWSDotViewDirWS);
-
-                // SampleTexture2D "maps/height"
-                float2 heightTiled = uv0 * _MainTex_ST.xy + _MainTex_ST.zw;
-                float4 height = UNITY_SAMPLE_TEX2D(_ParallaxMap, heightTiled);
-
-                // ParallaxOffset "maps/step"
-                offset = ParallaxShift(height.y, _Parallax, viewDirTS);
-            #else
-                offset = float2(0.0, 0.0);
-            #endif
-
-                float2 uv = tiled + offset;
-                float4 main_ = LinearColor(UNITY_SAMPLE_TEX2D(_MainTex, float2(uv.x, 1.0 - uv.y)));
-
-                fromMapValue = main_.w;
-            #endif
-
-                LightingSurfaceShadowCaster lssc;
-                lssc.alpha = fromMapValue * LinearColor(_Color).w;
-                lssc.alphaClip = _Cutoff;
-                return lssc;
-            }
 
             v2f vert(appdata_full v)
             {
@@ -776,15 +728,48 @@ Shader "Patina/Standard, cut out"
                 UNITY_SETUP_INSTANCE_ID(i);
                 UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);
 
+                // standard-maps "maps"
+                float fromMapValue;
+            #if defined(_SMOOTHNESS_TEXTURE_ALBEDO_CHANNEL_A)
+                fromMapValue = 1.0;
+            #else
+                // TilingOffset "maps/tiled"
+                float2 tiledValue = float2(_MainTex_ST.z, 1.0 - _MainTex_ST.y - _MainTex_ST.w);
+                float2 tiled = float2(i.uv0.x, 1.0 - i.uv0.y) * _MainTex_ST.xy + tiledValue;
+
+                float2 offset;
+            #if defined(_PARALLAXMAP)
                 float3 toViewer = lerp(UnityWorldSpaceViewDir(i.positionWS), UNITY_MATRIX_V[2].xyz,
                     unity_OrthoParams.w);
                 float3 viewDirWS = normalize(toViewer);
                 float3 geometryNormalWS = normalize(i.vertexNormalWS);
                 float3 tangentWS = normalize(i.vertexTangentWS.xyz);
                 float3 bitangentWS = cross(geometryNormalWS, tangentWS) * i.vertexTangentWS.w;
-                LightingSurfaceShadowCaster surface = lightingSurfaceShadowCaster(i.uv0, viewDirWS, geometryNormalWS,
-                    tangentWS, bitangentWS);
-                if (surface.alpha < surface.alphaClip) discard;
+
+                // WorldToTangent "maps/viewDirTS"
+                float geometryNormalWSDotViewDirWS = dot(geometryNormalWS, viewDirWS);
+                float3 viewDirTS = float3(dot(tangentWS, viewDirWS), dot(bitangentWS, viewDirWS),
+                    geometryNormalWSDotViewDirWS);
+
+                // SampleTexture2D "maps/height"
+                float2 heightTiled = i.uv0 * _MainTex_ST.xy + _MainTex_ST.zw;
+                float4 height = UNITY_SAMPLE_TEX2D(_ParallaxMap, heightTiled);
+
+                // ParallaxOffset "maps/step"
+                offset = ParallaxShift(height.y, _Parallax, viewDirTS);
+            #else
+                offset = float2(0.0, 0.0);
+            #endif
+
+                float2 uv = tiled + offset;
+                float4 main_ = LinearColor(UNITY_SAMPLE_TEX2D(_MainTex, float2(uv.x, 1.0 - uv.y)));
+
+                fromMapValue = main_.w;
+            #endif
+
+                float alpha = fromMapValue * LinearColor(_Color).w;
+
+                if (alpha < _Cutoff) discard;
                 SHADOW_CASTER_FRAGMENT(i)
             }
             ENDCG

@@ -137,7 +137,7 @@ Shader "Patina/Wave"
         float3 baseColor = lerp(float3(0.02, 0.1, 0.2), float3(1.0, 1.0, 1.0), foam);
         LightingSurface ls;
         ls.diffuseColor = baseColor * 0.96;
-        ls.roughness = 0.19999999;
+        ls.roughness = 0.2;
         ls.normalWS = normalize(geometryNormalWS);
         return ls;
     }
@@ -233,7 +233,7 @@ Shader "Patina/Wave"
 
         // GrazingTerm "grazing"
         float smoothness = 1.0 - surface.roughness;
-        float grazing = saturate(smoothness + 0.04000002);
+        float grazing = saturate(smoothness + 0.04);
 
         // FresnelLerpFast "reflectance"
         float3 reflectance = FresnelToGrazingFast(float3(0.04, 0.04, 0.04), grazing.xxx, ndotv);

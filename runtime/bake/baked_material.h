@@ -1,0 +1,60 @@
+// What the pass `bake` or `bake-specular` has drawn (nodes/passes/bake.pass.hlsl) as a glTF material: what is the same
+// everywhere becomes a factor, the rest a texture.
+//
+//   BakedMaterial made = baked_material("rust", drawn, {}, state);
+//   Outcome<std::string> png = encode_map(made.maps[0]);
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "patina/words.h"
+#include "runtime/gltf/gltf_writer.h"
+#include "runtime/picture/image.h"
+
+namespace patina::runtime {
+
+// The targets of the pass, all of one size.
+struct BakedTargets {
+    Image color, reflection, normal, emission, cutoff;
+};
+
+// An input of the lighting model that the graph sets, as the pass `bake-value` has drawn it; one texel if it is the
+// same everywhere.
+struct LayerValue {
+    std::string input{};
+    Image image{};
+};
+
+// What the pass does not draw.
+struct BakedState {
+    SurfaceKind surface = SurfaceKind::Opaque;
+    bool is_unlit = false;
+    bool is_double_sided = false;
+    bool is_specular = false;  // KHR_materials_pbrSpecularGlossiness
+};
+
+struct BakedMap {
+    std::string name;       // "baseColor"
+    bool is_color = false;  // encoded as sRGB in a file of 8 bits
+    Image image;            // linear; what a texture of glTF holds
+};
+
+struct BakedMaterial {
+    WrittenMaterial material;    // its textures are indices into `maps`
+    std::vector<BakedMap> maps;  // padded
+    // What is lost, with the reason: "the base colour above 1", "...".
+    struct Loss {
+        std::string what, why;
+    };
+    std::vector<Loss> losses;
+    std::size_t not_finite = 0;  // texels with a number that is not finite, which becomes 0
+    int first_x = 0, first_y = 0;
+};
+
+BakedMaterial baked_material(const std::string& name, BakedTargets drawn, const std::vector<LayerValue>& layers,
+                             const BakedState& state);
+
+Outcome<std::string> encode_map(const BakedMap& map);  // a PNG file
+
+}  // namespace patina::runtime
