@@ -153,8 +153,7 @@ void Interpreter::set_texture(std::string_view name, std::shared_ptr<const Textu
     if (!impl_->module) return;
     const std::vector<ir::Global>& globals = impl_->module->globals;
     const auto is_texture = [&](const ir::Global& global) {
-        return global.name == name &&
-               (global.type.kind == ir::Kind::Texture2D || global.type.kind == ir::Kind::TextureCube);
+        return global.name == name && global.type.is_texture();
     };
     const auto found = std::find_if(globals.begin(), globals.end(), is_texture);
     if (found == globals.end()) return;

@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+#include "compiler/ir/texture_kinds.h"
+
 namespace patina::graph {
 namespace {
 
@@ -187,13 +189,13 @@ private:
         for (const Argument& argument : arguments) {
             const Value value = value_of(*argument.value);
             made.textures.insert(value.textures.begin(), value.textures.end());
-            if (value.texture && value.texture->type == PropertyType::Texture2D) texture = value.texture;
+            if (value.texture && is_texture(value.texture->type)) texture = value.texture;
             const Meaning wanted = declared(argument.param->attributes, argument.param->name);
             if (wanted.kind == Kind::NormalMap || wanted.kind == Kind::Texel)
                 normal_map(wanted.kind == Kind::NormalMap ? value.texture : value.texel_of, argument.where);
             else if (wanted.kind == Kind::Data && value.texture)
                 data_.emplace(value.texture, value.texture->name_span);
-            else if (value.texture && argument.param->type.name == "Texture2D" && made.meaning.kind != Kind::Texel)
+            else if (value.texture && ir::texture_kind(argument.param->type.name) && made.meaning.kind != Kind::Texel)
                 colors_.insert(value.texture);  // what a node does with it that says nothing of it is not known
             else
                 compare(value, wanted, argument.param->name, argument.where);
