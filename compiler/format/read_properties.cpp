@@ -215,9 +215,7 @@ void read_grid(Reading& reading, const Json& json, Property& property) {
     }
     for (std::size_t i = 0; i < 2; ++i) {
         constexpr int kMost = 256;
-        property.grid[i] = read_int(reading, json.elements[i], i == 0 ? "the columns of 'grid'" : "the rows of 'grid'",
-                                    1, kMost)
-                               .value_or(1);
+        property.grid[i] = read_int(reading, json.elements[i], "'grid'", 1, kMost).value_or(1);
     }
 }
 
