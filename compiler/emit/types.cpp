@@ -59,9 +59,8 @@ Type type(Emitter& emitter, const TypeName& name, const Scope& scope) {
         } else if (scope.declarations->enumeration(name.name)) {
             base = ir::kInt;
         } else {
-            std::vector<std::string_view> known = {"bool",     "int",       "uint",       "half",   "float",
-                                                   "float2",   "float3",    "float4",     "floatN", "float3x3",
-                                                   "float4x4"};
+            std::vector<std::string_view> known = {"bool",   "int",    "uint",   "half",     "float",   "float2",
+                                                   "float3", "float4", "floatN", "float3x3", "float4x4"};
             for (const ir::TextureKind& each : ir::kTextureKinds) known.push_back(each.name);
             const std::string advice = nodelang::word_advice(name.name);
             emitter.diagnostics.report(Code::UnknownType, name.span, name.name)

@@ -82,9 +82,10 @@ constexpr std::array kWorkflow = {
 
 constexpr std::array kProperty = {
     KeyInfo{"name", "the name in the shader; a graph reads it as $name", ObjectKind::Free, true},
-    KeyInfo{"type",
-            "float, float2, float3, float4, color, int, bool, enum, texture2d, textureCube, texture2dArray or texture3d",
-            ObjectKind::Free, true},
+    KeyInfo{
+        "type",
+        "float, float2, float3, float4, color, int, bool, enum, texture2d, textureCube, texture2dArray or texture3d",
+        ObjectKind::Free, true},
     KeyInfo{"usage", "of a texture: color (sRGB), data (linear) or normal (a tangent-space normal map)"},
     KeyInfo{"values", "of an enum: its values"},
     KeyInfo{"default", "the default value"},

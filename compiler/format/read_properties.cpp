@@ -52,8 +52,7 @@ void check_keys_of_type(Reading& reading, const Json& json, const Property& prop
         for (const std::string_view key : {"usage", "sampler"}) refuse_key(reading, json, key, what, "a texture");
     }
     if (property.type != PropertyType::Texture2D) refuse_key(reading, json, "tiling", what, "a texture2d");
-    const bool has_layers =
-        property.type == PropertyType::Texture2DArray || property.type == PropertyType::Texture3D;
+    const bool has_layers = property.type == PropertyType::Texture2DArray || property.type == PropertyType::Texture3D;
     if (!has_layers) refuse_key(reading, json, "grid", what, "a texture2dArray and a texture3d");
     if (property.type != PropertyType::Enum) refuse_key(reading, json, "values", what, "an enum");
     if (ranged_count(property.type) == 0) {
@@ -111,8 +110,7 @@ void read_enum_default(Reading& reading, const Json& json, Property& property) {
 }
 
 void read_texture_default(Reading& reading, const Json& json, Property& property) {
-    const std::string* text =
-        read_string(reading, json, fmt::format("the default of a {}", to_string(property.type)));
+    const std::string* text = read_string(reading, json, fmt::format("the default of a {}", to_string(property.type)));
     if (!text) return;
     const bool is_file = text->starts_with("./") || text->starts_with("../") || text->starts_with('/');
     const bool is_word = std::find(kDefaultTextures.begin(), kDefaultTextures.end(), *text) != kDefaultTextures.end();

@@ -64,10 +64,9 @@ void set_uniform(Machine& machine, const ir::Module& module, ir::GlobalId global
 void set_texture(Machine& machine, ir::GlobalId global, std::shared_ptr<const TextureData> texture) {
     const auto is_whole = [&](const TextureLevel& level) {
         return level.width > 0 && level.height > 0 && level.depth > 0 &&
-               level.texels.size() >= 4 * static_cast<std::size_t>(level.width) *
-                                          static_cast<std::size_t>(level.height) *
-                                          static_cast<std::size_t>(level.depth) *
-                                          static_cast<std::size_t>(texture->layers);
+               level.texels.size() >=
+                   4 * static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height) *
+                       static_cast<std::size_t>(level.depth) * static_cast<std::size_t>(texture->layers);
     };
     const bool is_usable = texture && texture->layers > 0 && !texture->levels.empty() &&
                            std::all_of(texture->levels.begin(), texture->levels.end(), is_whole);

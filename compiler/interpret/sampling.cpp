@@ -52,7 +52,8 @@ Direction difference(const Direction& a, const Direction& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-// The level of a footprint whose derivatives have the operands `which`, or are the differences to the quad's first pixel.
+// The level of a footprint whose derivatives have the operands `which`, or are the differences to the quad's first
+// pixel.
 template <Kind kind>
 double level_of(const Reader& reader, const Direction& at, const Direction& dx, const Direction& dy) {
     if constexpr (kind == Kind::TextureCube) return cube_level(reader, at, dx, dy);

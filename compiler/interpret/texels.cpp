@@ -184,8 +184,8 @@ Texel in_volume(const Reader& reader, const Direction& place, double lod) {
         return nearest(reader, level, place[0], place[1], layer);
     };
     return mixed_levels(
-        reader, lod,
-        [&](const TextureLevel& level) { return trilinear(reader, level, place[0], place[1], place[2]); }, nearest_at);
+        reader, lod, [&](const TextureLevel& level) { return trilinear(reader, level, place[0], place[1], place[2]); },
+        nearest_at);
 }
 
 Texel in_cube(const Reader& reader, const Direction& direction, double lod) {

@@ -12,10 +12,10 @@ namespace patina::ir {
 
 struct TextureKind {
     Kind kind = Kind::Texture2D;
-    std::string_view name{};     // in the node language and in HLSL
-    unsigned coordinates = 2;    // numbers of a place in it
-    unsigned derivatives = 2;    // numbers of the derivatives of a place: a layer has none
-    bool has_rows = true;        // its second coordinate counts rows, which engines count from the top or the bottom
+    std::string_view name{};   // in the node language and in HLSL
+    unsigned coordinates = 2;  // numbers of a place in it
+    unsigned derivatives = 2;  // numbers of the derivatives of a place: a layer has none
+    bool has_rows = true;      // its second coordinate counts rows, which engines count from the top or the bottom
 };
 inline constexpr TextureKind kTextureKinds[] = {
     {.kind = Kind::Texture2D, .name = "Texture2D"},

@@ -105,7 +105,9 @@ Type texel(Op op, std::span<const Type> types) {
     const TextureKind* texture = texture_kind(types[0].kind);
     if (!texture) return Type::error();
     if (op == Op::TexelLoad) {
-        return texture->kind == Kind::Texture2D && types[1] == Type::vector(Scalar::Int, 2) && types[2] == kInt ? kFloat4 : Type::error();
+        return texture->kind == Kind::Texture2D && types[1] == Type::vector(Scalar::Int, 2) && types[2] == kInt
+                   ? kFloat4
+                   : Type::error();
     }
     const Type coordinate = Type::vector(Scalar::Float, texture->coordinates);
     if (types[1].kind != Kind::Sampler || types[2] != coordinate) return Type::error();

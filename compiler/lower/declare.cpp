@@ -227,7 +227,8 @@ std::vector<PropertyGlobals> declare_material(const engines::Engine& engine, con
             module.globals[made.value.index].group = ir::Group::Material;
             continue;
         }
-        made.texture = add_resource(module, property.name, texture_kind(property.type), ir::Group::Material, property.span);
+        made.texture =
+            add_resource(module, property.name, texture_kind(property.type), ir::Group::Material, property.span);
         made.sampler =
             add_resource(module, "sampler" + property.name, ir::Kind::Sampler, ir::Group::Material, property.span);
         if (property.tiling) {

@@ -167,8 +167,9 @@ Typed GraphScope::call_node(const Node& node, const ResolvedNode& resolved) {
     }
     // Texture coordinates need more precision than the eleven bits of a half, so functions that sample compute in
     // float.
-    const bool samples = std::any_of(function.params.begin(), function.params.end(),
-                                     [](const nodelang::ParamDecl& p) { return ir::texture_kind(p.type.name) != nullptr; });
+    const bool samples = std::any_of(function.params.begin(), function.params.end(), [](const nodelang::ParamDecl& p) {
+        return ir::texture_kind(p.type.name) != nullptr;
+    });
     return emit::call(lowering_.emitter, function, *resolved.home, arguments, scope_, node.type_span,
                       uses_half(node) && !samples);
 }
@@ -346,11 +347,11 @@ Typed GraphScope::bound_property(const PortValue& port) {
     if (property == own.end() || !port.value) return {};
     GraphScope reader(lowering_, property_scope_->graph_, *scope_.builder, false);
     reader.emit_nodes(reader.graph_.reachable(std::span(&port, 1)));
-    const Type type = is_texture(property->type)
-                          ? emit::type(lowering_.emitter,
-                                       {.name = ir::texture_kind(texture_kind(property->type))->name}, scope_)
-                      : property->type == PropertyType::Bool ? ir::kBool
-                                                             : property_type(property->type);
+    const Type type =
+        is_texture(property->type)
+            ? emit::type(lowering_.emitter, {.name = ir::texture_kind(texture_kind(property->type))->name}, scope_)
+        : property->type == PropertyType::Bool ? ir::kBool
+                                               : property_type(property->type);
     Typed value = reader.value_as(port, type, fmt::format("the property '{}'", port.name));
     if (property->type == PropertyType::Enum) {
         lowering_.enumerators.emplace_back(property->values.begin(), property->values.end());

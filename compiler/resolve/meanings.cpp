@@ -8,8 +8,6 @@
 #include <set>
 #include <utility>
 
-#include "compiler/ir/texture_kinds.h"
-
 namespace patina::graph {
 namespace {
 
@@ -195,7 +193,8 @@ private:
                 normal_map(wanted.kind == Kind::NormalMap ? value.texture : value.texel_of, argument.where);
             else if (wanted.kind == Kind::Data && value.texture)
                 data_.emplace(value.texture, value.texture->name_span);
-            else if (value.texture && ir::texture_kind(argument.param->type.name) && made.meaning.kind != Kind::Texel)
+            else if (value.texture && argument.param->type.name.starts_with("Texture") &&
+                     made.meaning.kind != Kind::Texel)
                 colors_.insert(value.texture);  // what a node does with it that says nothing of it is not known
             else
                 compare(value, wanted, argument.param->name, argument.where);

@@ -1,8 +1,8 @@
 #include "compiler/resolve/smallest_material.h"
 
-#include "compiler/format/words.h"
-
 #include <algorithm>
+
+#include "compiler/format/words.h"
 
 namespace patina::graph {
 

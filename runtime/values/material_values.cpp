@@ -172,8 +172,7 @@ void write(std::vector<std::byte>& bytes, const BlockMember& member, MatrixOrder
 std::optional<Numbers> material_number(const BlockMember& member, const std::string& block,
                                        const Reflection& reflection, const MaterialValues& values) {
     for (const Property& property : reflection.properties) {
-        if (is_texture(property.type) || property.block != block || property.offset != member.offset)
-            continue;
+        if (is_texture(property.type) || property.block != block || property.offset != member.offset) continue;
         auto found = values.numbers.find(property.name);
         return found == values.numbers.end() ? property.value : found->second;
     }

@@ -39,8 +39,8 @@ Outcome<std::vector<Image>> grid_layers(const Image& image, std::array<int, 2> g
         return Failure{fmt::format("'{}' has {} x {} pixels, which the grid [{}, {}] does not divide into equal layers",
                                    name, image.width, image.height, columns, rows)};
     if (columns * rows > kMostLayers)
-        return Failure{fmt::format("the grid [{}, {}] of '{}' has {} layers; a texture may have {}", columns, rows, name,
-                                   columns * rows, kMostLayers)};
+        return Failure{fmt::format("the grid [{}, {}] of '{}' has {} layers; a texture may have {}", columns, rows,
+                                   name, columns * rows, kMostLayers)};
     const int width = image.width / columns, height = image.height / rows;
     std::vector<Image> layers;
     for (int row = 0; row < rows; row++) {

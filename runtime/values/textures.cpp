@@ -21,9 +21,9 @@ Outcome<TextureData> data_of(const Texture& texture, Image image, const std::str
     };
     if (texture.dimension == TextureDimension::Flat) return with(mip_chain(image), 1);
     const bool is_cube = texture.dimension == TextureDimension::Cube;
-    Outcome<std::vector<Image>> layers =
-        is_cube ? cube_faces(std::move(image), source)
-                : grid_layers(image, is_named ? std::array{1, 1} : texture.grid, source);
+    Outcome<std::vector<Image>> layers = is_cube
+                                             ? cube_faces(std::move(image), source)
+                                             : grid_layers(image, is_named ? std::array{1, 1} : texture.grid, source);
     if (!layers) return Failure{layers.error};
     if (texture.dimension == TextureDimension::Volume) return with(volume_mip_chain(layers.value), 1);
     return with(mip_chain(layers.value), layers.value.size());

@@ -111,7 +111,8 @@ TEST_P(Orientation, CubesArraysAndVolumes) {
         request.overrides["_Depth"] = c.depth;
         const RenderOutcome outcome = draw(request, GetParam());
         if (!outcome.ok) return;
-        expect_color(outcome.image, kSize / 6, kSize / 2, c.sky, std::string("sky ") + c.direction);
+        expect_color(outcome.image, kSize / 6, kSize / 4, c.sky, std::string("sky ") + c.direction);
+        expect_color(outcome.image, kSize / 6, kSize * 3 / 4, c.sky, std::string("level 0 of the sky ") + c.direction);
         expect_color(outcome.image, kSize / 2, kSize / 2, c.layer, std::string("layer ") + c.index);
         expect_color(outcome.image, kSize * 5 / 6, kSize / 2, c.fog, std::string("depth ") + c.depth);
     }

@@ -75,7 +75,8 @@ constexpr Method kMethods[] = {
 // Single texels and sizes are those of one picture.
 bool has_method(const ir::TextureKind& texture, const Method& method) {
     if (method.op == Op::TexelLoad) return texture.kind == ir::Kind::Texture2D;
-    if (method.op == Op::TextureSize) return texture.kind == ir::Kind::Texture2D || texture.kind == ir::Kind::TextureCube;
+    if (method.op == Op::TextureSize)
+        return texture.kind == ir::Kind::Texture2D || texture.kind == ir::Kind::TextureCube;
     return true;
 }
 
@@ -89,7 +90,8 @@ std::vector<Type> parameters(const ir::TextureKind& texture, const Method& metho
     if (method.op == Op::TextureSize) return {ir::kInt};
     std::vector<Type> made = {Type::vector(Scalar::Float, texture.coordinates)};
     if (method.further == Further::Number) made.push_back(ir::kFloat);
-    if (method.further == Further::Derivatives) made.insert(made.end(), 2, Type::vector(Scalar::Float, texture.derivatives));
+    if (method.further == Further::Derivatives)
+        made.insert(made.end(), 2, Type::vector(Scalar::Float, texture.derivatives));
     return made;
 }
 

@@ -18,7 +18,8 @@ namespace patina {
 enum class Precision { Float, Double };
 
 // A texture that the interpreter reads: linear RGBA texels, level 0 first; rows from the top, as a GPU stores them.
-// Layers follow each other. Each level of a cube has its six faces in order: +X, -X, +Y, -Y, +Z, -Z, with Vulkan's layout.
+// Layers follow each other. Each level of a cube has its six faces in order: +X, -X, +Y, -Y, +Z, -Z, with Vulkan's
+// layout.
 struct TextureLevel {
     int width = 0, height = 0;
     std::vector<float> texels;  // 4 * width * height, for each layer

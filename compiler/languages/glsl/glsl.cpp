@@ -59,8 +59,8 @@ std::string array_value(const std::string& element_type, std::size_t count, cons
 Text sample(const Body& body, Value v, std::string_view function) {
     std::string sampler = type_name(body[body.arg(v, 0)].type);
     sampler.replace(0, std::string_view("texture").size(), "sampler");  // texture2D, sampler2D
-    return {fmt::format("{}({}({}, {}), {})", function, sampler, body.argument(v, 0),
-                        body.argument(v, 1), body.arguments(v, 2)),
+    return {fmt::format("{}({}({}, {}), {})", function, sampler, body.argument(v, 0), body.argument(v, 1),
+                        body.arguments(v, 2)),
             Precedence::Postfix};
 }
 

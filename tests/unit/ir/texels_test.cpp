@@ -1,11 +1,11 @@
 // Texels of arrays and of 3D textures. Every expected number is worked out by hand from Vulkan's "Texel Input
 // Operations".
+#include "compiler/interpret/texels.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
-
-#include "compiler/interpret/texels.h"
 
 namespace patina::interpret {
 namespace {

@@ -1,8 +1,9 @@
 // Layers out of one picture, and their mip levels. Colours are worked out by hand.
+#include "runtime/values/texture_layers.h"
+
 #include <gtest/gtest.h>
 
 #include "runtime/picture/mip_chain.h"
-#include "runtime/values/texture_layers.h"
 
 namespace patina::runtime {
 namespace {
