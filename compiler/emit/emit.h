@@ -24,8 +24,8 @@ namespace patina::emit {
 // The struct types that have been made.
 struct Structures {
     std::map<const StructDecl*, ir::Type> made{};
-    // The values of Texture2D {texture, sampler, texelSize, tiling} and of TextureCube {texture, sampler}.
-    std::optional<ir::Type> texture2d{}, texture_cube{};
+    // The values of textures: {texture, sampler}, and of Texture2D {texture, sampler, texelSize, tiling}.
+    std::map<ir::Kind, ir::Type> textures{};
 };
 
 // What the emission into one module needs and keeps.
@@ -52,10 +52,10 @@ Typed call(Emitter& emitter, const FunctionDecl& function, const Declarations& h
            std::span<const Expr* const> arguments, Scope& scope, Span span, bool half);
 // What an [extern] variable holds; a texture comes with its sampler. Not ok() if Known does not list it.
 Typed extern_value(Emitter& emitter, const VariableDecl& variable, Scope& scope);
-// A Texture2D of its parts.
+// A texture of its parts. Only a Texture2D has the last two.
 struct TextureParts {
     ir::Value texture, sampler;
-    ir::Value tiling;        // float4: scale and offset
+    ir::Value tiling{};      // float4: scale and offset; null: 1 and 0
     ir::Value texel_size{};  // float4: (1/width, 1/height, width, height); null: the shader asks the texture
 };
 Typed make_texture(Emitter& emitter, const TextureParts& parts, Scope& scope);

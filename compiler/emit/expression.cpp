@@ -109,9 +109,7 @@ Typed extern_value(Emitter& emitter, const VariableDecl& variable, Scope& scope)
     const Value value = read(global->index);
     if (!type.is_opaque()) return {.value = value, .type = type};
     const Value sampler = read(global->index + 1);  // declared with its texture
-    if (type.kind == ir::Kind::TextureCube) return make_cube(emitter, value, sampler, scope);
-    const Value untiled = scope.builder->constant(ir::kFloat4, {1, 1, 0, 0});
-    return make_texture(emitter, {.texture = value, .sampler = sampler, .tiling = untiled}, scope);
+    return make_texture(emitter, {.texture = value, .sampler = sampler}, scope);
 }
 
 Typed expression(Emitter& emitter, const Expr& expr, Scope& scope) {

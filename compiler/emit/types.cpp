@@ -5,6 +5,7 @@
 #include "compiler/base/text.h"
 #include "compiler/emit/constant_value.h"
 #include "compiler/emit/operations/textures.h"
+#include "compiler/ir/texture_kinds.h"
 #include "compiler/nodelang/other_names.h"
 
 namespace patina::emit {
@@ -45,10 +46,8 @@ Type type(Emitter& emitter, const TypeName& name, const Scope& scope) {
         // nothing to look up
     } else if (name.name == "floatN") {
         base = Type::vector(Scalar::Float, std::max(1u, scope.generic_width));
-    } else if (name.name == "Texture2D") {
-        base = texture_type(emitter);
-    } else if (name.name == "TextureCube") {
-        base = cube_type(emitter);
+    } else if (const ir::TextureKind* texture = ir::texture_kind(name.name)) {
+        base = texture_type(emitter, texture->kind);
     } else if (name.name == "SamplerState") {
         base = Type::of(ir::Kind::Sampler);
     } else if (name.name == "void") {
@@ -60,9 +59,9 @@ Type type(Emitter& emitter, const TypeName& name, const Scope& scope) {
         } else if (scope.declarations->enumeration(name.name)) {
             base = ir::kInt;
         } else {
-            std::vector<std::string_view> known = {"bool",     "int",       "uint",       "half",   "float",
-                                                   "float2",   "float3",    "float4",     "floatN", "float3x3",
-                                                   "float4x4", "Texture2D", "TextureCube"};
+            std::vector<std::string_view> known = {"bool",   "int",    "uint",   "half",     "float",   "float2",
+                                                   "float3", "float4", "floatN", "float3x3", "float4x4"};
+            for (const ir::TextureKind& each : ir::kTextureKinds) known.push_back(each.name);
             const std::string advice = nodelang::word_advice(name.name);
             emitter.diagnostics.report(Code::UnknownType, name.span, name.name)
                 .note(advice.empty() ? Diagnostics::suggestion(name.name, known) : advice);

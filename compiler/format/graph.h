@@ -70,6 +70,7 @@ struct Property {
     TextureUsage usage = TextureUsage::Color;
     std::optional<Span> usage_span;  // where it is stated
     bool tiling = false;
+    std::array<int, 2> grid{1, 1};  // of a texture2dArray and a texture3d: columns and rows of layers in the picture
     Sampler sampler;
     Span sampler_span;
     Binding binding = Binding::Uniform;  // Specialization and Variant: bool and enum

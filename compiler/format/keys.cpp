@@ -82,14 +82,18 @@ constexpr std::array kWorkflow = {
 
 constexpr std::array kProperty = {
     KeyInfo{"name", "the name in the shader; a graph reads it as $name", ObjectKind::Free, true},
-    KeyInfo{"type", "float, float2, float3, float4, color, int, bool, enum or texture2d", ObjectKind::Free, true},
+    KeyInfo{
+        "type",
+        "float, float2, float3, float4, color, int, bool, enum, texture2d, textureCube, texture2dArray or texture3d",
+        ObjectKind::Free, true},
     KeyInfo{"usage", "of a texture: color (sRGB), data (linear) or normal (a tangent-space normal map)"},
     KeyInfo{"values", "of an enum: its values"},
     KeyInfo{"default", "the default value"},
     KeyInfo{"range", "[low, high]: a value outside is a warning; a colour whose high is above 1 is HDR"},
     KeyInfo{"hard", "true: a value outside the range is an error"},
     KeyInfo{"as", "how it is bound: uniform, instance (a value for each instance), specialization or variant"},
-    KeyInfo{"tiling", "of a texture: true gives it a scale and an offset"},
+    KeyInfo{"tiling", "of a texture2d: true gives it a scale and an offset"},
+    KeyInfo{"grid", "of a texture2dArray and a texture3d: [columns, rows] of its layers in the picture"},
     KeyInfo{"sampler", "of a texture: its sampler", ObjectKind::Sampler},
     KeyInfo{"label", "the name that an inspector shows"},
     KeyInfo{"group", "the heading in an inspector"},
@@ -109,7 +113,9 @@ constexpr std::array kNode = {
 
 constexpr std::array kInput = {
     KeyInfo{"name", "an identifier", ObjectKind::Free, true},
-    KeyInfo{"type", "float, float2, float3, float4, color, int, bool or texture2d", ObjectKind::Free, true},
+    KeyInfo{"type",
+            "float, float2, float3, float4, color, int, bool, texture2d, textureCube, texture2dArray or texture3d",
+            ObjectKind::Free, true},
     KeyInfo{"default", "the value if the input is not connected; without a default the input is required"},
     KeyInfo{"range", "[low, high]: a value outside is a warning"},
     KeyInfo{"hard", "true: a value outside the range is an error"},

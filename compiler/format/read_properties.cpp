@@ -18,7 +18,10 @@ std::size_t component_count(PropertyType type) {
         case PropertyType::Int:
         case PropertyType::Bool:
         case PropertyType::Enum:
-        case PropertyType::Texture2D: return 1;
+        case PropertyType::Texture2D:
+        case PropertyType::TextureCube:
+        case PropertyType::Texture2DArray:
+        case PropertyType::Texture3D: return 1;
     }
     return 1;
 }
@@ -34,19 +37,23 @@ std::size_t ranged_count(PropertyType type) {
         case PropertyType::Color: return 3;
         case PropertyType::Bool:
         case PropertyType::Enum:
-        case PropertyType::Texture2D: return 0;
+        case PropertyType::Texture2D:
+        case PropertyType::TextureCube:
+        case PropertyType::Texture2DArray:
+        case PropertyType::Texture3D: return 0;
     }
     return 0;
 }
 
 // Reports keys of the format that this type of property cannot use.
 void check_keys_of_type(Reading& reading, const Json& json, const Property& property) {
-    const bool is_texture = property.type == PropertyType::Texture2D;
     const std::string what = fmt::format("a property of type {}", to_string(property.type));
-    if (!is_texture) {
-        for (const std::string_view key : {"usage", "tiling", "sampler"})
-            refuse_key(reading, json, key, what, "a texture2d");
+    if (!is_texture(property.type)) {
+        for (const std::string_view key : {"usage", "sampler"}) refuse_key(reading, json, key, what, "a texture");
     }
+    if (property.type != PropertyType::Texture2D) refuse_key(reading, json, "tiling", what, "a texture2d");
+    const bool has_layers = property.type == PropertyType::Texture2DArray || property.type == PropertyType::Texture3D;
+    if (!has_layers) refuse_key(reading, json, "grid", what, "a texture2dArray and a texture3d");
     if (property.type != PropertyType::Enum) refuse_key(reading, json, "values", what, "an enum");
     if (ranged_count(property.type) == 0) {
         for (const std::string_view key : {"range", "hard"}) {
@@ -103,7 +110,7 @@ void read_enum_default(Reading& reading, const Json& json, Property& property) {
 }
 
 void read_texture_default(Reading& reading, const Json& json, Property& property) {
-    const std::string* text = read_string(reading, json, "the default of a texture2d");
+    const std::string* text = read_string(reading, json, fmt::format("the default of a {}", to_string(property.type)));
     if (!text) return;
     const bool is_file = text->starts_with("./") || text->starts_with("../") || text->starts_with('/');
     const bool is_word = std::find(kDefaultTextures.begin(), kDefaultTextures.end(), *text) != kDefaultTextures.end();
@@ -137,7 +144,10 @@ void read_default(Reading& reading, const Json& json, Property& property) {
             property.value[0] = read_bool(reading, json, "the default of a bool").value_or(false) ? 1 : 0;
             return;
         case PropertyType::Enum: return read_enum_default(reading, json, property);
-        case PropertyType::Texture2D: return read_texture_default(reading, json, property);
+        case PropertyType::Texture2D:
+        case PropertyType::TextureCube:
+        case PropertyType::Texture2DArray:
+        case PropertyType::Texture3D: return read_texture_default(reading, json, property);
     }
 }
 
@@ -145,7 +155,7 @@ void read_default(Reading& reading, const Json& json, Property& property) {
 // nothing.
 void set_implied_default(Property& property) {
     if (property.type == PropertyType::Color) property.value = {1, 1, 1, 1};
-    if (property.type == PropertyType::Texture2D) {
+    if (is_texture(property.type)) {
         property.texture = property.usage == TextureUsage::Normal ? "bump" : "white";
     }
     if (property.range) {
@@ -195,6 +205,18 @@ void read_sampler(Reading& reading, const Json& json, Sampler& sampler) {
     }
 }
 
+// "grid": [4, 2]: the picture holds 2 rows of 4 layers.
+void read_grid(Reading& reading, const Json& json, Property& property) {
+    if (json.kind != Json::Kind::Array || json.elements.size() != 2) {
+        report_type(reading, json, "'grid'", "an array of 2 numbers: columns and rows");
+        return;
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+        constexpr int kMost = 256;
+        property.grid[i] = read_int(reading, json.elements[i], "'grid'", 1, kMost).value_or(1);
+    }
+}
+
 void read_texture_keys(Reading& reading, const Json& json, Property& property) {
     if (const Json* usage = json.find("usage")) {
         property.usage_span = usage->span;
@@ -204,6 +226,11 @@ void read_texture_keys(Reading& reading, const Json& json, Property& property) {
     if (const Json* tiling = json.find("tiling")) {
         property.tiling = read_bool(reading, *tiling, "'tiling'").value_or(false);
     }
+    if (property.usage == TextureUsage::Normal && property.type != PropertyType::Texture2D) {
+        reading.diagnostics.report(Code::ImpossibleValue, property.usage_span.value_or(json.span), "usage",
+                                   fmt::format("color or data: a {} holds no normal map", to_string(property.type)));
+    }
+    if (const Json* grid = json.find("grid")) read_grid(reading, *grid, property);
     if (const Json* sampler = json.find("sampler")) {
         property.sampler_span = sampler->span;
         read_sampler(reading, *sampler, property.sampler);
@@ -236,12 +263,12 @@ Property read_property(Reading& reading, const Json& json, UniqueNames& names) {
         reading.diagnostics.report(Code::TypeMismatch, property.binding_span, fmt::format("'{}'", shown(property.name)),
                                    to_string(property.type), "a bool or an enum");
     }
-    if (property.binding == Binding::Instance && property.type == PropertyType::Texture2D) {
+    if (property.binding == Binding::Instance && is_texture(property.type)) {
         reading.diagnostics.report(Code::TypeMismatch, property.binding_span, fmt::format("'{}'", shown(property.name)),
                                    to_string(property.type), "a number, a vector, a color, a bool or an enum");
     }
     if (property.type == PropertyType::Enum) read_enum_values(reading, json, property);
-    if (property.type == PropertyType::Texture2D) read_texture_keys(reading, json, property);
+    if (is_texture(property.type)) read_texture_keys(reading, json, property);
     if (ranged_count(property.type) > 0) read_limits(reading, json, property.range, property.hard);
     set_implied_default(property);
     const std::size_t errors_before = reading.diagnostics.error_count();

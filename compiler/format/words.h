@@ -64,8 +64,15 @@ inline constexpr std::array<std::string_view, 4> kDefaultTextures = {"white", "b
 
 // The types that an input of a sub-graph, a workflow or a lighting model can have.
 // As everywhere, "color" has alpha; "color3" has none.
-inline constexpr std::array<std::string_view, 9> kInputTypes = {"float",  "float2", "float3", "float4",   "color",
-                                                                "color3", "int",    "bool",   "texture2d"};
+inline constexpr std::array<std::string_view, 12> kInputTypes = {
+    "float", "float2", "float3",    "float4",      "color",          "color3",
+    "int",   "bool",   "texture2d", "textureCube", "texture2dArray", "texture3d"};
+
+// The kind of texture that a property or an input has, as word of its type; nothing if it is none.
+constexpr std::optional<PropertyType> texture_type(std::string_view word) {
+    const std::optional<PropertyType> type = from_word<PropertyType>(word);
+    return type && is_texture(*type) ? type : std::nullopt;
+}
 
 }  // namespace patina::graph
 

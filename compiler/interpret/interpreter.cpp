@@ -152,10 +152,7 @@ void Interpreter::set_value(std::string_view name, std::span<const double> compo
 void Interpreter::set_texture(std::string_view name, std::shared_ptr<const TextureData> texture) {
     if (!impl_->module) return;
     const std::vector<ir::Global>& globals = impl_->module->globals;
-    const auto is_texture = [&](const ir::Global& global) {
-        return global.name == name &&
-               (global.type.kind == ir::Kind::Texture2D || global.type.kind == ir::Kind::TextureCube);
-    };
+    const auto is_texture = [&](const ir::Global& global) { return global.name == name && global.type.is_texture(); };
     const auto found = std::find_if(globals.begin(), globals.end(), is_texture);
     if (found == globals.end()) return;
     const auto index = static_cast<std::uint32_t>(found - globals.begin());

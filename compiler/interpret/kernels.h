@@ -17,7 +17,7 @@ Kernel bitcast_kernel(ir::Scalar from, ir::Scalar to);
 // The kernels of Select (shapes[0] is the condition's), of Index (data is the number of parts), and of the ops over
 // vectors, matrices and neighbouring pixels.
 Kernel vector_kernel(ir::Op op, ir::Scalar scalar, Precision precision);
-// `texture`: Texture2D or TextureCube.
+// `texture`: the kind of the first operand.
 Kernel sampling_kernel(ir::Op op, ir::Kind texture);
 
 }  // namespace patina::interpret

@@ -15,6 +15,8 @@ std::size_t flat_size(const ir::Module& module, ir::Type type) {
         case ir::Kind::Numeric: return type.components();
         case ir::Kind::Texture2D:
         case ir::Kind::TextureCube:
+        case ir::Kind::Texture2DArray:
+        case ir::Kind::Texture3D:
         case ir::Kind::Sampler: return 1;
         case ir::Kind::Array: {
             const ir::Array& array = module.arrays[type.ref];
@@ -61,12 +63,12 @@ void set_uniform(Machine& machine, const ir::Module& module, ir::GlobalId global
 
 void set_texture(Machine& machine, ir::GlobalId global, std::shared_ptr<const TextureData> texture) {
     const auto is_whole = [&](const TextureLevel& level) {
-        return level.width > 0 && level.height > 0 &&
-               level.texels.size() >= 4 * static_cast<std::size_t>(level.width) *
-                                          static_cast<std::size_t>(level.height) *
-                                          static_cast<std::size_t>(texture->faces);
+        return level.width > 0 && level.height > 0 && level.depth > 0 &&
+               level.texels.size() >=
+                   4 * static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height) *
+                       static_cast<std::size_t>(level.depth) * static_cast<std::size_t>(texture->layers);
     };
-    const bool is_usable = texture && texture->faces > 0 && !texture->levels.empty() &&
+    const bool is_usable = texture && texture->layers > 0 && !texture->levels.empty() &&
                            std::all_of(texture->levels.begin(), texture->levels.end(), is_whole);
     machine.textures[global.index] = is_usable ? std::move(texture) : nullptr;
 }

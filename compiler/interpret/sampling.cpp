@@ -1,215 +1,20 @@
-// Texture reads, as Vulkan describes them ("Texel Input Operations"), on RGBA texels in linear floats.
-//
-// Left out: anisotropy (a footprint that is longer than wide is sampled as a square, so such places are blurrier than
-// on a GPU).
+// What the ops over textures compute: the texels of texels.h.
 #include <algorithm>
 #include <cmath>
 
 #include "compiler/interpret/kernels.h"
 #include "compiler/interpret/rounding.h"
+#include "compiler/interpret/texels.h"
 
 namespace patina::interpret {
 namespace {
 
+using ir::Kind;
 using ir::Op;
 
-using Texel = std::array<double, 4>;
 // A global without a texture reads white, so that a factor changes nothing.
 constexpr Texel kUnbound = {1, 1, 1, 1};
 constexpr Texel kNothing = {0, 0, 0, 0};
-
-// A texture and how it is read.
-struct Reader {
-    const TextureData& texture;
-    Wrap wrap = Wrap::Repeat;
-    bool is_linear = true;
-
-    double last_level() const { return static_cast<double>(texture.levels.size() - 1); }
-};
-
-// The index of a texel for any coordinate, infinity and NaN included.
-std::size_t wrapped(double index, int size, Wrap wrap) {
-    if (!std::isfinite(index)) return 0;
-    double inside = index;
-    switch (wrap) {
-        case Wrap::Repeat: inside = index - size * std::floor(index / size); break;
-        case Wrap::Clamp: break;
-        case Wrap::Mirror: {
-            const double twice = index - 2.0 * size * std::floor(index / (2.0 * size));
-            inside = twice < size ? twice : 2.0 * size - 1 - twice;
-            break;
-        }
-    }
-    return static_cast<std::size_t>(std::clamp(inside, 0.0, size - 1.0));
-}
-
-const float* texel_at(const TextureLevel& level, std::size_t x, std::size_t y, std::size_t face = 0) {
-    const auto width = static_cast<std::size_t>(level.width), height = static_cast<std::size_t>(level.height);
-    return level.texels.data() + 4 * ((face * height + y) * width + x);
-}
-
-Texel nearest(const Reader& reader, const TextureLevel& level, double u, double v) {
-    const float* texel = texel_at(level, wrapped(std::floor(u * level.width), level.width, reader.wrap),
-                                  wrapped(std::floor(v * level.height), level.height, reader.wrap));
-    return {texel[0], texel[1], texel[2], texel[3]};
-}
-
-Texel bilinear(const Reader& reader, const TextureLevel& level, double u, double v) {
-    // Texel centres are at halves.
-    const double x = u * level.width - 0.5, y = v * level.height - 0.5;
-    const double left = std::floor(x), top = std::floor(y);
-    const double right_weight = std::isfinite(x) ? x - left : 0, bottom_weight = std::isfinite(y) ? y - top : 0;
-    const std::array columns = {wrapped(left, level.width, reader.wrap), wrapped(left + 1, level.width, reader.wrap)};
-    const std::array rows = {wrapped(top, level.height, reader.wrap), wrapped(top + 1, level.height, reader.wrap)};
-    const std::array column_weights = {1 - right_weight, right_weight},
-                     row_weights = {1 - bottom_weight, bottom_weight};
-    Texel sum{};
-    for (std::size_t j : {0u, 1u}) {
-        for (std::size_t i : {0u, 1u}) {
-            const float* texel = texel_at(level, columns[i], rows[j]);
-            for (std::size_t c = 0; c < 4; ++c) sum[c] += column_weights[i] * row_weights[j] * texel[c];
-        }
-    }
-    return sum;
-}
-
-// --- cubes
-
-// Where a direction meets the cube: the face, and the place on it from 0 to 1 (Vulkan, "Cube Map Face Selection").
-struct OnFace {
-    std::size_t face = 0;
-    double u = 0, v = 0;
-};
-using Direction = std::array<double, 3>;
-
-// If two components are equally long, z wins over y, and y over x.
-std::size_t face_of(const Direction& d) {
-    const double x = std::abs(d[0]), y = std::abs(d[1]), z = std::abs(d[2]);
-    if (z >= x && z >= y) return d[2] >= 0 ? 4 : 5;
-    if (y >= x) return d[1] >= 0 ? 2 : 3;
-    return d[0] >= 0 ? 0 : 1;
-}
-
-// A direction in the axes of a face: to the right, down, and out of the cube.
-Direction in_face(std::size_t face, const Direction& d) {
-    switch (face) {
-        case 0: return {-d[2], -d[1], d[0]};
-        case 1: return {d[2], -d[1], -d[0]};
-        case 2: return {d[0], d[2], d[1]};
-        case 3: return {d[0], -d[2], -d[1]};
-        case 4: return {d[0], -d[1], d[2]};
-        default: return {-d[0], -d[1], -d[2]};
-    }
-}
-
-OnFace on_face(const Direction& d) {
-    const std::size_t face = face_of(d);
-    const Direction at = in_face(face, d);
-    return {face, 0.5 * (at[0] / at[2] + 1), 0.5 * (at[1] / at[2] + 1)};
-}
-
-// The way back; u and v may lie a little outside.
-Direction through(const OnFace& place) {
-    const double s = 2 * place.u - 1, t = 2 * place.v - 1;
-    switch (place.face) {
-        case 0: return {1, -t, -s};
-        case 1: return {-1, -t, s};
-        case 2: return {s, 1, t};
-        case 3: return {s, -1, -t};
-        case 4: return {s, -t, 1};
-        default: return {-s, -t, -1};
-    }
-}
-
-// A texel of a face, or of the neighbouring face if it lies beyond one edge. Beyond two edges there is none.
-const float* cube_texel(const TextureLevel& level, std::size_t face, double x, double y) {
-    const double size = level.width;
-    const auto inside = [&](double i) { return i >= 0 && i < size; };
-    const auto index = [&](double i) { return static_cast<std::size_t>(std::clamp(i, 0.0, size - 1)); };
-    if (inside(x) && inside(y)) return texel_at(level, index(x), index(y), face);
-    if (!inside(x) && !inside(y)) return nullptr;
-    // Just beyond the edge, where the position along the edge is still the same.
-    const auto centre = [&](double i) { return i < 0 ? -1e-6 : i >= size ? 1 + 1e-6 : (i + 0.5) / size; };
-    const OnFace beyond = on_face(through({.face = face, .u = centre(x), .v = centre(y)}));
-    return texel_at(level, index(std::floor(beyond.u * size)), index(std::floor(beyond.v * size)), beyond.face);
-}
-
-// Filtered over the edges; at a corner, where three faces meet, the missing texel is the mean of the others.
-Texel cube_bilinear(const TextureLevel& level, const OnFace& place) {
-    const double x = place.u * level.width - 0.5, y = place.v * level.width - 0.5;
-    const double left = std::floor(x), top = std::floor(y);
-    const std::array column_weights = {1 - (x - left), x - left}, row_weights = {1 - (y - top), y - top};
-    std::array<const float*, 4> texels{};
-    for (std::size_t k = 0; k < 4; ++k) {
-        texels[k] = cube_texel(level, place.face, left + static_cast<double>(k & 1), top + static_cast<double>(k >> 1));
-    }
-    Texel sum{};
-    for (std::size_t k = 0; k < 4; ++k) {
-        const double weight = column_weights[k & 1] * row_weights[k >> 1];
-        for (std::size_t c = 0; c < 4; ++c) {
-            double value = 0;
-            if (texels[k]) {
-                value = texels[k][c];
-            } else {
-                for (const float* other : texels) value += other ? other[c] / 3.0 : 0;
-            }
-            sum[c] += weight * value;
-        }
-    }
-    return sum;
-}
-
-// --- levels
-
-// `bilinear_at` and `nearest_at` read one level.
-template <class Linear, class Nearest>
-Texel mixed_levels(const Reader& reader, double lod, Linear bilinear_at, Nearest nearest_at) {
-    // fmin and fmax let a level that is not a number be level 0.
-    const double level = std::fmin(std::fmax(lod, 0.0), reader.last_level());
-    const auto whole = [&](double l) -> const TextureLevel& {
-        return reader.texture.levels[static_cast<std::size_t>(l)];
-    };
-    if (!reader.is_linear) {
-        const double near_level = std::fmax(std::ceil(level + 0.5) - 1, 0.0);
-        return nearest_at(whole(std::fmin(near_level, reader.last_level())));
-    }
-    const double finer = std::floor(level), weight = level - finer;
-    Texel mixed = bilinear_at(whole(finer));
-    if (weight == 0) return mixed;
-    const Texel coarse = bilinear_at(whole(finer + 1));
-    for (std::size_t c = 0; c < 4; ++c) mixed[c] += (coarse[c] - mixed[c]) * weight;
-    return mixed;
-}
-
-Texel at_level(const Reader& reader, double u, double v, double lod) {
-    return mixed_levels(
-        reader, lod, [&](const TextureLevel& level) { return bilinear(reader, level, u, v); },
-        [&](const TextureLevel& level) { return nearest(reader, level, u, v); });
-}
-
-Texel at_level(const Reader& reader, const Direction& direction, double lod) {
-    const OnFace place = on_face(direction);
-    if (!std::isfinite(place.u) || !std::isfinite(place.v)) return kNothing;
-    const auto nearest_at = [&](const TextureLevel& level) -> Texel {
-        const double last = level.width - 1;
-        const auto index = [&](double at) {
-            return static_cast<std::size_t>(std::clamp(std::floor(at * level.width), 0.0, last));
-        };
-        const float* texel = texel_at(level, index(place.u), index(place.v), place.face);
-        return {texel[0], texel[1], texel[2], texel[3]};
-    };
-    return mixed_levels(
-        reader, lod, [&](const TextureLevel& level) { return cube_bilinear(level, place); }, nearest_at);
-}
-
-// The level of detail of a footprint: log2 of the longer of its two sides, in texels of level 0.
-double level_of(const Reader& reader, std::array<double, 2> dx, std::array<double, 2> dy) {
-    const TextureLevel& base = reader.texture.levels[0];
-    const auto length = [&](std::array<double, 2> d) { return std::hypot(d[0] * base.width, d[1] * base.height); };
-    return std::log2(std::fmax(length(dx), length(dy)));
-}
-
-// --- kernels
 
 double operand(const Step& step, const Machine& machine, unsigned which, unsigned component, unsigned lane) {
     return machine.at(step.from[which] + component)[lane];
@@ -238,84 +43,81 @@ Reader make_reader(const Step& step, const Machine& machine, const TextureData& 
     return {.texture = texture, .wrap = sampler.wrap, .is_linear = sampler.filter == Filter::Linear};
 }
 
-// One level for the whole quad, from the differences at its first pixel. Vertices read the finest.
-double implicit_level(const Step& step, const Machine& machine, const Reader& reader) {
-    if (!machine.is_quad) return 0;
-    const auto corner = pair(step, machine, 2, 0), right = pair(step, machine, 2, 1), below = pair(step, machine, 2, 2);
-    return level_of(reader, {right[0] - corner[0], right[1] - corner[1]}, {below[0] - corner[0], below[1] - corner[1]});
-}
-
-template <Op op>
-double level(const Step& step, const Machine& machine, const Reader& reader, unsigned lane) {
-    if constexpr (op == Op::SampleLevel) return operand(step, machine, 3, 0, lane);
-    if constexpr (op == Op::SampleGrad) {
-        return level_of(reader, pair(step, machine, 3, lane), pair(step, machine, 4, lane));
-    }
-    const double bias = op == Op::SampleBias ? operand(step, machine, 3, 0, lane) : 0;
-    return implicit_level(step, machine, reader) + bias;
-}
-
-Direction direction_of(const Step& step, const Machine& machine, unsigned which, unsigned lane) {
+Direction place_of(const Step& step, const Machine& machine, unsigned which, unsigned lane) {
     return {operand(step, machine, which, 0, lane), operand(step, machine, which, 1, lane),
             operand(step, machine, which, 2, lane)};
-}
-
-// The footprint on the face that the pixel itself looks at: the derivatives of the place on it.
-double cube_level(const Reader& reader, const Direction& direction, const Direction& dx, const Direction& dy) {
-    const std::size_t face = face_of(direction);
-    const Direction at = in_face(face, direction);
-    const auto moved = [&](const Direction& by) -> std::array<double, 2> {
-        const Direction way = in_face(face, by);
-        const double scale = 0.5 / (at[2] * at[2]);
-        return {(way[0] * at[2] - at[0] * way[2]) * scale, (way[1] * at[2] - at[1] * way[2]) * scale};
-    };
-    return level_of(reader, moved(dx), moved(dy));
 }
 
 Direction difference(const Direction& a, const Direction& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-template <Op op>
-double level_in_cube(const Step& step, const Machine& machine, const Reader& reader, unsigned lane) {
+// The level of a footprint whose derivatives have the operands `which`, or are the differences to the quad's first
+// pixel.
+template <Kind kind>
+double level_of(const Reader& reader, const Direction& at, const Direction& dx, const Direction& dy) {
+    if constexpr (kind == Kind::TextureCube) return cube_level(reader, at, dx, dy);
+    if constexpr (kind == Kind::Texture3D) return volume_level(reader, dx, dy);
+    return flat_level(reader, {dx[0], dx[1]}, {dy[0], dy[1]});
+}
+
+// The numbers of a place, or of its derivative; those that the kind lacks are 0.
+template <Kind kind>
+Direction numbers(const Step& step, const Machine& machine, unsigned which, unsigned lane, bool is_derivative) {
+    const bool has_two = kind == Kind::Texture2D || (kind == Kind::Texture2DArray && is_derivative);
+    if (!has_two) return place_of(step, machine, which, lane);
+    const auto [u, v] = pair(step, machine, which, lane);
+    return {u, v, 0};
+}
+
+template <Kind kind, Op op>
+double level(const Step& step, const Machine& machine, const Reader& reader, unsigned lane) {
     if constexpr (op == Op::SampleLevel) return operand(step, machine, 3, 0, lane);
-    const Direction at = direction_of(step, machine, 2, op == Op::SampleGrad ? lane : 0);
     if constexpr (op == Op::SampleGrad) {
-        return cube_level(reader, at, direction_of(step, machine, 3, lane), direction_of(step, machine, 4, lane));
+        return level_of<kind>(reader, numbers<kind>(step, machine, 2, lane, false),
+                              numbers<kind>(step, machine, 3, lane, true), numbers<kind>(step, machine, 4, lane, true));
     }
+    // One level for the whole quad, from the differences at its first pixel. Vertices read the finest.
     const double bias = op == Op::SampleBias ? operand(step, machine, 3, 0, lane) : 0;
     if (!machine.is_quad) return bias;
-    return cube_level(reader, at, difference(direction_of(step, machine, 2, 1), at),
-                      difference(direction_of(step, machine, 2, 2), at)) +
+    const Direction corner = numbers<kind>(step, machine, 2, 0, false);
+    return level_of<kind>(reader, corner, difference(numbers<kind>(step, machine, 2, 1, false), corner),
+                          difference(numbers<kind>(step, machine, 2, 2, false), corner)) +
            bias;
 }
 
-template <Op op>
-void cube_kernel(const Step& step, Machine& machine) {
-    for (unsigned lane = 0; lane < kLanes; ++lane) {
-        const TextureData* texture = bound(step, machine, 0, lane);
-        if (!texture || texture->faces != 6) {
-            store(step, machine, lane, kUnbound);
-            continue;
-        }
-        const Reader reader = make_reader(step, machine, *texture, lane);
-        const Direction direction = direction_of(step, machine, 2, lane);
-        store(step, machine, lane, at_level(reader, direction, level_in_cube<op>(step, machine, reader, lane)));
-    }
+// Layers are not filtered: the nearest one, halves to the even one. A layer that is not a number is layer 0.
+std::size_t layer_of(const TextureData& texture, double layer) {
+    return static_cast<std::size_t>(std::fmin(std::fmax(std::nearbyint(layer), 0.0), texture.layers - 1.0));
 }
 
-template <Op op>
+template <Kind kind, Op op>
 void sample_kernel(const Step& step, Machine& machine) {
     for (unsigned lane = 0; lane < kLanes; ++lane) {
         const TextureData* texture = bound(step, machine, 0, lane);
-        if (!texture) {
+        if (!texture || (kind == Kind::TextureCube && texture->layers != 6)) {
             store(step, machine, lane, kUnbound);
             continue;
         }
         const Reader reader = make_reader(step, machine, *texture, lane);
-        const auto [u, v] = pair(step, machine, 2, lane);
-        store(step, machine, lane, at_level(reader, u, v, level<op>(step, machine, reader, lane)));
+        const Direction at = numbers<kind>(step, machine, 2, lane, false);
+        const double lod = level<kind, op>(step, machine, reader, lane);
+        if constexpr (kind == Kind::TextureCube) {
+            store(step, machine, lane, in_cube(reader, at, lod));
+        } else if constexpr (kind == Kind::Texture3D) {
+            store(step, machine, lane, in_volume(reader, at, lod));
+        } else {
+            store(step, machine, lane, in_layer(reader, at[0], at[1], lod, layer_of(*texture, at[2])));
+        }
     }
+}
+
+template <Kind kind>
+Kernel kernel_of(Op op) {
+    if (op == Op::Sample) return sample_kernel<kind, Op::Sample>;
+    if (op == Op::SampleBias) return sample_kernel<kind, Op::SampleBias>;
+    if (op == Op::SampleLevel) return sample_kernel<kind, Op::SampleLevel>;
+    return op == Op::SampleGrad ? sample_kernel<kind, Op::SampleGrad> : nullptr;
 }
 
 // Null where there is no such level.
@@ -352,17 +154,10 @@ void size_kernel(const Step& step, Machine& machine) {
 
 Kernel sampling_kernel(Op op, ir::Kind texture) {
     if (op == Op::TextureSize) return size_kernel;
-    if (texture == ir::Kind::TextureCube) {
-        if (op == Op::Sample) return cube_kernel<Op::Sample>;
-        if (op == Op::SampleBias) return cube_kernel<Op::SampleBias>;
-        if (op == Op::SampleLevel) return cube_kernel<Op::SampleLevel>;
-        return op == Op::SampleGrad ? cube_kernel<Op::SampleGrad> : nullptr;
-    }
-    if (op == Op::Sample) return sample_kernel<Op::Sample>;
-    if (op == Op::SampleBias) return sample_kernel<Op::SampleBias>;
-    if (op == Op::SampleLevel) return sample_kernel<Op::SampleLevel>;
-    if (op == Op::SampleGrad) return sample_kernel<Op::SampleGrad>;
-    return op == Op::TexelLoad ? load_kernel : nullptr;
+    if (op == Op::TexelLoad) return load_kernel;
+    if (texture == Kind::TextureCube) return kernel_of<Kind::TextureCube>(op);
+    if (texture == Kind::Texture2DArray) return kernel_of<Kind::Texture2DArray>(op);
+    return texture == Kind::Texture3D ? kernel_of<Kind::Texture3D>(op) : kernel_of<Kind::Texture2D>(op);
 }
 
 }  // namespace patina::interpret

@@ -135,8 +135,8 @@ std::string call(const Context& c) {
 }
 
 std::string texture_size(const Context& c) {
-    const bool is_texture = c.operand(0).kind == Kind::Texture2D || c.operand(0).kind == Kind::TextureCube;
-    if (!is_texture || c.operand(1) != kInt) return "textureSize takes a texture and an int";
+    const bool is_flat = c.operand(0).kind == Kind::Texture2D || c.operand(0).kind == Kind::TextureCube;
+    if (!is_flat || c.operand(1) != kInt) return "textureSize takes a texture of two sides or a cube, and an int";
     return expect(c, c.inst.type, Type::vector(Scalar::Int, 2), "the result");
 }
 
@@ -170,6 +170,8 @@ bool is_possible(const Module& module, Type type) {
         case Kind::Void:
         case Kind::Texture2D:
         case Kind::TextureCube:
+        case Kind::Texture2DArray:
+        case Kind::Texture3D:
         case Kind::Sampler: return true;
         case Kind::Error: return false;
     }

@@ -11,6 +11,8 @@ namespace {
 std::string_view opaque_name(Kind kind) {
     if (kind == Kind::Texture2D) return "texture2d";
     if (kind == Kind::TextureCube) return "texturecube";
+    if (kind == Kind::Texture2DArray) return "texture2darray";
+    if (kind == Kind::Texture3D) return "texture3d";
     return "sampler";
 }
 

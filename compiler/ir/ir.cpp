@@ -90,6 +90,8 @@ std::string Module::type_name(Type type) const {
             return structs[type.ref].name;
         case Kind::Texture2D: return "Texture2D";
         case Kind::TextureCube: return "TextureCube";
+        case Kind::Texture2DArray: return "Texture2DArray";
+        case Kind::Texture3D: return "Texture3D";
         case Kind::Sampler: return "SamplerState";
         case Kind::Error: return "<error>";
     }

@@ -4,6 +4,7 @@
 #include <initializer_list>
 
 #include "compiler/ir/ir.h"
+#include "compiler/ir/texture_kinds.h"
 
 namespace patina::ir {
 namespace {
@@ -101,14 +102,16 @@ Type first(Op op, std::span<const Type> types) {
 }
 
 Type texel(Op op, std::span<const Type> types) {
-    const bool is_2d = types[0].kind == Kind::Texture2D;
-    if (!is_2d && types[0].kind != Kind::TextureCube) return Type::error();
+    const TextureKind* texture = texture_kind(types[0].kind);
+    if (!texture) return Type::error();
     if (op == Op::TexelLoad) {
-        return is_2d && types[1] == Type::vector(Scalar::Int, 2) && types[2] == kInt ? kFloat4 : Type::error();
+        return texture->kind == Kind::Texture2D && types[1] == Type::vector(Scalar::Int, 2) && types[2] == kInt
+                   ? kFloat4
+                   : Type::error();
     }
-    const Type coordinate = is_2d ? kFloat2 : kFloat3;
+    const Type coordinate = Type::vector(Scalar::Float, texture->coordinates);
     if (types[1].kind != Kind::Sampler || types[2] != coordinate) return Type::error();
-    const Type further = op == Op::SampleGrad ? coordinate : kFloat;
+    const Type further = op == Op::SampleGrad ? Type::vector(Scalar::Float, texture->derivatives) : kFloat;
     const auto rest = types.subspan(3);
     return std::all_of(rest.begin(), rest.end(), [&](Type t) { return t == further; }) ? kFloat4 : Type::error();
 }

@@ -21,6 +21,8 @@ enum class Kind : std::uint8_t {
     Struct,   // ref: Module::structs
     Texture2D,
     TextureCube,
+    Texture2DArray,
+    Texture3D,
     Sampler,
     Error,  // the type of a value that could not be made; silences what follows from it
 };
@@ -57,9 +59,11 @@ struct Type {
     constexpr bool is_floating() const { return is_numeric() && (scalar == Scalar::Half || scalar == Scalar::Float); }
     constexpr bool is_integer() const { return is_numeric() && (scalar == Scalar::Int || scalar == Scalar::Uint); }
     constexpr bool is_bool() const { return is_numeric() && scalar == Scalar::Bool; }
-    constexpr bool is_opaque() const {
-        return kind == Kind::Texture2D || kind == Kind::TextureCube || kind == Kind::Sampler;
+    constexpr bool is_texture() const {
+        return kind == Kind::Texture2D || kind == Kind::TextureCube || kind == Kind::Texture2DArray ||
+               kind == Kind::Texture3D;
     }
+    constexpr bool is_opaque() const { return is_texture() || kind == Kind::Sampler; }
     constexpr bool is_error() const { return kind == Kind::Error; }
     // Width of a scalar or vector.
     constexpr unsigned width() const { return rows; }

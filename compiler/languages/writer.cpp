@@ -154,6 +154,8 @@ std::string Writer::type(Type type) const {
         case Kind::Numeric:
         case Kind::Texture2D:
         case Kind::TextureCube:
+        case Kind::Texture2DArray:
+        case Kind::Texture3D:
         case Kind::Sampler: return language.type_name(type);
         case Kind::Error: return {};
     }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "compiler/ir/texture_kinds.h"
+
 namespace patina::graph {
 
 using ir::Type;
@@ -28,12 +30,6 @@ ir::GlobalId add_resource(ir::Module& module, std::string name, ir::Kind kind, i
     return {static_cast<std::uint32_t>(module.globals.size() - 1)};
 }
 
-std::optional<ir::Kind> texture_kind(std::string_view type) {
-    if (type == "Texture2D") return ir::Kind::Texture2D;
-    if (type == "TextureCube") return ir::Kind::TextureCube;
-    return {};
-}
-
 // True if the value depends on no switch or path, or on one that is on.
 bool is_wanted(const ExternDecl& value, std::span<const std::string_view> on) {
     return value.with.empty() ||
@@ -58,7 +54,7 @@ Numbering numbering_of(const engines::Engine& engine, std::span<const ExternDecl
         numbers.try_emplace(std::string(name), static_cast<std::uint32_t>(numbers.size()));
     };
     for (const ExternDecl* each : externs) {
-        if (texture_kind(each->variable->type.name))
+        if (ir::texture_kind(each->variable->type.name))
             add(made.textures[static_cast<std::size_t>(group_of(*each))], each->variable->name);
         else
             add(made.blocks, engine.block_name(each->block));
@@ -80,6 +76,12 @@ ir::GlobalId add_keyword(ir::Module& module, const MaterialProperty& entry) {
 
 }  // namespace
 
+ir::Kind texture_kind(PropertyType type) {
+    if (type == PropertyType::TextureCube) return ir::Kind::TextureCube;
+    if (type == PropertyType::Texture2DArray) return ir::Kind::Texture2DArray;
+    return type == PropertyType::Texture3D ? ir::Kind::Texture3D : ir::Kind::Texture2D;
+}
+
 Type property_type(PropertyType type) {
     switch (type) {
         case PropertyType::Float: return ir::kFloat;
@@ -90,7 +92,10 @@ Type property_type(PropertyType type) {
         case PropertyType::Int:
         case PropertyType::Bool:
         case PropertyType::Enum: return ir::kInt;
-        case PropertyType::Texture2D: return Type::of(ir::Kind::Texture2D);
+        case PropertyType::Texture2D:
+        case PropertyType::TextureCube:
+        case PropertyType::Texture2DArray:
+        case PropertyType::Texture3D: return Type::of(texture_kind(type));
     }
     return Type::error();
 }
@@ -167,10 +172,10 @@ EngineGlobals declare_engine(const engines::Engine& engine, const PathDeclaratio
     for (const ExternDecl* each : externs) {
         if (!is_wanted(*each, on)) continue;
         const nodelang::VariableDecl& variable = *each->variable;
-        if (const std::optional<ir::Kind> kind = texture_kind(variable.type.name)) {
+        if (const ir::TextureKind* kind = ir::texture_kind(variable.type.name)) {
             const std::string texture(variable.name);
             const ir::Group group = group_of(*each);
-            const ir::GlobalId global = add_resource(module, texture, *kind, group, variable.span);
+            const ir::GlobalId global = add_resource(module, texture, kind->kind, group, variable.span);
             emitter.known.externs[&variable] = global;
             if (each->is_target()) made.reads[global.index] = each->reads;
             add_resource(module, texture + "Sampler", ir::Kind::Sampler, group, variable.span);
@@ -214,7 +219,7 @@ std::vector<PropertyGlobals> declare_material(const engines::Engine& engine, con
             if (!is_variant) module.keywords.back().constant_id = constant_id++;
             continue;
         }
-        if (property.type != PropertyType::Texture2D) {
+        if (!is_texture(property.type)) {
             const bool is_of_instance = instances && property.binding == Binding::Instance;
             made.value = add_block_global(module, is_of_instance ? *instances : block, property.name,
                                           property_type(property.type), property.span);
@@ -222,7 +227,8 @@ std::vector<PropertyGlobals> declare_material(const engines::Engine& engine, con
             module.globals[made.value.index].group = ir::Group::Material;
             continue;
         }
-        made.texture = add_resource(module, property.name, ir::Kind::Texture2D, ir::Group::Material, property.span);
+        made.texture =
+            add_resource(module, property.name, texture_kind(property.type), ir::Group::Material, property.span);
         made.sampler =
             add_resource(module, "sampler" + property.name, ir::Kind::Sampler, ir::Group::Material, property.span);
         if (property.tiling) {

@@ -24,7 +24,9 @@ struct PropertyGlobals {
     ir::GlobalId keyword;
 };
 
-// The type of a numeric property's value in its block.
+// The kind of a texture property.
+ir::Kind texture_kind(PropertyType type);
+// The type of a numeric property's value in its block, or of a texture.
 ir::Type property_type(PropertyType type);
 
 // The numbers of the library's blocks and textures, by their names, if all switches and paths were on: what a switch

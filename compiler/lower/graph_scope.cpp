@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "compiler/base/text.h"
+#include "compiler/ir/texture_kinds.h"
 #include "compiler/lower/lowering.h"
 #include "compiler/nodelang/other_names.h"
 
@@ -166,8 +167,9 @@ Typed GraphScope::call_node(const Node& node, const ResolvedNode& resolved) {
     }
     // Texture coordinates need more precision than the eleven bits of a half, so functions that sample compute in
     // float.
-    const bool samples = std::any_of(function.params.begin(), function.params.end(),
-                                     [](const nodelang::ParamDecl& p) { return p.type.name == "Texture2D"; });
+    const bool samples = std::any_of(function.params.begin(), function.params.end(), [](const nodelang::ParamDecl& p) {
+        return ir::texture_kind(p.type.name) != nullptr;
+    });
     return emit::call(lowering_.emitter, function, *resolved.home, arguments, scope_, node.type_span,
                       uses_half(node) && !samples);
 }
@@ -345,10 +347,11 @@ Typed GraphScope::bound_property(const PortValue& port) {
     if (property == own.end() || !port.value) return {};
     GraphScope reader(lowering_, property_scope_->graph_, *scope_.builder, false);
     reader.emit_nodes(reader.graph_.reachable(std::span(&port, 1)));
-    const Type type = property->type == PropertyType::Texture2D
-                          ? emit::type(lowering_.emitter, {.name = "Texture2D"}, scope_)
-                      : property->type == PropertyType::Bool ? ir::kBool
-                                                             : property_type(property->type);
+    const Type type =
+        is_texture(property->type)
+            ? emit::type(lowering_.emitter, {.name = ir::texture_kind(texture_kind(property->type))->name}, scope_)
+        : property->type == PropertyType::Bool ? ir::kBool
+                                               : property_type(property->type);
     Typed value = reader.value_as(port, type, fmt::format("the property '{}'", port.name));
     if (property->type == PropertyType::Enum) {
         lowering_.enumerators.emplace_back(property->values.begin(), property->values.end());
@@ -370,7 +373,7 @@ Value GraphScope::known_value(const Property& property, double value) {
 
 // A value for a property that another graph declares differently, which has been reported.
 Typed GraphScope::stand_in(const Property& property) {
-    if (property.type == PropertyType::Texture2D) return {};
+    if (is_texture(property.type)) return {};
     if (property.type == PropertyType::Bool || property.type == PropertyType::Enum)
         return keyword(property, known_value(property, property.value[0]));
     const Type type = property_type(property.type);
@@ -386,8 +389,8 @@ Typed GraphScope::material_property(std::size_t index) {
     const auto read = [&](ir::GlobalId id) { return b.emit(Op::Global, module.globals[id.index].type, {}, id.index); };
     if (is_keyword(property.binding))
         return keyword(property, globals.keyword ? read(globals.keyword) : known_value(property, chosen));
-    if (property.type == PropertyType::Texture2D) {
-        const Value tiling = globals.tiling ? read(globals.tiling) : b.constant(ir::kFloat4, {1, 1, 0, 0});
+    if (is_texture(property.type)) {
+        const Value tiling = globals.tiling ? read(globals.tiling) : Value();
         const Value texture = read(globals.texture), sampler = read(globals.sampler);
         const Value texel_size = globals.texel_size ? read(globals.texel_size) : Value();
         return emit::make_texture(lowering_.emitter,

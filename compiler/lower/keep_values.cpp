@@ -90,7 +90,7 @@ std::string_view stored_as(const engines::Engine& engine, const Property& proper
 
 std::string_view usage_of(const PathDeclarations& paths, const CheckedGraph& graph, const Property& property) {
     if (property.type == PropertyType::Color) return is_hdr(paths, graph, property) ? "" : "color";
-    if (property.type != PropertyType::Texture2D) return {};
+    if (!is_texture(property.type)) return {};
     return property.usage == TextureUsage::Normal ? "normal" : property.usage == TextureUsage::Color ? "color" : "";
 }
 

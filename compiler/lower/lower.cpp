@@ -5,6 +5,7 @@
 
 #include "compiler/base/spelling.h"
 #include "compiler/format/words.h"
+#include "compiler/ir/texture_kinds.h"
 #include "compiler/lower/instances.h"
 #include "compiler/lower/lowering.h"
 
@@ -298,10 +299,11 @@ ir::FunctionId add_function(ir::Module& module, ir::Function function) {
 
 Type input_type(Lowering& lowering, const Input& input) {
     const emit::Scope scope{.declarations = lowering.session.declarations};
-    const std::string_view name = input.type == "color"       ? "float4"
-                                  : input.type == "color3"    ? "float3"
-                                  : input.type == "texture2d" ? "Texture2D"
-                                                              : std::string_view(input.type);
+    const std::optional<PropertyType> texture = texture_type(input.type);
+    const std::string_view name = input.type == "color"    ? "float4"
+                                  : input.type == "color3" ? "float3"
+                                  : texture                ? ir::texture_kind(texture_kind(*texture))->name
+                                                           : std::string_view(input.type);
     return emit::type(lowering.emitter, {.name = name, .span = input.type_span}, scope);
 }
 

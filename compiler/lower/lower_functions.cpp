@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "compiler/base/spelling.h"
+#include "compiler/format/words.h"
 #include "compiler/lower/lowering.h"
 
 namespace patina::graph {
@@ -64,7 +65,7 @@ private:
     bool can_be_passed() {
         const auto& inputs = lowering_.material.lighting->graph->inputs;
         for (const Input& input : inputs) {
-            if (input.type != "texture2d") continue;
+            if (!texture_type(input.type)) continue;
             lowering_.session.diagnostics.report(
                 Code::NotYet, input.type_span,
                 fmt::format("--functions cannot pass the texture input '{}' of the lighting graph: make it a property "

@@ -6,7 +6,7 @@ namespace patina::graph {
 namespace {
 
 bool is_texture(const ir::Global& global) {
-    return global.type.kind == ir::Kind::Texture2D || global.type.kind == ir::Kind::TextureCube;
+    return global.type.is_texture();
 }
 
 bool is_sampler(const ir::Global& global) {

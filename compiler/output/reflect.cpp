@@ -22,7 +22,7 @@ std::string hlsl_register(char kind, const ir::Place& place) {
 }
 
 bool is_texture(const ir::Global& global) {
-    return global.type.kind == ir::Kind::Texture2D || global.type.kind == ir::Kind::TextureCube;
+    return global.type.is_texture();
 }
 
 // True if each instance has its own value of the member.
@@ -75,11 +75,17 @@ std::string default_texture(const graph::MaterialProperty& entry, const std::str
     return entry.is_file ? path_from_graph(entry.texture_path, graph) : entry.texture_path;
 }
 
+TextureDimension dimension_of(ir::Kind kind) {
+    if (kind == ir::Kind::TextureCube) return TextureDimension::Cube;
+    if (kind == ir::Kind::Texture2DArray) return TextureDimension::Array;
+    return kind == ir::Kind::Texture3D ? TextureDimension::Volume : TextureDimension::Flat;
+}
+
 // The binding of a texture and its sampler, and their names in the shaders.
 Texture bound_texture(const ir::Global& texture, const ir::Global& sampler) {
     return {.name = texture.name,
             .identifier = texture.name,
-            .dimension = texture.type.kind == ir::Kind::TextureCube ? TextureDimension::Cube : TextureDimension::Flat,
+            .dimension = dimension_of(texture.type.kind),
             .usage = TextureUsage::Data,
             .default_value = {},
             .is_material = texture.group == ir::Group::Material,
@@ -102,6 +108,7 @@ Texture reflect_texture(const ir::Module& module, const graph::MaterialProperty&
     made.default_value = default_texture(entry, graph);
     if (globals.tiling) made.tiling = module.globals[globals.tiling.index].name;
     made.sampler = property.sampler;
+    made.grid = property.grid;
     return made;
 }
 
@@ -362,7 +369,7 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
         const graph::MaterialProperty& entry = material.properties[i];
         made.properties.push_back(reflect_property(lowered.module, entry, lowered.property_globals[i]));
-        if (entry.property->type == PropertyType::Texture2D) {
+        if (is_texture(entry.property->type)) {
             made.textures.push_back(reflect_texture(lowered.module, entry, lowered.property_globals[i], graph.path));
         }
     }

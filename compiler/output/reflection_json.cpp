@@ -65,13 +65,16 @@ std::size_t value_count(const Property& property) {
         case PropertyType::Int:
         case PropertyType::Bool:
         case PropertyType::Enum:
-        case PropertyType::Texture2D: return 1;
+        case PropertyType::Texture2D:
+        case PropertyType::TextureCube:
+        case PropertyType::Texture2DArray:
+        case PropertyType::Texture3D: return 1;
     }
     return 1;
 }
 
 void write_default(Json& json, const Property& property, const Reflection& reflection) {
-    if (property.type == PropertyType::Texture2D) {
+    if (is_texture(property.type)) {
         for (const Texture& texture : reflection.textures) {
             if (texture.name == property.name) json.text("default", texture.default_value);
         }
@@ -143,6 +146,7 @@ void write_texture(Writer& writer, const Texture& texture) {
     json.word("usage", texture.usage);
     json.flag("material", texture.is_material);
     json.text_if("default", texture.default_value);
+    if (texture.grid != Texture{}.grid) json.list("grid", texture.grid, [&](int v) { json.raw(std::to_string(v)); });
     json.text_if("reads", texture.reads);
     json.number("set", texture.set);
     json.number("binding", texture.binding);

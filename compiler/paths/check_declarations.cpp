@@ -5,6 +5,7 @@
 
 #include "compiler/base/text.h"
 #include "compiler/format/words.h"
+#include "compiler/ir/texture_kinds.h"
 #include "compiler/paths/declaration_check.h"
 
 namespace patina::graph {
@@ -174,7 +175,7 @@ private:
     }
 
     void uniform(const VariableDecl& decl, const Attribute& attribute) {
-        if (decl.type.name == "Texture2D" || decl.type.name == "TextureCube") {
+        if (ir::texture_kind(decl.type.name)) {
             if (decl.type.array_size) bad(decl.type.span, "extern", "applies only to a texture or a number of a block");
             return;
         }

@@ -133,7 +133,7 @@ void share(Session& session, const Material& material, MaterialProperty& entry, 
     const bool is_said = options.said_at || options.is_at_port;
     if (entry.is_own && !is_said) return;  // the material's own declaration decides
     bool same_default = first.value == property.value;
-    if (property.type == PropertyType::Texture2D) {
+    if (is_texture(property.type)) {
         const std::optional<std::string> texture = find_texture(session, property, options.from);
         if (!texture) return;
         same_default = *texture == entry.texture_path;
@@ -239,7 +239,7 @@ private:
 }  // namespace
 
 bool is_texture_file(const Property& property) {
-    return property.type == PropertyType::Texture2D && property.texture.find_first_of("./") != std::string::npos;
+    return is_texture(property.type) && property.texture.find_first_of("./") != std::string::npos;
 }
 
 void join_property(Session& session, Material& material, const Property& property, const JoinOptions& options) {

@@ -86,7 +86,7 @@ bool set_default(Session& session, Property& property, const Expr& value) {
     if (literal.kind == Expr::Kind::Number || literal.kind == Expr::Kind::Bool) {
         const bool is_vector = property.type == PropertyType::Float2 || property.type == PropertyType::Float3 ||
                                property.type == PropertyType::Float4 || property.type == PropertyType::Color;
-        if (property.type == PropertyType::Enum || property.type == PropertyType::Texture2D) return false;
+        if (property.type == PropertyType::Enum || is_texture(property.type)) return false;
         property.value.fill(0);
         for (std::size_t i = 0; i < (is_vector ? 4u : 1u); ++i)
             property.value[i] = negative ? -literal.number : literal.number;
@@ -151,7 +151,7 @@ void bind_lighting_properties(Session& session, Material& material, std::span<co
         if (property.range) check_range(session, *input->value, *property.range, property.hard, property.name, ranged);
         Property bound = property;
         bound.default_span = input->value_span;
-        const bool is_file = property.type == PropertyType::Texture2D && input->value->kind == Expr::Kind::File;
+        const bool is_file = is_texture(property.type) && input->value->kind == Expr::Kind::File;
         if (is_file) {
             bound.texture = std::string(input->value->text);
         }

@@ -187,13 +187,14 @@ private:
         for (const Argument& argument : arguments) {
             const Value value = value_of(*argument.value);
             made.textures.insert(value.textures.begin(), value.textures.end());
-            if (value.texture && value.texture->type == PropertyType::Texture2D) texture = value.texture;
+            if (value.texture && is_texture(value.texture->type)) texture = value.texture;
             const Meaning wanted = declared(argument.param->attributes, argument.param->name);
             if (wanted.kind == Kind::NormalMap || wanted.kind == Kind::Texel)
                 normal_map(wanted.kind == Kind::NormalMap ? value.texture : value.texel_of, argument.where);
             else if (wanted.kind == Kind::Data && value.texture)
                 data_.emplace(value.texture, value.texture->name_span);
-            else if (value.texture && argument.param->type.name == "Texture2D" && made.meaning.kind != Kind::Texel)
+            else if (value.texture && argument.param->type.name.starts_with("Texture") &&
+                     made.meaning.kind != Kind::Texel)
                 colors_.insert(value.texture);  // what a node does with it that says nothing of it is not known
             else
                 compare(value, wanted, argument.param->name, argument.where);

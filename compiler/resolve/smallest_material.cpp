@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "compiler/format/words.h"
+
 namespace patina::graph {
 
 using nodelang::Expr;
@@ -22,11 +24,11 @@ const Expr* any_value(Session& session, Graph& material, const Input& input) {
     expr.span = expr.name_span = input.name_span;
     if (input.type == "bool") {
         expr.kind = Expr::Kind::Bool;
-    } else if (input.type == "texture2d") {
+    } else if (const std::optional<PropertyType> texture = texture_type(input.type)) {
         Property& property = material.properties.emplace_back();
         property.name = "_" + input.name;
         property.name_span = property.span = input.name_span;
-        property.type = PropertyType::Texture2D;
+        property.type = *texture;
         property.texture = "white";
         expr.kind = Expr::Kind::Property;
         expr.text = session.ast.texts.emplace_back(property.name);

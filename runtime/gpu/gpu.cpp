@@ -70,17 +70,18 @@ GpuImage make_gpu_image(Gpu& gpu, const ImageInfo& wanted) {
     image.width = wanted.width;
     image.height = wanted.height;
     image.levels = wanted.levels;
-    image.faces = wanted.faces;
+    image.layers = wanted.layers;
+    image.dimension = wanted.dimension;
     image.format = wanted.format;
     image.aspect = wanted.aspect;
     VkImageCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
-    info.flags = wanted.faces == 6 ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0;
-    info.imageType = VK_IMAGE_TYPE_2D;
+    info.flags = wanted.dimension == TextureDimension::Cube ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0;
+    info.imageType = wanted.dimension == TextureDimension::Volume ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D;
     info.format = wanted.format;
-    info.extent = {wanted.width, wanted.height, 1};
+    info.extent = {wanted.width, wanted.height, wanted.depth};
     info.mipLevels = wanted.levels;
-    info.arrayLayers = wanted.faces;
+    info.arrayLayers = wanted.layers;
     info.samples = VK_SAMPLE_COUNT_1_BIT;
     info.tiling = VK_IMAGE_TILING_OPTIMAL;
     info.usage = wanted.usage;
@@ -100,13 +101,27 @@ GpuImage make_gpu_image(Gpu& gpu, const ImageInfo& wanted) {
     return image;
 }
 
+namespace {
+
+VkImageViewType view_type(TextureDimension dimension) {
+    switch (dimension) {
+        case TextureDimension::Cube: return VK_IMAGE_VIEW_TYPE_CUBE;
+        case TextureDimension::Array: return VK_IMAGE_VIEW_TYPE_2D_ARRAY;
+        case TextureDimension::Volume: return VK_IMAGE_VIEW_TYPE_3D;
+        case TextureDimension::Flat: break;
+    }
+    return VK_IMAGE_VIEW_TYPE_2D;
+}
+
+}  // namespace
+
 ViewHandle make_view(Gpu& gpu, const GpuImage& image, VkImageAspectFlags aspect) {
     VkImageViewCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
     info.image = image.handle.get();
-    info.viewType = image.faces == 6 ? VK_IMAGE_VIEW_TYPE_CUBE : VK_IMAGE_VIEW_TYPE_2D;
+    info.viewType = view_type(image.dimension);
     info.format = image.format;
-    info.subresourceRange = {aspect, 0, image.levels, 0, image.faces};
+    info.subresourceRange = {aspect, 0, image.levels, 0, image.layers};
     VkImageView handle = VK_NULL_HANDLE;
     gpu.check(vkCreateImageView(gpu.device.device, &info, nullptr, &handle), "make an image view");
     return {gpu.device.device, handle};
@@ -144,7 +159,7 @@ void transition(VkCommandBuffer commands, GpuImage& image, VkImageLayout to) {
     barrier.newLayout = to;
     barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     barrier.image = image.handle.get();
-    barrier.subresourceRange = {image.aspect, 0, image.levels, 0, image.faces};
+    barrier.subresourceRange = {image.aspect, 0, image.levels, 0, image.layers};
     VkDependencyInfo dependency{};
     dependency.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
     dependency.imageMemoryBarrierCount = 1;

@@ -75,14 +75,17 @@ struct GpuImage {
     Memory memory;
     Owned<VkImage, vkDestroyImage> handle;
     ViewHandle view;  // of all of it
-    std::uint32_t width = 0, height = 0, levels = 1, faces = 1;
+    std::uint32_t width = 0, height = 0, levels = 1, layers = 1;
+    TextureDimension dimension = TextureDimension::Flat;
     VkFormat format = VK_FORMAT_UNDEFINED;
     VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;
     VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;  // after everything that has been recorded
 };
 struct ImageInfo {
     std::uint32_t width = 1, height = 1, levels = 1;
-    std::uint32_t faces = 1;  // 6: a cube
+    std::uint32_t layers = 1;  // of an array; 6 of a cube
+    std::uint32_t depth = 1;   // of a 3D texture
+    TextureDimension dimension = TextureDimension::Flat;
     VkFormat format = VK_FORMAT_UNDEFINED;
     VkImageUsageFlags usage = 0;
     VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;

@@ -36,14 +36,16 @@ void store_texels(const TextureLevel& level, TexelFormat format, std::byte* targ
 
 Outcome<GpuImage> upload(Gpu& gpu, const LoadedTexture& texture) {
     const std::vector<TextureLevel>& levels = texture.data->levels;
-    const auto faces = static_cast<std::uint32_t>(texture.data->faces);
+    const auto layers = static_cast<std::uint32_t>(texture.data->layers);
     VkFormat format = texel_format(texture.format);
     if (!supports(gpu.device, format, VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT))
         return Failure{"'" + gpu.device.name + "' cannot filter the float texture '" + texture.name + "'"};
     GpuImage image = make_gpu_image(gpu, {.width = std::uint32_t(levels.front().width),
                                           .height = std::uint32_t(levels.front().height),
                                           .levels = std::uint32_t(levels.size()),
-                                          .faces = faces,
+                                          .layers = layers,
+                                          .depth = std::uint32_t(levels.front().depth),
+                                          .dimension = texture.dimension,
                                           .format = format,
                                           .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
     std::vector<VkBufferImageCopy> copies;
@@ -52,10 +54,11 @@ Outcome<GpuImage> upload(Gpu& gpu, const LoadedTexture& texture) {
         copies.push_back({.bufferOffset = size,
                           .bufferRowLength = 0,
                           .bufferImageHeight = 0,
-                          .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, i, 0, faces},
+                          .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, i, 0, layers},
                           .imageOffset = {0, 0, 0},
-                          .imageExtent = {std::uint32_t(levels[i].width), std::uint32_t(levels[i].height), 1}});
-        size += std::size_t(levels[i].width) * levels[i].height * faces * texel_size(texture.format);
+                          .imageExtent = {std::uint32_t(levels[i].width), std::uint32_t(levels[i].height),
+                                          std::uint32_t(levels[i].depth)}});
+        size += std::size_t(levels[i].width) * levels[i].height * levels[i].depth * layers * texel_size(texture.format);
     }
     Buffer staging = make_buffer(gpu, size, VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
     if (!gpu.error.empty()) return Failure{gpu.error};

@@ -35,7 +35,7 @@ std::shared_ptr<const TextureData> split_sum_table() {
         TextureLevel level{.width = kSplitSumSize, .height = kSplitSumSize, .texels = {}};
         for (std::size_t i = 0; i < kSplitSumNumbers; i += 2)
             level.texels.insert(level.texels.end(), {patina_baked[i], patina_baked[i + 1], 0, 1});
-        TextureData data{.levels = {std::move(level)}, .sampler = {.wrap = Wrap::Clamp}, .faces = 1};
+        TextureData data{.levels = {std::move(level)}, .sampler = {.wrap = Wrap::Clamp}, .layers = 1};
         return std::make_shared<const TextureData>(std::move(data));
     }();
     return kTable;

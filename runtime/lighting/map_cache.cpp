@@ -63,7 +63,7 @@ std::string cache_folder() {
 }
 
 KeptEnvironment unpacked(const std::vector<float>& numbers, std::uint32_t face_size) {
-    KeptEnvironment kept{.map = {.levels = {}, .sampler = {.wrap = Wrap::Clamp}, .faces = 6}};
+    KeptEnvironment kept{.map = {.levels = {}, .sampler = {.wrap = Wrap::Clamp}, .layers = 6}};
     const float* from = numbers.data();
     for (glm::vec3& coefficient : kept.ambient.coefficients) {
         coefficient = {from[0], from[1], from[2]};

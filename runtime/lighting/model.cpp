@@ -79,7 +79,7 @@ Result compile(const Compiler& compiler, const ModelChoice& choice) {
 std::shared_ptr<const TextureData> even_cube(float value) {
     TextureData data{.levels = {{.width = 1, .height = 1, .texels = std::vector<float>(24, value)}},
                      .sampler = {.wrap = Wrap::Clamp},
-                     .faces = 6};
+                     .layers = 6};
     return std::make_shared<const TextureData>(std::move(data));
 }
 

@@ -76,7 +76,7 @@ std::string check_light(Image& image, const std::string& name) {
         for (int x = 0; x < image.width; x++) {
             for (float& value : image.at(x, y).first(3)) {
                 if (!std::isfinite(value))
-                    return fmt::format("'{}' cannot be an environment: the pixel {},{} is not finite", name, x, y);
+                    return fmt::format("'{}' is no picture of light: the pixel {},{} is not finite", name, x, y);
                 value = std::max(value, 0.0f);
             }
         }
@@ -91,7 +91,7 @@ Outcome<Panorama> panorama_of(Image image, const std::string& name) {
     const Layout* layout = layout_of(image);
     if (!is_sphere && !layout)
         return Failure{
-            fmt::format("'{}' cannot be an environment: it is {} x {} pixels, and these shapes are "
+            fmt::format("'{}' is no picture of all directions: it has {} x {} pixels, and these shapes are "
                         "understood: 2:1 (equirectangular), 4:3 and 3:4 (crosses of a cube's faces), 6:1 "
                         "and 1:6 (strips of them)",
                         name, image.width, image.height)};

@@ -165,7 +165,7 @@ TextureData prefiltered(const Pyramid& pyramid, const PrefilterProgress& progres
     const auto work_of = [&](int level) { return double(kSamples[level]) * size_of(level) * size_of(level); };
     double all = 0, done = 0;
     for (int level = 0; level < kEnvironmentLevels; level++) all += work_of(level);
-    TextureData data{.levels = {}, .sampler = {.wrap = Wrap::Clamp}, .faces = 6};
+    TextureData data{.levels = {}, .sampler = {.wrap = Wrap::Clamp}, .layers = 6};
     for (int level = 0; level < kEnvironmentLevels; level++) {
         const double work = work_of(level);
         const auto show = [&](double share) {

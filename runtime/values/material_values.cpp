@@ -33,7 +33,10 @@ int components(PropertyType type) {
         case PropertyType::Int:
         case PropertyType::Bool:
         case PropertyType::Enum:
-        case PropertyType::Texture2D: return 1;
+        case PropertyType::Texture2D:
+        case PropertyType::TextureCube:
+        case PropertyType::Texture2DArray:
+        case PropertyType::Texture3D: return 1;
     }
     return 1;
 }
@@ -169,8 +172,7 @@ void write(std::vector<std::byte>& bytes, const BlockMember& member, MatrixOrder
 std::optional<Numbers> material_number(const BlockMember& member, const std::string& block,
                                        const Reflection& reflection, const MaterialValues& values) {
     for (const Property& property : reflection.properties) {
-        if (property.type == PropertyType::Texture2D || property.block != block || property.offset != member.offset)
-            continue;
+        if (is_texture(property.type) || property.block != block || property.offset != member.offset) continue;
         auto found = values.numbers.find(property.name);
         return found == values.numbers.end() ? property.value : found->second;
     }
@@ -241,7 +243,7 @@ Outcome<MaterialValues> material_values(const Reflection& reflection, const std:
                                         Spelling spelling) {
     MaterialValues result;
     for (const Property& property : reflection.properties)
-        if (property.type != PropertyType::Texture2D) result.numbers[property.name] = property.value;
+        if (!is_texture(property.type)) result.numbers[property.name] = property.value;
 
     for (const auto& [name, text] : words) {
         if (const Texture* texture = tiled_texture(reflection, name)) {
@@ -256,7 +258,7 @@ Outcome<MaterialValues> material_values(const Reflection& reflection, const std:
         auto found = std::find_if(reflection.properties.begin(), reflection.properties.end(),
                                   [&](const Property& property) { return property.name == name; });
         if (found == reflection.properties.end()) return Failure{no_property(reflection, name)};
-        if (found->type == PropertyType::Texture2D) {
+        if (is_texture(found->type)) {
             result.textures[name] = text;
             continue;
         }

@@ -9,6 +9,7 @@
 #include <mutex>
 
 #include "runtime/lighting/split_sum.h"
+#include "runtime/values/texture_layers.h"
 
 namespace patina::runtime {
 namespace {
@@ -18,11 +19,23 @@ Outcome<Image> image_at(const std::string& source, const MemoryFiles* in_memory)
     return in_memory && found != in_memory->end() ? decode_image(source, found->second) : load_image(source);
 }
 
+// The layers and levels of a linear picture. A named default is one texel everywhere.
+Outcome<TextureData> data_of(const Texture& texture, Image image, const std::string& source, bool is_named) {
+    const auto with = [&](std::vector<TextureLevel> levels, std::size_t layers) {
+        return TextureData{.levels = std::move(levels), .sampler = texture.sampler, .layers = int(layers)};
+    };
+    if (texture.dimension == TextureDimension::Flat) return with(mip_chain(image), 1);
+    const bool is_cube = texture.dimension == TextureDimension::Cube;
+    Outcome<std::vector<Image>> layers = is_cube
+                                             ? cube_faces(std::move(image), source)
+                                             : grid_layers(image, is_named ? std::array{1, 1} : texture.grid, source);
+    if (!layers) return Failure{layers.error};
+    if (texture.dimension == TextureDimension::Volume) return with(volume_mip_chain(layers.value), 1);
+    return with(mip_chain(layers.value), layers.value.size());
+}
+
 Outcome<LoadedTexture> load_texture(const Texture& texture, const std::string& source, bool exact,
                                     const MemoryFiles* in_memory) {
-    if (texture.dimension != TextureDimension::Flat)
-        return Failure{fmt::format("the texture '{}' is a {} texture; only 2d ones can be drawn", texture.name,
-                                   to_string(texture.dimension))};
     Image image = default_texture(source);
     const bool is_named = !image.pixels.empty();
     if (!is_named) {
@@ -35,12 +48,15 @@ Outcome<LoadedTexture> load_texture(const Texture& texture, const std::string& s
     // Pictures with more bits are taken as linear already.
     if (is_color && (fits_8_bits || is_named)) decode_srgb(image);
 
-    TextureData data{.levels = mip_chain(image), .sampler = texture.sampler};
+    Outcome<TextureData> data = data_of(texture, std::move(image), source, is_named);
+    if (!data) return Failure{"texture '" + texture.name + "': " + data.error};
     TexelFormat format = exact || !fits_8_bits ? TexelFormat::Float32
                          : is_color            ? TexelFormat::Srgb8
                                                : TexelFormat::Unorm8;
-    return LoadedTexture{
-        .name = texture.name, .data = std::make_shared<const TextureData>(std::move(data)), .format = format};
+    return LoadedTexture{.name = texture.name,
+                         .data = std::make_shared<const TextureData>(std::move(data.value)),
+                         .format = format,
+                         .dimension = texture.dimension};
 }
 
 // The default as a name or as a file that can be opened.
@@ -89,7 +105,7 @@ void add_engine_textures(std::vector<LoadedTexture>& textures, const Reflection&
             return std::count(pass.textures.begin(), pass.textures.end(), texture.name) > 0;
         });
         std::shared_ptr<const TextureData> data = is_read ? engine_texture(texture.name, scene) : nullptr;
-        if (data) textures.push_back({.name = texture.name, .data = std::move(data)});
+        if (data) textures.push_back({.name = texture.name, .data = std::move(data), .dimension = texture.dimension});
     }
 }
 

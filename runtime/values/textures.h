@@ -29,6 +29,7 @@ struct LoadedTexture {
     std::string name{};  // Texture::name
     std::shared_ptr<const TextureData> data{};
     TexelFormat format = TexelFormat::Float32;
+    TextureDimension dimension = TextureDimension::Flat;
 };
 
 // white | black | gray (0.5) | bump (0.5, 0.5, 1): one texel as a file would hold it, so a colour texture decodes it.

@@ -82,6 +82,42 @@ TEST_P(Orientation, TextureNormalMapAndLight) {
     }
 }
 
+// Four layers of one colour: red, green, blue, white. Their picture is asymmetric in both directions.
+TEST_P(Orientation, CubesArraysAndVolumes) {
+    RenderRequest request;
+    request.graph = "tests/orientation/layers.graph.json";
+    request.mesh = "plane";
+    request.overrides["_Layers"] = request.overrides["_Volume"] = corners();
+    // A strip of faces: right red, left green, up blue, down white, ahead yellow, behind black.
+    const std::string strip = testing::TempDir() + "strip.png";
+    Image faces = make_image(6, 1);
+    const std::array<std::array<float, 3>, 6> colors = {
+        {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {1, 1, 0}, {0, 0, 0}}};
+    for (int i = 0; i < 6; ++i) std::copy_n(colors[std::size_t(i)].begin(), 3, faces.at(i, 0).begin());
+    ASSERT_EQ(save_png_as_is(strip, faces), "");
+    request.overrides["_Sky"] = strip;
+    struct Case {
+        const char *direction, *index, *depth;
+        std::array<double, 3> sky, layer, fog;
+    };
+    for (const Case& c : {Case{"1,0,0", "0", "0", {1, 0, 0}, {1, 0, 0}, {1, 0, 0}},
+                          Case{"-3,1,1", "1.4", "0.25", {0, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0}},
+                          Case{"0,1,0", "1.6", "0.5", {0, 0, 1}, {0, 0, 1}, {0, 0.5, 0.5}},
+                          Case{"0,-2,1", "7", "0.625", {1, 1, 1}, {1, 1, 1}, {0, 0, 1}},
+                          Case{"0,0,-1", "-4", "0.75", {1, 1, 0}, {1, 0, 0}, {0.5, 0.5, 1}},
+                          Case{"0,0,1", "2", "1", {0, 0, 0}, {0, 0, 1}, {1, 1, 1}}}) {
+        request.overrides["_Direction"] = c.direction;
+        request.overrides["_Index"] = c.index;
+        request.overrides["_Depth"] = c.depth;
+        const RenderOutcome outcome = draw(request, GetParam());
+        if (!outcome.ok) return;
+        expect_color(outcome.image, kSize / 6, kSize / 4, c.sky, std::string("sky ") + c.direction);
+        expect_color(outcome.image, kSize / 6, kSize * 3 / 4, c.sky, std::string("level 0 of the sky ") + c.direction);
+        expect_color(outcome.image, kSize / 2, kSize / 2, c.layer, std::string("layer ") + c.index);
+        expect_color(outcome.image, kSize * 5 / 6, kSize / 2, c.fog, std::string("depth ") + c.depth);
+    }
+}
+
 // Seen from behind, a two-sided plane is the same sheet: its frame is turned as a whole, and a bump is a dent.
 TEST_P(Orientation, TheBackIsTheFrontReversed) {
     const double root = std::sqrt(0.5);

@@ -154,13 +154,14 @@ Material upward(Material material) {
     for (runtime::LoadedTexture& texture : material.textures) {
         const auto is_own = [&](const Texture& t) { return t.name == texture.name && t.is_material; };
         const auto& known = material.result.reflection.textures;
-        if (std::none_of(known.begin(), known.end(), is_own)) continue;
+        if (texture.dimension == TextureDimension::Cube || std::none_of(known.begin(), known.end(), is_own)) continue;
         TextureData data = *texture.data;
         for (TextureLevel& level : data.levels) {
-            const auto row = static_cast<std::ptrdiff_t>(4 * level.width);
-            for (int y = 0; y < level.height / 2; ++y)
-                std::swap_ranges(level.texels.begin() + y * row, level.texels.begin() + (y + 1) * row,
-                                 level.texels.end() - (y + 1) * row);
+            const auto row = static_cast<std::ptrdiff_t>(4 * level.width), layer = row * level.height;
+            for (auto first = level.texels.begin(); first != level.texels.end(); first += layer) {
+                for (int y = 0; y < level.height / 2; ++y)
+                    std::swap_ranges(first + y * row, first + (y + 1) * row, first + layer - (y + 1) * row);
+            }
         }
         texture.data = std::make_shared<const TextureData>(std::move(data));
     }
@@ -507,7 +508,9 @@ TEST_P(UnityTexture, ShowsTheSameTexels) {
                                std::filesystem::copy_options::overwrite_existing);
     std::ofstream(path) << R"j({ "patina": 1, "workflow": "unlit", "properties": [
         { "name": "_Map", "type": "texture2d", "default": "./patches.png" },
-        { "name": "_Tiled", "type": "texture2d", "default": "./patches.png", "tiling": true } ],
+        { "name": "_Tiled", "type": "texture2d", "default": "./patches.png", "tiling": true },
+        { "name": "_Layers", "type": "texture2dArray", "default": "./patches.png", "grid": [3, 1] },
+        { "name": "_Volume", "type": "texture3d", "default": "./patches.png", "grid": [3, 1] } ],
       "nodes": [ )j" << GetParam().second
                         << R"j( ], "surface": { "color": "= texel.rgb" } })j";
     const runtime::Scene scene = scene_of("sphere", {kSun});
@@ -554,6 +557,18 @@ INSTANTIATE_TEST_SUITE_P(
         std::pair{
             "AtVertices",
             R"j({ "id": "texel", "node": "SampleTexture2DLevel", "in": { "texture": "$_Map" }, "stage": "vertex" })j"},
+        std::pair{
+            "Layers",
+            R"j({ "id": "texel", "node": "SampleTexture2DArray", "in": { "texture": "$_Layers", "index": "= floor(@uv0.x * 3)" } })j"},
+        std::pair{
+            "LayersSwapped",
+            R"j({ "id": "texel", "node": "SampleTexture2DArrayLevel", "in": { "texture": "$_Layers", "uv": "= @uv0.yx", "index": 2 } })j"},
+        std::pair{
+            "Volume",
+            R"j({ "id": "texel", "node": "SampleTexture3D", "in": { "texture": "$_Volume", "uvw": "= float3(@uv0, @uv0.x)" } })j"},
+        std::pair{
+            "VolumeOfDirections",
+            R"j({ "id": "texel", "node": "SampleTexture3DLevel", "in": { "texture": "$_Volume", "uvw": "= @normalWS * 0.5 + 0.5" } })j"},
         std::pair{"Gradient", R"j({ "id": "texel", "expr": "float4(@uv0, @uv0.y * @uv0.y, 1)" })j"}),
     [](const auto& info) { return std::string(info.param.first); });
 

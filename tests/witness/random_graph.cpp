@@ -285,7 +285,7 @@ private:
         if (node.name == "SplitSumIntegral") return false;
         return std::all_of(node.ports.begin(), node.ports.end(), [&](const PortInfo& port) {
             // Light is known to lighting graphs only, and textures are not numbers.
-            return port.type != "Texture2D" && (port.is_output || !port.type.starts_with("Sampler"));
+            return !port.type.starts_with("Texture") && (port.is_output || !port.type.starts_with("Sampler"));
         });
     }
 

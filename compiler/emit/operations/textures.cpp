@@ -4,6 +4,7 @@
 #include <array>
 
 #include "compiler/emit/operations/operations.h"
+#include "compiler/ir/texture_kinds.h"
 
 namespace patina::emit {
 
@@ -26,80 +27,99 @@ Value texel_size(Value texture, Scope& scope) {
 
 }  // namespace
 
-Type texture_type(Emitter& emitter) {
-    if (!emitter.structures.texture2d) {
-        emitter.module.structs.push_back({.name = "Texture2D",
-                                          .members = {{"texture", Type::of(ir::Kind::Texture2D)},
-                                                      {"sampler", Type::of(ir::Kind::Sampler)},
-                                                      {"texelSize", ir::kFloat4},
-                                                      {"tiling", ir::kFloat4}}});
-        emitter.structures.texture2d = Type::structure(static_cast<std::uint32_t>(emitter.module.structs.size() - 1));
+Type texture_type(Emitter& emitter, ir::Kind kind) {
+    const auto [made, is_new] = emitter.structures.textures.try_emplace(kind);
+    if (is_new) {
+        ir::Struct structure{.name = std::string(ir::texture_kind(kind)->name),
+                             .members = {{"texture", Type::of(kind)}, {"sampler", Type::of(ir::Kind::Sampler)}}};
+        if (kind == ir::Kind::Texture2D) {
+            structure.members.push_back({"texelSize", ir::kFloat4});
+            structure.members.push_back({"tiling", ir::kFloat4});
+        }
+        emitter.module.structs.push_back(std::move(structure));
+        made->second = Type::structure(static_cast<std::uint32_t>(emitter.module.structs.size() - 1));
     }
-    return *emitter.structures.texture2d;
-}
-
-Type cube_type(Emitter& emitter) {
-    if (!emitter.structures.texture_cube) {
-        emitter.module.structs.push_back(
-            {.name = "TextureCube",
-             .members = {{"texture", Type::of(ir::Kind::TextureCube)}, {"sampler", Type::of(ir::Kind::Sampler)}}});
-        emitter.structures.texture_cube =
-            Type::structure(static_cast<std::uint32_t>(emitter.module.structs.size() - 1));
-    }
-    return *emitter.structures.texture_cube;
-}
-
-bool is_texture(const Emitter& emitter, Type type) {
-    return type == emitter.structures.texture2d || type == emitter.structures.texture_cube;
+    return made->second;
 }
 
 Typed make_texture(Emitter& emitter, const TextureParts& parts, Scope& scope) {
-    const Value size = parts.texel_size ? parts.texel_size : texel_size(parts.texture, scope);
-    const Type bundle = texture_type(emitter);
-    const std::array members{parts.texture, parts.sampler, size, parts.tiling};
-    return {.value = scope.builder->construct(bundle, members), .type = bundle};
+    ir::Builder& b = *scope.builder;
+    const ir::Kind kind = b.type(parts.texture).kind;
+    const Type bundle = texture_type(emitter, kind);
+    std::vector<Value> members = {parts.texture, parts.sampler};
+    if (kind == ir::Kind::Texture2D) {
+        members.push_back(parts.texel_size ? parts.texel_size : texel_size(parts.texture, scope));
+        members.push_back(parts.tiling ? parts.tiling : b.constant(ir::kFloat4, {1, 1, 0, 0}));
+    }
+    return {.value = b.construct(bundle, members), .type = bundle};
 }
 
-Typed make_cube(Emitter& emitter, Value texture, Value sampler, Scope& scope) {
-    const Type bundle = cube_type(emitter);
-    return {.value = scope.builder->construct(bundle, std::array{texture, sampler}), .type = bundle};
+namespace {
+
+// What follows the place in a texture.
+enum class Further { Nothing, Number, Derivatives };
+struct Method {
+    std::string_view name;
+    Op op;
+    Further further = Further::Nothing;
+};
+constexpr Method kMethods[] = {
+    {"Sample", Op::Sample},
+    {"SampleBias", Op::SampleBias, Further::Number},
+    {"SampleLevel", Op::SampleLevel, Further::Number},
+    {"SampleGrad", Op::SampleGrad, Further::Derivatives},
+    {"Load", Op::TexelLoad},
+    {"Size", Op::TextureSize},
+};
+
+// Single texels and sizes are those of one picture.
+bool has_method(const ir::TextureKind& texture, const Method& method) {
+    if (method.op == Op::TexelLoad) return texture.kind == ir::Kind::Texture2D;
+    if (method.op == Op::TextureSize)
+        return texture.kind == ir::Kind::Texture2D || texture.kind == ir::Kind::TextureCube;
+    return true;
 }
+
+bool takes_sampler(Op op) {
+    return op != Op::TexelLoad && op != Op::TextureSize;
+}
+
+// The types of the arguments behind the sampler.
+std::vector<Type> parameters(const ir::TextureKind& texture, const Method& method) {
+    if (method.op == Op::TexelLoad) return {Type::vector(Scalar::Int, 2), ir::kInt};
+    if (method.op == Op::TextureSize) return {ir::kInt};
+    std::vector<Type> made = {Type::vector(Scalar::Float, texture.coordinates)};
+    if (method.further == Further::Number) made.push_back(ir::kFloat);
+    if (method.further == Further::Derivatives)
+        made.insert(made.end(), 2, Type::vector(Scalar::Float, texture.derivatives));
+    return made;
+}
+
+// Null if the value is no texture.
+const ir::TextureKind* kind_of(const Emitter& emitter, Type type) {
+    for (const auto& [kind, made] : emitter.structures.textures) {
+        if (made == type) return ir::texture_kind(kind);
+    }
+    return nullptr;
+}
+
+}  // namespace
 
 // texture.Sample(uv), texture.Sample(sampler, uv), ...
 Typed method(Emitter& emitter, const Expr& expr, Scope& scope) {
-    struct Method {
-        std::string_view name;
-        Op op;
-        std::array<Type, 3> params;
-        std::size_t count;
-        bool sampler;
-    };
-    static constexpr Method kMethods2D[] = {
-        {"Sample", Op::Sample, {ir::kFloat2}, 1, true},
-        {"SampleBias", Op::SampleBias, {ir::kFloat2, ir::kFloat}, 2, true},
-        {"SampleLevel", Op::SampleLevel, {ir::kFloat2, ir::kFloat}, 2, true},
-        {"SampleGrad", Op::SampleGrad, {ir::kFloat2, ir::kFloat2, ir::kFloat2}, 3, true},
-        {"Load", Op::TexelLoad, {Type::vector(Scalar::Int, 2), ir::kInt}, 2, false},
-        {"Size", Op::TextureSize, {ir::kInt}, 1, false},
-    };
-    static constexpr Method kMethodsCube[] = {
-        {"Sample", Op::Sample, {ir::kFloat3}, 1, true},
-        {"SampleBias", Op::SampleBias, {ir::kFloat3, ir::kFloat}, 2, true},
-        {"SampleLevel", Op::SampleLevel, {ir::kFloat3, ir::kFloat}, 2, true},
-        {"SampleGrad", Op::SampleGrad, {ir::kFloat3, ir::kFloat3, ir::kFloat3}, 3, true},
-        {"Size", Op::TextureSize, {ir::kInt}, 1, false},
-    };
     const Typed object = primary(emitter, expression(emitter, *expr.args[0], scope), scope, expr.args[0]->span);
     if (!object.ok()) return {};
-    const std::span<const Method> methods = object.type == emitter.structures.texture_cube
-                                                ? std::span<const Method>(kMethodsCube)
-                                                : std::span<const Method>(kMethods2D);
-    const auto row = std::find_if(methods.begin(), methods.end(), [&](const Method& m) { return m.name == expr.text; });
-    if (!is_texture(emitter, object.type) || row == methods.end()) {
+    const ir::TextureKind* texture = kind_of(emitter, object.type);
+    const auto* const row = std::find_if(std::begin(kMethods), std::end(kMethods), [&](const Method& m) {
+        return texture && m.name == expr.text && has_method(*texture, m);
+    });
+    if (row == std::end(kMethods)) {
         DiagnosticRecord& record = emitter.diagnostics.report(Code::UnknownName, expr.name_span, "method", expr.text);
-        if (is_texture(emitter, object.type)) {
+        if (texture) {
             std::vector<std::string_view> names;
-            for (const Method& m : methods) names.push_back(m.name);
+            for (const Method& m : kMethods) {
+                if (has_method(*texture, m)) names.push_back(m.name);
+            }
             record.note(Diagnostics::suggestion(expr.text, names));
         } else {
             record.note(fmt::format("{} has no methods", emitter.module.type_name(object.type)));
@@ -107,10 +127,11 @@ Typed method(Emitter& emitter, const Expr& expr, Scope& scope) {
         return {};
     }
     ir::Builder& b = *scope.builder;
+    const std::vector<Type> wanted = parameters(*texture, *row);
     std::span<const Expr* const> arguments = std::span(expr.args).subspan(1);
     std::vector<Value> operands{b.extract(object.value, 0)};
     Value sampler = b.extract(object.value, 1);
-    if (row->sampler && arguments.size() == row->count + 1) {
+    if (takes_sampler(row->op) && arguments.size() == wanted.size() + 1) {
         const Typed given = expression(emitter, *arguments[0], scope);
         if (!given.ok()) return {};
         if (given.type.kind != ir::Kind::Sampler) {
@@ -121,14 +142,14 @@ Typed method(Emitter& emitter, const Expr& expr, Scope& scope) {
         sampler = given.value;
         arguments = arguments.subspan(1);
     }
-    if (arguments.size() != row->count) {
-        emitter.diagnostics.report(Code::ArgumentCount, expr.name_span, expr.text, row->count, arguments.size());
+    if (arguments.size() != wanted.size()) {
+        emitter.diagnostics.report(Code::ArgumentCount, expr.name_span, expr.text, wanted.size(), arguments.size());
         return {};
     }
-    if (row->op != Op::TextureSize && row->op != Op::TexelLoad) operands.push_back(sampler);
-    for (std::size_t i = 0; i < row->count; ++i) {
+    if (takes_sampler(row->op)) operands.push_back(sampler);
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
         const Typed value =
-            expression_as(emitter, *arguments[i], row->params[i], scope, fmt::format("an argument of {}", expr.text));
+            expression_as(emitter, *arguments[i], wanted[i], scope, fmt::format("an argument of {}", expr.text));
         if (!value.ok()) return {};
         operands.push_back(value.value);
     }

@@ -6,10 +6,8 @@
 
 namespace patina::emit {
 
-ir::Type texture_type(Emitter& emitter);  // {texture, sampler, texelSize, tiling}
-ir::Type cube_type(Emitter& emitter);     // {texture, sampler}
-bool is_texture(const Emitter& emitter, ir::Type type);
-Typed make_cube(Emitter& emitter, ir::Value texture, ir::Value sampler, Scope& scope);
+// {texture, sampler}, and of Texture2D {texture, sampler, texelSize, tiling}
+ir::Type texture_type(Emitter& emitter, ir::Kind kind);
 // texture.Sample(uv), texture.Sample(sampler, uv), texture.Load(texel, level) and so on.
 Typed method(Emitter& emitter, const Expr& expr, Scope& scope);
 

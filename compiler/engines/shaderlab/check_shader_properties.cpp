@@ -17,7 +17,7 @@ std::string beside_texture(const graph::Material& material, std::string_view nam
     constexpr std::pair<std::string_view, std::string_view> kBeside[] = {
         {"", "_ST"}, {"", "_TexelSize"}, {"", "_HDR"}, {"sampler", ""}};
     for (const graph::MaterialProperty& entry : material.properties) {
-        if (entry.property->type != PropertyType::Texture2D) continue;
+        if (!is_texture(entry.property->type)) continue;
         for (const auto& [before, behind] : kBeside) {
             if (name == fmt::format("{}{}{}", before, entry.property->name, behind))
                 return fmt::format("a name that Unity uses for the texture '{}'", entry.property->name);

@@ -57,7 +57,24 @@ constexpr Reading kReadings[] = {{Op::Sample, "UNITY_", ""},
                                  {Op::SampleLevel, "", "_LOD"},
                                  {Op::SampleGrad, "", "_GRAD"}};
 
+// Unity's macros for a kind of texture have this in their names.
+std::string_view macro_of(Kind kind) {
+    if (kind == Kind::TextureCube) return "TEXCUBE";
+    if (kind == Kind::Texture2DArray) return "TEX2DARRAY";
+    return kind == Kind::Texture3D ? "TEX3D" : "TEX2D";
+}
+
+// Of other kinds than 2D, Unity has macros for plain samples and for levels; where these exist, so do methods.
+std::string read_layers(const Body& body, Value v, const Reading& reading) {
+    const std::string_view macro = macro_of(body[body.arg(v, 0)].type.kind);
+    if (reading.op == Op::Sample || reading.op == Op::SampleLevel)
+        return fmt::format("UNITY_SAMPLE_{}{}({}, {})", macro, reading.suffix, body.argument(v, 0),
+                           body.arguments(v, 2));
+    return hlsl::language().expression(body, v).text;
+}
+
 std::string read_texture(const Body& body, Value v, const Reading& reading) {
+    if (body[body.arg(v, 0)].type.kind != Kind::Texture2D) return read_layers(body, v, reading);
     const std::string name = body.argument(v, 0), sampler = body.argument(v, 1);
     const std::string_view own = texture_of(sampler);
     if (own == name)
@@ -127,12 +144,10 @@ void block(Writer& w, const UniformBlock& block) {
 void resource(Writer& w, GlobalId id) {
     const Global& global = w.module.globals[id.index];
     if (global.type.is_numeric()) w.line(0, w.declaration(global.type, w.globals[id.index]) + ";");
-    if (global.type.kind == Kind::Texture2D) {
+    if (global.type.is_texture()) {
         const std::string_view form = has_no_sampler(w.module, id.index) ? "_NOSAMPLER" : "";
-        w.line(0, fmt::format("UNITY_DECLARE_TEX2D{}({});", form, w.globals[id.index]));
+        w.line(0, fmt::format("UNITY_DECLARE_{}{}({});", macro_of(global.type.kind), form, w.globals[id.index]));
     }
-    if (global.type.kind == Kind::TextureCube)
-        w.line(0, fmt::format("UNITY_DECLARE_TEXCUBE({});", w.globals[id.index]));
 }
 
 // Declares a constant with the keyword's value, for code that reads it as a value.

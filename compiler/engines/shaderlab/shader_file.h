@@ -100,7 +100,8 @@ struct PassText {
     };
     std::vector<Declaration> declarations;  // each declaration after those that it reads; the entry functions last
     std::vector<ir::StageText> texts;       // the lines that both stages and the foreign functions that they call need
-    // What needs shader model 3.5 (unsigned numbers, texel loads, sides of faces): the entries, and other functions.
+    // What needs shader model 3.5 (unsigned numbers, texel loads, arrays of textures, sides of faces): the entries, and
+    // other functions.
     bool is_modern = false;
     std::vector<std::string> modern_functions{};
     bool shares_vertex = false;  // the vertex function stands before all passes

@@ -64,7 +64,8 @@ void note_modern(const ir::Module& stage, PassText& pass) {
                input.builtin == Builtin::InstanceIndex || is_unsigned(input.type);
     };
     const auto is_modern_inst = [](const ir::Inst& inst) {
-        return inst.op == ir::Op::TexelLoad || inst.op == ir::Op::TextureSize || is_unsigned(inst.type);
+        return inst.op == ir::Op::TexelLoad || inst.op == ir::Op::TextureSize || is_unsigned(inst.type) ||
+               inst.type.kind == ir::Kind::Texture2DArray;
     };
     const auto& inputs = stage.stage.inputs;
     pass.is_modern |= std::any_of(inputs.begin(), inputs.end(), is_modern_input);

@@ -126,6 +126,14 @@ Declared declared(const graph::MaterialProperty& entry, bool is_decoded) {
             if (property.usage == TextureUsage::Normal) attributes += "[Normal] ";
             return {attributes, "2D", fmt::format("\"{}\" {{}}", texture_word(entry))};
         }
+        case PropertyType::TextureCube:
+        case PropertyType::Texture2DArray:
+        case PropertyType::Texture3D: {
+            const std::string_view kind = property.type == PropertyType::TextureCube      ? "Cube"
+                                          : property.type == PropertyType::Texture2DArray ? "2DArray"
+                                                                                          : "3D";
+            return {"[NoScaleOffset] ", std::string(kind), fmt::format("\"{}\" {{}}", texture_word(entry))};
+        }
     }
     return {};
 }

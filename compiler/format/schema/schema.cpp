@@ -82,6 +82,8 @@ std::vector<SchemaRow> make_rows(const SchemaInput& input) {
         {Free, "as", words_schema<Binding>()},
         {Free, "gives", text(kIdentifier)},
         {Free, "tiling", text(kBoolean)},
+        {Free, "grid",
+         R"json({"type": "array", "items": {"type": "integer", "minimum": 1, "maximum": 256}, "minItems": 2, "maxItems": 2})json"},
         {Free, "sampler", reference("sampler")},
         {Free, "id", text(kIdentifier)},
         {Free, "node", node_name_schema(input.nodes)},

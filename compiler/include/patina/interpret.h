@@ -18,15 +18,17 @@ namespace patina {
 enum class Precision { Float, Double };
 
 // A texture that the interpreter reads: linear RGBA texels, level 0 first; rows from the top, as a GPU stores them.
-// Each level of a cube has its six faces in order: +X, -X, +Y, -Y, +Z, -Z, with Vulkan's layout.
+// Layers follow each other. Each level of a cube has its six faces in order: +X, -X, +Y, -Y, +Z, -Z, with Vulkan's
+// layout.
 struct TextureLevel {
     int width = 0, height = 0;
-    std::vector<float> texels;  // 4 * width * height, for each face
+    std::vector<float> texels;  // 4 * width * height, for each layer
+    int depth = 1;              // of a 3D texture: its layers, which get fewer from level to level
 };
 struct TextureData {
     std::vector<TextureLevel> levels;
     Sampler sampler;
-    int faces = 1;  // 6: a cube, whose sides are square
+    int layers = 1;  // of an array; 6: also of a cube, whose sides are square
 };
 
 // The values of all stage inputs for the four pixels of a quad (0 1 / 2 3: right is +x, down is +y): their components,

@@ -47,9 +47,10 @@ struct Texture {
     std::string identifier;  // in the shaders: the name, or another where a language or a block has it already
     TextureDimension dimension = TextureDimension::Flat;
     TextureUsage usage = TextureUsage::Color;
-    std::string default_value;  // white | black | gray | bump, or a file: its path from the compiled graph's folder
-    bool is_material = true;    // false: the engine's own, which has no default
-    std::string reads{};        // the target of another pass that is to be bound here: "gbufferNormal", "depth"
+    std::array<int, 2> grid{1, 1};  // of an array and a volume: columns and rows of layers in a picture's file
+    std::string default_value;      // white | black | gray | bump, or a file: its path from the compiled graph's folder
+    bool is_material = true;        // false: the engine's own, which has no default
+    std::string reads{};            // the target of another pass that is to be bound here: "gbufferNormal", "depth"
     std::uint32_t set = 0;
     std::uint32_t binding = 0;
     std::string hlsl_register;  // "t0, space1"

@@ -50,7 +50,23 @@ constexpr std::optional<E> from_word(std::string_view text) {
 
 // --- properties and textures
 
-enum class PropertyType { Float, Float2, Float3, Float4, Color, Int, Bool, Enum, Texture2D };
+enum class PropertyType {
+    Float,
+    Float2,
+    Float3,
+    Float4,
+    Color,
+    Int,
+    Bool,
+    Enum,
+    Texture2D,
+    TextureCube,
+    Texture2DArray,
+    Texture3D
+};
+constexpr bool is_texture(PropertyType type) {
+    return type >= PropertyType::Texture2D;
+}
 template <>
 inline constexpr auto kWords<PropertyType> = std::to_array<Word<PropertyType>>({
     {"float", PropertyType::Float},
@@ -62,6 +78,9 @@ inline constexpr auto kWords<PropertyType> = std::to_array<Word<PropertyType>>({
     {"bool", PropertyType::Bool},
     {"enum", PropertyType::Enum},
     {"texture2d", PropertyType::Texture2D},
+    {"textureCube", PropertyType::TextureCube},
+    {"texture2dArray", PropertyType::Texture2DArray},
+    {"texture3d", PropertyType::Texture3D},
 });
 
 // When a property gets its value: when something is drawn; when a pipeline is made; when the graph is compiled; for
@@ -84,11 +103,13 @@ inline constexpr auto kWords<TextureUsage> = std::to_array<Word<TextureUsage>>({
     {"normal", TextureUsage::Normal},
 });
 
-enum class TextureDimension { Flat, Cube };
+enum class TextureDimension { Flat, Cube, Array, Volume };
 template <>
 inline constexpr auto kWords<TextureDimension> = std::to_array<Word<TextureDimension>>({
     {"2d", TextureDimension::Flat},
     {"cube", TextureDimension::Cube},
+    {"2dArray", TextureDimension::Array},
+    {"3d", TextureDimension::Volume},
 });
 
 enum class Wrap { Repeat, Clamp, Mirror };

@@ -5,6 +5,7 @@
 #include "compiler/ir/hints.h"
 #include "compiler/ir/passes/passes.h"
 #include "compiler/ir/rebuild.h"
+#include "compiler/ir/texture_kinds.h"
 
 namespace patina::ir {
 namespace {
@@ -49,12 +50,13 @@ private:
         if (is_entry_ && inst.op == Op::Construct && inst.type == from_.result) return rewrite_outputs(c, value);
         if (inst.op != Op::TexelLoad && !samples(inst.op)) return false;
         const std::span<const Value> args = from_.args(inst);
-        if (from_[args[0]].type.kind != Kind::Texture2D) return false;
+        const TextureKind* texture = texture_kind(from_[args[0]].type.kind);
+        if (!texture || !texture->has_rows) return false;
         std::vector<Value> operands = mapped(c, args);
         if (inst.op == Op::TexelLoad) {
             operands[1] = turned_texel(c.to, operands);
         } else {
-            operands[2] = coordinates(c, args[2]);
+            operands[2] = place(c, args[2]);
             for (std::size_t i = 3; inst.op == Op::SampleGrad && i < 5; ++i) operands[i] = gradient(c, args[i]);
         }
         return replaced(c, value, operands);
@@ -100,8 +102,9 @@ private:
 
     static Value turned(Builder& b, Value uv) {
         const Type scalar = b.type(uv).with_width(1);
-        const std::array parts = {b.extract(uv, 0),
-                                  b.emit(Op::Sub, scalar, {b.splat_constant(scalar, 1), b.extract(uv, 1)})};
+        std::vector<Value> parts = {b.extract(uv, 0),
+                                    b.emit(Op::Sub, scalar, {b.splat_constant(scalar, 1), b.extract(uv, 1)})};
+        if (b.type(uv).width() == 3) parts.push_back(b.extract(uv, 2));
         const Hint hint = hint_of(b.module(), b[uv].name);
         const std::string_view said = hint.name.empty() ? hint.callee : hint.name;
         return named(b, b.construct(b.type(uv), parts), said.empty() ? "turnedUV" : std::string(said) + "Turned");
@@ -127,6 +130,15 @@ private:
         const Value last = b.emit(Op::Sub, kInt, {b.extract(size, 1), b.constant(kInt, {1})});
         const std::array parts = {b.extract(operands[1], 0), b.emit(Op::Sub, kInt, {last, b.extract(operands[1], 1)})};
         return b.construct(b.type(operands[1]), parts);
+    }
+
+    // Coordinates, alone or before the number of a layer.
+    Value place(Copy& c, Value old) {
+        const Inst& inst = from_[old];
+        const std::span<const Value> args = from_.args(inst);
+        const bool has_layer = inst.op == Op::Construct && args.size() == 2 && from_[args[0]].type.width() == 2;
+        if (!has_layer) return coordinates(c, old);
+        return c.to.construct(inst.type, std::array{coordinates(c, args[0]), c.map[args[1].index]});
     }
 
     // Two turns cancel: where the coordinates come from the engine, or from the engine and are scaled and moved by its
@@ -180,8 +192,9 @@ private:
             return c.to.emit(inst.op, inst.type, {coordinates(c, of)});
         }
         const Value made = c.map[old.index];
-        const std::array parts = {c.to.extract(made, 0),
-                                  c.to.emit(Op::Neg, c.to.type(made).with_width(1), {c.to.extract(made, 1)})};
+        std::vector<Value> parts = {c.to.extract(made, 0),
+                                    c.to.emit(Op::Neg, c.to.type(made).with_width(1), {c.to.extract(made, 1)})};
+        if (c.to.type(made).width() == 3) parts.push_back(c.to.extract(made, 2));
         return c.to.construct(c.to.type(made), parts);
     }
 

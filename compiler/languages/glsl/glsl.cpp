@@ -19,6 +19,8 @@ std::string type_name(Type type) {
     switch (type.kind) {
         case Kind::Texture2D: return "texture2D";
         case Kind::TextureCube: return "textureCube";
+        case Kind::Texture2DArray: return "texture2DArray";
+        case Kind::Texture3D: return "texture3D";
         case Kind::Sampler: return "sampler";
         case Kind::Numeric: break;
         case Kind::Void:
@@ -55,9 +57,10 @@ std::string array_value(const std::string& element_type, std::size_t count, cons
 // --- expressions
 
 Text sample(const Body& body, Value v, std::string_view function) {
-    const bool is_cube = body[body.arg(v, 0)].type.kind == Kind::TextureCube;
-    return {fmt::format("{}({}({}, {}), {})", function, is_cube ? "samplerCube" : "sampler2D", body.argument(v, 0),
-                        body.argument(v, 1), body.arguments(v, 2)),
+    std::string sampler = type_name(body[body.arg(v, 0)].type);
+    sampler.replace(0, std::string_view("texture").size(), "sampler");  // texture2D, sampler2D
+    return {fmt::format("{}({}({}, {}), {})", function, sampler, body.argument(v, 0), body.argument(v, 1),
+                        body.arguments(v, 2)),
             Precedence::Postfix};
 }
 

@@ -16,6 +16,8 @@ std::string type_name(Type type) {
     switch (type.kind) {
         case Kind::Texture2D: return "Texture2D";
         case Kind::TextureCube: return "TextureCube";
+        case Kind::Texture2DArray: return "Texture2DArray";
+        case Kind::Texture3D: return "Texture3D";
         case Kind::Sampler: return "SamplerState";
         case Kind::Numeric: break;
         case Kind::Void:

@@ -386,7 +386,7 @@ TEST(ReadGraphErrors, Properties) {
         {R"("properties":[^{"name":"a"}])", "a property needs the key 'type'"},
         {property(R"("^flot")"), "'flot' is not a property type | did you mean 'float'?"},
         {property(R"("float","^usage":"data")"),
-         "unknown key 'usage' in a property of type float | 'usage' belongs to a texture2d"},
+         "unknown key 'usage' in a property of type float | 'usage' belongs to a texture"},
         {property(R"("bool","^range":[0,1])"),
          "unknown key 'range' in a property of type bool | 'range' belongs to float, float2, float3, float4, color and "
          "int"},
@@ -407,6 +407,15 @@ TEST(ReadGraphErrors, Properties) {
          R"(an enum needs the key 'values' | "values": ["Dry", "Wet"])"},
         {property(R"("enum","values":["A","B"],"default":"^C")"), "'C' is not a value of 'a' | these exist: A and B"},
         {property(R"("enum","values":["A","^A"])"), "a second value is called 'A' | the first one is here"},
+        {property(R"("texture2d","^grid":[2,2])"),
+         "unknown key 'grid' in a property of type texture2d | 'grid' belongs to a texture2dArray and a texture3d"},
+        {property(R"("texture3d","^tiling":true)"),
+         "unknown key 'tiling' in a property of type texture3d | 'tiling' belongs to a texture2d"},
+        {property(R"("texture2dArray","grid":^[2])"),
+         "'grid' must be an array of 2 numbers: columns and rows, not an array of 1"},
+        {property(R"("texture2dArray","grid":[2,^0])"), "0 is outside the range 1 to 256 of 'grid'"},
+        {property(R"("textureCube","usage":^"normal")"),
+         "'usage' must be color or data: a textureCube holds no normal map"},
         {property(R"("texture2d","default":"^whit")"), "'whit' is not a default texture | did you mean 'white'?"},
         {property(R"("texture2d","default":"^rust.png")"),
          "'rust.png' is not a default texture | a file name starts with './'"},
@@ -441,8 +450,8 @@ TEST(ReadGraphErrors, Inputs) {
     EXPECT_EQ(subgraph(R"(^{"name":"a"})"), "an input needs the key 'type'");
     EXPECT_EQ(
         subgraph(R"({"name":"a","type":"^enum"})"),
-        "'enum' is not the type of an input | these exist: float, float2, float3, float4, color, color3, int, bool and "
-        "texture2d");
+        "'enum' is not the type of an input | these exist: float, float2, float3, float4, color, color3, int, bool, "
+        "texture2d, textureCube, texture2dArray and texture3d");
     EXPECT_EQ(subgraph(R"({"name":"a","type":"float","default":^2,"range":[0,1]})"),
               "2 is outside the usual range 0 to 1 of 'a'");
     EXPECT_EQ(subgraph(R"({"name":"a","type":"float3","default":[0,^5,0],"range":[0,1],"hard":true})"),

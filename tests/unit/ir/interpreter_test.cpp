@@ -354,12 +354,12 @@ std::shared_ptr<const TextureData> counted_cube(int size, Filter filter) {
         });
         texels.texels.insert(texels.texels.end(), side.texels.begin(), side.texels.end());
     }
-    return std::make_shared<TextureData>(TextureData{.levels = {texels}, .sampler = {.filter = filter}, .faces = 6});
+    return std::make_shared<TextureData>(TextureData{.levels = {texels}, .sampler = {.filter = filter}, .layers = 6});
 }
 
 std::shared_ptr<const TextureData> numbered_cube(int size, Filter filter) {
     TextureData cube = *numbered(size, filter);
-    cube.faces = 6;
+    cube.layers = 6;
     for (TextureLevel& one : cube.levels) {
         const std::vector<float> side = one.texels;
         for (int face = 1; face < 6; ++face) one.texels.insert(one.texels.end(), side.begin(), side.end());

@@ -155,7 +155,7 @@ glm::vec3 texel(const TextureLevel& level, int face, int x, int y) {
 
 TEST(Levels, HalveInSize) {
     const Environment environment([](glm::vec3) { return glm::vec3(1); }, 64);
-    EXPECT_EQ(environment.map()->faces, 6);
+    EXPECT_EQ(environment.map()->layers, 6);
     ASSERT_EQ(environment.map()->levels.size(), std::size_t(kEnvironmentLevels));
     for (int i = 0; i < kEnvironmentLevels; ++i) {
         EXPECT_EQ(level_of(environment, i).width, 64 >> i);

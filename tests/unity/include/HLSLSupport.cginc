@@ -30,6 +30,24 @@
 #define UNITY_SAMPLE_TEX2D(tex, coord) tex.Sample(sampler##tex, coord)
 #define UNITY_SAMPLE_TEX2D_SAMPLER(tex, samplertex, coord) tex.Sample(sampler##samplertex, coord)
 #endif
+#ifdef STAND_IN_REGISTERS
+#define STAND_IN_TEXTURE(type, tex)   \
+    type tex : REGISTER_##tex; \
+    SamplerState sampler##tex : REGISTER_sampler##tex
+#define STAND_IN_TEXEL(tex, texel) TEXEL_##tex(texel)
+#else
+#define STAND_IN_TEXTURE(type, tex) type tex; SamplerState sampler##tex
+#define STAND_IN_TEXEL(tex, texel) texel
+#endif
+#define UNITY_DECLARE_TEXCUBE(tex) STAND_IN_TEXTURE(TextureCube, tex)
+#define UNITY_SAMPLE_TEXCUBE(tex, coord) STAND_IN_TEXEL(tex, tex.Sample(sampler##tex, coord))
+#define UNITY_SAMPLE_TEXCUBE_LOD(tex, coord, lod) STAND_IN_TEXEL(tex, tex.SampleLevel(sampler##tex, coord, lod))
+#define UNITY_DECLARE_TEX2DARRAY(tex) STAND_IN_TEXTURE(Texture2DArray, tex)
+#define UNITY_SAMPLE_TEX2DARRAY(tex, coord) STAND_IN_TEXEL(tex, tex.Sample(sampler##tex, coord))
+#define UNITY_SAMPLE_TEX2DARRAY_LOD(tex, coord, lod) STAND_IN_TEXEL(tex, tex.SampleLevel(sampler##tex, coord, lod))
+#define UNITY_DECLARE_TEX3D(tex) STAND_IN_TEXTURE(Texture3D, tex)
+#define UNITY_SAMPLE_TEX3D(tex, coord) STAND_IN_TEXEL(tex, tex.Sample(sampler##tex, coord))
+#define UNITY_SAMPLE_TEX3D_LOD(tex, coord, lod) STAND_IN_TEXEL(tex, tex.SampleLevel(sampler##tex, coord, lod))
 #endif
 // What Unity fills beside a texture.
 #ifdef STAND_IN_REGISTERS
