@@ -118,6 +118,10 @@ void bind_variant(Session& session, Material& material, const Property& property
         material.variants[&property] = property.value[0];
         return;
     }
+    if (const std::optional<double> chosen = chosen_value(session, material, property)) {
+        material.variants[&property] = *chosen;
+        return;
+    }
     Property bound = property;
     const bool is_word = value && value->kind == Expr::Kind::Name && !material.graph->by_id.contains(value->text);
     if (is_word && property.type == PropertyType::Bool) {
@@ -192,6 +196,18 @@ void check_lighting_variants(Session& session, const Material& material, const L
                             "to a property of the material that has the same values",
                             use.use.empty() ? material.lighting_name : use.use, property.name));
         }
+    }
+}
+
+// A preview leaves out the lighting; the caller may still give its variants values.
+void note_unused_variants(Session& session, const Graph& graph, Material& material) {
+    const CheckedGraph* workflow = session.options.switches.empty() ? nullptr : find_workflow(session, graph);
+    if (!workflow) return;
+    std::string name;
+    const CheckedGraph* lighting = find_lighting(session, graph, lighting_of(graph, *workflow->graph), name);
+    if (!lighting) return;
+    for (const Property& property : lighting->graph->properties) {
+        if (property.binding == Binding::Variant) material.unused_variants.insert(property.name);
     }
 }
 
@@ -341,6 +357,7 @@ std::unique_ptr<Material> resolve_material(Session& session, std::shared_ptr<Gra
     if (material->is_preview) {
         shown.base = session.sources.add("preview", std::string(preview));
         shown.text = session.sources.file_text(shown.base);
+        note_unused_variants(session, *graph, *material);
         if (!make_preview(session, *graph, shown)) return nullptr;
     }
     material->graph = check_graph(session, graph, shown);

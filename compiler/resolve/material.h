@@ -2,6 +2,8 @@
 // uniform block (its own, those of its lighting graph and sub-graphs, and files named at ports).
 #pragma once
 
+#include <set>
+
 #include "compiler/resolve/check_graph.h"
 
 namespace patina::graph {
@@ -21,9 +23,10 @@ struct Material {
     const CheckedGraph* workflow = nullptr;
     const CheckedGraph* lighting = nullptr;
     std::string lighting_name;
-    std::vector<PortValue> lighting_inputs;      // values for the lighting graph's properties
-    std::map<const Property*, double> variants;  // the lighting graph's properties that are known already
-    std::vector<MaterialProperty> properties;    // in binding order
+    std::vector<PortValue> lighting_inputs;              // values for the lighting graph's properties
+    std::map<const Property*, double> variants;          // the lighting graph's properties that are known already
+    std::set<std::string, std::less<>> unused_variants;  // of a preview: those of the lighting that it leaves out
+    std::vector<MaterialProperty> properties;            // in binding order
     std::map<std::string, std::size_t, std::less<>> property_index;
     bool is_preview = false;
     const ExtraPass* pass = nullptr;  // the extra pass that this is; null: the material itself
@@ -49,6 +52,12 @@ struct MaterialFile {
 // Reads a material from the text that starts at `base` in the session's sources (read_material.cpp).
 MaterialFile read_material(Session& session, std::uint32_t base, const std::string& path);
 
+// --- lighting that the caller chooses (choose_lighting.cpp)
+// Gives the material, and the extra passes that share its lighting, the model that the options name.
+void choose_lighting(Session& session, Graph& graph);
+// The value that the options give to a variant of the lighting model, or nothing. Reports one that it cannot have.
+std::optional<double> chosen_value(Session& session, const Material& material, const Property& variant);
+
 // --- properties of all graphs: one name is one property (join_properties.cpp)
 struct JoinOptions {
     const std::string& from;  // the graph that names its file
@@ -73,6 +82,8 @@ void check_listed(Session& session, const Material& material);
 const MaterialProperty* keyword_named(const Material& material, const nodelang::Expr& expr);
 // The possible values of such a property: "a bool", "one of Dry and Wet".
 std::string values_text(const Property& property);
+// The value of such a property that the caller's word means; no word: true. Reports one that it cannot have.
+std::optional<double> keyword_value(Session& session, const Property& property, const std::string& word);
 // The words of its values: "false" and "true", or an enum's.
 std::vector<std::string_view> keyword_words(const Property& property);
 // Names of all keywords.

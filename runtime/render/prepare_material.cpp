@@ -28,6 +28,7 @@ CompileOptions compile_options(const RenderOptions& options) {
     made.switches = options.switches;
     made.include_dirs = options.include_dirs;
     made.preview = options.preview;
+    made.lighting = options.lighting;
     return made;
 }
 
