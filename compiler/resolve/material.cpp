@@ -21,6 +21,8 @@ std::vector<std::string_view> keys(const Map& map) {
     return names;
 }
 
+}  // namespace
+
 const CheckedGraph* find_workflow(Session& session, const Graph& graph) {
     const auto& workflows = session.library.workflows;
     if (graph.workflow.empty() && session.diagnostics.has_errors()) return nullptr;  // it is missing: reported already
@@ -35,15 +37,15 @@ const CheckedGraph* find_workflow(Session& session, const Graph& graph) {
     return check_graph(session, found->second.get());
 }
 
-// A workflow without lighting keeps its own, which is none; the material's has no effect (check_render.cpp).
 const LightingUse& lighting_of(const Graph& graph, const Graph& workflow) {
     return graph.lighting.present && workflow.is_lit() ? graph.lighting : workflow.lighting;
 }
 
-const CheckedGraph* find_lighting(Session& session, const Graph& graph, const LightingUse& use, std::string& name) {
+const CheckedGraph* find_lighting(Session& session, const Graph& graph, const LightingUse& use, std::string& name,
+                                  const Shown& shown) {
     if (use.inlined) {
         name = use.inlined->name;
-        return check_graph(session, use.inlined);
+        return check_graph(session, use.inlined, shown);
     }
     name = use.use;
     if (use.use.starts_with(".") || use.use.starts_with("/")) {
@@ -53,7 +55,7 @@ const CheckedGraph* find_lighting(Session& session, const Graph& graph, const Li
             return nullptr;
         }
         name = file_stem(path);
-        return load_graph(session, path, GraphKind::Lighting, use.span);
+        return load_graph(session, path, GraphKind::Lighting, use.span, shown);
     }
     if (use.use.empty() && session.diagnostics.has_errors()) return nullptr;  // reported already
     const auto& models = session.library.lighting_models;
@@ -64,8 +66,10 @@ const CheckedGraph* find_lighting(Session& session, const Graph& graph, const Li
             .note("name a lighting graph of your own by its file: \"./toon.lighting.json\"");
         return nullptr;
     }
-    return check_graph(session, found->second.get());
+    return check_graph(session, found->second.get(), shown);
 }
+
+namespace {
 
 // Makes a number, colour or word the property's default; false if it is not a constant.
 bool set_default(Session& session, Property& property, const Expr& value) {
@@ -199,50 +203,6 @@ void check_lighting_variants(Session& session, const Material& material, const L
     }
 }
 
-// A preview leaves out the lighting; the caller may still give its variants values.
-void note_unused_variants(Session& session, const Graph& graph, Material& material) {
-    const CheckedGraph* workflow = session.options.switches.empty() ? nullptr : find_workflow(session, graph);
-    if (!workflow) return;
-    std::string name;
-    const CheckedGraph* lighting = find_lighting(session, graph, lighting_of(graph, *workflow->graph), name);
-    if (!lighting) return;
-    for (const Property& property : lighting->graph->properties) {
-        if (property.binding == Binding::Variant) material.unused_variants.insert(property.name);
-    }
-}
-
-// Turns the material into one that shows a port, with the first workflow that can show a single value.
-bool make_preview(Session& session, Graph& graph, const Shown& shown) {
-    for (const auto& [name, workflow] : session.library.workflows) {
-        if (!workflow.get() || workflow.get()->preview_input.empty()) continue;
-        const Expr* value = parse_shown(session, shown);
-        if (!value) return false;
-        const auto is_node = [&](const Node& node) { return node.id == shown.text; };
-        for (const PortValue& port : graph.surface) {
-            // A preview of a surface input shows the value that the input is given.
-            if (port.name != shown.text || !port.value || std::any_of(graph.nodes.begin(), graph.nodes.end(), is_node))
-                continue;
-            value = port.value;
-        }
-        graph.workflow = name;
-        graph.lighting = {};
-        graph.passes.clear();
-        // The value covers what is behind it, unblended and whatever the depth and stencil buffers hold.
-        RenderState render;
-        render.cull = graph.render.cull;
-        render.bounds = graph.render.bounds;
-        render.span = graph.render.span;
-        graph.render = render;
-        graph.surface.clear();
-        graph.surface.push_back({.name = workflow.get()->preview_input,
-                                 .name_span = value->span,
-                                 .value_span = value->span,
-                                 .value = value});
-        return true;
-    }
-    return false;
-}
-
 void check_surface(Session& session, const Material& material) {
     const std::vector<const Input*> inputs = material.surface_inputs();
     const Graph& graph = *material.graph->graph;
@@ -291,7 +251,7 @@ bool resolve_rest(Session& session, Material& material) {
     material.workflow = find_workflow(session, graph);
     if (!material.workflow) return false;
     const LightingUse& lighting = lighting_of(graph, *material.workflow->graph);
-    material.lighting = find_lighting(session, graph, lighting, material.lighting_name);
+    material.lighting = find_lighting(session, graph, lighting, material.lighting_name, material.shown_in_lighting);
     if (!material.lighting) return false;
     const std::size_t known = material.properties.size();
     join_graph(session, material, *material.graph);
@@ -354,12 +314,7 @@ std::unique_ptr<Material> resolve_material(Session& session, std::shared_ptr<Gra
     auto material = std::make_unique<Material>();
     material->is_preview = !preview.empty();
     Shown shown;
-    if (material->is_preview) {
-        shown.base = session.sources.add("preview", std::string(preview));
-        shown.text = session.sources.file_text(shown.base);
-        note_unused_variants(session, *graph, *material);
-        if (!make_preview(session, *graph, shown)) return nullptr;
-    }
+    if (material->is_preview && !make_preview(session, *graph, preview, *material, shown)) return nullptr;
     material->graph = check_graph(session, graph, shown);
     if (!resolve_rest(session, *material)) return nullptr;
     return material;

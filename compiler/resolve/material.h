@@ -29,6 +29,10 @@ struct Material {
     std::vector<MaterialProperty> properties;            // in binding order
     std::map<std::string, std::size_t, std::less<>> property_index;
     bool is_preview = false;
+    // Of a preview of a value that lighting computes or reads: it takes the place of the lighting graph's outputs. Its
+    // value is null in other previews.
+    PortValue shown_value{};
+    Shown shown_in_lighting{};        // the port of the lighting graph that this reads; else null
     const ExtraPass* pass = nullptr;  // the extra pass that this is; null: the material itself
 
     // The inputs that the surface may set: the workflow's and those that the lighting model declares.
@@ -51,6 +55,17 @@ struct MaterialFile {
 };
 // Reads a material from the text that starts at `base` in the session's sources (read_material.cpp).
 MaterialFile read_material(Session& session, std::uint32_t base, const std::string& path);
+
+// The workflow that the material names. Null after an error.
+const CheckedGraph* find_workflow(Session& session, const Graph& graph);
+// A workflow without lighting keeps its own, which is none; the material's has no effect (check_render.cpp).
+const LightingUse& lighting_of(const Graph& graph, const Graph& workflow);
+// The lighting graph and its name. Null after an error.
+const CheckedGraph* find_lighting(Session& session, const Graph& graph, const LightingUse& use, std::string& name,
+                                  const Shown& shown = {});
+// Turns the graph into one that shows a value (preview.cpp). `shown`: where the graph itself has it. False after an
+// error.
+bool make_preview(Session& session, Graph& graph, std::string_view preview, Material& material, Shown& shown);
 
 // --- lighting that the caller chooses (choose_lighting.cpp)
 // Gives the material, and the extra passes that share its lighting, the model that the options name.

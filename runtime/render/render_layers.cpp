@@ -21,6 +21,7 @@ LayersOutcome render_layers(const Compiler& compiler, const RenderRequest& reque
                             RenderMachine& machine) {
     LayersOutcome made;
     RenderRequest beauty = request;
+    beauty.light.reset();
     beauty.object.clear();
     beauty.material.clear();
     made.drawn = render(compiler, beauty, machine);

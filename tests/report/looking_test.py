@@ -121,6 +121,20 @@ class Test(unittest.TestCase):
         self.expect(1, "no node or input called 'colour'", "flat.graph.json", "--aov", "colour", "-o", "flat.exr")
         self.assertFalse(os.path.exists("flat.exr"))
 
+    def test_values_of_each_light(self):
+        # Facing the light, n.l is 1; the sphere's middle is seen from the front.
+        lights = ["--light", "directional direction=0,0,1 intensity=1", "--light", "directional direction=0,1,0 intensity=1"]
+        node = ["lit.graph.json", "--lighting", "lambert", "--node", "lighting/ndotl", *lights]
+        middle = {}
+        for name, light in (("sum", []), ("first", ["--of-light", "0"]), ("second", ["--of-light", "1"])):
+            self.expect(0, "", *node, *light, "--camera", "position=0,0,4 target=0,0,0", "-o", name + ".png")
+            middle[name] = picture(name + ".png").at(0.5, 0.5)[0]
+        self.assertGreaterEqual(middle["sum"], middle["first"])
+        self.assertGreater(middle["first"], 250)
+        self.assertLess(middle["second"], 90)  # the pixel's middle is half a pixel off: n.l <= 0.06, 255 sRGB(0.06) = 70
+        self.expect(1, "there is no light 2: the lights are 0 to 1", *node, "--of-light", "2")
+        self.expect(2, "--of-light: needs --node", "lit.graph.json", "--of-light", "0")
+
     def test_mistakes(self):
         flat = ["flat.graph.json", "--sweep"]
         self.expect(2, "not of the form NAME=FROM..TO:COUNT or NAME=A,B,C", *flat, "_C")

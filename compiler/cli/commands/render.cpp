@@ -197,6 +197,8 @@ void take_tone(Arguments& arguments) {
 }
 
 void check_layers(const Arguments& arguments) {
+    if (arguments.request.light && arguments.request.options.preview.empty() && arguments.aov.empty())
+        throw CLI::ValidationError("--of-light", "needs --node: it chooses the light of a value");
     if (arguments.aov.empty()) return;
     if (!arguments.output.ends_with(".exr"))
         throw CLI::ValidationError("--aov", "only an EXR file has layers: name one with -o NAME.exr");
@@ -269,6 +271,7 @@ void add_render(Program& program) {
          "patina render rust.graph.json --exposure -1 --tonemap khronos-neutral -o rust.png",
          "patina render rust.graph.json --env 'sunset.hdr rotation=90' -o rust.png",
          "patina render rust.graph.json --sweep _Roughness=0..1:5 --sweep _Wear=0..1:3 --size 160 -o sweep.png",
+         "patina render rust.graph.json --node lighting/fresnel --of-light 0 -o fresnel.png",
          "patina render rust.graph.json --aov baseColor,normalWS,mask -o rust.exr",
          "patina render rust.graph.json --lighting all --size 160 -o models.png"});
     auto arguments = std::make_shared<Arguments>();
@@ -286,7 +289,8 @@ void add_render(Program& program) {
         ->type_name("OUT");
     command
         .add_option("--node", request.options.preview,
-                    "Show this port, unlit: mask, rust.amount, or layers/mask inside a sub-graph")
+                    "Show this value, unlit: mask, rust.amount, layers/mask inside a sub-graph, roughness or f0 of the "
+                    "surface, lighting/fresnel of the lighting graph, or outline/color of an extra pass")
         ->type_name("PORT")
         ->check(is_not_empty);
     CLI::Option* object = command
@@ -301,6 +305,11 @@ void add_render(Program& program) {
         ->type_name("NAME")
         ->check(is_not_empty)
         ->excludes(object);
+    command
+        .add_option("--of-light", request.light,
+                    "Show --node of this light alone, by its number from 0; default: the sum over all lights, if the "
+                    "value depends on the light")
+        ->type_name("N");
     add_words_option(command, "--aov", arguments->aov,
                      "Also write these values, as --node shows them, into the EXR file: layers with the channels "
                      "normalWS.R and so on",
