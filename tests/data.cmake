@@ -19,6 +19,12 @@ if(Python3_Interpreter_FOUND)
   set_tests_properties(report_page PROPERTIES SKIP_REGULAR_EXPRESSION "(^|\n)skipped: " TIMEOUT 300)
 endif()
 
+# Sheets of pictures that compare.
+add_python_test(looking ${CMAKE_CURRENT_SOURCE_DIR}/report/looking_test.py $<TARGET_FILE:patina_cli>)
+
+# Drawings of graphs.
+add_python_test(graph_drawing ${CMAKE_CURRENT_SOURCE_DIR}/report/graph_test.py $<TARGET_FILE:patina_cli>)
+
 # What a team's build server and pre-commit run.
 add_python_test(guard ${CMAKE_CURRENT_SOURCE_DIR}/guard/guard_test.py $<TARGET_FILE:patina_cli> ${CMAKE_SOURCE_DIR})
 

@@ -28,6 +28,7 @@ struct Compiler::Impl {
 // paths below nodes/.
 struct CompilerAccess {
     static Compiler with_files(std::span<const nodelang::EmbeddedFile> more);
+    static const graph::Library& library(const Compiler& compiler) { return *compiler.impl_->library; }
 };
 
 }  // namespace patina

@@ -170,18 +170,23 @@ void declare_switches(Lowering& lowering) {
         const auto found = std::find(known.begin(), known.end(), name);
         const bool is_switch = found != known.end();
         if (!is_switch && lowering.material.property_index.contains(name)) continue;  // of the graph (keywords.cpp)
+        const Property* of_lighting = is_switch ? nullptr : variant_of_lighting(lowering.material, name);
+        if (of_lighting && lowering.material.variants.contains(of_lighting)) continue;  // (choose_lighting.cpp)
+        if (!is_switch && lowering.material.unused_variants.contains(name)) continue;
         if (!is_switch || !has_passes) {
             std::vector<std::string_view> words = keyword_names(lowering.material);
+            for (const Property& property : lowering.material.lighting->graph->properties) {
+                if (lowering.material.variants.contains(&property)) words.push_back(property.name);
+            }
             if (has_passes) words.insert(words.begin(), known.begin(), known.end());
             DiagnosticRecord& record = session.diagnostics.report(
                 Code::UnknownWord, {}, name,
                 has_passes ? "a switch of the path, nor a variant or specialization constant of the graph"
                            : "a variant or specialization constant of the graph");
-            if (const Property* property = variant_of_lighting(lowering.material, name)) {
-                record.note(property->name_span,
-                            fmt::format("it is a variant of the lighting graph: set it in the material with "
-                                        "\"lighting\": {{ \"in\": {{ \"{}\": ... }} }}",
-                                        name));
+            if (of_lighting) {
+                record.note(of_lighting->name_span,
+                            "the material gives this variant of the lighting graph a value of its own property: set "
+                            "that one");
                 continue;
             }
             record.note(is_switch       ? fmt::format("it is a switch of the rendering paths, and {} no path",

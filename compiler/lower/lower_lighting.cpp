@@ -38,8 +38,13 @@ void refuse_derivatives_per_light(Lowering& lowering, const ir::Function& functi
 }
 
 // Lowers one output of the lighting graph as the function that the slot declares.
-ir::FunctionId lower_lighting(Lowering& lowering, const SlotDecl& declared, const PortValue& output,
-                              GraphScope& material, bool& needs_quad) {
+struct LoweredOutput {
+    ir::FunctionId function{};
+    bool needs_quad = false;
+    bool is_per_light = false;  // the value depends on the light
+};
+LoweredOutput lower_lighting(Lowering& lowering, const SlotDecl& declared, const PortValue& output,
+                             GraphScope& material) {
     const FunctionDecl& slot = *declared.function;
     ir::Module& module = lowering.out.module;
     const CheckedGraph& lighting = *lowering.material.lighting;
@@ -65,7 +70,9 @@ ir::FunctionId lower_lighting(Lowering& lowering, const SlotDecl& declared, cons
     scope.emit_nodes(lighting.reachable(std::span(&output, 1)));
     lowering.session.diagnostics.set_context(lowering.material.lighting_name, output.name);
     function.result = emit::type(lowering.emitter, slot.result, scope.scope());
-    const Typed value = scope.value_as(output, function.result, fmt::format("the output '{}'", output.name));
+    const Typed value = output.value == lowering.material.shown_value.value
+                            ? as_color(lowering, scope.value(*output.value), scope, output.value_span)
+                            : scope.value_as(output, function.result, fmt::format("the output '{}'", output.name));
     lowering.session.diagnostics.set_context({}, {});
     if (!value.ok()) return {};
     scope.watch(ir::Probe::Kind::Output, output.name, {}, value, output.name_span);
@@ -74,9 +81,65 @@ ir::FunctionId lower_lighting(Lowering& lowering, const SlotDecl& declared, cons
                std::count(function.operands.begin(), function.operands.end(), probe.value) == 0;
     });
     builder.ret(value.value);
-    needs_quad = scope.needs_quad();
-    if (declared.light_param && needs_quad) refuse_derivatives_per_light(lowering, function);
-    return add_function(module, without_unset_inputs(lowering, std::move(function)));
+    LoweredOutput made{.needs_quad = scope.needs_quad()};
+    made.is_per_light = ir::rates(module, function)[value.value.index] == ir::Rate::Light;
+    if (declared.light_param && made.needs_quad) refuse_derivatives_per_light(lowering, function);
+    made.function = add_function(module, without_unset_inputs(lowering, std::move(function)));
+    return made;
+}
+
+// A slot of a preview that adds nothing, or, if its parameters have the sums of the others, only these.
+ir::FunctionId lower_sum(Lowering& lowering, const SlotDecl& declared) {
+    ir::Module& module = lowering.out.module;
+    const emit::Scope scope{.declarations = lowering.session.declarations};
+    ir::Function function{};
+    function.name = declared.function->name;
+    function.always_inline = true;
+    function.result = emit::type(lowering.emitter, declared.function->result, scope);
+    ir::Builder builder(module, function, lowering.emitter.options);
+    for (const nodelang::ParamDecl& param : declared.function->params)
+        function.params.push_back(
+            {std::string(param.name), emit::type(lowering.emitter, param.type, scope), ir::Rate::Pixel});
+    ir::Value sum = builder.zero(function.result);
+    for (std::uint32_t p = 1; p < function.params.size() && !declared.light_param; ++p) {
+        const Type type = function.params[p].type;
+        if (type.kind != ir::Kind::Struct) continue;
+        const std::size_t count = module.structs[type.ref].members.size();
+        for (std::uint32_t m = 0; m < count; ++m) {
+            const ir::Value part = builder.extract(builder.param(p), m);
+            if (builder.type(part) == function.result) sum = builder.emit(Op::Add, function.result, {sum, part});
+        }
+    }
+    if (declared.light_param) function.params[*declared.light_param].rate = ir::Rate::Light;
+    builder.ret(sum);
+    return add_function(module, std::move(function));
+}
+
+// A preview of a value of the lighting graph: it is the only light. If it depends on the light, it is summed over
+// them; else it counts once.
+void lower_shown(Lowering& lowering, GraphScope& material) {
+    const PortValue& shown = lowering.material.shown_value;
+    bool is_per_light = false;
+    for (const bool of_lights : {true, false}) {
+        for (const SlotDecl& declared : lowering.session.paths->slots) {
+            const std::size_t params = declared.function->params.size();
+            if (declared.is_derived() || params == 0 || declared.light_param.has_value() != of_lights) continue;
+            emit::Slot made{.function = {},
+                            .result = emit::type(lowering.emitter, declared.function->result,
+                                                 {.declarations = lowering.session.declarations})};
+            if (of_lights || (params == 1 && !is_per_light)) {
+                const LoweredOutput lowered = lower_lighting(lowering, declared, shown, material);
+                if (!lowered.function) return;  // an error
+                is_per_light |= lowered.is_per_light;
+                if (!of_lights || is_per_light) {
+                    made.function = lowered.function;
+                    made.needs_quad = lowered.needs_quad;
+                }
+            }
+            if (!made.function) made.function = lower_sum(lowering, declared);
+            lowering.emitter.known.slots[std::string(declared.name())] = made;
+        }
+    }
 }
 
 }  // namespace
@@ -100,14 +163,19 @@ void lower_slots(Lowering& lowering) {
         if (slot->params.empty()) {
             if (!surface) continue;
             made.function = lowering.setup = lower_setup(lowering, *slot, surface, members);
+        } else if (lowering.material.shown_value.value) {
+            continue;
         } else if (output != lighting.graph->outputs.end()) {
             if (!output->value) continue;
-            made.function = lower_lighting(lowering, declared, *output, material, made.needs_quad);
+            const LoweredOutput lowered = lower_lighting(lowering, declared, *output, material);
+            made.function = lowered.function;
+            made.needs_quad = lowered.needs_quad;
         } else if (slot->has_body) {
             made.function = emit::plain_function(lowering.emitter, *slot, declarations);
         }
         if (made.function) lowering.emitter.known.slots[std::string(slot->name)] = made;
     }
+    if (lowering.material.shown_value.value) lower_shown(lowering, material);
 }
 
 }  // namespace patina::graph

@@ -12,9 +12,6 @@ using ir::Type;
 using ir::Value;
 using nodelang::FunctionDecl;
 
-namespace {
-
-// A previewed port of any type as a colour: a scalar is grey, two components are red and green.
 Typed as_color(Lowering& lowering, Typed value, GraphScope& scope, Span span) {
     ir::Builder& b = *scope.scope().builder;
     value = emit::primary(lowering.emitter, value, scope.scope(), span);
@@ -32,16 +29,18 @@ Typed as_color(Lowering& lowering, Typed value, GraphScope& scope, Span span) {
     return {.value = v, .type = ir::kFloat3};
 }
 
+namespace {
+
 // The value of one surface input: as given, or converted from another input that gives it, or its default.
 Typed surface_value(Lowering& lowering, GraphScope& scope, std::span<const Input* const> inputs, const Input& input,
                     Type type) {
     const std::vector<PortValue>& ports = lowering.material.graph->graph->surface;
+    const bool shows_input = lowering.material.is_preview && !lowering.material.shown_value.value;
     for (const PortValue& port : ports) {
-        if (!lowering.material.is_preview) lowering.session.diagnostics.set_context("surface", port.name);
+        if (!shows_input) lowering.session.diagnostics.set_context("surface", port.name);
         if (port.name == input.name) {
             if (!port.value) return {};
-            if (lowering.material.is_preview)
-                return as_color(lowering, scope.value(*port.value), scope, port.value_span);
+            if (shows_input) return as_color(lowering, scope.value(*port.value), scope, port.value_span);
             return scope.value_as(port, type, fmt::format("the surface input '{}'", port.name));
         }
         for (const Input* other : inputs) {

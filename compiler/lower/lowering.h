@@ -9,6 +9,8 @@ namespace patina::graph {
 ir::FunctionId add_function(ir::Module& module, ir::Function function);
 ir::Type input_type(Lowering& lowering, const Input& input);
 
+// A previewed value of any type as a colour: a scalar is grey, two components are red and green.
+emit::Typed as_color(Lowering& lowering, emit::Typed value, GraphScope& scope, Span span);
 // surface(): all values that the workflow and the lighting model take from the graph, in one struct. `members`: the
 // inputs behind its members.
 ir::FunctionId lower_surface(Lowering& lowering, std::vector<const Input*>& members);

@@ -373,6 +373,17 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
             made.textures.push_back(reflect_texture(lowered.module, entry, lowered.property_globals[i], graph.path));
         }
     }
+    for (const auto& [option, value] : material.variants) {
+        patina::Property& made_option = made.lighting_options.emplace_back();
+        made_option.name = made_option.identifier = option->name;
+        made_option.type = option->type;
+        made_option.value = {value};
+        made_option.binding = option->binding;
+        made_option.values = option->values;
+        made_option.help = option->help;
+    }
+    std::sort(made.lighting_options.begin(), made.lighting_options.end(),
+              [](const auto& a, const auto& b) { return a.name < b.name; });
     for (const LinkedPass& pass : passes) {
         made.passes.push_back(reflect_pass(pass));
         if (with_hashes) made.passes.back().hash = link::hash_pass(pass.vertex, pass.fragment).text();

@@ -34,22 +34,10 @@ void choose(Session& session, MaterialProperty& entry, const std::string& word) 
                          : "only a bool or an enum can be a variant or a constant: use 'patina render --set'");
         return;
     }
-    const std::vector<std::string_view> words = keyword_words(property);
-    if (word.empty() && property.type != PropertyType::Bool) {
-        session.diagnostics.report(Code::ImpossibleValue, {}, property.name, values_text(property))
-            .note(fmt::format("write {}={}", property.name, words[0]))
-            .note(property.name_span, "the property is here");
-        return;
-    }
-    const auto found = std::find(words.begin(), words.end(), word.empty() ? "true" : word);
-    if (found != words.end()) {
-        entry.chosen = static_cast<double>(found - words.begin());
+    if (const std::optional<double> value = keyword_value(session, property, word)) {
+        entry.chosen = *value;
         entry.is_chosen = true;
-        return;
     }
-    session.diagnostics.report(Code::UnknownWord, {}, word, fmt::format("a value of '{}'", property.name))
-        .note(Diagnostics::suggestion(word, words))
-        .note(property.name_span, "the property is here");
 }
 
 }  // namespace
@@ -85,6 +73,22 @@ void check_listed(Session& session, const Material& material) {
                 .note(Diagnostics::suggestion(value.word, words));
         }
     }
+}
+
+std::optional<double> keyword_value(Session& session, const Property& property, const std::string& word) {
+    const std::vector<std::string_view> words = keyword_words(property);
+    if (word.empty() && property.type != PropertyType::Bool) {
+        session.diagnostics.report(Code::ImpossibleValue, {}, property.name, values_text(property))
+            .note(fmt::format("write {}={}", property.name, words[0]))
+            .note(property.name_span, "the property is here");
+        return {};
+    }
+    const auto found = std::find(words.begin(), words.end(), word.empty() ? "true" : word);
+    if (found != words.end()) return static_cast<double>(found - words.begin());
+    session.diagnostics.report(Code::UnknownWord, {}, word, fmt::format("a value of '{}'", property.name))
+        .note(Diagnostics::suggestion(word, words))
+        .note(property.name_span, "the property is here");
+    return {};
 }
 
 std::vector<std::string_view> keyword_words(const Property& property) {

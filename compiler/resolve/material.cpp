@@ -21,6 +21,8 @@ std::vector<std::string_view> keys(const Map& map) {
     return names;
 }
 
+}  // namespace
+
 const CheckedGraph* find_workflow(Session& session, const Graph& graph) {
     const auto& workflows = session.library.workflows;
     if (graph.workflow.empty() && session.diagnostics.has_errors()) return nullptr;  // it is missing: reported already
@@ -35,15 +37,15 @@ const CheckedGraph* find_workflow(Session& session, const Graph& graph) {
     return check_graph(session, found->second.get());
 }
 
-// A workflow without lighting keeps its own, which is none; the material's has no effect (check_render.cpp).
 const LightingUse& lighting_of(const Graph& graph, const Graph& workflow) {
     return graph.lighting.present && workflow.is_lit() ? graph.lighting : workflow.lighting;
 }
 
-const CheckedGraph* find_lighting(Session& session, const Graph& graph, const LightingUse& use, std::string& name) {
+const CheckedGraph* find_lighting(Session& session, const Graph& graph, const LightingUse& use, std::string& name,
+                                  const Shown& shown) {
     if (use.inlined) {
         name = use.inlined->name;
-        return check_graph(session, use.inlined);
+        return check_graph(session, use.inlined, shown);
     }
     name = use.use;
     if (use.use.starts_with(".") || use.use.starts_with("/")) {
@@ -53,7 +55,7 @@ const CheckedGraph* find_lighting(Session& session, const Graph& graph, const Li
             return nullptr;
         }
         name = file_stem(path);
-        return load_graph(session, path, GraphKind::Lighting, use.span);
+        return load_graph(session, path, GraphKind::Lighting, use.span, shown);
     }
     if (use.use.empty() && session.diagnostics.has_errors()) return nullptr;  // reported already
     const auto& models = session.library.lighting_models;
@@ -64,8 +66,10 @@ const CheckedGraph* find_lighting(Session& session, const Graph& graph, const Li
             .note("name a lighting graph of your own by its file: \"./toon.lighting.json\"");
         return nullptr;
     }
-    return check_graph(session, found->second.get());
+    return check_graph(session, found->second.get(), shown);
 }
+
+namespace {
 
 // Makes a number, colour or word the property's default; false if it is not a constant.
 bool set_default(Session& session, Property& property, const Expr& value) {
@@ -116,6 +120,10 @@ void bind_variant(Session& session, Material& material, const Property& property
                     values_text(*keyword->property), values_text(property))
             .note(keyword->property->name_span, "it is declared here");
         material.variants[&property] = property.value[0];
+        return;
+    }
+    if (const std::optional<double> chosen = chosen_value(session, material, property)) {
+        material.variants[&property] = *chosen;
         return;
     }
     Property bound = property;
@@ -195,42 +203,6 @@ void check_lighting_variants(Session& session, const Material& material, const L
     }
 }
 
-// Turns the material into one that shows a port, with the first workflow that can show a single value.
-bool make_preview(Session& session, Graph& graph, const Shown& shown) {
-    for (const auto& [name, workflow] : session.library.workflows) {
-        if (!workflow.get() || workflow.get()->preview_input.empty()) continue;
-        const Expr* value = parse_shown(session, shown);
-        if (!value) return false;
-        const auto has_node = [&](std::string_view id) {
-            return std::any_of(graph.nodes.begin(), graph.nodes.end(), [&](const Node& node) { return node.id == id; });
-        };
-        // A preview of a surface input shows the value that the input is given. "surface.thickness" is the input even
-        // if there is a node "thickness".
-        constexpr std::string_view kSurface = "surface";
-        for (const PortValue& port : graph.surface) {
-            const bool is_short = port.name == shown.text && !has_node(port.name);
-            const bool is_full = shown.text == fmt::format("{}.{}", kSurface, port.name) && !has_node(kSurface);
-            if (port.value && (is_short || is_full)) value = port.value;
-        }
-        graph.workflow = name;
-        graph.lighting = {};
-        graph.passes.clear();
-        // The value covers what is behind it, unblended and whatever the depth and stencil buffers hold.
-        RenderState render;
-        render.cull = graph.render.cull;
-        render.bounds = graph.render.bounds;
-        render.span = graph.render.span;
-        graph.render = render;
-        graph.surface.clear();
-        graph.surface.push_back({.name = workflow.get()->preview_input,
-                                 .name_span = value->span,
-                                 .value_span = value->span,
-                                 .value = value});
-        return true;
-    }
-    return false;
-}
-
 void check_surface(Session& session, const Material& material) {
     const std::vector<const Input*> inputs = material.surface_inputs();
     const Graph& graph = *material.graph->graph;
@@ -279,7 +251,7 @@ bool resolve_rest(Session& session, Material& material) {
     material.workflow = find_workflow(session, graph);
     if (!material.workflow) return false;
     const LightingUse& lighting = lighting_of(graph, *material.workflow->graph);
-    material.lighting = find_lighting(session, graph, lighting, material.lighting_name);
+    material.lighting = find_lighting(session, graph, lighting, material.lighting_name, material.shown_in_lighting);
     if (!material.lighting) return false;
     const std::size_t known = material.properties.size();
     join_graph(session, material, *material.graph);
@@ -342,11 +314,7 @@ std::unique_ptr<Material> resolve_material(Session& session, std::shared_ptr<Gra
     auto material = std::make_unique<Material>();
     material->is_preview = !preview.empty();
     Shown shown;
-    if (material->is_preview) {
-        shown.base = session.sources.add("preview", std::string(preview));
-        shown.text = session.sources.file_text(shown.base);
-        if (!make_preview(session, *graph, shown)) return nullptr;
-    }
+    if (material->is_preview && !make_preview(session, *graph, preview, *material, shown)) return nullptr;
     material->graph = check_graph(session, graph, shown);
     if (!resolve_rest(session, *material)) return nullptr;
     return material;

@@ -2,6 +2,8 @@
 // uniform block (its own, those of its lighting graph and sub-graphs, and files named at ports).
 #pragma once
 
+#include <set>
+
 #include "compiler/resolve/check_graph.h"
 
 namespace patina::graph {
@@ -21,11 +23,16 @@ struct Material {
     const CheckedGraph* workflow = nullptr;
     const CheckedGraph* lighting = nullptr;
     std::string lighting_name;
-    std::vector<PortValue> lighting_inputs;      // values for the lighting graph's properties
-    std::map<const Property*, double> variants;  // the lighting graph's properties that are known already
-    std::vector<MaterialProperty> properties;    // in binding order
+    std::vector<PortValue> lighting_inputs;              // values for the lighting graph's properties
+    std::map<const Property*, double> variants;          // the lighting graph's properties that are known already
+    std::set<std::string, std::less<>> unused_variants;  // of a preview: those of the lighting that it leaves out
+    std::vector<MaterialProperty> properties;            // in binding order
     std::map<std::string, std::size_t, std::less<>> property_index;
     bool is_preview = false;
+    // Of a preview of a value that lighting computes or reads: it takes the place of the lighting graph's outputs. Its
+    // value is null in other previews.
+    PortValue shown_value{};
+    Shown shown_in_lighting{};        // the port of the lighting graph that this reads; else null
     const ExtraPass* pass = nullptr;  // the extra pass that this is; null: the material itself
 
     // The inputs that the surface may set: the workflow's and those that the lighting model declares.
@@ -48,6 +55,23 @@ struct MaterialFile {
 };
 // Reads a material from the text that starts at `base` in the session's sources (read_material.cpp).
 MaterialFile read_material(Session& session, std::uint32_t base, const std::string& path);
+
+// The workflow that the material names. Null after an error.
+const CheckedGraph* find_workflow(Session& session, const Graph& graph);
+// A workflow without lighting keeps its own, which is none; the material's has no effect (check_render.cpp).
+const LightingUse& lighting_of(const Graph& graph, const Graph& workflow);
+// The lighting graph and its name. Null after an error.
+const CheckedGraph* find_lighting(Session& session, const Graph& graph, const LightingUse& use, std::string& name,
+                                  const Shown& shown = {});
+// Turns the graph into one that shows a value (preview.cpp). `shown`: where the graph itself has it. False after an
+// error.
+bool make_preview(Session& session, Graph& graph, std::string_view preview, Material& material, Shown& shown);
+
+// --- lighting that the caller chooses (choose_lighting.cpp)
+// Gives the material, and the extra passes that share its lighting, the model that the options name.
+void choose_lighting(Session& session, Graph& graph);
+// The value that the options give to a variant of the lighting model, or nothing. Reports one that it cannot have.
+std::optional<double> chosen_value(Session& session, const Material& material, const Property& variant);
 
 // --- properties of all graphs: one name is one property (join_properties.cpp)
 struct JoinOptions {
@@ -73,6 +97,8 @@ void check_listed(Session& session, const Material& material);
 const MaterialProperty* keyword_named(const Material& material, const nodelang::Expr& expr);
 // The possible values of such a property: "a bool", "one of Dry and Wet".
 std::string values_text(const Property& property);
+// The value of such a property that the caller's word means; no word: true. Reports one that it cannot have.
+std::optional<double> keyword_value(Session& session, const Property& property, const std::string& word);
 // The words of its values: "false" and "true", or an enum's.
 std::vector<std::string_view> keyword_words(const Property& property);
 // Names of all keywords.

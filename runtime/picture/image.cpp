@@ -12,6 +12,7 @@
 #include <functional>
 
 #include "runtime/files/files.h"
+#include "runtime/picture/layers.h"
 
 namespace patina::runtime {
 namespace {
@@ -191,6 +192,30 @@ Outcome<std::string> encode_exr(const Image& linear) {
     return encode("picture.exr", spec, [&](OIIO::ImageOutput& output) {
         return output.write_image(OIIO::TypeDesc::FLOAT, linear.pixels.data());
     });
+}
+
+Outcome<std::string> encode_layers(const Image& picture, std::span<const Layer> layers) {
+    OIIO::ImageSpec spec = spec_of(picture, OIIO::TypeDesc::FLOAT, "Linear");
+    spec.attribute("DateTime", "");
+    for (const Layer& layer : layers) {
+        if (layer.image.width != picture.width || layer.image.height != picture.height)
+            return Failure{"the layer '" + layer.name + "' has another size than the picture"};
+        for (const char* channel : {"R", "G", "B", "A"}) spec.channelnames.push_back(layer.name + "." + channel);
+    }
+    spec.nchannels = int(spec.channelnames.size());
+    const std::size_t pixels = std::size_t(picture.width) * std::size_t(picture.height);
+    std::vector<float> all;
+    all.reserve(pixels * spec.channelnames.size());
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const auto add = [&](const Image& image) {
+            all.insert(all.end(), image.pixels.begin() + std::ptrdiff_t(4 * i),
+                       image.pixels.begin() + std::ptrdiff_t(4 * i + 4));
+        };
+        add(picture);
+        for (const Layer& layer : layers) add(layer.image);
+    }
+    return encode("picture.exr", spec,
+                  [&](OIIO::ImageOutput& output) { return output.write_image(OIIO::TypeDesc::FLOAT, all.data()); });
 }
 
 Outcome<std::string> encode_image(const std::string& path, const Image& linear) {

@@ -45,6 +45,7 @@ CompileOptions compile_options(const RenderOptions& options) {
     made.include_dirs = options.include_dirs;
     made.preview = options.preview;
     if (options.files) made.loader = loader_of(options.files);
+    made.lighting = options.lighting;
     return made;
 }
 

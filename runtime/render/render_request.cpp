@@ -221,6 +221,18 @@ void put_first(const std::vector<Diagnostic>& earlier, RenderOutcome& drawn) {
     drawn.diagnostics.insert(drawn.diagnostics.begin(), earlier.begin(), earlier.end());
 }
 
+// Leaves one of the lights; empty, or why it cannot.
+std::string keep_light(const RenderRequest& request, World& world) {
+    std::vector<Light>& lights = world.view.lights;
+    if (!request.light) return {};
+    if (*request.light < 0 || std::size_t(*request.light) >= lights.size())
+        return lights.empty()
+                   ? "there are no lights to choose from"
+                   : fmt::format("there is no light {}: the lights are 0 to {}", *request.light, lights.size() - 1);
+    lights = {lights[std::size_t(*request.light)]};
+    return {};
+}
+
 RenderOutcome draw(const Compiler& compiler, const RenderRequest& request, const World& world,
                    const RenderOptions& options, RenderMachine& machine) {
     RenderOutcome drawn = draw_world(compiler, world, options, machine);
@@ -334,6 +346,8 @@ RenderOutcome render(const Compiler& compiler, const RenderRequest& request, Ren
     const bool is_preview = !request.options.preview.empty();
     if (!is_preview && !(request.object + request.material).empty())
         return failed({}, "an object or a material is chosen for a preview: name a node, too");
+    if (std::string error = keep_light(request, world); !error.empty())
+        return failed(std::move(outcome), std::move(error));
     RenderOutcome drawn = !is_preview         ? draw(compiler, request, world, request.options, machine)
                           : is_scene(request) ? render_scene_preview(compiler, request, world, machine)
                                               : render_preview(compiler, request, world, machine);

@@ -37,9 +37,10 @@ struct RenderRequest {
     std::optional<double> time{};                    // seconds; nothing: the scene's own, or 0
     std::vector<std::string> lights{};               // empty: the default three; {"none"}: none
     std::string ambient{};                           // empty: the default sky
-    std::string environment{};  // "sunset.hdr", "sunset.hdr rotation=90 intensity=2", "studio"; empty: the studio
-    std::string camera{};       // empty: frames the mesh
-    std::string background{};   // "#203040", "0.2", "none" (transparent); empty: dark grey
+    std::string environment{};   // "sunset.hdr", "sunset.hdr rotation=90 intensity=2", "studio"; empty: the studio
+    std::string camera{};        // empty: frames the mesh
+    std::string background{};    // "#203040", "0.2", "none" (transparent); empty: dark grey
+    std::optional<int> light{};  // of a preview: the only light that there is, by its number; nothing: all of them
     // Of a preview: its values in this range as colours (data_picture.h); nothing: the values as they are.
     std::optional<DataRange> range{};
     bool keeps_values = false;  // of a preview: values that are not finite stay, as an EXR file can hold them

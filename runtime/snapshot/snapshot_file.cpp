@@ -158,6 +158,7 @@ constexpr TextKey kTextKeys[] = {
     {"graph", [](RenderRequest& request) -> std::string& { return request.graph; }},
     {"mesh", [](RenderRequest& request) -> std::string& { return request.mesh; }},
     {"ambient", [](RenderRequest& request) -> std::string& { return request.ambient; }},
+    {"background", [](RenderRequest& request) -> std::string& { return request.background; }},
     {"node", [](RenderRequest& request) -> std::string& { return request.options.preview; }},
     {"object", [](RenderRequest& request) -> std::string& { return request.object; }},
     {"material", [](RenderRequest& request) -> std::string& { return request.material; }},
@@ -178,6 +179,7 @@ struct ObjectKey {
     std::string_view path, example;
 };
 constexpr ObjectKey kObjectKeys[] = {{"camera", R"({ "position": [2, 1, 3], "fov": 40 })"},
+                                     {"environment", R"({ "file": "sunset.hdr", "rotation": 90 })"},
                                      {"set", R"({ "_Roughness": 0.2 })"},
                                      {"sweep", R"({ "_Roughness": [0, 0.5, 1] })"},
                                      {"tolerance", R"({ "pixel": 0.01 })"}};
@@ -189,7 +191,7 @@ auto* find_key(const Table& table, std::string_view path) {
 }
 
 Problem unknown_key(const std::string& path) {
-    std::vector<std::string> known = {"patina", "time", "lights", "path", "text"};
+    std::vector<std::string> known = {"patina", "time", "lights", "lighting", "path", "text"};
     for (const TextKey& key : kTextKeys) known.emplace_back(key.path);
     for (const WholeKey& key : kWholeKeys) known.emplace_back(key.path);
     for (const ObjectKey& key : kObjectKeys) known.emplace_back(key.path);
@@ -203,6 +205,9 @@ Problem unknown_key(const std::string& path) {
     } else if (path.starts_with("camera/")) {
         place = "a camera";
         known.assign(std::begin(kCameraKeys), std::end(kCameraKeys));
+    } else if (path.starts_with("environment/")) {
+        place = "an environment";
+        known = {"file", "rotation", "intensity"};
     }
     return {.message = fmt::format("unknown key '{}' in {}", key, place),
             .code = "unknown-key",
@@ -277,6 +282,55 @@ Problem add_to_camera(const Entry& entry, RenderRequest& request) {
     return {};
 }
 
+// A picture of the surroundings, studio or none, alone or with its settings, in the words of the command line.
+Problem add_to_environment(const Entry& entry, const std::filesystem::path& folder, RenderRequest& request) {
+    const bool is_alone = entry.path == "environment";
+    const std::string name = is_alone ? "file" : entry.path.substr(std::string_view("environment/").size());
+    if (name == "file") {
+        if (entry.kind != Entry::Kind::Text || entry.text.empty() || entry.in_array)
+            return {R"('environment' is a picture, such as "sunset.hdr", studio or none; or an object, such as )" +
+                    std::string(find_key(kObjectKeys, "environment")->example)};
+        const bool is_word = is_alone && (entry.text == "studio" || entry.text == "none");
+        std::error_code ignored;
+        if (!is_word && !std::filesystem::is_regular_file(folder / entry.text, ignored))
+            return {.message = "there is no file '" + (folder / entry.text).string() + "'", .code = "cannot-read"};
+        request.environment = (is_word ? entry.text : (folder / entry.text).string()) + request.environment;
+        return {};
+    }
+    if (name != "rotation" && name != "intensity") return unknown_key(entry.path);
+    double value = 0;
+    const double lowest = name == "rotation" ? -kMostDegrees : 0;
+    const double highest = name == "rotation" ? kMostDegrees : kMostIntensity;
+    if (entry.in_array || !read_number(entry, value) || value < lowest || value > highest)
+        return {fmt::format("'{}' of an environment is a number from {} to {}", name, lowest, highest)};
+    request.environment += " " + name + "=" + entry.text;
+    return {};
+}
+
+// Keys that need each other, or exclude each other; the place is that of the entry that is one too many.
+std::pair<Problem, Place> check_surroundings(const std::vector<Entry>& entries) {
+    const auto find = [&](auto is_wanted) { return std::find_if(entries.begin(), entries.end(), is_wanted); };
+    const auto around =
+        find([](const Entry& e) { return e.path == "environment" || e.path.starts_with("environment/"); });
+    const auto file = find([](const Entry& e) { return e.path == "environment" || e.path == "environment/file"; });
+    const auto ambient = find([](const Entry& e) { return e.path == "ambient"; });
+    if (around != entries.end() && file == entries.end())
+        return {{"an environment needs 'file', the picture of the surroundings"}, around->key};
+    if (around != entries.end() && ambient != entries.end())
+        return {{"'environment' and 'ambient' exclude each other: leave one out"}, std::max(around, ambient)->key};
+    return {};
+}
+
+// A model of the library, or a lighting graph next to the snapshot.
+Problem take_lighting(const Entry& entry, const std::filesystem::path& folder, RenderRequest& request) {
+    if (entry.kind != Entry::Kind::Text || entry.text.empty() || entry.in_array)
+        return {"'lighting' is a lighting model, or the file of a lighting graph"};
+    request.options.lighting = !entry.text.ends_with(".json")
+                                   ? entry.text
+                                   : std::filesystem::absolute(folder / entry.text).lexically_normal().string();
+    return {};
+}
+
 Problem apply(const Entry& entry, const std::filesystem::path& folder, SnapshotFile& file) {
     RenderRequest& request = file.request;
     if (entry.path == "lights") {
@@ -289,6 +343,9 @@ Problem apply(const Entry& entry, const std::filesystem::path& folder, SnapshotF
     if (entry.path.starts_with("sweep/")) return add_to_sweep(entry, folder, file);
     if (entry.path.starts_with("camera/")) return add_to_camera(entry, request);
     if (entry.path == "path") return add_path(entry, folder, file);
+    if (entry.path == "lighting") return take_lighting(entry, folder, request);
+    if (entry.path == "environment" || entry.path.starts_with("environment/"))
+        return add_to_environment(entry, folder, request);
     if (const ObjectKey* key = find_key(kObjectKeys, entry.path))
         return {fmt::format("'{}' must be an object, such as {}", key->path, key->example)};
     if (entry.in_array || entry.kind == Entry::Kind::EmptyArray) return {"an array is not allowed here"};
@@ -336,6 +393,7 @@ Problem check_words(const Entry& entry) {
                 .code = "unknown-name",
                 .hint = suggestion(entry.text, meshes)};
     if (entry.path == "ambient") return {parse_ambient(entry.text).error};
+    if (entry.path == "background") return {parse_background(entry.text).error};
     if (entry.path == "lights" && entry.kind == Entry::Kind::Text) return {parse_light(entry.text).error};
     return {};
 }
@@ -403,6 +461,7 @@ ReadSnapshot read_snapshot(const std::string& path) {
     }
     if (const auto [problem, place] = check_camera(flat.entries, file.request.camera); problem)
         return wrong(problem, place);
+    if (const auto [problem, place] = check_surroundings(flat.entries); problem) return wrong(problem, place);
     if (!flat.seen.contains("patina"))
         return wrong({.message = "the key \"patina\": 1 is missing", .code = "missing-key"}, {});
 

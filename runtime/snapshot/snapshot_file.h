@@ -2,6 +2,7 @@
 //
 //   { "patina": 1, "graph": "rust.graph.json", "mesh": "torus", "size": 128, "samples": 2, "time": 0, "node": "mask",
 //     "camera": { "fov": 40 }, "lights": ["directional direction=0,1,1"], "ambient": "0.2", "via": "glsl",
+//     "environment": { "file": "sunset.hdr", "rotation": 90 }, "background": "none", "lighting": "phong",
 //     "path": "forward", "set": { "_Roughness": 0.2, "_Tint": [1, 0, 0], "_MainTex": "rust.png" },
 //     "sweep": { "_Metallic": [0, 0.5, 1] }, "text": true, "tolerance": { "share": 0.001, "average": 0.002 } }
 //

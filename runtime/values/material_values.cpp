@@ -231,9 +231,16 @@ std::vector<BlockBytes> fill_with(const Reflection& reflection, const MaterialVa
 
 }  // namespace
 
+const Property* lighting_option(const Reflection& reflection, const std::string& name) {
+    for (const Property& option : reflection.lighting_options)
+        if (option.name == name) return &option;
+    return nullptr;
+}
+
 std::vector<std::string> property_names(const Reflection& reflection) {
     std::vector<std::string> names;
     for (const Property& property : reflection.properties) names.push_back(property.name);
+    for (const Property& option : reflection.lighting_options) names.push_back(option.name);
     for (const Texture& texture : reflection.textures)
         if (!texture.tiling.empty()) names.push_back(texture.name + "_ST");
     return names;
@@ -257,7 +264,14 @@ Outcome<MaterialValues> material_values(const Reflection& reflection, const std:
         }
         auto found = std::find_if(reflection.properties.begin(), reflection.properties.end(),
                                   [&](const Property& property) { return property.name == name; });
-        if (found == reflection.properties.end()) return Failure{no_property(reflection, name)};
+        if (found == reflection.properties.end()) {
+            const Property* option = lighting_option(reflection, name);
+            if (!option) return Failure{no_property(reflection, name)};
+            // The material was compiled for it (keywords_of()).
+            if (const Outcome<Numbers> value = parse_value(*option, text, spelling); !value)
+                return Failure{value.error};
+            continue;
+        }
         if (is_texture(found->type)) {
             result.textures[name] = text;
             continue;
@@ -277,14 +291,16 @@ std::vector<std::pair<std::string, std::string>> keywords_of(const Reflection& r
                                                              const std::map<std::string, std::string>& words,
                                                              Spelling spelling) {
     std::vector<std::pair<std::string, std::string>> wanted;
-    for (const Property& property : reflection.properties) {
+    const auto want = [&](const Property& property) {
         const bool is_variant = property.binding == Binding::Variant;
         const auto word = words.find(property.name);
-        if ((!is_variant && !property.constant_id) || word == words.end()) continue;
+        if ((!is_variant && !property.constant_id) || word == words.end()) return;
         const Outcome<Numbers> value = parse_value(property, word->second, spelling);
         const bool is_other = value && is_variant && value.value[0] != property.value[0];
         if (is_other || (!value && spelling == Spelling::Words)) wanted.push_back(*word);
-    }
+    };
+    std::ranges::for_each(reflection.properties, want);
+    std::ranges::for_each(reflection.lighting_options, want);
     return wanted;
 }
 

@@ -39,6 +39,8 @@ enum class Spelling { Words, Json };
 // texture's tiling. A bad one, or one outside a hard range, is an error that lists what there is.
 Outcome<MaterialValues> material_values(const Reflection& reflection, const std::map<std::string, std::string>& words,
                                         Spelling spelling = Spelling::Words);
+// A variant of the lighting model, or null.
+const Property* lighting_option(const Reflection& reflection, const std::string& name);
 // Of everything that can be given a value, tilings too.
 std::vector<std::string> property_names(const Reflection& reflection);
 

@@ -49,7 +49,9 @@ SceneFaults check_values(const Reflection& reflection, const WorldMaterial& mate
     for (const SceneValue& value : instance.set) {
         const auto property = std::find_if(reflection.properties.begin(), reflection.properties.end(),
                                            [&](const Property& p) { return p.name == value.property; });
-        if (property == reflection.properties.end() || property->instance_stride > 0) continue;
+        const bool is_known =
+            property != reflection.properties.end() || lighting_option(reflection, value.property) != nullptr;
+        if (!is_known || (property != reflection.properties.end() && property->instance_stride > 0)) continue;
         faults.diagnostics.push_back(diagnostic_at(
             value.property_place, "impossible-value",
             "'" + value.property + "' of '" + material.graph +

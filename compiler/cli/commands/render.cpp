@@ -1,6 +1,7 @@
 // patina render: graphs and scenes to pictures, by Vulkan or on the CPU.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -15,8 +16,10 @@
 #include "compiler/cli/model_file.h"
 #include "compiler/cli/outputs.h"
 #include "compiler/cli/picture_options.h"
+#include "compiler/cli/picture_sweep.h"
 #include "patina/output_name.h"
 #include "runtime/picture/tone.h"
+#include "runtime/render/render_layers.h"
 
 namespace patina::cli {
 namespace {
@@ -31,6 +34,15 @@ struct Arguments {
     runtime::Tone tone;
     std::vector<std::optional<double>> times = {{}};  // one a picture; nothing: --time is not given
     PathOptions path;
+    Sweep sweep;
+    std::vector<std::string> aov;
+};
+
+// What is drawn for one file of pictures.
+struct Drawn {
+    runtime::RenderOutcome outcome{};
+    std::vector<runtime::Layer> layers{};  // of --aov
+    std::vector<std::string> left_out{};   // lighting models that do not fit
 };
 
 constexpr std::size_t kMostFrames = 10000;
@@ -54,10 +66,12 @@ std::string output_of(const Arguments& arguments, const std::string& graph, std:
 }
 
 Exit write(Outputs& outputs, const Console& console, const Arguments& arguments, const std::string& graph,
-           std::size_t frame, const runtime::RenderOutcome& outcome) {
+           std::size_t frame, const Drawn& drawn) {
     const std::string path = output_of(arguments, graph, frame);
-    runtime::Outcome<std::string> bytes =
-        path.ends_with(".exr") ? runtime::encode_exr(outcome.image) : runtime::encode_png(outcome.image);
+    const runtime::RenderOutcome& outcome = drawn.outcome;
+    runtime::Outcome<std::string> bytes = !drawn.layers.empty()    ? runtime::encode_layers(outcome.image, drawn.layers)
+                                          : path.ends_with(".exr") ? runtime::encode_exr(outcome.image)
+                                                                   : runtime::encode_png(outcome.image);
     if (!bytes) {
         complain(console, Complaint::CannotWrite, {"cannot write '" + path + "': " + bytes.error});
         return Exit::Wrong;
@@ -98,6 +112,24 @@ void say_clipping(const Console& console, const Arguments& arguments, const std:
                                 100 * clipped->share, arguments.tone.exposure + clipped->exposure));
 }
 
+// A picture, a sheet of pictures, or a picture with layers, with its tone.
+Drawn draw(const Arguments& arguments, const Compiler& compiler, const runtime::RenderRequest& request,
+           runtime::RenderMachine& machine) {
+    if (!arguments.sweep.axes.empty()) {
+        SheetOutcome sheet = render_sheet(compiler, request, arguments.sweep, arguments.tone, machine);
+        return {.outcome = std::move(sheet.drawn), .left_out = std::move(sheet.left_out)};
+    }
+    Drawn made;
+    if (arguments.aov.empty()) {
+        made.outcome = runtime::render(compiler, request, machine);
+    } else {
+        runtime::LayersOutcome layers = runtime::render_layers(compiler, request, arguments.aov, machine);
+        made = {.outcome = std::move(layers.drawn), .layers = std::move(layers.layers)};
+    }
+    if (made.outcome.ok) made.outcome.image = runtime::toned(std::move(made.outcome.image), arguments.tone);
+    return made;
+}
+
 // The diagnostics of earlier pictures of a sequence: code, file and text.
 using Said = std::set<std::tuple<std::string, std::string, std::string>>;
 
@@ -135,7 +167,8 @@ Exit render_graph(Outputs& outputs, const Console& console, const Arguments& arg
     request.options.progress = [&](double share, std::string_view file) {
         show_share(console, share, file.empty() ? graph : fmt::format("prefiltering {}", file));
     };
-    runtime::RenderOutcome outcome = runtime::render(compiler, request, machine);
+    Drawn drawn = draw(arguments, compiler, request, machine);
+    runtime::RenderOutcome& outcome = drawn.outcome;
     // A warning that an earlier picture gave is not repeated.
     std::vector<Diagnostic> news;
     for (const Diagnostic& each : outcome.diagnostics) {
@@ -145,12 +178,13 @@ Exit render_graph(Outputs& outputs, const Console& console, const Arguments& arg
     report(console, news);
     if (!outcome.error.empty()) complain(console, Complaint::CannotRender, {outcome.error});
     if (outcome.missing_machine) return Exit::Machine;
-    if (outcome.ok) outcome.image = runtime::toned(std::move(outcome.image), arguments.tone);
+    if (outcome.ok && frame == 0 && !drawn.left_out.empty())
+        remark(console, fmt::format("lighting models that do not fit: {}", fmt::join(drawn.left_out, ", ")));
     if (outcome.ok && frame == 0) {
         say_range(console, arguments, outcome);
         say_clipping(console, arguments, output_of(arguments, graph, frame), outcome.image);
     }
-    return outcome.ok ? write(outputs, console, arguments, graph, frame, outcome) : Exit::Wrong;
+    return outcome.ok ? write(outputs, console, arguments, graph, frame, drawn) : Exit::Wrong;
 }
 
 // Empty, or why no picture can have this name.
@@ -190,6 +224,22 @@ void take_tone(Arguments& arguments) {
                                    "--node shows values, not light: leave one of them out");
 }
 
+void check_layers(const Arguments& arguments) {
+    if (arguments.request.light && arguments.request.options.preview.empty() && arguments.aov.empty())
+        throw CLI::ValidationError("--of-light", "needs --node: it chooses the light of a value");
+    if (arguments.aov.empty()) return;
+    if (!arguments.output.ends_with(".exr"))
+        throw CLI::ValidationError("--aov", "only an EXR file has layers: name one with -o NAME.exr");
+    if (!arguments.request.options.preview.empty())
+        throw CLI::ValidationError("--aov", "draws the material and values of its nodes: leave out --node");
+    if (!arguments.sweep.axes.empty())
+        throw CLI::ValidationError("--aov", "a sheet has no layers: leave out --sweep, and name one lighting model");
+    for (const std::string& name : arguments.aov) {
+        if (std::ranges::count(arguments.aov, name) > 1)
+            throw CLI::ValidationError("--aov", "'" + name + "' is given twice: leave one out");
+    }
+}
+
 // Checks what can be wrong before the first graph is read.
 void complete(Arguments& arguments, bool has_mesh) {
     if (arguments.path.path == "all")
@@ -199,7 +249,7 @@ void complete(Arguments& arguments, bool has_mesh) {
     const runtime::RenderRequest& request = arguments.request;
     for (const auto& [option, value] : {std::pair("--object", request.object), {"--material", request.material}}) {
         for (const std::string& graph : arguments.graphs) refuse_object(graph, option, value);
-        if (!value.empty() && request.options.preview.empty())
+        if (!value.empty() && request.options.preview.empty() && arguments.aov.empty())
             throw CLI::ValidationError(option, "needs --node: it chooses what shows the values of a port");
     }
     for (const std::string& graph : arguments.graphs) {
@@ -207,6 +257,7 @@ void complete(Arguments& arguments, bool has_mesh) {
             throw CLI::ValidationError("--variant", "'" + graph + "' is no model: only .glb and .gltf files have them");
     }
     take_overrides(arguments.set, arguments.path, arguments.request);
+    read_sweep(arguments.sweep, arguments.request);
     if (const std::string wrong = not_an_output(arguments.output); !wrong.empty())
         throw CLI::ValidationError("--output", wrong);
     arguments.times = read_times(arguments.time);
@@ -231,6 +282,7 @@ void complete(Arguments& arguments, bool has_mesh) {
         if (!range) throw CLI::ValidationError("--range", range.error);
         arguments.request.range = range.value;
     }
+    check_layers(arguments);
     take_tone(arguments);
     arguments.request.keeps_values = arguments.output.ends_with(".exr");
     refuse_equal_outputs(arguments.graphs, ".png", "render");
@@ -250,7 +302,11 @@ void add_render(Program& program) {
          "patina render rust.graph.json --light 'directional direction=1,1,1 intensity=2' --ambient 0.1 --via cpu",
          "patina render chair.glb -o chair.png", "patina render chair.glb --camera Front --variant Oak -o front.png",
          "patina render rust.graph.json --exposure -1 --tonemap khronos-neutral -o rust.png",
-         "patina render rust.graph.json --env 'sunset.hdr rotation=90' -o rust.png"});
+         "patina render rust.graph.json --env 'sunset.hdr rotation=90' -o rust.png",
+         "patina render rust.graph.json --sweep _Roughness=0..1:5 --sweep _Wear=0..1:3 --size 160 -o sweep.png",
+         "patina render rust.graph.json --node lighting/fresnel --of-light 0 -o fresnel.png",
+         "patina render rust.graph.json --aov baseColor,normalWS,mask -o rust.exr",
+         "patina render rust.graph.json --lighting all --size 160 -o models.png"});
     auto arguments = std::make_shared<Arguments>();
     runtime::RenderRequest& request = arguments->request;
     command
@@ -266,7 +322,8 @@ void add_render(Program& program) {
         ->type_name("OUT");
     command
         .add_option("--node", request.options.preview,
-                    "Show this port, unlit: mask, rust.amount, or layers/mask inside a sub-graph")
+                    "Show this value, unlit: mask, rust.amount, layers/mask inside a sub-graph, roughness or f0 of the "
+                    "surface, lighting/fresnel of the lighting graph, or outline/color of an extra pass")
         ->type_name("PORT")
         ->check(is_not_empty);
     CLI::Option* object = command
@@ -281,6 +338,16 @@ void add_render(Program& program) {
         ->type_name("NAME")
         ->check(is_not_empty)
         ->excludes(object);
+    command
+        .add_option("--of-light", request.light,
+                    "Show --node of this light alone, by its number from 0; default: the sum over all lights, if the "
+                    "value depends on the light")
+        ->type_name("N");
+    add_words_option(command, "--aov", arguments->aov,
+                     "Also write these values, as --node shows them, into the EXR file: layers with the channels "
+                     "normalWS.R and so on",
+                     is_not_empty)
+        ->type_name("PORT[,PORT]");
     command
         .add_option("--range", arguments->range,
                     "Show the values of --node between LOW and HIGH: one number in false colour, a vector as red, "
@@ -309,6 +376,7 @@ void add_render(Program& program) {
         .add_option("--time", arguments->time,
                     "The time in seconds, or a sequence FROM..TO:COUNT of pictures NAME.0000.png; default: 0")
         ->type_name("T");
+    add_sweep_options(command, arguments->sweep);
     add_path_options(command, arguments->path);
     command
         .add_option("--via", request.options.via,

@@ -124,14 +124,18 @@ struct CompileOptions {
     // If not empty, the result is the material's functions for an engine's own shaders, and no passes. All other
     // declarations begin with this prefix ("Rust_"); the reflection lists them. `path` and `passes` are ignored.
     std::string functions{};
-    // Values of switches (optional parts of the passes), and of the graph's variants and specialization constants:
-    // "shadows", "true"; "_Mode", "Wet". No value means "true".
+    // Values of switches (optional parts of the passes), of the graph's variants and specialization constants, and of
+    // the lighting model's variants (ModelInputInfo::is_variant): "shadows", "true"; "_Mode", "Wet". No value means
+    // "true".
     std::vector<std::pair<std::string, std::string>> switches{};
     std::vector<std::string> include_dirs;  // searched after the graph's own folder
     Loader loader;                          // default: the file system
     // "mask", "rust.amount", "layers/mask" inside the sub-graph of the node "layers", or an input of the surface,
     // "surface.roughness": compiles a material that shows this port, unlit, instead of the graph's surface.
     std::string preview;
+    // A lighting model of the library, or the path of a lighting graph, in place of the graph's own; empty: its own.
+    // The values that the graph gives to its own model have no effect then.
+    std::string lighting{};
     // The steps whose text goes to Result::dumps: "graph", "ir", "linked", "tidy", "rates".
     std::vector<std::string> dump;
     // Also accepts a lighting graph or a sub-graph, and puts it into the smallest material that uses it, to check it

@@ -198,6 +198,9 @@ struct PATINA_API Reflection {
     std::uint32_t most_instances = 0;  // how many instances one draw can hold; 0: a draw draws one object
     std::vector<Switch> switches{};
     std::vector<Property> properties;
+    // The lighting model's variants, with the values that the shaders were compiled for: CompileOptions::switches sets
+    // them. No runtime can, so they are not in the JSON.
+    std::vector<Property> lighting_options{};
     std::vector<Block> blocks;
     std::vector<Texture> textures;
     std::vector<Pass> passes;

@@ -123,5 +123,58 @@ TEST(Preview, SaysWhatIsNotThere) {
     }
 }
 
+// What lighting reads of the surface, and inputs that the graph leaves to their defaults. A dielectric's f0 is 0.04.
+TEST(Preview, ShowsEveryValueOfTheSurface) {
+    EXPECT_TRUE(shown("alpha").starts_with("1.0")) << shown("alpha");  // vec4(1.0)
+    const Result f0 = preview("f0");
+    ASSERT_TRUE(f0.ok);
+    EXPECT_NE(f0.shaders.back().text.find("0.04"), std::string::npos) << f0.shaders.back().text;
+}
+
+constexpr const char* kOwnLighting = R"({
+  "patina": 1,
+  "workflow": "metallic-roughness",
+  "lighting": {
+    "patina": 1,
+    "kind": "lighting",
+    "nodes": [
+      { "id": "share", "expr": "0.375" },
+      { "id": "layers", "node": "./layers.subgraph.json", "in": { "x": 1 } },
+      { "id": "lit", "expr": "share * @light.radiance" }
+    ],
+    "direct": "= lit * layers.sum",
+    "indirect": "= share"
+  },
+  "passes": [ { "name": "rim", "workflow": "unlit", "surface": { "color": 0.75 } } ],
+  "surface": { "emission": 100 }
+})";
+
+// A value that does not depend on the light counts once, and nothing else is added to it.
+TEST(Preview, ShowsValuesOfTheLightingGraph) {
+    EXPECT_EQ(shown("lighting/share", kOwnLighting), "0.375");
+    EXPECT_EQ(shown("lighting/layers/quarter", kOwnLighting), "0.5");
+    EXPECT_EQ(shown("lighting/layers", kOwnLighting), "0.625");  // 1 * 0.5 + 0.0625 * 2
+    EXPECT_EQ(shown("lighting/indirect", kOwnLighting), "0.375");
+    const Result summed = preview("lighting/lit", kOwnLighting);
+    ASSERT_TRUE(summed.ok);
+    const std::string& text = summed.shaders.back().text;
+    EXPECT_NE(text.find("for ("), std::string::npos) << text;
+    EXPECT_EQ(text.find("100"), std::string::npos) << text;
+}
+
+TEST(Preview, ShowsValuesOfAnExtraPass) {
+    EXPECT_EQ(shown("rim/color", kOwnLighting), "0.75");
+}
+
+TEST(Preview, ANodeComesBeforeOtherValuesOfItsName) {
+    constexpr const char* kNamesakes = R"({
+  "patina": 1, "workflow": "metallic-roughness",
+  "nodes": [ { "id": "f0", "expr": "0.6875" }, { "id": "lighting", "node": "./deep.subgraph.json" } ],
+  "surface": { "roughness": "= f0 * lighting" }
+})";
+    EXPECT_EQ(shown("f0", kNamesakes), "0.6875");
+    EXPECT_EQ(shown("lighting/small", kNamesakes), "0.0625");
+}
+
 }  // namespace
 }  // namespace patina

@@ -91,6 +91,24 @@ TEST_F(SnapshotFileTest, ReadsEverything) {
     EXPECT_EQ(file.tolerance.average, 0.3);
 }
 
+// The file may come after its settings, and is next to the snapshot.
+TEST_F(SnapshotFileTest, ReadsTheSurroundings) {
+    std::ofstream(folder / "sun set.hdr") << "x";
+    const std::string file = (folder / "sun set.hdr").string();
+    const auto environment = [&](const std::string& value) {
+        const ReadSnapshot made = read(R"({ "patina": 1, "environment": )" + value + " }");
+        return made.file ? made.file->request.environment : to_text(made.error);
+    };
+    EXPECT_EQ(environment(R"("sun set.hdr")"), file);
+    EXPECT_EQ(environment(R"("none")"), "none");
+    EXPECT_EQ(environment(R"({ "file": "sun set.hdr", "rotation": -90.5 })"), file + " rotation=-90.5");
+    EXPECT_EQ(environment(R"({ "intensity": 2, "file": "sun set.hdr" })"), file + " intensity=2");
+    const ReadSnapshot made = read(R"({ "patina": 1, "background": "none", "lighting": "phong" })");
+    ASSERT_TRUE(made.file) << to_text(made.error);
+    EXPECT_EQ(made.file->request.background, "none");
+    EXPECT_EQ(made.file->request.options.lighting, "phong");
+}
+
 TEST_F(SnapshotFileTest, HasAsManyPicturesAsValuesButNotTooMany) {
     std::string values = "0";
     for (int i = 1; i < 100; i++) values += "," + std::to_string(i);
@@ -133,6 +151,16 @@ TEST_F(SnapshotFileTest, ErrorsHaveAPlaceAndAReason) {
                       Case{R"({ "patina": 1, "via": "metal" })", ":1:16: ", "glsl, hlsl or cpu"},
                       Case{R"({ "patina": 1, "ambient": "foo=1" })", ":1:16: ", "foo"},
                       Case{R"({ "patina": 1, "lights": ["foo"] })", ":1:16: ", "foo"},
+                      Case{R"({ "patina": 1, "background": "foo" })", ":1:16: ", "foo"},
+                      Case{R"({ "patina": 1, "lighting": 1 })", ":1:16: ", "'lighting' is a lighting model"},
+                      Case{R"({ "patina": 1, "environment": "no.hdr" })", ":1:16: ", "there is no file '"},
+                      Case{R"({ "patina": 1, "environment": 3 })", ":1:16: ", "'environment' is a picture"},
+                      Case{R"({ "patina": 1, "environment": { "file": "studio" } })", ":1:33: ", "there is no file '"},
+                      Case{R"({ "patina": 1, "environment": { "rotation": 1 } })", ":1:33: ", "needs 'file'"},
+                      Case{R"({ "patina": 1, "environment": { "rotation": "1" } })", ":1:33: ", "is a number from"},
+                      Case{R"({ "patina": 1, "environment": { "intensity": -1 } })", ":1:33: ", "is a number from 0"},
+                      Case{R"({ "patina": 1, "environment": { "flie": "x" } })", ":1:33: ", "did you mean 'file'?"},
+                      Case{R"({ "patina": 1, "environment": "none", "ambient": 1 })", ":1:39: ", "exclude each other"},
                       Case{R"({ "patina": 1, "camera": { "target": [0, 0, 1], "fov": 0 } })", ":1:49: ", "fov"},
                       Case{R"({ "patina": 1, "camera": { "fov": 3, "position": [1, 2] } })", ":1:38: ", "position"},
                       Case{R"({ "patina": 1, "patina": 1 })", ":1:16: ", "appears twice"},
