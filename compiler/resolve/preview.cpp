@@ -150,7 +150,7 @@ bool make_preview(Session& session, Graph& graph, std::string_view preview, Mate
                 shown = {};
                 return show_lighting(session, graph, *workflow, port, material);
             }
-            if (is_member_of_surface(session, graph, *workflow, name)) {
+            if (!is_input && is_member_of_surface(session, graph, *workflow, name)) {
                 const std::uint32_t base = session.sources.add("preview", "@surface." + std::string(name));
                 shown = {};
                 return show_lit(graph,
