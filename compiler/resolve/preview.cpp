@@ -160,8 +160,8 @@ bool make_preview(Session& session, Graph& graph, std::string_view preview, Mate
             }
         }
         if (workflow) {
-            const auto unset = find_named(workflow->inputs, name,
-                                          [](const Input& input) -> std::string_view { return input.name; });
+            const auto unset =
+                find_named(workflow->inputs, name, [](const Input& input) -> std::string_view { return input.name; });
             if (unset != workflow->inputs.end() && unset->value) {
                 shown = {};
                 return show_unlit(session, graph, unset->value, material);

@@ -15,8 +15,8 @@ namespace patina::runtime {
 namespace {
 
 using Corner = std::array<float, 3>;
-constexpr std::array<Corner, 6> kSquare = {
-    Corner{0, 0, 0}, Corner{1, 0, 0}, Corner{1, 1, 0}, Corner{0, 0, 0}, Corner{1, 1, 0}, Corner{0, 1, 0.25f}};
+constexpr std::array<Corner, 6> kSquare = {Corner{0, 0, 0}, Corner{1, 0, 0}, Corner{1, 1, 0},
+                                           Corner{0, 0, 0}, Corner{1, 1, 0}, Corner{0, 1, 0.25f}};
 
 std::string compressed() {
     draco::TriangleSoupMeshBuilder builder;
