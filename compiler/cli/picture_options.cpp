@@ -85,6 +85,19 @@ void add_camera_option(CLI::App& command, runtime::RenderRequest& request) {
         ->type_name("CAMERA");
 }
 
+// The GPU, or the CPU reference.
+void add_device_options(CLI::App& command, runtime::RenderRequest& request) {
+    command
+        .add_option("--via", request.options.via,
+                    "Render with the GLSL or the HLSL on the GPU, or with the CPU reference; default: glsl")
+        ->type_name("glsl|hlsl|cpu")
+        ->check(one_of("a way to render", {"glsl", "hlsl", "cpu"}));
+    command
+        .add_option("--device", request.options.device,
+                    "Use the GPU whose name contains NAME; default: the software renderer")
+        ->type_name("NAME");
+}
+
 void add_set_option(CLI::App& command, std::vector<std::string>& set) {
     command.add_option("--set", set, "Set a property: _Roughness=0.2, _MainTex=rust.png; repeatable")
         ->type_name("NAME=VALUE")

@@ -10,11 +10,12 @@
 
 namespace patina::cli {
 
-// Some of them: --set; --mesh and --segments; --light, --env and --ambient; --camera.
+// Some of them: --set; --mesh and --segments; --light, --env and --ambient; --camera; --via and --device.
 void add_set_option(CLI::App& command, std::vector<std::string>& set);
 void add_mesh_options(CLI::App& command, runtime::RenderRequest& request);
 void add_light_options(CLI::App& command, runtime::RenderRequest& request);
 void add_camera_option(CLI::App& command, runtime::RenderRequest& request);
+void add_device_options(CLI::App& command, runtime::RenderRequest& request);
 
 // All: --set, --mesh, --segments, --size, --width, --height, --samples, --light, --ambient, --background, --camera and
 // -I.

@@ -201,7 +201,7 @@ void declare_switches(Lowering& lowering) {
             lowering.out.switches[static_cast<std::size_t>(found - known.begin())].second = value != "false";
         }
     }
-    // What is off, and what no reader of the reflection needs.
+    // Switches that are off and that no reader of the reflection needs are left out.
     std::erase_if(lowering.out.switches, [&](const auto& each) {
         return !each.second &&
                (is_of_wraps(*session.paths, each.first) || !session.paths->switch_named(each.first)->otherwise.empty());

@@ -112,15 +112,7 @@ void add_bake(Program& program) {
     add_light_options(command, request);
     add_define_option(command, arguments->path.defines);
     add_include_option(command, request.options.include_dirs);
-    command
-        .add_option("--via", request.options.via,
-                    "Draw with the GLSL or the HLSL on the GPU, or with the CPU reference; default: glsl")
-        ->type_name("glsl|hlsl|cpu")
-        ->check(one_of("a way to render", {"glsl", "hlsl", "cpu"}));
-    command
-        .add_option("--device", request.options.device,
-                    "Use the GPU whose name contains NAME; default: the software renderer")
-        ->type_name("NAME");
+    add_device_options(command, request);
     set_check(command, [arguments] { complete(*arguments); });
 
     set_work(program, command, [arguments](const Console& console) {

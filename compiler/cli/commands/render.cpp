@@ -378,15 +378,7 @@ void add_render(Program& program) {
         ->type_name("T");
     add_sweep_options(command, arguments->sweep);
     add_path_options(command, arguments->path);
-    command
-        .add_option("--via", request.options.via,
-                    "Render with the GLSL or the HLSL on the GPU, or with the CPU reference; default: glsl")
-        ->type_name("glsl|hlsl|cpu")
-        ->check(one_of("a way to render", {"glsl", "hlsl", "cpu"}));
-    command
-        .add_option("--device", request.options.device,
-                    "Use the GPU whose name contains NAME; default: the software renderer")
-        ->type_name("NAME");
+    add_device_options(command, request);
     command.add_flag("--vulkan-validation", request.options.validation, "Turn on the Khronos validation layer");
     set_check(command, [arguments, mesh = command.get_option("--mesh")] { complete(*arguments, mesh->count() > 0); });
 

@@ -1,5 +1,5 @@
-// Meshes that Draco has compressed. The test compresses a small mesh itself, with Draco's encoder and without
-// quantization, so that what is read must be what was written.
+// Meshes that Draco has compressed. The test compresses a small mesh with Draco's encoder, without
+// quantization. So the reader must give back the same numbers.
 #include <draco/compression/encode.h>
 #include <draco/mesh/triangle_soup_mesh_builder.h>
 #include <gtest/gtest.h>
